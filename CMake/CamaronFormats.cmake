@@ -1,0 +1,33 @@
+# camaron_format: declares one mesh format; called only in Readers/Formats.cmake.
+#
+#   camaron_format(
+#     NAME        Visf                         # stem of every class, XML file and test of the format
+#     EXTENSIONS  visf                         # without the dot; several allowed
+#     DESCRIPTION "Camarón Visf mesh"          # as shown to people
+#     READER                                   # there is Readers/vtkVisfReader.{h,cxx} + VisfReader.xml
+#     WRITER)                                  # there is Writers/vtkVisfWriter.{h,cxx} + VisfWriter.xml
+#
+# From the blocks follow CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names with a
+# reader or a writer), and per format CAMARON_FORMAT_<NAME>_EXTENSIONS and _DESCRIPTION.
+set(CAMARON_FORMATS)
+set(CAMARON_READERS)
+set(CAMARON_WRITERS)
+function (camaron_format)
+  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;DESCRIPTION" "EXTENSIONS")
+  if (format_UNPARSED_ARGUMENTS OR NOT format_NAME OR NOT format_EXTENSIONS OR NOT format_DESCRIPTION)
+    message(FATAL_ERROR "camaron_format needs NAME, EXTENSIONS and DESCRIPTION; "
+      "not understood: ${format_UNPARSED_ARGUMENTS}")
+  endif ()
+  list(APPEND CAMARON_FORMATS "${format_NAME}")
+  if (format_READER)
+    list(APPEND CAMARON_READERS "${format_NAME}")
+  endif ()
+  if (format_WRITER)
+    list(APPEND CAMARON_WRITERS "${format_NAME}")
+  endif ()
+  foreach (name IN ITEMS CAMARON_FORMATS CAMARON_READERS CAMARON_WRITERS)
+    set("${name}" "${${name}}" PARENT_SCOPE)
+  endforeach ()
+  set("CAMARON_FORMAT_${format_NAME}_EXTENSIONS" "${format_EXTENSIONS}" PARENT_SCOPE)
+  set("CAMARON_FORMAT_${format_NAME}_DESCRIPTION" "${format_DESCRIPTION}" PARENT_SCOPE)
+endfunction ()

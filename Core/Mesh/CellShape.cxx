@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/CellShape.h"
+
+#include "vtkCell.h"
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
+#include <array>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Takes the faces of a fixed-size VTK cell type, reduced to corner nodes.
+void AddFaces(CellShape& shape, int cellType)
+{
+  vtkNew<vtkGenericCell> cell;
+  cell->SetCellType(cellType);
+  const vtkIdType numberOfNodes = cell->GetNumberOfPoints();
+  for (vtkIdType node = 0; node < numberOfNodes; ++node)
+  {
+    cell->GetPointIds()->SetId(node, node);
+  }
+  shape.NumberOfFaces = cell->GetNumberOfFaces();
+  int end = 0;
+  for (int f = 0; f < shape.NumberOfFaces; ++f)
+  {
+    vtkCell* face = cell->GetFace(f);
+    const int begin = end;
+    for (vtkIdType node = 0; node < face->GetNumberOfPoints(); ++node)
+    {
+      if (face->GetPointId(node) < shape.NumberOfCorners)
+      {
+        shape.FacePoints[end++] = static_cast<int>(face->GetPointId(node));
+      }
+    }
+    if (face->GetCellType() == VTK_PIXEL)
+    {
+      std::swap(shape.FacePoints[begin + 2], shape.FacePoints[begin + 3]);
+    }
+    shape.FaceOffsets[f + 1] = end;
+  }
+}
+
+//------------------------------------------------------------------------------
+struct Row
+{
+  int CellType;
+  int Dimension;
+  int NumberOfCorners;
+  int FacesOf; // fixed-size type whose faces to take; 0 if none
+};
+
+// clang-format off
+constexpr Row LinearRows[] = {
+  { VTK_VERTEX, 0, 1, 0 }, { VTK_POLY_VERTEX, 0, 0, 0 },
+  { VTK_LINE, 1, 2, 0 }, { VTK_POLY_LINE, 1, 0, 0 },
+  { VTK_TRIANGLE, 2, 3, 0 }, { VTK_TRIANGLE_STRIP, 2, 0, 0 }, { VTK_POLYGON, 2, 0, 0 },
+  { VTK_PIXEL, 2, 4, 0 }, { VTK_QUAD, 2, 4, 0 },
+  { VTK_TETRA, 3, 4, VTK_TETRA }, { VTK_VOXEL, 3, 8, VTK_VOXEL },
+  { VTK_HEXAHEDRON, 3, 8, VTK_HEXAHEDRON }, { VTK_WEDGE, 3, 6, VTK_WEDGE },
+  { VTK_PYRAMID, 3, 5, VTK_PYRAMID }, { VTK_PENTAGONAL_PRISM, 3, 10, VTK_PENTAGONAL_PRISM },
+  { VTK_HEXAGONAL_PRISM, 3, 12, VTK_HEXAGONAL_PRISM },
+  { VTK_CONVEX_POINT_SET, 3, 0, 0 }, { VTK_POLYHEDRON, 3, 0, 0 },
+};
+constexpr Row HigherOrderRows[] = {
+  { VTK_QUADRATIC_EDGE, 1, 2, 0 }, { VTK_CUBIC_LINE, 1, 2, 0 },
+  { VTK_LAGRANGE_CURVE, 1, 2, 0 }, { VTK_BEZIER_CURVE, 1, 2, 0 },
+  { VTK_QUADRATIC_TRIANGLE, 2, 3, 0 }, { VTK_BIQUADRATIC_TRIANGLE, 2, 3, 0 },
+  { VTK_LAGRANGE_TRIANGLE, 2, 3, 0 }, { VTK_BEZIER_TRIANGLE, 2, 3, 0 },
+  { VTK_QUADRATIC_QUAD, 2, 4, 0 }, { VTK_BIQUADRATIC_QUAD, 2, 4, 0 },
+  { VTK_QUADRATIC_LINEAR_QUAD, 2, 4, 0 }, { VTK_LAGRANGE_QUADRILATERAL, 2, 4, 0 },
+  { VTK_BEZIER_QUADRILATERAL, 2, 4, 0 }, { VTK_QUADRATIC_POLYGON, 2, 0, 0 },
+  { VTK_QUADRATIC_TETRA, 3, 4, VTK_TETRA }, { VTK_LAGRANGE_TETRAHEDRON, 3, 4, VTK_TETRA },
+  { VTK_BEZIER_TETRAHEDRON, 3, 4, VTK_TETRA },
+  { VTK_QUADRATIC_HEXAHEDRON, 3, 8, VTK_HEXAHEDRON },
+  { VTK_TRIQUADRATIC_HEXAHEDRON, 3, 8, VTK_HEXAHEDRON },
+  { VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, 3, 8, VTK_HEXAHEDRON },
+  { VTK_LAGRANGE_HEXAHEDRON, 3, 8, VTK_HEXAHEDRON }, { VTK_BEZIER_HEXAHEDRON, 3, 8, VTK_HEXAHEDRON },
+  { VTK_QUADRATIC_PYRAMID, 3, 5, VTK_PYRAMID }, { VTK_TRIQUADRATIC_PYRAMID, 3, 5, VTK_PYRAMID },
+  { VTK_QUADRATIC_WEDGE, 3, 6, VTK_QUADRATIC_WEDGE },
+  { VTK_QUADRATIC_LINEAR_WEDGE, 3, 6, VTK_QUADRATIC_WEDGE },
+  { VTK_BIQUADRATIC_QUADRATIC_WEDGE, 3, 6, VTK_QUADRATIC_WEDGE },
+  { VTK_LAGRANGE_WEDGE, 3, 6, VTK_QUADRATIC_WEDGE }, { VTK_BEZIER_WEDGE, 3, 6, VTK_QUADRATIC_WEDGE },
+};
+// clang-format on
+
+//------------------------------------------------------------------------------
+std::array<CellShape, 256> MakeShapes()
+{
+  std::array<CellShape, 256> shapes;
+  const auto add = [&shapes](const Row& row, bool higherOrder)
+  {
+    CellShape& shape = shapes[row.CellType];
+    shape.Dimension = row.Dimension;
+    shape.NumberOfCorners = row.NumberOfCorners;
+    shape.IsHigherOrder = higherOrder;
+    if (row.FacesOf)
+    {
+      AddFaces(shape, row.FacesOf);
+    }
+  };
+  for (const Row& row : LinearRows)
+  {
+    add(row, false);
+  }
+  for (const Row& row : HigherOrderRows)
+  {
+    add(row, true);
+  }
+  return shapes;
+}
+}
+
+//------------------------------------------------------------------------------
+const CellShape& GetCellShape(unsigned char cellType)
+{
+  static const std::array<CellShape, 256> shapes = MakeShapes();
+  return shapes[cellType];
+}
+}

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::MeshTopology
+ * @brief Faces, edges and neighbours of a mesh, built once and shared by everybody who sees it.
+ *
+ * Made from a vtkUnstructuredGrid (any mixture of linear types and polyhedra, higher-order types by
+ * their corners, any mixture of dimensions) or a vtkPolyData. Every table is built, in parallel and in
+ * time and memory proportional to the mesh, when it is first asked for; it is then found again by
+ * every MeshTopology of a mesh with the same connectivity arrays (shallow copies included) and
+ * released with these arrays.
+ *
+ * All methods are safe to call from several threads.
+ */
+#ifndef camaron_MeshTopology_h
+#define camaron_MeshTopology_h
+
+#include "Mesh/FacetTable.h"
+#include "Mesh/MeshView.h"
+
+#include <array>  // for edges
+#include <memory> // for std::shared_ptr
+#include <vector> // for tables
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/// For every point the cells that use it, ascending.
+struct PointCells
+{
+  std::vector<vtkIdType> Offsets; ///< one more than points
+  std::vector<Index> Cells;
+};
+
+/// Unique edges of all cells; each with the smaller point id first, sorted.
+using EdgeList = std::vector<std::array<vtkIdType, 2>>;
+
+class MeshTopology
+{
+public:
+  explicit MeshTopology(vtkDataSet* mesh);
+  ~MeshTopology();
+
+  const MeshView& GetMesh() const { return this->Mesh; }
+
+  /// Faces of the 3D cells.
+  const FacetTable& GetFaces() const;
+  /// Edges of the 2D cells, in the direction of the owner.
+  const FacetTable& GetSurfaceEdges() const;
+  /// Edges of all 2D and 3D cells.
+  const EdgeList& GetEdges() const;
+  const PointCells& GetPointCells() const;
+
+  /**
+   * Points of a face as its owner runs around it (outward for a healthy cell); @a points is
+   * overwritten.
+   */
+  void GetFacePoints(Index face, std::vector<vtkIdType>& points) const;
+
+  /**
+   * For readers whose file lists the faces of a mesh: hands them over, so that they need not be
+   * found again. Cheap: the table itself is built only when somebody asks for it.
+   * @param grid the reader's output, whose connectivity must not change afterwards
+   * @param cellFaces for every face of every 3D cell, in the order of GetFaces, the number that the
+   *   file gives it: two entries with the same number have the same points. Different numbers may
+   *   still have the same points.
+   * @param numberOfFileFaces one more than the largest number
+   */
+  static void Provide(
+    vtkUnstructuredGrid* grid, std::vector<Index>&& cellFaces, Index numberOfFileFaces);
+
+private:
+  struct Tables;
+  class Cache;
+  MeshView Mesh;
+  std::shared_ptr<Tables> Shared;
+};
+}
+
+#endif

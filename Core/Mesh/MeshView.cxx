@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshView.h"
+
+#include "vtkCamaronCompat.h"
+
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Points an IndexArray at plain 32 or 64 bit storage; anything else is copied to 64 bit.
+IndexArray View(vtkDataArray* array, bool plain, vtkSmartPointer<vtkDataArray>& owner)
+{
+  owner = array;
+  if (!array)
+  {
+    return {};
+  }
+  if (plain && array->GetDataTypeSize() == 4)
+  {
+    return { static_cast<const std::int32_t*>(array->GetVoidPointer(0)), nullptr };
+  }
+  if (!plain || array->GetDataTypeSize() != 8)
+  {
+    vtkNew<vtkTypeInt64Array> copy;
+    copy->DeepCopy(array);
+    owner = copy;
+  }
+  return { nullptr, static_cast<const std::int64_t*>(owner->GetVoidPointer(0)) };
+}
+}
+
+//------------------------------------------------------------------------------
+IndexLists::IndexLists(vtkCellArray* cells)
+{
+  if (cells && cells->GetNumberOfCells() > 0)
+  {
+    const bool plain = HasPlainStorage(cells);
+    this->NumberOfLists = cells->GetNumberOfCells();
+    this->Offsets = View(cells->GetOffsetsArray(), plain, this->OffsetsOwner);
+    this->Values = View(cells->GetConnectivityArray(), plain, this->ValuesOwner);
+  }
+}
+
+//------------------------------------------------------------------------------
+MeshView::MeshView(vtkDataSet* mesh)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  auto* surface = vtkPolyData::SafeDownCast(mesh);
+  vtkPoints* points = grid ? grid->GetPoints() : surface ? surface->GetPoints() : nullptr;
+  if (points && points->GetNumberOfPoints() > 0)
+  {
+    this->NumberOfPoints = points->GetNumberOfPoints();
+    this->PointsOwner = points->GetData();
+    if (auto* floats = vtkAOSDataArrayTemplate<float>::FastDownCast(this->PointsOwner))
+    {
+      this->PointsFloat = floats->GetPointer(0);
+    }
+    else if (auto* doubles = vtkAOSDataArrayTemplate<double>::FastDownCast(this->PointsOwner))
+    {
+      this->PointsDouble = doubles->GetPointer(0);
+    }
+    else
+    {
+      vtkNew<vtkDoubleArray> copy;
+      copy->DeepCopy(this->PointsOwner);
+      this->PointsOwner = copy;
+      this->PointsDouble = copy->GetPointer(0);
+    }
+  }
+
+  if (grid && grid->GetNumberOfCells() > 0)
+  {
+    this->TypesOwner = grid->GetCellTypesArray();
+    this->Types = this->TypesOwner->GetPointer(0);
+    this->Blocks[0] = IndexLists(grid->GetCells());
+    this->Faces = IndexLists(grid->GetPolyhedronFaces());
+    this->FaceLocations = IndexLists(grid->GetPolyhedronFaceLocations());
+  }
+  else if (surface)
+  {
+    vtkCellArray* blocks[] = { surface->GetVerts(), surface->GetLines(), surface->GetPolys(),
+      surface->GetStrips() };
+    for (int block = 0; block < 4; ++block)
+    {
+      this->Blocks[block] = IndexLists(blocks[block]);
+    }
+  }
+  for (int block = 0; block < 4; ++block)
+  {
+    this->FirstCells[block + 1] = this->FirstCells[block] + this->Blocks[block].NumberOfLists;
+  }
+  this->NumberOfCells = this->FirstCells[4];
+}
+
+//------------------------------------------------------------------------------
+unsigned char MeshView::GetPolyDataCellType(vtkIdType cell) const
+{
+  const vtkIdType size = this->GetCellPoints(cell).Size;
+  if (cell >= this->FirstCells[3])
+  {
+    return VTK_TRIANGLE_STRIP;
+  }
+  if (cell >= this->FirstCells[2])
+  {
+    return size == 3 ? VTK_TRIANGLE : size == 4 ? VTK_QUAD : VTK_POLYGON;
+  }
+  if (cell >= this->FirstCells[1])
+  {
+    return size > 2 ? VTK_POLY_LINE : VTK_LINE;
+  }
+  return size > 1 ? VTK_POLY_VERTEX : VTK_VERTEX;
+}
+}

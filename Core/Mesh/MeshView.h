@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::MeshView
+ * @brief Reads points and cells of a vtkUnstructuredGrid or vtkPolyData without virtual calls.
+ *
+ * A view is cheap to make and to copy: it borrows the arrays of the mesh (and keeps them alive), and
+ * copies only what VTK stores in an unusual form (points that are neither float nor double tuples,
+ * implicit cell offsets). All methods are const and safe to call from several threads.
+ *
+ * Cells of a vtkPolyData are numbered as VTK does: vertices, lines, polygons, strips.
+ */
+#ifndef camaron_MeshView_h
+#define camaron_MeshView_h
+
+#include "vtkCellType.h"     // for the VTK_* cell types
+#include "vtkSmartPointer.h" // for members
+#include "vtkType.h"         // for vtkIdType
+
+#include <array>   // for the blocks of cells
+#include <cstdint> // for the index types of VTK's cell arrays
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkDataSet;
+class vtkUnsignedCharArray;
+
+namespace camaron
+{
+/// Read-only array of 32 or 64 bit indices.
+struct IndexArray
+{
+  const std::int32_t* Values32 = nullptr;
+  const std::int64_t* Values64 = nullptr;
+  vtkIdType operator[](vtkIdType i) const { return this->Values32 ? this->Values32[i] : this->Values64[i]; }
+};
+
+/// A run of consecutive entries of an IndexArray, such as the points of one cell.
+struct IndexRange
+{
+  IndexArray Values;
+  vtkIdType Begin = 0;
+  vtkIdType Size = 0;
+  vtkIdType operator[](vtkIdType i) const { return this->Values[this->Begin + i]; }
+};
+
+/// Lists of indices with offsets, as a vtkCellArray holds them.
+struct IndexLists
+{
+  IndexArray Offsets;
+  IndexArray Values;
+  vtkIdType NumberOfLists = 0;
+  vtkSmartPointer<vtkDataArray> OffsetsOwner, ValuesOwner;
+
+  IndexLists() = default;
+  explicit IndexLists(vtkCellArray* cells);
+  IndexRange operator[](vtkIdType list) const
+  {
+    const vtkIdType begin = this->Offsets[list];
+    return { this->Values, begin, this->Offsets[list + 1] - begin };
+  }
+};
+
+class MeshView
+{
+public:
+  MeshView() = default;
+  /// @a mesh must be a vtkUnstructuredGrid or a vtkPolyData; any other (or none) gives an empty view.
+  explicit MeshView(vtkDataSet* mesh);
+
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+
+  /// True when coordinates are stored as float; they are handed out as double in any case.
+  bool HasFloatPoints() const { return this->PointsFloat != nullptr; }
+  void GetPoint(vtkIdType id, double x[3]) const
+  {
+    if (this->PointsFloat)
+    {
+      const float* p = this->PointsFloat + 3 * id;
+      x[0] = p[0], x[1] = p[1], x[2] = p[2];
+    }
+    else
+    {
+      const double* p = this->PointsDouble + 3 * id;
+      x[0] = p[0], x[1] = p[1], x[2] = p[2];
+    }
+  }
+
+  /// VTK's type of the cell, e.g. VTK_TETRA.
+  unsigned char GetCellType(vtkIdType cell) const
+  {
+    return this->Types ? this->Types[cell] : this->GetPolyDataCellType(cell);
+  }
+  /// Point ids as VTK lists them; of a polyhedron its distinct points in no particular order.
+  IndexRange GetCellPoints(vtkIdType cell) const
+  {
+    int block = 0;
+    while (cell >= this->FirstCells[block + 1])
+    {
+      ++block;
+    }
+    return this->Blocks[block][cell - this->FirstCells[block]];
+  }
+
+  ///@{
+  /**
+   * Faces of a VTK_POLYHEDRON cell as entries of the mesh's list of polyhedron faces, and the points
+   * of such an entry. Only for polyhedra.
+   */
+  IndexRange GetPolyhedronFaces(vtkIdType cell) const { return this->FaceLocations[cell]; }
+  IndexRange GetPolyhedronFacePoints(vtkIdType face) const { return this->Faces[face]; }
+  bool HasPolyhedra() const { return this->Faces.NumberOfLists > 0; }
+  ///@}
+
+private:
+  unsigned char GetPolyDataCellType(vtkIdType cell) const;
+
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCells = 0;
+  const float* PointsFloat = nullptr;
+  const double* PointsDouble = nullptr;
+  vtkSmartPointer<vtkDataArray> PointsOwner;
+  const unsigned char* Types = nullptr;
+  vtkSmartPointer<vtkUnsignedCharArray> TypesOwner;
+  std::array<IndexLists, 4> Blocks;
+  std::array<vtkIdType, 5> FirstCells = { { 0, 0, 0, 0, 0 } };
+  IndexLists Faces;
+  IndexLists FaceLocations;
+};
+}
+
+#endif

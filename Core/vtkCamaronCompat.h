@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkCamaronCompat.h
+ * @brief Hides the differences between the VTK versions of the supported ParaViews (5.13 to 6.1).
+ *
+ * Every version check of the project lives here, with the reason and the condition for its removal.
+ */
+#ifndef vtkCamaronCompat_h
+#define vtkCamaronCompat_h
+
+#include "vtkCellArray.h"
+#include "vtkDataArray.h"
+#include "vtkVersionMacros.h"
+
+namespace camaron
+{
+/**
+ * True when the cell array keeps plain int32 or int64 offsets and connectivity arrays. VTK 9.6 adds
+ * fixed-size and generic storages whose arrays may be implicit; delete this when VTK < 9.6 is no
+ * longer supported and ask GetStorageType() instead.
+ */
+inline bool HasPlainStorage(vtkCellArray* cells)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+  return cells->GetStorageType() == vtkCellArray::Int64 ||
+    cells->GetStorageType() == vtkCellArray::Int32;
+#else
+  (void)cells;
+  return true;
+#endif
+}
+}
+
+#endif

@@ -1,0 +1,2 @@
+# Every mesh format of the plugin, one block each. Class lists, server-manager XML lists, tests and the
+# table of formats follow from here; see CMake/CamaronFormats.cmake for the fields.
