@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Parallel.h
+ * @brief vtkSMPTools with threads also where ParaView was built to run them sequentially.
+ *
+ * Some packages of ParaView choose VTK's Sequential backend although STDThread is compiled in. Unless
+ * the user chose a backend (VTK_SMP_BACKEND_IN_USE) or called vtkSMPTools::SetBackend with another one,
+ * our loops then run on STDThread with one thread per core or VTK_SMP_MAX_THREADS.
+ */
+#ifndef camaron_Parallel_h
+#define camaron_Parallel_h
+
+#include "vtkSMPTools.h" // for vtkSMPTools
+#include "vtkType.h"     // for vtkIdType
+
+#include <vector> // for chunk sums
+
+namespace camaron
+{
+/// True when loops should run on STDThread although VTK's current backend is Sequential.
+bool NeedsThreads();
+
+/// Runs @a function(), in which vtkSMPTools::For uses threads as described above.
+template <typename Function>
+void WithThreads(Function&& function)
+{
+  if (NeedsThreads())
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, function);
+  }
+  else
+  {
+    function();
+  }
+}
+
+/// Calls @a function(begin, end) for pieces of [0, size); @a grain is the smallest worthwhile piece.
+template <typename Function>
+void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
+{
+  if (size <= grain)
+  {
+    if (size > 0)
+    {
+      function(vtkIdType(0), size);
+    }
+    return;
+  }
+  WithThreads([&] { vtkSMPTools::For(0, size, grain, function); });
+}
+
+/**
+ * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk, then
+ * @a place(begin, end, sumBefore) for each; returns the total.
+ */
+template <typename Count, typename Place>
+vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& place)
+{
+  const vtkIdType numberOfChunks = (size + chunk - 1) / chunk;
+  std::vector<vtkIdType> sums(numberOfChunks + 1, 0);
+  const auto last = [=](vtkIdType c) { return c * chunk + chunk < size ? c * chunk + chunk : size; };
+  ParallelFor(numberOfChunks, 1,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType c = first; c < end; ++c)
+      {
+        sums[c + 1] = count(c * chunk, last(c));
+      }
+    });
+  for (vtkIdType c = 0; c < numberOfChunks; ++c)
+  {
+    sums[c + 1] += sums[c];
+  }
+  ParallelFor(numberOfChunks, 1,
+    [&](vtkIdType first, vtkIdType end)
+    {
+      for (vtkIdType c = first; c < end; ++c)
+      {
+        place(c * chunk, last(c), sums[c]);
+      }
+    });
+  return sums[numberOfChunks];
+}
+}
+
+#endif
