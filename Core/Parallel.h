@@ -6,7 +6,8 @@
  *
  * Some packages of ParaView choose VTK's Sequential backend although STDThread is compiled in. Unless
  * the user chose a backend (VTK_SMP_BACKEND_IN_USE) or called vtkSMPTools::SetBackend with another one,
- * our loops then run on STDThread with one thread per core or VTK_SMP_MAX_THREADS.
+ * our loops then run on STDThread with one thread per core or VTK_SMP_MAX_THREADS. Under MPI with more
+ * than one rank VTK's choice stands, since the ranks share the cores already.
  */
 #ifndef camaron_Parallel_h
 #define camaron_Parallel_h

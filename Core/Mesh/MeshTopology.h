@@ -34,7 +34,7 @@ struct PointCells
 };
 
 /// Unique edges of all cells; each with the smaller point id first, sorted.
-using EdgeList = std::vector<std::array<vtkIdType, 2>>;
+using EdgeList = std::vector<std::array<Index, 2>>;
 
 class MeshTopology
 {

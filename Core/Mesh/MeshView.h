@@ -32,7 +32,10 @@ struct IndexArray
 {
   const std::int32_t* Values32 = nullptr;
   const std::int64_t* Values64 = nullptr;
-  vtkIdType operator[](vtkIdType i) const { return this->Values32 ? this->Values32[i] : this->Values64[i]; }
+  vtkIdType operator[](vtkIdType i) const
+  {
+    return this->Values32 ? this->Values32[i] : this->Values64[i];
+  }
 };
 
 /// A run of consecutive entries of an IndexArray, such as the points of one cell.

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/BoundarySurface.h"
+
+#include "Mesh/CellFacets.h"
+#include "Mesh/MeshTopology.h"
+#include "Parallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType CellChunk = 1 << 14;
+
+// vtkPolyData keeps its cells by kind, in this order.
+enum Kind
+{
+  Vertices,
+  Lines,
+  Polygons,
+  NumberOfKinds
+};
+
+struct Counts
+{
+  vtkIdType Cells = 0;
+  vtkIdType Points = 0;
+};
+
+//------------------------------------------------------------------------------
+// Calls visit(kind, points, numberOfPoints) for whatever a cell shows.
+class SurfaceParts
+{
+public:
+  SurfaceParts(const MeshTopology& topology, const unsigned char* ghosts)
+    : Mesh(topology.GetMesh())
+    , Faces(topology.GetFaces())
+    , Ghosts(ghosts)
+    , Facets(this->Mesh)
+  {
+  }
+
+  template <typename Visitor>
+  void ForEach(vtkIdType cell, Visitor&& visit)
+  {
+    constexpr int hidden = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+    if (this->Ghosts && (this->Ghosts[cell] & hidden))
+    {
+      return;
+    }
+    switch (this->Facets.GetDimension(cell))
+    {
+      case 3:
+      {
+        const FacetTable::Range uses = this->Faces.GetCellFacets(cell);
+        bool any = false;
+        for (const CellFacet use : uses)
+        {
+          any = any || this->Faces.IsBoundary(use.Facet());
+        }
+        if (any)
+        {
+          this->Facets.ForEach(cell,
+            [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+            {
+              if (this->Faces.IsBoundary(uses[static_cast<Index>(local)].Facet()))
+              {
+                visit(Polygons, points, size);
+              }
+            });
+        }
+        break;
+      }
+      case 2:
+        this->Facets.GetPolygon(cell, this->Points);
+        visit(Polygons, this->Points.data(), static_cast<vtkIdType>(this->Points.size()));
+        break;
+      case 1:
+      case 0:
+      {
+        const IndexRange points = this->Mesh.GetCellPoints(cell);
+        const CellShape& shape = GetCellShape(this->Mesh.GetCellType(cell));
+        const vtkIdType size = shape.NumberOfCorners ? shape.NumberOfCorners : points.Size;
+        this->Points.resize(size);
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          this->Points[i] = points[i];
+        }
+        visit(shape.Dimension == 1 ? Lines : Vertices, this->Points.data(), size);
+        break;
+      }
+      default:
+        break;
+    }
+  }
+
+private:
+  const MeshView& Mesh;
+  const FacetTable& Faces;
+  const unsigned char* Ghosts;
+  CellFacets Facets;
+  std::vector<vtkIdType> Points;
+};
+
+//------------------------------------------------------------------------------
+void CopyAttributes(
+  vtkDataSetAttributes* from, vtkDataSetAttributes* to, vtkIdTypeArray* ids, const char* idsName)
+{
+  to->CopyGlobalIdsOn();
+  to->CopyAllocate(from, ids->GetNumberOfValues());
+  vtkNew<vtkIdList> list;
+  list->SetNumberOfIds(ids->GetNumberOfValues());
+  std::copy_n(ids->GetPointer(0), ids->GetNumberOfValues(), list->GetPointer(0));
+  to->CopyData(from, list, vtkIdType(0));
+  ids->SetName(idsName);
+  to->AddArray(ids);
+  to->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+}
+}
+
+//------------------------------------------------------------------------------
+void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface)
+{
+  const MeshTopology topology(mesh);
+  const MeshView& view = topology.GetMesh();
+  const vtkIdType numberOfCells = view.GetNumberOfCells();
+  vtkUnsignedCharArray* ghostArray = mesh->GetCellGhostArray();
+  const unsigned char* ghosts = ghostArray ? ghostArray->GetPointer(0) : nullptr;
+  topology.GetFaces();
+
+  // Count, chunk by chunk, so that the second pass knows where to write.
+  const vtkIdType numberOfChunks = (numberOfCells + CellChunk - 1) / CellChunk;
+  std::vector<Counts> starts(NumberOfKinds * (numberOfChunks + 1));
+  const auto start = [&](int kind, vtkIdType chunk) -> Counts&
+  { return starts[kind * (numberOfChunks + 1) + chunk]; };
+  const auto forEachChunk = [&](auto&& perChunk)
+  {
+    ParallelFor(numberOfChunks, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        SurfaceParts parts(topology, ghosts);
+        for (vtkIdType chunk = begin; chunk < end; ++chunk)
+        {
+          perChunk(
+            parts, chunk, chunk * CellChunk, std::min(numberOfCells, (chunk + 1) * CellChunk));
+        }
+      });
+  };
+  forEachChunk(
+    [&](SurfaceParts& parts, vtkIdType chunk, vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        parts.ForEach(cell,
+          [&](Kind kind, const vtkIdType*, vtkIdType size)
+          {
+            Counts& counts = start(kind, chunk + 1);
+            ++counts.Cells;
+            counts.Points += size;
+          });
+      }
+    });
+  Counts total;
+  for (int kind = 0; kind < NumberOfKinds; ++kind)
+  {
+    for (vtkIdType chunk = 0; chunk < numberOfChunks; ++chunk)
+    {
+      start(kind, chunk + 1).Cells += start(kind, chunk).Cells;
+      start(kind, chunk + 1).Points += start(kind, chunk).Points;
+    }
+    total.Cells += start(kind, numberOfChunks).Cells;
+  }
+
+  vtkNew<vtkIdTypeArray> cellIds;
+  cellIds->SetNumberOfValues(total.Cells);
+  vtkNew<vtkTypeInt64Array> offsets[NumberOfKinds], connectivity[NumberOfKinds];
+  vtkIdType firstCell[NumberOfKinds];
+  total.Cells = 0;
+  for (int kind = 0; kind < NumberOfKinds; ++kind)
+  {
+    const Counts& counts = start(kind, numberOfChunks);
+    firstCell[kind] = total.Cells;
+    total.Cells += counts.Cells;
+    offsets[kind]->SetNumberOfValues(counts.Cells + 1);
+    offsets[kind]->SetValue(counts.Cells, counts.Points);
+    connectivity[kind]->SetNumberOfValues(counts.Points);
+  }
+  forEachChunk(
+    [&](SurfaceParts& parts, vtkIdType chunk, vtkIdType begin, vtkIdType end)
+    {
+      Counts next[NumberOfKinds];
+      for (int kind = 0; kind < NumberOfKinds; ++kind)
+      {
+        next[kind] = start(kind, chunk);
+      }
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        parts.ForEach(cell,
+          [&](Kind kind, const vtkIdType* points, vtkIdType size)
+          {
+            Counts& to = next[kind];
+            cellIds->SetValue(firstCell[kind] + to.Cells, cell);
+            offsets[kind]->SetValue(to.Cells, to.Points);
+            std::copy_n(points, size, connectivity[kind]->GetPointer(to.Points));
+            ++to.Cells;
+            to.Points += size;
+          });
+      }
+    });
+
+  // Only the points that are used, in their old order.
+  std::vector<Index> newIds(view.GetNumberOfPoints(), -1);
+  for (auto& values : connectivity)
+  {
+    for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
+    {
+      newIds[values->GetValue(i)] = 0;
+    }
+  }
+  vtkIdType numberOfPoints = 0;
+  for (Index& id : newIds)
+  {
+    id = id < 0 ? -1 : static_cast<Index>(numberOfPoints++);
+  }
+  vtkNew<vtkIdTypeArray> pointIds;
+  pointIds->SetNumberOfValues(numberOfPoints);
+  vtkNew<vtkPoints> points;
+  points->SetDataType(view.HasFloatPoints() ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(numberOfPoints);
+  for (vtkIdType id = 0; id < view.GetNumberOfPoints(); ++id)
+  {
+    if (newIds[id] >= 0)
+    {
+      double x[3];
+      view.GetPoint(id, x);
+      points->SetPoint(newIds[id], x);
+      pointIds->SetValue(newIds[id], id);
+    }
+  }
+  for (int kind = 0; kind < NumberOfKinds; ++kind)
+  {
+    vtkTypeInt64* values = connectivity[kind]->GetPointer(0);
+    ParallelFor(connectivity[kind]->GetNumberOfValues(), CellChunk,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          values[i] = newIds[values[i]];
+        }
+      });
+    vtkNew<vtkCellArray> cells;
+    cells->SetData(offsets[kind], connectivity[kind]);
+    kind == Vertices ? surface->SetVerts(cells)
+      : kind == Lines ? surface->SetLines(cells)
+                      : surface->SetPolys(cells);
+  }
+  surface->SetPoints(points);
+  CopyAttributes(mesh->GetCellData(), surface->GetCellData(), cellIds, "vtkOriginalCellIds");
+  CopyAttributes(mesh->GetPointData(), surface->GetPointData(), pointIds, "vtkOriginalPointIds");
+  surface->GetFieldData()->PassData(mesh->GetFieldData());
+}
+}

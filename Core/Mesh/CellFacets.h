@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellFacets
+ * @brief Walks over the facets of single cells: faces of 3D cells, edges of 2D cells, as point ids.
+ *
+ * The one place that knows how each VTK cell type is bounded. Holds scratch memory: use one per thread.
+ */
+#ifndef camaron_CellFacets_h
+#define camaron_CellFacets_h
+
+#include "Mesh/CellShape.h"
+#include "Mesh/MeshView.h"
+
+#include <vector> // for scratch
+
+namespace camaron
+{
+class CellFacets
+{
+public:
+  explicit CellFacets(const MeshView& mesh)
+    : Mesh(mesh)
+    , Shapes(&GetCellShape(0))
+  {
+  }
+
+  int GetDimension(vtkIdType cell) const { return this->Shapes[this->Mesh.GetCellType(cell)].Dimension; }
+
+  /// Number of faces of a 3D cell or edges of a 2D cell; 0 for other cells.
+  vtkIdType GetNumberOfFacets(vtkIdType cell) const
+  {
+    const unsigned char type = this->Mesh.GetCellType(cell);
+    const CellShape& shape = this->Shapes[type];
+    if (shape.Dimension == 3)
+    {
+      return type == VTK_POLYHEDRON ? this->Mesh.GetPolyhedronFaces(cell).Size : shape.NumberOfFaces;
+    }
+    return shape.Dimension == 2 ? this->GetPolygonSize(type, shape, cell) : 0;
+  }
+
+  /// Calls @a visit(const vtkIdType* points, vtkIdType numberOfPoints, vtkIdType local) for each facet.
+  template <typename Visitor>
+  void ForEach(vtkIdType cell, Visitor&& visit)
+  {
+    const unsigned char type = this->Mesh.GetCellType(cell);
+    const CellShape& shape = this->Shapes[type];
+    if (shape.Dimension == 3)
+    {
+      if (type == VTK_POLYHEDRON)
+      {
+        const IndexRange faces = this->Mesh.GetPolyhedronFaces(cell);
+        for (vtkIdType f = 0; f < faces.Size; ++f)
+        {
+          const IndexRange points = this->Mesh.GetPolyhedronFacePoints(faces[f]);
+          this->Points.resize(points.Size);
+          for (vtkIdType i = 0; i < points.Size; ++i)
+          {
+            this->Points[i] = points[i];
+          }
+          visit(this->Points.data(), points.Size, f);
+        }
+        return;
+      }
+      vtkIdType corners[12];
+      vtkIdType face[CellShape::MaxFacePoints];
+      const IndexRange points = this->Mesh.GetCellPoints(cell);
+      for (int i = 0; i < shape.NumberOfCorners; ++i)
+      {
+        corners[i] = points[i];
+      }
+      for (int f = 0; f < shape.NumberOfFaces; ++f)
+      {
+        const int begin = shape.FaceOffsets[f], size = shape.FaceOffsets[f + 1] - begin;
+        for (int i = 0; i < size; ++i)
+        {
+          face[i] = corners[shape.FacePoints[begin + i]];
+        }
+        visit(static_cast<const vtkIdType*>(face), vtkIdType(size), vtkIdType(f));
+      }
+    }
+    else if (shape.Dimension == 2)
+    {
+      this->GetPolygon(cell, this->Points);
+      const vtkIdType size = static_cast<vtkIdType>(this->Points.size());
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        const vtkIdType edge[2] = { this->Points[i], this->Points[i + 1 < size ? i + 1 : 0] };
+        visit(static_cast<const vtkIdType*>(edge), vtkIdType(2), i);
+      }
+    }
+  }
+
+  /// Appends the points of one facet.
+  void GetFacet(vtkIdType cell, vtkIdType wanted, std::vector<vtkIdType>& facet)
+  {
+    this->ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+      {
+        if (local == wanted)
+        {
+          facet.insert(facet.end(), points, points + size);
+        }
+      });
+  }
+
+  /// Corners of a 2D cell in order; of a strip its outline.
+  void GetPolygon(vtkIdType cell, std::vector<vtkIdType>& polygon) const
+  {
+    const unsigned char type = this->Mesh.GetCellType(cell);
+    const IndexRange points = this->Mesh.GetCellPoints(cell);
+    const vtkIdType size = this->GetPolygonSize(type, this->Shapes[type], cell);
+    polygon.resize(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      vtkIdType node = i;
+      if (type == VTK_PIXEL && i > 1)
+      {
+        node = 5 - i;
+      }
+      else if (type == VTK_TRIANGLE_STRIP && i > 0)
+      {
+        // p0, then the odd points upwards, then the even ones downwards.
+        const vtkIdType odd = size / 2;
+        node = i <= odd ? 2 * i - 1 : 2 * (size - i);
+      }
+      polygon[i] = points[node];
+    }
+  }
+
+private:
+  vtkIdType GetPolygonSize(unsigned char type, const CellShape& shape, vtkIdType cell) const
+  {
+    if (shape.NumberOfCorners)
+    {
+      return shape.NumberOfCorners;
+    }
+    const vtkIdType size = this->Mesh.GetCellPoints(cell).Size;
+    return type == VTK_QUADRATIC_POLYGON ? size / 2 : size;
+  }
+
+  const MeshView& Mesh;
+  const CellShape* Shapes;
+  std::vector<vtkIdType> Points;
+};
+}
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/FacetTable.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// The entries of a sorted list of (facet, cell) pairs that belong to one facet.
+template <typename ExtraCells>
+auto FindExtraCells(const ExtraCells& extraCells, Index facet)
+{
+  using Extra = typename ExtraCells::value_type;
+  struct Less
+  {
+    bool operator()(const Extra& extra, Index f) const { return extra.Facet < f; }
+    bool operator()(Index f, const Extra& extra) const { return f < extra.Facet; }
+  };
+  return std::equal_range(extraCells.begin(), extraCells.end(), facet, Less());
+}
+}
+
+//------------------------------------------------------------------------------
+void FacetTable::GetCells(Index facet, std::vector<Index>& cells) const
+{
+  const CellPair pair = this->FacetCells[facet];
+  cells.assign(1, pair.First);
+  if (pair.Second >= 0)
+  {
+    cells.push_back(pair.Second);
+  }
+  const auto extra = FindExtraCells(this->ExtraCells, facet);
+  for (auto it = extra.first; it != extra.second; ++it)
+  {
+    cells.push_back(it->Cell);
+  }
+}
+
+//------------------------------------------------------------------------------
+Index FacetTable::GetNumberOfCells(Index facet) const
+{
+  if (this->FacetCells[facet].Second < 0)
+  {
+    return 1;
+  }
+  const auto extra = FindExtraCells(this->ExtraCells, facet);
+  return 2 + static_cast<Index>(extra.second - extra.first);
+}
+
+//------------------------------------------------------------------------------
+Index FacetTable::GetOwnerLocalFacet(Index facet) const
+{
+  const Range facets = this->GetCellFacets(this->FacetCells[facet].First);
+  Index local = 0;
+  while (facets[local].Facet() != facet)
+  {
+    ++local;
+  }
+  return local;
+}
+
+//------------------------------------------------------------------------------
+std::size_t FacetTable::GetMemorySize() const
+{
+  return this->CellOffsets.capacity() * sizeof(vtkIdType) +
+    this->CellFacets.capacity() * sizeof(CellFacet) +
+    this->FacetCells.capacity() * sizeof(CellPair) + this->ExtraCells.capacity() * sizeof(ExtraCell);
+}
+}

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/MeshTopology.h"
+
+#include "Mesh/CellFacets.h"
+#include "Mesh/FacetTableBuilder.h"
+#include "Parallel.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <utility>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType CellGrain = 4096;
+
+//------------------------------------------------------------------------------
+// Sorts items into one bucket per point: visit(cell, put) calls put(point, value) for every item of a
+// cell, twice over all cells. Gives the distinct values bucket by bucket, sorted, and the buckets' ends.
+template <typename Visit>
+void FillBuckets(const MeshView& mesh, Visit&& visit, std::vector<vtkIdType>& ends,
+  std::vector<Index>& values)
+{
+  const vtkIdType numberOfPoints = mesh.GetNumberOfPoints();
+  std::unique_ptr<std::atomic<vtkIdType>[]> cursors(new std::atomic<vtkIdType>[numberOfPoints]);
+  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  {
+    std::atomic_init(&cursors[point], 0);
+  }
+  const auto forAllItems = [&](auto&& put)
+  {
+    ParallelFor(mesh.GetNumberOfCells(), CellGrain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        CellFacets facets(mesh);
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          visit(facets, cell, put);
+        }
+      });
+  };
+  forAllItems([&](vtkIdType point, Index) { cursors[point].fetch_add(1, std::memory_order_relaxed); });
+  vtkIdType total = 0;
+  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  {
+    total += cursors[point].exchange(total, std::memory_order_relaxed);
+  }
+  values.resize(total);
+  forAllItems([&](vtkIdType point, Index value)
+    { values[cursors[point].fetch_add(1, std::memory_order_relaxed)] = value; });
+  ends.resize(numberOfPoints);
+  ParallelFor(numberOfPoints, CellGrain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        const vtkIdType first = point > 0 ? cursors[point - 1].load() : 0;
+        ends[point] = cursors[point].load();
+        std::sort(values.begin() + first, values.begin() + ends[point]);
+      }
+    });
+  vtkIdType first = 0, last = 0;
+  for (vtkIdType& end : ends)
+  {
+    const auto newEnd = std::unique(values.begin() + first, values.begin() + end);
+    last = std::move(values.begin() + first, newEnd, values.begin() + last) - values.begin();
+    first = std::exchange(end, last);
+  }
+  values.resize(last);
+  values.shrink_to_fit();
+}
+
+//------------------------------------------------------------------------------
+EdgeList FindEdges(const MeshView& mesh)
+{
+  std::vector<vtkIdType> ends;
+  std::vector<Index> others;
+  FillBuckets(
+    mesh,
+    [](CellFacets& facets, vtkIdType cell, auto&& put)
+    {
+      facets.ForEach(cell,
+        [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+        {
+          const vtkIdType numberOfEdges = size == 2 ? 1 : size;
+          for (vtkIdType i = 0; i < numberOfEdges; ++i)
+          {
+            const vtkIdType a = points[i], b = points[i + 1 < size ? i + 1 : 0];
+            if (a != b)
+            {
+              put(std::min(a, b), static_cast<Index>(std::max(a, b)));
+            }
+          }
+        });
+    },
+    ends, others);
+  EdgeList edges;
+  edges.reserve(others.size());
+  vtkIdType first = 0;
+  for (vtkIdType point = 0; point < static_cast<vtkIdType>(ends.size()); ++point)
+  {
+    for (; first < ends[point]; ++first)
+    {
+      edges.push_back({ { static_cast<Index>(point), others[first] } });
+    }
+  }
+  return edges;
+}
+
+//------------------------------------------------------------------------------
+PointCells FindPointCells(const MeshView& mesh)
+{
+  PointCells result;
+  std::vector<vtkIdType> ends;
+  FillBuckets(
+    mesh,
+    [&mesh](CellFacets&, vtkIdType cell, auto&& put)
+    {
+      const IndexRange points = mesh.GetCellPoints(cell);
+      for (vtkIdType i = 0; i < points.Size; ++i)
+      {
+        put(points[i], static_cast<Index>(cell));
+      }
+    },
+    ends, result.Cells);
+  result.Offsets.assign(1, 0);
+  result.Offsets.insert(result.Offsets.end(), ends.begin(), ends.end());
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// Everything that defines the connectivity of a mesh, for comparison. Never dereferenced later on.
+struct Key
+{
+  std::vector<std::pair<vtkObject*, vtkMTimeType>> Arrays;
+
+  explicit Key(vtkDataSet* mesh)
+  {
+    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+    {
+      this->Add(grid->GetCells());
+      this->Add(grid->GetCellTypesArray());
+      this->Add(grid->GetPolyhedronFaces());
+      this->Add(grid->GetPolyhedronFaceLocations());
+    }
+    else if (auto* surface = vtkPolyData::SafeDownCast(mesh))
+    {
+      this->Add(surface->GetVerts());
+      this->Add(surface->GetLines());
+      this->Add(surface->GetPolys());
+      this->Add(surface->GetStrips());
+    }
+  }
+  void Add(vtkCellArray* cells)
+  {
+    if (cells && cells->GetNumberOfCells() > 0)
+    {
+      this->Add(cells->GetOffsetsArray());
+      this->Add(cells->GetConnectivityArray());
+    }
+  }
+  void Add(vtkObject* array)
+  {
+    if (array)
+    {
+      this->Arrays.emplace_back(array, array->GetMTime());
+    }
+  }
+  bool operator==(const Key& other) const { return this->Arrays == other.Arrays; }
+};
+}
+
+//------------------------------------------------------------------------------
+struct MeshTopology::Tables
+{
+  std::once_flag FacesOnce, SurfaceEdgesOnce, EdgesOnce, PointCellsOnce;
+  FacetTable Faces, SurfaceEdges;
+  EdgeList Edges;
+  camaron::PointCells PointCells;
+  std::vector<Index> GivenFaces; // until Faces is built
+  Index NumberOfGivenFaces = 0;
+};
+
+//------------------------------------------------------------------------------
+// Tables of all meshes whose connectivity arrays are alive. The arrays tell when they are deleted.
+class MeshTopology::Cache
+{
+public:
+  static Cache& Get()
+  {
+    static Cache* cache = new Cache; // lives as long as any array may
+    return *cache;
+  }
+
+  std::shared_ptr<Tables> Find(vtkDataSet* mesh)
+  {
+    const Key key(mesh);
+    if (key.Arrays.empty())
+    {
+      return std::make_shared<Tables>();
+    }
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    for (const Entry& entry : this->Entries)
+    {
+      if (entry.Key == key)
+      {
+        return entry.Tables;
+      }
+    }
+    for (const auto& array : key.Arrays)
+    {
+      if (!std::binary_search(this->Observed.begin(), this->Observed.end(), array.first))
+      {
+        vtkNew<vtkCallbackCommand> command;
+        command->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+          { Cache::Get().Forget(caller); });
+        array.first->AddObserver(vtkCommand::DeleteEvent, command);
+        this->Observed.insert(
+          std::upper_bound(this->Observed.begin(), this->Observed.end(), array.first), array.first);
+      }
+    }
+    // A changed array has a new time; what was known of its old content is of no use any more.
+    this->Erase([&](const Entry& entry) { return entry.Key.Arrays[0].first == key.Arrays[0].first; });
+    this->Entries.push_back({ key, std::make_shared<Tables>() });
+    return this->Entries.back().Tables;
+  }
+
+private:
+  struct Entry
+  {
+    camaron::Key Key;
+    std::shared_ptr<MeshTopology::Tables> Tables;
+  };
+
+  void Forget(vtkObject* array)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Erase(
+      [&](const Entry& entry)
+      {
+        return std::any_of(entry.Key.Arrays.begin(), entry.Key.Arrays.end(),
+          [&](const auto& known) { return known.first == array; });
+      });
+    this->Observed.erase(
+      std::remove(this->Observed.begin(), this->Observed.end(), array), this->Observed.end());
+  }
+
+  template <typename Predicate>
+  void Erase(Predicate&& predicate)
+  {
+    this->Entries.erase(
+      std::remove_if(this->Entries.begin(), this->Entries.end(), predicate), this->Entries.end());
+  }
+
+  std::mutex Mutex;
+  std::vector<Entry> Entries;
+  std::vector<vtkObject*> Observed; // sorted
+};
+
+//------------------------------------------------------------------------------
+MeshTopology::MeshTopology(vtkDataSet* mesh)
+  : Mesh(mesh)
+  , Shared(Cache::Get().Find(mesh))
+{
+}
+
+//------------------------------------------------------------------------------
+MeshTopology::~MeshTopology() = default;
+
+//------------------------------------------------------------------------------
+const FacetTable& MeshTopology::GetFaces() const
+{
+  Tables& tables = *this->Shared;
+  std::call_once(tables.FacesOnce,
+    [&]
+    {
+      tables.Faces =
+        FacetTableBuilder::Build(this->Mesh, 3, tables.GivenFaces, tables.NumberOfGivenFaces);
+      std::vector<Index>().swap(tables.GivenFaces);
+    });
+  return tables.Faces;
+}
+
+//------------------------------------------------------------------------------
+const FacetTable& MeshTopology::GetSurfaceEdges() const
+{
+  std::call_once(this->Shared->SurfaceEdgesOnce,
+    [&] { this->Shared->SurfaceEdges = FacetTableBuilder::Build(this->Mesh, 2); });
+  return this->Shared->SurfaceEdges;
+}
+
+//------------------------------------------------------------------------------
+const EdgeList& MeshTopology::GetEdges() const
+{
+  std::call_once(
+    this->Shared->EdgesOnce, [&] { this->Shared->Edges = FindEdges(this->Mesh); });
+  return this->Shared->Edges;
+}
+
+//------------------------------------------------------------------------------
+const PointCells& MeshTopology::GetPointCells() const
+{
+  std::call_once(this->Shared->PointCellsOnce,
+    [&] { this->Shared->PointCells = FindPointCells(this->Mesh); });
+  return this->Shared->PointCells;
+}
+
+//------------------------------------------------------------------------------
+void MeshTopology::GetFacePoints(Index face, std::vector<vtkIdType>& points) const
+{
+  const FacetTable& faces = this->GetFaces();
+  points.clear();
+  CellFacets(this->Mesh)
+    .GetFacet(faces.GetCells(face).First, faces.GetOwnerLocalFacet(face), points);
+}
+
+//------------------------------------------------------------------------------
+void MeshTopology::Provide(
+  vtkUnstructuredGrid* grid, std::vector<Index>&& cellFaces, Index numberOfFileFaces)
+{
+  const std::shared_ptr<Tables> tables = Cache::Get().Find(grid);
+  tables->GivenFaces = std::move(cellFaces);
+  tables->NumberOfGivenFaces = numberOfFileFaces;
+}
+}

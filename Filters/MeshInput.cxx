@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshInput.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+bool HasConvexPointSets(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  const unsigned char* first = types ? types->GetPointer(0) : nullptr;
+  return first && std::find(first, first + types->GetNumberOfValues(), VTK_CONVEX_POINT_SET) !=
+    first + types->GetNumberOfValues();
+}
+
+//------------------------------------------------------------------------------
+// Gives convex point sets the faces of their hull, as VTK finds them. Rare cells, so clarity first.
+vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkCellArray> connectivity, faces, locations;
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkGenericCell> cell;
+  vtkNew<vtkIdList> points;
+  vtkNew<vtkCellArray> cellFaces;
+  for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
+  {
+    const int type = grid->GetCellType(id);
+    grid->GetCellPoints(id, points);
+    connectivity->InsertNextCell(points);
+    locations->InsertNextCell(0);
+    if (type == VTK_CONVEX_POINT_SET)
+    {
+      grid->GetCell(id, cell);
+      for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+      {
+        locations->InsertCellPoint(faces->InsertNextCell(cell->GetFace(f)->GetPointIds()));
+      }
+      locations->UpdateCellCount(cell->GetNumberOfFaces());
+    }
+    else if (type == VTK_POLYHEDRON)
+    {
+      grid->GetPolyhedronFaces(id, cellFaces);
+      for (vtkIdType f = 0; f < cellFaces->GetNumberOfCells(); ++f)
+      {
+        cellFaces->GetCellAtId(f, points);
+        locations->InsertCellPoint(faces->InsertNextCell(points));
+      }
+      locations->UpdateCellCount(static_cast<int>(cellFaces->GetNumberOfCells()));
+    }
+    types->InsertNextValue(
+      static_cast<unsigned char>(type == VTK_CONVEX_POINT_SET ? VTK_POLYHEDRON : type));
+  }
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result->SetPoints(grid->GetPoints());
+  result->SetPolyhedralCells(types, connectivity, locations, faces);
+  result->GetCellData()->ShallowCopy(grid->GetCellData());
+  result->GetPointData()->ShallowCopy(grid->GetPointData());
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    if (HasConvexPointSets(grid))
+    {
+      return WithHulls(grid);
+    }
+    return data;
+  }
+  if (vtkPolyData::SafeDownCast(data))
+  {
+    return data;
+  }
+  vtkNew<vtkAppendFilter> append;
+  append->AddInputData(data);
+  append->Update();
+  return vtkSmartPointer<vtkDataSet>(append->GetOutput());
+}
+}

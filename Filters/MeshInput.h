@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MeshInput.h
+ * @brief Brings any data set into the form that Core reads.
+ */
+#ifndef camaron_MeshInput_h
+#define camaron_MeshInput_h
+
+#include "vtkDataSet.h"      // for the result
+#include "vtkSmartPointer.h" // for the result
+
+namespace camaron
+{
+/**
+ * A vtkUnstructuredGrid or vtkPolyData with the same cells in the same order as @a data and its ghost
+ * array: @a data itself whenever possible. Images and structured grids become unstructured;
+ * VTK_CONVEX_POINT_SET cells become polyhedra.
+ */
+vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data);
+}
+
+#endif

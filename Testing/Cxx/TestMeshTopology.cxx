@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Faces, edges and neighbours: everything that counts, borders or walks over cells stands on them.
+#include "Mesh/MeshTopology.h"
+
+#include "TestMeshes.h"
+
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+int CountBoundary(const FacetTable& table)
+{
+  int boundary = 0;
+  for (Index f = 0; f < table.GetNumberOfFacets(); ++f)
+  {
+    boundary += table.IsBoundary(f);
+  }
+  return boundary;
+}
+}
+
+// Counts of selection-and-statistics case G1: 36 faces, 24 on the boundary, 54 edges, 27 points.
+TEST(MeshTopology, CountsOfEightHexahedra)
+{
+  for (const bool asPolyhedra : { false, true })
+  {
+    const auto grid = MakeHexahedra(2, 2, 2, asPolyhedra);
+    const MeshTopology topology(grid);
+    EXPECT_EQ(topology.GetFaces().GetNumberOfFacets(), 36);
+    EXPECT_EQ(CountBoundary(topology.GetFaces()), 24);
+    EXPECT_EQ(topology.GetEdges().size(), 54u);
+    EXPECT_EQ(topology.GetPointCells().Offsets.size(), 28u);
+    EXPECT_EQ(topology.GetPointCells().Cells.size(), 64u);
+    EXPECT_EQ(topology.GetSurfaceEdges().GetNumberOfFacets(), 0);
+  }
+}
+
+// Owner first, numbered by owner and local face; the second cell runs against the owner.
+TEST(MeshTopology, NumberingAndDirection)
+{
+  const auto grid = MakeHexahedra(2, 1, 1, false);
+  const FacetTable& faces = MeshTopology(grid).GetFaces();
+  ASSERT_EQ(faces.GetNumberOfFacets(), 11);
+  Index next = 0;
+  for (int cell = 0; cell < 2; ++cell)
+  {
+    ASSERT_EQ(faces.GetCellFacets(cell).size(), 6);
+    for (const CellFacet facet : faces.GetCellFacets(cell))
+    {
+      const auto cells = faces.GetCells(facet.Facet());
+      EXPECT_EQ(facet.IsReversed(), cells.First != cell);
+      if (cells.First == cell)
+      {
+        EXPECT_EQ(facet.Facet(), next++);
+      }
+    }
+  }
+}
+
+// A face keeps the ring of points its owner gives it, outward.
+TEST(MeshTopology, FacePoints)
+{
+  const auto grid = MakeStandardCell(VTK_TETRA);
+  const MeshTopology topology(grid);
+  std::vector<vtkIdType> points;
+  topology.GetFacePoints(3, points);
+  EXPECT_EQ(points, (std::vector<vtkIdType>{ 0, 2, 1 }));
+}
+
+// Every standard type has closed faces, and the same ones as when it is written as a polyhedron.
+TEST(MeshTopology, StandardTypesEqualPolyhedra)
+{
+  for (const int type : StandardTypes3D)
+  {
+    const auto grid = MakeStandardCell(type);
+    const auto polyhedron = ToPolyhedra(grid);
+    const MeshTopology a(grid), b(polyhedron);
+    EXPECT_EQ(a.GetFaces().GetNumberOfFacets(), b.GetFaces().GetNumberOfFacets()) << type;
+    EXPECT_EQ(a.GetEdges(), b.GetEdges()) << type;
+    // Euler: V - E + F = 2.
+    EXPECT_EQ(grid->GetNumberOfPoints() - static_cast<vtkIdType>(a.GetEdges().size()) +
+        a.GetFaces().GetNumberOfFacets(),
+      2)
+      << type;
+  }
+}
+
+// Three tetrahedra on one triangle: the face is kept with all of its cells.
+TEST(MeshTopology, NonManifoldFace)
+{
+  const auto grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 },
+                               { 1, 1, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } }, { VTK_TETRA, { 0, 1, 2, 5 } } });
+  const FacetTable& faces = MeshTopology(grid).GetFaces();
+  EXPECT_EQ(faces.GetNumberOfFacets(), 10);
+  const Index shared = faces.GetCellFacets(0)[3].Facet();
+  EXPECT_EQ(faces.GetNumberOfCells(shared), 3);
+  std::vector<Index> cells;
+  faces.GetCells(shared, cells);
+  EXPECT_EQ(cells, (std::vector<Index>{ 0, 1, 2 }));
+}
+
+// A boundary triangle lying on a tetrahedron is an element of its own, not a second cell of the face.
+TEST(MeshTopology, MixedDimensions)
+{
+  const auto grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 2, 1 } }, { VTK_LINE, { 0, 1 } },
+      { VTK_VERTEX, { 3 } } });
+  const MeshTopology topology(grid);
+  EXPECT_EQ(topology.GetFaces().GetNumberOfFacets(), 4);
+  EXPECT_EQ(CountBoundary(topology.GetFaces()), 4);
+  EXPECT_EQ(topology.GetFaces().GetCellFacets(1).size(), 0);
+  EXPECT_EQ(topology.GetSurfaceEdges().GetNumberOfFacets(), 3);
+  EXPECT_EQ(topology.GetEdges().size(), 6u);
+}
+
+// Higher-order cells are known by their corners and so meet linear ones.
+TEST(MeshTopology, HigherOrderByCorners)
+{
+  const auto grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 },
+                               { .5, .5, 0 }, { 0, .5, 0 }, { 0, 0, .5 }, { .5, 0, .5 },
+                               { 0, .5, .5 }, { 0, 0, -1 } },
+    { { VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } }, { VTK_TETRA, { 0, 2, 1, 10 } } });
+  EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 7);
+}
+
+// A strip is one cell bounded by its outline; a polygon beside it shares one edge.
+TEST(MeshTopology, TriangleStrips)
+{
+  vtkNew<vtkPolyData> surface;
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 6; ++i)
+  {
+    points->InsertNextPoint(i / 2, i % 2, 0);
+  }
+  points->InsertNextPoint(0, -1, 0);
+  surface->SetPoints(points);
+  vtkNew<vtkCellArray> polys, strips;
+  polys->InsertNextCell({ 0, 6, 2 });
+  strips->InsertNextCell({ 0, 1, 2, 3, 4, 5 });
+  surface->SetPolys(polys);
+  surface->SetStrips(strips);
+  const FacetTable& edges = MeshTopology(surface).GetSurfaceEdges();
+  EXPECT_EQ(edges.GetNumberOfFacets(), 3 + 6 - 1);
+  EXPECT_EQ(edges.GetCellFacets(1).size(), 6);
+}
+
+// Large faces are matched by hash: any rotation and direction of a ring is the same face.
+TEST(MeshTopology, LargeFaces)
+{
+  const auto grid = MakeHexagonalPrisms(4);
+  const auto polyhedra = ToPolyhedra(grid);
+  EXPECT_EQ(MeshTopology(polyhedra).GetFaces().GetNumberOfFacets(), 4 * 8 - 3);
+  EXPECT_EQ(CountBoundary(MeshTopology(polyhedra).GetFaces()), 4 * 8 - 6);
+}
+
+// The same table for every number of threads, and when a reader hands its faces over.
+TEST(MeshTopology, SameForAnyThreadsAndGivenFaces)
+{
+  const auto grid = MakeHexahedra(17, 13, 11, true);
+  std::vector<CellFacet> reference;
+  const auto all = [](const FacetTable& table)
+  { return std::vector<CellFacet>(table.GetCellFacets(0).begin(),
+      table.GetCellFacets(table.GetNumberOfCells() - 1).end()); };
+  const auto packed = [](const std::vector<CellFacet>& facets)
+  {
+    std::vector<Index> values;
+    for (const CellFacet facet : facets)
+    {
+      values.push_back(facet.Packed);
+    }
+    return values;
+  };
+  for (const int threads : { 1, 2, 5 })
+  {
+    vtkNew<vtkUnstructuredGrid> copy;
+    copy->DeepCopy(grid);
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+      [&]
+      {
+        const auto facets = all(MeshTopology(copy).GetFaces());
+        if (reference.empty())
+        {
+          reference = facets;
+        }
+        EXPECT_EQ(packed(facets), packed(reference)) << threads;
+      });
+  }
+  // File numbers: shuffled, and one face under two numbers as in files that repeat inner faces.
+  std::vector<Index> given;
+  const Index numberOfFaces = MeshTopology(grid).GetFaces().GetNumberOfFacets();
+  std::set<Index> seen;
+  for (const CellFacet facet : reference)
+  {
+    const bool second = !seen.insert(facet.Facet()).second;
+    given.push_back(numberOfFaces - 1 - facet.Facet() + (second && facet.Facet() % 3 == 0 ? numberOfFaces : 0));
+  }
+  vtkNew<vtkUnstructuredGrid> copy;
+  copy->DeepCopy(grid);
+  MeshTopology::Provide(copy, std::move(given), 2 * numberOfFaces);
+  EXPECT_EQ(packed(all(MeshTopology(copy).GetFaces())), packed(reference));
+}
+
+// Shallow copies share one build; a change of the connectivity makes a new one.
+TEST(MeshTopology, SharedByConnectivity)
+{
+  const auto grid = MakeHexahedra(2, 2, 2, false);
+  vtkNew<vtkUnstructuredGrid> copy;
+  copy->ShallowCopy(grid);
+  EXPECT_EQ(&MeshTopology(grid).GetFaces(), &MeshTopology(copy).GetFaces());
+  const MeshTopology before(grid);
+  grid->GetCells()->GetConnectivityArray()->Modified();
+  EXPECT_NE(&before.GetFaces(), &MeshTopology(grid).GetFaces());
+}
+
+// Empty meshes and meshes of points only have empty tables.
+TEST(MeshTopology, Empty)
+{
+  vtkNew<vtkUnstructuredGrid> grid;
+  EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 0);
+  EXPECT_EQ(MeshTopology(grid).GetEdges().size(), 0u);
+  const auto cloud = MakeGrid({ { 0, 0, 0 } }, { { VTK_VERTEX, { 0 } } });
+  EXPECT_EQ(MeshTopology(cloud).GetFaces().GetNumberOfFacets(), 0);
+  EXPECT_EQ(MeshTopology(cloud).GetPointCells().Cells.size(), 1u);
+}
