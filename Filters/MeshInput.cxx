@@ -95,4 +95,47 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
   append->Update();
   return vtkSmartPointer<vtkDataSet>(append->GetOutput());
 }
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data)
+{
+  auto* surface = vtkPolyData::SafeDownCast(data);
+  if (!surface || surface->GetNumberOfStrips() == 0)
+  {
+    return data;
+  }
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(surface->GetPoints());
+  result->SetVerts(surface->GetVerts());
+  result->SetLines(surface->GetLines());
+  vtkNew<vtkCellArray> polygons;
+  if (surface->GetPolys())
+  {
+    polygons->DeepCopy(surface->GetPolys());
+  }
+  const vtkIdType firstStrip = surface->GetNumberOfCells() - surface->GetNumberOfStrips();
+  vtkNew<vtkIdList> sources;
+  for (vtkIdType cell = 0; cell < firstStrip; ++cell)
+  {
+    sources->InsertNextId(cell);
+  }
+  vtkNew<vtkIdList> strip;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfStrips(); ++cell)
+  {
+    surface->GetStrips()->GetCellAtId(cell, strip);
+    for (vtkIdType i = 0; i + 2 < strip->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType odd = i % 2;
+      polygons->InsertNextCell(
+        { strip->GetId(i), strip->GetId(i + 1 + odd), strip->GetId(i + 2 - odd) });
+      sources->InsertNextId(firstStrip + cell);
+    }
+  }
+  result->SetPolys(polygons);
+  result->GetPointData()->ShallowCopy(surface->GetPointData());
+  result->GetFieldData()->ShallowCopy(surface->GetFieldData());
+  result->GetCellData()->CopyAllocate(surface->GetCellData(), sources->GetNumberOfIds());
+  result->GetCellData()->CopyData(surface->GetCellData(), sources, vtkIdType(0));
+  return result;
+}
 }

@@ -18,6 +18,12 @@ namespace camaron
  * VTK_CONVEX_POINT_SET cells become polyhedra.
  */
 vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data);
+
+/**
+ * @a data itself, or for a vtkPolyData with triangle strips one in which their triangles come after the
+ * other polygons, each with the cell data of its strip.
+ */
+vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data);
 }
 
 #endif

@@ -100,11 +100,12 @@ struct Criterion
   unsigned AppliesTo;      ///< Shapes
   camaron::Unit Unit;
   double Range[2]; ///< smallest and largest possible value; angles in degrees
-  double Ideal;    ///< value of the perfect cell; NaN if there is none for all shapes
+  double Ideal;    ///< value of the perfect cell; NaN if there is none or it depends on the shape
   camaron::Better Better;
   double Acceptable[2];         ///< infinite where there is no limit on that side
   const char* AcceptableSource; ///< who says so; empty when no range is given
   bool AcceptableIsHint;        ///< common practice, not read in a document
+  bool IsInteger;               ///< counts and ids: one histogram bin per value
   camaron::Cost Cost;
   unsigned Needs;
 

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The table of all criteria. To add one: write its function in a .cxx of this folder (a cell function
+// `double Foo(const CellGeometry&)`, or a mesh function as in NeighborNormals.cxx) and a row here.
+#include "Criteria/CellGeometry.h"
+#include "Criteria/Criterion.h"
+#include "Criteria/MeshContext.h"
+
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
+constexpr double Positive = std::numeric_limits<double>::min(); // smallest value that is above zero
+constexpr double SquareRootOf3Over8 = 0.61237243569579452; // of the regular tetrahedron
+constexpr double FullSphere = 12.566370614359172;          // 4 pi
+
+constexpr const char* Verdict = "Verdict manual, rev. A";
+constexpr const char* CheckMesh = "OpenFOAM checkMesh";
+constexpr const char* NoRange = "";
+constexpr bool Hint = true;
+constexpr bool Cited = false;
+constexpr bool Integer = true;
+constexpr bool Real = false;
+
+// Calls one function for a block of cells; declares the function, too. A direct call per cell.
+#define CELLS(Function)                                                                            \
+  [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
+  {                                                                                                \
+    double Function(const CellGeometry&);                                                          \
+    for (int i = 0; i < numberOfCells; ++i)                                                        \
+    {                                                                                              \
+      values[i] = Function(cells[i]);                                                              \
+    }                                                                                              \
+  },                                                                                               \
+    nullptr
+// The same for a function with neighbours, which has the loop itself.
+#define MESH(Function)                                                                             \
+  nullptr, [](const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)             \
+  {                                                                                                \
+    void Function(const MeshContext&, vtkIdType, vtkIdType, double*);                              \
+    Function(mesh, begin, end, values);                                                            \
+  }
+}
+
+//------------------------------------------------------------------------------
+// Columns: name, label, description; shapes, unit, range, ideal, better; acceptable range, its source,
+// hint or cited, integer or real; cost, needs, function.
+const std::vector<Criterion>& GetCriteria()
+{
+  // clang-format off
+  static const std::vector<Criterion> criteria = {
+    // Size and counts. Acceptable sizes depend on the problem; only signs are judged.
+    { "Area", "Area", "Length of the polygon's vector area; the area of a planar polygon.",
+      Polygons, Unit::Area, { 0, Infinity }, None, Better::Neither,
+      { Positive, Infinity }, "not collapsed", Cited, Real, Cost::Faces, NeedsFaces, CELLS(Area) },
+    { "Perimeter", "Perimeter", "Sum of the edge lengths.",
+      Polygons, Unit::Length, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CELLS(Perimeter) },
+    { "SurfaceArea", "Surface area",
+      "Sum over the faces of the signed triangle areas about the face centre; of a planar face its area.",
+      Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CELLS(SurfaceArea) },
+    { "Volume", "Volume",
+      "Volume by the divergence theorem, the same for a standard cell and for its polyhedron; negative "
+      "for a standard cell whose nodes are in the wrong order. Null for an open polyhedron.",
+      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Neither,
+      { Positive, Infinity }, "neither flat nor inverted", Cited, Real, Cost::Edges, NeedsVolume, CELLS(Volume) },
+    { "VertexCount", "Vertices", "Number of distinct points.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CELLS(VertexCount) },
+    { "EdgeCount", "Edges", "Number of distinct edges.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsPoints, CELLS(EdgeCount) },
+    { "FaceCount", "Faces", "Number of faces with at least three distinct points.",
+      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CELLS(FaceCount) },
+    { "MinEdgeLength", "Shortest edge", "Length of the shortest edge; 0 when an edge is collapsed.",
+      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CELLS(MinEdgeLength) },
+    { "MaxEdgeLength", "Longest edge", "Length of the longest edge.",
+      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CELLS(MaxEdgeLength) },
+    { "MeanEdgeLength", "Mean edge", "Mean length of the distinct edges.",
+      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CELLS(MeanEdgeLength) },
+    { "Diameter", "Diameter", "Largest distance between two vertices.",
+      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CELLS(Diameter) },
+    { "CellTypeId", "Cell type", "VTK's number of the cell type, for grouping.",
+      AnyCell, Unit::None, { 0, 255 }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CELLS(CellTypeId) },
+
+    // Angles.
+    { "MinInteriorAngle", "Smallest interior angle",
+      "Smallest interior angle of the polygon; ideal is 180 (k - 2) / k for k corners.",
+      Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
+      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CELLS(MinFaceAngle) },
+    { "MaxInteriorAngle", "Largest interior angle",
+      "Largest interior angle of the polygon, above 180 at a reflex corner.",
+      Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
+      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CELLS(MaxFaceAngle) },
+    { "MinFaceAngle", "Smallest face angle", "Smallest interior angle of all faces of the cell.",
+      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
+      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CELLS(MinFaceAngle) },
+    { "MaxFaceAngle", "Largest face angle",
+      "Largest interior angle of all faces of the cell, above 180 at a reflex corner.",
+      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
+      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CELLS(MaxFaceAngle) },
+    { "MinDihedralAngle", "Smallest dihedral angle",
+      "Smallest interior angle between two faces of the cell at their common edge; regular tetrahedron "
+      "70.53, hexahedron 90.",
+      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
+      { 20, Infinity }, "common practice; 40 for tetrahedra in the Verdict manual", Hint, Real,
+      Cost::Edges, NeedsDihedral, CELLS(MinDihedralAngle) },
+    { "MaxDihedralAngle", "Largest dihedral angle",
+      "Largest interior angle between two faces of the cell at their common edge; above 180 the cell is "
+      "not convex.",
+      Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
+      { -Infinity, 165 }, "common practice", Hint, Real,
+      Cost::Edges, NeedsDihedral, CELLS(MaxDihedralAngle) },
+    { "MinSolidAngle", "Smallest solid angle",
+      "Smallest solid angle of the cell at one of its vertices; cube 1.5708, regular tetrahedron 0.5513.",
+      Polyhedra, Unit::SolidAngle, { 0, FullSphere }, None, Better::Bigger,
+      { 0.1, Infinity }, "common practice for tetrahedra", Hint, Real,
+      Cost::Edges, NeedsSolidAngle, CELLS(MinSolidAngle) },
+    { "MaxSolidAngle", "Largest solid angle",
+      "Largest solid angle of the cell at one of its vertices; a full sphere is 12.566.",
+      Polyhedra, Unit::SolidAngle, { 0, FullSphere }, None, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsSolidAngle, CELLS(MaxSolidAngle) },
+    { "EquiangleSkewness", "Equiangle skewness",
+      "Largest relative deviation of an interior angle from that of the regular polygon, over all faces; "
+      "above 1 at reflex corners.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
+      { -Infinity, 0.9 }, "common finite-volume practice", Hint, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CELLS(EquiangleSkewness) },
+    { "MinNeighborNormalAngle", "Smallest angle to a neighbour",
+      "Smallest angle between the normals of the polygon and of those that share an edge with it; 0 is "
+      "flat.",
+      Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, MESH(MinNeighborNormalAngle) },
+    { "MaxNeighborNormalAngle", "Largest angle to a neighbour",
+      "Largest angle between the normals of the polygon and of those that share an edge with it; 0 is "
+      "flat.",
+      Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, MESH(MaxNeighborNormalAngle) },
+
+    // Ratios of any polygon or polyhedron.
+    { "EdgeLengthRatio", "Edge length ratio", "Shortest edge divided by longest edge.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1.0 / 3, Infinity }, "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
+      Hint, Real, Cost::Faces, NeedsEdges, CELLS(EdgeLengthRatio) },
+    { "IsoperimetricQuotient", "Isoperimetric quotient",
+      "Compactness: 4 pi area / perimeter^2 of a polygon, 36 pi volume^2 / surface area^3 of a "
+      "polyhedron; 1 for circle and ball, 0.5236 for the cube.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CELLS(IsoperimetricQuotient) },
+    { "CellAspectRatio", "Cell aspect ratio",
+      "OpenFOAM's aspect ratio from the face areas seen along the axes; depends on the axes, so that a "
+      "rotated box has another value.",
+      Polyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
+      { -Infinity, 1000 }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume, CELLS(CellAspectRatio) },
+
+    // Triangles and tetrahedra, whatever their VTK type; null for every other shape.
+    { "TriangleRadiusRatio", "Triangle radius ratio", "Twice the inradius divided by the circumradius.",
+      Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1.0 / 3, Infinity }, Verdict, Cited, Real,
+      Cost::Faces, NeedsEdges | NeedsFaces, CELLS(TriangleRadiusRatio) },
+    { "BhatiaLawrence", "Bhatia-Lawrence measure",
+      "4 sqrt(3) area / sum of squared edge lengths, the mean ratio of a triangle.",
+      Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 0.25, Infinity }, "Verdict manual, rev. A, shape of triangles", Cited, Real,
+      Cost::Faces, NeedsEdges | NeedsFaces, CELLS(BhatiaLawrence) },
+    { "TetRadiusEdgeRatio", "Tetrahedron radius-edge ratio",
+      "Circumradius divided by the shortest edge. Does not see slivers: read it together with the "
+      "smallest dihedral angle.",
+      Tetrahedra, Unit::None, { SquareRootOf3Over8, Infinity }, SquareRootOf3Over8, Better::Smaller,
+      { -Infinity, 2 }, "TetGen's default bound", Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CELLS(TetRadiusEdgeRatio) },
+    { "TetRadiusRatio", "Tetrahedron radius ratio", "Three times the inradius divided by the circumradius.",
+      Tetrahedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1.0 / 3, Infinity }, Verdict, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CELLS(TetRadiusRatio) },
+    { "TetMeanRatio", "Tetrahedron mean ratio",
+      "12 (3 volume)^(2/3) / sum of squared edge lengths, negative when inverted.",
+      Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
+      { 0.3, Infinity }, "Verdict manual, rev. A, shape of tetrahedra", Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CELLS(TetMeanRatio) },
+  };
+  // clang-format on
+  return criteria;
+}
+
+#undef CELLS
+#undef MESH
+
+//------------------------------------------------------------------------------
+const Criterion* FindCriterion(std::string_view name)
+{
+  for (const Criterion& criterion : GetCriteria())
+  {
+    if (name == criterion.Name)
+    {
+      return &criterion;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string Criterion::UnitLabel(AngleUnit angles) const
+{
+  switch (this->Unit)
+  {
+    case Unit::Angle:
+      return angles == AngleUnit::Degrees ? "deg" : "rad";
+    case Unit::SolidAngle:
+      return "sr";
+    default:
+      return "";
+  }
+}
+}

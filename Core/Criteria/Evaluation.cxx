@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/Evaluation.h"
+
+#include "Criteria/MeshContext.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace camaron
+{
+namespace
+{
+constexpr int BlockSize = 16;         // cells whose geometry is held at once
+constexpr vtkIdType SlabSize = 65536; // cells between two reports of progress, at least
+constexpr vtkIdType Grain = 1024;
+constexpr vtkIdType NumberOfReports = 100;
+
+//------------------------------------------------------------------------------
+bool AppliesTo(const Criterion& criterion, const CellGeometry& cell)
+{
+  return (criterion.AppliesTo & (cell.GetShapes() | AnyCell)) != 0;
+}
+
+//------------------------------------------------------------------------------
+class CellEvaluation
+{
+public:
+  CellEvaluation(const MeshView& mesh, const EvaluationOptions& options,
+    const std::vector<CriterionValues>& criteria)
+    : Mesh(mesh)
+    , Options(options)
+    , Criteria(criteria)
+  {
+    for (const CriterionValues& row : criteria)
+    {
+      this->Needs |= row.Criterion->Needs;
+    }
+  }
+
+  void operator()(vtkIdType begin, vtkIdType end) const
+  {
+    std::vector<CellGeometry> block(BlockSize);
+    for (vtkIdType first = begin; first < end; first += BlockSize)
+    {
+      const int size = static_cast<int>(std::min<vtkIdType>(BlockSize, end - first));
+      unsigned common = ~0u; // shapes that all cells of the block have
+      for (int i = 0; i < size; ++i)
+      {
+        block[i].Load(this->Mesh, first + i, this->Options);
+        block[i].Compute(this->Needs);
+        common &= block[i].GetShapes() | AnyCell;
+      }
+      for (const CriterionValues& row : this->Criteria)
+      {
+        double* values = row.Values + first;
+        if (row.Criterion->AppliesTo & common)
+        {
+          row.Criterion->CellFunction(block.data(), size, values);
+        }
+        else
+        {
+          for (int i = 0; i < size; ++i)
+          {
+            if (AppliesTo(*row.Criterion, block[i]))
+            {
+              row.Criterion->CellFunction(block.data() + i, 1, values + i);
+            }
+            else
+            {
+              values[i] = Null(NullReason::NotApplicable);
+            }
+          }
+        }
+      }
+    }
+  }
+
+private:
+  const MeshView& Mesh;
+  const EvaluationOptions& Options;
+  const std::vector<CriterionValues>& Criteria;
+  unsigned Needs = 0;
+};
+
+//------------------------------------------------------------------------------
+std::vector<Vector> GetCellVectors(const MeshView& mesh, const EvaluationOptions& options)
+{
+  std::vector<Vector> vectors(mesh.GetNumberOfCells());
+  ParallelFor(mesh.GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        cell.Load(mesh, id, options);
+        if ((cell.GetShapes() & Polygons) && cell.GetTopology().GetNumberOfFaces() > 0)
+        {
+          cell.Compute(NeedsFaces);
+          if (!cell.IsZeroArea(cell.GetFaceArea(0)))
+          {
+            vectors[id] = cell.GetFaceVector(0);
+          }
+        }
+      }
+    });
+  return vectors;
+}
+}
+
+//------------------------------------------------------------------------------
+bool Evaluate(const MeshTopology& topology, const EvaluationOptions& options,
+  const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress)
+{
+  const MeshView& mesh = topology.GetMesh();
+  std::vector<CriterionValues> ofCells, ofMesh;
+  for (const CriterionValues& row : criteria)
+  {
+    (row.Criterion->CellFunction ? ofCells : ofMesh).push_back(row);
+  }
+  const vtkIdType numberOfCells = mesh.GetNumberOfCells();
+  const vtkIdType slab = std::max(SlabSize, numberOfCells / NumberOfReports + 1);
+  const double total =
+    static_cast<double>(numberOfCells) * ((ofCells.empty() ? 0 : 1) + (ofMesh.empty() ? 0 : 1));
+  double done = 0;
+  const auto inSlabs = [&](auto&& evaluate)
+  {
+    for (vtkIdType first = 0; first < numberOfCells; first += slab)
+    {
+      if (!progress(done / total))
+      {
+        return false;
+      }
+      const vtkIdType size = std::min(slab, numberOfCells - first);
+      ParallelFor(size, Grain,
+        [&](vtkIdType begin, vtkIdType end) { evaluate(first + begin, first + end); });
+      done += static_cast<double>(size);
+    }
+    return true;
+  };
+
+  if (!ofCells.empty() && !inSlabs(CellEvaluation(mesh, options, ofCells)))
+  {
+    return false;
+  }
+  if (!ofMesh.empty())
+  {
+    const MeshContext context = { topology, options, GetCellVectors(mesh, options) };
+    topology.GetSurfaceEdges();
+    return inSlabs(
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (const CriterionValues& row : ofMesh)
+        {
+          row.Criterion->MeshFunction(context, begin, end, row.Values + begin);
+        }
+      });
+  }
+  return true;
+}
+}

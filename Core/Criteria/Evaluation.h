@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Evaluation.h
+ * @brief Evaluates criteria for all cells of a mesh in one parallel pass.
+ */
+#ifndef camaron_Evaluation_h
+#define camaron_Evaluation_h
+
+#include "Criteria/CellGeometry.h"
+#include "Criteria/Criterion.h"
+#include "Mesh/MeshTopology.h"
+
+#include <functional> // for progress
+#include <vector>     // for the criteria
+
+namespace camaron
+{
+/// A criterion and the array of its values, one per cell, which Evaluate fills.
+struct CriterionValues
+{
+  const camaron::Criterion* Criterion;
+  double* Values;
+};
+
+/**
+ * Geometry is computed once per cell and shared by all criteria; what no criterion needs is not
+ * computed. The values do not depend on the number of threads.
+ * @param progress called about 100 times with the fraction done; false stops
+ * @return false when stopped
+ */
+bool Evaluate(const MeshTopology& topology, const EvaluationOptions& options,
+  const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress);
+}
+
+#endif

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/Criterion.h"
+
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double Positive = std::numeric_limits<double>::min();
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Preset>& GetPresets()
+{
+  // clang-format off
+  static const std::vector<Preset> presets = {
+    { "Overview", "Shape at a glance, for any polygon or polyhedron; ranges as in the table of criteria.",
+      { { "EdgeLengthRatio", { 1.0 / 3, Infinity } },
+        { "EquiangleSkewness", { -Infinity, 0.9 } },
+        { "IsoperimetricQuotient", { -Infinity, Infinity } } } },
+    { "FEM tetrahedra", "Finite elements on tetrahedra; ranges of the Verdict manual, rev. A, and TetGen.",
+      { { "Volume", { Positive, Infinity } },
+        { "MinDihedralAngle", { 40, Infinity } },
+        { "MaxDihedralAngle", { -Infinity, 165 } },
+        { "TetRadiusEdgeRatio", { -Infinity, 2 } },
+        { "TetRadiusRatio", { 1.0 / 3, Infinity } },
+        { "TetMeanRatio", { 0.3, Infinity } },
+        { "EdgeLengthRatio", { 1.0 / 3, Infinity } } } },
+    { "FEM hexahedra", "Finite elements on hexahedra; ranges of the Verdict manual, rev. A, for "
+      "quadrilaterals and hexahedra.",
+      { { "Volume", { Positive, Infinity } },
+        { "MinFaceAngle", { 45, Infinity } },
+        { "MaxFaceAngle", { -Infinity, 135 } },
+        { "EdgeLengthRatio", { 1 / 1.3, Infinity } },
+        { "EquiangleSkewness", { -Infinity, 0.5 } } } },
+    { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh, and common practice "
+      "for the angles.",
+      { { "Volume", { Positive, Infinity } },
+        { "CellAspectRatio", { -Infinity, 1000 } },
+        { "MinDihedralAngle", { 10, Infinity } },
+        { "MaxDihedralAngle", { -Infinity, 175 } },
+        { "EquiangleSkewness", { -Infinity, 0.9 } } } },
+    { "Surface", "Polygonal surfaces; ranges of the Verdict manual, rev. A, for triangles.",
+      { { "Area", { Positive, Infinity } },
+        { "MinInteriorAngle", { 30, Infinity } },
+        { "MaxInteriorAngle", { -Infinity, 135 } },
+        { "EdgeLengthRatio", { 1 / 1.3, Infinity } },
+        { "TriangleRadiusRatio", { 1.0 / 3, Infinity } },
+        { "MaxNeighborNormalAngle", { -Infinity, Infinity } } } },
+    { "VEM", "Virtual elements on any polygons and polyhedra: what the shape-regularity assumptions bound; "
+      "no agreed limits.",
+      { { "EdgeLengthRatio", { -Infinity, Infinity } },
+        { "IsoperimetricQuotient", { -Infinity, Infinity } },
+        { "EquiangleSkewness", { -Infinity, 0.9 } },
+        { "MaxDihedralAngle", { -Infinity, 180 } } } },
+  };
+  // clang-format on
+  return presets;
+}
+
+//------------------------------------------------------------------------------
+const Preset* FindPreset(std::string_view name)
+{
+  for (const Preset& preset : GetPresets())
+  {
+    if (name == preset.Name)
+    {
+      return &preset;
+    }
+  }
+  return nullptr;
+}
+}

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+//------------------------------------------------------------------------------
+// All points in one place: 0/0 for every ratio.
+bool IsOnePoint(const CellGeometry& cell)
+{
+  return cell.IsZeroLength(cell.GetMaxEdgeLength());
+}
+
+//------------------------------------------------------------------------------
+double SumOfSquares(const CellGeometry& cell)
+{
+  double sum = 0;
+  for (const double length : cell.GetEdgeLengths())
+  {
+    sum += length * length;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+// Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, edges from the first
+// point, which is the origin.
+double CircumradiusTimes12Volumes(const CellGeometry& tetrahedron)
+{
+  const std::vector<Vector>& points = tetrahedron.GetPoints();
+  const Vector &a = points[1], &b = points[2], &c = points[3];
+  return Norm(Norm2(a) * Cross(b, c) + Norm2(b) * Cross(c, a) + Norm2(c) * Cross(a, b));
+}
+}
+
+//------------------------------------------------------------------------------
+double TriangleRadiusRatio(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double area = cell.GetPolygonArea();
+  if (cell.IsZeroArea(area))
+  {
+    return 0;
+  }
+  const std::vector<double>& l = cell.GetEdgeLengths();
+  return 16 * area * area / (l[0] * l[1] * l[2] * (l[0] + l[1] + l[2]));
+}
+
+//------------------------------------------------------------------------------
+double BhatiaLawrence(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double area = cell.GetPolygonArea();
+  return cell.IsZeroArea(area) ? 0 : 4 * std::sqrt(3.0) * area / SumOfSquares(cell);
+}
+
+//------------------------------------------------------------------------------
+double TetRadiusEdgeRatio(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double volume = cell.GetVolume();
+  if (std::isnan(volume))
+  {
+    return volume;
+  }
+  return cell.IsZeroVolume(volume)
+    ? Infinity
+    : CircumradiusTimes12Volumes(cell) / (12 * std::abs(volume)) / cell.GetMinEdgeLength();
+}
+
+//------------------------------------------------------------------------------
+double TetRadiusRatio(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double volume = cell.GetVolume();
+  if (std::isnan(volume) || cell.IsZeroVolume(volume))
+  {
+    return std::isnan(volume) ? volume : 0;
+  }
+  // 3 r / R with r = 3 V / S.
+  return 108 * volume * volume / (cell.GetSurfaceArea() * CircumradiusTimes12Volumes(cell));
+}
+
+//------------------------------------------------------------------------------
+double TetMeanRatio(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double volume = cell.GetVolume();
+  if (std::isnan(volume) || cell.IsZeroVolume(volume))
+  {
+    return std::isnan(volume) ? volume : 0;
+  }
+  const double root = std::cbrt(3 * std::abs(volume));
+  return std::copysign(12 * root * root / SumOfSquares(cell), volume);
+}
+}

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellTopology
+ * @brief Faces, edges and vertex figures of one cell, in local point numbers.
+ *
+ * Made once for every standard type, and anew for every polyhedron, polygon and collapsed standard
+ * cell, by the same code: so all of them answer alike. Holds its memory for the next cell.
+ */
+#ifndef camaron_CellTopology_h
+#define camaron_CellTopology_h
+
+#include <vector> // for the tables
+
+namespace camaron
+{
+class CellTopology
+{
+public:
+  /// An edge with its first two faces; Uses counts all of them.
+  struct Edge
+  {
+    int Points[2];   ///< the direction in which Faces[0] runs along it
+    int Faces[2];    ///< -1 where missing
+    int Uses;
+    bool Consistent; ///< two faces that run along it in opposite directions
+  };
+  /// One step around a vertex: towards a neighbouring point, then over a face to the next step.
+  struct Spoke
+  {
+    int Point;
+    int Face;
+  };
+
+  int NumberOfPoints = 0;
+  std::vector<int> FaceOffsets, FacePoints;
+  std::vector<Edge> Edges;
+  /// Every edge has two faces, or more of them in balance, which run along it in opposite directions.
+  bool IsClosed = false;
+  /// Every edge has exactly two faces.
+  bool IsManifold = false;
+
+  ///@{
+  /// Spokes around every vertex, in one cycle; only after MakeVertexFigures.
+  std::vector<int> SpokeOffsets;
+  std::vector<Spoke> Spokes;
+  /// False when the faces around some vertex do not form exactly one cycle.
+  bool HasVertexFigures = false;
+  ///@}
+
+  int GetNumberOfFaces() const { return static_cast<int>(this->FaceOffsets.size()) - 1; }
+  int GetFaceSize(int face) const { return this->FaceOffsets[face + 1] - this->FaceOffsets[face]; }
+  const int* GetFace(int face) const { return this->FacePoints.data() + this->FaceOffsets[face]; }
+
+  /// Starts a new cell.
+  void Clear();
+  /**
+   * Adds a face, in which a point that follows itself counts once. Less than three points are no face.
+   * @return whether a point followed itself
+   */
+  bool AddFace(const int* points, int size);
+  /// Finds the edges and whether the cell is closed.
+  void FindEdges();
+  /**
+   * Reverses faces so that neighbours agree, as far as the faces reach over edges that have exactly two
+   * of them. Each such group keeps the direction of its first face; GetGroup tells the groups apart.
+   */
+  void MakeConsistent();
+  /// For a cell whose faces agree already.
+  void MakeOneGroup();
+  int GetGroup(int face) const { return this->Groups[face]; }
+  int GetNumberOfGroups() const { return this->NumberOfGroups; }
+  void ReverseFaces(int group);
+  void MakeVertexFigures();
+
+private:
+  void ReverseFace(int face);
+
+  std::vector<int> FirstEdges, NextEdges; // edges by their smaller point
+  std::vector<int> Groups, Stack;
+  int NumberOfGroups = 0;
+  struct Corner
+  {
+    int Face, Previous, Next, NextCorner;
+  };
+  std::vector<Corner> Corners;
+  std::vector<int> FirstCorners;
+};
+}
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Vector.h
+ * @brief Vectors in space, just enough for cell geometry.
+ */
+#ifndef camaron_Vector_h
+#define camaron_Vector_h
+
+#include <cmath> // for std::sqrt
+
+namespace camaron
+{
+struct Vector
+{
+  double X = 0, Y = 0, Z = 0;
+
+  Vector& operator+=(const Vector& v)
+  {
+    this->X += v.X, this->Y += v.Y, this->Z += v.Z;
+    return *this;
+  }
+};
+
+inline Vector operator+(const Vector& a, const Vector& b)
+{
+  return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };
+}
+inline Vector operator-(const Vector& a, const Vector& b)
+{
+  return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
+}
+inline Vector operator-(const Vector& a)
+{
+  return { -a.X, -a.Y, -a.Z };
+}
+inline Vector operator*(double s, const Vector& a)
+{
+  return { s * a.X, s * a.Y, s * a.Z };
+}
+inline double Dot(const Vector& a, const Vector& b)
+{
+  return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}
+inline Vector Cross(const Vector& a, const Vector& b)
+{
+  return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
+}
+inline double Norm2(const Vector& a)
+{
+  return Dot(a, a);
+}
+inline double Norm(const Vector& a)
+{
+  return std::sqrt(Norm2(a));
+}
+/// The unit vector; zero stays zero.
+inline Vector Unit(const Vector& a)
+{
+  const double norm = Norm(a);
+  return norm > 0 ? (1 / norm) * a : a;
+}
+}
+
+#endif

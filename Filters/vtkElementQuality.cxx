@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkElementQuality.h"
+
+#include "Criteria/Evaluation.h"
+#include "MeshInput.h"
+#include "Parallel.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArraySelection.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <exception>
+
+vtkStandardNewMacro(vtkElementQuality);
+
+namespace
+{
+constexpr vtkIdType Grain = 65536;
+
+//------------------------------------------------------------------------------
+// Why each value is null, read from the values.
+vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(
+  vtkDoubleArray* values, const camaron::MeshView& mesh)
+{
+  auto mask = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  mask->SetName((std::string(values->GetName()) + "_Null").c_str());
+  mask->SetNumberOfValues(values->GetNumberOfValues());
+  const double* from = values->GetPointer(0);
+  unsigned char* to = mask->GetPointer(0);
+  camaron::ParallelFor(values->GetNumberOfValues(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        camaron::NullReason reason = camaron::GetNullReason(from[cell]);
+        if (reason == camaron::NullReason::Value &&
+          camaron::GetCellShape(mesh.GetCellType(cell)).IsHigherOrder)
+        {
+          reason = camaron::NullReason::HigherOrder;
+        }
+        to[cell] = static_cast<unsigned char>(reason);
+      }
+    });
+  return mask;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkElementQuality::vtkElementQuality()
+{
+  const camaron::Preset* overview = camaron::FindPreset("Overview");
+  for (const camaron::Criterion& criterion : camaron::GetCriteria())
+  {
+    const bool ticked = std::any_of(overview->Rules.begin(), overview->Rules.end(),
+      [&](const auto& rule) { return rule.Criterion == std::string_view(criterion.Name); });
+    this->Criteria->AddArray(criterion.Name, ticked);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkElementQuality::~vtkElementQuality() = default;
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Criteria:\n";
+  this->Criteria->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Preset: " << this->Preset << '\n';
+  os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
+  os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
+  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
+  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkElementQuality::GetCriteria()
+{
+  return this->Criteria;
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::SetPreset(const char* name)
+{
+  const std::string preset = name && name[0] ? name : TickedCriteria();
+  if (this->Preset != preset)
+  {
+    this->Preset = preset;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkElementQuality::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Criteria->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkElementQuality::GetChosenCriteria()
+{
+  std::vector<std::string> names;
+  if (this->Preset == TickedCriteria())
+  {
+    for (int i = 0; i < this->Criteria->GetNumberOfArrays(); ++i)
+    {
+      if (this->Criteria->GetArraySetting(i))
+      {
+        names.emplace_back(this->Criteria->GetArrayName(i));
+      }
+    }
+  }
+  else if (const camaron::Preset* preset = camaron::FindPreset(this->Preset))
+  {
+    for (const auto& rule : preset->Rules)
+    {
+      names.emplace_back(rule.Criterion);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  const auto names = this->GetChosenCriteria();
+  const bool neighbors = std::any_of(names.begin(), names.end(),
+    [](const std::string& name)
+    {
+      const camaron::Criterion* criterion = camaron::FindCriterion(name);
+      return criterion && criterion->Cost == camaron::Cost::Neighbors;
+    });
+  if (neighbors && outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  {
+    inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  if (this->Preset != TickedCriteria() && !camaron::FindPreset(this->Preset))
+  {
+    vtkErrorMacro("There is no preset named '" << this->Preset << "'.");
+    return 0;
+  }
+  std::vector<camaron::CriterionValues> rows;
+  std::vector<vtkSmartPointer<vtkDoubleArray>> arrays;
+  camaron::EvaluationOptions options;
+  options.Angles =
+    this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
+  options.TrustFaceOrientation = this->TrustFaceOrientation;
+  options.DegeneracyTolerance = this->DegeneracyTolerance;
+  try
+  {
+    const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(input);
+    output->ShallowCopy(triangulated);
+    const camaron::MeshTopology topology(camaron::AsMesh(triangulated));
+    for (const std::string& name : this->GetChosenCriteria())
+    {
+      const camaron::Criterion* criterion = camaron::FindCriterion(name);
+      if (!criterion)
+      {
+        vtkErrorMacro("There is no criterion named '" << name << "'.");
+        output->Initialize();
+        return 0;
+      }
+      arrays.push_back(vtkSmartPointer<vtkDoubleArray>::New());
+      arrays.back()->SetName(criterion->Name);
+      arrays.back()->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
+      arrays.back()->GetInformation()->Set(
+        vtkDataArray::UNITS_LABEL(), criterion->UnitLabel(options.Angles));
+      rows.push_back({ criterion, arrays.back()->GetPointer(0) });
+    }
+    const bool finished = camaron::Evaluate(topology, options, rows,
+      [this](double done)
+      {
+        this->UpdateProgress(done);
+        return !this->CheckAbort();
+      });
+    if (!finished)
+    {
+      return 1;
+    }
+    for (vtkDoubleArray* array : arrays)
+    {
+      output->GetCellData()->AddArray(array);
+      if (this->WriteNullMask)
+      {
+        output->GetCellData()->AddArray(MakeNullMask(array, topology.GetMesh()));
+      }
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("The mesh cannot be evaluated: " << error.what() << '.');
+    output->Initialize();
+    return 0;
+  }
+  if (!arrays.empty())
+  {
+    output->GetCellData()->SetActiveScalars(arrays[0]->GetName());
+  }
+  return 1;
+}

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkElementQuality
+ * @brief Evaluates quality criteria for every cell of a mesh.
+ *
+ * Input: any vtkDataSet or composite of them. Output: the same type with one double cell array per
+ * criterion, named like it, whose vtkDataArray::UNITS_LABEL() is "deg", "rad", "sr" or "" (units of the
+ * mesh); the first one becomes the active cell scalars. Where a criterion has no meaning or is undefined
+ * the value is NaN; where it grows without bound, +infinity. With WriteNullMask an unsigned char array
+ * `<Name>_Null` tells why: 0 value, 1 not applicable to this shape, 2 degenerate, 3 invalid topology,
+ * 4 no neighbour, 5 neighbour's piece unknown, 6 value of the corners of a higher-order cell.
+ *
+ * Every cell is evaluated as the polygon or polyhedron that it is, so a hexahedron has the same values
+ * whether it is a VTK_HEXAHEDRON or a VTK_POLYHEDRON. Triangle strips become triangles.
+ *
+ * Parallel: pieces are evaluated by themselves; criteria with neighbours ask for one layer of ghost
+ * cells. Ghost cells get values, too.
+ *
+ * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen.
+ */
+#ifndef vtkElementQuality_h
+#define vtkElementQuality_h
+
+#include "vtkDataSetAlgorithm.h"
+#include "vtkNew.h" // for the selection
+
+#include <string> // for the preset
+#include <vector> // for the chosen criteria
+
+class vtkDataArraySelection;
+
+class vtkElementQuality : public vtkDataSetAlgorithm
+{
+public:
+  static vtkElementQuality* New();
+  vtkTypeMacro(vtkElementQuality, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum AngleUnitsType
+  {
+    DEGREES = 0,
+    RADIANS = 1
+  };
+
+  /// Preset name that stands for "the criteria that are ticked".
+  static const char* TickedCriteria() { return "Ticked criteria"; }
+
+  /// Criteria by name with their ticks; by default those of the preset "Overview" are ticked.
+  vtkDataArraySelection* GetCriteria();
+
+  ///@{
+  /// Name of a preset whose criteria are evaluated instead of the ticked ones. Default: TickedCriteria.
+  void SetPreset(const char* name);
+  const char* GetPreset() const { return this->Preset.c_str(); }
+  ///@}
+
+  ///@{
+  /// Unit of plane angles, DEGREES (default) or RADIANS. Solid angles are in steradian always.
+  vtkSetClampMacro(AngleUnits, int, DEGREES, RADIANS);
+  vtkGetMacro(AngleUnits, int);
+  ///@}
+
+  ///@{
+  /// Add a mask array per criterion that tells why a value is null. Default: off.
+  vtkSetMacro(WriteNullMask, bool);
+  vtkGetMacro(WriteNullMask, bool);
+  vtkBooleanMacro(WriteNullMask, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Take the faces of polyhedra as they are: directed outward, so that an inverted one has a negative
+   * volume. Off (default): make them consistent and outward first, as files are careless about it.
+   */
+  vtkSetMacro(TrustFaceOrientation, bool);
+  vtkGetMacro(TrustFaceOrientation, bool);
+  vtkBooleanMacro(TrustFaceOrientation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * An edge shorter than this share of the cell's diameter counts as collapsed, faces and cells
+   * accordingly. 0 (default): the larger of 1e-12 and 8 rounding units of the coordinates.
+   */
+  vtkSetClampMacro(DegeneracyTolerance, double, 0.0, 1.0);
+  vtkGetMacro(DegeneracyTolerance, double);
+  ///@}
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkElementQuality();
+  ~vtkElementQuality() override;
+
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkElementQuality(const vtkElementQuality&) = delete;
+  void operator=(const vtkElementQuality&) = delete;
+
+  std::vector<std::string> GetChosenCriteria();
+
+  vtkNew<vtkDataArraySelection> Criteria;
+  std::string Preset = TickedCriteria();
+  int AngleUnits = DEGREES;
+  bool WriteNullMask = false;
+  bool TrustFaceOrientation = false;
+  double DegeneracyTolerance = 0;
+};
+
+#endif
