@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What meshes are worth, from Python; runs in pvpython and pvbatch with the plugin Camaron.
+
+>>> import camaron
+>>> camaron.convert("part.visf", "part.vtu")
+[]
+"""
+
+from .conversion import convert
+
+__all__ = ["convert"]

@@ -1,0 +1,160 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView as the rest of the package uses it: the plugin, files, messages."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Any, Optional
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
+
+
+def load_plugin() -> None:
+    """Makes the filters, readers and writers of the plugin known; does nothing the second time."""
+    if hasattr(simple, "MeshSurface"):
+        return
+    with Messages() as messages:
+        for folder in os.environ.get("PV_PLUGIN_PATH", "").split(os.pathsep):
+            for library in sorted(Path(folder or ".").glob("**/Camaron.so")) if folder else ():
+                simple.LoadPlugin(str(library), remote=False, ns=vars(simple))
+                if hasattr(simple, "MeshSurface"):
+                    return
+        try:
+            simple.LoadDistributedPlugin("Camaron", remote=False, ns=vars(simple))
+        except RuntimeError as error:
+            messages.errors.append(str(error))
+    if not hasattr(simple, "MeshSurface"):
+        reason = messages.errors[0] if messages.errors else "is the folder in PV_PLUGIN_PATH?"
+        raise RuntimeError(f"the plugin Camaron cannot be loaded: {reason}")
+
+
+class Messages:
+    """Keeps what VTK reports as errors and warnings from the terminal and in two lists.
+
+    >>> with Messages() as messages:
+    ...     source.UpdatePipeline()
+    >>> messages.errors
+    ['cube.visf: byte 12: expected ...']
+    """
+
+    def __init__(self):
+        self.errors: list[str] = []
+        self.warnings: list[str] = []
+
+    def __enter__(self) -> "Messages":
+        def note(texts):
+            def callback(_window, _event, text=""):
+                message = _plain(text)
+                if message and message not in texts:
+                    texts.append(message)
+
+            callback.CallDataType = "string0"
+            return callback
+
+        self._window = vtkOutputWindow.GetInstance()
+        self._observers = [
+            self._window.AddObserver("ErrorEvent", note(self.errors)),
+            self._window.AddObserver("WarningEvent", note(self.warnings)),
+        ]
+        self._mode = self._window.GetDisplayMode()
+        self._window.SetDisplayModeToNever()
+        self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        return self
+
+    def __exit__(self, kind, error, trace) -> None:
+        for observer in self._observers:
+            self._window.RemoveObserver(observer)
+        self._window.SetDisplayMode(self._mode)
+        vtkLogger.SetStderrVerbosity(self._verbosity)
+
+
+def _plain(message: str) -> str:
+    """The message without the place in the source and the address of the object."""
+    message = re.sub(r"^(ERROR|Warning|Generic Warning): In .*?, line \d+\s*", "", message.strip())
+    message = re.sub(r"^[\w:<>]+ \((0x)?[0-9a-fA-F]+\): ", "", message)
+    return " ".join(message.split())
+
+
+class Opened:
+    """A mesh that was read: the source, the time that was chosen, and what the reader warned of."""
+
+    def __init__(self, source: Any, time: Optional[dict[str, Any]], warnings: list[str]):
+        self.source, self.time, self.warnings = source, time, warnings
+
+
+def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
+    """Opens any mesh that ParaView can read and reads it.
+
+    `time` is "first", "last" or the number of a step. Raises RuntimeError with the reader's reason.
+    """
+    path = Path(path)
+    if not path.exists():
+        raise RuntimeError(f"{path}: there is no such file")
+    with Messages() as messages:
+        try:
+            source = simple.OpenDataFile(str(path))
+        except RuntimeError:
+            source = None
+        if source is None:
+            raise RuntimeError(f"{path}: {_first(messages, path) or 'no reader knows this kind of file'}")
+        try:
+            chosen = _choose_time(source, time)
+            source.UpdatePipeline(chosen["value"] if chosen else 0.0)
+        except RuntimeError as error:
+            raise RuntimeError(f"{path}: {error}") from None
+    if messages.errors:
+        simple.Delete(source)
+        raise RuntimeError(f"{path}: {_first(messages, path)}")
+    if not is_mesh(source):
+        kind = data_information(source).GetPrettyDataTypeString()
+        simple.Delete(source)
+        raise RuntimeError(f"{path}: not a mesh but a {kind.lower()}")
+    return Opened(source, chosen, messages.warnings)
+
+
+def _first(messages: Messages, path: Path) -> str:
+    """The first error, without the name of the file that is said anyway."""
+    if not messages.errors:
+        return ""
+    return re.sub(rf"^({re.escape(str(path))}|{re.escape(path.name)})\s*:\s*", "", messages.errors[0])
+
+
+def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:
+    values = getattr(source, "TimestepValues", None)
+    values = [] if values is None else list(values) if hasattr(values, "__len__") else [values]
+    if len(values) == 0:
+        return None
+    names = {"first": 0, "last": len(values) - 1}
+    if time not in names and not str(time).isdigit():
+        raise ValueError(f"time is 'first', 'last' or the number of a step, not {time!r}")
+    step = names[time] if time in names else int(time)
+    if step >= len(values):
+        raise ValueError(f"there is no time step {step}: the steps are 0 to {len(values) - 1}")
+    return {"step": step, "steps": len(values), "value": float(values[step])}
+
+
+def data_information(source: Any, port: int = 0) -> Any:
+    """vtkPVDataInformation of an output, gathered over all ranks."""
+    return servermanager.OutputPort(source, port).GetDataInformation().DataInformation
+
+
+def is_composite(source: Any) -> bool:
+    return data_information(source).GetCompositeDataSetType() != -1
+
+
+def is_mesh(source: Any) -> bool:
+    """Whether there is anything with points and cells in it."""
+    information = data_information(source)
+    return information.DataSetTypeIsA("vtkDataSet") or (
+        is_composite(source) and information.GetNumberOfCells() + information.GetNumberOfPoints() > 0
+    )
+
+
+def rank_count() -> int:
+    """Number of MPI ranks of this program."""
+    return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()

@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What tests in Python share.
+
+A test is a script of unittest cases that ends with `camaron_testing.main()`:
+
+    import camaron_testing
+
+    class TestFoo(camaron_testing.TestCase):
+        def test_bar(self):
+            source = self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
+            ...
+
+    if __name__ == "__main__":
+        camaron_testing.main()
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from paraview import servermanager, simple
+
+from camaron import pipeline
+
+ROOT = Path(__file__).resolve().parents[2]
+EXAMPLES = ROOT / "Examples"
+#: Folder of collected meshes, or None; tests that need one of them are skipped without it.
+DATA = Path(os.environ["CAMARON_SHARED_DATA"]) if os.environ.get("CAMARON_SHARED_DATA") else None
+SKIPPED = 77
+
+pipeline.load_plugin()
+
+
+class TestCase(unittest.TestCase):
+    """With a folder of its own in self.folder, which is gone afterwards."""
+
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp(prefix="camaron-test-"))
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+
+    def open(self, path):
+        """The source that reads a file, updated; a test fails on any error of the reader."""
+        with pipeline.Messages() as messages:
+            source = simple.OpenDataFile(str(path))
+            self.assertIsNotNone(source, f"no reader for {path}")
+            source.UpdatePipeline()
+        self.assertEqual(messages.errors, [])
+        return source
+
+    def fetch(self, source, port=0):
+        """The data of an output port, all ranks together, on this side."""
+        return servermanager.Fetch(source, idx=port)
+
+    def data(self, name):
+        """A file of the collected meshes; skips the test where there is none."""
+        if DATA is None or not (DATA / name).exists():
+            self.skipTest(f"{name} is not in CAMARON_SHARED_DATA")
+        return DATA / name
+
+
+def rank_count():
+    """Number of MPI ranks."""
+    return pipeline.rank_count()
+
+
+def require_display():
+    """Decorator: skips a test that renders where there is no display."""
+    has_display = bool(os.environ.get("DISPLAY")) or sys.platform in ("win32", "darwin")
+    return unittest.skipUnless(has_display, "no display: run under xvfb-run")
+
+
+def run_command(*arguments, **options):
+    """Runs the command line in a process of its own; returns it with its output as text."""
+    script = ROOT / "Scripts" / "camaron" / "__main__.py"
+    # What mpiexec told this process would make the other believe that it belongs to the same job.
+    prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
+    environment = {
+        key: value
+        for key, value in os.environ.items()
+        if not key.startswith(prefixes) or key.startswith("OMPI_ALLOW_RUN_AS_ROOT")
+    }
+    command = [shutil.which("pvpython") or "pvpython", str(script), *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, timeout=240, env=environment, **options)
+
+
+def write_vtk(path, points, cells, name="UNSTRUCTURED_GRID"):
+    """Writes a legacy VTK file; cells are (type, ids), for a polyhedron (42, face stream)."""
+    size = sum(len(ids) + 1 for _, ids in cells)
+    lines = ["# vtk DataFile Version 3.0", "test", "ASCII", f"DATASET {name}"]
+    lines.append(f"POINTS {len(points)} double")
+    lines += [" ".join(repr(float(x)) for x in point) for point in points]
+    lines.append(f"CELLS {len(cells)} {size}")
+    lines += [" ".join(map(str, (len(ids), *ids))) for _, ids in cells]
+    lines.append(f"CELL_TYPES {len(cells)}")
+    lines += [str(kind) for kind, _ in cells]
+    Path(path).write_text("\n".join(lines) + "\n")
+    return path
+
+
+def main():
+    """Runs the tests of the script and ends the process: 0 passed, 1 failed, 77 all skipped."""
+    sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
+    program = unittest.main("__main__", exit=False, verbosity=2, argv=sys.argv[:1])
+    result = program.result
+    if not result.wasSuccessful():
+        status = 1
+    else:
+        status = SKIPPED if result.testsRun and len(result.skipped) == result.testsRun else 0
+    sys.stdout.flush()
+    sys.stderr.flush()
+    if rank_count() == 1:
+        os._exit(status)  # pvpython can hang while it closes
+    sys.exit(status)
