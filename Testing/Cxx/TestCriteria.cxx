@@ -1,0 +1,612 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Values of the criteria against tables that an independent program computed from closed forms, against
+// themselves under what must not change them, and on degenerate cells.
+#include "Criteria/Evaluation.h"
+
+#include "ReferenceShapes.h"
+#include "TestMeshes.h"
+
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+const double Pi = std::acos(-1.0);
+
+using Values = std::map<std::string, std::vector<double>>;
+
+//------------------------------------------------------------------------------
+Values EvaluateAll(vtkDataSet* mesh, const EvaluationOptions& options = {})
+{
+  Values values;
+  std::vector<CriterionValues> rows;
+  for (const Criterion& criterion : GetCriteria())
+  {
+    auto& array = values[criterion.Name];
+    array.resize(mesh->GetNumberOfCells());
+    rows.push_back({ &criterion, array.data() });
+  }
+  EXPECT_TRUE(Evaluate(MeshTopology(mesh), options, rows, [](double) { return true; }));
+  return values;
+}
+
+//------------------------------------------------------------------------------
+void ExpectNear(double expected, double value, double relative, const std::string& what)
+{
+  if (std::isnan(expected) || std::isinf(expected))
+  {
+    EXPECT_TRUE(std::isnan(expected) ? std::isnan(value) : expected == value)
+      << what << ": " << value << " instead of " << expected;
+    return;
+  }
+  EXPECT_NEAR(expected, value, relative * std::max(1.0, std::abs(expected))) << what;
+}
+
+//------------------------------------------------------------------------------
+void ExpectSame(const Values& a, const Values& b, double relative, const std::string& what,
+  const std::vector<std::string>& except = {})
+{
+  for (const auto& row : a)
+  {
+    if (std::find(except.begin(), except.end(), row.first) != except.end())
+    {
+      continue;
+    }
+    const auto& other = b.at(row.first);
+    ASSERT_EQ(row.second.size(), other.size());
+    for (std::size_t i = 0; i < other.size(); ++i)
+    {
+      ExpectNear(row.second[i], other[i], relative, what + ' ' + row.first);
+      EXPECT_EQ(GetNullReason(row.second[i]), GetNullReason(other[i])) << what << row.first;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+Grid Transform(vtkUnstructuredGrid* grid, const std::function<Point(const Point&)>& map)
+{
+  auto result = Grid::New();
+  result->DeepCopy(grid);
+  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+  {
+    Point p;
+    grid->GetPoint(i, p.data());
+    result->GetPoints()->SetPoint(i, map(p).data());
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+Grid MakePolygon(const Points& points)
+{
+  std::vector<vtkIdType> ids(points.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    ids[i] = static_cast<vtkIdType>(i);
+  }
+  const int size = static_cast<int>(points.size());
+  return MakeGrid(
+    points, { { size == 3 ? VTK_TRIANGLE : size == 4 ? VTK_QUAD : VTK_POLYGON, ids } });
+}
+}
+
+// The published table of polyhedra, to all digits it prints; every shape as a polyhedron and, where
+// there is one, as a cell of a standard type.
+TEST(Criteria, ReferencePolyhedra)
+{
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    for (vtkUnstructuredGrid* grid : { shape.Standard.Get(), shape.Polyhedron.Get() })
+    {
+      if (grid)
+      {
+        const Values values = EvaluateAll(grid);
+        for (const auto& expected : shape.Expected)
+        {
+          ExpectNear(expected.second, values.at(expected.first)[0], 1e-9,
+            std::string(shape.Name) + ' ' + expected.first);
+        }
+      }
+    }
+  }
+}
+
+// Closed forms to 1e-12: the angles that the original program got wrong.
+TEST(Criteria, ClosedForms)
+{
+  const auto value = [](const Grid& grid, const char* name) { return EvaluateAll(grid)[name][0]; };
+  const Grid tetrahedron = FindReferenceShape("regular tetrahedron").Polyhedron;
+  EXPECT_NEAR(value(tetrahedron, "MinSolidAngle"), std::acos(23.0 / 27), 1e-12);
+  EXPECT_NEAR(value(tetrahedron, "MaxSolidAngle"), 3 * std::acos(1.0 / 3) - Pi, 1e-12);
+  const Grid octahedron = FindReferenceShape("truncated octahedron").Polyhedron;
+  EXPECT_NEAR(value(octahedron, "MinSolidAngle"), Pi, 1e-12);
+  EXPECT_NEAR(value(octahedron, "MaxSolidAngle"), Pi, 1e-12);
+  EXPECT_NEAR(value(octahedron, "Volume"), 8 * std::sqrt(2.0), 1e-12);
+  const Grid cube = FindReferenceShape("unit cube").Polyhedron;
+  EXPECT_NEAR(value(cube, "MinSolidAngle"), Pi / 2, 1e-12);
+  const Grid far = Transform(cube, [](const Point& p) { return Point{ p[0] + 1e6, p[1], p[2] }; });
+  EXPECT_EQ(value(far, "Volume"), 1);
+  EXPECT_NEAR(value(FindReferenceShape("L-prism").Polyhedron, "MaxSolidAngle"), 1.5 * Pi, 1e-12);
+}
+
+// The published table of polygons.
+TEST(Criteria, ReferencePolygons)
+{
+  const double h = std::sqrt(3.0) / 2;
+  struct Row
+  {
+    const char* Name;
+    Points Polygon;
+    double Area, Perimeter, Vertices, EdgeLengthRatio, MinAngle, MaxAngle, Skewness, Quotient;
+  };
+  const Row rows[] = {
+    { "square", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, 1, 4, 4, 1, 90, 90, 0,
+      0.7853981634 },
+    { "rectangle", { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 0, 1, 0 } }, 2, 6, 4, 0.5, 90, 90, 0,
+      0.6981317008 },
+    { "rhombus", { { 0, 0, 0 }, { 1, 0, 0 }, { 1.5, h, 0 }, { .5, h, 0 } }, 0.8660254038, 4, 4, 1, 60,
+      120, 0.3333333333, 0.6801747616 },
+    { "pentagon", MakeRegularPolygon(5, 0), 1.720477401, 5, 5, 1, 108, 108, 0, 0.864806266 },
+    { "hexagon", MakeRegularPolygon(6, 0), 2.598076211, 6, 6, 1, 120, 120, 0, 0.9068996821 },
+    { "equilateral", { { 0, 0, 0 }, { 1, 0, 0 }, { .5, h, 0 } }, 0.4330127019, 3, 3, 1, 60, 60, 0,
+      0.6045997881 },
+    { "right isosceles", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, 0.5, 3.414213562, 3,
+      0.7071067812, 45, 90, 0.25, 0.5390120845 },
+    { "3-4-5", { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 } }, 6, 12, 3, 0.6, 36.86989765, 90,
+      0.3855017059, 0.5235987756 },
+    { "L hexagon",
+      { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } }, 3, 8, 6, 0.5,
+      90, 270, 2.5, 0.5890486225 },
+    { "warped quad", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, .5 }, { 0, 1, 0 } }, 1.060660172,
+      4.236067977, 4, 0.894427191, 78.46304097, 90, 0.1281884337, 0.7427801407 },
+  };
+  for (const Row& row : rows)
+  {
+    const Values values = EvaluateAll(MakePolygon(row.Polygon));
+    const auto expect = [&](const char* name, double expected)
+    { ExpectNear(expected, values.at(name)[0], 1e-9, std::string(row.Name) + ' ' + name); };
+    expect("Area", row.Area);
+    expect("Perimeter", row.Perimeter);
+    expect("VertexCount", row.Vertices);
+    expect("EdgeCount", row.Vertices);
+    expect("EdgeLengthRatio", row.EdgeLengthRatio);
+    expect("MinInteriorAngle", row.MinAngle);
+    expect("MaxInteriorAngle", row.MaxAngle);
+    expect("EquiangleSkewness", row.Skewness);
+    expect("IsoperimetricQuotient", row.Quotient);
+  }
+}
+
+// The published table of triangles and tetrahedra.
+TEST(Criteria, ReferenceSimplices)
+{
+  const double h = std::sqrt(3.0) / 2;
+  const struct
+  {
+    Points Triangle;
+    double RadiusRatio, BhatiaLawrence;
+  } triangles[] = { { { { 0, 0, 0 }, { 1, 0, 0 }, { .5, h, 0 } }, 1, 1 },
+    { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, 0.8284271247, 0.8660254038 },
+    { { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 } }, 0.8, 0.8313843876 } };
+  for (const auto& row : triangles)
+  {
+    const Values values = EvaluateAll(MakePolygon(row.Triangle));
+    ExpectNear(row.RadiusRatio, values.at("TriangleRadiusRatio")[0], 1e-9, "TriangleRadiusRatio");
+    ExpectNear(row.BhatiaLawrence, values.at("BhatiaLawrence")[0], 1e-9, "BhatiaLawrence");
+  }
+  const struct
+  {
+    const char* Name;
+    double RadiusRatio, RadiusEdgeRatio, MeanRatio;
+  } tetrahedra[] = { { "regular tetrahedron", 1, 0.6123724357, 1 },
+    { "right-corner tetrahedron", 0.7320508076, 0.8660254038, 0.8399473666 },
+    { "flat sliver", 0.02999250221, 0.707071432, 0.08771176097 } };
+  for (const auto& row : tetrahedra)
+  {
+    const ReferenceShape& shape = FindReferenceShape(row.Name);
+    for (vtkUnstructuredGrid* grid : { shape.Standard.Get(), shape.Polyhedron.Get() })
+    {
+      const Values values = EvaluateAll(grid);
+      ExpectNear(row.RadiusRatio, values.at("TetRadiusRatio")[0], 1e-9, row.Name);
+      ExpectNear(row.RadiusEdgeRatio, values.at("TetRadiusEdgeRatio")[0], 1e-9, row.Name);
+      ExpectNear(row.MeanRatio, values.at("TetMeanRatio")[0], 1e-9, row.Name);
+    }
+  }
+}
+
+// A cell of every standard type has the same values as its faces written as a polyhedron, also when it
+// is warped; its volume is positive in VTK's node order.
+TEST(Criteria, StandardTypesEqualPolyhedra)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> noise(-0.1, 0.1);
+  for (const int type : StandardTypes3D)
+  {
+    const Grid healthy = MakeStandardCell(type);
+    const Grid warped = Transform(healthy,
+      [&](const Point& p)
+      { return Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) }; });
+    for (const Grid& grid : { healthy, warped })
+    {
+      const Values standard = EvaluateAll(grid);
+      EXPECT_GT(standard.at("Volume")[0], 0) << type;
+      ExpectSame(standard, EvaluateAll(ToPolyhedra(grid)), 1e-12, "type " + std::to_string(type),
+        { "CellTypeId" });
+    }
+  }
+}
+
+// Of a tetrahedron the solid angles are twice the dihedral angles less a full sphere.
+TEST(Criteria, SolidAnglesOfTetrahedron)
+{
+  const Values values = EvaluateAll(FindReferenceShape("right-corner tetrahedron").Standard);
+  // Three corners alike and one right one: 3 x Min + Max = 2 (3 x 54.7 deg + 3 x 90 deg) - 4 pi.
+  const double dihedral = 3 * std::acos(1 / std::sqrt(3.0)) + 3 * Pi / 2;
+  EXPECT_NEAR(3 * values.at("MinSolidAngle")[0] + values.at("MaxSolidAngle")[0],
+    2 * dihedral - 4 * Pi, 1e-12);
+}
+
+// Translation, rotation, renumbering and scaling change what they should and nothing else.
+TEST(Criteria, Invariance)
+{
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  const auto turn = [=](const Point& p)
+  {
+    const Point q = { c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] };
+    return Point{ q[0], c * q[1] - s * q[2], s * q[1] + c * q[2] };
+  };
+  const std::vector<std::string> ofLength = { "Perimeter", "MinEdgeLength", "MaxEdgeLength",
+    "MeanEdgeLength", "Diameter", "Area", "SurfaceArea", "Volume" };
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    const Grid& grid = shape.Polyhedron;
+    const Values values = EvaluateAll(grid);
+    ExpectSame(values,
+      EvaluateAll(Transform(
+        grid, [](const Point& p) { return Point{ p[0] + 100, p[1] - 30, p[2] + 7 }; })),
+      1e-10, std::string(shape.Name) + " moved");
+    ExpectSame(values, EvaluateAll(Transform(grid, turn)), 1e-10, std::string(shape.Name) + " turned",
+      { "CellAspectRatio" });
+    ExpectSame(values,
+      EvaluateAll(
+        Transform(grid, [](const Point& p) { return Point{ 1e-3 * p[0], 1e-3 * p[1], 1e-3 * p[2] }; })),
+      1e-10, std::string(shape.Name) + " scaled", ofLength);
+
+    // Points in another order, faces started elsewhere, every second one backwards.
+    const vtkIdType n = grid->GetNumberOfPoints();
+    Points points(n);
+    for (vtkIdType i = 0; i < n; ++i)
+    {
+      grid->GetPoint(i, points[n - 1 - i].data());
+    }
+    Faces faces = GetFaces(grid, 0);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      for (vtkIdType& id : faces[f])
+      {
+        id = n - 1 - id;
+      }
+      std::rotate(faces[f].begin(), faces[f].begin() + 1, faces[f].end());
+      if (f % 2)
+      {
+        std::reverse(faces[f].begin(), faces[f].end());
+      }
+    }
+    std::reverse(faces.begin(), faces.end());
+    ExpectSame(values, EvaluateAll(MakePolyhedron(points, faces)), 1e-10,
+      std::string(shape.Name) + " renumbered");
+  }
+}
+
+// The published table of degenerate polygons.
+TEST(Criteria, DegeneratePolygons)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const struct
+  {
+    const char* Name;
+    Points Polygon;
+    double EdgeLengthRatio, MinAngle, MaxAngle, RadiusRatio, BhatiaLawrence, Area;
+  } rows[] = {
+    { "collinear", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0.5, 0, 180, 0, 0, 0 },
+    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, 0, 0 },
+    { "one point", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, nan, nan, nan, nan, nan, 0 },
+  };
+  for (const auto& row : rows)
+  {
+    const Values values = EvaluateAll(MakePolygon(row.Polygon));
+    const auto expect = [&](const char* name, double expected)
+    { ExpectNear(expected, values.at(name)[0], 1e-12, std::string(row.Name) + ' ' + name); };
+    expect("EdgeLengthRatio", row.EdgeLengthRatio);
+    expect("MinInteriorAngle", row.MinAngle);
+    expect("MaxInteriorAngle", row.MaxAngle);
+    expect("TriangleRadiusRatio", row.RadiusRatio);
+    expect("BhatiaLawrence", row.BhatiaLawrence);
+    expect("Area", row.Area);
+  }
+  const Values quad = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }));
+  for (const char* name : { "TriangleRadiusRatio", "BhatiaLawrence", "TetRadiusRatio", "Volume" })
+  {
+    EXPECT_EQ(GetNullReason(quad.at(name)[0]), NullReason::NotApplicable) << name;
+  }
+}
+
+// The published table of degenerate polyhedra.
+TEST(Criteria, DegeneratePolyhedra)
+{
+  // Flat: the corners of the unit square.
+  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  Values values = EvaluateAll(flat);
+  EXPECT_EQ(values["Volume"][0], 0);
+  EXPECT_EQ(values["TetRadiusEdgeRatio"][0], Infinity);
+  EXPECT_EQ(values["TetRadiusRatio"][0], 0);
+  EXPECT_EQ(values["TetMeanRatio"][0], 0);
+  EXPECT_NEAR(values["MinDihedralAngle"][0], 0, 1e-12);
+  EXPECT_NEAR(values["MaxDihedralAngle"][0], 180, 1e-12);
+  EXPECT_NEAR(values["MinSolidAngle"][0], 0, 1e-12);
+  EXPECT_EQ(values["CellAspectRatio"][0], Infinity);
+
+  // Inverted: the volume says so, nothing else does.
+  const Grid inverted = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 2, 1, 3 } } });
+  values = EvaluateAll(inverted);
+  EXPECT_NEAR(values["Volume"][0], -1.0 / 6, 1e-15);
+  EXPECT_NEAR(values["TetMeanRatio"][0], -0.8399473666, 1e-9);
+  EXPECT_NEAR(values["TetRadiusEdgeRatio"][0], 0.8660254038, 1e-9);
+  EXPECT_NEAR(values["TetRadiusRatio"][0], 0.7320508076, 1e-9);
+  EXPECT_NEAR(values["MinDihedralAngle"][0], 54.73561032, 1e-8);
+  EXPECT_NEAR(values["MaxDihedralAngle"][0], 90, 1e-10);
+  EXPECT_NEAR(values["MinSolidAngle"][0], 0.3398369095, 1e-9);
+
+  // All faces of a polyhedron inward: found out, unless the user trusts them.
+  const Grid inward = ToPolyhedra(inverted);
+  EXPECT_NEAR(EvaluateAll(inward)["Volume"][0], 1.0 / 6, 1e-15);
+  EvaluationOptions trust;
+  trust.TrustFaceOrientation = true;
+  values = EvaluateAll(inward, trust);
+  EXPECT_NEAR(values["Volume"][0], -1.0 / 6, 1e-15);
+  EXPECT_NEAR(values["MaxDihedralAngle"][0], 90, 1e-10);
+
+  // Open: a cube without its last face.
+  const ReferenceShape& cube = FindReferenceShape("unit cube");
+  Faces faces = GetFaces(cube.Polyhedron, 0);
+  faces.pop_back();
+  values = EvaluateAll(MakePolyhedra(cube.Polyhedron->GetPoints(), { faces }));
+  for (const char* name : { "Volume", "MinDihedralAngle", "MinSolidAngle", "IsoperimetricQuotient" })
+  {
+    EXPECT_EQ(GetNullReason(values[name][0]), NullReason::InvalidTopology) << name;
+  }
+  EXPECT_NEAR(values["SurfaceArea"][0], 5, 1e-12);
+  EXPECT_EQ(values["FaceCount"][0], 5);
+
+  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains.
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { 1, 1, 1 } };
+  for (const vtkIdType last : { 6, 7 })
+  {
+    const Grid grid = MakeGrid(points, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, last } } });
+    values = EvaluateAll(grid);
+    EXPECT_EQ(values["VertexCount"][0], last == 6 ? 7 : 8);
+    EXPECT_EQ(values["MinEdgeLength"][0], 0);
+    EXPECT_EQ(values["EdgeLengthRatio"][0], 0);
+    EXPECT_NEAR(values["Volume"][0], 5.0 / 6, 0.1);
+    EXPECT_FALSE(std::isnan(values["MinDihedralAngle"][0])) << last;
+    EXPECT_FALSE(std::isnan(values["MinSolidAngle"][0])) << last;
+    EXPECT_EQ(GetNullReason(values["TetRadiusRatio"][0]), NullReason::NotApplicable);
+  }
+
+  // Points, lines and empty cells are null for everything but their type.
+  const Grid others =
+    MakeGrid(points, { { VTK_VERTEX, { 0 } }, { VTK_LINE, { 0, 1 } }, { VTK_EMPTY_CELL, {} } });
+  for (const auto& row : EvaluateAll(others))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(std::isnan(row.second[i]), row.first != "CellTypeId") << row.first;
+    }
+  }
+}
+
+// Polyhedra without points, with one face, with a point as a face: no answer, and no crash.
+TEST(Criteria, BrokenPolyhedra)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  for (const Faces& faces : { Faces{}, Faces{ { 0, 1, 2 } }, Faces{ { 0 }, { 1, 2 }, {} },
+         Faces{ { 0, 1, 2 }, { 0, 1, 2 } }, Faces{ { 0, 0, 0 }, { 1, 1, 2 }, { 3, 3, 3 }, { 2, 2, 2 } },
+         Faces{ { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 2 }, { 2, 3, 0 }, { 1, 3, 2 } } })
+  {
+    Values values = EvaluateAll(MakePolyhedron(points, faces));
+    EXPECT_EQ(GetNullReason(values["Volume"][0]), NullReason::InvalidTopology) << faces.size();
+  }
+}
+
+// A face listed twice, once in each direction, is a fin inside the cell and leaves its volume alone.
+TEST(Criteria, Fin)
+{
+  const ReferenceShape& cube = FindReferenceShape("unit cube");
+  Faces faces = GetFaces(cube.Polyhedron, 0);
+  faces.push_back({ 0, 2, 6 });
+  faces.push_back({ 6, 2, 0 });
+  Values values = EvaluateAll(MakePolyhedra(cube.Polyhedron->GetPoints(), { faces }));
+  EXPECT_NEAR(values["Volume"][0], 1, 1e-12);
+  EXPECT_EQ(GetNullReason(values["MinDihedralAngle"][0]), NullReason::InvalidTopology);
+}
+
+// Every cell of a split surface sees its neighbours; folds and inconsistent neighbours count right.
+TEST(Criteria, NeighborNormals)
+{
+  // A flat square of two triangles and a wall standing on its edge; the second wall runs backwards.
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 } };
+  for (const bool backwards : { false, true })
+  {
+    const std::vector<vtkIdType> wall = backwards ? std::vector<vtkIdType>{ 0, 1, 5, 4 }
+                                                  : std::vector<vtkIdType>{ 1, 0, 4, 5 };
+    Values values = EvaluateAll(MakeGrid(points,
+      { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 2, 3 } }, { VTK_QUAD, wall } }));
+    EXPECT_NEAR(values["MinNeighborNormalAngle"][0], 0, 1e-12);
+    EXPECT_NEAR(values["MaxNeighborNormalAngle"][0], 90, 1e-12);
+    EXPECT_NEAR(values["MaxNeighborNormalAngle"][1], 0, 1e-12);
+    EXPECT_NEAR(values["MinNeighborNormalAngle"][2], 90, 1e-12);
+  }
+  const Values alone = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
+  EXPECT_EQ(GetNullReason(alone.at("MinNeighborNormalAngle")[0]), NullReason::NoNeighbor);
+}
+
+// Radians change plane angles and nothing else.
+TEST(Criteria, AngleUnits)
+{
+  const Grid grid = FindReferenceShape("L-prism").Polyhedron;
+  EvaluationOptions radians;
+  radians.Angles = AngleUnit::Radians;
+  const Values degrees = EvaluateAll(grid), values = EvaluateAll(grid, radians);
+  for (const Criterion& criterion : GetCriteria())
+  {
+    const double factor = criterion.Unit == Unit::Angle ? Pi / 180 : 1;
+    ExpectNear(factor * degrees.at(criterion.Name)[0], values.at(criterion.Name)[0], 1e-12,
+      criterion.Name);
+  }
+}
+
+// Higher-order cells are evaluated by their corners.
+TEST(Criteria, HigherOrder)
+{
+  const Grid linear = MakeStandardCell(VTK_TETRA);
+  const Grid quadratic = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .3, 0 },
+                                    { .5, .5, 0 }, { 0, .5, 0 }, { 0, 0, .5 }, { .5, 0, .5 },
+                                    { 0, .5, .5 } },
+    { { VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } } });
+  ExpectSame(EvaluateAll(linear), EvaluateAll(quadratic), 0, "quadratic", { "CellTypeId" });
+}
+
+// Volumes of a warped mesh add up to that of the domain, because neighbours see the same face centres.
+TEST(Criteria, VolumesFillTheDomain)
+{
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> noise(-0.3, 0.3);
+  for (const bool asPolyhedra : { false, true })
+  {
+    const Grid grid = Transform(MakeHexahedra(4, 5, 6, asPolyhedra),
+      [&](const Point& p)
+      {
+        const auto inside = [](double x, double size) { return x > 0 && x < size; };
+        const bool free = inside(p[0], 4) && inside(p[1], 5) && inside(p[2], 6);
+        return free ? Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) } : p;
+      });
+    double sum = 0;
+    const Values values = EvaluateAll(grid);
+    for (const double volume : values.at("Volume"))
+    {
+      sum += volume;
+    }
+    EXPECT_NEAR(sum, 4 * 5 * 6, 1e-10);
+  }
+}
+
+// Bit for bit the same on one thread and on many, alone and together with other criteria.
+TEST(Criteria, IndependentOfThreadsAndCompany)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-0.2, 0.2);
+  const Grid grid = Transform(MakeHexahedra(20, 20, 20, true), [&](const Point& p)
+    { return Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) }; });
+  Values reference;
+  for (const int threads : { 1, 2, 5 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+      [&]
+      {
+        const Values values = EvaluateAll(grid);
+        reference = reference.empty() ? values : reference;
+        ExpectSame(reference, values, 0, std::to_string(threads) + " threads");
+      });
+  }
+  for (const Criterion& criterion : GetCriteria())
+  {
+    std::vector<double> alone(grid->GetNumberOfCells());
+    Evaluate(MeshTopology(grid), {}, { { &criterion, alone.data() } }, [](double) { return true; });
+    for (std::size_t i = 0; i < alone.size(); i += 97)
+    {
+      ExpectNear(reference.at(criterion.Name)[i], alone[i], 0, criterion.Name);
+    }
+  }
+}
+
+// Stopping leaves at once; progress runs from 0 upwards.
+TEST(Criteria, ProgressAndAbort)
+{
+  const Grid grid = MakeHexahedra(60, 60, 60, false);
+  std::vector<double> values(grid->GetNumberOfCells());
+  const std::vector<CriterionValues> rows = { { FindCriterion("Volume"), values.data() } };
+  std::vector<double> reports;
+  EXPECT_TRUE(Evaluate(MeshTopology(grid), {}, rows,
+    [&](double done)
+    {
+      reports.push_back(done);
+      return true;
+    }));
+  EXPECT_GT(reports.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_LT(reports.back(), 1);
+  int calls = 0;
+  EXPECT_FALSE(Evaluate(MeshTopology(grid), {}, rows, [&](double) { return ++calls < 2; }));
+  EXPECT_EQ(calls, 2);
+}
+
+// The registry is complete and consistent in itself.
+TEST(Criteria, Registry)
+{
+  for (const Criterion& criterion : GetCriteria())
+  {
+    EXPECT_EQ(FindCriterion(criterion.Name), &criterion) << "name used twice: " << criterion.Name;
+    EXPECT_GT(std::string(criterion.Description).size(), 20u) << criterion.Name;
+    EXPECT_NE(criterion.CellFunction == nullptr, criterion.MeshFunction == nullptr);
+    EXPECT_LE(criterion.Range[0], criterion.Range[1]);
+    EXPECT_LE(criterion.Acceptable[0], criterion.Acceptable[1]);
+    EXPECT_EQ(criterion.HasAcceptableRange(),
+      std::isfinite(criterion.Acceptable[0]) || std::isfinite(criterion.Acceptable[1]))
+      << criterion.Name;
+  }
+  EXPECT_EQ(FindCriterion("NoSuchCriterion"), nullptr);
+  for (const Preset& preset : GetPresets())
+  {
+    EXPECT_EQ(FindPreset(preset.Name), &preset);
+    for (const auto& rule : preset.Rules)
+    {
+      EXPECT_NE(FindCriterion(rule.Criterion), nullptr) << preset.Name << ' ' << rule.Criterion;
+    }
+  }
+}
+
+// The values of the reference shapes lie in the range that the registry promises.
+TEST(Criteria, ValuesInRange)
+{
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    const Values values = EvaluateAll(shape.Polyhedron);
+    for (const Criterion& criterion : GetCriteria())
+    {
+      const double value = values.at(criterion.Name)[0];
+      if (!std::isnan(value))
+      {
+        EXPECT_GE(value, criterion.Range[0] - 1e-12) << shape.Name << ' ' << criterion.Name;
+        EXPECT_LE(value, criterion.Range[1] + 1e-12) << shape.Name << ' ' << criterion.Name;
+      }
+    }
+  }
+}
