@@ -12,20 +12,14 @@ namespace
 constexpr double Pi = 3.141592653589793238462643383279502884;
 
 //------------------------------------------------------------------------------
-// The best of one value per face, in user units; null when no face has one.
-template <typename FaceValue, typename IsBetter>
-double OverFaces(const CellGeometry& cell, FaceValue&& faceValue, IsBetter&& isBetter)
+AngleRange OverFaces(const CellGeometry& cell)
 {
-  double best = Null(NullReason::Degenerate);
+  AngleRange range;
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
-    const double value = faceValue(f);
-    if (!std::isnan(value) && (std::isnan(best) || isBetter(value, best)))
-    {
-      best = value;
-    }
+    range.Add(cell.GetFaceAngles(f));
   }
-  return best;
+  return range;
 }
 
 //------------------------------------------------------------------------------
@@ -38,53 +32,65 @@ double InUserUnit(const CellGeometry& cell, double radian)
 //------------------------------------------------------------------------------
 double MinFaceAngle(const CellGeometry& cell)
 {
-  return InUserUnit(cell,
-    OverFaces(
-      cell, [&](int f) { return cell.GetFaceAngles(f).Min; }, std::less<double>()));
+  return InUserUnit(cell, OverFaces(cell).GetMin());
 }
 
 //------------------------------------------------------------------------------
 double MaxFaceAngle(const CellGeometry& cell)
 {
-  return InUserUnit(cell,
-    OverFaces(
-      cell, [&](int f) { return cell.GetFaceAngles(f).Max; }, std::greater<double>()));
+  return InUserUnit(cell, OverFaces(cell).GetMax());
 }
 
 //------------------------------------------------------------------------------
 double MinDihedralAngle(const CellGeometry& cell)
 {
-  return InUserUnit(cell, cell.GetDihedralAngles().Min);
+  return InUserUnit(cell, cell.GetMinDihedralAngle());
 }
 
 //------------------------------------------------------------------------------
 double MaxDihedralAngle(const CellGeometry& cell)
 {
-  return InUserUnit(cell, cell.GetDihedralAngles().Max);
+  return InUserUnit(cell, cell.GetMaxDihedralAngle());
 }
 
 //------------------------------------------------------------------------------
 double MinSolidAngle(const CellGeometry& cell)
 {
-  return cell.GetSolidAngles().Min;
+  return cell.GetMinSolidAngle();
 }
 
 //------------------------------------------------------------------------------
 double MaxSolidAngle(const CellGeometry& cell)
 {
-  return cell.GetSolidAngles().Max;
+  return cell.GetMaxSolidAngle();
 }
 
 //------------------------------------------------------------------------------
 double EquiangleSkewness(const CellGeometry& cell)
 {
-  const auto ofFace = [&](int f)
+  // Faces with the same number of corners share their ideal angle and so their extremes.
+  constexpr int manyCorners = 12;
+  AngleRange ranges[manyCorners];
+  double worst = Null(NullReason::Degenerate);
+  const auto add = [&](const AngleRange& angles, int size)
   {
-    const double size = cell.GetTopology().GetFaceSize(f);
-    const double ideal = Pi * (size - 2) / size;
-    const AngleRange& angles = cell.GetFaceAngles(f);
-    return std::max((angles.Max - ideal) / (Pi - ideal), (ideal - angles.Min) / ideal);
+    if (!angles.IsEmpty())
+    {
+      const double ideal = Pi * (size - 2) / size;
+      const double skewness =
+        std::max((angles.GetMax() - ideal) / (Pi - ideal), (ideal - angles.GetMin()) / ideal);
+      worst = std::isnan(worst) ? skewness : std::max(worst, skewness);
+    }
   };
-  return OverFaces(cell, ofFace, std::greater<double>());
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  {
+    const int size = cell.GetTopology().GetFaceSize(f);
+    size < manyCorners ? ranges[size].Add(cell.GetFaceAngles(f)) : add(cell.GetFaceAngles(f), size);
+  }
+  for (int size = 3; size < manyCorners; ++size)
+  {
+    add(ranges[size], size);
+  }
+  return worst;
 }
 }

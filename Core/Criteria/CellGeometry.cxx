@@ -13,18 +13,44 @@ namespace
 constexpr double Pi = 3.141592653589793238462643383279502884;
 constexpr double MinRelativeTolerance = 1e-12; // quality criteria, section 1
 constexpr double RoundingUnits = 8;
+constexpr int MaxStandardPoints = 12;
 
 //------------------------------------------------------------------------------
-// The topology of every standard type, whose points are all different.
-const CellTopology& GetStandardTopology(unsigned char cellType)
+std::size_t Hash(vtkIdType id)
 {
-  static const std::array<CellTopology, 256> topologies = []
+  return static_cast<std::size_t>(static_cast<std::uint64_t>(id) * 0x9e3779b97f4a7c15ull >> 32);
+}
+
+//------------------------------------------------------------------------------
+unsigned FindShapes(const CellTopology& topology, int numberOfPoints)
+{
+  bool isTetrahedron = numberOfPoints == 4 && topology.GetNumberOfFaces() == 4;
+  for (int f = 0; f < topology.GetNumberOfFaces() && isTetrahedron; ++f)
   {
-    std::array<CellTopology, 256> result;
+    isTetrahedron = topology.GetFaceSize(f) == 3;
+  }
+  return Polyhedra | (isTetrahedron ? Tetrahedra : 0u);
+}
+}
+
+//------------------------------------------------------------------------------
+// A cell of a fixed 3D type whose points are all different.
+struct CellGeometry::StandardCell
+{
+  CellTopology Topology;
+  unsigned Shapes = 0;
+};
+
+//------------------------------------------------------------------------------
+const CellGeometry::StandardCell* CellGeometry::GetStandardCells()
+{
+  static const std::array<StandardCell, 256> cells = []
+  {
+    std::array<StandardCell, 256> result;
     for (int type = 0; type < 256; ++type)
     {
       const CellShape& shape = GetCellShape(static_cast<unsigned char>(type));
-      CellTopology& topology = result[type];
+      CellTopology& topology = result[type].Topology;
       topology.Clear();
       topology.NumberOfPoints = shape.NumberOfCorners;
       for (int f = 0; f < shape.NumberOfFaces; ++f)
@@ -36,157 +62,66 @@ const CellTopology& GetStandardTopology(unsigned char cellType)
       {
         topology.FindEdges();
         topology.MakeVertexFigures();
+        result[type].Shapes = FindShapes(topology, shape.NumberOfCorners);
       }
     }
     return result;
   }();
-  return topologies[cellType];
+  return cells.data();
 }
 
 //------------------------------------------------------------------------------
-AngleRange NullAngles(NullReason reason)
+CellGeometry::CellGeometry()
+  : CellShapes(&GetCellShape(0))
+  , StandardCells(GetStandardCells())
+  , Points(MaxStandardPoints)
 {
-  return { Null(reason), Null(reason) };
-}
-
-//------------------------------------------------------------------------------
-// An angle in [0, 2 pi) as its sine and cosine times any positive factor, compared without atan2.
-struct Direction
-{
-  double Sine = 0, Cosine = 0;
-
-  double Order() const
-  {
-    const double sum = std::abs(this->Sine) + std::abs(this->Cosine);
-    const double x = sum > 0 ? this->Cosine / sum : 1;
-    return this->Sine >= 0 ? 1 - x : 3 + x;
-  }
-  double Angle() const
-  {
-    const double angle = std::atan2(this->Sine, this->Cosine);
-    return angle < 0 ? angle + 2 * Pi : angle;
-  }
-};
-
-//------------------------------------------------------------------------------
-class DirectionRange
-{
-public:
-  void Add(const Direction& direction)
-  {
-    const double order = direction.Order();
-    if (order < this->MinOrder)
-    {
-      this->MinOrder = order;
-      this->Min = direction;
-    }
-    if (order > this->MaxOrder)
-    {
-      this->MaxOrder = order;
-      this->Max = direction;
-    }
-  }
-  AngleRange Get() const
-  {
-    return this->MaxOrder < 0 ? NullAngles(NullReason::Degenerate)
-                              : AngleRange{ this->Min.Angle(), this->Max.Angle() };
-  }
-
-private:
-  double MinOrder = 5, MaxOrder = -1; // Order() is in [0, 4)
-  Direction Min, Max;
-};
 }
 
 //------------------------------------------------------------------------------
 void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options)
 {
   this->CellType = mesh.GetCellType(cell);
+  this->HasFloatPoints = mesh.HasFloatPoints();
   this->TrustFaceOrientation = options.TrustFaceOrientation;
+  this->DegeneracyTolerance = options.DegeneracyTolerance;
   this->AngleFactor = options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
   this->Shapes = 0;
+  this->BoxScale.Length = -1;
   this->Diameter = -1;
   this->HasRepeatedPoint = false;
   this->OrientationSign = 1;
-  this->Points.clear();
-  this->PointIds.clear();
-  const CellShape& shape = GetCellShape(this->CellType);
-  this->HigherOrder = shape.IsHigherOrder;
+  this->NumberOfPoints = 0;
+  const CellShape& shape = this->CellShapes[this->CellType];
+  this->IsStandard = this->CellType != VTK_POLYHEDRON;
   if (shape.Dimension == 3)
   {
-    this->Shapes = Polyhedra;
-    if (this->CellType == VTK_POLYHEDRON)
-    {
-      this->LoadPolyhedron(mesh, cell);
-    }
-    else
-    {
-      this->LoadStandard(mesh, shape, mesh.GetCellPoints(cell));
-    }
-    bool isTetrahedron = this->Points.size() == 4 && this->Topology->GetNumberOfFaces() == 4;
-    for (int f = 0; f < this->Topology->GetNumberOfFaces() && isTetrahedron; ++f)
-    {
-      isTetrahedron = this->Topology->GetFaceSize(f) == 3;
-    }
-    this->Shapes |= isTetrahedron ? Tetrahedra : 0u;
+    this->IsStandard ? this->LoadStandard(mesh, shape, mesh.GetCellPoints(cell))
+                     : this->LoadPolyhedron(mesh, cell);
   }
   else if (shape.Dimension == 2)
   {
-    this->Shapes = Polygons;
     this->LoadPolygon(mesh, shape, mesh.GetCellPoints(cell));
-    this->Shapes |= this->Points.size() == 3 ? Triangles : 0u;
+    this->Shapes = Polygons | (this->NumberOfPoints == 3 ? Triangles : 0u);
   }
-  else
-  {
-    return;
-  }
-
-  Vector low, high; // the first point is the origin
-  for (const Vector& point : this->Points)
-  {
-    low = { std::min(low.X, point.X), std::min(low.Y, point.Y), std::min(low.Z, point.Z) };
-    high = { std::max(high.X, point.X), std::max(high.Y, point.Y), std::max(high.Z, point.Z) };
-  }
-  this->BoxDiagonal = Norm(high - low);
-  const double epsilon = mesh.HasFloatPoints() ? std::numeric_limits<float>::epsilon()
-                                               : std::numeric_limits<double>::epsilon();
-  const Vector &o = this->Origin, a = low + o, b = high + o;
-  const double largest = std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X),
-    std::abs(b.Y), std::abs(b.Z) });
-  this->RelativeTolerance =
-    options.DegeneracyTolerance > 0 ? options.DegeneracyTolerance : MinRelativeTolerance;
-  this->AbsoluteTolerance = options.DegeneracyTolerance > 0 ? 0 : RoundingUnits * epsilon * largest;
 }
 
 //------------------------------------------------------------------------------
-int CellGeometry::AddPoint(const MeshView& mesh, vtkIdType id)
+inline int CellGeometry::AddPoint(const MeshView& mesh, vtkIdType id)
 {
   double x[3];
   mesh.GetPoint(id, x);
-  if (this->Points.empty())
+  if (this->NumberOfPoints == 0)
   {
     this->Origin = { x[0], x[1], x[2] };
   }
-  this->Points.push_back({ x[0] - this->Origin.X, x[1] - this->Origin.Y, x[2] - this->Origin.Z });
-  this->PointIds.push_back(id);
-  return static_cast<int>(this->Points.size()) - 1;
-}
-
-//------------------------------------------------------------------------------
-// Local number of a point by an open hash table with twice as many places as points.
-int CellGeometry::FindOrAddPoint(const MeshView& mesh, vtkIdType id)
-{
-  const std::size_t mask = this->HashTable.size() - 1;
-  std::size_t place = (static_cast<std::size_t>(id) * 0x9e3779b97f4a7c15ull >> 32) & mask;
-  while (this->HashTable[place] >= 0)
+  const Vector point = { x[0] - this->Origin.X, x[1] - this->Origin.Y, x[2] - this->Origin.Z };
+  if (this->NumberOfPoints == static_cast<int>(this->Points.size()))
   {
-    if (this->PointIds[this->HashTable[place]] == id)
-    {
-      return this->HashTable[place];
-    }
-    place = (place + 1) & mask;
+    this->Points.resize(2 * this->Points.size());
   }
-  return this->HashTable[place] = this->AddPoint(mesh, id);
+  this->Points[this->NumberOfPoints] = point;
+  return this->NumberOfPoints++;
 }
 
 //------------------------------------------------------------------------------
@@ -194,32 +129,39 @@ void CellGeometry::LoadStandard(
   const MeshView& mesh, const CellShape& shape, const IndexRange& points)
 {
   const int size = shape.NumberOfCorners;
+  vtkIdType ids[MaxStandardPoints];
   bool distinct = true;
   for (int i = 0; i < size; ++i)
   {
-    const vtkIdType id = points[i];
+    ids[i] = points[i];
     for (int j = 0; j < i; ++j)
     {
-      distinct = distinct && this->PointIds[j] != id;
+      distinct = distinct && ids[j] != ids[i];
     }
-    this->AddPoint(mesh, id);
   }
-  this->IsStandard = true;
-  if (distinct)
+  if (!distinct)
   {
-    this->Topology = &GetStandardTopology(this->CellType);
+    this->LoadCollapsed(mesh, shape, points);
     return;
   }
-  // A point used twice: the cell is what remains of its faces.
-  int locals[CellShape::MaxFacePoints];
-  const std::vector<vtkIdType> ids(this->PointIds);
-  this->Points.clear();
-  this->PointIds.clear();
   for (int i = 0; i < size; ++i)
   {
-    const auto known = std::find(this->PointIds.begin(), this->PointIds.end(), ids[i]);
-    locals[i] = known != this->PointIds.end() ? static_cast<int>(known - this->PointIds.begin())
-                                              : this->AddPoint(mesh, ids[i]);
+    this->AddPoint(mesh, ids[i]);
+  }
+  this->Topology = &this->StandardCells[this->CellType].Topology;
+  this->Shapes = this->StandardCells[this->CellType].Shapes;
+}
+
+//------------------------------------------------------------------------------
+// A standard cell with a point used twice is what remains of its faces.
+void CellGeometry::LoadCollapsed(
+  const MeshView& mesh, const CellShape& shape, const IndexRange& points)
+{
+  int locals[MaxStandardPoints];
+  this->StartHashTable(shape.NumberOfCorners);
+  for (int i = 0; i < shape.NumberOfCorners; ++i)
+  {
+    locals[i] = this->FindOrAddPoint(mesh, points[i]);
   }
   this->OwnTopology.Clear();
   for (int f = 0; f < shape.NumberOfFaces; ++f)
@@ -232,6 +174,55 @@ void CellGeometry::LoadStandard(
     this->AddFace(this->LocalFace.data(), static_cast<int>(this->LocalFace.size()));
   }
   this->FinishOwnTopology();
+  this->Shapes = FindShapes(*this->Topology, this->NumberOfPoints);
+}
+
+//------------------------------------------------------------------------------
+// Local numbers of points are found by an open hash table with at least twice as many places as points.
+void CellGeometry::StartHashTable(vtkIdType expectedPoints)
+{
+  std::size_t places = 16;
+  while (places < 2 * static_cast<std::size_t>(expectedPoints + 1))
+  {
+    places *= 2;
+  }
+  this->HashTable.assign(places, -1);
+  this->PointIds.clear();
+}
+
+//------------------------------------------------------------------------------
+inline int CellGeometry::FindOrAddPoint(const MeshView& mesh, vtkIdType id)
+{
+  const std::size_t mask = this->HashTable.size() - 1;
+  std::size_t place = Hash(id) & mask;
+  while (this->HashTable[place] >= 0)
+  {
+    if (this->PointIds[this->HashTable[place]] == id)
+    {
+      return this->HashTable[place];
+    }
+    place = (place + 1) & mask;
+  }
+  const int local = this->AddPoint(mesh, id);
+  this->HashTable[place] = local;
+  this->PointIds.push_back(id);
+  if (2 * this->PointIds.size() > this->HashTable.size())
+  {
+    // The cell has more points than its own list says.
+    const std::vector<vtkIdType> ids(this->PointIds);
+    this->StartHashTable(2 * static_cast<vtkIdType>(ids.size()));
+    for (const vtkIdType known : ids)
+    {
+      place = Hash(known) & (this->HashTable.size() - 1);
+      while (this->HashTable[place] >= 0)
+      {
+        place = (place + 1) & (this->HashTable.size() - 1);
+      }
+      this->HashTable[place] = static_cast<int>(this->PointIds.size());
+      this->PointIds.push_back(known);
+    }
+  }
+  return local;
 }
 
 //------------------------------------------------------------------------------
@@ -241,19 +232,13 @@ void CellGeometry::LoadPolygon(
   const int size = static_cast<int>(shape.NumberOfCorners ? shape.NumberOfCorners
       : this->CellType == VTK_QUADRATIC_POLYGON           ? points.Size / 2
                                                           : points.Size);
-  this->IsStandard = true;
   this->OwnTopology.Clear();
-  this->LocalFace.clear();
-  std::size_t places = 16;
-  while (places < 2 * static_cast<std::size_t>(size))
-  {
-    places *= 2;
-  }
-  this->HashTable.assign(places, -1);
+  this->LocalFace.resize(size);
+  this->StartHashTable(size);
   for (int i = 0; i < size; ++i)
   {
     const int node = this->CellType == VTK_PIXEL && i > 1 ? 5 - i : i;
-    this->LocalFace.push_back(this->FindOrAddPoint(mesh, points[node]));
+    this->LocalFace[i] = this->FindOrAddPoint(mesh, points[node]);
   }
   this->AddFace(this->LocalFace.data(), size);
   this->FinishOwnTopology();
@@ -262,42 +247,21 @@ void CellGeometry::LoadPolygon(
 //------------------------------------------------------------------------------
 void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
 {
-  this->IsStandard = false;
   this->OwnTopology.Clear();
+  this->StartHashTable(mesh.GetCellPoints(cell).Size);
   const IndexRange faces = mesh.GetPolyhedronFaces(cell);
-  std::size_t places = 64;
-  while (places < 2 * static_cast<std::size_t>(mesh.GetCellPoints(cell).Size))
-  {
-    places *= 2;
-  }
-  this->HashTable.assign(places, -1);
   for (vtkIdType f = 0; f < faces.Size; ++f)
   {
     const IndexRange points = mesh.GetPolyhedronFacePoints(faces[f]);
-    this->LocalFace.clear();
+    this->LocalFace.resize(points.Size);
     for (vtkIdType i = 0; i < points.Size; ++i)
     {
-      // The cell's own list of points may be wrong: keep a place free.
-      if (2 * (this->Points.size() + 1) > this->HashTable.size())
-      {
-        this->HashTable.assign(2 * this->HashTable.size(), -1);
-        const std::size_t mask = this->HashTable.size() - 1;
-        for (int known = 0; known < static_cast<int>(this->PointIds.size()); ++known)
-        {
-          std::size_t place =
-            (static_cast<std::size_t>(this->PointIds[known]) * 0x9e3779b97f4a7c15ull >> 32) & mask;
-          while (this->HashTable[place] >= 0)
-          {
-            place = (place + 1) & mask;
-          }
-          this->HashTable[place] = known;
-        }
-      }
-      this->LocalFace.push_back(this->FindOrAddPoint(mesh, points[i]));
+      this->LocalFace[i] = this->FindOrAddPoint(mesh, points[i]);
     }
-    this->AddFace(this->LocalFace.data(), static_cast<int>(this->LocalFace.size()));
+    this->AddFace(this->LocalFace.data(), static_cast<int>(points.Size));
   }
   this->FinishOwnTopology();
+  this->Shapes = FindShapes(*this->Topology, this->NumberOfPoints);
 }
 
 //------------------------------------------------------------------------------
@@ -309,7 +273,7 @@ void CellGeometry::AddFace(const int* points, int size)
 //------------------------------------------------------------------------------
 void CellGeometry::FinishOwnTopology()
 {
-  this->OwnTopology.NumberOfPoints = static_cast<int>(this->Points.size());
+  this->OwnTopology.NumberOfPoints = this->NumberOfPoints;
   this->OwnTopology.FindEdges();
   this->Topology = &this->OwnTopology;
 }
@@ -332,7 +296,7 @@ void CellGeometry::Compute(unsigned needs)
   {
     this->OwnTopology.MakeOneGroup();
   }
-  if (needs & (NeedsEdges | NeedsSolidAngle))
+  if (needs & (NeedsEdges | NeedsDihedral | NeedsSolidAngle))
   {
     this->ComputeEdges();
   }
@@ -361,32 +325,31 @@ void CellGeometry::Compute(unsigned needs)
 }
 
 //------------------------------------------------------------------------------
-double CellGeometry::GetThreshold(double diameter) const
+CellGeometry::Scale CellGeometry::GetScale(double diameter) const
 {
-  return std::max(this->RelativeTolerance * diameter, this->AbsoluteTolerance);
-}
-
-// The box is at least as large as the diameter: only what may be zero pays for the exact answer.
-//------------------------------------------------------------------------------
-bool CellGeometry::IsZeroLength(double length) const
-{
-  return length <= this->GetThreshold(this->BoxDiagonal) &&
-    length <= this->GetThreshold(this->GetDiameter());
+  const double length = this->DegeneracyTolerance > 0
+    ? this->DegeneracyTolerance * diameter
+    : std::max(MinRelativeTolerance * diameter, this->AbsoluteTolerance);
+  return { length, length * diameter, length * diameter * diameter };
 }
 
 //------------------------------------------------------------------------------
-bool CellGeometry::IsZeroArea(double area) const
+void CellGeometry::ComputeBoxScale() const
 {
-  const auto threshold = [this](double h) { return this->GetThreshold(h) * h; };
-  return area <= threshold(this->BoxDiagonal) && area <= threshold(this->GetDiameter());
-}
-
-//------------------------------------------------------------------------------
-bool CellGeometry::IsZeroVolume(double volume) const
-{
-  const auto threshold = [this](double h) { return this->GetThreshold(h) * h * h; };
-  return std::abs(volume) <= threshold(this->BoxDiagonal) &&
-    std::abs(volume) <= threshold(this->GetDiameter());
+  Vector low, high; // the first point is the origin
+  for (int i = 1; i < this->NumberOfPoints; ++i)
+  {
+    const Vector& point = this->Points[i];
+    low = { std::min(low.X, point.X), std::min(low.Y, point.Y), std::min(low.Z, point.Z) };
+    high = { std::max(high.X, point.X), std::max(high.Y, point.Y), std::max(high.Z, point.Z) };
+  }
+  const Vector a = low + this->Origin, b = high + this->Origin;
+  const double largest = std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X),
+    std::abs(b.Y), std::abs(b.Z) });
+  this->AbsoluteTolerance = RoundingUnits * largest *
+    (this->HasFloatPoints ? std::numeric_limits<float>::epsilon()
+                          : std::numeric_limits<double>::epsilon());
+  this->BoxScale = this->GetScale(Norm(high - low));
 }
 
 //------------------------------------------------------------------------------
@@ -395,9 +358,9 @@ double CellGeometry::GetDiameter() const
   if (this->Diameter < 0)
   {
     double largest = 0;
-    for (std::size_t i = 0; i < this->Points.size(); ++i)
+    for (int i = 0; i < this->NumberOfPoints; ++i)
     {
-      for (std::size_t j = 0; j < i; ++j)
+      for (int j = 0; j < i; ++j)
       {
         largest = std::max(largest, Norm2(this->Points[i] - this->Points[j]));
       }
@@ -411,21 +374,40 @@ double CellGeometry::GetDiameter() const
 void CellGeometry::ComputeEdges()
 {
   const std::vector<CellTopology::Edge>& edges = this->Topology->Edges;
-  this->EdgeLengths.resize(edges.size());
+  this->SquaredLengths.resize(edges.size());
   double smallest = edges.empty() || this->HasRepeatedPoint ? 0 : std::numeric_limits<double>::max();
-  double largest = 0, total = 0;
+  double largest = 0;
   for (std::size_t e = 0; e < edges.size(); ++e)
   {
-    const double length =
-      Norm(this->Points[edges[e].Points[1]] - this->Points[edges[e].Points[0]]);
-    this->EdgeLengths[e] = length;
-    smallest = std::min(smallest, length);
-    largest = std::max(largest, length);
-    total += length;
+    const double square = Norm2(this->Points[edges[e].Points[1]] - this->Points[edges[e].Points[0]]);
+    this->SquaredLengths[e] = square;
+    smallest = std::min(smallest, square);
+    largest = std::max(largest, square);
   }
-  this->TotalEdgeLength = total;
-  this->MinEdgeLength = smallest;
-  this->MaxEdgeLength = largest;
+  this->MinSquaredLength = smallest;
+  this->MaxSquaredLength = largest;
+}
+
+//------------------------------------------------------------------------------
+double CellGeometry::GetSumOfSquaredLengths() const
+{
+  double sum = 0;
+  for (const double square : this->SquaredLengths)
+  {
+    sum += square;
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+double CellGeometry::GetTotalEdgeLength() const
+{
+  double sum = 0;
+  for (const double square : this->SquaredLengths)
+  {
+    sum += std::sqrt(square);
+  }
+  return sum;
 }
 
 //------------------------------------------------------------------------------
@@ -575,87 +557,97 @@ void CellGeometry::ComputeCorners()
   this->FaceAngles.resize(numberOfFaces);
   for (int f = 0; f < numberOfFaces; ++f)
   {
-    this->FaceAngles[f] = this->ComputeFaceAngles(f);
+    this->FaceAngles[f].Clear();
+    this->ComputeFaceAngles(f, this->FaceAngles[f]);
   }
 }
 
 //------------------------------------------------------------------------------
-AngleRange CellGeometry::ComputeFaceAngles(int f)
+void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
 {
-  // Points that lie where the previous one does are passed over.
-  const int* face = this->Topology->GetFace(f);
-  this->Ring.clear();
-  for (int i = 0; i < this->Topology->GetFaceSize(f); ++i)
+  const int* ring = this->Topology->GetFace(f);
+  int size = this->Topology->GetFaceSize(f);
+  const double zero = this->GetBoxScale().Length;
+  bool collapsed = false;
+  for (int i = 0; i < size; ++i)
   {
-    if (this->Ring.empty() ||
-      !this->IsZeroLength(Norm(this->Points[face[i]] - this->Points[this->Ring.back()])))
+    const Vector edge = this->Points[ring[i]] - this->Points[ring[i > 0 ? i - 1 : size - 1]];
+    collapsed = collapsed || Norm2(edge) <= zero * zero;
+  }
+  if (collapsed)
+  {
+    // Points that lie where the previous one does are passed over.
+    this->Ring.clear();
+    for (int i = 0; i < size; ++i)
     {
-      this->Ring.push_back(face[i]);
+      if (this->Ring.empty() ||
+        !this->IsZeroLength(Norm(this->Points[ring[i]] - this->Points[this->Ring.back()])))
+      {
+        this->Ring.push_back(ring[i]);
+      }
     }
+    while (this->Ring.size() > 1 &&
+      this->IsZeroLength(Norm(this->Points[this->Ring.back()] - this->Points[this->Ring.front()])))
+    {
+      this->Ring.pop_back();
+    }
+    ring = this->Ring.data();
+    size = static_cast<int>(this->Ring.size());
   }
-  while (this->Ring.size() > 1 &&
-    this->IsZeroLength(Norm(this->Points[this->Ring.back()] - this->Points[this->Ring.front()])))
-  {
-    this->Ring.pop_back();
-  }
-  const int size = static_cast<int>(this->Ring.size());
   const bool isTriangle = size == 3;
   if (size < 3 || (!isTriangle && this->IsZeroArea(this->FaceAreas[f])))
   {
-    return NullAngles(NullReason::Degenerate);
+    return;
   }
-  DirectionRange range;
-  Vector toPrevious = this->Points[this->Ring[size - 1]] - this->Points[this->Ring[0]];
+  Vector toPrevious = this->Points[ring[size - 1]] - this->Points[ring[0]];
   for (int i = 0; i < size; ++i)
   {
-    const Vector toNext =
-      this->Points[this->Ring[i + 1 < size ? i + 1 : 0]] - this->Points[this->Ring[i]];
+    const Vector toNext = this->Points[ring[i + 1 < size ? i + 1 : 0]] - this->Points[ring[i]];
     const Vector normal = Cross(toNext, toPrevious);
     const double sine = Norm(normal);
     const bool reflex = !isTriangle && Dot(normal, this->FaceVectors[f]) < 0;
-    range.Add({ reflex ? -sine : sine, Dot(toNext, toPrevious) });
+    angles.Add(reflex ? -sine : sine, Dot(toNext, toPrevious));
     toPrevious = -toNext;
   }
-  return range.Get();
 }
 
 //------------------------------------------------------------------------------
 void CellGeometry::ComputeDihedralAngles()
 {
+  this->DihedralAngles.Clear();
   if (!this->Topology->IsClosed || !this->Topology->IsManifold)
   {
-    this->DihedralAngles = NullAngles(NullReason::InvalidTopology);
+    this->DihedralAngles.Clear(NullReason::InvalidTopology);
     return;
   }
-  DirectionRange range;
-  for (const CellTopology::Edge& edge : this->Topology->Edges)
+  const std::vector<CellTopology::Edge>& edges = this->Topology->Edges;
+  for (std::size_t e = 0; e < edges.size(); ++e)
   {
-    const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
-    const double length = Norm(along);
+    const CellTopology::Edge& edge = edges[e];
+    const double length = std::sqrt(this->SquaredLengths[e]);
     const double area0 = this->FaceAreas[edge.Faces[0]], area1 = this->FaceAreas[edge.Faces[1]];
-    if (this->IsZeroArea(area0) || this->IsZeroArea(area1) || this->IsZeroLength(length))
+    if (this->IsZeroLength(length) || this->IsZeroArea(area0) || this->IsZeroArea(area1))
     {
       continue;
     }
     const Vector &s0 = this->FaceVectors[edge.Faces[0]], &s1 = this->FaceVectors[edge.Faces[1]];
-    // pi - atan2(e (n0 x n1), n0 n1), with everything times both areas; rounding must not turn an angle
-    // of 0 into one of 2 pi.
-    double sine = this->OrientationSign * Dot(along, Cross(s0, s1)) / length;
-    const double cosine = -Dot(s0, s1);
+    const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
+    // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must not
+    // turn an angle of 0 into one of 2 pi.
+    double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
     constexpr double rounding = 1e-14;
-    if (std::abs(sine) <= rounding * area0 * area1)
+    if (std::abs(sine) <= rounding * length * area0 * area1)
     {
       sine = 0;
     }
-    range.Add({ sine, cosine });
+    this->DihedralAngles.Add(sine, -length * Dot(s0, s1));
   }
-  this->DihedralAngles = range.Get();
 }
 
 //------------------------------------------------------------------------------
 void CellGeometry::ComputeSolidAngles()
 {
-  const bool collapsed = this->IsZeroLength(this->MinEdgeLength);
+  const bool collapsed = this->IsZeroLength(this->GetMinEdgeLength());
   if (collapsed)
   {
     this->MergeCollapsedEdges();
@@ -667,22 +659,29 @@ void CellGeometry::ComputeSolidAngles()
   const CellTopology& topology = collapsed ? this->MergedTopology : *this->Topology;
   if (!this->Topology->IsClosed || !topology.HasVertexFigures)
   {
-    this->SolidAngles = NullAngles(NullReason::InvalidTopology);
+    this->MinSolidAngle = this->MaxSolidAngle = Null(NullReason::InvalidTopology);
     return;
   }
-  this->SolidAngles = { std::numeric_limits<double>::max(), -1 };
+  this->EdgeDirections.resize(topology.Edges.size());
+  for (std::size_t e = 0; e < topology.Edges.size(); ++e)
+  {
+    const CellTopology::Edge& edge = topology.Edges[e];
+    this->EdgeDirections[e] = Unit(this->Points[edge.Points[1]] - this->Points[edge.Points[0]]);
+  }
+  this->MinSolidAngle = std::numeric_limits<double>::max();
+  this->MaxSolidAngle = -1;
   for (int point = 0; point < topology.NumberOfPoints; ++point)
   {
     if (topology.SpokeOffsets[point + 1] > topology.SpokeOffsets[point])
     {
       const double angle = this->ComputeSolidAngle(topology, point);
-      this->SolidAngles.Min = std::min(this->SolidAngles.Min, angle);
-      this->SolidAngles.Max = std::max(this->SolidAngles.Max, angle);
+      this->MinSolidAngle = std::min(this->MinSolidAngle, angle);
+      this->MaxSolidAngle = std::max(this->MaxSolidAngle, angle);
     }
   }
-  if (this->SolidAngles.Max < 0)
+  if (this->MaxSolidAngle < 0)
   {
-    this->SolidAngles = NullAngles(NullReason::Degenerate);
+    this->MinSolidAngle = this->MaxSolidAngle = Null(NullReason::Degenerate);
   }
 }
 
@@ -691,16 +690,20 @@ void CellGeometry::ComputeSolidAngles()
 double CellGeometry::ComputeSolidAngle(const CellTopology& topology, int point)
 {
   const bool merged = &topology == &this->MergedTopology;
-  const Vector& origin = this->Points[point];
   const int first = topology.SpokeOffsets[point], last = topology.SpokeOffsets[point + 1];
+  const auto direction = [&](int spoke)
+  {
+    const int edge = topology.Spokes[spoke].Edge;
+    const Vector& along = this->EdgeDirections[edge];
+    return topology.Edges[edge].Points[0] == point ? along : -along;
+  };
   this->Spokes.clear();
-  Vector spoke = Unit(this->Points[topology.Spokes[first].Point] - origin);
+  Vector spoke = direction(first);
   for (int s = first; s < last; ++s)
   {
-    const Vector next =
-      Unit(this->Points[topology.Spokes[s + 1 < last ? s + 1 : first].Point] - origin);
+    const Vector next = direction(s + 1 < last ? s + 1 : first);
     this->Spokes.push_back(spoke);
-    // The face between the two spokes; where its corner is straight or reflex the short arc between
+    // Over the face between the two spokes; where its corner is straight or reflex the short arc between
     // them is not its side of the spherical polygon.
     const int f = topology.Spokes[s].Face;
     if (topology.GetFaceSize(f) > 3)
@@ -708,15 +711,14 @@ double CellGeometry::ComputeSolidAngle(const CellTopology& topology, int point)
       const Vector& area = this->FaceVectors[merged ? this->MergedFaces[f] : f];
       const double turn = Dot(Cross(next, spoke), area);
       constexpr double straight = 1e-9;
-      if (turn <= straight * Norm(area) && Dot(spoke, next) < 0)
-      {
-        const Vector inward = Unit(Cross(area, next));
-        const Vector reflex = Unit(-(spoke + next));
-        this->Spokes.push_back(turn < -straight * Norm(area) ? reflex : inward);
-      }
-      else if (turn < 0)
+      const double flat = straight * this->FaceAreas[merged ? this->MergedFaces[f] : f];
+      if (turn < -flat || (turn < 0 && Dot(spoke, next) > 0))
       {
         this->Spokes.push_back(Unit(-(spoke + next)));
+      }
+      else if (turn <= flat && Dot(spoke, next) < 0)
+      {
+        this->Spokes.push_back(Unit(Cross(area, next)));
       }
     }
     spoke = next;
@@ -726,10 +728,13 @@ double CellGeometry::ComputeSolidAngle(const CellTopology& topology, int point)
   for (std::size_t i = 1; i + 1 < this->Spokes.size(); ++i)
   {
     const Vector &b = this->Spokes[i], &c = this->Spokes[i + 1];
-    sum += 2 * std::atan2(Dot(a, Cross(b, c)), 1 + Dot(a, b) + Dot(b, c) + Dot(c, a));
+    sum += std::atan2(Dot(a, Cross(b, c)), 1 + Dot(a, b) + Dot(b, c) + Dot(c, a));
   }
-  sum *= this->OrientationSign;
-  sum = std::fmod(sum, 4 * Pi);
+  sum *= 2 * this->OrientationSign;
+  if (std::abs(sum) >= 4 * Pi)
+  {
+    sum = std::fmod(sum, 4 * Pi);
+  }
   constexpr double rounding = 1e-12;
   return sum < -rounding ? sum + 4 * Pi : std::max(sum, 0.0);
 }
@@ -754,7 +759,7 @@ void CellGeometry::MergeCollapsedEdges()
   };
   for (std::size_t e = 0; e < topology.Edges.size(); ++e)
   {
-    if (this->IsZeroLength(this->EdgeLengths[e]))
+    if (this->IsZeroLength(this->GetEdgeLength(static_cast<int>(e))))
     {
       const int a = find(topology.Edges[e].Points[0]), b = find(topology.Edges[e].Points[1]);
       this->Representatives[std::max(a, b)] = std::min(a, b);
@@ -778,6 +783,7 @@ void CellGeometry::MergeCollapsedEdges()
       this->MergedFaces.push_back(f);
     }
   }
+  this->MergedTopology.FindEdges();
   this->MergedTopology.MakeVertexFigures();
 }
 }

@@ -14,6 +14,7 @@
 #ifndef camaron_CellGeometry_h
 #define camaron_CellGeometry_h
 
+#include "Criteria/AngleRange.h"
 #include "Criteria/Criterion.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/CellTopology.h"
@@ -33,16 +34,11 @@ struct EvaluationOptions
   double DegeneracyTolerance = 0;
 };
 
-/// The smallest and largest of some angles, in radian; null when there is none.
-struct AngleRange
-{
-  double Min;
-  double Max;
-};
-
 class CellGeometry
 {
 public:
+  CellGeometry();
+
   /// Reads the points and faces of a cell.
   void Load(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options);
   /// Computes the parts named by a combination of Needs.
@@ -52,26 +48,39 @@ public:
   /// the topology says so, Triangles or Tetrahedra.
   unsigned GetShapes() const { return this->Shapes; }
   unsigned char GetCellType() const { return this->CellType; }
-  bool IsHigherOrder() const { return this->HigherOrder; }
 
   const CellTopology& GetTopology() const { return *this->Topology; }
-  const std::vector<Vector>& GetPoints() const { return this->Points; }
+  int GetNumberOfPoints() const { return this->NumberOfPoints; }
+  /// Relative to the first point.
+  const Vector& GetPoint(int point) const { return this->Points[point]; }
 
   ///@{
   /// A length, area or volume so small that it is zero for the precision of the points.
-  bool IsZeroLength(double length) const;
-  bool IsZeroArea(double area) const;
-  bool IsZeroVolume(double volume) const;
+  bool IsZeroLength(double length) const
+  {
+    // The diagonal of the box is at least the diameter: only what may be zero pays for the latter.
+    return length <= this->GetBoxScale().Length && length <= this->GetScale(this->GetDiameter()).Length;
+  }
+  bool IsZeroArea(double area) const
+  {
+    return area <= this->GetBoxScale().Area && area <= this->GetScale(this->GetDiameter()).Area;
+  }
+  bool IsZeroVolume(double volume) const
+  {
+    volume = std::abs(volume);
+    return volume <= this->GetBoxScale().Volume && volume <= this->GetScale(this->GetDiameter()).Volume;
+  }
   ///@}
   /// Largest distance of two points.
   double GetDiameter() const;
 
   ///@{
-  /// With NeedsEdges. An edge that leads back to its own point has length 0.
-  const std::vector<double>& GetEdgeLengths() const { return this->EdgeLengths; }
-  double GetMinEdgeLength() const { return this->MinEdgeLength; }
-  double GetMaxEdgeLength() const { return this->MaxEdgeLength; }
-  double GetTotalEdgeLength() const { return this->TotalEdgeLength; }
+  /// With NeedsEdges. A point that follows itself makes an edge of length 0.
+  double GetEdgeLength(int edge) const { return std::sqrt(this->SquaredLengths[edge]); }
+  double GetSumOfSquaredLengths() const;
+  double GetTotalEdgeLength() const;
+  double GetMinEdgeLength() const { return std::sqrt(this->MinSquaredLength); }
+  double GetMaxEdgeLength() const { return std::sqrt(this->MaxSquaredLength); }
   ///@}
 
   ///@{
@@ -80,7 +89,10 @@ public:
   const Vector& GetFaceCenter(int face) const { return this->FaceCenters[face]; }
   double GetFaceArea(int face) const { return this->FaceAreas[face]; }
   /// Area of a polygon cell; 0 when less than three points are left of it.
-  double GetPolygonArea() const { return this->FaceAreas.empty() ? 0 : this->FaceAreas[0]; }
+  double GetPolygonArea() const
+  {
+    return this->Topology->GetNumberOfFaces() > 0 ? this->FaceAreas[0] : 0;
+  }
   double GetFanArea(int face) const;
   double GetSurfaceArea() const;
   ///@}
@@ -88,70 +100,99 @@ public:
   /// With NeedsVolume; a null value when the cell is not closed.
   double GetVolume() const { return this->Volume; }
 
-  /// With NeedsCorners: interior angles of one face; null when the face has none.
+  /// With NeedsCorners: interior angles of one face; empty when the face has none.
   const AngleRange& GetFaceAngles(int face) const { return this->FaceAngles[face]; }
-  /// With NeedsDihedral, NeedsSolidAngle; null with the reason where undefined.
-  const AngleRange& GetDihedralAngles() const { return this->DihedralAngles; }
-  const AngleRange& GetSolidAngles() const { return this->SolidAngles; }
+
+  ///@{
+  /// With NeedsDihedral and NeedsSolidAngle: in radian and steradian; null where undefined.
+  double GetMinDihedralAngle() const { return this->DihedralAngles.GetMin(); }
+  double GetMaxDihedralAngle() const { return this->DihedralAngles.GetMax(); }
+  double GetMinSolidAngle() const { return this->MinSolidAngle; }
+  double GetMaxSolidAngle() const { return this->MaxSolidAngle; }
+  ///@}
 
   /// Radian to the unit that the user chose.
   double ToAngleUnit(double radian) const { return this->AngleFactor * radian; }
 
 private:
+  /// What counts as zero in a cell of some size.
+  struct Scale
+  {
+    double Length, Area, Volume;
+  };
+  struct StandardCell;
+  static const StandardCell* GetStandardCells();
+
   void LoadStandard(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
+  void LoadCollapsed(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolygon(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolyhedron(const MeshView& mesh, vtkIdType cell);
   int AddPoint(const MeshView& mesh, vtkIdType id);
+  void StartHashTable(vtkIdType expectedPoints);
   int FindOrAddPoint(const MeshView& mesh, vtkIdType id);
   void AddFace(const int* points, int size);
   void FinishOwnTopology();
 
-  double GetThreshold(double diameter) const;
+  Scale GetScale(double diameter) const;
+  const Scale& GetBoxScale() const
+  {
+    if (this->BoxScale.Length < 0)
+    {
+      this->ComputeBoxScale();
+    }
+    return this->BoxScale;
+  }
+  void ComputeBoxScale() const;
   void ComputeEdges();
   void ComputeFaces();
   void ComputeVolume();
   double SumVolume(int group) const;
   void OrientPolyhedron();
   void ComputeCorners();
-  AngleRange ComputeFaceAngles(int face);
+  void ComputeFaceAngles(int face, AngleRange& angles);
   void ComputeDihedralAngles();
   void ComputeSolidAngles();
   double ComputeSolidAngle(const CellTopology& topology, int point);
   void MergeCollapsedEdges();
 
+  const CellShape* CellShapes;
+  const StandardCell* StandardCells;
+
   unsigned Shapes = 0;
   unsigned char CellType = 0;
-  bool HigherOrder = false;
   bool IsStandard = false;
   bool HasRepeatedPoint = false;
+  bool HasFloatPoints = false;
   bool TrustFaceOrientation = false;
   double AngleFactor = 1;
-  double RelativeTolerance = 0;
-  double AbsoluteTolerance = 0;
-  double BoxDiagonal = 0;
+  double DegeneracyTolerance = 0;
+  mutable double AbsoluteTolerance = 0; // with BoxScale
+  mutable Scale BoxScale = { -1, -1, -1 };
   mutable double Diameter = -1;
 
   Vector Origin;
-  std::vector<Vector> Points;
-  std::vector<vtkIdType> PointIds;
+  int NumberOfPoints = 0;
+  std::vector<Vector> Points;     // grows to the largest cell
+  std::vector<vtkIdType> PointIds; // of polygons and polyhedra
   std::vector<int> HashTable;
   std::vector<int> LocalFace;
   const CellTopology* Topology = nullptr; // that of the standard type, or OwnTopology
   CellTopology OwnTopology;
 
-  double MinEdgeLength = 0, MaxEdgeLength = 0, TotalEdgeLength = 0;
-  std::vector<double> EdgeLengths;
+  double MinSquaredLength = 0, MaxSquaredLength = 0;
+  std::vector<double> SquaredLengths;
   std::vector<Vector> FaceVectors, FaceCenters;
   std::vector<double> FaceAreas;
   double Volume = 0;
   double OrientationSign = 1;
   std::vector<AngleRange> FaceAngles;
-  AngleRange DihedralAngles = {}, SolidAngles = {};
+  AngleRange DihedralAngles;
+  double MinSolidAngle = 0, MaxSolidAngle = 0;
 
-  CellTopology MergedTopology; // without collapsed edges
+  CellTopology MergedTopology;  // without collapsed edges
   std::vector<int> MergedFaces; // their numbers in Topology
   std::vector<int> Representatives, Ring;
-  std::vector<Vector> Spokes;
+  std::vector<Vector> EdgeDirections, Spokes;
 };
 }
 

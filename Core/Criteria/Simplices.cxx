@@ -20,23 +20,12 @@ bool IsOnePoint(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double SumOfSquares(const CellGeometry& cell)
-{
-  double sum = 0;
-  for (const double length : cell.GetEdgeLengths())
-  {
-    sum += length * length;
-  }
-  return sum;
-}
-
-//------------------------------------------------------------------------------
 // Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, edges from the first
 // point, which is the origin.
 double CircumradiusTimes12Volumes(const CellGeometry& tetrahedron)
 {
-  const std::vector<Vector>& points = tetrahedron.GetPoints();
-  const Vector &a = points[1], &b = points[2], &c = points[3];
+  const Vector &a = tetrahedron.GetPoint(1), &b = tetrahedron.GetPoint(2),
+               &c = tetrahedron.GetPoint(3);
   return Norm(Norm2(a) * Cross(b, c) + Norm2(b) * Cross(c, a) + Norm2(c) * Cross(a, b));
 }
 }
@@ -53,8 +42,8 @@ double TriangleRadiusRatio(const CellGeometry& cell)
   {
     return 0;
   }
-  const std::vector<double>& l = cell.GetEdgeLengths();
-  return 16 * area * area / (l[0] * l[1] * l[2] * (l[0] + l[1] + l[2]));
+  const double a = cell.GetEdgeLength(0), b = cell.GetEdgeLength(1), c = cell.GetEdgeLength(2);
+  return 16 * area * area / (a * b * c * (a + b + c));
 }
 
 //------------------------------------------------------------------------------
@@ -65,7 +54,7 @@ double BhatiaLawrence(const CellGeometry& cell)
     return Null(NullReason::Degenerate);
   }
   const double area = cell.GetPolygonArea();
-  return cell.IsZeroArea(area) ? 0 : 4 * std::sqrt(3.0) * area / SumOfSquares(cell);
+  return cell.IsZeroArea(area) ? 0 : 4 * std::sqrt(3.0) * area / cell.GetSumOfSquaredLengths();
 }
 
 //------------------------------------------------------------------------------
@@ -114,6 +103,6 @@ double TetMeanRatio(const CellGeometry& cell)
     return std::isnan(volume) ? volume : 0;
   }
   const double root = std::cbrt(3 * std::abs(volume));
-  return std::copysign(12 * root * root / SumOfSquares(cell), volume);
+  return std::copysign(12 * root * root / cell.GetSumOfSquaredLengths(), volume);
 }
 }

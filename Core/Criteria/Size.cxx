@@ -31,7 +31,7 @@ double Volume(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double VertexCount(const CellGeometry& cell)
 {
-  return static_cast<double>(cell.GetPoints().size());
+  return cell.GetNumberOfPoints();
 }
 
 //------------------------------------------------------------------------------
@@ -61,7 +61,7 @@ double MaxEdgeLength(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MeanEdgeLength(const CellGeometry& cell)
 {
-  const std::size_t count = cell.GetEdgeLengths().size();
+  const std::size_t count = cell.GetTopology().Edges.size();
   return count > 0 ? cell.GetTotalEdgeLength() / static_cast<double>(count) : 0;
 }
 

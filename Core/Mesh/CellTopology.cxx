@@ -43,19 +43,19 @@ void CellTopology::FindEdges()
   this->Edges.clear();
   this->NextEdges.clear();
   this->FirstEdges.assign(this->NumberOfPoints, -1);
-  // How often every edge is run along forwards less how often backwards; Consistent while building.
-  bool manifold = true, closed = true;
+  this->FaceEdges.resize(this->FacePoints.size());
+  bool manifold = true, consistent = true;
   const int numberOfFaces = this->GetNumberOfFaces();
   for (int f = 0; f < numberOfFaces; ++f)
   {
-    const int* points = this->GetFace(f);
-    const int size = this->GetFaceSize(f);
-    for (int i = 0; i < size; ++i)
+    const int begin = this->FaceOffsets[f], end = this->FaceOffsets[f + 1];
+    for (int i = begin; i < end; ++i)
     {
-      const int a = points[i], b = points[i + 1 < size ? i + 1 : 0];
-      const int low = std::min(a, b), high = std::max(a, b);
+      const int a = this->FacePoints[i], b = this->FacePoints[i + 1 < end ? i + 1 : begin];
+      // Edges are listed by their smaller point; a low list is short.
+      const int low = std::min(a, b), sum = a + b;
       int e = this->FirstEdges[low];
-      while (e >= 0 && std::max(this->Edges[e].Points[0], this->Edges[e].Points[1]) != high)
+      while (e >= 0 && this->Edges[e].Points[0] + this->Edges[e].Points[1] != sum)
       {
         e = this->NextEdges[e];
       }
@@ -65,52 +65,39 @@ void CellTopology::FindEdges()
         this->Edges.push_back({ { a, b }, { f, -1 }, 1, false });
         this->NextEdges.push_back(this->FirstEdges[low]);
         this->FirstEdges[low] = e;
-        continue;
-      }
-      Edge& edge = this->Edges[e];
-      if (++edge.Uses == 2)
-      {
-        edge.Faces[1] = f;
-        edge.Consistent = edge.Points[0] == b;
       }
       else
       {
-        manifold = false;
+        Edge& edge = this->Edges[e];
+        if (++edge.Uses == 2)
+        {
+          edge.Faces[1] = f;
+          edge.Consistent = edge.Points[0] == b;
+        }
       }
+      this->FaceEdges[i] = e;
     }
   }
   for (const Edge& edge : this->Edges)
   {
     manifold = manifold && edge.Uses == 2;
-    closed = closed && edge.Uses == 2 && edge.Consistent;
-  }
-  if (!manifold)
-  {
-    // Rare: count the directions along every edge.
-    closed = true;
-    std::vector<int> balance(this->Edges.size(), 0);
-    for (int f = 0; f < numberOfFaces; ++f)
-    {
-      const int* points = this->GetFace(f);
-      const int size = this->GetFaceSize(f);
-      for (int i = 0; i < size; ++i)
-      {
-        const int a = points[i], b = points[i + 1 < size ? i + 1 : 0];
-        int e = this->FirstEdges[std::min(a, b)];
-        while (std::max(this->Edges[e].Points[0], this->Edges[e].Points[1]) != std::max(a, b))
-        {
-          e = this->NextEdges[e];
-        }
-        balance[e] += a < b ? 1 : -1;
-      }
-    }
-    for (const int difference : balance)
-    {
-      closed = closed && difference == 0;
-    }
+    consistent = consistent && edge.Consistent;
   }
   this->IsManifold = manifold && numberOfFaces > 0;
-  this->IsClosed = closed && numberOfFaces > 0;
+  this->IsClosed = numberOfFaces > 0 && (manifold ? consistent : this->IsBalanced());
+}
+
+//------------------------------------------------------------------------------
+// Whether every edge is run along as often forwards as backwards. Only for the rare non-manifold cell.
+bool CellTopology::IsBalanced() const
+{
+  std::vector<int> balance(this->Edges.size(), 0);
+  for (std::size_t i = 0; i < this->FacePoints.size(); ++i)
+  {
+    const int e = this->FaceEdges[i];
+    balance[e] += this->FacePoints[i] == this->Edges[e].Points[0] ? 1 : -1;
+  }
+  return std::all_of(balance.begin(), balance.end(), [](int difference) { return difference == 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -174,8 +161,10 @@ void CellTopology::MakeOneGroup()
 //------------------------------------------------------------------------------
 void CellTopology::ReverseFace(int face)
 {
-  std::reverse(this->FacePoints.begin() + this->FaceOffsets[face],
-    this->FacePoints.begin() + this->FaceOffsets[face + 1]);
+  const auto begin = this->FaceOffsets[face], end = this->FaceOffsets[face + 1];
+  std::reverse(this->FacePoints.begin() + begin, this->FacePoints.begin() + end);
+  // The last edge joins the last point with the first one also when the others run backwards.
+  std::reverse(this->FaceEdges.begin() + begin, this->FaceEdges.begin() + end - 1);
 }
 
 //------------------------------------------------------------------------------
@@ -204,14 +193,14 @@ void CellTopology::MakeVertexFigures()
   this->Corners.clear();
   for (int f = 0; f < this->GetNumberOfFaces(); ++f)
   {
-    const int* points = this->GetFace(f);
-    const int size = this->GetFaceSize(f);
-    for (int i = 0; i < size; ++i)
+    const int begin = this->FaceOffsets[f], end = this->FaceOffsets[f + 1];
+    int previous = this->FaceEdges[end - 1];
+    for (int i = begin; i < end; ++i)
     {
-      const int point = points[i];
-      const int previous = points[i > 0 ? i - 1 : size - 1], next = points[i + 1 < size ? i + 1 : 0];
-      this->Corners.push_back({ f, previous, next, this->FirstCorners[point] });
-      this->FirstCorners[point] = static_cast<int>(this->Corners.size()) - 1;
+      int& first = this->FirstCorners[this->FacePoints[i]];
+      this->Corners.push_back({ f, previous, this->FaceEdges[i], first });
+      first = static_cast<int>(this->Corners.size()) - 1;
+      previous = this->FaceEdges[i];
     }
   }
   this->Spokes.clear();
@@ -219,23 +208,23 @@ void CellTopology::MakeVertexFigures()
   this->HasVertexFigures = true;
   for (int point = 0; point < this->NumberOfPoints; ++point)
   {
-    // The face that follows across the edge to `Next` runs along it backwards: it comes from there.
+    const int first = this->FirstCorners[point];
     int numberOfCorners = 0;
-    for (int c = this->FirstCorners[point]; c >= 0; c = this->Corners[c].NextCorner)
+    for (int c = first; c >= 0; c = this->Corners[c].NextCorner)
     {
       ++numberOfCorners;
     }
-    const int first = this->FirstCorners[point];
+    // The next face comes to the point along the edge on which this one leaves it.
     int corner = first, steps = 0;
     while (corner >= 0 && steps < numberOfCorners)
     {
-      this->Spokes.push_back({ this->Corners[corner].Previous, this->Corners[corner].Face });
-      const int next = this->Corners[corner].Next;
-      for (corner = first; corner >= 0 && this->Corners[corner].Previous != next;)
+      this->Spokes.push_back({ this->Corners[corner].PreviousEdge, this->Corners[corner].Face });
+      ++steps;
+      const int edge = this->Corners[corner].NextEdge;
+      for (corner = first; corner >= 0 && this->Corners[corner].PreviousEdge != edge;)
       {
         corner = this->Corners[corner].NextCorner;
       }
-      ++steps;
       if (corner == first)
       {
         break;

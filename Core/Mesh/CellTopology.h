@@ -25,15 +25,16 @@ public:
     int Uses;
     bool Consistent; ///< two faces that run along it in opposite directions
   };
-  /// One step around a vertex: towards a neighbouring point, then over a face to the next step.
+  /// One step around a vertex: along an edge, then over a face to the next step.
   struct Spoke
   {
-    int Point;
+    int Edge;
     int Face;
   };
 
   int NumberOfPoints = 0;
   std::vector<int> FaceOffsets, FacePoints;
+  std::vector<int> FaceEdges; ///< parallel to FacePoints: the edge from this point to the next
   std::vector<Edge> Edges;
   /// Every edge has two faces, or more of them in balance, which run along it in opposite directions.
   bool IsClosed = false;
@@ -74,6 +75,7 @@ public:
   void MakeVertexFigures();
 
 private:
+  bool IsBalanced() const;
   void ReverseFace(int face);
 
   std::vector<int> FirstEdges, NextEdges; // edges by their smaller point
@@ -81,7 +83,7 @@ private:
   int NumberOfGroups = 0;
   struct Corner
   {
-    int Face, Previous, Next, NextCorner;
+    int Face, PreviousEdge, NextEdge, NextCorner;
   };
   std::vector<Corner> Corners;
   std::vector<int> FirstCorners;

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::AngleRange
+ * @brief The smallest and the largest of some angles between 0 and 2 pi.
+ *
+ * Angles are compared by sine and cosine; only the two extremes cost an arc tangent.
+ */
+#ifndef camaron_AngleRange_h
+#define camaron_AngleRange_h
+
+#include "Criteria/Criterion.h"
+
+#include <cmath> // for std::atan2
+
+namespace camaron
+{
+class AngleRange
+{
+public:
+  /// Back to no angles; asked for one, the range answers null with this reason.
+  void Clear(NullReason reason = NullReason::Degenerate)
+  {
+    this->MinOrder = 5; // orders are in [0, 4]
+    this->MaxOrder = -1;
+    this->Reason = reason;
+  }
+  bool IsEmpty() const { return this->MaxOrder < 0; }
+
+  /// Adds the angle with this sine and cosine, both times any positive factor.
+  void Add(double sine, double cosine)
+  {
+    const double sum = std::abs(sine) + std::abs(cosine);
+    const double x = sum > 0 ? cosine / sum : 1;
+    const double order = sine >= 0 ? 1 - x : 3 + x;
+    if (order < this->MinOrder)
+    {
+      this->MinOrder = order;
+      this->Min = { sine, cosine };
+    }
+    if (order > this->MaxOrder)
+    {
+      this->MaxOrder = order;
+      this->Max = { sine, cosine };
+    }
+  }
+  void Add(const AngleRange& other)
+  {
+    if (other.MinOrder < this->MinOrder)
+    {
+      this->MinOrder = other.MinOrder;
+      this->Min = other.Min;
+    }
+    if (other.MaxOrder > this->MaxOrder)
+    {
+      this->MaxOrder = other.MaxOrder;
+      this->Max = other.Max;
+    }
+  }
+
+  ///@{
+  /// In radian, or null.
+  double GetMin() const { return this->IsEmpty() ? Null(this->Reason) : this->Min.GetAngle(); }
+  double GetMax() const { return this->IsEmpty() ? Null(this->Reason) : this->Max.GetAngle(); }
+  ///@}
+
+private:
+  struct Direction
+  {
+    double Sine, Cosine;
+    double GetAngle() const
+    {
+      constexpr double turn = 6.283185307179586476925286766559;
+      const double angle = std::atan2(this->Sine, this->Cosine);
+      return angle < 0 ? angle + turn : angle;
+    }
+  };
+  double MinOrder = 5, MaxOrder = -1;
+  Direction Min = { 0, 1 }, Max = { 0, 1 };
+  NullReason Reason = NullReason::Degenerate;
+};
+}
+
+#endif

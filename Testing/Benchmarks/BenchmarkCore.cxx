@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Topology, boundary and evaluation against VTK's filters on the same meshes in the same run.
+// Usage: BenchmarkCore [million tetrahedra [million polyhedra]]
+#include "BenchmarkMeshes.h"
+
+#include "Criteria/Evaluation.h"
+#include "Mesh/BoundarySurface.h"
+#include "Mesh/MeshTopology.h"
+#include "Parallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellSizeFilter.h"
+#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGeometryFilter.h"
+#include "vtkMeshQuality.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkTimerLog.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr int Repetitions = 3;
+
+//------------------------------------------------------------------------------
+double MedianSeconds(const std::function<void()>& work, int repetitions = Repetitions)
+{
+  std::vector<double> seconds;
+  for (int i = 0; i < repetitions; ++i)
+  {
+    const double start = vtkTimerLog::GetUniversalTime();
+    work();
+    seconds.push_back(vtkTimerLog::GetUniversalTime() - start);
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return seconds[seconds.size() / 2];
+}
+
+//------------------------------------------------------------------------------
+void Print(const std::string& what, vtkIdType cells, double seconds, const char* peer = nullptr,
+  double peerSecondsPerCell = 0)
+{
+  std::printf("%-52s %9lld cells %8.3f s %9.1f ns/cell", what.c_str(), static_cast<long long>(cells),
+    seconds, 1e9 * seconds / cells);
+  if (peer)
+  {
+    std::printf("   %s %9.1f ns/cell, %.1fx", peer, 1e9 * peerSecondsPerCell,
+      peerSecondsPerCell * cells / seconds);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+//------------------------------------------------------------------------------
+void EvaluateOn(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
+{
+  std::vector<std::vector<double>> values(names.size());
+  std::vector<camaron::CriterionValues> rows;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    values[i].resize(grid->GetNumberOfCells());
+    rows.push_back({ camaron::FindCriterion(names[i]), values[i].data() });
+  }
+  camaron::Evaluate(camaron::MeshTopology(grid), {}, rows, [](double) { return true; });
+}
+
+//------------------------------------------------------------------------------
+// A new mesh as far as the cache of topologies is concerned.
+void Touch(vtkUnstructuredGrid* grid)
+{
+  grid->GetCells()->GetConnectivityArray()->Modified();
+}
+
+//------------------------------------------------------------------------------
+template <typename Filter>
+double SecondsPerCell(vtkUnstructuredGrid* grid, int repetitions = Repetitions)
+{
+  return MedianSeconds(
+           [&]
+           {
+             vtkNew<Filter> filter;
+             filter->SetInputData(grid);
+             filter->Update();
+           },
+           repetitions) /
+    static_cast<double>(grid->GetNumberOfCells());
+}
+
+const std::vector<std::string> AllOfCells = []
+{
+  std::vector<std::string> names;
+  for (const camaron::Criterion& criterion : camaron::GetCriteria())
+  {
+    if (criterion.CellFunction && (criterion.AppliesTo & (camaron::Polyhedra | camaron::Tetrahedra)))
+    {
+      names.push_back(criterion.Name);
+    }
+  }
+  return names;
+}();
+
+//------------------------------------------------------------------------------
+void OnTetrahedra(vtkIdType size)
+{
+  const auto grid = camaron::MakeTetrahedra(size);
+  const vtkIdType cells = grid->GetNumberOfCells();
+  double seconds = MedianSeconds(
+    [&]
+    {
+      Touch(grid);
+      camaron::MeshTopology(grid).GetFaces();
+    });
+  Print("tetrahedra: unique faces and neighbours", cells, seconds, "vtkGeometryFilter",
+    SecondsPerCell<vtkGeometryFilter>(grid));
+  Print("", cells, seconds, "vtkDataSetSurfaceFilter", SecondsPerCell<vtkDataSetSurfaceFilter>(grid));
+  seconds = MedianSeconds(
+    [&]
+    {
+      vtkNew<vtkPolyData> surface;
+      camaron::MakeBoundarySurface(grid, surface);
+    });
+  Print("tetrahedra: boundary from the topology", cells, seconds);
+  seconds = MedianSeconds([&] { EvaluateOn(grid, { "EdgeLengthRatio" }); });
+  const double peer = MedianSeconds(
+                        [&]
+                        {
+                          vtkNew<vtkMeshQuality> quality;
+                          quality->SetInputData(grid);
+                          quality->SetTetQualityMeasureToEdgeRatio();
+                          quality->Update();
+                        }) /
+    static_cast<double>(cells);
+  Print("tetrahedra: EdgeLengthRatio", cells, seconds, "vtkMeshQuality", peer);
+  for (const char* name : { "Volume", "TetRadiusEdgeRatio", "TetMeanRatio", "MinSolidAngle" })
+  {
+    Print(std::string("tetrahedra: ") + name, cells,
+      MedianSeconds([&] { EvaluateOn(grid, { name }); }));
+  }
+  Print("tetrahedra: all " + std::to_string(AllOfCells.size()) + " criteria", cells,
+    MedianSeconds([&] { EvaluateOn(grid, AllOfCells); }));
+}
+
+//------------------------------------------------------------------------------
+void OnPolyhedra(vtkIdType size)
+{
+  const auto grid = camaron::MakeTruncatedOctahedra(size);
+  const vtkIdType cells = grid->GetNumberOfCells();
+  // VTK's filters take minutes for a million polyhedra: their time per cell is taken on fewer.
+  const auto sample = camaron::MakeTruncatedOctahedra(2000);
+  double seconds = MedianSeconds(
+    [&]
+    {
+      Touch(grid);
+      camaron::MeshTopology(grid).GetFaces();
+    });
+  Print("polyhedra: unique faces and neighbours", cells, seconds);
+  seconds = MedianSeconds(
+    [&]
+    {
+      Touch(grid);
+      vtkNew<vtkPolyData> surface;
+      camaron::MakeBoundarySurface(grid, surface);
+    });
+  Print("polyhedra: boundary, faces not known", cells, seconds, "vtkDataSetSurfaceFilter",
+    SecondsPerCell<vtkDataSetSurfaceFilter>(sample));
+  seconds = MedianSeconds(
+    [&]
+    {
+      vtkNew<vtkPolyData> surface;
+      camaron::MakeBoundarySurface(grid, surface);
+    });
+  Print("polyhedra: boundary, faces known", cells, seconds, "vtkGeometryFilter",
+    SecondsPerCell<vtkGeometryFilter>(sample, 1));
+  Print("polyhedra: Volume and SurfaceArea", cells,
+    MedianSeconds([&] { EvaluateOn(grid, { "Volume", "SurfaceArea" }); }), "vtkCellSizeFilter",
+    SecondsPerCell<vtkCellSizeFilter>(sample, 1));
+  for (const char* name :
+    { "Volume", "EdgeLengthRatio", "MinFaceAngle", "MinDihedralAngle", "MinSolidAngle" })
+  {
+    Print(std::string("polyhedra: ") + name, cells,
+      MedianSeconds([&] { EvaluateOn(grid, { name }); }));
+  }
+  Print("polyhedra: all " + std::to_string(AllOfCells.size()) + " criteria", cells,
+    MedianSeconds([&] { EvaluateOn(grid, AllOfCells); }));
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  const double tetrahedra = argc > 1 ? std::atof(argv[1]) : 3.5;
+  const double polyhedra = argc > 2 ? std::atof(argv[2]) : 1;
+  camaron::WithThreads(
+    [&]
+    {
+      std::printf("SMP backend %s, %d threads; median of %d\n", vtkSMPTools::GetBackend(),
+        vtkSMPTools::GetEstimatedNumberOfThreads(), Repetitions);
+      OnTetrahedra(static_cast<vtkIdType>(1e6 * tetrahedra));
+      OnPolyhedra(static_cast<vtkIdType>(1e6 * polyhedra));
+    });
+  return 0;
+}
