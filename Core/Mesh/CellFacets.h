@@ -94,6 +94,16 @@ public:
   /// Appends the points of one facet.
   void GetFacet(vtkIdType cell, vtkIdType wanted, std::vector<vtkIdType>& facet)
   {
+    if (this->Mesh.GetCellType(cell) == VTK_POLYHEDRON)
+    {
+      const IndexRange points =
+        this->Mesh.GetPolyhedronFacePoints(this->Mesh.GetPolyhedronFaces(cell)[wanted]);
+      for (vtkIdType i = 0; i < points.Size; ++i)
+      {
+        facet.push_back(points[i]);
+      }
+      return;
+    }
     this->ForEach(cell,
       [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
       {

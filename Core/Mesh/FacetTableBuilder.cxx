@@ -58,11 +58,13 @@ void SortDistinct(Points& points)
 }
 
 //------------------------------------------------------------------------------
-// What remains of a facet beside its smallest point, for comparison within a bucket.
+// A facet's bucket, and what tells it from the others there.
 struct FacetKey
 {
+  vtkIdType Smallest;
   std::uint64_t Key;
   std::uint32_t Extra;
+  bool Down; // see RunsDown
 };
 
 //------------------------------------------------------------------------------
@@ -71,35 +73,38 @@ FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>
   if (size == 3)
   {
     vtkIdType a = points[0], b = points[1], c = points[2];
-    if (a > b)
+    if (b < a && b < c)
     {
-      std::swap(a, b);
+      a = points[1], b = points[2], c = points[0];
     }
-    if (b > c)
+    else if (c < a && c < b)
     {
-      std::swap(b, c);
+      a = points[2], b = points[0], c = points[1];
     }
-    if (a > b)
+    // Now a is the smallest point, b the next one around the triangle.
+    if (a != b && b != c && a != c)
     {
-      std::swap(a, b);
-    }
-    if (a != b && b != c)
-    {
-      return { (static_cast<std::uint64_t>(b) << 32) | static_cast<std::uint64_t>(c), ThreePoints };
+      const bool down = b > c;
+      const std::uint64_t low = static_cast<std::uint64_t>(down ? c : b);
+      const std::uint64_t high = static_cast<std::uint64_t>(down ? b : c);
+      return { a, (low << 32) | high, ThreePoints, down };
     }
   }
   scratch.assign(points, points + size);
   SortDistinct(scratch);
+  const vtkIdType smallest = scratch[0];
+  const bool down = RunsDown(points, size);
   switch (scratch.size())
   {
     case 1:
-      return { 0, OnePoint };
+      return { smallest, 0, OnePoint, down };
     case 2:
-      return { static_cast<std::uint64_t>(scratch[1]), TwoPoints };
+      return { smallest, static_cast<std::uint64_t>(scratch[1]), TwoPoints, down };
     case 3:
     case 4:
-      return { (static_cast<std::uint64_t>(scratch[1]) << 32) | static_cast<std::uint64_t>(scratch[2]),
-        scratch.size() == 3 ? ThreePoints : static_cast<std::uint32_t>(scratch[3]) };
+      return { smallest,
+        (static_cast<std::uint64_t>(scratch[1]) << 32) | static_cast<std::uint64_t>(scratch[2]),
+        scratch.size() == 3 ? ThreePoints : static_cast<std::uint32_t>(scratch[3]), down };
     default:
       break;
   }
@@ -108,7 +113,40 @@ FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>
   {
     hash = Mix(hash, static_cast<std::uint64_t>(point));
   }
-  return { hash, HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33) };
+  return { smallest, hash, HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33), down };
+}
+
+//------------------------------------------------------------------------------
+vtkIdType GetSmallest(const vtkIdType* points, vtkIdType size)
+{
+  if (size == 3)
+  {
+    return std::min(points[0], std::min(points[1], points[2]));
+  }
+  return *std::min_element(points, points + size);
+}
+
+//------------------------------------------------------------------------------
+// Buckets are small: insertion beats everything else there.
+template <typename Entry>
+void SortByKey(Entry* first, Entry* last)
+{
+  constexpr int small = 40;
+  if (last - first > small)
+  {
+    std::sort(first, last, [](const Entry& a, const Entry& b) { return a.Key < b.Key; });
+    return;
+  }
+  for (Entry* next = first + 1; next < last; ++next)
+  {
+    const Entry entry = *next;
+    Entry* place = next;
+    for (; place != first && entry.Key < place[-1].Key; --place)
+    {
+      *place = place[-1];
+    }
+    *place = entry;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -296,8 +334,7 @@ void FacetTableBuilder::Match(vtkIdType numberOfCells, ForEachItem&& forEachItem
           {
             if (size > 0)
             {
-              const vtkIdType smallest = *std::min_element(points, points + size);
-              ends[smallest].fetch_add(1, std::memory_order_relaxed);
+              ends[GetSmallest(points, size)].fetch_add(1, std::memory_order_relaxed);
             }
           });
       }
@@ -327,11 +364,9 @@ void FacetTableBuilder::Match(vtkIdType numberOfCells, ForEachItem&& forEachItem
               this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
               return;
             }
-            const vtkIdType smallest = *std::min_element(points, points + size);
             const FacetKey key = MakeKey(points, size, scratch);
-            const std::uint32_t item = use | (RunsDown(points, size) ? DownBit : 0u);
-            entries[ends[smallest].fetch_add(1, std::memory_order_relaxed)] = { key.Key, key.Extra,
-              item };
+            entries[ends[key.Smallest].fetch_add(1, std::memory_order_relaxed)] = { key.Key, key.Extra,
+              use | (key.Down ? DownBit : 0u) };
           });
       }
     });
@@ -349,25 +384,29 @@ void FacetTableBuilder::Match(vtkIdType numberOfCells, ForEachItem&& forEachItem
 //------------------------------------------------------------------------------
 void FacetTableBuilder::MatchBucket(Entry* first, Entry* last)
 {
-  std::sort(first, last,
-    [](const Entry& a, const Entry& b)
-    {
-      return a.Key != b.Key ? a.Key < b.Key
-        : a.Extra != b.Extra ? a.Extra < b.Extra
-                             : GetUse(a.Item) < GetUse(b.Item);
-    });
+  SortByKey(first, last);
   while (first != last)
   {
-    // The entries that are the same facet as *first come to the front of the run of equal keys.
     Entry* runEnd = first + 1;
-    while (runEnd != last && runEnd->Key == first->Key && runEnd->Extra == first->Extra)
+    while (runEnd != last && runEnd->Key == first->Key)
     {
       ++runEnd;
     }
-    Entry* sameEnd = runEnd;
-    if ((first->Extra & HashedBit) && runEnd - first > 1)
+    if (runEnd - first > 1)
     {
-      sameEnd = std::stable_partition(first + 1, runEnd, [&](const Entry& entry)
+      std::sort(first, runEnd,
+        [](const Entry& a, const Entry& b)
+        { return a.Extra != b.Extra ? a.Extra < b.Extra : GetUse(a.Item) < GetUse(b.Item); });
+    }
+    // The entries that are the same facet as *first come to the front of those that may be.
+    Entry* sameEnd = first + 1;
+    while (sameEnd != runEnd && sameEnd->Extra == first->Extra)
+    {
+      ++sameEnd;
+    }
+    if ((first->Extra & HashedBit) && sameEnd - first > 1)
+    {
+      sameEnd = std::stable_partition(first + 1, sameEnd, [&](const Entry& entry)
         { return this->HaveSamePoints(GetUse(first->Item), GetUse(entry.Item)); });
     }
     const Index leader = GetUse(first->Item);
