@@ -1,2 +1,8 @@
 # Every mesh format of the plugin, one block each. Class lists, server-manager XML lists, tests and the
 # table of formats follow from here; see CMake/CamaronFormats.cmake for the fields.
+
+camaron_format(
+  NAME        Visf
+  EXTENSIONS  visf
+  DESCRIPTION "Camarón Visf mesh"
+  READER)

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FaceMesh/CellShell.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Shift that leaves of a 64 bit hash an index into a table at least twice as large as its content.
+int GetTableShift(std::size_t content)
+{
+  int shift = 64 - 4;
+  while ((std::size_t(1) << (64 - shift)) < 2 * content)
+  {
+    --shift;
+  }
+  return shift;
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t Hash(std::uint64_t key)
+{
+  return key * 0x9e3779b97f4a7c15u; // 2^64 / golden ratio (D. Knuth, TAOCP 3, 6.4)
+}
+}
+
+//------------------------------------------------------------------------------
+void CellShell::Load(const IdLists& faces, const IdList& cell)
+{
+  this->Faces.clear();
+  this->Begins.assign(1, 0);
+  this->Corners.clear();
+  for (std::int32_t f = 0; f < cell.Size; ++f)
+  {
+    const std::int32_t id = cell[f];
+    const IdList face = faces[id];
+    if (face.Size > 0)
+    {
+      for (std::int32_t i = 0; i < face.Size; ++i)
+      {
+        this->Corners.push_back(face[i]);
+      }
+      this->Faces.push_back(id);
+      this->Begins.push_back(static_cast<std::int32_t>(this->Corners.size()));
+    }
+  }
+  this->Turned.assign(this->Faces.size(), 0);
+
+  // Point ids become positions in the list of distinct points.
+  this->Ids.clear();
+  const int shift = GetTableShift(this->Corners.size());
+  this->Table.assign(std::size_t(1) << (64 - shift), -1);
+  const std::size_t mask = this->Table.size() - 1;
+  for (std::int32_t& corner : this->Corners)
+  {
+    std::size_t slot = Hash(static_cast<std::uint32_t>(corner)) >> shift;
+    while (this->Table[slot] >= 0 && this->Ids[this->Table[slot]] != corner)
+    {
+      slot = (slot + 1) & mask;
+    }
+    if (this->Table[slot] < 0)
+    {
+      this->Table[slot] = static_cast<std::int32_t>(this->Ids.size());
+      this->Ids.push_back(corner);
+    }
+    corner = this->Table[slot];
+  }
+}
+
+//------------------------------------------------------------------------------
+// Finds the other use of every edge; false if an edge is used once or more than twice.
+bool CellShell::PairEdges()
+{
+  const auto numberOfCorners = static_cast<std::int32_t>(this->Corners.size());
+  this->Mates.assign(numberOfCorners, -1);
+  this->Owners.resize(numberOfCorners);
+  const int shift = GetTableShift(numberOfCorners);
+  this->Table.assign(std::size_t(1) << (64 - shift), -1);
+  const std::size_t mask = this->Table.size() - 1;
+
+  std::int32_t open = 0;
+  for (std::int32_t face = 0; face < this->GetNumberOfFaces(); ++face)
+  {
+    const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
+    for (std::int32_t corner = begin; corner < end; ++corner)
+    {
+      this->Owners[corner] = face;
+      const std::int32_t a = this->Corners[corner];
+      const std::int32_t b = this->Corners[corner + 1 < end ? corner + 1 : begin];
+      if (a == b)
+      {
+        this->Mates[corner] = corner; // a point given twice in a row makes no edge
+        continue;
+      }
+      const auto key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
+      std::size_t slot = Hash(key) >> shift;
+      std::int32_t other = this->Table[slot];
+      for (; other >= 0; slot = (slot + 1) & mask, other = this->Table[slot])
+      {
+        const std::int32_t otherEnd = this->Begins[this->Owners[other] + 1];
+        const std::int32_t c = this->Corners[other];
+        const std::int32_t d = this->Corners[other + 1 < otherEnd
+            ? other + 1
+            : this->Begins[this->Owners[other]]];
+        if ((a == c && b == d) || (a == d && b == c))
+        {
+          break;
+        }
+      }
+      if (other < 0)
+      {
+        this->Table[slot] = corner;
+        ++open;
+      }
+      else if (this->Mates[other] >= 0)
+      {
+        return false;
+      }
+      else
+      {
+        this->Mates[other] = corner;
+        this->Mates[corner] = other;
+        --open;
+      }
+    }
+  }
+  return open == 0;
+}
+
+//------------------------------------------------------------------------------
+// A sixth of the volume between the face as it is stored and the first point; about so if the face is
+// not plane.
+double CellShell::GetVolumeOfFace(std::int32_t face) const
+{
+  const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
+  double area[3] = { 0, 0, 0 }, middle[3] = { 0, 0, 0 };
+  const double* p = &this->Places[3 * std::size_t(this->Corners[end - 1])];
+  for (std::int32_t corner = begin; corner < end; ++corner)
+  {
+    const double* q = &this->Places[3 * std::size_t(this->Corners[corner])];
+    area[0] += p[1] * q[2] - p[2] * q[1];
+    area[1] += p[2] * q[0] - p[0] * q[2];
+    area[2] += p[0] * q[1] - p[1] * q[0];
+    middle[0] += q[0];
+    middle[1] += q[1];
+    middle[2] += q[2];
+    p = q;
+  }
+  return (area[0] * middle[0] + area[1] * middle[1] + area[2] * middle[2]) / (end - begin);
+}
+
+//------------------------------------------------------------------------------
+bool CellShell::TurnConsistently()
+{
+  this->Places.resize(3 * this->Ids.size());
+  double origin[3];
+  this->Points.Get(this->Ids[0], origin);
+  for (std::size_t i = 0; i < this->Ids.size(); ++i)
+  {
+    double* x = &this->Places[3 * i];
+    this->Points.Get(this->Ids[i], x);
+    for (int c = 0; c < 3; ++c)
+    {
+      x[c] -= origin[c];
+    }
+  }
+
+  const std::int32_t numberOfFaces = this->GetNumberOfFaces();
+  this->Seen.assign(numberOfFaces, 0);
+  this->Stack.clear();
+  for (std::int32_t start = 0; start < numberOfFaces; ++start)
+  {
+    if (this->Seen[start])
+    {
+      continue;
+    }
+    this->Seen[start] = 1;
+    this->Stack.push_back(start); // the faces of one part of the shell stay in the stack
+    const std::size_t first = this->Stack.size() - 1;
+    double volume = 0;
+    for (std::size_t next = first; next < this->Stack.size(); ++next)
+    {
+      const std::int32_t face = this->Stack[next];
+      const double part = this->GetVolumeOfFace(face);
+      volume += this->Turned[face] ? -part : part;
+      for (std::int32_t corner = this->Begins[face]; corner < this->Begins[face + 1]; ++corner)
+      {
+        const std::int32_t mate = this->Mates[corner];
+        if (mate == corner)
+        {
+          continue;
+        }
+        const std::int32_t neighbor = this->Owners[mate];
+        const bool sameDirection = this->Corners[corner] == this->Corners[mate];
+        const auto turned = static_cast<unsigned char>(this->Turned[face] ^ sameDirection);
+        if (!this->Seen[neighbor])
+        {
+          this->Seen[neighbor] = 1;
+          this->Turned[neighbor] = turned;
+          this->Stack.push_back(neighbor);
+        }
+        else if (this->Turned[neighbor] != turned)
+        {
+          return false;
+        }
+      }
+    }
+    if (volume < 0)
+    {
+      for (std::size_t i = first; i < this->Stack.size(); ++i)
+      {
+        this->Turned[this->Stack[i]] ^= 1;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool CellShell::Orient()
+{
+  if (this->PairEdges() && this->TurnConsistently())
+  {
+    return true;
+  }
+  std::fill(this->Turned.begin(), this->Turned.end(), static_cast<unsigned char>(0));
+  return false;
+}
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellShell
+ * @brief The shell of one polyhedral cell: its distinct points, and its faces turned outward.
+ *
+ * A face that two cells share runs outward for one of them at most, and many files do not care at all.
+ * If every edge of the cell belongs to two of its faces, the faces of each connected part of the shell
+ * are turned to run consistently, and outward by the volume they enclose; a part of no volume follows
+ * its first face. A cell that is not closed in this way, or cannot be oriented, keeps its faces as they
+ * are. Nothing else is repaired.
+ *
+ * Cost is linear in the number of corners of all faces. Holds scratch memory: use one per thread.
+ */
+#ifndef camaron_CellShell_h
+#define camaron_CellShell_h
+
+#include "FaceMesh/FaceMesh.h"
+
+#include <vector> // for scratch
+
+namespace camaron
+{
+class CellShell
+{
+public:
+  explicit CellShell(const FloatPoints& points)
+    : Points(points)
+  {
+  }
+
+  /// Takes the faces of a cell; faces without points are left out.
+  void Load(const IdLists& faces, const IdList& cell);
+  /// Turns the faces; false if the cell is not closed.
+  bool Orient();
+
+  /// Distinct points in order of appearance.
+  const std::vector<std::int32_t>& GetPoints() const { return this->Ids; }
+  std::int32_t GetNumberOfFaces() const { return static_cast<std::int32_t>(this->Turned.size()); }
+  /// Id of a face in the mesh.
+  std::int32_t GetFace(std::int32_t face) const { return this->Faces[face]; }
+  std::int32_t GetFaceSize(std::int32_t face) const
+  {
+    return this->Begins[face + 1] - this->Begins[face];
+  }
+  /// Calls @a put(id) for the points of a face; a turned face starts at the same point.
+  template <typename Put>
+  void ForEachPoint(std::int32_t face, Put&& put) const
+  {
+    const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
+    put(this->Ids[this->Corners[begin]]);
+    if (this->Turned[face])
+    {
+      for (std::int32_t i = end - 1; i > begin; --i)
+      {
+        put(this->Ids[this->Corners[i]]);
+      }
+    }
+    else
+    {
+      for (std::int32_t i = begin + 1; i < end; ++i)
+      {
+        put(this->Ids[this->Corners[i]]);
+      }
+    }
+  }
+
+private:
+  bool PairEdges();
+  bool TurnConsistently();
+  double GetVolumeOfFace(std::int32_t face) const;
+
+  FloatPoints Points;
+  std::vector<std::int32_t> Faces;
+  std::vector<std::int32_t> Begins;  ///< first corner of every face, and one more
+  std::vector<std::int32_t> Corners; ///< positions in Ids
+  std::vector<std::int32_t> Ids;
+  std::vector<unsigned char> Turned;
+
+  std::vector<std::int32_t> Table;   ///< open hash table of points or edges
+  std::vector<std::int32_t> Mates;   ///< per corner the other use of the edge that starts there
+  std::vector<std::int32_t> Owners;  ///< per corner its face
+  std::vector<std::int32_t> Stack;
+  std::vector<unsigned char> Seen;
+  std::vector<double> Places;        ///< coordinates of the points, relative to the first
+};
+}
+
+#endif

@@ -1,0 +1,572 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FaceMesh/GridBuilder.h"
+
+#include "FaceMesh/CellShell.h"
+#include "FaceMesh/MeshPiece.h"
+#include "FaceMesh/PrimitiveMatcher.h"
+#include "Mesh/MeshTopology.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <mutex>
+#include <type_traits>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType BlockSize = 1024;
+constexpr vtkIdType MaxInt32 = INT32_MAX;
+
+//------------------------------------------------------------------------------
+// Entries that items need in the arrays of the grid, or where theirs begin.
+struct Extent
+{
+  vtkIdType Points = 0;
+  vtkIdType PolyhedronFaces = 0;
+  vtkIdType PolyhedronFacePoints = 0;
+  vtkIdType Faces = 0; // of all 3D cells
+  Extent& operator+=(const Extent& other)
+  {
+    this->Points += other.Points;
+    this->PolyhedronFaces += other.PolyhedronFaces;
+    this->PolyhedronFacePoints += other.PolyhedronFacePoints;
+    this->Faces += other.Faces;
+    return *this;
+  }
+};
+
+//------------------------------------------------------------------------------
+// What an item of the piece becomes.
+struct Shape
+{
+  unsigned char Type = VTK_EMPTY_CELL;
+  Extent Size;
+};
+
+//------------------------------------------------------------------------------
+// The truth about an item that is not what its numbers of faces and corners make one expect.
+struct Exception
+{
+  vtkIdType Item;
+  unsigned char Type;
+  vtkIdType Points;
+};
+
+//------------------------------------------------------------------------------
+// Arrays of a grid; Id is the type of all indices.
+template <typename Id>
+struct Arrays
+{
+  using IdArray =
+    typename std::conditional<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>::type;
+  Buffer<unsigned char> Types;
+  Buffer<Id> Offsets, Connectivity;
+  Buffer<Id> FaceOffsets, FaceConnectivity, LocationOffsets, Locations;
+  std::vector<Index> CellFaces;
+
+  Arrays(vtkIdType items, const Extent& total, bool provideFaces)
+    : Types(items)
+    , Offsets(items + 1)
+    , Connectivity(total.Points)
+  {
+    this->Offsets[items] = static_cast<Id>(total.Points);
+    if (total.PolyhedronFaces > 0)
+    {
+      this->FaceOffsets = Buffer<Id>(total.PolyhedronFaces + 1);
+      this->FaceOffsets[total.PolyhedronFaces] = static_cast<Id>(total.PolyhedronFacePoints);
+      this->FaceConnectivity = Buffer<Id>(total.PolyhedronFacePoints);
+      this->LocationOffsets = Buffer<Id>(items + 1);
+      this->LocationOffsets[items] = static_cast<Id>(total.PolyhedronFaces);
+      this->Locations = Buffer<Id>(total.PolyhedronFaces);
+    }
+    if (provideFaces)
+    {
+      this->CellFaces.resize(static_cast<std::size_t>(total.Faces));
+    }
+  }
+
+  static vtkSmartPointer<vtkCellArray> MakeCells(Buffer<Id>& offsets, Buffer<Id>& connectivity)
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    const auto offsetArray = offsets.template TakeArray<IdArray>();
+    const auto idArray = connectivity.template TakeArray<IdArray>();
+    cells->SetData(offsetArray.Get(), idArray.Get());
+    return cells;
+  }
+
+  void MoveTo(vtkUnstructuredGrid* grid)
+  {
+    const bool polyhedra = this->Locations.size() > 0;
+    const auto types = this->Types.template TakeArray<vtkUnsignedCharArray>();
+    const auto cells = MakeCells(this->Offsets, this->Connectivity);
+    if (polyhedra)
+    {
+      const auto faces = MakeCells(this->FaceOffsets, this->FaceConnectivity);
+      const auto locations = MakeCells(this->LocationOffsets, this->Locations);
+      grid->SetPolyhedralCells(types, cells, locations, faces);
+    }
+    else
+    {
+      grid->SetCells(types, cells);
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+class GridBuilder
+{
+public:
+  GridBuilder(FaceMesh& mesh, const PieceRequest& request, vtkUnstructuredGrid* grid,
+    Warnings& warnings, ScanError& error)
+    : Mesh(mesh)
+    , Request(request)
+    , Grid(grid)
+    , Messages(warnings)
+    , Error(error)
+  {
+  }
+
+  bool Build(const Progress& progress)
+  {
+    if (!this->Piece.Select(this->Mesh, this->Request, progress.Part(0, 0.2)))
+    {
+      return false;
+    }
+    this->TakePoints(progress.Part(0.2, 0.25));
+    if (this->Piece.IsCloud())
+    {
+      this->Total.Points = this->Piece.GetNumberOfItems();
+    }
+    else if (!this->Measure(progress.Part(0.25, 0.35)))
+    {
+      return false;
+    }
+    bool finished = this->Fill(progress.Part(0.35, 0.9));
+    if (finished && !this->Exceptions.empty())
+    {
+      // Some items are not what was expected; now that they are known, once more.
+      finished = this->Measure(progress.Part(0.9, 0.91)) && this->Fill(progress.Part(0.91, 1));
+    }
+    if (!finished)
+    {
+      this->Grid->Initialize();
+      return false;
+    }
+    this->AddIds();
+    return true;
+  }
+
+private:
+  void TakePoints(const Progress& progress);
+  Shape Expect(vtkIdType item, const Exception* exception) const;
+  bool Measure(const Progress& progress);
+  bool Fill(const Progress& progress)
+  {
+    const bool wide = std::max({ this->Total.Points, this->Total.PolyhedronFacePoints,
+                        this->Piece.GetNumberOfItems() }) > MaxInt32;
+    return wide ? this->FillAs<vtkTypeInt64>(progress) : this->FillAs<vtkTypeInt32>(progress);
+  }
+  template <typename Id>
+  bool FillAs(const Progress& progress);
+  template <typename Id>
+  bool FillCells(Arrays<Id>& arrays, const Progress& progress);
+  template <typename Id>
+  void FillCloud(Arrays<Id>& arrays);
+  void AddIds();
+
+  /// Visits the items of one block in order, each with what is expected of it.
+  template <typename Visit>
+  void ForBlock(vtkIdType block, Visit&& visit) const
+  {
+    const vtkIdType first = block * BlockSize;
+    const vtkIdType last = std::min(first + BlockSize, this->Piece.GetNumberOfItems());
+    auto next = std::lower_bound(this->Exceptions.begin(), this->Exceptions.end(), first,
+      [](const Exception& e, vtkIdType i) { return e.Item < i; });
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      const bool isException = next != this->Exceptions.end() && next->Item == i;
+      visit(i, this->Expect(this->Piece.GetItem(i), isException ? &*next++ : nullptr));
+    }
+  }
+  vtkIdType GetNumberOfBlocks() const
+  {
+    return (this->Piece.GetNumberOfItems() + BlockSize - 1) / BlockSize;
+  }
+
+  FaceMesh& Mesh;
+  const PieceRequest& Request;
+  vtkUnstructuredGrid* Grid;
+  Warnings& Messages;
+  ScanError& Error;
+  MeshPiece Piece;
+  Extent Total;
+  std::vector<Extent> Blocks; ///< where blocks of items begin
+  std::vector<Exception> Exceptions; ///< ascending
+};
+
+//------------------------------------------------------------------------------
+void GridBuilder::TakePoints(const Progress& progress)
+{
+  Buffer<float> coordinates(3 * this->Piece.GetNumberOfPoints());
+  const std::vector<std::int32_t> ids =
+    this->Piece.IsWhole() ? std::vector<std::int32_t>() : this->Piece.GetPoints().GetMembers();
+  const FloatPoints& source = this->Mesh.Points;
+  progress.For((this->Piece.GetNumberOfPoints() + BlockSize - 1) / BlockSize,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      const vtkIdType end = std::min(last * BlockSize, this->Piece.GetNumberOfPoints());
+      for (vtkIdType i = first * BlockSize; i < end; ++i)
+      {
+        const char* place = source.Data + 12 * (ids.empty() ? i : ids[i]);
+        for (int c = 0; c < 3; ++c)
+        {
+          coordinates[3 * i + c] = Load<float>(place + 4 * c, source.Swap);
+        }
+      }
+    });
+  if (this->Piece.IsWhole())
+  {
+    // From here on the aligned copy in native order is the faster source.
+    this->Mesh.Points.Data = reinterpret_cast<const char*>(coordinates.data());
+    this->Mesh.Points.Swap = false;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToFloat();
+  points->SetData(coordinates.TakeArray<vtkFloatArray>(3));
+  this->Grid->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
+// What the sizes of its faces say an item is, if all is well with it: a polyhedron is expected to be
+// closed and without handles (Euler: points - edges + faces = 2).
+Shape GridBuilder::Expect(vtkIdType item, const Exception* exception) const
+{
+  Shape shape;
+  const vtkIdType numberOfCells = this->Mesh.Cells.GetCount();
+  if (item >= numberOfCells)
+  {
+    const std::int32_t size = this->Mesh.Faces[this->Piece.GetFace(item)].Size;
+    shape.Type = size == 1 ? VTK_VERTEX
+      : size == 2          ? VTK_LINE
+      : size == 3          ? VTK_TRIANGLE
+      : size == 4          ? VTK_QUAD
+                           : VTK_POLYGON;
+    shape.Size.Points = size;
+    return shape;
+  }
+
+  const IdList cell = this->Mesh.Cells[item];
+  std::int32_t faces = 0, triangles = 0, quads = 0;
+  vtkIdType corners = 0;
+  const std::int32_t commonSize = this->Mesh.Faces.GetCommonSize();
+  if (commonSize > 0)
+  {
+    faces = cell.Size;
+    triangles = commonSize == 3 ? faces : 0;
+    quads = commonSize == 4 ? faces : 0;
+    corners = vtkIdType(commonSize) * faces;
+  }
+  else
+  {
+    for (std::int32_t f = 0; f < cell.Size; ++f)
+    {
+      const std::int32_t size = this->Mesh.Faces[cell[f]].Size;
+      faces += size > 0;
+      triangles += size == 3;
+      quads += size == 4;
+      corners += size;
+    }
+  }
+  if (faces == 0)
+  {
+    return shape;
+  }
+  shape.Size.Faces = faces;
+  shape.Type = exception ? exception->Type
+    : faces == cell.Size ? PrimitiveMatcher::Guess(faces, triangles, quads)
+                         : static_cast<unsigned char>(VTK_POLYHEDRON);
+  if (shape.Type == VTK_POLYHEDRON)
+  {
+    shape.Size.PolyhedronFaces = faces;
+    shape.Size.PolyhedronFacePoints = corners;
+    shape.Size.Points =
+      exception ? exception->Points : std::max<vtkIdType>(1, corners / 2 - faces + 2);
+  }
+  else
+  {
+    shape.Size.Points = PrimitiveMatcher::GetNumberOfNodes(shape.Type);
+  }
+  return shape;
+}
+
+//------------------------------------------------------------------------------
+bool GridBuilder::Measure(const Progress& progress)
+{
+  this->Blocks.assign(static_cast<std::size_t>(this->GetNumberOfBlocks()) + 1, Extent());
+  const bool finished = progress.For(this->GetNumberOfBlocks(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType block = first; block < last; ++block)
+      {
+        Extent sum;
+        this->ForBlock(block, [&sum](vtkIdType, const Shape& shape) { sum += shape.Size; });
+        this->Blocks[block + 1] = sum;
+      }
+    });
+  for (std::size_t block = 1; block < this->Blocks.size(); ++block)
+  {
+    this->Blocks[block] += this->Blocks[block - 1];
+  }
+  this->Total = this->Blocks.back();
+
+  // A face belongs to two cells, rarely to more. A small file that lists large faces again and again
+  // must not eat all memory.
+  constexpr vtkIdType MaxUses = 16;
+  if (finished &&
+    this->Total.PolyhedronFacePoints > MaxUses * std::max(BlockSize, this->Mesh.Faces.GetNumberOfIds()))
+  {
+    this->Error = { ErrorKind::Count,
+      "expected cells to list a face about twice, found " +
+        std::to_string(this->Total.PolyhedronFacePoints) + " corners of cells for " +
+        std::to_string(this->Mesh.Faces.GetNumberOfIds()) + " corners of faces" };
+    return false;
+  }
+  return finished;
+}
+
+//------------------------------------------------------------------------------
+template <typename Id>
+bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
+{
+  std::mutex mutex;
+  Tally open;
+  std::vector<Exception> exceptions;
+  const bool provide = !arrays.CellFaces.empty();
+  const bool polyhedra = arrays.Locations.size() > 0;
+  const bool finished = progress.For(this->GetNumberOfBlocks(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      PrimitiveMatcher matcher(this->Mesh.Points);
+      CellShell shell(this->Mesh.Points);
+      Tally localOpen;
+      std::vector<Exception> localExceptions;
+      Extent at = this->Blocks[first];
+
+      const auto fill = [&](vtkIdType i, const Shape& shape)
+      {
+        const vtkIdType item = this->Piece.GetItem(i);
+        arrays.Types[i] = shape.Type;
+        arrays.Offsets[i] = static_cast<Id>(at.Points);
+        if (polyhedra)
+        {
+          arrays.LocationOffsets[i] = static_cast<Id>(at.PolyhedronFaces);
+        }
+        Id* ids = arrays.Connectivity.data() + at.Points;
+        if (shape.Type == VTK_POLYHEDRON)
+        {
+          shell.Load(this->Mesh.Faces, this->Mesh.Cells[item]);
+          const auto& points = shell.GetPoints();
+          if (static_cast<vtkIdType>(points.size()) != shape.Size.Points)
+          {
+            localExceptions.push_back(
+              { i, VTK_POLYHEDRON, static_cast<vtkIdType>(points.size()) });
+            return;
+          }
+          if (!shell.Orient())
+          {
+            localOpen.Add(item);
+          }
+          for (const std::int32_t id : points)
+          {
+            *ids++ = static_cast<Id>(this->Piece.GetPoint(id));
+          }
+          Id* facePoints = arrays.FaceConnectivity.data() + at.PolyhedronFacePoints;
+          for (std::int32_t f = 0; f < shell.GetNumberOfFaces(); ++f)
+          {
+            const vtkIdType entry = at.PolyhedronFaces + f;
+            arrays.Locations[entry] = static_cast<Id>(entry);
+            arrays.FaceOffsets[entry] =
+              static_cast<Id>(facePoints - arrays.FaceConnectivity.data());
+            shell.ForEachPoint(f,
+              [&](std::int32_t id) { *facePoints++ = static_cast<Id>(this->Piece.GetPoint(id)); });
+            if (provide)
+            {
+              arrays.CellFaces[at.Faces + f] =
+                static_cast<Index>(this->Piece.GetFaceNumber(shell.GetFace(f)));
+            }
+          }
+        }
+        else if (shape.Size.Faces > 0)
+        {
+          constexpr int MaxFaces = 6; // of a hexahedron
+          const IdList cell = this->Mesh.Cells[item];
+          IdList faces[MaxFaces];
+          for (std::int32_t f = 0; f < cell.Size; ++f)
+          {
+            faces[f] = this->Mesh.Faces[cell[f]];
+          }
+          if (!matcher.Match(shape.Type, faces))
+          {
+            shell.Load(this->Mesh.Faces, cell);
+            localExceptions.push_back(
+              { i, VTK_POLYHEDRON, static_cast<vtkIdType>(shell.GetPoints().size()) });
+            return;
+          }
+          for (vtkIdType node = 0; node < shape.Size.Points; ++node)
+          {
+            ids[node] = static_cast<Id>(this->Piece.GetPoint(matcher.GetNodes()[node]));
+          }
+          for (std::int32_t f = 0; provide && f < cell.Size; ++f)
+          {
+            arrays.CellFaces[at.Faces + f] =
+              static_cast<Index>(this->Piece.GetFaceNumber(cell[matcher.GetFace(f)]));
+          }
+        }
+        else if (shape.Type != VTK_EMPTY_CELL)
+        {
+          const IdList face = this->Mesh.Faces[this->Piece.GetFace(item)];
+          for (std::int32_t j = 0; j < face.Size; ++j)
+          {
+            ids[j] = static_cast<Id>(this->Piece.GetPoint(face[j]));
+          }
+        }
+      };
+
+      for (vtkIdType block = first; block < last; ++block)
+      {
+        this->ForBlock(block,
+          [&](vtkIdType i, const Shape& shape)
+          {
+            fill(i, shape);
+            at += shape.Size;
+          });
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      open.Merge(localOpen);
+      exceptions.insert(exceptions.end(), localExceptions.begin(), localExceptions.end());
+    });
+
+  if (finished && exceptions.empty())
+  {
+    this->Messages.Add(open, "cell", "cells", "that are not closed (an edge has one face or more than two)");
+  }
+  std::sort(exceptions.begin(), exceptions.end(),
+    [](const Exception& a, const Exception& b) { return a.Item < b.Item; });
+  this->Exceptions = std::move(exceptions);
+  return finished;
+}
+
+//------------------------------------------------------------------------------
+template <typename Id>
+void GridBuilder::FillCloud(Arrays<Id>& arrays)
+{
+  const vtkIdType size = this->Piece.GetNumberOfItems();
+  ParallelFor(size, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        arrays.Types[i] = VTK_VERTEX;
+        arrays.Offsets[i] = static_cast<Id>(i);
+        arrays.Connectivity[i] = static_cast<Id>(i);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+template <typename Id>
+bool GridBuilder::FillAs(const Progress& progress)
+{
+  // What is known of the faces is worth its memory only where finding them costs more.
+  constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // of FacetTable
+  const bool provide = this->Total.PolyhedronFaces > 0 && this->Total.Faces <= MaxUses;
+  Arrays<Id> arrays(this->Piece.GetNumberOfItems(), this->Total, provide);
+  if (this->Piece.IsCloud())
+  {
+    this->FillCloud(arrays);
+  }
+  else if (!this->FillCells(arrays, progress))
+  {
+    return false;
+  }
+  if (this->Exceptions.empty())
+  {
+    arrays.MoveTo(this->Grid);
+    if (provide)
+    {
+      MeshTopology::Provide(this->Grid, std::move(arrays.CellFaces),
+        static_cast<Index>(this->Piece.GetNumberOfFaces()));
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Where points and cells of a piece are in the whole, and which of them are ghosts.
+void GridBuilder::AddIds()
+{
+  if (this->Piece.IsWhole())
+  {
+    return;
+  }
+  const std::vector<std::int32_t> points = this->Piece.GetPoints().GetMembers();
+  const auto numberOfPoints = static_cast<vtkIdType>(points.size());
+  const vtkIdType numberOfCells = this->Piece.GetNumberOfItems();
+  Buffer<vtkIdType> pointIds(numberOfPoints), cellIds(numberOfCells);
+  std::copy(points.begin(), points.end(), pointIds.data());
+  for (vtkIdType i = 0; i < numberOfCells; ++i)
+  {
+    cellIds[i] = this->Piece.GetItem(i);
+  }
+  const auto pointArray = pointIds.TakeArray<vtkIdTypeArray>();
+  pointArray->SetName("GlobalPointIds");
+  this->Grid->GetPointData()->SetGlobalIds(pointArray);
+  const auto cellArray = cellIds.TakeArray<vtkIdTypeArray>();
+  cellArray->SetName("GlobalCellIds");
+  this->Grid->GetCellData()->SetGlobalIds(cellArray);
+
+  if (this->Request.GhostLevels > 0 && !this->Piece.IsCloud())
+  {
+    Buffer<unsigned char> pointGhosts(numberOfPoints), cellGhosts(numberOfCells);
+    for (vtkIdType i = 0; i < numberOfPoints; ++i)
+    {
+      pointGhosts[i] =
+        this->Piece.IsGhostPoint(points[i]) ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
+    }
+    for (vtkIdType i = 0; i < numberOfCells; ++i)
+    {
+      cellGhosts[i] =
+        i < this->Piece.GetNumberOfOwnedItems() ? 0 : vtkDataSetAttributes::DUPLICATECELL;
+    }
+    const auto pointGhostArray = pointGhosts.TakeArray<vtkUnsignedCharArray>();
+    pointGhostArray->SetName(vtkDataSetAttributes::GhostArrayName());
+    this->Grid->GetPointData()->AddArray(pointGhostArray);
+    const auto cellGhostArray = cellGhosts.TakeArray<vtkUnsignedCharArray>();
+    cellGhostArray->SetName(vtkDataSetAttributes::GhostArrayName());
+    this->Grid->GetCellData()->AddArray(cellGhostArray);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool BuildGrid(FaceMesh& mesh, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  return GridBuilder(mesh, request, grid, warnings, error).Build(progress);
+}
+}

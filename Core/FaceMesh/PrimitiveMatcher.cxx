@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FaceMesh/PrimitiveMatcher.h"
+
+#include "Mesh/CellShape.h"
+
+#include "vtkCellType.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+int CountBits(unsigned int v)
+{
+  int bits = 0;
+  for (; v; v &= v - 1)
+  {
+    ++bits;
+  }
+  return bits;
+}
+
+//------------------------------------------------------------------------------
+bool HasTwoBits(unsigned int v)
+{
+  const unsigned int rest = v & (v - 1);
+  return rest != 0 && (rest & (rest - 1)) == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+// What VTK's own tables say about a type: how its faces and nodes meet.
+struct Primitive
+{
+  int NumberOfFaces;
+  int NumberOfNodes;
+  const CellShape* Shape;
+  int Sizes[6];
+  unsigned char FacesOf[8]; // set of faces around a node
+  int Opposite[6];          // the face of the same size with fewer than two common nodes, or -1
+  int Mirror[2];            // exchanging these two faces gives the mirror image
+
+  explicit Primitive(unsigned char type)
+    : Shape(&GetCellShape(type))
+  {
+    this->NumberOfFaces = this->Shape->NumberOfFaces;
+    this->NumberOfNodes = this->Shape->NumberOfCorners;
+    unsigned char nodes[6] = {};
+    std::fill(this->FacesOf, this->FacesOf + 8, static_cast<unsigned char>(0));
+    for (int f = 0; f < this->NumberOfFaces; ++f)
+    {
+      const int begin = this->Shape->FaceOffsets[f], end = this->Shape->FaceOffsets[f + 1];
+      this->Sizes[f] = end - begin;
+      for (int i = begin; i < end; ++i)
+      {
+        const int node = this->Shape->FacePoints[i];
+        nodes[f] |= static_cast<unsigned char>(1 << node);
+        this->FacesOf[node] |= static_cast<unsigned char>(1 << f);
+      }
+    }
+    // Any two faces of a tetrahedron will do.
+    this->Mirror[0] = this->NumberOfFaces - 2;
+    this->Mirror[1] = this->NumberOfFaces - 1;
+    for (int f = 0; f < this->NumberOfFaces; ++f)
+    {
+      this->Opposite[f] = -1;
+      for (int g = 0; g < this->NumberOfFaces; ++g)
+      {
+        if (g != f && this->Sizes[f] == this->Sizes[g] && CountBits(nodes[f] & nodes[g]) < 2)
+        {
+          this->Opposite[f] = g;
+          this->Mirror[0] = f;
+          this->Mirror[1] = g;
+        }
+      }
+    }
+  }
+};
+
+namespace
+{
+//------------------------------------------------------------------------------
+const Primitive& GetPrimitive(unsigned char type)
+{
+  static const Primitive tetra(VTK_TETRA), hexahedron(VTK_HEXAHEDRON), wedge(VTK_WEDGE),
+    pyramid(VTK_PYRAMID);
+  return type == VTK_TETRA ? tetra
+    : type == VTK_HEXAHEDRON ? hexahedron
+    : type == VTK_WEDGE      ? wedge
+                             : pyramid;
+}
+}
+
+//------------------------------------------------------------------------------
+unsigned char PrimitiveMatcher::Guess(
+  std::int32_t faces, std::int32_t triangles, std::int32_t quads)
+{
+  if (faces == 4 && triangles == 4)
+  {
+    return VTK_TETRA;
+  }
+  if (faces == 6 && quads == 6)
+  {
+    return VTK_HEXAHEDRON;
+  }
+  if (faces == 5 && triangles + quads == 5)
+  {
+    return triangles == 2 ? VTK_WEDGE : triangles == 4 ? VTK_PYRAMID : VTK_POLYHEDRON;
+  }
+  return VTK_POLYHEDRON;
+}
+
+//------------------------------------------------------------------------------
+int PrimitiveMatcher::GetNumberOfNodes(unsigned char type)
+{
+  return type == VTK_TETRA ? 4 : type == VTK_PYRAMID ? 5 : type == VTK_WEDGE ? 6 : 8;
+}
+
+//------------------------------------------------------------------------------
+bool PrimitiveMatcher::CollectVertices(int numberOfFaces, int numberOfNodes, const IdList* faces)
+{
+  int count = 0;
+  for (int f = 0; f < numberOfFaces; ++f)
+  {
+    const IdList face = faces[f];
+    const auto bit = static_cast<unsigned char>(1 << f);
+    this->Sizes[f] = face.Size;
+    this->VerticesOf[f] = 0;
+    for (std::int32_t i = 0; i < face.Size; ++i)
+    {
+      const std::int32_t id = face[i];
+      int v = 0;
+      while (v < count && this->Vertices[v] != id)
+      {
+        ++v;
+      }
+      if (v == count)
+      {
+        if (count == numberOfNodes)
+        {
+          return false;
+        }
+        this->Vertices[count] = id;
+        this->FacesOf[count++] = 0;
+      }
+      if (this->FacesOf[v] & bit)
+      {
+        return false;
+      }
+      this->FacesOf[v] |= bit;
+      this->VerticesOf[f] |= static_cast<unsigned char>(1 << v);
+      this->Corners[f][i] = static_cast<unsigned char>(v);
+    }
+  }
+  return count == numberOfNodes;
+}
+
+//------------------------------------------------------------------------------
+bool PrimitiveMatcher::FindNodes(const Primitive& primitive)
+{
+  for (int node = 0; node < primitive.NumberOfNodes; ++node)
+  {
+    unsigned int wanted = 0;
+    for (int f = 0; f < primitive.NumberOfFaces; ++f)
+    {
+      wanted |= (primitive.FacesOf[node] >> f & 1u) << this->FaceOf[f];
+    }
+    int v = 0;
+    while (v < primitive.NumberOfNodes && this->FacesOf[v] != wanted)
+    {
+      ++v;
+    }
+    if (v == primitive.NumberOfNodes)
+    {
+      return false;
+    }
+    this->Nodes[node] = this->Vertices[v];
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Of faces that are not plane about the volume inside; its sign is what counts.
+double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
+{
+  double x[MaxNodes][3];
+  for (int node = 0; node < primitive.NumberOfNodes; ++node)
+  {
+    this->Points.Get(this->Nodes[node], x[node]);
+  }
+  for (int node = primitive.NumberOfNodes - 1; node >= 0; --node)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      x[node][c] -= x[0][c];
+    }
+  }
+  const auto determinant = [](const double* a, const double* b, const double* c)
+  {
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+      a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  if (primitive.NumberOfNodes == 4)
+  {
+    return determinant(x[1], x[2], x[3]);
+  }
+  double volume = 0;
+  for (int f = 0; f < primitive.NumberOfFaces; ++f)
+  {
+    const int* p = primitive.Shape->FacePoints + primitive.Shape->FaceOffsets[f];
+    if (primitive.Sizes[f] == 3)
+    {
+      volume += determinant(x[p[0]], x[p[1]], x[p[2]]);
+    }
+    else
+    {
+      // Both ways to cut the quadrilateral into triangles, so that its direction does not matter.
+      volume += 0.5 * (determinant(x[p[0]], x[p[1]], x[p[2]]) +
+        determinant(x[p[0]], x[p[2]], x[p[3]]) + determinant(x[p[0]], x[p[1]], x[p[3]]) +
+        determinant(x[p[1]], x[p[2]], x[p[3]]));
+    }
+  }
+  return volume;
+}
+
+//------------------------------------------------------------------------------
+bool PrimitiveMatcher::Match(unsigned char type, const IdList* faces)
+{
+  const Primitive& primitive = GetPrimitive(type);
+  const int numberOfFaces = primitive.NumberOfFaces;
+  if (!this->CollectVertices(numberOfFaces, primitive.NumberOfNodes, faces))
+  {
+    return false;
+  }
+
+  // VTK's faces one after the other take the first face of their size that is left, and its opposite.
+  unsigned int taken = 0;
+  std::fill(this->FaceOf, this->FaceOf + numberOfFaces, -1);
+  for (int f = 0; f < numberOfFaces; ++f)
+  {
+    if (this->FaceOf[f] >= 0)
+    {
+      continue;
+    }
+    int first = 0;
+    while (first < numberOfFaces &&
+      ((taken >> first & 1u) || this->Sizes[first] != primitive.Sizes[f]))
+    {
+      ++first;
+    }
+    if (first == numberOfFaces)
+    {
+      return false;
+    }
+    this->FaceOf[f] = first;
+    taken |= 1u << first;
+    if (primitive.Opposite[f] >= 0)
+    {
+      int opposite = 0;
+      while (opposite < numberOfFaces &&
+        ((taken >> opposite & 1u) || this->Sizes[opposite] != primitive.Sizes[f] ||
+          CountBits(this->VerticesOf[first] & this->VerticesOf[opposite]) > 1))
+      {
+        ++opposite;
+      }
+      if (opposite == numberOfFaces)
+      {
+        return false;
+      }
+      this->FaceOf[primitive.Opposite[f]] = opposite;
+      taken |= 1u << opposite;
+    }
+  }
+  if (!this->FindNodes(primitive))
+  {
+    return false;
+  }
+
+  // Corners that follow each other in a quadrilateral share an edge: two faces.
+  for (int f = 0; f < numberOfFaces; ++f)
+  {
+    const unsigned char* corner = this->Corners[f];
+    if (this->Sizes[f] == 4 &&
+      !(HasTwoBits(this->FacesOf[corner[0]] & this->FacesOf[corner[1]]) &&
+        HasTwoBits(this->FacesOf[corner[1]] & this->FacesOf[corner[2]])))
+    {
+      return false;
+    }
+  }
+
+  if (this->GetVolume(primitive) < 0)
+  {
+    std::swap(this->FaceOf[primitive.Mirror[0]], this->FaceOf[primitive.Mirror[1]]);
+    return this->FindNodes(primitive);
+  }
+  return true;
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PrimitiveMatcher
+ * @brief Recognises tetrahedra, pyramids, wedges and hexahedra among cells given by their faces.
+ *
+ * A cell is one of these if its faces meet as the faces of the VTK cell do, whatever the directions in
+ * which they run. Each node is where certain faces meet, so the nodes follow from the order in which
+ * the cell lists its faces: a cell that lists them in VTK's order gets VTK's nodes back. As lists of
+ * faces do not tell inside from outside, that of the two mirror images is taken whose volume is
+ * positive; a cell of no volume stays as it is.
+ */
+#ifndef camaron_PrimitiveMatcher_h
+#define camaron_PrimitiveMatcher_h
+
+#include "FaceMesh/FaceMesh.h"
+
+namespace camaron
+{
+class PrimitiveMatcher
+{
+public:
+  explicit PrimitiveMatcher(const FloatPoints& points)
+    : Points(points)
+  {
+  }
+
+  /// The only type that a cell can be with so many faces, triangles and quadrilaterals.
+  static unsigned char Guess(std::int32_t faces, std::int32_t triangles, std::int32_t quads);
+  static int GetNumberOfNodes(unsigned char type);
+
+  /// Whether the cell of these faces, as many as the type has, is of the guessed type.
+  bool Match(unsigned char type, const IdList* faces);
+
+  /// Point ids in VTK's order, after a match.
+  const std::int32_t* GetNodes() const { return this->Nodes; }
+  /// Which of the faces is VTK's face number @a face, after a match.
+  int GetFace(int face) const { return this->FaceOf[face]; }
+
+private:
+  bool CollectVertices(int numberOfFaces, int numberOfNodes, const IdList* faces);
+  bool FindNodes(const struct Primitive& primitive);
+  double GetVolume(const struct Primitive& primitive) const;
+
+  static constexpr int MaxFaces = 6;
+  static constexpr int MaxNodes = 8;
+
+  FloatPoints Points;
+  std::int32_t Nodes[MaxNodes];
+  int FaceOf[MaxFaces];
+
+  std::int32_t Vertices[MaxNodes];     ///< distinct points in order of appearance
+  unsigned char FacesOf[MaxNodes];     ///< set of faces that a vertex is in
+  unsigned char VerticesOf[MaxFaces];  ///< set of vertices of a face
+  unsigned char Corners[MaxFaces][4];  ///< vertices of a face in order
+  int Sizes[MaxFaces];
+};
+}
+
+#endif

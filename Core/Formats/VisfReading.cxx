@@ -1,0 +1,524 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Formats/VisfReading.h"
+
+#include "FaceMesh/GridBuilder.h"
+#include "Scan/ReadMappedFile.h"
+#include "Scan/TextTable.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// A way to read the beginning of a file.
+struct Header
+{
+  bool Text;
+  ByteOrder Order;
+  const char* Body; // after the byte that tells the encoding
+};
+
+//------------------------------------------------------------------------------
+// All ways to read the beginning of a file, likelier ones first.
+std::vector<Header> FindHeaders(const char* begin, const char* end)
+{
+  const char* text = TextScanner("", begin, end).GetPosition(); // after a byte order mark
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  if (text == end)
+  {
+    return {};
+  }
+  if (*text == '0' || *text == '1')
+  {
+    return { { false, *text == '0' ? ByteOrder::Big : ByteOrder::Little, text + 1 } };
+  }
+  if (*text == '2' || *text == '#')
+  {
+    return { { true, ByteOrder::Little, begin } };
+  }
+  switch (*begin)
+  {
+    case 0: // v0.2, or v0.1, which starts with the type
+      return { { false, ByteOrder::Big, begin + 1 }, { false, ByteOrder::Little, begin },
+        { false, ByteOrder::Big, begin } };
+    case 1:
+      return { { false, ByteOrder::Little, begin + 1 }, { false, ByteOrder::Little, begin } };
+    case 2:
+      return { { false, ByteOrder::Little, begin } };
+    default:
+      return {};
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* DescribeType(int type)
+{
+  return type == 0 ? "a vertex cloud (0)"
+    : type == 1    ? "a polygon mesh (1)"
+                   : "a polyhedron mesh (2)";
+}
+
+//------------------------------------------------------------------------------
+// What one way to read a file yields.
+struct Content
+{
+  FaceMesh Mesh;
+  Buffer<float> Coordinates; // of text
+  int Type = -1;
+  bool HasFlag = true;
+  bool HasTrailingData = false;
+  IdLists::Expectation Faces, Cells;
+  ScanError Error;
+};
+
+//------------------------------------------------------------------------------
+class VisfReading
+{
+public:
+  VisfReading(const MappedFile& file, const PieceRequest& request, vtkIdType chunk)
+    : File(file)
+    , InPieces(request.NumberOfPieces > 1)
+    , Chunk(chunk)
+  {
+  }
+
+  /// Reads the file in the way that fits; false with the error in the content, or if stopped.
+  bool Read(Content& content, const Progress& progress) const;
+
+private:
+  bool ReadBinary(const Header& header, Content& content, const Progress& progress) const;
+  bool ReadText(Content& content, const Progress& progress) const;
+  bool ReadTextTail(TextScanner& scanner, const TextLines* lines, bool withFlag, Content& content,
+    const Progress& progress) const;
+  void Expect(Content& content, vtkIdType points, vtkIdType faces) const;
+
+  const MappedFile& File;
+  bool InPieces;
+  vtkIdType Chunk;
+};
+
+//------------------------------------------------------------------------------
+bool VisfReading::Read(Content& content, const Progress& progress) const
+{
+  const std::vector<Header> headers = FindHeaders(this->File.begin(), this->File.end());
+  if (headers.empty())
+  {
+    content.Error = { ErrorKind::NotThisFormat,
+      this->File.GetName() +
+        (this->File.size() == 0 ? ": expected a Visf file, found an empty one"
+                                : ": expected a Visf file, which begins with 0, 1 or 2") };
+    return false;
+  }
+  if (headers.front().Text)
+  {
+    return this->ReadText(content, progress);
+  }
+  // The way that uses up the file wins, then the first that finds no fault, then the first that finds
+  // a type.
+  bool good = false;
+  for (const Header& header : headers)
+  {
+    Content other;
+    const bool otherIsGood = this->ReadBinary(header, other, progress);
+    const bool isFirst = &header == &headers.front();
+    const bool isBetter = otherIsGood ? !good || !other.HasTrailingData
+                                      : !good && content.Type < 0 && other.Type >= 0;
+    if (isFirst || isBetter)
+    {
+      content = std::move(other);
+      good = otherIsGood;
+    }
+    if ((good && !content.HasTrailingData) || progress.IsStopped())
+    {
+      break;
+    }
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+void VisfReading::Expect(Content& content, vtkIdType points, vtkIdType faces) const
+{
+  content.Faces.List = "polygon";
+  content.Faces.Id = "vertex";
+  content.Faces.Limit = points;
+  if (this->InPieces)
+  {
+    content.Mesh.PointsOfFaces = IdSet(points);
+    content.Faces.Used = &content.Mesh.PointsOfFaces;
+  }
+  content.Cells = IdLists::Expectation();
+  content.Cells.List = "polyhedron";
+  content.Cells.Id = "polygon";
+  content.Cells.Limit = faces;
+}
+
+//------------------------------------------------------------------------------
+bool VisfReading::ReadBinary(
+  const Header& header, Content& content, const Progress& progress) const
+{
+  BinaryScanner scanner(this->File.GetName(), this->File.begin(), this->File.end(), header.Order);
+  scanner.SetPosition(header.Body);
+  FaceMesh& mesh = content.Mesh;
+  const auto read = [&]
+  {
+    std::int32_t type = 0, points = 0, faces = 0, cells = 0, flag = 0;
+    const char* const typePlace = scanner.GetPosition();
+    if (scanner.ReadInteger(type, "the type of the mesh") && (type < 0 || type > 2))
+    {
+      scanner.FailAt(typePlace, ErrorKind::NotThisFormat, "a type of Visf mesh, 0, 1 or 2",
+        std::to_string(type));
+    }
+    if (scanner.HasFailed())
+    {
+      return false;
+    }
+    content.Type = type;
+    if (!scanner.ReadCount(points, 12, "the number of vertices"))
+    {
+      return false;
+    }
+    mesh.Points = { scanner.Skip(12 * std::int64_t(points), "the vertices"), points,
+      scanner.IsSwapped() };
+    if (scanner.GetBytesLeft() == 0)
+    {
+      return true;
+    }
+    if (!scanner.ReadCount(faces, 4, "the number of polygons"))
+    {
+      return false;
+    }
+    this->Expect(content, points, faces);
+    if (!mesh.Faces.Scan(scanner, faces, content.Faces, progress.Part(0, 0.5)))
+    {
+      return false;
+    }
+    if (faces > 0)
+    {
+      const char* const flagPlace = scanner.GetPosition();
+      if (scanner.ReadInteger(flag, "the flag for neighbours") && (flag < 0 || flag > 1))
+      {
+        scanner.FailAt(
+          flagPlace, ErrorKind::Syntax, "the flag for neighbours, 0 or 1", std::to_string(flag));
+      }
+      IdLists neighbors;
+      IdLists::Expectation expected;
+      expected.List = "list of neighbours";
+      expected.Id = "polygon";
+      expected.Limit = faces;
+      if (scanner.HasFailed() ||
+        (flag == 1 && !neighbors.Scan(scanner, faces, expected, progress.Part(0.5, 0.6))))
+      {
+        return false;
+      }
+    }
+    if (scanner.GetBytesLeft() == 0)
+    {
+      return true;
+    }
+    if (!scanner.ReadCount(cells, 4, "the number of polyhedra"))
+    {
+      return false;
+    }
+    if (faces == 0 && cells == 0 && scanner.GetBytesLeft() == 4)
+    {
+      std::int32_t last = 0;
+      const char* const lastPlace = scanner.GetPosition();
+      scanner.ReadInteger(last, "the number of polyhedra"); // what came before was the flag
+      if (last != 0)
+      {
+        scanner.SetPosition(lastPlace);
+      }
+    }
+    if (cells > 0)
+    {
+      mesh.FacesOfCells = IdSet(faces);
+      content.Cells.Used = &mesh.FacesOfCells;
+    }
+    return mesh.Cells.Scan(scanner, cells, content.Cells, progress.Part(0.6, 1));
+  };
+  const bool good = read();
+  content.Error = scanner.GetError();
+  content.HasTrailingData = scanner.GetBytesLeft() > 0;
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool VisfReading::ReadText(Content& content, const Progress& progress) const
+{
+  TextScanner scanner(this->File.GetName(), this->File.begin(), this->File.end(), '#');
+  FaceMesh& mesh = content.Mesh;
+  const auto read = [&]
+  {
+    std::int64_t encoding = 0, type = 0, points = 0, faces = 0;
+    if (!scanner.ReadInteger(encoding, 2, 2, ErrorKind::NotThisFormat, "the encoding of Visf text") ||
+      !scanner.ReadInteger(type, 0, 2, ErrorKind::NotThisFormat, "a type of Visf mesh"))
+    {
+      return false;
+    }
+    content.Type = static_cast<int>(type);
+    scanner.SkipLine();
+    constexpr int VertexBytes = 6; // "0 0 0" and a line end
+    if (!scanner.ReadCount(points, VertexBytes, "the number of vertices"))
+    {
+      return false;
+    }
+    scanner.SkipLine();
+    std::unique_ptr<TextLines> lines;
+    if (scanner.GetBytesLeft() >= 2 * this->Chunk)
+    {
+      lines.reset(new TextLines(scanner, progress.Part(0, 0.1), this->Chunk));
+    }
+    content.Coordinates = Buffer<float>(3 * points);
+    if (progress.IsStopped() ||
+      !ReadTable(scanner, lines.get(), points, 3, content.Coordinates.data(),
+        "a coordinate of a vertex", progress.Part(0.1, 0.4)))
+    {
+      return false;
+    }
+    mesh.Points = { reinterpret_cast<const char*>(content.Coordinates.data()), points, false };
+    if (!scanner.SkipSpace())
+    {
+      return true;
+    }
+    if (!scanner.ReadCount(faces, 2, "the number of polygons"))
+    {
+      return false;
+    }
+    scanner.SkipLine();
+    this->Expect(content, points, faces);
+    if (!mesh.Faces.Scan(
+          scanner, lines.get(), faces, true, content.Faces, progress.Part(0.4, 0.7)))
+    {
+      return false;
+    }
+    if (!scanner.SkipSpace())
+    {
+      content.HasFlag = faces == 0;
+      if (faces > 0 && content.Type == 2)
+      {
+        scanner.FailAt(
+          scanner.GetEnd(), ErrorKind::Truncated, "the flag for neighbours and the polyhedra");
+      }
+      return !scanner.HasFailed();
+    }
+
+    // With the flag for neighbours, or as some write it, without. What uses up the file wins.
+    TextScanner flagless = scanner;
+    if (faces > 0)
+    {
+      if (this->ReadTextTail(scanner, lines.get(), true, content, progress.Part(0.7, 1)) &&
+        !content.HasTrailingData)
+      {
+        return true;
+      }
+      std::int64_t flag = -1;
+      const bool flagIsValid =
+        TextScanner(flagless).ReadInteger(flag, 0, 1, ErrorKind::Syntax, "a flag");
+      Content other;
+      this->Expect(other, points, faces);
+      const bool otherIsGood =
+        this->ReadTextTail(flagless, lines.get(), false, other, progress.Part(0.7, 1));
+      if (flagIsValid && (!otherIsGood || other.HasTrailingData))
+      {
+        return !scanner.HasFailed();
+      }
+      mesh.Cells = std::move(other.Mesh.Cells);
+      mesh.FacesOfCells = std::move(other.Mesh.FacesOfCells);
+      content.Cells = other.Cells;
+      content.HasTrailingData = other.HasTrailingData;
+      scanner = flagless;
+      return otherIsGood;
+    }
+    return this->ReadTextTail(scanner, lines.get(), false, content, progress.Part(0.7, 1));
+  };
+  const bool good = read();
+  content.Error = scanner.GetError();
+  return good && !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+// What follows the polygons.
+bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, bool withFlag,
+  Content& content, const Progress& progress) const
+{
+  const vtkIdType faces = content.Cells.Limit;
+  if (withFlag)
+  {
+    std::int64_t flag = 0;
+    if (!scanner.ReadInteger(flag, 0, 1, ErrorKind::Syntax, "the flag for neighbours"))
+    {
+      return false;
+    }
+    scanner.SkipLine();
+    IdLists neighbors;
+    IdLists::Expectation expected;
+    expected.List = "list of neighbours";
+    expected.Id = "polygon";
+    expected.Limit = faces;
+    if (flag == 1 &&
+      !neighbors.Scan(scanner, lines, faces, false, expected, progress.Part(0, 0.3)))
+    {
+      return false;
+    }
+  }
+  std::int64_t cells = 0;
+  if (scanner.SkipSpace())
+  {
+    if (!scanner.ReadCount(cells, 2, "the number of polyhedra"))
+    {
+      return false;
+    }
+    scanner.SkipLine();
+    if (cells > 0)
+    {
+      content.Mesh.FacesOfCells = IdSet(faces);
+      content.Cells.Used = &content.Mesh.FacesOfCells;
+    }
+    if (!content.Mesh.Cells.Scan(scanner, lines, cells, true, content.Cells, progress.Part(0.3, 1)))
+    {
+      return false;
+    }
+    TextScanner next = scanner;
+    std::int64_t last = 0;
+    if (faces == 0 && cells == 0 && next.ReadInteger(last, 0, 0, ErrorKind::Count, "zero"))
+    {
+      scanner = next; // what came before was the flag
+      scanner.SkipLine();
+    }
+  }
+  content.HasTrailingData = scanner.SkipSpace();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Warn(const Content& content, const Progress& progress, Warnings& warnings)
+{
+  const FloatPoints& points = content.Mesh.Points;
+  Tally bad;
+  std::mutex mutex;
+  constexpr vtkIdType Block = 4096;
+  progress.For((points.Count + Block - 1) / Block,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Tally local;
+      for (vtkIdType i = first * Block; i < std::min(last * Block, points.Count); ++i)
+      {
+        double x[3];
+        points.Get(i, x);
+        if (!std::isfinite(x[0] + x[1] + x[2])) // sums of floats do not overflow
+        {
+          local.Add(i);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      bad.Merge(local);
+    });
+  warnings.Add(bad, "vertex", "vertices", "with a coordinate that is not finite");
+  warnings.Add(content.Faces.Empty, "polygon", "polygons", "without vertices, left out");
+  warnings.Add(content.Faces.Short, "polygon", "polygons", "with fewer than 3 vertices");
+  warnings.Add(
+    content.Faces.Repeating, "polygon", "polygons", "with the same vertex twice in a row");
+  warnings.Add(content.Cells.Empty, "polyhedron", "polyhedra", "without polygons");
+  const int type = content.Mesh.Cells.GetCount() > 0 ? 2 : content.Mesh.Faces.GetCount() > 0 ? 1 : 0;
+  if (type != content.Type && points.Count > 0)
+  {
+    warnings.Add(std::string("the header promises ") + DescribeType(content.Type) +
+      ", the content is " + DescribeType(type));
+  }
+  if (!content.HasFlag)
+  {
+    warnings.Add("the flag for neighbours is missing at the end of the file");
+  }
+  if (content.HasTrailingData)
+  {
+    warnings.Add("there is more data after the end of the mesh");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsVisf(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  if (!file.Open(path, error))
+  {
+    return false;
+  }
+  for (const Header& header : FindHeaders(file.begin(), file.end()))
+  {
+    if (header.Text)
+    {
+      TextScanner scanner("", file.begin(), file.end(), '#');
+      std::int64_t value;
+      float coordinate;
+      if (scanner.ReadInteger(value, 2, 2, ErrorKind::Syntax, "") &&
+        scanner.ReadInteger(value, 0, 2, ErrorKind::Syntax, ""))
+      {
+        scanner.SkipLine();
+        if (scanner.ReadInteger(value, 0, INT32_MAX, ErrorKind::Count, ""))
+        {
+          scanner.SkipLine();
+          return value == 0 || scanner.ReadReal(coordinate, "");
+        }
+      }
+      return false;
+    }
+    BinaryScanner scanner("", file.begin(), file.end(), header.Order);
+    scanner.SetPosition(header.Body);
+    std::int32_t type, points;
+    if (scanner.ReadInteger(type, "") && type >= 0 && type <= 2 &&
+      scanner.ReadInteger(points, "") && points >= 0 && points <= scanner.GetBytesLeft() / 12)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  grid->Initialize();
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      Content content;
+      if (!VisfReading(file, request, chunk).Read(content, progress.Part(0, 0.4)))
+      {
+        error = content.Error;
+        return false;
+      }
+      if (request.Piece == 0)
+      {
+        Warn(content, progress.Part(0.4, 0.42), warnings);
+      }
+      content.Mesh.HasEmptyFaces = content.Faces.Empty.Count > 0;
+      const bool built =
+        BuildGrid(content.Mesh, request, grid, warnings, error, progress.Part(0.42, 1));
+      if (error)
+      {
+        error.Message = file.GetName() + ": " + error.Message;
+      }
+      return built;
+    });
+  if (!good)
+  {
+    grid->Initialize();
+  }
+  return good;
+}
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::BinaryScanner
+ * @brief Reads 32 bit values of either byte order from memory, checking bounds.
+ *
+ * The first error sticks, as with TextScanner. Positions are bytes from the start of the file.
+ */
+#ifndef camaron_BinaryScanner_h
+#define camaron_BinaryScanner_h
+
+#include "Scan/Bytes.h"
+#include "Scan/ScanError.h"
+
+#include <cstdint> // for integers of known size
+#include <string>  // for messages
+
+namespace camaron
+{
+class BinaryScanner
+{
+public:
+  BinaryScanner(std::string name, const char* begin, const char* end, ByteOrder order)
+    : Name(std::move(name))
+    , Begin(begin)
+    , End(end)
+    , Position(begin)
+    , Swap(order != GetByteOrder())
+  {
+  }
+
+  const char* GetPosition() const { return this->Position; }
+  void SetPosition(const char* position) { this->Position = position; }
+  bool IsSwapped() const { return this->Swap; }
+  vtkIdType GetBytesLeft() const { return this->End - this->Position; }
+
+  /// Reads one integer. @a what says in an error what was expected.
+  bool ReadInteger(std::int32_t& value, const char* what);
+  /// Reads how many records follow, each of at least @a bytes bytes.
+  bool ReadCount(std::int32_t& value, int bytes, const char* what);
+  /// Skips @a bytes bytes and returns where they begin, or nullptr.
+  const char* Skip(std::int64_t bytes, const char* what);
+
+  /// Sets the error, unless there is one: "name: byte N: expected WHAT, found ..."
+  void FailAt(const char* position, ErrorKind kind, const std::string& expected,
+    const std::string& found);
+  const ScanError& GetError() const { return this->Error; }
+  bool HasFailed() const { return static_cast<bool>(this->Error); }
+
+private:
+  std::string Name;
+  const char* Begin;
+  const char* End;
+  const char* Position;
+  bool Swap;
+  ScanError Error;
+};
+}
+
+#endif

@@ -1,0 +1,356 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scan/IdLists.h"
+
+#include <algorithm>
+#include <mutex>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+std::string Describe(const IdLists::Expectation& expected, vtkIdType list)
+{
+  return std::string(expected.List) + " " + std::to_string(list);
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeRange(const IdLists::Expectation& expected)
+{
+  return expected.Limit > 0 ? std::string("a ") + expected.Id + " id from 0 to " +
+      std::to_string(expected.Limit - 1)
+                            : std::string("no id of a ") + expected.Id + " (there are none)";
+}
+
+//------------------------------------------------------------------------------
+void Lower(std::atomic<vtkIdType>& least, vtkIdType value)
+{
+  vtkIdType current = least;
+  while (value < current && !least.compare_exchange_weak(current, value))
+  {
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::Scan(
+  BinaryScanner& scanner, vtkIdType count, Expectation& expected, const Progress& progress)
+{
+  this->Count = count;
+  this->Data = scanner.GetPosition();
+  this->Swap = scanner.IsSwapped();
+  this->CommonSize = -1;
+  if (scanner.HasFailed() || count == 0)
+  {
+    return !scanner.HasFailed();
+  }
+
+  // Lists of one length need no table; that all have the length of the first is soon refuted.
+  bool uniform = false;
+  if (scanner.GetBytesLeft() >= 4)
+  {
+    const auto size = Load<std::int32_t>(this->Data, this->Swap);
+    if (size >= 0 && (scanner.GetBytesLeft() / 4) / count >= vtkIdType(size) + 1)
+    {
+      this->Stride = 4 * (std::ptrdiff_t(size) + 1);
+      std::atomic<bool> same{ true };
+      progress.Part(0, 0.2).For((count + BlockSize - 1) / BlockSize,
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType block = first; block < last && same; ++block)
+          {
+            const vtkIdType end = std::min((block + 1) * BlockSize, count);
+            bool blockIsSame = true;
+            for (vtkIdType i = block * BlockSize; i < end; ++i)
+            {
+              blockIsSame &= Load<std::int32_t>(this->Data + i * this->Stride, this->Swap) == size;
+            }
+            if (!blockIsSame)
+            {
+              same = false;
+            }
+          }
+        });
+      uniform = same && !progress.IsStopped();
+      if (uniform)
+      {
+        this->CommonSize = size;
+        scanner.Skip(count * this->Stride, expected.List);
+      }
+    }
+  }
+  if (progress.IsStopped() || !(uniform || this->FindStarts(scanner, expected.List)))
+  {
+    return false;
+  }
+  this->NumberOfIds = (scanner.GetPosition() - this->Data) / 4 - count;
+  return this->Check(scanner, expected, progress.Part(0.2, 1));
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::FindStarts(BinaryScanner& scanner, const char* what)
+{
+  this->Blocks.reserve(static_cast<std::size_t>((this->Count + BlockSize - 1) / BlockSize));
+  const char* place = scanner.GetPosition();
+  const char* const end = place + scanner.GetBytesLeft();
+  for (vtkIdType i = 0; i < this->Count; ++i)
+  {
+    if (i % BlockSize == 0)
+    {
+      this->Blocks.push_back(place);
+    }
+    const std::int32_t size = end - place >= 4 ? Load<std::int32_t>(place, this->Swap) : 0;
+    if (end - place < 4 || size < 0 || size > (end - place - 4) / 4)
+    {
+      scanner.FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+        std::string(what) + " " + std::to_string(i) + " of " + std::to_string(this->Count),
+        size < 0 ? "a size of " + std::to_string(size)
+          : size > 0
+          ? "a size of " + std::to_string(size) + " but only " +
+            std::to_string(end - place - 4) + " bytes up to the end of the file"
+          : "the end of the file");
+      return false;
+    }
+    place += 4 + 4 * std::ptrdiff_t(size);
+    if ((place - this->Blocks.back()) / 4 > UINT32_MAX)
+    {
+      scanner.FailAt(place, ErrorKind::Unsupported,
+        "less than 16 GB for 1024 consecutive lists", "more");
+      return false;
+    }
+  }
+  scanner.SetPosition(place);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress)
+{
+  std::atomic<vtkIdType> bad{ this->Count };
+  std::mutex mutex;
+  const auto limit = static_cast<std::uint32_t>(expected.Limit);
+  const vtkIdType blocks = (this->Count + BlockSize - 1) / BlockSize;
+  progress.For(blocks,
+    [&](vtkIdType firstBlock, vtkIdType lastBlock)
+    {
+      Tally empty, shortLists, repeating;
+      const char* place = this->GetBlock(firstBlock);
+      const vtkIdType end = std::min(lastBlock * BlockSize, this->Count);
+      for (vtkIdType i = firstBlock * BlockSize; i < end; ++i)
+      {
+        const IdList list = this->At(place);
+        place = list.Ids + 4 * std::ptrdiff_t(list.Size);
+        if (list.Size == 0)
+        {
+          empty.Add(i);
+          continue;
+        }
+        bool valid = true;
+        bool repeats = false;
+        std::int32_t previous = list[list.Size - 1];
+        for (std::int32_t j = 0; j < list.Size; ++j)
+        {
+          const std::int32_t id = list[j];
+          valid &= static_cast<std::uint32_t>(id) < limit;
+          repeats |= id == previous;
+          previous = id;
+        }
+        if (!valid)
+        {
+          Lower(bad, i);
+          break;
+        }
+        if (list.Size < 3)
+        {
+          shortLists.Add(i);
+        }
+        else if (repeats)
+        {
+          repeating.Add(i);
+        }
+        if (expected.Used)
+        {
+          for (std::int32_t j = 0; j < list.Size; ++j)
+          {
+            expected.Used->Add(list[j]);
+          }
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      expected.Empty.Merge(empty);
+      expected.Short.Merge(shortLists);
+      expected.Repeating.Merge(repeating);
+    });
+  if (bad < this->Count)
+  {
+    this->FailAtList(scanner, bad, expected);
+    return false;
+  }
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+void IdLists::FailAtList(
+  BinaryScanner& scanner, vtkIdType bad, const Expectation& expected) const
+{
+  IdList list = this->At(this->GetBlock(bad / BlockSize));
+  for (vtkIdType i = bad / BlockSize * BlockSize; i < bad; ++i)
+  {
+    list = this->At(list.Ids + 4 * std::ptrdiff_t(list.Size));
+  }
+  std::int32_t j = 0;
+  while (j < list.Size && static_cast<std::uint32_t>(list[j]) < expected.Limit)
+  {
+    ++j;
+  }
+  scanner.FailAt(list.Ids + 4 * std::ptrdiff_t(j), ErrorKind::Index,
+    DescribeRange(expected) + " in " + Describe(expected, bad), std::to_string(list[j]));
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::Scan(TextScanner& scanner, const TextLines* lines, vtkIdType count, bool dropRest,
+  Expectation& expected, const Progress& progress)
+{
+  this->Count = count;
+  this->Swap = false;
+  this->CommonSize = -1;
+  if (!(lines && this->ScanLines(scanner, *lines, dropRest, expected, progress.Part(0, 0.8))))
+  {
+    if (progress.IsStopped() || !this->ScanText(scanner, dropRest, expected))
+    {
+      return false;
+    }
+  }
+  // From here on the text is as good as a binary file without errors.
+  const char* words = reinterpret_cast<const char*>(
+    this->Words.size() > 0 ? this->Words.data() : this->GrownWords.data());
+  const auto size = this->Words.size() + static_cast<vtkIdType>(this->GrownWords.size());
+  BinaryScanner memory("", words, words + 4 * size, GetByteOrder());
+  return this->Scan(memory, count, expected, progress.Part(0.8, 1));
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::ScanLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
+  const Expectation& expected, const Progress& progress)
+{
+  const TextLines::Section section = lines.Find(scanner.GetPosition(), this->Count);
+  if (!section)
+  {
+    return false;
+  }
+  const char comment = scanner.GetComment();
+  const auto parse = [comment](const char*& text, const char* end, std::int64_t& value)
+  {
+    while (text < end && IsSpace(*text))
+    {
+      ++text;
+    }
+    text = ParseInteger(text, end, value);
+    return text && (text == end || IsSpace(*text) || *text == comment);
+  };
+
+  // The length of every list first, so that there is exactly the memory that is needed.
+  std::vector<vtkIdType> first(static_cast<std::size_t>(lines.GetNumberOfPieces(section)) + 1, 0);
+  bool good = lines.ForEach(section, progress.Part(0, 0.2),
+    [&](vtkIdType piece, vtkIdType, const char* text, const char* end)
+    {
+      std::int64_t size = 0;
+      const char* const begin = text;
+      if (!parse(text, end, size) || size < 0 || size > (end - begin) / 2)
+      {
+        return false;
+      }
+      first[piece + 1] += 1 + size;
+      return true;
+    });
+  if (!good)
+  {
+    return false;
+  }
+  for (std::size_t piece = 1; piece < first.size(); ++piece)
+  {
+    first[piece] += first[piece - 1];
+  }
+
+  Buffer<std::int32_t> words(first.back());
+  const auto limit = static_cast<std::uint64_t>(expected.Limit);
+  const vtkIdType lastLine = this->Count - 1;
+  good = lines.ForEach(section, progress.Part(0.2, 1),
+    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+    {
+      std::int64_t size = 0;
+      parse(text, end, size);
+      std::int32_t* word = words.data() + first[piece];
+      *word++ = static_cast<std::int32_t>(size);
+      for (std::int64_t j = 0; j < size; ++j)
+      {
+        std::int64_t id;
+        if (!parse(text, end, id) || static_cast<std::uint64_t>(id) >= limit)
+        {
+          return false;
+        }
+        *word++ = static_cast<std::int32_t>(id);
+      }
+      first[piece] += 1 + size;
+      return dropRest || line == lastLine ? TextLines::HasOneEnd(text, end)
+                                          : lines.IsBlank(text, end);
+    });
+  if (good)
+  {
+    this->Words = std::move(words);
+    scanner.SetPosition(section.End);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::ScanText(TextScanner& scanner, bool dropRest, const Expectation& expected)
+{
+  const std::string size = std::string("the size of a ") + expected.List;
+  const std::string id = std::string("a ") + expected.Id + " id";
+  for (vtkIdType i = 0; i < this->Count; ++i)
+  {
+    std::int64_t value = 0;
+    if (!scanner.ReadCount(value, 2, size.c_str()))
+    {
+      return false;
+    }
+    this->GrownWords.push_back(static_cast<std::int32_t>(value));
+    for (std::int64_t left = value; left > 0; --left)
+    {
+      if (!scanner.ReadInteger(value, 0, expected.Limit - 1, ErrorKind::Index, id.c_str()))
+      {
+        return false;
+      }
+      this->GrownWords.push_back(static_cast<std::int32_t>(value));
+    }
+    if (dropRest || i + 1 == this->Count)
+    {
+      scanner.SkipLine();
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::MakeRandomAccess(const IdSet* needed, const Progress& progress)
+{
+  if (this->CommonSize >= 0)
+  {
+    return true;
+  }
+  this->Needed = needed;
+  this->Starts = Buffer<std::uint32_t>(needed ? needed->GetNumberOfMembers() : this->Count);
+  return this->ForEach(progress,
+    [&](vtkIdType i, const IdList& list)
+    {
+      if (!needed || needed->Contains(i))
+      {
+        const vtkIdType number = needed ? needed->GetNumber(i) : i;
+        this->Starts[number] =
+          static_cast<std::uint32_t>((list.Ids - 4 - this->Blocks[i / BlockSize]) / 4);
+      }
+    });
+}
+}

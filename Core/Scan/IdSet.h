@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::IdSet
+ * @brief A set of ids below a limit, filled from several threads; numbers its members in order.
+ */
+#ifndef camaron_IdSet_h
+#define camaron_IdSet_h
+
+#include "vtkType.h" // for vtkIdType
+
+#include <atomic>  // for filling from several threads
+#include <cstdint> // for the words
+#include <vector>  // for the words
+
+namespace camaron
+{
+class IdSet
+{
+public:
+  IdSet() = default;
+  /// The empty set of ids in [0, limit).
+  explicit IdSet(vtkIdType limit)
+    : Limit(limit)
+    , Words(static_cast<std::size_t>((limit + 63) / 64))
+  {
+  }
+
+  vtkIdType GetLimit() const { return this->Limit; }
+  bool Contains(vtkIdType id) const
+  {
+    return this->Words[id >> 6].load(std::memory_order_relaxed) >> (id & 63) & 1;
+  }
+  /// Adds an id; any thread may.
+  void Add(vtkIdType id)
+  {
+    const std::uint64_t bit = std::uint64_t(1) << (id & 63);
+    std::atomic<std::uint64_t>& word = this->Words[id >> 6];
+    if (!(word.load(std::memory_order_relaxed) & bit))
+    {
+      word.fetch_or(bit, std::memory_order_relaxed);
+    }
+  }
+  /// Adds all ids in [0, limit) that are not in @a other, which must have the same limit.
+  void AddMissing(const IdSet& other);
+  void AddAll(const IdSet& other);
+
+  ///@{
+  /**
+   * Numbers the members ascending from 0, as of this call; returns how many there are.
+   */
+  vtkIdType Number();
+  vtkIdType GetNumberOfMembers() const { return this->Members; }
+  /// Number of a member; only after Number.
+  vtkIdType GetNumber(vtkIdType id) const
+  {
+    const std::uint64_t below = (std::uint64_t(1) << (id & 63)) - 1;
+    return this->Before[id >> 6] +
+      CountBits(this->Words[id >> 6].load(std::memory_order_relaxed) & below);
+  }
+  /// The members, ascending.
+  std::vector<std::int32_t> GetMembers() const;
+  ///@}
+
+private:
+  static int CountBits(std::uint64_t v)
+  {
+    v -= v >> 1 & 0x5555555555555555u;
+    v = (v & 0x3333333333333333u) + (v >> 2 & 0x3333333333333333u);
+    v = (v + (v >> 4)) & 0x0f0f0f0f0f0f0f0fu;
+    return static_cast<int>(v * 0x0101010101010101u >> 56);
+  }
+
+  vtkIdType Limit = 0;
+  vtkIdType Members = 0;
+  std::vector<std::atomic<std::uint64_t>> Words;
+  std::vector<std::uint32_t> Before; ///< members in earlier words
+};
+}
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ReadMappedFile.h
+ * @brief The frame of a reader: opens the file, provides threads, turns exceptions into errors.
+ */
+#ifndef camaron_ReadMappedFile_h
+#define camaron_ReadMappedFile_h
+
+#include "Parallel.h"
+#include "Scan/MappedFile.h"
+
+#include <new>       // for std::bad_alloc
+#include <stdexcept> // for std::length_error
+
+namespace camaron
+{
+/// Returns what @a read(const MappedFile&) returns, or false with the reason in @a error.
+template <typename Read>
+bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
+{
+  bool good = false;
+  // Nothing may be thrown through WithThreads, which has to set VTK's backend back.
+  WithThreads(
+    [&]
+    {
+      const auto fail = [&] {
+        error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory for the mesh" };
+      };
+      try
+      {
+        MappedFile file;
+        good = file.Open(path, error) && read(static_cast<const MappedFile&>(file));
+      }
+      catch (const std::bad_alloc&)
+      {
+        fail();
+      }
+      catch (const std::length_error&)
+      {
+        fail();
+      }
+    });
+  return good && !error;
+}
+}
+
+#endif

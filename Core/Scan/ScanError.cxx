@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scan/ScanError.h"
+
+#include "vtkErrorCode.h"
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+unsigned long GetVTKErrorCode(ErrorKind kind)
+{
+  switch (kind)
+  {
+    case ErrorKind::None:
+      return vtkErrorCode::NoError;
+    case ErrorKind::Open:
+    case ErrorKind::Write:
+      return vtkErrorCode::CannotOpenFileError;
+    case ErrorKind::Companion:
+      return vtkErrorCode::FileNotFoundError;
+    case ErrorKind::NotThisFormat:
+      return vtkErrorCode::UnrecognizedFileTypeError;
+    case ErrorKind::Truncated:
+      return vtkErrorCode::PrematureEndOfFileError;
+    case ErrorKind::Memory:
+      return vtkErrorCode::UserError;
+    default:
+      return vtkErrorCode::FileFormatError;
+  }
+}
+
+//------------------------------------------------------------------------------
+void Warnings::Add(const Tally& tally, const char* one, const char* many, const char* what)
+{
+  if (tally.Count == 1)
+  {
+    this->Add("1 " + std::string(one) + " " + what + ": " + one + " " + std::to_string(tally.First));
+  }
+  else if (tally.Count > 1)
+  {
+    this->Add(std::to_string(tally.Count) + " " + many + " " + what + ", the first is " + one + " " +
+      std::to_string(tally.First));
+  }
+}
+}

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::TextLines
+ * @brief Finds and visits lines of a large text in parallel.
+ *
+ * Counts lines other than blank and comment ones in chunks that end at line feeds, so that the line of
+ * a given number is found without reading what lies before it, and many lines can be visited at once,
+ * each with its number. What a visitor gets does not depend on chunks or threads.
+ *
+ * Made for formats with one record per line: a reader tries its sections this way, and where a file
+ * turns out to be laid out otherwise (a visitor returns false) reads the section again with a
+ * TextScanner, which also words the errors.
+ */
+#ifndef camaron_TextLines_h
+#define camaron_TextLines_h
+
+#include "Scan/Number.h"
+#include "Scan/Progress.h"
+#include "Scan/TextScanner.h"
+
+#include <atomic> // for the verdict of several threads
+#include <vector> // for the chunks
+
+namespace camaron
+{
+class TextLines
+{
+public:
+  /// Bytes visited as one piece.
+  static constexpr vtkIdType DefaultChunk = vtkIdType(1) << 18;
+
+  /// Counts the lines from the scanner's position to the end, which must be at the start of a line.
+  TextLines(const TextScanner& scanner, const Progress& progress, vtkIdType chunk = DefaultChunk);
+
+  /// Consecutive lines of the text.
+  struct Section
+  {
+    const char* Begin = nullptr;
+    const char* End = nullptr;
+    vtkIdType FirstLine = 0; ///< among all counted lines
+    vtkIdType NumberOfLines = 0;
+    explicit operator bool() const { return this->Begin != nullptr; }
+  };
+
+  /// The next @a count lines from @a begin, the start of a line; an empty section if there are fewer.
+  Section Find(const char* begin, vtkIdType count) const;
+
+  /// Number of pieces in which a section is visited.
+  vtkIdType GetNumberOfPieces(const Section& section) const;
+
+  /**
+   * Calls @a visit(piece, line, text, end) for every line of a section, @a line counting from 0 and
+   * [text, end) being the line from its first character that is no blank to its line feed; a piece is
+   * visited in order by one thread. Returns whether no visit returned false.
+   */
+  template <typename Visit>
+  bool ForEach(const Section& section, const Progress& progress, Visit&& visit) const
+  {
+    const vtkIdType firstChunk = this->GetChunk(section.Begin);
+    std::atomic<bool> good{ true };
+    progress.For(this->GetNumberOfPieces(section),
+      [&](vtkIdType beginPiece, vtkIdType endPiece)
+      {
+        for (vtkIdType piece = beginPiece; piece < endPiece && good; ++piece)
+        {
+          const Chunk& chunk = this->Chunks[firstChunk + piece];
+          const Chunk& next = this->Chunks[firstChunk + piece + 1];
+          const char* text = piece == 0 ? section.Begin : chunk.Begin;
+          const char* end = next.Begin < section.End ? next.Begin : section.End;
+          vtkIdType line = piece == 0 ? 0 : chunk.FirstLine - section.FirstLine;
+          bool pieceIsGood = true;
+          while (pieceIsGood && this->NextLine(text, end))
+          {
+            const char* lineEnd = FindLineFeed(text, end);
+            pieceIsGood = visit(piece, line, text, lineEnd);
+            text = lineEnd;
+            ++line;
+          }
+          if (!pieceIsGood)
+          {
+            good = false;
+          }
+        }
+      });
+    return good && !progress.IsStopped();
+  }
+
+  /**
+   * True if nothing but white space that ends no line, or a comment, is left of a line; false also for
+   * a lone CR, after which a new line begins.
+   */
+  bool IsBlank(const char* text, const char* end) const;
+  /// True if no lone CR is left in the line.
+  static bool HasOneEnd(const char* text, const char* end);
+
+private:
+  struct Chunk
+  {
+    const char* Begin;
+    vtkIdType FirstLine;
+  };
+
+  /// Moves @a text to the next line that counts; false at the end.
+  bool NextLine(const char*& text, const char* end) const
+  {
+    while (text < end)
+    {
+      if (IsSpace(*text))
+      {
+        ++text;
+      }
+      else if (*text == this->Comment && this->Comment != '\0')
+      {
+        text = FindLineEnd(text, end);
+      }
+      else
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+  static const char* FindLineFeed(const char* text, const char* end)
+  {
+    const void* found = text < end ? std::memchr(text, '\n', end - text) : nullptr;
+    return found ? static_cast<const char*>(found) : end;
+  }
+  vtkIdType CountLines(const char* begin, const char* end) const;
+  vtkIdType GetChunk(const char* position) const;
+
+  char Comment;
+  std::vector<Chunk> Chunks; ///< and one more, for the end
+};
+}
+
+#endif

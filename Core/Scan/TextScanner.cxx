@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scan/TextScanner.h"
+
+#include "Scan/Number.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+const char* Parse(const char* text, const char* end, std::int64_t& value)
+{
+  return ParseInteger(text, end, value);
+}
+const char* Parse(const char* text, const char* end, float& value)
+{
+  return ParseReal(text, end, value);
+}
+const char* Parse(const char* text, const char* end, double& value)
+{
+  return ParseReal(text, end, value);
+}
+
+//------------------------------------------------------------------------------
+// The word at a position as messages quote it: short and printable.
+std::string Quote(const char* text, const char* end)
+{
+  constexpr int MaxLength = 30;
+  std::string word;
+  for (; text < end && !IsSpace(*text); ++text)
+  {
+    if (word.size() == MaxLength)
+    {
+      word += "...";
+      break;
+    }
+    word += *text > ' ' && *text < '\x7f' ? *text : '?';
+  }
+  return "'" + word + "'";
+}
+}
+
+//------------------------------------------------------------------------------
+const char* FindLineEnd(const char* text, const char* end)
+{
+  while (text < end && *text != '\n' && *text != '\r')
+  {
+    ++text;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+TextScanner::TextScanner(std::string name, const char* begin, const char* end, char comment)
+  : Name(std::move(name))
+  , Begin(begin)
+  , End(end)
+  , Position(begin)
+  , Comment(comment)
+{
+  constexpr char ByteOrderMark[] = "\xef\xbb\xbf";
+  if (end - begin >= 3 && std::memcmp(begin, ByteOrderMark, 3) == 0)
+  {
+    this->Position += 3;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TextScanner::SkipSpace()
+{
+  while (this->Position < this->End)
+  {
+    if (this->Comment != '\0' && *this->Position == this->Comment)
+    {
+      this->Position = FindLineEnd(this->Position, this->End);
+    }
+    else if (!IsSpace(*this->Position))
+    {
+      return true;
+    }
+    else
+    {
+      ++this->Position;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void TextScanner::SkipLine()
+{
+  this->Position = FindLineEnd(this->Position, this->End);
+  if (this->End - this->Position >= 2 && this->Position[0] == '\r' && this->Position[1] == '\n')
+  {
+    ++this->Position;
+  }
+  this->Position += this->Position < this->End;
+}
+
+//------------------------------------------------------------------------------
+template <typename Number>
+bool TextScanner::Read(Number& value, const char* what)
+{
+  if (this->HasFailed())
+  {
+    return false;
+  }
+  if (!this->SkipSpace())
+  {
+    this->FailAt(this->End, ErrorKind::Truncated, what);
+    return false;
+  }
+  Number number;
+  const char* next = Parse(this->Position, this->End, number);
+  if (!next || (next < this->End && !IsSpace(*next) && *next != this->Comment))
+  {
+    this->FailAt(this->Position, ErrorKind::Syntax, what);
+    return false;
+  }
+  this->Position = next;
+  value = number;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TextScanner::ReadInteger(std::int64_t& value, const char* what)
+{
+  return this->Read(value, what);
+}
+
+//------------------------------------------------------------------------------
+bool TextScanner::ReadReal(float& value, const char* what)
+{
+  return this->Read(value, what);
+}
+
+//------------------------------------------------------------------------------
+bool TextScanner::ReadReal(double& value, const char* what)
+{
+  return this->Read(value, what);
+}
+
+//------------------------------------------------------------------------------
+bool TextScanner::ReadInteger(
+  std::int64_t& value, std::int64_t first, std::int64_t last, ErrorKind kind, const char* what)
+{
+  std::int64_t number;
+  if (!this->Read(number, what))
+  {
+    return false;
+  }
+  if (number < first || number > last)
+  {
+    const std::string found = std::to_string(number);
+    const std::string range = last < first
+      ? " (there are none)"
+      : " from " + std::to_string(first) + " to " + std::to_string(last);
+    this->FailAt(this->Position, kind, what + range, found);
+    return false;
+  }
+  value = number;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TextScanner::ReadCount(std::int64_t& value, int bytes, const char* what)
+{
+  std::int64_t count;
+  if (!this->Read(count, what))
+  {
+    return false;
+  }
+  if (count < 0)
+  {
+    this->FailAt(this->Position, ErrorKind::Count, what, std::to_string(count));
+    return false;
+  }
+  if (count > INT32_MAX)
+  {
+    this->FailAt(this->Position, ErrorKind::Count, std::string(what) + " below 2147483648",
+      std::to_string(count));
+    return false;
+  }
+  const std::int64_t possible = (this->GetBytesLeft() + 1) / bytes; // the last may lack a line end
+  if (count > possible)
+  {
+    this->FailAt(this->Position, ErrorKind::Truncated,
+      "at least " + std::to_string(count * bytes) + " bytes after " + what + " (" +
+        std::to_string(count) + ")",
+      std::to_string(this->GetBytesLeft()));
+    return false;
+  }
+  value = count;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void TextScanner::FailAt(const char* position, ErrorKind kind, const std::string& expected)
+{
+  this->FailAt(position, kind, expected,
+    position >= this->End ? "the end of the file" : Quote(position, this->End));
+}
+
+//------------------------------------------------------------------------------
+void TextScanner::FailAt(
+  const char* position, ErrorKind kind, const std::string& expected, const std::string& found)
+{
+  if (!this->HasFailed())
+  {
+    this->Error = { kind,
+      this->Name + ":" + std::to_string(this->GetLine(position)) + ": expected " + expected +
+        ", found " + found };
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TextScanner::GetLine(const char* position) const
+{
+  vtkIdType line = 1;
+  for (const char* p = this->Begin; p < position; ++p)
+  {
+    line += *p == '\n' || (*p == '\r' && !(p + 1 < this->End && p[1] == '\n'));
+  }
+  return line;
+}
+}

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::TextScanner
+ * @brief Reads numbers and words from text in memory, skipping white space and comments.
+ *
+ * Lines end with LF, CRLF or a lone CR. The first error sticks: every later read fails and leaves its
+ * value alone, so that callers may check once after a few reads. Line numbers are counted only when an
+ * error is worded.
+ */
+#ifndef camaron_TextScanner_h
+#define camaron_TextScanner_h
+
+#include "Scan/ScanError.h"
+
+#include <cstdint> // for integers of known size
+#include <string>  // for messages
+
+namespace camaron
+{
+class TextScanner
+{
+public:
+  /**
+   * @param name of the file, for messages
+   * @param begin,end the text; a UTF-8 byte order mark at its start is skipped
+   * @param comment starts a comment that runs to the end of the line; '\0' for none
+   */
+  TextScanner(std::string name, const char* begin, const char* end, char comment = '\0');
+
+  const char* GetPosition() const { return this->Position; }
+  void SetPosition(const char* position) { this->Position = position; }
+  const char* GetEnd() const { return this->End; }
+  char GetComment() const { return this->Comment; }
+  vtkIdType GetBytesLeft() const { return this->End - this->Position; }
+
+  /// Skips white space and comments; false when nothing else is left.
+  bool SkipSpace();
+  /// Skips the rest of the line and its end.
+  void SkipLine();
+
+  ///@{
+  /**
+   * Reads the next number. @a what says in an error what was expected, e.g. "the number of vertices".
+   */
+  bool ReadInteger(std::int64_t& value, const char* what);
+  bool ReadReal(float& value, const char* what);
+  bool ReadReal(double& value, const char* what);
+  ///@}
+  /// Reads an integer in [first, last]; else fails with @a kind.
+  bool ReadInteger(std::int64_t& value, std::int64_t first, std::int64_t last, ErrorKind kind,
+    const char* what);
+  /// Reads how many records follow, each of at least @a bytes bytes and at most 2^31 - 1 of them.
+  bool ReadCount(std::int64_t& value, int bytes, const char* what);
+
+  ///@{
+  /// Sets the error, unless there is one: "name:line: expected WHAT, found ..."
+  void FailAt(const char* position, ErrorKind kind, const std::string& expected);
+  void FailAt(const char* position, ErrorKind kind, const std::string& expected,
+    const std::string& found);
+  ///@}
+  const ScanError& GetError() const { return this->Error; }
+  bool HasFailed() const { return static_cast<bool>(this->Error); }
+
+  /// Number of the line that holds @a position, from 1.
+  vtkIdType GetLine(const char* position) const;
+
+private:
+  template <typename Number>
+  bool Read(Number& value, const char* what);
+
+  std::string Name;
+  const char* Begin;
+  const char* End;
+  const char* Position;
+  char Comment;
+  ScanError Error;
+};
+
+/// First line end in [text, end), or end.
+const char* FindLineEnd(const char* text, const char* end);
+}
+
+#endif

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshFileReader.h"
+
+#include "FaceMesh/FaceMesh.h"
+#include "Scan/MappedFile.h"
+
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+//------------------------------------------------------------------------------
+vtkMeshFileReader::vtkMeshFileReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkMeshFileReader::~vtkMeshFileReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFileReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFileReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(info);
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("The name of the file to read is not set.");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return 1;
+  }
+
+  using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+  camaron::PieceRequest request;
+  if (info->Has(vtkSDDP::UPDATE_NUMBER_OF_PIECES()))
+  {
+    request.Piece = info->Get(vtkSDDP::UPDATE_PIECE_NUMBER());
+    request.NumberOfPieces = info->Get(vtkSDDP::UPDATE_NUMBER_OF_PIECES());
+    request.GhostLevels = info->Get(vtkSDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  }
+  const camaron::Progress progress(
+    [this](double fraction)
+    {
+      this->UpdateProgress(fraction);
+      return !this->CheckAbort();
+    });
+
+  camaron::Warnings warnings;
+  camaron::ScanError error;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->ReadMesh(this->FileName, request, output, warnings, error, progress);
+  const std::string name = camaron::GetFileName(this->FileName);
+  for (const std::string& sentence : warnings.GetSentences())
+  {
+    if (!error)
+    {
+      vtkWarningMacro(<< name << ": " << sentence);
+    }
+  }
+  if (error)
+  {
+    vtkErrorMacro(<< error.Message);
+    this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
+    output->Initialize();
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}
