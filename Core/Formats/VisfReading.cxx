@@ -330,7 +330,10 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       this->Expect(other, points, faces);
       const bool otherIsGood =
         this->ReadTextTail(flagless, lines.get(), false, other, progress.Part(0.7, 1));
-      if (flagIsValid && (!otherIsGood || other.HasTrailingData))
+      // Neighbours cut off after the first few look like a polyhedron of too few polygons.
+      const bool otherFits = otherIsGood && !other.HasTrailingData &&
+        other.Cells.Empty.Count + other.Cells.Short.Count == 0;
+      if (flagIsValid && !otherFits)
       {
         return !scanner.HasFailed();
       }
@@ -471,7 +474,9 @@ bool IsVisf(const std::string& path)
         if (scanner.ReadInteger(value, 0, INT32_MAX, ErrorKind::Count, ""))
         {
           scanner.SkipLine();
-          return value == 0 || scanner.ReadReal(coordinate, "");
+          return value == 0 ||
+            (scanner.ReadReal(coordinate, "") && scanner.ReadReal(coordinate, "") &&
+              scanner.ReadReal(coordinate, ""));
         }
       }
       return false;

@@ -71,7 +71,8 @@ public:
     for (vtkIdType slice = 0; slice < slices; ++slice)
     {
       const vtkIdType first = size * slice / slices;
-      ParallelFor(size * (slice + 1) / slices - first, 0,
+      const vtkIdType count = size * (slice + 1) / slices - first;
+      ParallelFor(count, count > 1 ? 0 : 1, // 0 leaves the choice to VTK
         [&](vtkIdType begin, vtkIdType end)
         {
           try

@@ -1,0 +1,388 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VisfSamples.h
+ * @brief Visf files for the tests, put together by a small encoder of the tests' own, and what the
+ * tests need to read and compare them.
+ */
+#ifndef camaron_VisfSamples_h
+#define camaron_VisfSamples_h
+
+#include "vtkVisfReader.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace camaron
+{
+namespace testing
+{
+using Lists = std::vector<std::vector<std::int32_t>>;
+
+struct VisfMesh
+{
+  int Type = 2;
+  std::vector<std::array<float, 3>> Points;
+  Lists Polygons;
+  Lists Polyhedra;
+  Lists Neighbors; // empty: flag 0
+};
+
+enum class Encoding
+{
+  Ascii,
+  Web, // ASCII without flag
+  Little03,
+  Big03,
+  Little02,
+  Big02,
+  Little01,
+  Big01
+};
+constexpr Encoding Encodings[] = { Encoding::Ascii, Encoding::Web, Encoding::Little03,
+  Encoding::Big03, Encoding::Little02, Encoding::Big02, Encoding::Little01, Encoding::Big01 };
+
+inline bool IsText(Encoding encoding)
+{
+  return encoding == Encoding::Ascii || encoding == Encoding::Web;
+}
+
+//------------------------------------------------------------------------------
+class Encoder
+{
+public:
+  explicit Encoder(Encoding encoding)
+    : Kind(encoding)
+  {
+    const bool first = encoding != Encoding::Little01 && encoding != Encoding::Big01;
+    this->Big = encoding == Encoding::Big03 || encoding == Encoding::Big02 ||
+      encoding == Encoding::Big01;
+    const bool raw = encoding == Encoding::Little02 || encoding == Encoding::Big02;
+    if (IsText(encoding))
+    {
+      this->Bytes = "2 ";
+    }
+    else if (first)
+    {
+      this->Bytes = std::string(1, static_cast<char>((this->Big ? 0 : 1) + (raw ? 0 : '0')));
+    }
+  }
+  void Word(std::uint32_t word)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Bytes += static_cast<char>(word >> 8 * (this->Big ? 3 - i : i) & 255);
+    }
+  }
+  void Put(std::int32_t value)
+  {
+    IsText(this->Kind) ? void(this->Bytes += std::to_string(value) + " ")
+                       : this->Word(static_cast<std::uint32_t>(value));
+  }
+  void Put(float value)
+  {
+    if (IsText(this->Kind))
+    {
+      char text[40];
+      std::snprintf(text, sizeof(text), "%.9g ", static_cast<double>(value));
+      this->Bytes += text;
+      return;
+    }
+    std::uint32_t word;
+    std::memcpy(&word, &value, 4);
+    this->Word(word);
+  }
+  void EndLine()
+  {
+    if (IsText(this->Kind))
+    {
+      this->Bytes += "\n";
+    }
+  }
+  void Put(const Lists& lists)
+  {
+    for (const auto& list : lists)
+    {
+      this->Put(static_cast<std::int32_t>(list.size()));
+      for (const std::int32_t id : list)
+      {
+        this->Put(id);
+      }
+      this->EndLine();
+    }
+  }
+  void PutCount(std::size_t count)
+  {
+    this->Put(static_cast<std::int32_t>(count));
+    this->EndLine();
+  }
+
+  std::string Bytes;
+
+private:
+  Encoding Kind;
+  bool Big = false;
+};
+
+//------------------------------------------------------------------------------
+inline std::string Encode(const VisfMesh& mesh, Encoding encoding)
+{
+  Encoder out(encoding);
+  out.PutCount(mesh.Type);
+  out.PutCount(mesh.Points.size());
+  for (const auto& point : mesh.Points)
+  {
+    out.Put(point[0]), out.Put(point[1]), out.Put(point[2]);
+    out.EndLine();
+  }
+  if (!mesh.Polygons.empty())
+  {
+    out.PutCount(mesh.Polygons.size());
+    out.Put(mesh.Polygons);
+    if (encoding != Encoding::Web)
+    {
+      out.PutCount(mesh.Neighbors.empty() ? 0 : 1);
+      out.Put(mesh.Neighbors);
+    }
+    if (!mesh.Polyhedra.empty() || encoding == Encoding::Web)
+    {
+      out.PutCount(mesh.Polyhedra.size());
+      out.Put(mesh.Polyhedra);
+    }
+  }
+  return out.Bytes;
+}
+
+//------------------------------------------------------------------------------
+/// A row of unit cubes along x, the first @a wedges of them cut into two wedges, faces shared.
+inline VisfMesh MakeBar(int cubes, int wedges = 0)
+{
+  VisfMesh mesh;
+  for (int i = 0; i <= cubes; ++i)
+  {
+    const auto x = static_cast<float>(i);
+    mesh.Points.push_back({ { x, 0, 0 } });
+    mesh.Points.push_back({ { x, 1, 0 } });
+    mesh.Points.push_back({ { x, 1, 1 } });
+    mesh.Points.push_back({ { x, 0, 1 } });
+  }
+  const auto add = [&mesh](std::vector<std::int32_t> polygon)
+  {
+    mesh.Polygons.push_back(std::move(polygon));
+    return static_cast<std::int32_t>(mesh.Polygons.size() - 1);
+  };
+  std::int32_t left = -1;
+  std::array<std::int32_t, 2> halves = { { -1, -1 } };
+  for (std::int32_t i = 0; i < cubes; ++i)
+  {
+    const std::int32_t a = 4 * i, b = a + 4;
+    if (i < wedges)
+    {
+      if (i == 0)
+      {
+        halves = { { add({ a, a + 1, a + 2 }), add({ a, a + 2, a + 3 }) } };
+      }
+      const std::int32_t cut = add({ a, a + 2, b + 2, b });
+      const std::int32_t first = add({ b, b + 1, b + 2 }), second = add({ b, b + 2, b + 3 });
+      mesh.Polyhedra.push_back({ halves[0], first, cut, add({ a, b, b + 1, a + 1 }),
+        add({ a + 1, b + 1, b + 2, a + 2 }) });
+      mesh.Polyhedra.push_back({ halves[1], second, cut, add({ a + 2, b + 2, b + 3, a + 3 }),
+        add({ a + 3, b + 3, b, a }) });
+      halves = { { first, second } };
+      continue;
+    }
+    std::vector<std::int32_t> cell;
+    if (i > 0 && i == wedges)
+    {
+      cell = { halves[0], halves[1] }; // seven faces: a polyhedron
+    }
+    else
+    {
+      cell = { left < 0 ? add({ a, a + 1, a + 2, a + 3 }) : left };
+    }
+    left = add({ b, b + 1, b + 2, b + 3 });
+    cell.push_back(left);
+    for (std::int32_t side = 0; side < 4; ++side)
+    {
+      const std::int32_t next = (side + 1) % 4;
+      cell.push_back(add({ a + side, b + side, b + next, a + next }));
+    }
+    mesh.Polyhedra.push_back(cell);
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+/// A file that is gone with the object, in a folder that is gone with the program.
+class File
+{
+public:
+  explicit File(const std::string& bytes, const std::string& name = "test.visf")
+    : Path((GetFolder() / name).string())
+  {
+    std::ofstream(this->Path, std::ios::binary) << bytes;
+  }
+  ~File() { std::filesystem::remove(this->Path); }
+  File(const File&) = delete;
+  void operator=(const File&) = delete;
+
+  static const std::filesystem::path& GetFolder()
+  {
+    static const struct Temporary
+    {
+      std::filesystem::path Path = std::filesystem::temp_directory_path() /
+        ("camaron-test-" + std::to_string(std::random_device()()));
+      Temporary() { std::filesystem::create_directories(this->Path); }
+      ~Temporary() { std::filesystem::remove_all(this->Path); }
+    } folder;
+    return folder.Path;
+  }
+
+  std::string Path;
+};
+
+//------------------------------------------------------------------------------
+/// What reading a file gives.
+struct Result
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  unsigned long ErrorCode = 0;
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+  bool IsEmpty() const
+  {
+    return this->Grid->GetNumberOfPoints() == 0 && this->Grid->GetNumberOfCells() == 0;
+  }
+  /// Of an error: one message, a code, nothing in the grid.
+  bool IsProperError() const
+  {
+    return this->Errors.size() == 1 && this->ErrorCode != 0 && this->IsEmpty();
+  }
+};
+
+inline void Collect(vtkObject*, unsigned long, void* messages, void* text)
+{
+  static_cast<std::vector<std::string>*>(messages)->push_back(static_cast<const char*>(text));
+}
+
+inline void Observe(vtkObject* object, unsigned long event, std::vector<std::string>& messages)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Collect);
+  command->SetClientData(&messages);
+  object->AddObserver(event, command);
+}
+
+inline Result ReadFile(const std::string& path, int piece = 0, int pieces = 1, int ghostLevels = 0)
+{
+  Result result;
+  vtkNew<vtkVisfReader> reader;
+  reader->SetFileName(path.c_str());
+  Observe(reader, vtkCommand::ErrorEvent, result.Errors);
+  Observe(reader, vtkCommand::WarningEvent, result.Warnings);
+  reader->UpdatePiece(piece, pieces, ghostLevels);
+  result.Grid = reader->GetOutput();
+  result.ErrorCode = reader->GetErrorCode();
+  return result;
+}
+
+inline Result ReadBytes(const std::string& bytes)
+{
+  return ReadFile(File(bytes).Path);
+}
+
+inline Result ReadMesh(const VisfMesh& mesh, Encoding encoding)
+{
+  return ReadBytes(Encode(mesh, encoding));
+}
+
+//------------------------------------------------------------------------------
+inline ::testing::AssertionResult HaveSameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a->GetDataType() != b->GetDataType() || a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return ::testing::AssertionFailure() << a->GetClassName() << " of " << a->GetNumberOfValues()
+                                         << " values, " << b->GetClassName() << " of "
+                                         << b->GetNumberOfValues();
+  }
+  // Bit by bit, as nan is not equal to itself.
+  if (std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+        static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) != 0)
+  {
+    return ::testing::AssertionFailure() << "values differ";
+  }
+  return ::testing::AssertionSuccess();
+}
+
+inline ::testing::AssertionResult HaveSameLists(vtkCellArray* a, vtkCellArray* b)
+{
+  const vtkIdType sizeOfA = a ? a->GetNumberOfCells() : 0, sizeOfB = b ? b->GetNumberOfCells() : 0;
+  if (sizeOfA != sizeOfB)
+  {
+    return ::testing::AssertionFailure() << sizeOfA << " and " << sizeOfB << " lists";
+  }
+  if (sizeOfA == 0)
+  {
+    return ::testing::AssertionSuccess();
+  }
+  const auto offsets = HaveSameValues(a->GetOffsetsArray(), b->GetOffsetsArray());
+  return offsets ? HaveSameValues(a->GetConnectivityArray(), b->GetConnectivityArray()) : offsets;
+}
+
+/// Points, types, connectivity and faces are the same, bit by bit and in order.
+inline void ExpectSameGrid(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
+  if (a->GetNumberOfPoints() > 0)
+  {
+    EXPECT_TRUE(HaveSameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
+  }
+  if (a->GetNumberOfCells() > 0)
+  {
+    EXPECT_TRUE(HaveSameValues(a->GetCellTypesArray(), b->GetCellTypesArray()));
+    EXPECT_TRUE(HaveSameLists(a->GetCells(), b->GetCells()));
+    EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaces(), b->GetPolyhedronFaces()));
+    EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaceLocations(), b->GetPolyhedronFaceLocations()));
+  }
+}
+
+/// How many cells of a type a grid has.
+inline vtkIdType Count(vtkUnstructuredGrid* grid, int type)
+{
+  vtkIdType count = 0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    count += grid->GetCellType(cell) == type;
+  }
+  return count;
+}
+}
+}
+
+#endif
