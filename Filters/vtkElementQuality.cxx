@@ -87,6 +87,18 @@ vtkDataArraySelection* vtkElementQuality::GetCriteria()
 }
 
 //------------------------------------------------------------------------------
+void vtkElementQuality::ClearCriteria()
+{
+  this->Criteria->DisableAllArrays();
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::SetCriterionStatus(const char* name, int status)
+{
+  this->Criteria->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
 void vtkElementQuality::SetPreset(const char* name)
 {
   const std::string preset = name && name[0] ? name : TickedCriteria();

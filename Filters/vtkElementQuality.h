@@ -46,8 +46,15 @@ public:
   /// Preset name that stands for "the criteria that are ticked".
   static const char* TickedCriteria() { return "Ticked criteria"; }
 
-  /// Criteria by name with their ticks; by default those of the preset "Overview" are ticked.
+  ///@{
+  /**
+   * Criteria by name with their ticks; by default those of the preset "Overview" are ticked. To
+   * evaluate exactly some criteria, clear all ticks and tick those.
+   */
   vtkDataArraySelection* GetCriteria();
+  void ClearCriteria();
+  void SetCriterionStatus(const char* name, int status);
+  ///@}
 
   ///@{
   /// Name of a preset whose criteria are evaluated instead of the ticked ones. Default: TickedCriteria.

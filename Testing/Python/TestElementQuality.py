@@ -1,0 +1,199 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Element Quality and Mesh Surface as people use them: proxies, arrays, blocks, traces and states."""
+
+import math
+import re
+import runpy
+
+import camaron_testing
+from paraview import servermanager, simple, smtrace
+from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, VTK_TETRA, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
+
+CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+MIDDLES = [(0.5, 0, 0), (0.5, 0.5, 0), (0, 0.5, 0), (0, 0, 0.5), (0.5, 0, 0.5), (0, 0.5, 0.5)]
+
+
+def arrays(data):
+    """Cell arrays by name, as lists."""
+    cell_data = data.GetCellData()
+    found = [cell_data.GetArray(i) for i in range(cell_data.GetNumberOfArrays())]
+    return {a.GetName(): [a.GetTuple1(i) for i in range(a.GetNumberOfTuples())] for a in found}
+
+
+class TestElementQuality(camaron_testing.TestCase):
+    def setUp(self):
+        super().setUp()
+        simple.ResetSession()
+        camaron_testing.pipeline.load_plugin()
+
+    def evaluate(self, source, **properties):
+        return arrays(self.fetch(simple.ElementQuality(Input=source, **properties)))
+
+    def test_defaults_show_something(self):
+        """The first Apply evaluates criteria that no polygon or polyhedron lacks, and colours by one."""
+        data = self.fetch(simple.ElementQuality(Input=simple.Sphere()))
+        values = arrays(data)
+        for name in ("EdgeLengthRatio", "EquiangleSkewness", "IsoperimetricQuotient"):
+            self.assertFalse(any(map(math.isnan, values[name])), name)
+        self.assertIn(data.GetCellData().GetScalars().GetName(), values)
+
+    def test_only_what_is_ticked(self):
+        values = self.evaluate(simple.Wavelet(), Criteria=["Volume", "MinDihedralAngle"])
+        self.assertEqual(set(values), {"Volume", "MinDihedralAngle"})
+        self.assertEqual(set(values["Volume"]), {1.0})
+        self.assertAlmostEqual(values["MinDihedralAngle"][0], 90, 10)
+
+    def test_input_type_is_kept(self):
+        for source, name in ((simple.Wavelet(), "vtkImageData"), (simple.Sphere(), "vtkPolyData")):
+            data = self.fetch(simple.ElementQuality(Input=source))
+            self.assertEqual(data.GetClassName(), name)
+
+    def test_presets_of_the_panel_are_those_of_the_registry(self):
+        """Every choice in the panel evaluates; the choices are those that the filter knows."""
+        quality = simple.ElementQuality(Input=simple.Wavelet())
+        domain = quality.GetProperty("Preset").SMProperty.FindDomain("vtkSMStringListDomain")
+        names = [domain.GetString(i) for i in range(domain.GetNumberOfStrings())]
+        self.assertEqual(names[0], "Ticked criteria")
+        table = (camaron_testing.ROOT / "Core/Criteria/Presets.cxx").read_text()
+        self.assertEqual(names[1:], re.findall(r'^    \{ "([^"]+)", "', table, re.MULTILINE))
+        for name in names[1:]:
+            quality.Preset = name
+            self.assertGreater(len(arrays(self.fetch(quality))), 2, name)
+
+    def test_units(self):
+        for choice, unit, value in (("Degrees", "deg", 90), ("Radians", "rad", math.pi / 2)):
+            quality = simple.ElementQuality(
+                Input=simple.Wavelet(), AngleUnits=choice, Criteria=["MinDihedralAngle", "MinSolidAngle"]
+            )
+            cell_data = self.fetch(quality).GetCellData()
+            angle = cell_data.GetArray("MinDihedralAngle")
+            self.assertEqual(angle.GetInformation().Get(angle.UNITS_LABEL()), unit)
+            self.assertAlmostEqual(angle.GetTuple1(0), value, 10)
+            solid = cell_data.GetArray("MinSolidAngle")
+            self.assertEqual(solid.GetInformation().Get(solid.UNITS_LABEL()), "sr")
+
+    def test_null_mask(self):
+        """1 where a criterion has no meaning for the shape, 6 for the corners of a quadratic cell."""
+        path = camaron_testing.write_vtk(
+            self.folder / "mixed.vtk",
+            CORNERS + MIDDLES,
+            [(VTK_TETRA, range(4)), (VTK_QUADRATIC_TETRA, range(10)), (5, (0, 1, 2))],
+        )
+        values = self.evaluate(self.open(path), Criteria=["Volume", "Area"], WriteNullMask=1)
+        self.assertEqual(values["Volume_Null"], [0, 6, 1])
+        self.assertEqual(values["Area_Null"], [1, 1, 0])
+        self.assertTrue(math.isnan(values["Volume"][2]))
+
+    def test_strips_become_triangles(self):
+        strips = vtkPolyData()
+        source = self.fetch(simple.Sphere())
+        from vtkmodules.vtkFiltersCore import vtkStripper
+
+        stripper = vtkStripper()
+        stripper.SetInputData(source)
+        stripper.Update()
+        strips.ShallowCopy(stripper.GetOutput())
+        producer = simple.TrivialProducer()
+        producer.GetClientSideObject().SetOutput(strips)
+        values = self.evaluate(producer, Criteria=["Area"])
+        self.assertGreater(strips.GetNumberOfStrips(), 0)
+        self.assertEqual(len(values["Area"]), source.GetNumberOfCells())
+        direct = self.evaluate(simple.Sphere(), Criteria=["Area"])
+        self.assertAlmostEqual(sum(values["Area"]), sum(direct["Area"]), 6)
+
+    def test_blocks(self):
+        group = simple.GroupDatasets(Input=[simple.Sphere(), simple.Wavelet()])
+        quality = simple.ElementQuality(Input=group, Criteria=["Area", "Volume"])
+        quality.UpdatePipeline()
+        volume = quality.CellData["Volume"]
+        self.assertEqual(volume.GetRange(), (1.0, 1.0))
+        surface = simple.MeshSurface(Input=quality)
+        surface.UpdatePipeline()
+        self.assertEqual(surface.GetDataInformation().GetNumberOfCells(), 96 + 2400)
+
+    def test_unknown_preset_is_an_error(self):
+        quality = simple.ElementQuality(Input=simple.Wavelet())
+        with camaron_testing.pipeline.Messages() as messages:
+            quality.Preset = "no such preset"
+            quality.UpdatePipeline()
+        self.assertTrue(any("no such preset" in text for text in messages.errors), messages.errors)
+
+    def test_trace_replays(self):
+        """What the trace of a session says gives the same arrays again."""
+        smtrace.start_trace(preamble="")
+        simple.ElementQuality(
+            Input=simple.Wavelet(), Criteria=["Volume", "MaxSolidAngle"], AngleUnits="Radians"
+        )
+        text = smtrace.stop_trace()
+        self.assertIn("ElementQuality(", text)
+        script = self.folder / "trace.py"
+        script.write_text(text)
+        simple.ResetSession()
+        camaron_testing.pipeline.load_plugin()
+        runpy.run_path(str(script))
+        replayed = next(
+            proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "ElementQuality"
+        )
+        replayed.UpdatePipeline()
+        self.assertEqual(set(arrays(self.fetch(replayed))), {"Volume", "MaxSolidAngle"})
+        self.assertEqual(replayed.AngleUnits, "Radians")
+
+    def test_state_loads_again(self):
+        quality = simple.ElementQuality(Input=simple.Wavelet(), Criteria=["Diameter"], WriteNullMask=1)
+        quality.UpdatePipeline()
+        state = self.folder / "state.pvsm"
+        simple.SaveState(str(state))
+        simple.ResetSession()
+        camaron_testing.pipeline.load_plugin()
+        simple.LoadState(str(state))
+        loaded = next(
+            proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "ElementQuality"
+        )
+        loaded.UpdatePipeline()
+        self.assertEqual(loaded.Criteria[:], ["Diameter"])
+        self.assertEqual(set(arrays(self.fetch(loaded))), {"Diameter", "Diameter_Null"})
+
+    def test_examples(self):
+        """The example of Voronoi cells: every cell closed, and their volumes those of the surface."""
+        source = self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
+        volumes = self.evaluate(source, Criteria=["Volume"])["Volume"]
+        self.assertTrue(all(volume > 0 for volume in volumes))
+        surface = self.fetch(simple.MeshSurface(Input=source))
+        triangles = vtkTriangleFilter()
+        triangles.SetInputData(surface)
+        mass = vtkMassProperties()
+        mass.SetInputConnection(triangles.GetOutputPort())
+        self.assertAlmostEqual(sum(volumes) / mass.GetVolume(), 1, 5)
+
+
+class TestMeshSurface(camaron_testing.TestCase):
+    def test_same_as_extract_surface(self):
+        """As many polygons as ParaView's own surface of the same hexahedra, with the cells' data."""
+        wavelet = simple.Wavelet()
+        grid = simple.AppendDatasets(Input=wavelet)
+        theirs = self.fetch(simple.ExtractSurface(Input=grid))
+        ours = self.fetch(simple.MeshSurface(Input=grid))
+        self.assertEqual(ours.GetNumberOfCells(), theirs.GetNumberOfCells())
+        self.assertEqual(ours.GetNumberOfPoints(), theirs.GetNumberOfPoints())
+        self.assertIsNotNone(ours.GetCellData().GetArray("vtkOriginalCellIds"))
+        self.assertEqual(
+            ours.GetPointData().GetArray("RTData").GetRange(),
+            theirs.GetPointData().GetArray("RTData").GetRange(),
+        )
+
+    def test_points_and_lines_stay(self):
+        path = camaron_testing.write_vtk(
+            self.folder / "mixed.vtk", CORNERS, [(1, (0,)), (3, (0, 1)), (VTK_TETRA, range(4))]
+        )
+        surface = self.fetch(simple.MeshSurface(Input=self.open(path)))
+        self.assertEqual(
+            (surface.GetNumberOfVerts(), surface.GetNumberOfLines(), surface.GetNumberOfPolys()), (1, 1, 4)
+        )
+        ids = surface.GetCellData().GetArray("vtkOriginalCellIds")
+        self.assertEqual([ids.GetValue(i) for i in range(6)], [0, 1, 2, 2, 2, 2])
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
