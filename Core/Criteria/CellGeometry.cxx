@@ -89,6 +89,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->Shapes = 0;
   this->BoxScale.Length = -1;
   this->Diameter = -1;
+  this->SurfaceArea = -1;
   this->HasRepeatedPoint = false;
   this->OrientationSign = 1;
   this->NumberOfPoints = 0;
@@ -490,12 +491,15 @@ double CellGeometry::GetFanArea(int f) const
 //------------------------------------------------------------------------------
 double CellGeometry::GetSurfaceArea() const
 {
-  double sum = 0;
-  for (int f = 0; f < this->Topology->GetNumberOfFaces(); ++f)
+  if (this->SurfaceArea < 0)
   {
-    sum += this->GetFanArea(f);
+    this->SurfaceArea = 0;
+    for (int f = 0; f < this->Topology->GetNumberOfFaces(); ++f)
+    {
+      this->SurfaceArea += this->GetFanArea(f);
+    }
   }
-  return sum;
+  return this->SurfaceArea;
 }
 
 //------------------------------------------------------------------------------
@@ -659,7 +663,7 @@ void CellGeometry::ComputeSolidAngles()
   const CellTopology& topology = collapsed ? this->MergedTopology : *this->Topology;
   if (!this->Topology->IsClosed || !topology.HasVertexFigures)
   {
-    this->MinSolidAngle = this->MaxSolidAngle = Null(NullReason::InvalidTopology);
+    this->HalfSolidAngles.Clear(NullReason::InvalidTopology);
     return;
   }
   this->EdgeDirections.resize(topology.Edges.size());
@@ -668,26 +672,21 @@ void CellGeometry::ComputeSolidAngles()
     const CellTopology::Edge& edge = topology.Edges[e];
     this->EdgeDirections[e] = Unit(this->Points[edge.Points[1]] - this->Points[edge.Points[0]]);
   }
-  this->MinSolidAngle = std::numeric_limits<double>::max();
-  this->MaxSolidAngle = -1;
+  this->HalfSolidAngles.Clear();
   for (int point = 0; point < topology.NumberOfPoints; ++point)
   {
     if (topology.SpokeOffsets[point + 1] > topology.SpokeOffsets[point])
     {
-      const double angle = this->ComputeSolidAngle(topology, point);
-      this->MinSolidAngle = std::min(this->MinSolidAngle, angle);
-      this->MaxSolidAngle = std::max(this->MaxSolidAngle, angle);
+      this->AddSolidAngle(topology, point);
     }
-  }
-  if (this->MaxSolidAngle < 0)
-  {
-    this->MinSolidAngle = this->MaxSolidAngle = Null(NullReason::Degenerate);
   }
 }
 
 //------------------------------------------------------------------------------
-// Area of the spherical polygon of the spokes, as a fan of Van Oosterom and Strackee's triangles.
-double CellGeometry::ComputeSolidAngle(const CellTopology& topology, int point)
+// Area of the spherical polygon of the spokes, as a fan of Van Oosterom and Strackee's triangles. Each has
+// tan(area / 2) as a quotient: the product of these as complex numbers has the sum of the halves as its
+// angle, in [0, 2 pi) as is half of the area.
+void CellGeometry::AddSolidAngle(const CellTopology& topology, int point)
 {
   const bool merged = &topology == &this->MergedTopology;
   const int first = topology.SpokeOffsets[point], last = topology.SpokeOffsets[point + 1];
@@ -723,20 +722,24 @@ double CellGeometry::ComputeSolidAngle(const CellTopology& topology, int point)
     }
     spoke = next;
   }
-  double sum = 0;
+  double sine = 0, cosine = 1;
   const Vector& a = this->Spokes[0];
   for (std::size_t i = 1; i + 1 < this->Spokes.size(); ++i)
   {
     const Vector &b = this->Spokes[i], &c = this->Spokes[i + 1];
-    sum += std::atan2(Dot(a, Cross(b, c)), 1 + Dot(a, b) + Dot(b, c) + Dot(c, a));
+    const double y = this->OrientationSign * Dot(a, Cross(b, c));
+    const double x = 1 + Dot(a, b) + Dot(b, c) + Dot(c, a);
+    const double product = cosine * x - sine * y;
+    sine = sine * x + cosine * y;
+    cosine = product;
   }
-  sum *= 2 * this->OrientationSign;
-  if (std::abs(sum) >= 4 * Pi)
+  // Rounding must not turn an angle of 0 into a full sphere.
+  constexpr double rounding = 1e-13;
+  if (sine < 0 && cosine > 0 && -sine <= rounding * cosine)
   {
-    sum = std::fmod(sum, 4 * Pi);
+    sine = 0;
   }
-  constexpr double rounding = 1e-12;
-  return sum < -rounding ? sum + 4 * Pi : std::max(sum, 0.0);
+  this->HalfSolidAngles.Add(sine, cosine);
 }
 
 //------------------------------------------------------------------------------

@@ -107,8 +107,8 @@ public:
   /// With NeedsDihedral and NeedsSolidAngle: in radian and steradian; null where undefined.
   double GetMinDihedralAngle() const { return this->DihedralAngles.GetMin(); }
   double GetMaxDihedralAngle() const { return this->DihedralAngles.GetMax(); }
-  double GetMinSolidAngle() const { return this->MinSolidAngle; }
-  double GetMaxSolidAngle() const { return this->MaxSolidAngle; }
+  double GetMinSolidAngle() const { return Twice(this->HalfSolidAngles.GetMin()); }
+  double GetMaxSolidAngle() const { return Twice(this->HalfSolidAngles.GetMax()); }
   ///@}
 
   /// Radian to the unit that the user chose.
@@ -152,7 +152,9 @@ private:
   void ComputeFaceAngles(int face, AngleRange& angles);
   void ComputeDihedralAngles();
   void ComputeSolidAngles();
-  double ComputeSolidAngle(const CellTopology& topology, int point);
+  void AddSolidAngle(const CellTopology& topology, int point);
+  /// Keeps the reason of a null value, which arithmetic may lose.
+  static double Twice(double value) { return std::isnan(value) ? value : 2 * value; }
   void MergeCollapsedEdges();
 
   const CellShape* CellShapes;
@@ -168,7 +170,8 @@ private:
   double DegeneracyTolerance = 0;
   mutable double AbsoluteTolerance = 0; // with BoxScale
   mutable Scale BoxScale = { -1, -1, -1 };
-  mutable double Diameter = -1;
+  mutable double Diameter = -1;    // not computed yet
+  mutable double SurfaceArea = -1; // not computed yet
 
   Vector Origin;
   int NumberOfPoints = 0;
@@ -187,7 +190,7 @@ private:
   double OrientationSign = 1;
   std::vector<AngleRange> FaceAngles;
   AngleRange DihedralAngles;
-  double MinSolidAngle = 0, MaxSolidAngle = 0;
+  AngleRange HalfSolidAngles;
 
   CellTopology MergedTopology;  // without collapsed edges
   std::vector<int> MergedFaces; // their numbers in Topology

@@ -20,7 +20,12 @@ constexpr vtkIdType UseChunk = 1 << 16;
 constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // a use must fit CellFacet with its direction bit
 constexpr vtkIdType MaxPoints = (vtkIdType(1) << 31) - 16; // larger values of Extra are marks
 
+constexpr int PointsPerShareBits = 8; // threads share the points out in runs of 2^8
+constexpr int MaxShares = 64;
+constexpr Index NodesPerBlock = 4096;
+
 constexpr std::uint32_t DownBit = 0x80000000u;
+// Values of the last part of a key where it is not the fourth point.
 constexpr std::uint32_t HashedBit = 0x80000000u;
 constexpr std::uint32_t ThreePoints = 0x7fffffffu;
 constexpr std::uint32_t TwoPoints = 0x7ffffffeu;
@@ -58,18 +63,18 @@ void SortDistinct(Points& points)
 }
 
 //------------------------------------------------------------------------------
-// A facet's bucket, and what tells it from the others there.
+// What tells a facet from the others with its smallest point: of up to four points the other ones, of more
+// a hash.
 struct FacetKey
 {
-  vtkIdType Smallest;
-  std::uint64_t Key;
-  std::uint32_t Extra;
+  std::uint32_t Parts[3];
   bool Down; // see RunsDown
 };
 
 //------------------------------------------------------------------------------
-FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& scratch)
+FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& sorted)
 {
+  const auto part = [](vtkIdType id) { return static_cast<std::uint32_t>(id); };
   if (size == 3)
   {
     vtkIdType a = points[0], b = points[1], c = points[2];
@@ -85,35 +90,33 @@ FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>
     if (a != b && b != c && a != c)
     {
       const bool down = b > c;
-      const std::uint64_t low = static_cast<std::uint64_t>(down ? c : b);
-      const std::uint64_t high = static_cast<std::uint64_t>(down ? b : c);
-      return { a, (low << 32) | high, ThreePoints, down };
+      return { { part(down ? c : b), part(down ? b : c), ThreePoints }, down };
     }
   }
-  scratch.assign(points, points + size);
-  SortDistinct(scratch);
-  const vtkIdType smallest = scratch[0];
+  sorted.assign(points, points + size);
+  SortDistinct(sorted);
   const bool down = RunsDown(points, size);
-  switch (scratch.size())
+  switch (sorted.size())
   {
     case 1:
-      return { smallest, 0, OnePoint, down };
+      return { { 0, 0, OnePoint }, down };
     case 2:
-      return { smallest, static_cast<std::uint64_t>(scratch[1]), TwoPoints, down };
+      return { { part(sorted[1]), 0, TwoPoints }, down };
     case 3:
+      return { { part(sorted[1]), part(sorted[2]), ThreePoints }, down };
     case 4:
-      return { smallest,
-        (static_cast<std::uint64_t>(scratch[1]) << 32) | static_cast<std::uint64_t>(scratch[2]),
-        scratch.size() == 3 ? ThreePoints : static_cast<std::uint32_t>(scratch[3]), down };
+      return { { part(sorted[1]), part(sorted[2]), part(sorted[3]) }, down };
     default:
       break;
   }
-  std::uint64_t hash = scratch.size();
-  for (const vtkIdType point : scratch)
+  std::uint64_t hash = sorted.size();
+  for (const vtkIdType point : sorted)
   {
     hash = Mix(hash, static_cast<std::uint64_t>(point));
   }
-  return { smallest, hash, HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33), down };
+  return { { static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
+             HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33) },
+    down };
 }
 
 //------------------------------------------------------------------------------
@@ -127,34 +130,36 @@ vtkIdType GetSmallest(const vtkIdType* points, vtkIdType size)
 }
 
 //------------------------------------------------------------------------------
-// Buckets are small: insertion beats everything else there.
-template <typename Entry>
-void SortByKey(Entry* first, Entry* last)
-{
-  constexpr int small = 40;
-  if (last - first > small)
-  {
-    std::sort(first, last, [](const Entry& a, const Entry& b) { return a.Key < b.Key; });
-    return;
-  }
-  for (Entry* next = first + 1; next < last; ++next)
-  {
-    const Entry entry = *next;
-    Entry* place = next;
-    for (; place != first && entry.Key < place[-1].Key; --place)
-    {
-      *place = place[-1];
-    }
-    *place = entry;
-  }
-}
-
-//------------------------------------------------------------------------------
 Index GetUse(std::uint32_t item)
 {
   return static_cast<Index>(item & ~DownBit);
 }
 }
+
+//------------------------------------------------------------------------------
+// Hands nodes out to threads in blocks. The memory is that of the worst case, but only what is used of it
+// is ever touched.
+class FacetTableBuilder::NodePool
+{
+public:
+  NodePool(Index numberOfUses, int numberOfShares)
+    : Nodes(new Node[static_cast<std::size_t>(numberOfUses) +
+        static_cast<std::size_t>(numberOfShares) * NodesPerBlock])
+  {
+  }
+  Node& operator[](Index node) { return this->Nodes[node]; }
+  /// The next node of a share whose last one was @a node, -1 for none so far.
+  Index GetNext(Index node)
+  {
+    return node < 0 || (node + 1) % NodesPerBlock == 0
+      ? this->NextBlock.fetch_add(NodesPerBlock, std::memory_order_relaxed)
+      : node + 1;
+  }
+
+private:
+  std::unique_ptr<Node[]> Nodes;
+  std::atomic<Index> NextBlock{ 0 };
+};
 
 //------------------------------------------------------------------------------
 FacetTable FacetTableBuilder::Build(
@@ -249,7 +254,7 @@ void FacetTableBuilder::CountFacets()
 //------------------------------------------------------------------------------
 void FacetTableBuilder::MatchUses()
 {
-  this->Match(this->Mesh.GetNumberOfCells(),
+  this->Match(
     [this](CellFacets& facets, vtkIdType cell, auto&& visit)
     {
       if (facets.GetDimension(cell) == this->Dimension)
@@ -274,7 +279,7 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
     }
   }
   std::vector<unsigned char> down(this->NumberOfUses);
-  this->Match(this->Mesh.GetNumberOfCells(),
+  this->Match(
     [&](CellFacets& facets, vtkIdType cell, auto&& visit)
     {
       if (facets.GetDimension(cell) == this->Dimension)
@@ -309,118 +314,85 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
 }
 
 //------------------------------------------------------------------------------
-// Leaves in CellFacets for every visited item the first use with the same points.
+// Leaves in CellFacets for every visited item the first use with the same points. Every list of facets
+// belongs to one share of the points and sees its items in order, whatever the number of shares.
 template <typename ForEachItem>
-void FacetTableBuilder::Match(vtkIdType numberOfCells, ForEachItem&& forEachItem)
+void FacetTableBuilder::Match(ForEachItem&& forEachItem)
 {
   const vtkIdType numberOfPoints = this->Mesh.GetNumberOfPoints();
-  std::unique_ptr<std::atomic<Index>[]> ends(new std::atomic<Index>[numberOfPoints + 1]);
-  ParallelFor(numberOfPoints + 1, UseChunk,
-    [&](vtkIdType begin, vtkIdType end)
+  std::vector<Index> lists(numberOfPoints, -1);
+  WithThreads(
+    [&]
     {
-      for (vtkIdType point = begin; point < end; ++point)
+      const int numberOfShares =
+        std::max(1, std::min(vtkSMPTools::GetEstimatedNumberOfThreads(), MaxShares));
+      std::vector<unsigned char> shares((numberOfPoints >> PointsPerShareBits) + 1);
+      for (std::size_t run = 0; run < shares.size(); ++run)
       {
-        std::atomic_init(&ends[point], 0);
+        shares[run] = static_cast<unsigned char>(run % numberOfShares);
       }
-    });
-  ParallelFor(numberOfCells, CellGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      CellFacets facets(this->Mesh);
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      NodePool nodes(this->NumberOfUses, numberOfShares);
+      const auto matchShare = [&](int share)
       {
-        forEachItem(facets, cell,
-          [&](std::uint32_t, const vtkIdType* points, vtkIdType size)
+        CellFacets facets(this->Mesh);
+        std::vector<vtkIdType> sorted, scratch;
+        Index lastNode = -1;
+        const auto match = [&](std::uint32_t use, const vtkIdType* points, vtkIdType size)
+        {
+          if (size == 0)
           {
-            if (size > 0)
-            {
-              ends[GetSmallest(points, size)].fetch_add(1, std::memory_order_relaxed);
-            }
-          });
-      }
-    });
-  // From counts to the begin of every bucket; filling it moves this on to the bucket's end.
-  Index total = 0;
-  for (vtkIdType point = 0; point < numberOfPoints; ++point)
-  {
-    const Index count = ends[point].load(std::memory_order_relaxed);
-    ends[point].store(total, std::memory_order_relaxed);
-    total += count;
-  }
-
-  std::unique_ptr<Entry[]> entries(new Entry[total]);
-  ParallelFor(numberOfCells, CellGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      CellFacets facets(this->Mesh);
-      std::vector<vtkIdType> scratch;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        forEachItem(facets, cell,
-          [&](std::uint32_t use, const vtkIdType* points, vtkIdType size)
+            this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
+            return;
+          }
+          const vtkIdType smallest = GetSmallest(points, size);
+          if (shares[smallest >> PointsPerShareBits] != share)
           {
-            if (size == 0)
+            return;
+          }
+          const FacetKey key = MakeKey(points, size, sorted);
+          Index found = lists[smallest];
+          for (; found >= 0; found = nodes[found].Next)
+          {
+            const Node& node = nodes[found];
+            if (node.Key[0] == key.Parts[0] && node.Key[1] == key.Parts[1] &&
+              node.Key[2] == key.Parts[2] &&
+              (!(key.Parts[2] & HashedBit) || this->HasPoints(GetUse(node.Item), sorted, scratch)))
             {
-              this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
-              return;
+              break;
             }
-            const FacetKey key = MakeKey(points, size, scratch);
-            entries[ends[key.Smallest].fetch_add(1, std::memory_order_relaxed)] = { key.Key, key.Extra,
+          }
+          if (found < 0)
+          {
+            lastNode = nodes.GetNext(lastNode);
+            nodes[lastNode] = { { key.Parts[0], key.Parts[1], key.Parts[2] }, lists[smallest],
               use | (key.Down ? DownBit : 0u) };
-          });
-      }
-    });
-  ParallelFor(numberOfPoints, CellGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        const Index first = point > 0 ? ends[point - 1].load(std::memory_order_relaxed) : 0;
-        this->MatchBucket(entries.get() + first, entries.get() + ends[point].load());
-      }
+            lists[smallest] = lastNode;
+            this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
+            return;
+          }
+          const std::uint32_t first = nodes[found].Item;
+          this->Table.CellFacets[use] =
+            CellFacet(GetUse(first), ((first & DownBit) != 0) != key.Down);
+        };
+        for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
+        {
+          forEachItem(facets, cell, match);
+        }
+      };
+      vtkSMPTools::For(0, numberOfShares, 1,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType share = begin; share < end; ++share)
+          {
+            matchShare(static_cast<int>(share));
+          }
+        });
     });
 }
 
 //------------------------------------------------------------------------------
-void FacetTableBuilder::MatchBucket(Entry* first, Entry* last)
-{
-  SortByKey(first, last);
-  while (first != last)
-  {
-    Entry* runEnd = first + 1;
-    while (runEnd != last && runEnd->Key == first->Key)
-    {
-      ++runEnd;
-    }
-    if (runEnd - first > 1)
-    {
-      std::sort(first, runEnd,
-        [](const Entry& a, const Entry& b)
-        { return a.Extra != b.Extra ? a.Extra < b.Extra : GetUse(a.Item) < GetUse(b.Item); });
-    }
-    // The entries that are the same facet as *first come to the front of those that may be.
-    Entry* sameEnd = first + 1;
-    while (sameEnd != runEnd && sameEnd->Extra == first->Extra)
-    {
-      ++sameEnd;
-    }
-    if ((first->Extra & HashedBit) && sameEnd - first > 1)
-    {
-      sameEnd = std::stable_partition(first + 1, sameEnd, [&](const Entry& entry)
-        { return this->HaveSamePoints(GetUse(first->Item), GetUse(entry.Item)); });
-    }
-    const Index leader = GetUse(first->Item);
-    for (const Entry* entry = first; entry != sameEnd; ++entry)
-    {
-      this->Table.CellFacets[GetUse(entry->Item)] =
-        CellFacet(leader, ((entry->Item ^ first->Item) & DownBit) != 0);
-    }
-    first = sameEnd;
-  }
-}
-
-//------------------------------------------------------------------------------
-void FacetTableBuilder::GetSortedPoints(Index use, std::vector<vtkIdType>& points) const
+bool FacetTableBuilder::HasPoints(
+  Index use, std::vector<vtkIdType>& sortedPoints, std::vector<vtkIdType>& scratch) const
 {
   vtkIdType cell = 0;
   if (this->Table.Stride)
@@ -432,19 +404,10 @@ void FacetTableBuilder::GetSortedPoints(Index use, std::vector<vtkIdType>& point
     const auto& offsets = this->Table.CellOffsets;
     cell = std::upper_bound(offsets.begin(), offsets.end(), vtkIdType(use)) - offsets.begin() - 1;
   }
-  const vtkIdType wanted = use - this->Table.GetOffset(cell);
-  points.clear();
-  CellFacets(this->Mesh).GetFacet(cell, wanted, points);
-  SortDistinct(points);
-}
-
-//------------------------------------------------------------------------------
-bool FacetTableBuilder::HaveSamePoints(Index use0, Index use1) const
-{
-  thread_local std::vector<vtkIdType> points0, points1;
-  this->GetSortedPoints(use0, points0);
-  this->GetSortedPoints(use1, points1);
-  return points0 == points1;
+  scratch.clear();
+  CellFacets(this->Mesh).GetFacet(cell, use - this->Table.GetOffset(cell), scratch);
+  SortDistinct(scratch);
+  return scratch == sortedPoints;
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,10 @@
  * @class camaron::FacetTableBuilder
  * @brief Finds the unique facets of a mesh.
  *
- * Facets are put into one bucket per smallest point id and compared there by their other points, so
- * that time and memory stay proportional to the mesh. 16 bytes per facet use are needed meanwhile.
+ * Facets are listed by their smallest point id and compared within a list by their other points, so that
+ * time and memory stay proportional to the mesh; 20 bytes per unique facet are needed meanwhile. Cells
+ * are visited in order, so that a mesh whose neighbours are near in memory is read from the cache. Every
+ * thread visits all cells, but takes care of its own share of the points only.
  */
 #ifndef camaron_FacetTableBuilder_h
 #define camaron_FacetTableBuilder_h
@@ -31,13 +33,14 @@ public:
 private:
   FacetTableBuilder(const MeshView& mesh, int dimension);
 
-  /// One facet to be matched with the others of its bucket.
-  struct Entry
+  /// A facet found so far.
+  struct Node
   {
-    std::uint64_t Key;   ///< of up to four points: the second and third smallest; else a hash
-    std::uint32_t Extra; ///< the fourth point, or what tells the cases apart
-    std::uint32_t Item;  ///< use of a facet; the top bit says that it runs downwards
+    std::uint32_t Key[3]; ///< what tells it from other facets with its smallest point
+    Index Next;           ///< in the list of its smallest point, -1 at the end
+    std::uint32_t Item;   ///< its first use; the top bit says that this use runs downwards
   };
+  class NodePool;
 
   void CountFacets();
   void MatchUses();
@@ -45,10 +48,8 @@ private:
   void NumberFacets();
   void ListCells();
   template <typename ForEachItem>
-  void Match(vtkIdType numberOfCells, ForEachItem&& forEachItem);
-  void MatchBucket(Entry* first, Entry* last);
-  bool HaveSamePoints(Index use0, Index use1) const;
-  void GetSortedPoints(Index use, std::vector<vtkIdType>& points) const;
+  void Match(ForEachItem&& forEachItem);
+  bool HasPoints(Index use, std::vector<vtkIdType>& sortedPoints, std::vector<vtkIdType>& scratch) const;
 
   const MeshView& Mesh;
   int Dimension;
