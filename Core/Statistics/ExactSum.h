@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::ExactSum
+ * @brief Adds doubles without rounding, so that the sum does not depend on their order.
+ *
+ * A double is an integer of 53 bits times one of 2046 powers of two. Add() adds that integer to the
+ * bucket of its power, which takes about a nanosecond; GetLimbs() puts the buckets together to one
+ * long fixed-point number. Sums of parts are merged by adding their limbs as integers, also across
+ * processes. Only finite values may be added.
+ *
+ * After the idea of R. M. Neal, Fast exact summation using small and large superaccumulators, 2015.
+ */
+#ifndef camaron_ExactSum_h
+#define camaron_ExactSum_h
+
+#include <array>   // for the limbs
+#include <cstdint> // for 64 bit integers
+#include <cstring> // for the bits of a double
+#include <vector>  // for the buckets
+
+namespace camaron
+{
+class ExactSum
+{
+public:
+  /**
+   * Fixed-point number in units of 2^-1074: limb i counts 2^(32 i) units. 70 limbs hold 2^63 values
+   * of the largest magnitude and a sign. Limbs may be added to those of other sums before rounding,
+   * as each keeps 31 bits free.
+   */
+  using Limbs = std::array<std::int64_t, 70>;
+
+  /// Has to be called before every @a count calls of Add (at most 2^30): makes room for the
+  /// carries.
+  void Reserve(std::int64_t count)
+  {
+    this->NumberOfAddends += count;
+    if (this->NumberOfAddends > MaximumOfAddends)
+    {
+      this->Flush();
+      this->NumberOfAddends = count;
+    }
+  }
+
+  void Add(double value)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof(bits));
+    const std::uint64_t exponent = (bits >> 52) & 0x7ff;
+    const std::uint64_t mantissa =
+      (bits & 0x000fffffffffffffull) | (static_cast<std::uint64_t>(exponent != 0) << 52);
+    // All ones for a negative value: (m ^ sign) - sign is then -m.
+    const std::int64_t sign = -static_cast<std::int64_t>(bits >> 63);
+    Bucket& bucket = this->Buckets[exponent];
+    bucket.Low += (static_cast<std::int64_t>(mantissa & 0xffffffffull) ^ sign) - sign;
+    bucket.High += (static_cast<std::int64_t>(mantissa >> 32) ^ sign) - sign;
+  }
+
+  /// The sum so far, each limb but the last in [0, 2^32), the last one with the sign.
+  Limbs GetLimbs();
+
+  /// The double nearest to the number, ties to even; infinite when out of range.
+  static double Round(const Limbs& limbs) { return Divide(limbs, 1); }
+  /// The double nearest to the number divided by @a divisor, which is positive.
+  static double Divide(const Limbs& limbs, std::int64_t divisor);
+
+private:
+  // Halves of the integers of one power of two: 2^30 of them fit into 64 bits.
+  struct Bucket
+  {
+    std::int64_t Low = 0;
+    std::int64_t High = 0;
+  };
+  static constexpr int NumberOfBuckets = 2048;
+  static constexpr std::int64_t MaximumOfAddends = std::int64_t(1) << 30;
+
+  void Flush();
+
+  std::vector<Bucket> Buckets = std::vector<Bucket>(NumberOfBuckets);
+  std::int64_t NumberOfAddends = 0;
+  Limbs Total = {};
+};
+}
+
+#endif

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/Histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+// More integers than this share bins.
+constexpr double MaximumOfIntegerBins = 1024;
+
+// log2 with an error below 0.01: exponent, and a parabola through the mantissas 1 and 2.
+double ApproximateLog2(double value)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof(bits));
+  const double exponent = static_cast<double>(static_cast<int>((bits >> 52) & 0x7ff) - 1023);
+  bits = (bits & 0x000fffffffffffffull) | 0x3ff0000000000000ull;
+  double mantissa;
+  std::memcpy(&mantissa, &bits, sizeof(mantissa));
+  return exponent + (2.0 - mantissa / 3.0) * mantissa - 5.0 / 3.0;
+}
+}
+
+//------------------------------------------------------------------------------
+Bins::Bins(double low, double high, int numberOfBins, BinScale scale)
+{
+  if (low == high || numberOfBins < 1)
+  {
+    this->Edges = { low, high };
+    this->PrepareGuess(Guess::Search);
+    return;
+  }
+  const bool logarithmic = scale == BinScale::Logarithmic;
+  const double first = logarithmic ? std::log10(low) : low;
+  const double last = logarithmic ? std::log10(high) : high;
+  const double step = (last - first) / numberOfBins;
+  this->Edges.push_back(low);
+  for (int i = 1; i < numberOfBins; ++i)
+  {
+    // The difference of two huge numbers may be out of range.
+    const double weight = static_cast<double>(i) / numberOfBins;
+    const double place = std::isinf(step) ? first * (1 - weight) + last * weight : first + i * step;
+    const double edge = logarithmic ? std::pow(10.0, place) : place;
+    this->Edges.push_back(std::min(std::max(edge, this->Edges.back()), high));
+  }
+  this->Edges.push_back(high);
+  this->PrepareGuess(logarithmic ? Guess::Logarithmic : Guess::Linear);
+}
+
+//------------------------------------------------------------------------------
+Bins Bins::OfIntegers(std::int64_t low, std::int64_t high)
+{
+  Bins bins;
+  for (std::int64_t i = low; i <= high + 1; ++i)
+  {
+    bins.Edges.push_back(static_cast<double>(i) - 0.5);
+  }
+  bins.PrepareGuess(Guess::Linear);
+  return bins;
+}
+
+//------------------------------------------------------------------------------
+void Bins::PrepareGuess(Guess guess)
+{
+  const bool logarithmic = guess == Guess::Logarithmic;
+  const double low = logarithmic ? ApproximateLog2(this->Edges.front()) : this->Edges.front();
+  const double high = logarithmic ? ApproximateLog2(this->Edges.back()) : this->Edges.back();
+  this->Origin = low;
+  this->Scale = static_cast<double>(this->GetSize()) / (high - low);
+  // Extreme ranges, and constant data, leave nothing to multiply with.
+  this->FirstGuess = std::isnormal(this->Scale) ? guess : Guess::Search;
+}
+
+//------------------------------------------------------------------------------
+double Bins::GetCenter(std::size_t bin) const
+{
+  const double low = this->Edges[bin], high = this->Edges[bin + 1];
+  return this->FirstGuess == Guess::Logarithmic ? std::sqrt(low) * std::sqrt(high)
+                                                : low / 2 + high / 2;
+}
+
+//------------------------------------------------------------------------------
+Bins MakeBins(const Summary& summary, const BinSettings& settings)
+{
+  if (summary.GetFiniteCount() == 0)
+  {
+    return Bins();
+  }
+  const bool logarithmic = settings.Scale == BinScale::Logarithmic;
+  double low = std::isfinite(settings.Range.Low) ? settings.Range.Low : summary.Min;
+  double high = std::isfinite(settings.Range.High) ? settings.Range.High : summary.Max;
+  if (logarithmic && !(low > 0))
+  {
+    low = summary.MinPositive;
+  }
+  // One end from the data and one given may be the wrong way round; then no value lies between.
+  high = std::max(low, high);
+  if (logarithmic && !(low > 0 && high > 0))
+  {
+    return Bins();
+  }
+  const double first = std::ceil(low), last = std::floor(high);
+  if (!logarithmic && summary.NonIntegerCount == 0 && low < high && first <= last &&
+    last - first < MaximumOfIntegerBins && std::abs(first) < 1e15)
+  {
+    return Bins::OfIntegers(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
+  }
+  return Bins(low, high, settings.NumberOfBins, settings.Scale);
+}
+
+//------------------------------------------------------------------------------
+std::int64_t Histogram::GetTotal() const
+{
+  return std::accumulate(this->Counts.begin(), this->Counts.end(),
+    this->Underflow + this->Overflow + this->NullCount + this->InfCount);
+}
+
+//------------------------------------------------------------------------------
+// Counts of one thread.
+class BinCounter
+{
+public:
+  // Neighbouring values often share a bin; counting them in turn in several places does not wait
+  // for the last increment to be stored.
+  static constexpr int NumberOfLanes = 4;
+  std::vector<std::int64_t> Lanes;
+  Histogram Outside;
+
+  void Add(const ValueBlock& block, vtkIdType begin, vtkIdType end, const Bins& bins)
+  {
+    if (bins.GetSize() == 0)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (block.Contains(i))
+        {
+          this->AddOutside(block.Values[i], Infinity);
+        }
+      }
+      return;
+    }
+    const double* edges = bins.Edges.data();
+    const auto last = static_cast<std::ptrdiff_t>(bins.GetSize()) - 1;
+    const double origin = bins.Origin, scale = bins.Scale;
+    const auto clamp = [last](double guess)
+    { return std::min(static_cast<std::ptrdiff_t>(guess), last); };
+    switch (bins.FirstGuess)
+    {
+      case Bins::Guess::Linear:
+        this->Add(
+          block, begin, end, bins, [=](double value) { return clamp((value - origin) * scale); });
+        break;
+      case Bins::Guess::Logarithmic:
+        this->Add(block, begin, end, bins,
+          [=](double value)
+          { return clamp(std::max(0.0, (ApproximateLog2(value) - origin) * scale)); });
+        break;
+      case Bins::Guess::Search:
+        this->Add(block, begin, end, bins,
+          [=](double value)
+          { return std::upper_bound(edges + 1, edges + last + 1, value) - (edges + 1); });
+        break;
+    }
+  }
+
+private:
+  template <typename GuessBin>
+  void Add(
+    const ValueBlock& block, vtkIdType begin, vtkIdType end, const Bins& bins, GuessBin&& guessBin)
+  {
+    // A closed last bin: no finite value reaches its upper edge.
+    this->Upper.assign(bins.Edges.begin() + 1, bins.Edges.end());
+    this->Upper.back() = Infinity;
+    this->Lanes.resize(bins.GetSize() * NumberOfLanes);
+    const double low = bins.Edges.front(), high = bins.Edges.back();
+    const double* lowers = bins.Edges.data();
+    const double* uppers = this->Upper.data();
+    std::int64_t* lanes = this->Lanes.data();
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      if (!block.Contains(i))
+      {
+        continue;
+      }
+      const double value = block.Values[i];
+      if (!(value >= low && value <= high))
+      {
+        this->AddOutside(value, low);
+        continue;
+      }
+      std::ptrdiff_t bin = guessBin(value);
+      while (value < lowers[bin])
+      {
+        --bin;
+      }
+      while (value >= uppers[bin])
+      {
+        ++bin;
+      }
+      ++lanes[bin * NumberOfLanes + (i % NumberOfLanes)];
+    }
+  }
+
+  void AddOutside(double value, double low)
+  {
+    this->Outside.NullCount += std::isnan(value);
+    this->Outside.InfCount += std::isinf(value);
+    this->Outside.Underflow += std::isfinite(value) && value < low;
+    this->Outside.Overflow += std::isfinite(value) && value > low;
+  }
+
+  std::vector<double> Upper;
+};
+
+//------------------------------------------------------------------------------
+Histogram CountBins(const Population& population, const Bins& bins, Reducer& reducer)
+{
+  const std::vector<BinCounter> parts = ForEachChunk<BinCounter>(population,
+    [&](BinCounter& counter, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+    { counter.Add(block, begin, end, bins); });
+  const std::size_t size = bins.GetSize();
+  std::vector<std::int64_t> sums(size + 4);
+  for (const BinCounter& part : parts)
+  {
+    for (std::size_t i = 0; i < part.Lanes.size(); ++i)
+    {
+      sums[i / BinCounter::NumberOfLanes] += part.Lanes[i];
+    }
+    sums[size] += part.Outside.Underflow;
+    sums[size + 1] += part.Outside.Overflow;
+    sums[size + 2] += part.Outside.NullCount;
+    sums[size + 3] += part.Outside.InfCount;
+  }
+  reducer.Sum(sums.data(), sums.size());
+
+  Histogram histogram;
+  histogram.Counts.assign(sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(size));
+  histogram.Underflow = sums[size];
+  histogram.Overflow = sums[size + 1];
+  histogram.NullCount = sums[size + 2];
+  histogram.InfCount = sums[size + 3];
+  return histogram;
+}
+}

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Histogram.h
+ * @brief Bins, and how many values of a population lie in each.
+ */
+#ifndef camaron_Histogram_h
+#define camaron_Histogram_h
+
+#include "Statistics/Population.h"
+#include "Statistics/Reducer.h"
+#include "Statistics/Summary.h"
+
+#include <cstdint> // for counts
+#include <vector>  // for edges and counts
+
+namespace camaron
+{
+enum class BinScale
+{
+  Linear,
+  Logarithmic
+};
+
+/**
+ * @brief Edges of bins, and the bin of a value.
+ *
+ * Bin i is [edge i, edge i+1) exactly, the last one includes its upper edge. Constant data have one
+ * bin [x, x].
+ */
+class Bins
+{
+public:
+  /// No bins at all.
+  Bins() = default;
+  /// Bins of equal width, or equal ratio of edges (both ends > 0), from @a low to @a high.
+  Bins(double low, double high, int numberOfBins, BinScale scale);
+  /// One bin [i - 1/2, i + 1/2) for each integer from @a low to @a high.
+  static Bins OfIntegers(std::int64_t low, std::int64_t high);
+
+  std::size_t GetSize() const { return this->Edges.empty() ? 0 : this->Edges.size() - 1; }
+  const std::vector<double>& GetEdges() const { return this->Edges; }
+  /// Middle of a bin on its scale.
+  double GetCenter(std::size_t bin) const;
+
+private:
+  friend class BinCounter;
+  enum class Guess
+  {
+    Linear,
+    Logarithmic,
+    Search
+  };
+  void PrepareGuess(Guess guess);
+
+  std::vector<double> Edges;
+  // Starting point of the search for a bin: (f(value) - Origin) * Scale.
+  Guess FirstGuess = Guess::Search;
+  double Origin = 0;
+  double Scale = 0;
+};
+
+/// What the bins should be, before the data are known.
+struct BinSettings
+{
+  int NumberOfBins = 50;
+  BinScale Scale = BinScale::Linear;
+  /// Range of the bins; where an end is infinite that of the data (the positive data, if
+  /// logarithmic).
+  ValueRange Range;
+};
+
+/**
+ * Bins for the data of @a summary: one per integer if all values are integers and these are not too
+ * many, one for constant data, none without finite (positive, if logarithmic) values.
+ */
+Bins MakeBins(const Summary& summary, const BinSettings& settings);
+
+/// The sum of all counts of a histogram is the number of elements.
+struct Histogram
+{
+  std::vector<std::int64_t> Counts;
+  std::int64_t Underflow = 0; ///< finite and below the first edge
+  std::int64_t Overflow = 0;  ///< finite and above the last edge
+  std::int64_t NullCount = 0;
+  std::int64_t InfCount = 0;
+
+  std::int64_t GetTotal() const;
+};
+
+/// Collective. About 2 ns per value.
+Histogram CountBins(const Population& population, const Bins& bins, Reducer& reducer);
+}
+
+#endif

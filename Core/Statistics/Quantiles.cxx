@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/Quantiles.h"
+
+#include "Statistics/OrderedKey.h"
+#include "Statistics/RadixSelect.h"
+
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+// Where a quantile lies among the sorted values: Weight of the way from Position to the next one.
+struct Place
+{
+  std::int64_t Position;
+  double Weight;
+
+  Place(double fraction, std::int64_t count)
+  {
+    const double last = static_cast<double>(count - 1);
+    const double place = std::min(std::max(fraction * last, 0.0), last);
+    this->Position = static_cast<std::int64_t>(place);
+    this->Weight = place - static_cast<double>(this->Position);
+  }
+};
+
+// Exact at both ends and monotone, as numpy does it.
+double Interpolate(double a, double b, double weight)
+{
+  const double difference = b - a;
+  if (std::isinf(difference))
+  {
+    return a * (1 - weight) + b * weight;
+  }
+  return weight < 0.5 ? a + difference * weight : b - difference * (1 - weight);
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
+  const std::vector<double>& fractions, Reducer& reducer)
+{
+  const std::int64_t count = summary.GetFiniteCount();
+  if (count == 0)
+  {
+    return std::vector<double>(fractions.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  std::vector<std::int64_t> positions;
+  for (const double fraction : fractions)
+  {
+    const Place place(fraction, count);
+    positions.push_back(place.Position);
+    if (place.Weight > 0)
+    {
+      positions.push_back(place.Position + 1);
+    }
+  }
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+
+  // The ends are known; without them the windows are fewer.
+  const std::int64_t low = ToKey(summary.Min), high = ToKey(summary.Max);
+  std::vector<std::int64_t> inner;
+  for (const std::int64_t position : positions)
+  {
+    if (position > 0 && position < count - 1)
+    {
+      inner.push_back(position);
+    }
+  }
+  const std::vector<std::int64_t> keys = SelectKeys(
+    population,
+    [](const ValueBlock& block, vtkIdType i, std::int64_t& key)
+    {
+      const double value = block.Values[i];
+      key = ToKey(value);
+      return !IsNotFinite(value) && block.Contains(i);
+    },
+    low, high, inner, reducer);
+
+  const auto valueAt = [&](std::int64_t position)
+  {
+    if (position == 0 || position == count - 1)
+    {
+      return position == 0 ? summary.Min : summary.Max;
+    }
+    return FromKey(keys[std::lower_bound(inner.begin(), inner.end(), position) - inner.begin()]);
+  };
+  std::vector<double> quantiles;
+  for (const double fraction : fractions)
+  {
+    const Place place(fraction, count);
+    const double value = valueAt(place.Position);
+    quantiles.push_back(
+      place.Weight > 0 ? Interpolate(value, valueAt(place.Position + 1), place.Weight) : value);
+  }
+  return quantiles;
+}
+}

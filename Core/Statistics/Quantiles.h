@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Quantiles.h
+ * @brief Exact quantiles and order statistics of a population.
+ */
+#ifndef camaron_Quantiles_h
+#define camaron_Quantiles_h
+
+#include "Statistics/Population.h"
+#include "Statistics/Reducer.h"
+#include "Statistics/Summary.h"
+
+#include <vector> // for fractions and values
+
+namespace camaron
+{
+/**
+ * Quantiles of the finite values at @a fractions in [0, 1], any order; NaN if there is no finite
+ * value. Between two elements of the sorted values they are interpolated linearly (type 7 of
+ * Hyndman and Fan, the default of R and numpy). Collective; the result does not depend on threads
+ * or processes.
+ */
+std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
+  const std::vector<double>& fractions, Reducer& reducer);
+}
+
+#endif

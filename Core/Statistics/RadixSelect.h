@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RadixSelect.h
+ * @brief Finds the k-th smallest integer keys of a distributed population, exactly and without a
+ * sort.
+ *
+ * Counts keys in bins of their leading bits, keeps those in the bins where a wanted position falls
+ * and goes on with the range these span. Continuous data are down to a few keys after the first
+ * round, data with few distinct values are done after it. Each round takes two reductions of a size
+ * that depends on the number of positions only.
+ */
+#ifndef camaron_RadixSelect_h
+#define camaron_RadixSelect_h
+
+#include "Statistics/Population.h"
+#include "Statistics/Reducer.h"
+
+#include <cstdint> // for 64 bit integers
+#include <limits>  // for empty ranges
+#include <vector>  // for positions and keys
+
+namespace camaron
+{
+/// The part of the algorithm that works on keys alone.
+class RadixSelector
+{
+public:
+  /// Bins per range: the counters of one fit into a first-level cache.
+  static constexpr int NumberOfBins = 2048;
+
+  /// A range of keys which contains wanted positions.
+  struct Window
+  {
+    std::int64_t Low, High; ///< smallest and largest key
+    std::int64_t Before;    ///< how many keys are smaller than Low
+    int Shift;              ///< bits of a key that do not matter for its bin
+
+    Window(std::int64_t low, std::int64_t high, std::int64_t before);
+    int GetBin(std::int64_t key) const
+    {
+      const auto offset = static_cast<std::uint64_t>(key) - static_cast<std::uint64_t>(this->Low);
+      return static_cast<int>(offset >> this->Shift);
+    }
+  };
+
+  /// Candidates of one thread, by window.
+  using Candidates = std::vector<std::vector<std::int64_t>>;
+
+  /// @a low and @a high: smallest and largest key of all; @a positions: ascending, from 0.
+  RadixSelector(std::int64_t low, std::int64_t high, const std::vector<std::int64_t>& positions);
+
+  const Window& GetFirstWindow() const { return this->Windows.front(); }
+  /// For each bin of the first window: 0, or 1 + number of the window that replaces it.
+  const std::vector<int>& GetFirstTable() const { return this->Tables.front(); }
+  std::size_t GetNumberOfWindows() const { return this->Windows.size(); }
+
+  /// Takes the counts of the bins of all windows, and makes the table of each.
+  void Refine(const std::vector<std::int64_t>& counts);
+  /// Goes on until the keys at all positions are known.
+  std::vector<std::int64_t> Finish(std::vector<Candidates>& candidates, Reducer& reducer);
+
+private:
+  bool Narrow(const std::vector<Candidates>& candidates, Reducer& reducer);
+  std::vector<std::int64_t> Count(
+    const std::vector<Candidates>& candidates, Reducer& reducer) const;
+  void Keep(std::vector<Candidates>& candidates) const;
+
+  std::vector<std::int64_t> Positions;
+  std::vector<Window> Windows;
+  std::vector<std::vector<int>> Tables;
+  std::vector<std::int64_t> NextBefore; // of the windows that the tables lead to
+};
+
+/**
+ * Keys at @a positions (ascending, from 0) of the sorted keys. @a getKey(block, i, key) returns
+ * false where element i has no key. @a low and @a high are the smallest and largest key of all
+ * processes.
+ */
+template <typename GetKey>
+std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getKey,
+  std::int64_t low, std::int64_t high, const std::vector<std::int64_t>& positions, Reducer& reducer)
+{
+  if (positions.empty() || low == high)
+  {
+    return std::vector<std::int64_t>(positions.size(), low);
+  }
+  RadixSelector selector(low, high, positions);
+  const RadixSelector::Window window = selector.GetFirstWindow();
+
+  using Counts = std::vector<std::int64_t>;
+  const std::vector<Counts> partialCounts = ForEachChunk<Counts>(population,
+    [&](Counts& counts, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+    {
+      counts.resize(RadixSelector::NumberOfBins);
+      std::int64_t* bins = counts.data();
+      std::int64_t key;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (getKey(block, i, key))
+        {
+          ++bins[window.GetBin(key)];
+        }
+      }
+    });
+  Counts counts(RadixSelector::NumberOfBins);
+  for (const Counts& part : partialCounts)
+  {
+    for (std::size_t bin = 0; bin < part.size(); ++bin)
+    {
+      counts[bin] += part[bin];
+    }
+  }
+  reducer.Sum(counts.data(), counts.size());
+  selector.Refine(counts);
+
+  using Candidates = RadixSelector::Candidates;
+  const std::vector<int>& table = selector.GetFirstTable();
+  std::vector<Candidates> candidates = ForEachChunk<Candidates>(population,
+    [&](Candidates& kept, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+    {
+      kept.resize(positions.size());
+      std::int64_t key;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        if (getKey(block, i, key))
+        {
+          if (const int next = table[window.GetBin(key)])
+          {
+            kept[next - 1].push_back(key);
+          }
+        }
+      }
+    });
+  return selector.Finish(candidates, reducer);
+}
+}
+
+#endif

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::Reducer
+ * @brief What the statistics need to hear from other processes.
+ *
+ * Every method is collective: all processes call it, in the same order and with the same sizes.
+ * Only integers are added, so results do not depend on the number of processes. This implementation
+ * is the one for a single process.
+ */
+#ifndef camaron_Reducer_h
+#define camaron_Reducer_h
+
+#include <cstddef>     // for std::size_t
+#include <cstdint>     // for 64 bit integers
+#include <cstring>     // for copies of bytes
+#include <type_traits> // for what can be sent as bytes
+#include <vector>      // for gathered bytes
+
+namespace camaron
+{
+class Reducer
+{
+public:
+  virtual ~Reducer() = default;
+
+  virtual int GetNumberOfProcesses() const { return 1; }
+  virtual int GetProcess() const { return 0; }
+
+  ///@{
+  /// Replaces each entry by its sum, minimum or maximum over all processes.
+  virtual void Sum(std::int64_t*, std::size_t) {}
+  virtual void Min(std::int64_t*, std::size_t) {}
+  virtual void Max(std::int64_t*, std::size_t) {}
+  ///@}
+
+  /// The bytes of all processes in their order; @a sizes tells how many came from each.
+  virtual std::vector<char> Gather(const std::vector<char>& bytes, std::vector<std::size_t>& sizes)
+  {
+    sizes.assign(1, bytes.size());
+    return bytes;
+  }
+
+  /// Gather for lists of plain structs; for short lists, as every process gets all.
+  template <typename Item>
+  std::vector<Item> GatherItems(const std::vector<Item>& items)
+  {
+    static_assert(std::is_trivially_copyable<Item>::value, "items are sent as bytes");
+    const char* begin = reinterpret_cast<const char*>(items.data());
+    std::vector<std::size_t> sizes;
+    const std::vector<char> bytes =
+      this->Gather({ begin, begin + items.size() * sizeof(Item) }, sizes);
+    std::vector<Item> result(bytes.size() / sizeof(Item));
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      std::memcpy(&result[i], bytes.data() + i * sizeof(Item), sizeof(Item));
+    }
+    return result;
+  }
+};
+}
+
+#endif

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Summary.h
+ * @brief Counts, extremes and moments of a population.
+ *
+ * Every number is the same bit for bit for any number of threads and processes and any order of the
+ * elements: sums are exact before they are rounded once, deviations are taken from the final mean.
+ */
+#ifndef camaron_Summary_h
+#define camaron_Summary_h
+
+#include "Statistics/Population.h"
+#include "Statistics/Reducer.h"
+
+#include <cstdint> // for counts
+#include <limits>  // for NaN
+
+namespace camaron
+{
+/// A closed range of values; infinite where it has no end.
+struct ValueRange
+{
+  double Low = -std::numeric_limits<double>::infinity();
+  double High = std::numeric_limits<double>::infinity();
+};
+
+struct Summary
+{
+  std::int64_t Count = 0;              ///< elements
+  std::int64_t NullCount = 0;          ///< NaN
+  std::int64_t NotApplicableCount = 0; ///< those nulls whose reason is NotApplicable
+  std::int64_t InfCount = 0;           ///< +Inf and -Inf
+  std::int64_t BelowCount = 0;         ///< smaller than the acceptable range, -Inf included
+  std::int64_t AboveCount = 0;         ///< larger than the acceptable range, +Inf included
+  std::int64_t NonIntegerCount = 0;    ///< 0 if every finite value is an integer, else positive
+
+  /// Elements for which the value has a meaning.
+  std::int64_t GetApplicableCount() const { return this->Count - this->NotApplicableCount; }
+  std::int64_t GetFiniteCount() const { return this->Count - this->NullCount - this->InfCount; }
+
+  ///@{
+  /// Of the finite values; NaN if there are none, the deviations also if there is only one.
+  double Min = std::numeric_limits<double>::quiet_NaN();
+  double Max = std::numeric_limits<double>::quiet_NaN();
+  double MinPositive = std::numeric_limits<double>::quiet_NaN(); ///< smallest value above 0
+  double Mean = std::numeric_limits<double>::quiet_NaN();
+  double StandardDeviation = std::numeric_limits<double>::quiet_NaN(); ///< divisor count - 1
+  double Variance = std::numeric_limits<double>::quiet_NaN();
+  double Sum = 0;
+  ///@}
+
+  ///@{
+  /// Smallest identity among the elements with the smallest and largest finite value, else -1.
+  vtkIdType ArgMin = -1;
+  vtkIdType ArgMax = -1;
+  ///@}
+};
+
+/// Collective. Two passes over the values, about 3 ns per value and pass.
+Summary Summarize(const Population& population, const ValueRange& acceptable, Reducer& reducer);
+}
+
+#endif
