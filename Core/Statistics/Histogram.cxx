@@ -129,28 +129,20 @@ class BinCounter
 public:
   // Neighbouring values often share a bin; counting them in turn in several places does not wait
   // for the last increment to be stored.
-  static constexpr int NumberOfLanes = 4;
+  static constexpr vtkIdType NumberOfLanes = 4;
   std::vector<std::int64_t> Lanes;
   Histogram Outside;
 
   void Add(const ValueBlock& block, vtkIdType begin, vtkIdType end, const Bins& bins)
   {
-    if (bins.GetSize() == 0)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        if (block.Contains(i))
-        {
-          this->AddOutside(block.Values[i], Infinity);
-        }
-      }
-      return;
-    }
-    const double* edges = bins.Edges.data();
-    const auto last = static_cast<std::ptrdiff_t>(bins.GetSize()) - 1;
     const double origin = bins.Origin, scale = bins.Scale;
+    const double last = static_cast<double>(bins.GetSize()) - 1;
+    // In this form a single instruction each, and right for NaN, which ends up in no bin.
     const auto clamp = [last](double guess)
-    { return std::min(static_cast<std::ptrdiff_t>(guess), last); };
+    {
+      guess = guess < last ? guess : last;
+      return guess > 0 ? guess : 0;
+    };
     switch (bins.FirstGuess)
     {
       case Bins::Guess::Linear:
@@ -159,64 +151,88 @@ public:
         break;
       case Bins::Guess::Logarithmic:
         this->Add(block, begin, end, bins,
-          [=](double value)
-          { return clamp(std::max(0.0, (ApproximateLog2(value) - origin) * scale)); });
+          [=](double value) { return clamp((ApproximateLog2(value) - origin) * scale); });
         break;
       case Bins::Guess::Search:
-        this->Add(block, begin, end, bins,
-          [=](double value)
-          { return std::upper_bound(edges + 1, edges + last + 1, value) - (edges + 1); });
+        this->Add(block, begin, end, bins, [](double) { return 0.0; });
         break;
     }
   }
 
 private:
+  struct Limits
+  {
+    double Low, High;
+  };
+  std::vector<Limits> LimitsOfBins;
+
   template <typename GuessBin>
   void Add(
     const ValueBlock& block, vtkIdType begin, vtkIdType end, const Bins& bins, GuessBin&& guessBin)
   {
-    // A closed last bin: no finite value reaches its upper edge.
-    this->Upper.assign(bins.Edges.begin() + 1, bins.Edges.end());
-    this->Upper.back() = Infinity;
     this->Lanes.resize(bins.GetSize() * NumberOfLanes);
-    const double low = bins.Edges.front(), high = bins.Edges.back();
-    const double* lowers = bins.Edges.data();
-    const double* uppers = this->Upper.data();
-    std::int64_t* lanes = this->Lanes.data();
-    for (vtkIdType i = begin; i < end; ++i)
+    this->LimitsOfBins.assign(1, { Infinity, -Infinity }); // where there are no bins
+    for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
     {
-      if (!block.Contains(i))
+      this->LimitsOfBins.resize(bin + 1);
+      this->LimitsOfBins[bin] = { bins.Edges[bin], bins.Edges[bin + 1] };
+    }
+
+    // First guess for a batch, which a compiler can do for several values at once, then check.
+    constexpr vtkIdType batchSize = 256;
+    std::int32_t guesses[batchSize];
+    for (vtkIdType first = begin; first < end; first += batchSize)
+    {
+      const vtkIdType size = std::min(batchSize, end - first);
+      const double* values = block.Values + first;
+      const unsigned char* skip = block.Skip ? block.Skip + first : nullptr;
+      for (vtkIdType i = 0; i < size; ++i)
       {
-        continue;
+        guesses[i] = static_cast<std::int32_t>(guessBin(values[i]));
       }
-      const double value = block.Values[i];
-      if (!(value >= low && value <= high))
+      const Limits* limits = this->LimitsOfBins.data();
+      std::int64_t* lanes = this->Lanes.data();
+      for (vtkIdType i = 0; i < size; ++i)
       {
-        this->AddOutside(value, low);
-        continue;
+        const double value = values[i];
+        const Limits& guess = limits[guesses[i]];
+        if (skip && skip[i])
+        {
+          continue;
+        }
+        if (value >= guess.Low && value < guess.High)
+        {
+          ++lanes[guesses[i] * NumberOfLanes + i % NumberOfLanes];
+        }
+        else
+        {
+          this->Search(value, bins.Edges);
+        }
       }
-      std::ptrdiff_t bin = guessBin(value);
-      while (value < lowers[bin])
-      {
-        --bin;
-      }
-      while (value >= uppers[bin])
-      {
-        ++bin;
-      }
-      ++lanes[bin * NumberOfLanes + (i % NumberOfLanes)];
     }
   }
 
-  void AddOutside(double value, double low)
+  void Search(double value, const std::vector<double>& edges)
   {
-    this->Outside.NullCount += std::isnan(value);
-    this->Outside.InfCount += std::isinf(value);
-    this->Outside.Underflow += std::isfinite(value) && value < low;
-    this->Outside.Overflow += std::isfinite(value) && value > low;
+    if (!std::isfinite(value))
+    {
+      ++(std::isnan(value) ? this->Outside.NullCount : this->Outside.InfCount);
+    }
+    else if (edges.empty() || value < edges.front())
+    {
+      ++this->Outside.Underflow;
+    }
+    else if (value > edges.back())
+    {
+      ++this->Outside.Overflow;
+    }
+    else
+    {
+      // The last bin includes its upper edge.
+      const auto next = std::upper_bound(edges.begin() + 1, edges.end() - 1, value);
+      ++this->Lanes[(next - edges.begin() - 1) * NumberOfLanes];
+    }
   }
-
-  std::vector<double> Upper;
 };
 
 //------------------------------------------------------------------------------

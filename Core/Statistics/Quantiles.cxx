@@ -70,15 +70,23 @@ std::vector<double> GetQuantiles(const Population& population, const Summary& su
       inner.push_back(position);
     }
   }
-  const std::vector<std::int64_t> keys = SelectKeys(
-    population,
-    [](const ValueBlock& block, vtkIdType i, std::int64_t& key)
-    {
-      const double value = block.Values[i];
-      key = ToKey(value);
-      return !IsNotFinite(value) && block.Contains(i);
-    },
-    low, high, inner, reducer);
+  const auto getKey = [](const ValueBlock& block, vtkIdType i, std::int64_t& key)
+  {
+    const double value = block.Values[i];
+    key = ToKey(value);
+    return !IsNotFinite(value) && block.Contains(i);
+  };
+  // Bins of equal width spread values well that fill their range; bins of the leading bits, which
+  // are nearly logarithmic, those with long tails.
+  constexpr double last = RadixSelector::NumberOfBins - 1;
+  const double min = summary.Min;
+  const double scale = last / (summary.Max - summary.Min);
+  const auto getBin = [=](std::int64_t key)
+  { return static_cast<int>(std::min((FromKey(key) - min) * scale, last)); };
+  const bool fillsRange = summary.StandardDeviation * 100 > summary.Max - summary.Min;
+  const std::vector<std::int64_t> keys = fillsRange && std::isnormal(scale)
+    ? SelectKeys(population, getKey, getBin, low, high, inner, reducer)
+    : SelectKeys(population, getKey, low, high, inner, reducer);
 
   const auto valueAt = [&](std::int64_t position)
   {

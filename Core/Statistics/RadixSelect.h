@@ -5,10 +5,10 @@
  * @brief Finds the k-th smallest integer keys of a distributed population, exactly and without a
  * sort.
  *
- * Counts keys in bins of their leading bits, keeps those in the bins where a wanted position falls
- * and goes on with the range these span. Continuous data are down to a few keys after the first
- * round, data with few distinct values are done after it. Each round takes two reductions of a size
- * that depends on the number of positions only.
+ * Counts keys in bins, keeps those in the bins where a wanted position falls and goes on with the
+ * range these span. Continuous data are down to a few keys after the first round, data with few
+ * distinct values are done after it. Each round takes two reductions of a size that depends on the
+ * number of positions only.
  */
 #ifndef camaron_RadixSelect_h
 #define camaron_RadixSelect_h
@@ -50,10 +50,8 @@ public:
   /// @a low and @a high: smallest and largest key of all; @a positions: ascending, from 0.
   RadixSelector(std::int64_t low, std::int64_t high, const std::vector<std::int64_t>& positions);
 
-  const Window& GetFirstWindow() const { return this->Windows.front(); }
   /// For each bin of the first window: 0, or 1 + number of the window that replaces it.
   const std::vector<int>& GetFirstTable() const { return this->Tables.front(); }
-  std::size_t GetNumberOfWindows() const { return this->Windows.size(); }
 
   /// Takes the counts of the bins of all windows, and makes the table of each.
   void Refine(const std::vector<std::int64_t>& counts);
@@ -76,9 +74,11 @@ private:
  * Keys at @a positions (ascending, from 0) of the sorted keys. @a getKey(block, i, key) returns
  * false where element i has no key. @a low and @a high are the smallest and largest key of all
  * processes.
+ * @a getBin(key) gives the bin of the first round: any function that does not fall, from 0 to
+ * RadixSelector::NumberOfBins - 1; the more evenly it spreads the keys, the better.
  */
-template <typename GetKey>
-std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getKey,
+template <typename GetKey, typename GetBin>
+std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getKey, GetBin&& getBin,
   std::int64_t low, std::int64_t high, const std::vector<std::int64_t>& positions, Reducer& reducer)
 {
   if (positions.empty() || low == high)
@@ -86,7 +86,6 @@ std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getK
     return std::vector<std::int64_t>(positions.size(), low);
   }
   RadixSelector selector(low, high, positions);
-  const RadixSelector::Window window = selector.GetFirstWindow();
 
   using Counts = std::vector<std::int64_t>;
   const std::vector<Counts> partialCounts = ForEachChunk<Counts>(population,
@@ -99,7 +98,7 @@ std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getK
       {
         if (getKey(block, i, key))
         {
-          ++bins[window.GetBin(key)];
+          ++bins[getBin(key)];
         }
       }
     });
@@ -125,7 +124,7 @@ std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getK
       {
         if (getKey(block, i, key))
         {
-          if (const int next = table[window.GetBin(key)])
+          if (const int next = table[getBin(key)])
           {
             kept[next - 1].push_back(key);
           }
@@ -133,6 +132,17 @@ std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getK
       }
     });
   return selector.Finish(candidates, reducer);
+}
+
+/// The same with bins of the leading bits of the keys.
+template <typename GetKey>
+std::vector<std::int64_t> SelectKeys(const Population& population, GetKey&& getKey,
+  std::int64_t low, std::int64_t high, const std::vector<std::int64_t>& positions, Reducer& reducer)
+{
+  const RadixSelector::Window window(low, high, 0);
+  return SelectKeys(
+    population, getKey, [window](std::int64_t key) { return window.GetBin(key); }, low, high,
+    positions, reducer);
 }
 }
 

@@ -27,125 +27,122 @@ struct IsWorse
   }
 };
 
-// Smallest and largest key of those that a function gives.
-template <typename GetKey>
-void FindKeyRange(
-  const Population& population, GetKey&& getKey, std::int64_t range[2], Reducer& reducer)
+struct KeyRange
 {
-  struct Range
-  {
-    std::int64_t Low = std::numeric_limits<std::int64_t>::max();
-    std::int64_t High = std::numeric_limits<std::int64_t>::min();
-    std::int64_t Count = 0;
-  };
-  const std::vector<Range> parts = ForEachChunk<Range>(population,
-    [&](Range& part, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+  std::int64_t Low = std::numeric_limits<std::int64_t>::max();
+  std::int64_t High = std::numeric_limits<std::int64_t>::min();
+  std::int64_t Count = 0;
+};
+
+// Smallest and largest of the keys that a function gives, and how many there are.
+template <typename GetKey>
+KeyRange FindKeyRange(const Population& population, GetKey&& getKey, Reducer& reducer)
+{
+  const std::vector<KeyRange> parts = ForEachChunk<KeyRange>(population,
+    [&](KeyRange& part, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     {
+      KeyRange range = part;
       std::int64_t key;
       for (vtkIdType i = begin; i < end; ++i)
       {
         if (getKey(block, i, key))
         {
-          part.Low = std::min(part.Low, key);
-          part.High = std::max(part.High, key);
+          range.Low = std::min(range.Low, key);
+          range.High = std::max(range.High, key);
+          ++range.Count;
         }
       }
+      part = range;
     });
-  Range all;
-  for (const Range& part : parts)
+  KeyRange all;
+  for (const KeyRange& part : parts)
   {
     all.Low = std::min(all.Low, part.Low);
     all.High = std::max(all.High, part.High);
+    all.Count += part.Count;
   }
   reducer.Min(&all.Low, 1);
   reducer.Max(&all.High, 1);
-  range[0] = all.Low;
-  range[1] = all.High;
+  reducer.Sum(&all.Count, 1);
+  return all;
 }
 
-template <typename GetKey>
-std::int64_t CountKeys(const Population& population, GetKey&& getKey, Reducer& reducer)
+// The worst elements of a part, the best of them on top of a heap.
+class WorstHeap
 {
-  const std::vector<std::int64_t> parts = ForEachChunk<std::int64_t>(population,
-    [&](std::int64_t& part, const ValueBlock& block, vtkIdType begin, vtkIdType end)
-    {
-      std::int64_t key, count = 0;
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        count += getKey(block, i, key);
-      }
-      part += count;
-    });
-  std::int64_t count = 0;
-  for (const std::int64_t part : parts)
+public:
+  std::vector<WorstElement> Elements;
+
+  void Add(const Population& population, const ValueBlock& block, vtkIdType begin, vtkIdType end,
+    std::size_t size, WorstEnd worstEnd, int process)
   {
-    count += part;
+    const IsWorse isWorse{ worstEnd };
+    const double sign = worstEnd == WorstEnd::Largest ? 1 : -1;
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      // False for NaN, and for nearly every value once the heap is full.
+      if (!(sign * block.Values[i] >= this->Limit) || !block.Contains(i))
+      {
+        continue;
+      }
+      WorstElement element;
+      element.Value = block.Values[i] + 0.0; // -0 becomes 0
+      element.Id = block.GetId(i);
+      element.Index = i;
+      element.Block = static_cast<int>(&block - population.data());
+      element.Process = process;
+      if (this->Elements.size() == size)
+      {
+        if (!isWorse(element, this->Elements.front()))
+        {
+          continue;
+        }
+        std::pop_heap(this->Elements.begin(), this->Elements.end(), isWorse);
+        this->Elements.pop_back();
+      }
+      this->Elements.push_back(element);
+      std::push_heap(this->Elements.begin(), this->Elements.end(), isWorse);
+      if (this->Elements.size() == size)
+      {
+        this->Limit = sign * this->Elements.front().Value;
+      }
+    }
   }
-  reducer.Sum(&count, 1);
-  return count;
-}
+
+private:
+  double Limit = -std::numeric_limits<double>::infinity();
+};
 }
 
 //------------------------------------------------------------------------------
 std::vector<WorstElement> FindWorst(const Population& population, std::int64_t count, WorstEnd end,
   Reducer& reducer, const std::function<void(WorstElement&)>& describe)
 {
-  const IsWorse isWorse{ end };
+  std::vector<WorstElement> worst;
   const auto size = static_cast<std::size_t>(std::max<std::int64_t>(count, 0));
-  // Heaps with the best of the worst on top, one per thread.
-  using Heap = std::vector<WorstElement>;
-  const std::vector<Heap> heaps = ForEachChunk<Heap>(population,
-    [&](Heap& heap, const ValueBlock& block, vtkIdType first, vtkIdType last)
-    {
-      for (vtkIdType i = first; i < last; ++i)
-      {
-        const double value = block.Values[i] + 0.0;
-        if (std::isnan(value) || !block.Contains(i) || size == 0)
-        {
-          continue;
-        }
-        if (heap.size() == size &&
-          (end == WorstEnd::Largest ? value < heap.front().Value : value > heap.front().Value))
-        {
-          continue;
-        }
-        WorstElement element;
-        element.Value = value;
-        element.Id = block.GetId(i);
-        element.Index = i;
-        element.Block = static_cast<int>(&block - population.data());
-        element.Process = reducer.GetProcess();
-        if (heap.size() == size)
-        {
-          if (!isWorse(element, heap.front()))
-          {
-            continue;
-          }
-          std::pop_heap(heap.begin(), heap.end(), isWorse);
-          heap.pop_back();
-        }
-        heap.push_back(element);
-        std::push_heap(heap.begin(), heap.end(), isWorse);
-      }
-    });
-
-  const auto sortAndCut = [&](Heap& list)
+  if (size == 0)
   {
-    std::sort(list.begin(), list.end(), isWorse);
-    list.resize(std::min(list.size(), size));
-  };
-  Heap worst;
-  for (const Heap& heap : heaps)
-  {
-    worst.insert(worst.end(), heap.begin(), heap.end());
+    return worst;
   }
-  sortAndCut(worst);
+  const auto sortAndCut = [&]
+  {
+    std::sort(worst.begin(), worst.end(), IsWorse{ end });
+    worst.resize(std::min(worst.size(), size));
+  };
+  const std::vector<WorstHeap> heaps = ForEachChunk<WorstHeap>(population,
+    [&](WorstHeap& heap, const ValueBlock& block, vtkIdType first, vtkIdType last)
+    { heap.Add(population, block, first, last, size, end, reducer.GetProcess()); });
+  for (const WorstHeap& heap : heaps)
+  {
+    worst.insert(worst.end(), heap.Elements.begin(), heap.Elements.end());
+  }
+  sortAndCut();
   for (WorstElement& element : worst)
   {
     describe(element);
   }
   worst = reducer.GatherItems(worst);
-  sortAndCut(worst);
+  sortAndCut();
   return worst;
 }
 
@@ -175,34 +172,31 @@ WorstLimit FindWorstLimit(
     key = ToKey(value);
     return !std::isnan(value) && block.Contains(i);
   };
-  const std::int64_t candidates = CountKeys(population, getKey, reducer);
+  const KeyRange range = FindKeyRange(population, getKey, reducer);
+  const bool largest = end == WorstEnd::Largest;
   WorstLimit limit;
   limit.End = end;
-  limit.Count = std::min(std::max<std::int64_t>(count, 0), candidates);
+  limit.Count = std::min(std::max<std::int64_t>(count, 0), range.Count);
   if (limit.Count == 0)
   {
     return limit;
   }
+  const std::int64_t position = largest ? range.Count - limit.Count : limit.Count - 1;
+  limit.Key = SelectKeys(population, getKey, range.Low, range.High, { position }, reducer).front();
 
-  const bool largest = end == WorstEnd::Largest;
-  std::int64_t range[2];
-  FindKeyRange(population, getKey, range, reducer);
-  const std::int64_t position = largest ? candidates - limit.Count : limit.Count - 1;
-  limit.Key = SelectKeys(population, getKey, range[0], range[1], { position }, reducer).front();
-
+  // Of the elements with that very value the ones with the smallest identities fill the list.
   const auto isWorse = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
   { return getKey(block, i, key) && key != limit.Key && (key > limit.Key) == largest; };
-  const std::int64_t numberOfWorse = CountKeys(population, isWorse, reducer);
-
+  const std::int64_t numberOfWorse = FindKeyRange(population, isWorse, reducer).Count;
   const auto getTiedId = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
   {
     const bool tied = getKey(block, i, key) && key == limit.Key;
     key = tied ? block.GetId(i) : 0;
     return tied;
   };
-  FindKeyRange(population, getTiedId, range, reducer);
+  const KeyRange ids = FindKeyRange(population, getTiedId, reducer);
   limit.LastId = static_cast<vtkIdType>(SelectKeys(
-    population, getTiedId, range[0], range[1], { limit.Count - numberOfWorse - 1 }, reducer)
+    population, getTiedId, ids.Low, ids.High, { limit.Count - numberOfWorse - 1 }, reducer)
                                           .front());
   return limit;
 }
