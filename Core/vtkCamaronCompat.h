@@ -12,6 +12,11 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkVersionMacros.h"
+#if __has_include("vtkCellTypeUtilities.h")
+#include "vtkCellTypeUtilities.h"
+#else
+#include "vtkCellTypes.h"
+#endif
 
 namespace camaron
 {
@@ -28,6 +33,19 @@ inline bool HasPlainStorage(vtkCellArray* cells)
 #else
   (void)cells;
   return true;
+#endif
+}
+
+/**
+ * Class name of a cell type such as "vtkTetra". VTK 9.6 moves the method to a class of its own; delete
+ * this when VTK < 9.6 is no longer supported.
+ */
+inline const char* GetCellClassName(int cellType)
+{
+#if __has_include("vtkCellTypeUtilities.h")
+  return vtkCellTypeUtilities::GetClassNameFromTypeId(cellType);
+#else
+  return vtkCellTypes::GetClassNameFromTypeId(cellType);
 #endif
 }
 }

@@ -14,6 +14,8 @@
 #include <cstddef>     // for std::size_t
 #include <cstdint>     // for 64 bit integers
 #include <cstring>     // for copies of bytes
+#include <set>         // for distinct names
+#include <string>      // for names
 #include <type_traits> // for what can be sent as bytes
 #include <vector>      // for gathered bytes
 
@@ -56,6 +58,24 @@ public:
       std::memcpy(&result[i], bytes.data() + i * sizeof(Item), sizeof(Item));
     }
     return result;
+  }
+
+  /// The distinct names of all processes, sorted. Names contain no zero bytes.
+  std::vector<std::string> GatherNames(const std::vector<std::string>& names)
+  {
+    std::vector<char> bytes;
+    for (const std::string& name : names)
+    {
+      bytes.insert(bytes.end(), name.c_str(), name.c_str() + name.size() + 1);
+    }
+    std::vector<std::size_t> sizes;
+    bytes = this->Gather(bytes, sizes);
+    std::set<std::string> result;
+    for (std::size_t i = 0; i < bytes.size(); i += std::strlen(&bytes[i]) + 1)
+    {
+      result.insert(&bytes[i]);
+    }
+    return { result.begin(), result.end() };
   }
 };
 }

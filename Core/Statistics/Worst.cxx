@@ -74,7 +74,7 @@ public:
   std::vector<WorstElement> Elements;
 
   void Add(const Population& population, const ValueBlock& block, vtkIdType begin, vtkIdType end,
-    std::size_t size, WorstEnd worstEnd, int process)
+    std::size_t size, WorstEnd worstEnd)
   {
     const IsWorse isWorse{ worstEnd };
     const double sign = worstEnd == WorstEnd::Largest ? 1 : -1;
@@ -90,7 +90,6 @@ public:
       element.Id = block.GetId(i);
       element.Index = i;
       element.Block = static_cast<int>(&block - population.data());
-      element.Process = process;
       if (this->Elements.size() == size)
       {
         if (!isWorse(element, this->Elements.front()))
@@ -131,7 +130,7 @@ std::vector<WorstElement> FindWorst(const Population& population, std::int64_t c
   };
   const std::vector<WorstHeap> heaps = ForEachChunk<WorstHeap>(population,
     [&](WorstHeap& heap, const ValueBlock& block, vtkIdType first, vtkIdType last)
-    { heap.Add(population, block, first, last, size, end, reducer.GetProcess()); });
+    { heap.Add(population, block, first, last, size, end); });
   for (const WorstHeap& heap : heaps)
   {
     worst.insert(worst.end(), heap.Elements.begin(), heap.Elements.end());

@@ -26,21 +26,27 @@ enum class WorstEnd
   Largest
 };
 
-/// An element of the list; what its block does not know is filled in by the process that owns it.
+/// An element of the list.
 struct WorstElement
 {
   double Value = 0;
   vtkIdType Id = -1;
-  vtkIdType Index = -1; ///< in its block
-  int Block = 0;        ///< in the population of its process
-  int Process = 0;
+  ///@{
+  /// Where the process that owns the element has it: block of the population and place in the block.
+  int Block = 0;
+  vtkIdType Index = 0;
+  ///@}
+  ///@{
+  /// For the owner to fill in.
+  int BlockNumber = 0;
   int CellType = 0;
   double Place[3] = { 0, 0, 0 };
+  ///@}
 };
 
 /**
- * Up to @a count worst elements, worst first, known to every process. @a describe fills Place and
- * the like of the elements of this process that may be in the list. Collective, for short lists.
+ * Up to @a count worst elements, worst first, known to every process. @a describe fills in what it
+ * likes about the elements of this process that may be in the list. Collective, for short lists.
  */
 std::vector<WorstElement> FindWorst(const Population& population, std::int64_t count, WorstEnd end,
   Reducer& reducer, const std::function<void(WorstElement&)>& describe);

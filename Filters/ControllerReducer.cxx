@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ControllerReducer.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+ControllerReducer::ControllerReducer()
+  : Controller(vtkMultiProcessController::GetGlobalController())
+{
+}
+
+//------------------------------------------------------------------------------
+int ControllerReducer::GetNumberOfProcesses() const
+{
+  return this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+}
+
+//------------------------------------------------------------------------------
+int ControllerReducer::GetProcess() const
+{
+  return this->Controller ? this->Controller->GetLocalProcessId() : 0;
+}
+
+//------------------------------------------------------------------------------
+void ControllerReducer::Sum(std::int64_t* values, std::size_t size)
+{
+  this->Reduce(values, size, vtkCommunicator::SUM_OP);
+}
+
+//------------------------------------------------------------------------------
+void ControllerReducer::Min(std::int64_t* values, std::size_t size)
+{
+  this->Reduce(values, size, vtkCommunicator::MIN_OP);
+}
+
+//------------------------------------------------------------------------------
+void ControllerReducer::Max(std::int64_t* values, std::size_t size)
+{
+  this->Reduce(values, size, vtkCommunicator::MAX_OP);
+}
+
+//------------------------------------------------------------------------------
+void ControllerReducer::Reduce(std::int64_t* values, std::size_t size, int operation)
+{
+  if (this->GetNumberOfProcesses() > 1 && size > 0)
+  {
+    const std::vector<std::int64_t> own(values, values + size);
+    this->Controller->AllReduce(own.data(), values, static_cast<vtkIdType>(size), operation);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<char> ControllerReducer::Gather(
+  const std::vector<char>& bytes, std::vector<std::size_t>& sizes)
+{
+  const int numberOfProcesses = this->GetNumberOfProcesses();
+  if (numberOfProcesses == 1)
+  {
+    return this->Reducer::Gather(bytes, sizes);
+  }
+  const auto ownLength = static_cast<vtkIdType>(bytes.size());
+  std::vector<vtkIdType> lengths(numberOfProcesses), offsets(numberOfProcesses);
+  this->Controller->AllGather(&ownLength, lengths.data(), 1);
+  sizes.clear();
+  vtkIdType total = 0;
+  for (int process = 0; process < numberOfProcesses; ++process)
+  {
+    sizes.push_back(static_cast<std::size_t>(lengths[process]));
+    offsets[process] = total;
+    total += lengths[process];
+  }
+  std::vector<char> all(static_cast<std::size_t>(total));
+  if (total > 0)
+  {
+    this->Controller->AllGatherV(
+      bytes.data(), all.data(), ownLength, lengths.data(), offsets.data());
+  }
+  return all;
+}
+}

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ElementBlocks.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace camaron
+{
+namespace
+{
+constexpr unsigned char GhostMask = vtkDataSetAttributes::DUPLICATECELL |
+  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+
+//------------------------------------------------------------------------------
+// Path of a child such as "rotor/blades".
+std::string GetChildName(
+  const std::string& parent, vtkInformation* metaData, const std::string& fallback)
+{
+  const char* name = metaData ? metaData->Get(vtkCompositeDataSet::NAME()) : nullptr;
+  return (parent.empty() ? "" : parent + "/") + (name && name[0] ? name : fallback);
+}
+}
+
+//------------------------------------------------------------------------------
+ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer)
+{
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  this->Composite = composite != nullptr;
+  if (auto* data = vtkDataSet::SafeDownCast(input))
+  {
+    this->AddBlock(data, 0, 0, "");
+  }
+  else if (vtkDataObjectTree::SafeDownCast(input))
+  {
+    unsigned int flatIndex = 0;
+    this->AddTree(input, flatIndex, 0, "");
+  }
+  else if (composite)
+  {
+    // Adaptive meshes: their levels and boxes are the same on all processes.
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      const unsigned int index = it->GetCurrentFlatIndex();
+      this->AddBlock(vtkDataSet::SafeDownCast(it->GetCurrentDataObject()), index,
+        static_cast<int>(index), "Block " + std::to_string(index));
+    }
+  }
+  this->FindGlobalIds(reducer);
+  this->FindIndices(reducer);
+}
+
+//------------------------------------------------------------------------------
+// Numbers nodes as VTK does: in preorder, empty ones included.
+void ElementBlocks::AddTree(
+  vtkDataObject* node, unsigned int& flatIndex, int number, const std::string& name)
+{
+  if (auto* data = vtkDataSet::SafeDownCast(node))
+  {
+    this->AddBlock(data, flatIndex, number, name);
+  }
+  else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(node))
+  {
+    for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      ++flatIndex;
+      // The flat index depends on how many partitions this process has.
+      this->AddTree(collection->GetPartitionedDataSet(i), flatIndex, static_cast<int>(i),
+        GetChildName(name, collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr,
+          "Block " + std::to_string(i)));
+    }
+  }
+  else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(node))
+  {
+    for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+    {
+      ++flatIndex;
+      this->AddTree(blocks->GetBlock(i), flatIndex, static_cast<int>(flatIndex),
+        GetChildName(name, blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr,
+          "Block " + std::to_string(flatIndex)));
+    }
+  }
+  else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(node))
+  {
+    // Pieces of one block, whose number may differ between processes.
+    for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+    {
+      ++flatIndex;
+      this->AddTree(pieces->GetPartitionAsDataObject(i), flatIndex, number, name);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ElementBlocks::AddBlock(
+  vtkDataSet* data, unsigned int flatIndex, int number, const std::string& name)
+{
+  if (!data || data->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  ElementBlock block;
+  block.Data = data;
+  block.FlatIndex = flatIndex;
+  block.Number = number;
+  block.Name = name;
+  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  const unsigned char* begin = ghosts ? ghosts->GetPointer(0) : nullptr;
+  const unsigned char* end = ghosts ? begin + data->GetNumberOfCells() : nullptr;
+  if (std::any_of(begin, end, [](unsigned char ghost) { return ghost & GhostMask; }))
+  {
+    block.Skip.resize(end - begin);
+    std::transform(begin, end, block.Skip.begin(),
+      [](unsigned char ghost) { return static_cast<unsigned char>(ghost & GhostMask); });
+  }
+  this->Blocks.push_back(block);
+}
+
+//------------------------------------------------------------------------------
+// Global ids are of use only if no cell is without.
+void ElementBlocks::FindGlobalIds(Reducer& reducer)
+{
+  std::int64_t counts[2] = { 0, 0 };
+  for (const ElementBlock& block : this->Blocks)
+  {
+    ++counts[block.Data->GetCellData()->GetGlobalIds() ? 0 : 1];
+  }
+  reducer.Sum(counts, 2);
+  this->GlobalIds = counts[0] > 0 && counts[1] == 0;
+  if (!this->GlobalIds)
+  {
+    return;
+  }
+  for (ElementBlock& block : this->Blocks)
+  {
+    block.GlobalIds = block.Data->GetCellData()->GetGlobalIds();
+    if (!vtkIdTypeArray::FastDownCast(block.GlobalIds))
+    {
+      auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+      ids->DeepCopy(block.GlobalIds);
+      block.GlobalIds = ids;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ElementBlocks::FindIndices(Reducer& reducer)
+{
+  struct Piece
+  {
+    std::int64_t Number, Process, Order, Size;
+  };
+  std::vector<Piece> pieces;
+  for (ElementBlock& block : this->Blocks)
+  {
+    // Count the cells that are not copies; as a rule the copies come last.
+    const vtkIdType size = block.Data->GetNumberOfCells();
+    vtkIdType count = block.Skip.empty() ? size : 0;
+    for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(block.Skip.size()); ++cell)
+    {
+      const bool isCopy = block.Skip[cell] & vtkDataSetAttributes::DUPLICATECELL;
+      if (!isCopy && count < cell && block.Indices.empty())
+      {
+        block.Indices.resize(size);
+        for (vtkIdType i = 0; i < cell; ++i)
+        {
+          block.Indices[i] = std::min(i, count);
+        }
+      }
+      if (!block.Indices.empty())
+      {
+        block.Indices[cell] = count;
+      }
+      count += !isCopy;
+    }
+    pieces.push_back(
+      { block.Number, reducer.GetProcess(), static_cast<std::int64_t>(pieces.size()), count });
+  }
+
+  pieces = reducer.GatherItems(pieces);
+  std::sort(pieces.begin(), pieces.end(),
+    [](const Piece& a, const Piece& b)
+    { return std::tie(a.Number, a.Process, a.Order) < std::tie(b.Number, b.Process, b.Order); });
+  for (const Piece& piece : pieces)
+  {
+    if (piece.Process == reducer.GetProcess())
+    {
+      ElementBlock& block = this->Blocks[piece.Order];
+      block.FirstIndex = this->NumberOfIndices;
+      for (vtkIdType& index : block.Indices)
+      {
+        index += block.FirstIndex;
+      }
+    }
+    this->NumberOfIndices += static_cast<vtkIdType>(piece.Size);
+  }
+}
+
+//------------------------------------------------------------------------------
+ValueBlock ElementBlocks::GetValueBlock(const ElementBlock& block) const
+{
+  ValueBlock values;
+  values.Size = block.Data->GetNumberOfCells();
+  values.Skip = block.Skip.empty() ? nullptr : block.Skip.data();
+  values.FirstId = block.FirstIndex;
+  if (block.GlobalIds)
+  {
+    values.Ids = vtkIdTypeArray::FastDownCast(block.GlobalIds)->GetPointer(0);
+  }
+  else if (!block.Indices.empty())
+  {
+    values.Ids = block.Indices.data();
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* GetCellArray(const ElementBlock& block, const std::string& name)
+{
+  vtkDataArray* array = block.Data->GetCellData()->GetArray(name.c_str());
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
+//------------------------------------------------------------------------------
+BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayName)
+{
+  for (std::size_t number = 0; number < blocks.Get().size(); ++number)
+  {
+    const ElementBlock& block = blocks.Get()[number];
+    vtkSmartPointer<vtkDataArray> array = GetCellArray(block, arrayName);
+    if (!array)
+    {
+      continue;
+    }
+    if (!vtkDoubleArray::FastDownCast(array))
+    {
+      auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
+      doubles->DeepCopy(array);
+      array = doubles;
+    }
+    this->Owners.push_back(array);
+    ValueBlock values = blocks.GetValueBlock(block);
+    values.Values = vtkDoubleArray::FastDownCast(array)->GetPointer(0);
+    if (auto* mask = vtkUnsignedCharArray::SafeDownCast(GetCellArray(block, arrayName + "_Null")))
+    {
+      values.NullReasons = mask->GetPointer(0);
+    }
+    this->Values.push_back(values);
+    this->Numbers.push_back(number);
+  }
+}
+}

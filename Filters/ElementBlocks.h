@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::ElementBlocks
+ * @brief The cells of any input, block by block, with an identity of each among all processes.
+ *
+ * The *index* of a cell counts the cells of block after block, inside a block those of process
+ * after process; copies of cells that another process owns (DUPLICATECELL) are not counted. For one
+ * data set on one process it is VTK's cell id; for a mesh that is split into ranges of cells it is
+ * what that would be. Its *identity* is its global id if all cells have one, else its index.
+ *
+ * Ghost cells (vtkGhostType with DUPLICATECELL, HIDDENCELL or REFINEDCELL) take part in nothing.
+ */
+#ifndef camaron_ElementBlocks_h
+#define camaron_ElementBlocks_h
+
+#include "Statistics/Population.h"
+#include "Statistics/Reducer.h"
+
+#include "vtkSmartPointer.h" // for arrays
+
+#include <string> // for names
+#include <vector> // for lists
+
+class vtkDataArray;
+class vtkDataObject;
+class vtkDataSet;
+class vtkDoubleArray;
+
+namespace camaron
+{
+/// A data set of the input on this process.
+struct ElementBlock
+{
+  vtkDataSet* Data = nullptr;
+  unsigned int FlatIndex = 0; ///< VTK's composite index, 0 if the input is not composite
+  int Number = 0;             ///< of the block among the blocks, the same on all processes
+  std::string Name;           ///< of the block, empty if the input is not composite
+
+  std::vector<unsigned char> Skip;         ///< nonzero for ghosts; empty if there are none
+  vtkIdType FirstIndex = 0;                ///< of the first cell
+  std::vector<vtkIdType> Indices;          ///< of all cells if they are not consecutive, else empty
+  vtkSmartPointer<vtkDataArray> GlobalIds; ///< vtkIdTypeArray, none if the identity is the index
+
+  vtkIdType GetIndex(vtkIdType cell) const
+  {
+    return this->Indices.empty() ? this->FirstIndex + cell : this->Indices[cell];
+  }
+  bool IsGhost(vtkIdType cell) const { return !this->Skip.empty() && this->Skip[cell]; }
+};
+
+class ElementBlocks
+{
+public:
+  /// Collective. Borrows @a input.
+  ElementBlocks(vtkDataObject* input, Reducer& reducer);
+
+  const std::vector<ElementBlock>& Get() const { return this->Blocks; }
+  bool IsComposite() const { return this->Composite; }
+  /// True if the identity of cells is their global id.
+  bool HasGlobalIds() const { return this->GlobalIds; }
+  /// How the property IdSpace of SelectElements calls the identity.
+  const char* GetIdSpace() const { return this->GlobalIds ? "Global id" : "Index"; }
+  /// One more than the largest index.
+  vtkIdType GetNumberOfIndices() const { return this->NumberOfIndices; }
+
+  /// Skip mask, identities and size of a block as Core wants them, still without values.
+  ValueBlock GetValueBlock(const ElementBlock& block) const;
+
+private:
+  void AddBlock(vtkDataSet* data, unsigned int flatIndex, int number, const std::string& name);
+  void AddTree(vtkDataObject* node, unsigned int& flatIndex, int number, const std::string& name);
+  void FindGlobalIds(Reducer& reducer);
+  void FindIndices(Reducer& reducer);
+
+  std::vector<ElementBlock> Blocks;
+  bool Composite = false;
+  bool GlobalIds = false;
+  vtkIdType NumberOfIndices = 0;
+};
+
+/**
+ * Values of one cell array with a single component in all blocks that have it, as doubles (borrowed
+ * where they are).
+ */
+class BlockValues
+{
+public:
+  BlockValues(const ElementBlocks& blocks, const std::string& arrayName);
+
+  const Population& Get() const { return this->Values; }
+  /// Number in ElementBlocks::Get() of each block of the population.
+  const std::vector<std::size_t>& GetBlockNumbers() const { return this->Numbers; }
+
+private:
+  Population Values;
+  std::vector<std::size_t> Numbers;
+  std::vector<vtkSmartPointer<vtkDataArray>> Owners;
+};
+
+/// A single-component numeric cell array of the block or nullptr.
+vtkDataArray* GetCellArray(const ElementBlock& block, const std::string& name);
+}
+
+#endif

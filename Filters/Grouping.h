@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::Grouping
+ * @brief Divides the cells of a mesh into groups that have statistics of their own.
+ *
+ * The first group is always that of all cells. A way to group is a row of the table in
+ * Grouping.cxx: a key for each cell and a label for the key.
+ */
+#ifndef camaron_Grouping_h
+#define camaron_Grouping_h
+
+#include "ElementBlocks.h"
+
+#include <string> // for labels
+#include <vector> // for lists
+
+namespace camaron
+{
+class Grouping
+{
+public:
+  /**
+   * Collective. @a name: "None", "Cell type" or "Block"; throws std::invalid_argument for any
+   * other. Keeps a reference to @a blocks.
+   */
+  Grouping(const std::string& name, const ElementBlocks& blocks, Reducer& reducer);
+
+  /// Labels of all groups, the same on every process.
+  const std::vector<std::string>& GetLabels() const { return this->Labels; }
+
+  /// The part of @a values in a group; valid until the next call.
+  Population GetPopulation(std::size_t group, const BlockValues& values);
+
+private:
+  const ElementBlocks& Blocks;
+  std::vector<std::string> Labels;
+  std::vector<int> Keys;                   ///< of the groups
+  std::vector<std::vector<int>> BlockKeys; ///< of the cells of each block, or one for all of them
+  std::vector<std::vector<unsigned char>> Masks;
+};
+
+/// Name of a cell type for people, such as "Tetra" or "Polyhedron".
+std::string GetCellTypeLabel(int cellType);
+/// Names of the blocks of all processes by their number. Collective.
+std::vector<std::pair<int, std::string>> GetBlockNames(
+  const ElementBlocks& blocks, Reducer& reducer);
+}
+
+#endif

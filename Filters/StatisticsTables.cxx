@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StatisticsTables.h"
+
+#include "Grouping.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+#include "vtkVariantArray.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <initializer_list>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+template <typename Array>
+void AddColumns(vtkTable* table, std::initializer_list<const char*> names)
+{
+  for (const char* name : names)
+  {
+    vtkNew<Array> column;
+    column->SetName(name);
+    table->AddColumn(column);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Values in the order of the columns.
+class Row
+{
+public:
+  explicit Row(const RowLabels& labels)
+  {
+    this->Add(labels.Criterion);
+    this->Add(labels.Unit);
+    this->Add(labels.Group);
+  }
+  void Add(const std::string& text) { this->Values->InsertNextValue(vtkVariant(text)); }
+  void Add(double number) { this->Values->InsertNextValue(vtkVariant(number)); }
+  void Add(std::int64_t count)
+  {
+    this->Values->InsertNextValue(vtkVariant(static_cast<vtkIdType>(count)));
+  }
+  void AppendTo(vtkTable* table) { table->InsertNextRow(this->Values); }
+
+private:
+  vtkNew<vtkVariantArray> Values;
+};
+
+double Percent(std::int64_t part, std::int64_t whole)
+{
+  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole)
+                   : std::numeric_limits<double>::quiet_NaN();
+}
+}
+
+//------------------------------------------------------------------------------
+void AddStatisticsColumns(vtkTable* table, const std::vector<double>& percents)
+{
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+  AddColumns<vtkIdTypeArray>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
+  AddColumns<vtkDoubleArray>(table, { "Min" });
+  AddColumns<vtkIdTypeArray>(table, { "ArgMin" });
+  AddColumns<vtkDoubleArray>(table, { "Max" });
+  AddColumns<vtkIdTypeArray>(table, { "ArgMax" });
+  AddColumns<vtkStringArray>(table, { "IdSpace" });
+  AddColumns<vtkDoubleArray>(table, { "Mean", "StdDev", "Variance", "Sum" });
+  for (const double percent : percents)
+  {
+    char name[32];
+    std::snprintf(name, sizeof(name), "P%.10g", percent);
+    AddColumns<vtkDoubleArray>(table, { name });
+  }
+  AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
+  AddColumns<vtkIdTypeArray>(table, { "BelowCount", "AboveCount" });
+  AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
+}
+
+//------------------------------------------------------------------------------
+void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
+  const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable)
+{
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  Row row(labels);
+  row.Add(summary.Count);
+  row.Add(summary.NullCount);
+  row.Add(summary.InfCount);
+  row.Add(summary.GetApplicableCount());
+  row.Add(summary.Min);
+  row.Add(std::int64_t(summary.ArgMin));
+  row.Add(summary.Max);
+  row.Add(std::int64_t(summary.ArgMax));
+  row.Add(labels.IdSpace);
+  row.Add(summary.Mean);
+  row.Add(summary.StandardDeviation);
+  row.Add(summary.Variance);
+  row.Add(summary.Sum);
+  for (const double quantile : quantiles)
+  {
+    row.Add(quantile);
+  }
+  row.Add(acceptable ? acceptable->Low : unknown);
+  row.Add(acceptable ? acceptable->High : unknown);
+  row.Add(summary.BelowCount);
+  row.Add(summary.AboveCount);
+  row.Add(acceptable
+      ? Percent(summary.BelowCount + summary.AboveCount, summary.GetApplicableCount())
+      : unknown);
+  row.AppendTo(table);
+}
+
+//------------------------------------------------------------------------------
+void AddHistogramColumns(vtkTable* table)
+{
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+  AddColumns<vtkIdTypeArray>(table, { "Bin" });
+  AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
+  AddColumns<vtkIdTypeArray>(table, { "Count" });
+  AddColumns<vtkDoubleArray>(table, { "Percent", "CumulativePercent" });
+  AddColumns<vtkIdTypeArray>(table, { "Underflow", "Overflow", "NullCount", "InfCount" });
+}
+
+//------------------------------------------------------------------------------
+void AddHistogramRows(
+  vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram)
+{
+  const std::int64_t total = histogram.GetTotal();
+  std::int64_t upTo = histogram.Underflow;
+  for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
+  {
+    upTo += histogram.Counts[bin];
+    Row row(labels);
+    row.Add(static_cast<std::int64_t>(bin));
+    row.Add(bins.GetEdges()[bin]);
+    row.Add(bins.GetEdges()[bin + 1]);
+    row.Add(bins.GetCenter(bin));
+    row.Add(histogram.Counts[bin]);
+    row.Add(Percent(histogram.Counts[bin], total));
+    row.Add(Percent(upTo, total));
+    row.Add(histogram.Underflow);
+    row.Add(histogram.Overflow);
+    row.Add(histogram.NullCount);
+    row.Add(histogram.InfCount);
+    row.AppendTo(table);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddWorstColumns(vtkTable* table)
+{
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+  AddColumns<vtkIdTypeArray>(table, { "Rank", "Id" });
+  AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
+  AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z" });
+}
+
+//------------------------------------------------------------------------------
+void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
+  const std::vector<std::pair<int, std::string>>& blockNames)
+{
+  std::int64_t rank = 0;
+  for (const WorstElement& element : worst)
+  {
+    const auto block = std::find_if(blockNames.begin(), blockNames.end(),
+      [&](const auto& entry) { return entry.first == element.BlockNumber; });
+    Row row(labels);
+    row.Add(++rank);
+    row.Add(std::int64_t(element.Id));
+    row.Add(labels.IdSpace);
+    row.Add(block == blockNames.end() ? std::string() : block->second);
+    row.Add(GetCellTypeLabel(element.CellType));
+    row.Add(element.Value);
+    row.Add(element.Place[0]);
+    row.Add(element.Place[1]);
+    row.Add(element.Place[2]);
+    row.AppendTo(table);
+  }
+}
+}

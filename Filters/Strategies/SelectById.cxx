@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkIdTypeArray.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+struct IdRange
+{
+  vtkIdType First, Last;
+};
+
+//------------------------------------------------------------------------------
+// One id at the begin of the text, which then starts behind it.
+vtkIdType ParseId(const char*& text, const char* end)
+{
+  vtkIdType id = 0;
+  const auto [next, error] = std::from_chars(text, end, id);
+  if (error != std::errc() || id < 0)
+  {
+    throw std::invalid_argument("Ids: expected an id, found '" +
+      std::string(text, std::min<std::ptrdiff_t>(end - text, 20)) + "' (write 3, 10-20, 40)");
+  }
+  text = next;
+  return id;
+}
+
+//------------------------------------------------------------------------------
+// Ascending ranges that do not touch.
+std::vector<IdRange> ParseIds(const std::string& list)
+{
+  constexpr const char* separators = ",; \t\r\n";
+  std::vector<IdRange> ranges;
+  const char* text = list.data();
+  const char* end = text + list.size();
+  const auto skip = [&](const char* characters)
+  {
+    while (text != end && std::strchr(characters, *text))
+    {
+      ++text;
+    }
+  };
+  for (skip(separators); text != end; skip(separators))
+  {
+    IdRange range;
+    range.First = range.Last = ParseId(text, end);
+    const char* afterFirst = text;
+    skip(" \t");
+    if (text != end && *text == '-')
+    {
+      ++text;
+      skip(" \t");
+      range.Last = ParseId(text, end);
+    }
+    else
+    {
+      text = afterFirst;
+    }
+    if (range.Last < range.First)
+    {
+      throw std::invalid_argument("Ids: " + std::to_string(range.First) + "-" +
+        std::to_string(range.Last) + " runs backwards");
+    }
+    ranges.push_back(range);
+  }
+  std::sort(ranges.begin(), ranges.end(),
+    [](const IdRange& a, const IdRange& b) { return a.First < b.First; });
+  std::vector<IdRange> merged;
+  for (const IdRange& range : ranges)
+  {
+    if (!merged.empty() && range.First <= merged.back().Last)
+    {
+      merged.back().Last = std::max(merged.back().Last, range.Last);
+    }
+    else
+    {
+      merged.push_back(range);
+    }
+  }
+  return merged;
+}
+
+//------------------------------------------------------------------------------
+bool Contains(const std::vector<IdRange>& ranges, vtkIdType id)
+{
+  const auto next = std::upper_bound(ranges.begin(), ranges.end(), id,
+    [](vtkIdType value, const IdRange& range) { return value < range.First; });
+  return next != ranges.begin() && id <= std::prev(next)->Last;
+}
+
+//------------------------------------------------------------------------------
+// Ids of the cells of every block, empty where they are the indices. Throws if a process lacks
+// them.
+std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(
+  const std::string& idSpace, const ElementBlocks& blocks, Reducer& reducer)
+{
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> ids(blocks.Get().size());
+  if (idSpace == "Index")
+  {
+    return ids;
+  }
+  if (idSpace != "Global id" && idSpace != "Pedigree id")
+  {
+    throw std::invalid_argument(
+      "Id Space is Index, Global id or Pedigree id, not '" + idSpace + "'");
+  }
+  std::int64_t missing = 0;
+  for (std::size_t b = 0; b < ids.size(); ++b)
+  {
+    vtkCellData* data = blocks.Get()[b].Data->GetCellData();
+    auto* array = vtkDataArray::SafeDownCast(
+      idSpace == "Global id" ? data->GetGlobalIds() : data->GetPedigreeIds());
+    if (array && array->GetNumberOfComponents() == 1)
+    {
+      ids[b] = vtkSmartPointer<vtkIdTypeArray>::New();
+      vtkIdTypeArray::FastDownCast(array) ? ids[b]->ShallowCopy(array) : ids[b]->DeepCopy(array);
+    }
+    missing += !ids[b];
+  }
+  reducer.Sum(&missing, 1);
+  if (missing > 0)
+  {
+    throw std::invalid_argument("the cells have no " +
+      std::string(idSpace == "Global id" ? "global" : "numeric pedigree") + " ids");
+  }
+  return ids;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectById(const SelectionParameters& parameters, const ElementBlocks& blocks,
+  Reducer& reducer, SelectionMarks& marks)
+{
+  const std::vector<IdRange> ranges = ParseIds(parameters.Ids);
+  const auto ids = FindIds(parameters.IdSpace, blocks, reducer);
+  std::int64_t found = 0;
+  for (std::size_t b = 0; b < marks.size(); ++b)
+  {
+    const ElementBlock& block = blocks.Get()[b];
+    const vtkIdType* blockIds = ids[b] ? ids[b]->GetPointer(0) : nullptr;
+    ParallelFor(static_cast<vtkIdType>(marks[b].size()), 1 << 16,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          const vtkIdType id = blockIds ? blockIds[cell] : block.GetIndex(cell);
+          marks[b][cell] = !block.IsGhost(cell) && Contains(ranges, id);
+        }
+      });
+    found += std::count(marks[b].begin(), marks[b].end(), 1);
+  }
+  reducer.Sum(&found, 1);
+
+  std::uint64_t wanted = 0;
+  for (const IdRange& range : ranges)
+  {
+    wanted += static_cast<std::uint64_t>(range.Last - range.First) + 1;
+  }
+  if (static_cast<std::uint64_t>(found) >= wanted)
+  {
+    return "";
+  }
+  const std::uint64_t missing = wanted - static_cast<std::uint64_t>(found);
+  return std::to_string(missing) + " of " + std::to_string(wanted) +
+    (missing == 1 ? " ids does" : " ids do") + " not exist";
+}
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include <cmath>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+std::string SelectNull(const SelectionParameters& parameters, const ElementBlocks& blocks,
+  Reducer& reducer, SelectionMarks& marks)
+{
+  MarkValues(FindValues(parameters.Array, blocks, reducer), marks,
+    [](const ValueBlock& block, vtkIdType i) { return std::isnan(block.Values[i]); });
+  return "";
+}
+}

@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSelectElements.h"
+
+#include "ControllerReducer.h"
+#include "Strategies/Strategy.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <exception>
+#include <map>
+
+vtkStandardNewMacro(vtkSelectElements);
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Copy of a data set with the marks; no marks stand for no cells.
+vtkSmartPointer<vtkDataSet> CopyWithMarks(vtkDataSet* data, const std::vector<unsigned char>& marks)
+{
+  vtkNew<vtkUnsignedCharArray> selected;
+  selected->SetName(vtkSelectElements::GetSelectedArrayName());
+  selected->SetNumberOfValues(static_cast<vtkIdType>(marks.size()));
+  std::copy(marks.begin(), marks.end(), selected->GetPointer(0));
+  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+  copy->ShallowCopy(data);
+  copy->GetCellData()->AddArray(selected);
+  return copy;
+}
+
+//------------------------------------------------------------------------------
+void AddNode(vtkSelection* selection, const camaron::ElementBlock& block,
+  const std::vector<unsigned char>& marks, bool composite, int process)
+{
+  vtkNew<vtkIdTypeArray> ids;
+  for (std::size_t cell = 0; cell < marks.size(); ++cell)
+  {
+    if (marks[cell])
+    {
+      ids->InsertNextValue(static_cast<vtkIdType>(cell));
+    }
+  }
+  vtkNew<vtkSelectionNode> node;
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetFieldType(vtkSelectionNode::CELL);
+  node->SetSelectionList(ids);
+  node->GetProperties()->Set(vtkSelectionNode::PROCESS_ID(), process);
+  if (composite)
+  {
+    node->GetProperties()->Set(
+      vtkSelectionNode::COMPOSITE_INDEX(), static_cast<int>(block.FlatIndex));
+  }
+  selection->AddNode(node);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSelectElements::vtkSelectElements()
+  : Parameters(std::make_unique<camaron::SelectionParameters>())
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkSelectElements::~vtkSelectElements() = default;
+
+//------------------------------------------------------------------------------
+void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Strategy: " << this->GetStrategy() << '\n';
+  os << indent << "Ids: " << this->GetIds() << '\n';
+  os << indent << "IdSpace: " << this->GetIdSpace() << '\n';
+  os << indent << "Array: " << this->GetArray() << '\n';
+  os << indent << "Side: " << this->GetSide() << '\n';
+  os << indent << "Range: " << this->GetRange() << '\n';
+  os << indent << "Preset: " << this->GetPreset() << '\n';
+  os << indent << "LowerLimit: " << this->GetLowerLimit() << '\n';
+  os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
+  os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
+  os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
+  os << indent << "NumberOfSelectedCells: " << this->NumberOfSelectedCells << '\n';
+  os << indent << "Report: " << this->Report << '\n';
+}
+
+//------------------------------------------------------------------------------
+void vtkSelectElements::SetText(std::string& member, const char* text)
+{
+  const std::string value = text ? text : "";
+  if (member != value)
+  {
+    member = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSelectElements::SetNumberOfWorst(vtkIdType number)
+{
+  number = std::max<vtkIdType>(number, 0);
+  if (this->Parameters->NumberOfWorst != number)
+  {
+    this->Parameters->NumberOfWorst = number;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkSelectElements::GetNumberOfWorst() const
+{
+  return this->Parameters->NumberOfWorst;
+}
+
+//------------------------------------------------------------------------------
+// Properties that are text.
+#define CAMARON_TEXT_PROPERTY(name)                                                                \
+  void vtkSelectElements::Set##name(const char* text)                                              \
+  {                                                                                                \
+    this->SetText(this->Parameters->name, text);                                                   \
+  }                                                                                                \
+  const char* vtkSelectElements::Get##name() const                                                 \
+  {                                                                                                \
+    return this->Parameters->name.c_str();                                                         \
+  }
+CAMARON_TEXT_PROPERTY(Strategy)
+CAMARON_TEXT_PROPERTY(Ids)
+CAMARON_TEXT_PROPERTY(IdSpace)
+CAMARON_TEXT_PROPERTY(Array)
+CAMARON_TEXT_PROPERTY(Side)
+CAMARON_TEXT_PROPERTY(Range)
+CAMARON_TEXT_PROPERTY(Preset)
+CAMARON_TEXT_PROPERTY(LowerLimit)
+CAMARON_TEXT_PROPERTY(UpperLimit)
+CAMARON_TEXT_PROPERTY(WorstValues)
+#undef CAMARON_TEXT_PROPERTY
+
+//------------------------------------------------------------------------------
+int vtkSelectElements::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSelectElements::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataObject" : "vtkSelection");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSelectElements::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  if (!output || !output->IsA(input->GetClassName()))
+  {
+    const auto created = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+    outputVector->GetInformationObject(0)->Set(vtkDataObject::DATA_OBJECT(), created);
+  }
+  if (!vtkSelection::GetData(outputVector, 1))
+  {
+    vtkNew<vtkSelection> created;
+    outputVector->GetInformationObject(1)->Set(vtkDataObject::DATA_OBJECT(), created);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkSelectElements::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  vtkSelection* selection = vtkSelection::GetData(outputVector, 1);
+  this->Report.clear();
+  this->NumberOfSelectedCells = 0;
+  try
+  {
+    camaron::ControllerReducer reducer;
+    const camaron::ElementBlocks blocks(input, reducer);
+    camaron::SelectionMarks marks;
+    for (const camaron::ElementBlock& block : blocks.Get())
+    {
+      marks.emplace_back(block.Data->GetNumberOfCells(), static_cast<unsigned char>(0));
+    }
+    const camaron::Strategy& strategy = camaron::FindStrategy(this->Parameters->Strategy);
+    this->Report = strategy.Select(*this->Parameters, blocks, reducer, marks);
+
+    std::int64_t selected = 0;
+    std::map<unsigned int, std::size_t> blockOfFlatIndex; // without the empty ones
+    for (std::size_t b = 0; b < marks.size(); ++b)
+    {
+      blockOfFlatIndex[blocks.Get()[b].FlatIndex] = b;
+      selected += std::count(marks[b].begin(), marks[b].end(), 1);
+      AddNode(selection, blocks.Get()[b], marks[b], blocks.IsComposite(), reducer.GetProcess());
+    }
+    const auto findMarks = [&](unsigned int flatIndex)
+    {
+      const auto found = blockOfFlatIndex.find(flatIndex);
+      return found == blockOfFlatIndex.end() ? std::vector<unsigned char>() : marks[found->second];
+    };
+    reducer.Sum(&selected, 1);
+    this->NumberOfSelectedCells = static_cast<vtkIdType>(selected);
+    if (!this->Report.empty() && reducer.GetProcess() == 0)
+    {
+      vtkWarningMacro("" << this->Report << '.');
+    }
+
+    if (auto* data = vtkDataSet::SafeDownCast(input))
+    {
+      output->ShallowCopy(CopyWithMarks(data, findMarks(0)));
+    }
+    else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
+    {
+      auto* copy = vtkCompositeDataSet::SafeDownCast(output);
+      copy->CopyStructure(composite);
+      copy->GetFieldData()->ShallowCopy(composite->GetFieldData());
+      vtkSmartPointer<vtkCompositeDataIterator> it;
+      it.TakeReference(composite->NewIterator());
+      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+      {
+        vtkDataObject* leaf = it->GetCurrentDataObject();
+        auto* data = vtkDataSet::SafeDownCast(leaf);
+        copy->SetDataSet(
+          it, data ? CopyWithMarks(data, findMarks(it->GetCurrentFlatIndex())).Get() : leaf);
+      }
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("Nothing can be selected: " << error.what() << '.');
+    output->Initialize();
+    return 0;
+  }
+  return 1;
+}
