@@ -66,6 +66,7 @@ public:
   /// Quantiles in percent, 0 to 100. Default: 0, 1, 5, 25, 50, 75, 95, 99, 100.
   void AddQuantile(double percent);
   void ClearQuantiles();
+  const std::vector<double>& GetQuantiles() const { return this->Quantiles; }
   ///@}
 
   ///@{

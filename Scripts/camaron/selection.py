@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView's active selection from Python."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from paraview import selection as paraview_selection
+from paraview import simple
+from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
+
+
+def set_active_selection(source: Any, port: int = 0) -> Any:
+    """Makes the cells that a SelectElements filter selects ParaView's active selection.
+
+    The selection is a description, "Selected is 1 on this output", so it follows the filter when that
+    is updated. It is what Find Data, Extract Selection and the views know as the selection of the source;
+    in the window Select Elements does the same when it is applied. Returns the selection source.
+
+    >>> worst = simple.SelectElements(Input=quality, Strategy="Worst N", Array="EdgeLengthRatio")
+    >>> set_active_selection(worst)
+    >>> cells = simple.ExtractSelection(Input=worst)
+    """
+    information = source.GetDataInformation(port).GetCellDataInformation()
+    if information.GetArrayInformation("Selected") is None:
+        raise ValueError('the output has no cell array "Selected"; update it, or is it a SelectElements?')
+    selected = paraview_selection._createSelection(
+        "ThresholdSelectionSource", Thresholds=[1, 1], ArrayName="Selected", FieldType="CELL"
+    )
+    selected.UpdateVTKObjects()
+    append = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(selected.SMProxy)
+    source.SMProxy.SetSelectionInput(port, append, 0)
+    append.UnRegister(None)
+    simple.SetActiveSource(source)
+    return selected

@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the XML of Quality Statistics and Select Elements repeats from C++: defaults and choices.
+#include "AcceptableRanges.h"
+#include "Criteria/Criterion.h"
+#include "Strategies/Strategy.h"
+#include "vtkQualityStatistics.h"
+#include "vtkSelectElements.h"
+
+#include "vtkNew.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+// The element of a property in the XML of a proxy.
+std::string ReadProperty(const std::string& proxy, const std::string& property)
+{
+  const std::string here = __FILE__;
+  std::ifstream file(
+    here.substr(0, here.rfind("Testing")) + "Filters/" + proxy + ".xml", std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  const std::string xml = text.str();
+  const std::size_t begin = xml.find(" name=\"" + property + "\"");
+  EXPECT_NE(begin, std::string::npos) << proxy << " has no property " << property;
+  const std::size_t end = xml.find("VectorProperty>", begin);
+  return begin == std::string::npos ? "" : xml.substr(begin, end - begin);
+}
+
+std::string ReadDefault(const std::string& proxy, const std::string& property)
+{
+  std::smatch match;
+  const std::string element = ReadProperty(proxy, property);
+  return std::regex_search(element, match, std::regex("default_values=\"([^\"]*)\""))
+    ? match[1].str()
+    : "missing";
+}
+
+std::vector<std::string> ReadChoices(const std::string& proxy, const std::string& property)
+{
+  const std::string element = ReadProperty(proxy, property);
+  const std::regex choice("<String value=\"([^\"]*)\"");
+  std::vector<std::string> choices;
+  for (std::sregex_iterator it(element.begin(), element.end(), choice), end; it != end; ++it)
+  {
+    choices.push_back((*it)[1]);
+  }
+  return choices;
+}
+
+std::vector<std::string> GetRangesNames()
+{
+  std::vector<std::string> names = { camaron::GetDefaultRangesName() };
+  for (const camaron::Preset& preset : camaron::GetPresets())
+  {
+    names.emplace_back(preset.Name);
+  }
+  return names;
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(QualityStatisticsProxy, AgreesWithClass)
+{
+  const std::string proxy = "QualityStatistics";
+  vtkNew<vtkQualityStatistics> filter;
+  EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
+  EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
+  EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));
+  EXPECT_EQ(ReadDefault(proxy, "HistogramRange"), filter->GetHistogramRange());
+  EXPECT_EQ(ReadDefault(proxy, "HistogramScale"), filter->GetHistogramScale());
+  EXPECT_EQ(ReadDefault(proxy, "NumberOfWorst"), std::to_string(filter->GetNumberOfWorst()));
+  EXPECT_EQ(ReadDefault(proxy, "WorstValues"), filter->GetWorstValues());
+  EXPECT_EQ(ReadDefault(proxy, "CustomRange"), "0 1");
+  EXPECT_EQ(filter->GetCustomRange()[0], 0);
+  EXPECT_EQ(filter->GetCustomRange()[1], 1);
+  std::ostringstream quantiles;
+  for (const double percent : filter->GetQuantiles())
+  {
+    quantiles << (quantiles.tellp() > 0 ? " " : "") << percent;
+  }
+  EXPECT_EQ(ReadDefault(proxy, "Quantiles"), quantiles.str());
+  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
+}
+
+//------------------------------------------------------------------------------
+TEST(SelectElementsProxy, AgreesWithClass)
+{
+  const std::string proxy = "SelectElements";
+  vtkNew<vtkSelectElements> filter;
+  EXPECT_EQ(ReadDefault(proxy, "Strategy"), filter->GetStrategy());
+  EXPECT_EQ(ReadDefault(proxy, "Ids"), filter->GetIds());
+  EXPECT_EQ(ReadDefault(proxy, "IdSpace"), filter->GetIdSpace());
+  EXPECT_EQ(ReadDefault(proxy, "Side"), filter->GetSide());
+  EXPECT_EQ(ReadDefault(proxy, "Range"), filter->GetRange());
+  EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
+  EXPECT_EQ(ReadDefault(proxy, "LowerLimit"), filter->GetLowerLimit());
+  EXPECT_EQ(ReadDefault(proxy, "UpperLimit"), filter->GetUpperLimit());
+  EXPECT_EQ(ReadDefault(proxy, "NumberOfWorst"), std::to_string(filter->GetNumberOfWorst()));
+  EXPECT_EQ(ReadDefault(proxy, "WorstValues"), filter->GetWorstValues());
+  EXPECT_STREQ(filter->GetArray(), "");
+
+  std::vector<std::string> strategies;
+  for (const camaron::Strategy& strategy : camaron::GetStrategies())
+  {
+    strategies.emplace_back(strategy.Name);
+  }
+  EXPECT_EQ(ReadChoices(proxy, "Strategy"), strategies);
+  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
+}

@@ -1,0 +1,320 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Quality Statistics against numpy, on all kinds of input."""
+
+import math
+from fractions import Fraction
+
+import camaron_testing
+import mesh_parts
+import numpy
+from paraview import simple
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+
+PERCENTS = [0, 1, 5, 25, 50, 75, 95, 99, 100]
+
+
+def rows(table):
+    """Rows of a vtkTable as dictionaries."""
+    columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
+    return [{c.GetName(): c.GetValue(row) for c in columns} for row in range(table.GetNumberOfRows())]
+
+
+class TestStatistics(camaron_testing.TestCase):
+    def tables(self, source, **properties):
+        statistics = simple.QualityStatistics(Input=source, **properties)
+        statistics.UpdatePipeline()
+        return [rows(self.fetch(statistics, port)) for port in range(3)]
+
+    def check_statistics(self, row, values, ids=None):
+        """A row against numpy; sums and means to the last bit."""
+        finite = values[numpy.isfinite(values)]
+        ids = numpy.arange(len(values)) if ids is None else ids
+        self.assertEqual(row["Count"], len(values))
+        self.assertEqual(row["NullCount"], numpy.isnan(values).sum())
+        self.assertEqual(row["InfCount"], numpy.isinf(values).sum())
+        if len(finite) == 0:
+            for name in ("Min", "Max", "Mean", "StdDev", "P50"):
+                self.assertTrue(math.isnan(row[name]), name)
+            self.assertEqual((row["ArgMin"], row["ArgMax"], row["Sum"]), (-1, -1, 0))
+            return
+        self.assertEqual(row["Min"], finite.min())
+        self.assertEqual(row["Max"], finite.max())
+        self.assertEqual(row["ArgMin"], ids[values == finite.min()].min())
+        self.assertEqual(row["ArgMax"], ids[values == finite.max()].min())
+        total = sum(map(Fraction, finite.tolist()))
+        self.assertEqual(row["Mean"], float(total / len(finite)))
+        try:
+            self.assertEqual(row["Sum"], float(total))
+        except OverflowError:
+            self.assertTrue(math.isinf(row["Sum"]))
+        mean = total / len(finite)
+        variance = sum((Fraction(x) - mean) ** 2 for x in finite.tolist()) / (len(finite) - 1)
+        # Through logarithms, as the variance of huge values is out of range.
+        if variance > 0:
+            root = math.isqrt(variance.numerator * 2**4400 // variance.denominator)
+            expected = float(Fraction(root, 2**2200))
+            self.assertAlmostEqual(row["StdDev"] / expected, 1, delta=1e-12)
+        else:
+            self.assertEqual(row["StdDev"], 0)
+        with numpy.errstate(over="ignore", invalid="ignore"):
+            expected = numpy.percentile(finite, PERCENTS)
+        for percent, value in zip(PERCENTS, expected):
+            if math.isfinite(value):  # numpy overflows where the values are huge
+                self.assertEqual(row[f"P{percent}"], value, f"{percent} %")
+
+    def check_histogram(self, bins, values):
+        """Rows of one array: counts by numpy on the same edges, and nothing lost."""
+        finite = values[numpy.isfinite(values)]
+        edges = [row["LowerEdge"] for row in bins] + [bins[-1]["UpperEdge"]]
+        self.assertEqual(edges, sorted(edges))
+        counts = [row["Count"] for row in bins]
+        if len(bins) > 1:
+            self.assertEqual(counts, numpy.histogram(finite, edges)[0].tolist())
+        first = bins[0]
+        self.assertEqual(first["Underflow"], (finite < edges[0]).sum())
+        self.assertEqual(first["Overflow"], (finite > edges[-1]).sum())
+        apart = first["Underflow"] + first["Overflow"] + first["NullCount"] + first["InfCount"]
+        self.assertEqual(sum(counts) + apart, len(values))
+        self.assertAlmostEqual(
+            bins[-1]["CumulativePercent"], 100 * (first["Underflow"] + sum(counts)) / len(values)
+        )
+
+    def test_against_numpy(self):
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())
+        source = mesh_parts.producer(grid)
+        for scale in ("Linear", "Logarithmic"):
+            statistics, histogram, _ = self.tables(
+                source, Arrays=list(values), HistogramScale=scale, NumberOfBins=20
+            )
+            self.assertEqual([row["Criterion"] for row in statistics], list(values))
+            for row in statistics:
+                name = row["Criterion"]
+                numbers = values[name].astype(float)
+                with self.subTest(array=name, scale=scale):
+                    self.check_statistics(row, numbers)
+                    bins = [row for row in histogram if row["Criterion"] == name]
+                    finite = numbers[numpy.isfinite(numbers)]
+                    if len(finite) and (scale == "Linear" or finite.max() > 0):
+                        self.check_histogram(bins, numbers)
+                    else:
+                        self.assertEqual(bins, [])
+        self.assertEqual(len([row for row in histogram if row["Criterion"] == "Constant"]), 1)
+
+    def test_default_arrays_are_criteria(self):
+        """Without a choice only arrays named like criteria count, in the order of their table."""
+        source = mesh_parts.producer(mesh_parts.make_full_mesh())
+        statistics, _, worst = self.tables(source)
+        self.assertEqual(
+            [row["Criterion"] for row in statistics],
+            ["Volume", "FaceCount", "EquiangleSkewness", "EdgeLengthRatio"],
+        )
+        # Volume and FaceCount have no worse end.
+        self.assertEqual(
+            {row["Criterion"] for row in worst}, {"EquiangleSkewness", "EdgeLengthRatio"}
+        )
+
+    def test_integers_have_bins_of_their_own(self):
+        source = mesh_parts.producer(mesh_parts.make_full_mesh())
+        _, histogram, _ = self.tables(source, Arrays=["FaceCount", "Material"])
+        centers = [row["Center"] for row in histogram]
+        self.assertEqual(centers, [*range(4, 9), *range(-3, 4)])
+
+    def test_worst(self):
+        """Exact order; ties by the smaller id; infinite values are the worst, null ones never."""
+        grid = mesh_parts.make_full_mesh(global_ids=True)
+        ids = numpy.array([grid.GetCellData().GetGlobalIds().GetValue(i) for i in range(grid.GetNumberOfCells())])
+        values = mesh_parts.make_values(grid.GetNumberOfCells())
+        source = mesh_parts.producer(grid)
+        _, _, worst = self.tables(source, NumberOfWorst=60)
+        for name, sign in (("EquiangleSkewness", -1), ("EdgeLengthRatio", 1)):
+            numbers = values[name] + 0.0
+            order = sorted(
+                (i for i in range(len(ids)) if not math.isnan(numbers[i])),
+                key=lambda i: (sign * numbers[i], ids[i]),
+            )[:60]
+            found = [row for row in worst if row["Criterion"] == name]
+            self.assertEqual([row["Id"] for row in found], ids[order].tolist())
+            self.assertEqual([row["Value"] for row in found], numbers[order].tolist())
+            self.assertEqual([row["Rank"] for row in found], list(range(1, 61)))
+            self.assertEqual(found[0]["IdSpace"], "Global id")
+            bounds = grid.GetCell(order[0]).GetBounds()
+            for axis, column in enumerate("XYZ"):
+                self.assertTrue(bounds[2 * axis] <= found[0][column] <= bounds[2 * axis + 1])
+            kinds = {12: "Hexahedron", 13: "Wedge", 10: "Tetra"}
+            self.assertEqual([row["CellType"] for row in found], [kinds[grid.GetCellType(i)] for i in order])
+
+    def test_acceptable_ranges(self):
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())
+        source = mesh_parts.producer(grid)
+        for preset in ("Default ranges", "FEM hexahedra"):
+            statistics, _, _ = self.tables(source, Preset=preset)
+            row = next(row for row in statistics if row["Criterion"] == "EdgeLengthRatio")
+            low = row["AcceptableLow"]
+            self.assertAlmostEqual(low, 1 / 1.3 if preset == "FEM hexahedra" else 1 / 3)
+            self.assertEqual(row["AcceptableHigh"], math.inf)
+            below = (values["EdgeLengthRatio"] < low).sum()
+            self.assertEqual((row["BelowCount"], row["AboveCount"]), (below, 0))
+            self.assertAlmostEqual(row["OutOfRangePercent"], 100 * below / row["ApplicableCount"])
+        row = next(row for row in statistics if row["Criterion"] == "EquiangleSkewness")
+        infinite = numpy.isinf(values["EquiangleSkewness"]).sum()
+        above = (values["EquiangleSkewness"] > row["AcceptableHigh"]).sum()
+        self.assertGreater(infinite, 0)
+        self.assertEqual(row["AboveCount"], above)
+
+    def test_acceptable_range_in_radians(self):
+        """Angles of an array in radians are compared with radians."""
+        quality = simple.ElementQuality(Input=simple.Tetrahedralize(Input=simple.Wavelet()))
+        quality.Criteria = ["MinDihedralAngle"]
+        counts = []
+        for units in ("Degrees", "Radians"):
+            quality.AngleUnits = units
+            (row,), _, _ = self.tables(quality, Preset="FEM tetrahedra")
+            counts.append((row["Count"], row["BelowCount"]))
+            self.assertEqual(row["Unit"], "deg" if units == "Degrees" else "rad")
+            self.assertAlmostEqual(
+                row["AcceptableLow"], 40 if units == "Degrees" else math.radians(40)
+            )
+        self.assertEqual(counts[0], counts[1])
+
+    def test_null_reasons(self):
+        """Cells for which a criterion has no meaning are not applicable, also from the mask array."""
+        source = mesh_parts.producer(mesh_parts.make_mesh())
+        quality = simple.ElementQuality(Input=source, WriteNullMask=1)
+        quality.Criteria = ["TetRadiusRatio"]
+        (row,), _, _ = self.tables(quality)
+        tetrahedra = sum(
+            mesh_parts.make_mesh().GetCellType(i) == 10 for i in range(row["Count"])
+        )
+        self.assertEqual(row["ApplicableCount"], tetrahedra)
+        self.assertEqual(row["NullCount"], row["Count"] - tetrahedra)
+
+    def test_ghosts_do_not_count(self):
+        whole = mesh_parts.make_full_mesh()
+        part = mesh_parts.extract(whole, 200, 400, ghost_layer=50)
+        self.assertEqual(part.GetNumberOfCells(), 300)
+        flags = part.GetCellData().GetArray("vtkGhostType")
+        flags.SetValue(3, 32)  # hidden
+        statistics, histogram, _ = self.tables(mesh_parts.producer(part), Arrays=["Volume"])
+        values = mesh_parts.make_values(whole.GetNumberOfCells())["Volume"][200:400]
+        self.assertEqual(statistics[0]["Count"], 199)
+        self.check_statistics(
+            statistics[0], numpy.delete(values, 3), numpy.delete(numpy.arange(200), 3)
+        )
+        self.check_histogram(histogram, numpy.delete(values, 3))
+
+    def test_groups_by_cell_type(self):
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())["Volume"]
+        kinds = numpy.array([grid.GetCellType(i) for i in range(len(values))])
+        ids = numpy.arange(len(values))
+        statistics, histogram, _ = self.tables(
+            mesh_parts.producer(grid), Arrays=["Volume"], GroupBy="Cell type"
+        )
+        self.assertEqual([r["Group"] for r in statistics], ["All", "Tetra", "Hexahedron", "Wedge"])
+        for row, kind in zip(statistics[1:], (10, 12, 13)):
+            self.check_statistics(row, values[kinds == kind], ids[kinds == kind])
+            bins = [r for r in histogram if r["Group"] == row["Group"]]
+            self.check_histogram(bins, values[kinds == kind])
+        edges = {group: [r["LowerEdge"] for r in histogram if r["Group"] == group] for group in ("All", "Wedge")}
+        self.assertEqual(edges["All"], edges["Wedge"])
+
+    def test_blocks(self):
+        """A collection has the statistics of the whole and of each block; empty blocks have none."""
+        values = mesh_parts.make_values(mesh_parts.make_mesh().GetNumberOfCells())
+        third = len(values["Volume"]) // 3
+        for parts in (1, 3):
+            source = mesh_parts.producer(mesh_parts.make_collection(parts))
+            statistics, _, worst = self.tables(
+                source, Arrays=["Volume", "EquiangleSkewness"], GroupBy="Block"
+            )
+            self.assertEqual([r["Group"] for r in statistics], 2 * ["All", "first", "last"])
+            ids = numpy.arange(len(values["Volume"]))
+            self.check_statistics(statistics[0], values["Volume"])
+            self.check_statistics(statistics[1], values["Volume"][:third])
+            self.check_statistics(statistics[2], values["Volume"][third:], ids[third:])
+            last = [row for row in worst if row["Group"] == "last"]
+            self.assertEqual({row["Block"] for row in last}, {"last"})
+
+    def test_multi_block(self):
+        """Nested blocks, one without the array."""
+        whole = mesh_parts.make_full_mesh()
+        inner, outer = vtkMultiBlockDataSet(), vtkMultiBlockDataSet()
+        bare = mesh_parts.extract(whole, 300, 350)
+        bare.GetCellData().Initialize()
+        inner.SetBlock(0, mesh_parts.extract(whole, 0, 100))
+        inner.SetBlock(2, bare)
+        outer.SetBlock(0, inner)
+        outer.SetBlock(1, mesh_parts.extract(whole, 100, 300))
+        outer.GetMetaData(0).Set(outer.NAME(), "rotor")
+        inner.GetMetaData(0).Set(outer.NAME(), "blades")
+        outer.GetMetaData(1).Set(outer.NAME(), "stator")
+        statistics, _, _ = self.tables(
+            mesh_parts.producer(outer), Arrays=["Volume"], GroupBy="Block"
+        )
+        self.assertEqual(
+            [(r["Group"], r["Count"]) for r in statistics],
+            [("All", 300), ("rotor/blades", 100), ("rotor/Block 4", 0), ("stator", 200)],
+        )
+
+    def test_images_and_surfaces(self):
+        """Input need not be an unstructured grid."""
+        for source in (simple.Wavelet(WholeExtent=[0, 4, 0, 4, 0, 4]), simple.Sphere()):
+            quality = simple.ElementQuality(Input=source)
+            statistics, _, _ = self.tables(quality)
+            source.UpdatePipeline()
+            cells = source.GetDataInformation().GetNumberOfCells()
+            self.assertEqual([row["Count"] for row in statistics], 3 * [cells])
+
+    def test_empty_input(self):
+        """No cells: columns, but no rows."""
+        nothing = simple.Threshold(Input=simple.Wavelet(), LowerThreshold=1e9, UpperThreshold=2e9)
+        quality = simple.ElementQuality(Input=nothing)
+        statistics = simple.QualityStatistics(Input=quality, GroupBy="Cell type")
+        statistics.UpdatePipeline()
+        for port in range(3):
+            table = self.fetch(statistics, port)
+            self.assertEqual(table.GetNumberOfRows(), 0)
+            self.assertGreater(table.GetNumberOfColumns(), 10)
+
+    def test_custom_bins(self):
+        source = mesh_parts.producer(mesh_parts.make_full_mesh())
+        values = mesh_parts.make_values(mesh_parts.make_mesh().GetNumberOfCells())
+        _, histogram, _ = self.tables(
+            source,
+            Arrays=["EquiangleSkewness"],
+            HistogramRange="Custom",
+            CustomRange=[0.25, 0.75],
+            NumberOfBins=10,
+        )
+        self.assertEqual(len(histogram), 10)
+        self.assertEqual((histogram[0]["LowerEdge"], histogram[-1]["UpperEdge"]), (0.25, 0.75))
+        self.check_histogram(histogram, values["EquiangleSkewness"])
+        _, histogram, _ = self.tables(
+            source, Arrays=["EquiangleSkewness"], HistogramRange="Acceptable"
+        )
+        self.assertEqual((histogram[0]["LowerEdge"], histogram[-1]["UpperEdge"]), (0, 0.9))
+
+    def test_wrong_choices_are_errors(self):
+        source = mesh_parts.producer(mesh_parts.make_full_mesh())
+        for properties, reason in (
+            ({"Preset": "Nonsense"}, "no preset named 'Nonsense'"),
+            ({"GroupBy": "Colour"}, "no way to group by 'Colour'"),
+            ({"HistogramScale": "Cubic"}, "not 'Cubic'"),
+        ):
+            filter_ = simple.QualityStatistics(Input=source)
+            for name, value in properties.items():
+                filter_.SMProxy.GetProperty(name).SetElement(0, value)
+            filter_.SMProxy.UpdateVTKObjects()
+            with camaron_testing.pipeline.Messages() as messages:
+                filter_.UpdatePipeline()
+            self.assertTrue(any(reason in error for error in messages.errors), messages.errors)
+        with camaron_testing.pipeline.Messages() as messages:
+            self.tables(source, Arrays=["Volume", "NotThere"])
+        self.assertTrue(any("NotThere" in warning for warning in messages.warnings))
+
+
+if __name__ == "__main__":
+    camaron_testing.main()

@@ -1,0 +1,115 @@
+# ranks: 1 2 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables of Quality Statistics, written to CSV, are the same byte for byte on any number of ranks."""
+
+import csv
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import camaron_testing
+import mesh_parts
+from paraview import simple
+from paraview.servermanager import OutputPort
+
+ARRAYS = list(mesh_parts.make_values(1))
+PORTS = ("statistics", "histogram", "worst")
+
+
+def save_tables(source, folder, **properties):
+    """Writes the three tables as a user would; returns their columns as text.
+
+    ParaView's writer sorts the columns by name when there are several ranks.
+    """
+    statistics = simple.QualityStatistics(Input=source, Arrays=ARRAYS, NumberOfWorst=30, **properties)
+    statistics.UpdatePipeline()
+    for port, name in enumerate(PORTS):
+        simple.SaveData(
+            str(folder / f"{name}.csv"), proxy=OutputPort(statistics, port), Precision=17
+        )
+    return read_tables(folder)
+
+
+def read_tables(folder):
+    tables = {}
+    for name in PORTS:
+        with open(folder / f"{name}.csv", newline="") as file:
+            tables[name] = list(csv.DictReader(file))
+    return tables
+
+
+def save_reference(folder):
+    """The same by a single process on the whole mesh, with and without global ids."""
+    for global_ids in (False, True):
+        target = folder / str(global_ids)
+        target.mkdir()
+        whole = mesh_parts.split_source(global_ids=global_ids)
+        save_tables(whole, target, GroupBy="Cell type", WorstValues="Largest")
+
+
+class TestRanks(camaron_testing.TestCase):
+    def reference(self, global_ids):
+        folder = self.folder / "reference"
+        if not folder.exists():
+            folder.mkdir()
+            prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
+            environment = {k: v for k, v in os.environ.items() if not k.startswith(prefixes)}
+            subprocess.run(
+                [shutil.which("pvpython"), __file__, str(folder)],
+                env=environment,
+                check=True,
+                timeout=200,
+            )
+        return read_tables(folder / str(global_ids))
+
+    def check(self, global_ids, **options):
+        source = mesh_parts.split_source(global_ids=global_ids, **options)
+        tables = save_tables(source, self.folder, GroupBy="Cell type", WorstValues="Largest")
+        for name, expected in self.reference(global_ids).items():
+            self.assertGreaterEqual(len(expected), len(ARRAYS))
+            self.assertEqual(tables[name], expected, f"{name} with {options}")
+
+    def test_pieces(self):
+        """Consecutive ranges of cells: ids are their places in the whole mesh."""
+        self.check(False)
+
+    def test_global_ids(self):
+        """Ids are the global ones, which decide ties."""
+        self.check(True)
+
+    def test_ghosts(self):
+        """Copies of cells of other ranks neither count nor take an index."""
+        self.check(False, ghost_layer=40)
+        self.check(True, ghost_layer=40)
+
+    def test_empty_rank(self):
+        """A rank without cells and arrays takes part in every collective call."""
+        self.check(False, empty_rank=True)
+
+    def test_redistributed(self):
+        """ParaView's own redistribution, which shuffles cells between ranks."""
+        source = mesh_parts.split_source(global_ids=True)
+        moved = simple.RedistributeDataSet(Input=source, GenerateGlobalCellIds=0)
+        tables = save_tables(moved, self.folder, GroupBy="Cell type", WorstValues="Largest")
+        for name, expected in self.reference(True).items():
+            self.assertEqual(tables[name], expected, name)
+
+    def test_complete_on_rank_0(self):
+        """Other ranks have the columns but no rows: appended by Fetch there is each row once."""
+        source = mesh_parts.split_source()
+        statistics = simple.QualityStatistics(Input=source, Arrays=ARRAYS)
+        statistics.UpdatePipeline()
+        self.assertEqual(self.fetch(statistics, 0).GetNumberOfRows(), len(ARRAYS))
+        self.assertEqual(
+            statistics.GetDataInformation(0).DataInformation.GetNumberOfRows(), len(ARRAYS)
+        )
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        save_reference(Path(sys.argv[1]))
+        os._exit(0)
+    camaron_testing.main()
