@@ -113,6 +113,8 @@ def main():
         status = SKIPPED if result.testsRun and len(result.skipped) == result.testsRun else 0
     sys.stdout.flush()
     sys.stderr.flush()
-    if rank_count() == 1:
+    under_mpi = any(key in os.environ for key in ("OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"))
+    if rank_count() == 1 and not under_mpi:
         os._exit(status)  # pvpython can hang while it closes
-    sys.exit(status)
+    if status:
+        sys.exit(status)  # else let pvbatch take leave of MPI, which mpiexec insists on
