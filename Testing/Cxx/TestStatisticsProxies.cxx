@@ -22,9 +22,7 @@ namespace
 // The element of a property in the XML of a proxy.
 std::string ReadProperty(const std::string& proxy, const std::string& property)
 {
-  const std::string here = __FILE__;
-  std::ifstream file(
-    here.substr(0, here.rfind("Testing")) + "Filters/" + proxy + ".xml", std::ios::binary);
+  std::ifstream file(CAMARON_SOURCE_DIR "/Filters/" + proxy + ".xml", std::ios::binary);
   std::stringstream text;
   text << file.rdbuf();
   const std::string xml = text.str();
