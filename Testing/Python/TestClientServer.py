@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Reader, criteria and surface on a pvserver of one and of two ranks, with the client in this process."""
+
+import os
+import shutil
+import socket
+import subprocess
+
+import camaron_testing
+from paraview import simple
+
+SECONDS = 120
+CRITERIA = ["Volume", "MinDihedralAngle", "FaceCount"]
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+class TestClientServer(camaron_testing.TestCase):
+    def serve(self, ranks):
+        """Starts a server that answers one client, and connects to it."""
+        if not shutil.which("pvserver") or (ranks > 1 and not shutil.which("mpiexec")):
+            self.skipTest("no pvserver or mpiexec")
+        port = free_port()
+        command = ["pvserver", f"--server-port={port}", "--bind-address=127.0.0.1"]
+        if ranks > 1:
+            command = ["mpiexec", "--oversubscribe", "-n", str(ranks), *command]
+        command = ["timeout", str(SECONDS), *command]
+        # With PV_PLUGIN_PATH the server would know the plugin already; here the client brings it.
+        environment = {k: v for k, v in os.environ.items() if k != "PV_PLUGIN_PATH"}
+        server = subprocess.Popen(
+            command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment
+        )
+        self.addCleanup(server.wait, SECONDS)
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.terminate)
+        for line in server.stdout:
+            if "Accepting connection" in line:
+                break
+        else:
+            self.fail("pvserver does not start")
+        self.assertIsNotNone(simple.Connect("127.0.0.1", port))
+        self.addCleanup(simple.Disconnect)
+        for folder in os.environ["PV_PLUGIN_PATH"].split(os.pathsep):
+            library = os.path.join(folder, "Camaron.so")
+            if os.path.exists(library):
+                simple.LoadPlugin(library, remote=True, ns=vars(simple))
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.alone = cls.evaluate()[1]
+
+    @staticmethod
+    def evaluate():
+        source = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        quality = simple.ElementQuality(Input=source, Criteria=CRITERIA)
+        quality.UpdatePipeline()
+        found = {name: quality.CellData[name].GetRange() for name in CRITERIA}
+        # Every rank has its share of the cells, and ghosts beside it.
+        own = simple.RemoveGhostInformation(Input=quality)
+        own.UpdatePipeline()
+        found["cells"] = own.GetDataInformation().GetNumberOfCells()
+        return quality, found
+
+    def check(self, ranks):
+        self.serve(ranks)
+        quality, served = self.evaluate()
+        self.assertEqual(served, self.alone)
+        surface = simple.MeshSurface(Input=quality)
+        surface.UpdatePipeline()
+        self.assertGreater(surface.GetDataInformation().GetNumberOfCells(), 100)
+
+    def test_one_rank(self):
+        self.check(1)
+
+    def test_two_ranks(self):
+        self.check(2)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
