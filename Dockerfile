@@ -11,5 +11,8 @@ RUN apt-get update \
   && rm -rf /var/lib/apt/lists/*
 
 COPY . /opt/camaron
-RUN rm -rf /opt/camaron/build && /opt/camaron/camaron build && chmod -R a+rX /opt/camaron
+RUN rm -rf /opt/camaron/build && /opt/camaron/camaron build && chmod -R a+rX /opt/camaron \
+  && rm -rf /root/.cache
+# For whichever user the container runs as; all ranks are in it.
+ENV CAMARON_HOME=/tmp/camaron OMPI_MCA_btl=^tcp
 ENTRYPOINT ["/opt/camaron/camaron"]

@@ -61,12 +61,14 @@ choose() {
 }
 
 find_sdk() {
-  local log=$build/log/probe.log
+  local log=$build/log/probe.log options=(-Wno-dev)
   type cmake c++ >/dev/null 2>&1 || return
   say "looking for ParaView on this machine ..."
   rm -rf "$build/probe" && mkdir -p "$build/probe" "$build/log" || exit 2
-  cmake -S "$launcher/probe" -B "$build/probe" -Wno-dev ${ParaView_DIR:+"-DParaView_DIR=$ParaView_DIR"} \
-    >"$log" 2>&1 && say "using the ParaView in $(head -n 1 "$build/probe/paraview")"
+  ! type ninja >/dev/null 2>&1 || options+=(-G Ninja)
+  [[ -z ${ParaView_DIR:-} ]] || options+=("-DParaView_DIR=$ParaView_DIR")
+  cmake -S "$launcher/probe" -B "$build/probe" "${options[@]}" >"$log" 2>&1 &&
+    say "using the ParaView in $(head -n 1 "$build/probe/paraview")"
 }
 
 packages() {

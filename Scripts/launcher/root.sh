@@ -150,7 +150,8 @@ root_enter() {
     [[ -e $path ]] || continue
     path=$(readlink -f "$path")
     [[ -d $path ]] || path=${path%/*}
-    if of_root "$path"; then
+    # Over what Debian needs there, nothing is mounted.
+    if of_root "$path" && [[ -z $(ls -A "$root$path" 2>/dev/null) ]]; then
       mkdir -p "$root$path" && enter+=(--bind "$path" "$path")
     fi
   done
