@@ -91,6 +91,21 @@ public:
     }
   }
 
+  /// Calls @a visit(a, b) for the edges of a 2D or 3D cell; those between two faces come twice.
+  template <typename Visitor>
+  void ForEachEdge(vtkIdType cell, Visitor&& visit)
+  {
+    this->ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+      {
+        const vtkIdType numberOfEdges = size == 2 ? 1 : size;
+        for (vtkIdType i = 0; i < numberOfEdges; ++i)
+        {
+          visit(points[i], points[i + 1 < size ? i + 1 : 0]);
+        }
+      });
+  }
+
   /// Appends the points of one facet.
   void GetFacet(vtkIdType cell, vtkIdType wanted, std::vector<vtkIdType>& facet)
   {

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
 #include <mutex>
 #include <utility>
 
@@ -91,17 +92,12 @@ EdgeList FindEdges(const MeshView& mesh)
     mesh,
     [](CellFacets& facets, vtkIdType cell, auto&& put)
     {
-      facets.ForEach(cell,
-        [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+      facets.ForEachEdge(cell,
+        [&](vtkIdType a, vtkIdType b)
         {
-          const vtkIdType numberOfEdges = size == 2 ? 1 : size;
-          for (vtkIdType i = 0; i < numberOfEdges; ++i)
+          if (a != b)
           {
-            const vtkIdType a = points[i], b = points[i + 1 < size ? i + 1 : 0];
-            if (a != b)
-            {
-              put(std::min(a, b), static_cast<Index>(std::max(a, b)));
-            }
+            put(std::min(a, b), static_cast<Index>(std::max(a, b)));
           }
         });
     },
@@ -324,6 +320,69 @@ void MeshTopology::GetFacePoints(Index face, std::vector<vtkIdType>& points) con
   points.clear();
   CellFacets(this->Mesh)
     .GetFacet(faces.GetCells(face).First, faces.GetOwnerLocalFacet(face), points);
+}
+
+//------------------------------------------------------------------------------
+void MeshTopology::GetNeighbors(
+  vtkIdType cell, Adjacency adjacency, std::vector<Index>& neighbors) const
+{
+  neighbors.clear();
+  CellFacets facets(this->Mesh);
+  if (adjacency == Adjacency::Facet)
+  {
+    const int dimension = facets.GetDimension(cell);
+    if (dimension < 2)
+    {
+      return;
+    }
+    const FacetTable& table = dimension == 3 ? this->GetFaces() : this->GetSurfaceEdges();
+    std::vector<Index> cells;
+    for (const CellFacet facet : table.GetCellFacets(cell))
+    {
+      table.GetCells(facet.Facet(), cells);
+      neighbors.insert(neighbors.end(), cells.begin(), cells.end());
+    }
+  }
+  else
+  {
+    const PointCells& pointCells = this->GetPointCells();
+    const auto first = [&](vtkIdType p) { return pointCells.Cells.begin() + pointCells.Offsets[p]; };
+    if (adjacency == Adjacency::Vertex)
+    {
+      const IndexRange points = this->Mesh.GetCellPoints(cell);
+      for (vtkIdType i = 0; i < points.Size; ++i)
+      {
+        neighbors.insert(neighbors.end(), first(points[i]), first(points[i] + 1));
+      }
+    }
+    else
+    {
+      std::vector<Index> candidates;
+      facets.ForEachEdge(cell,
+        [&](vtkIdType a, vtkIdType b)
+        {
+          // Both points in common, and an edge between them there, too.
+          candidates.clear();
+          std::set_intersection(first(a), first(a + 1), first(b), first(b + 1),
+            std::back_inserter(candidates));
+          for (const Index candidate : candidates)
+          {
+            bool hasEdge = false;
+            CellFacets(this->Mesh).ForEachEdge(candidate,
+              [&](vtkIdType c, vtkIdType d)
+              { hasEdge = hasEdge || (a == c && b == d) || (a == d && b == c); });
+            if (hasEdge)
+            {
+              neighbors.push_back(candidate);
+            }
+          }
+        });
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  neighbors.erase(
+    std::remove(neighbors.begin(), neighbors.end(), static_cast<Index>(cell)), neighbors.end());
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,14 @@ struct PointCells
 /// Unique edges of all cells; each with the smaller point id first, sorted.
 using EdgeList = std::vector<std::array<Index, 2>>;
 
+/// What two neighbouring cells have in common.
+enum class Adjacency
+{
+  Facet, ///< a face of 3D cells, an edge of 2D cells
+  Edge,
+  Vertex
+};
+
 class MeshTopology
 {
 public:
@@ -57,6 +65,12 @@ public:
    * overwritten.
    */
   void GetFacePoints(Index face, std::vector<vtkIdType>& points) const;
+
+  /**
+   * The other cells of the mesh next to @a cell, ascending; @a neighbors is overwritten. Builds the
+   * tables that the kind of adjacency needs.
+   */
+  void GetNeighbors(vtkIdType cell, Adjacency adjacency, std::vector<Index>& neighbors) const;
 
   /**
    * For readers whose file lists the faces of a mesh: hands them over, so that they need not be
