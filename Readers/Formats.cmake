@@ -5,4 +5,5 @@ camaron_format(
   NAME        Visf
   EXTENSIONS  visf
   DESCRIPTION "Camarón Visf mesh"
-  READER)
+  READER
+  WRITER)

@@ -22,6 +22,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <mutex>
 #include <type_traits>
 
@@ -187,6 +188,8 @@ private:
   bool FillCells(Arrays<Id>& arrays, const Progress& progress);
   template <typename Id>
   void FillCloud(Arrays<Id>& arrays);
+  template <typename Id>
+  void TurnSecondUses(Arrays<Id>& arrays) const;
   void AddIds();
 
   /// Visits the items of one block in order, each with what is expected of it.
@@ -217,6 +220,7 @@ private:
   Extent Total;
   std::vector<Extent> Blocks; ///< where blocks of items begin
   std::vector<Exception> Exceptions; ///< ascending
+  std::vector<std::array<vtkIdType, 2>> OpenCells; ///< in the mesh and in the piece, ascending
 };
 
 //------------------------------------------------------------------------------
@@ -354,7 +358,7 @@ template <typename Id>
 bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
 {
   std::mutex mutex;
-  Tally open;
+  std::vector<std::array<vtkIdType, 2>> open;
   std::vector<Exception> exceptions;
   const bool provide = !arrays.CellFaces.empty();
   const bool polyhedra = arrays.Locations.size() > 0;
@@ -363,7 +367,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
     {
       PrimitiveMatcher matcher(this->Mesh.Points);
       CellShell shell(this->Mesh.Points);
-      Tally localOpen;
+      std::vector<std::array<vtkIdType, 2>> localOpen;
       std::vector<Exception> localExceptions;
       Extent at = this->Blocks[first];
 
@@ -389,7 +393,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
           }
           if (!shell.Orient())
           {
-            localOpen.Add(item);
+            localOpen.push_back({ { item, i } });
           }
           for (const std::int32_t id : points)
           {
@@ -457,14 +461,12 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
           });
       }
       const std::lock_guard<std::mutex> lock(mutex);
-      open.Merge(localOpen);
+      open.insert(open.end(), localOpen.begin(), localOpen.end());
       exceptions.insert(exceptions.end(), localExceptions.begin(), localExceptions.end());
     });
 
-  if (finished && exceptions.empty())
-  {
-    this->Messages.Add(open, "cell", "cells", "that are not closed (an edge has one face or more than two)");
-  }
+  std::sort(open.begin(), open.end());
+  this->OpenCells = std::move(open);
   std::sort(exceptions.begin(), exceptions.end(),
     [](const Exception& a, const Exception& b) { return a.Item < b.Item; });
   this->Exceptions = std::move(exceptions);
@@ -490,6 +492,49 @@ void GridBuilder::FillCloud(Arrays<Id>& arrays)
 
 //------------------------------------------------------------------------------
 template <typename Id>
+void GridBuilder::TurnSecondUses(Arrays<Id>& arrays) const
+{
+  IdSet faces(this->Mesh.Faces.GetCount());
+  for (const auto& cell : this->OpenCells)
+  {
+    const IdList list = this->Mesh.Cells[cell[0]];
+    for (std::int32_t f = 0; f < list.Size; ++f)
+    {
+      faces.Add(list[f]);
+    }
+  }
+  std::vector<bool> reversed(static_cast<std::size_t>(faces.Number()), false);
+  auto next = this->OpenCells.begin();
+  this->Mesh.Cells.ForEachInOrder(
+    [&](vtkIdType cell, const IdList& list)
+    {
+      const bool isOpen = next != this->OpenCells.end() && (*next)[0] == cell;
+      vtkIdType entry = isOpen ? arrays.LocationOffsets[(*next)[1]] : 0;
+      for (std::int32_t f = 0; f < list.Size; ++f)
+      {
+        const std::int32_t face = list[f];
+        if (!faces.Contains(face) || this->Mesh.Faces[face].Size == 0)
+        {
+          continue;
+        }
+        const auto number = static_cast<std::size_t>(faces.GetNumber(face));
+        if (isOpen)
+        {
+          if (reversed[number])
+          {
+            Id* points = arrays.FaceConnectivity.data();
+            std::reverse(points + arrays.FaceOffsets[entry] + 1, points + arrays.FaceOffsets[entry + 1]);
+          }
+          ++entry;
+        }
+        reversed[number] = !reversed[number];
+      }
+      next += isOpen;
+    });
+}
+
+//------------------------------------------------------------------------------
+template <typename Id>
 bool GridBuilder::FillAs(const Progress& progress)
 {
   // What is known of the faces is worth its memory only where finding them costs more.
@@ -506,6 +551,17 @@ bool GridBuilder::FillAs(const Progress& progress)
   }
   if (this->Exceptions.empty())
   {
+    if (!this->OpenCells.empty())
+    {
+      this->TurnSecondUses(arrays);
+      Tally open;
+      for (const auto& cell : this->OpenCells)
+      {
+        open.Add(cell[0]);
+      }
+      this->Messages.Add(
+        open, "cell", "cells", "not closed (with an edge of one face or of more than two)");
+    }
     arrays.MoveTo(this->Grid);
     if (provide)
     {

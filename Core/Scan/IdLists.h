@@ -86,6 +86,19 @@ public:
       });
   }
 
+  /// Calls @a visit(i, list) for all lists in order.
+  template <typename Visit>
+  void ForEachInOrder(Visit&& visit) const
+  {
+    const char* place = this->Count > 0 ? this->GetBlock(0) : nullptr;
+    for (vtkIdType i = 0; i < this->Count; ++i)
+    {
+      const IdList list = this->At(place);
+      visit(i, list);
+      place = list.Ids + 4 * std::ptrdiff_t(list.Size);
+    }
+  }
+
   /// Makes operator[] work, for the members of @a needed (which must be numbered) or for all lists.
   bool MakeRandomAccess(const IdSet* needed, const Progress& progress);
 

@@ -16,6 +16,8 @@ unsigned long GetVTKErrorCode(ErrorKind kind)
     case ErrorKind::Open:
     case ErrorKind::Write:
       return vtkErrorCode::CannotOpenFileError;
+    case ErrorKind::DiskFull:
+      return vtkErrorCode::OutOfDiskSpaceError;
     case ErrorKind::Companion:
       return vtkErrorCode::FileNotFoundError;
     case ErrorKind::NotThisFormat:

@@ -26,6 +26,7 @@ enum class ErrorKind
   Unsupported,   ///< the file is valid but holds something that is not handled
   Companion,     ///< a second file that belongs to this one is missing
   Write,         ///< the file cannot be written
+  DiskFull,      ///< there is no room for the file
   Memory         ///< there is not enough memory for what the file holds
 };
 

@@ -350,7 +350,7 @@ TEST(VisfReader, KeepsOpenCells)
   mesh.Polyhedra[0].pop_back();
   const Result result = ReadMesh(mesh, Encoding::Ascii);
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("1 cell that are not closed"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("1 cell not closed"), std::string::npos);
   const MeshView view(result.Grid);
   ASSERT_EQ(result.Grid->GetNumberOfCells(), 2); // and the polygon that is left over
   EXPECT_EQ(result.Grid->GetCellType(1), VTK_QUAD);
@@ -362,6 +362,30 @@ TEST(VisfReader, KeepsOpenCells)
     for (vtkIdType i = 0; i < face.Size; ++i)
     {
       EXPECT_EQ(face[i], polygon[i]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, two cells that are not closed have a common face in the same direction.
+TEST(VisfReader, OpenCellsShareFacesInOppositeDirections)
+{
+  VisfMesh mesh = MakeTetrahedron();
+  mesh.Polyhedra = { { 0, 1, 2 }, { 1, 2 }, { 2, 2 } };
+  const Result result = ReadMesh(mesh, Encoding::Little03);
+  ASSERT_EQ(result.Grid->GetNumberOfCells(), 4); // and the last triangle
+  const bool reversed[3][3] = { { false, false, false }, { true, true }, { false, true } };
+  const MeshView view(result.Grid);
+  for (vtkIdType cell = 0; cell < 3; ++cell)
+  {
+    const IndexRange faces = view.GetPolyhedronFaces(cell);
+    ASSERT_EQ(faces.Size, static_cast<vtkIdType>(mesh.Polyhedra[cell].size()));
+    for (vtkIdType f = 0; f < faces.Size; ++f)
+    {
+      const IndexRange face = view.GetPolyhedronFacePoints(faces[f]);
+      const auto& polygon = mesh.Polygons[mesh.Polyhedra[cell][f]];
+      EXPECT_EQ(face[0], polygon[0]);
+      EXPECT_EQ(face[1], polygon[reversed[cell][f] ? 2 : 1]) << cell << " " << f;
     }
   }
 }

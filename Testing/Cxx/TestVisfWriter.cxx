@@ -1,0 +1,463 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the writer makes of meshes, and that nothing gets lost on the way there and back.
+#include "TestMeshes.h"
+#include "VisfSamples.h"
+
+#include "vtkVisfWriter.h"
+
+#include "Mesh/MeshView.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <set>
+
+#if defined(__linux__)
+#include <csignal>
+#include <sys/resource.h>
+#endif
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+struct Written
+{
+  int Success = 0;
+  unsigned long ErrorCode = 0;
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+};
+
+Written WriteFile(const std::string& path, vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII,
+  bool neighbors = false)
+{
+  Written result;
+  vtkNew<vtkVisfWriter> writer;
+  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
+  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
+  writer->SetInputDataObject(mesh);
+  writer->SetFileName(path.c_str());
+  writer->SetEncoding(encoding);
+  writer->SetWriteNeighbors(neighbors);
+  result.Success = writer->Write();
+  result.ErrorCode = writer->GetErrorCode();
+  return result;
+}
+
+//------------------------------------------------------------------------------
+std::string GetBytes(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << stream.rdbuf();
+  return bytes.str();
+}
+
+//------------------------------------------------------------------------------
+std::string WriteBytes(vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII, bool neighbors = false)
+{
+  const File file("", "written.visf");
+  const Written result = WriteFile(file.Path, mesh, encoding, neighbors);
+  EXPECT_EQ(result.Success, 1);
+  EXPECT_TRUE(result.Errors.empty());
+  return GetBytes(file.Path);
+}
+
+//------------------------------------------------------------------------------
+int CountFiles(const std::filesystem::path& folder)
+{
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    count += !entry.path().empty();
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+// Same points bit by bit, same cells in the same order with the same nodes; faces of polyhedra in the
+// same order and direction, though they may start at another point.
+void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
+  if (a->GetNumberOfPoints() > 0)
+  {
+    EXPECT_TRUE(HaveSameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
+  }
+  const MeshView meshA(a), meshB(b);
+  const auto get = [](const IndexRange& range)
+  {
+    std::vector<vtkIdType> ids(range.Size);
+    for (vtkIdType i = 0; i < range.Size; ++i)
+    {
+      ids[i] = range[i];
+    }
+    return ids;
+  };
+  for (vtkIdType cell = 0; cell < a->GetNumberOfCells(); ++cell)
+  {
+    ASSERT_EQ(meshA.GetCellType(cell), meshB.GetCellType(cell));
+    if (meshA.GetCellType(cell) != VTK_POLYHEDRON)
+    {
+      EXPECT_EQ(get(meshA.GetCellPoints(cell)), get(meshB.GetCellPoints(cell)));
+      continue;
+    }
+    const IndexRange facesA = meshA.GetPolyhedronFaces(cell), facesB = meshB.GetPolyhedronFaces(cell);
+    ASSERT_EQ(facesA.Size, facesB.Size);
+    for (vtkIdType f = 0; f < facesA.Size; ++f)
+    {
+      auto faceA = get(meshA.GetPolyhedronFacePoints(facesA[f]));
+      auto faceB = get(meshB.GetPolyhedronFacePoints(facesB[f]));
+      std::rotate(faceA.begin(), std::min_element(faceA.begin(), faceA.end()), faceA.end());
+      std::rotate(faceB.begin(), std::min_element(faceB.begin(), faceB.end()), faceB.end());
+      EXPECT_EQ(faceA, faceB);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Meshes with all that a Visf file can hold.
+std::vector<VisfMesh> MakeGallery()
+{
+  std::mt19937 random(2);
+  std::vector<VisfMesh> gallery = { MakeBar(1), MakeBar(9, 4), MakeBar(9), MakeBar(3, 3) };
+  VisfMesh mixed = MakeBar(40, 17);
+  mixed.Polygons.push_back({ 0, 1, 2, 3, 5 });
+  mixed.Polygons.push_back({ 3, 4 });
+  mixed.Polygons.push_back({ 7 });
+  mixed.Polygons.push_back(mixed.Polygons.front());
+  mixed.Polyhedra.push_back({});
+  mixed.Polyhedra.push_back({ 1, 2, 3 }); // not closed
+  mixed.Points.push_back({ { 5, 5, 5 } });
+  for (auto& point : mixed.Points)
+  {
+    for (float& x : point)
+    {
+      x = x * 1.1f + static_cast<float>(random() % 1000) * 1.7e-5f;
+    }
+  }
+  gallery.push_back(mixed);
+  VisfMesh surface = mixed;
+  surface.Polyhedra.clear();
+  gallery.push_back(surface);
+  VisfMesh cloud = surface;
+  cloud.Polygons.clear();
+  cloud.Points.push_back({ { NAN, INFINITY, -INFINITY } });
+  cloud.Points.push_back({ { -0.f, 1e-45f, 3.4028235e38f } });
+  gallery.push_back(cloud);
+  gallery.emplace_back();
+  return gallery;
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a mesh is not the same after it was written and read again.
+TEST(VisfWriter, RoundTrip)
+{
+  for (const VisfMesh& mesh : MakeGallery())
+  {
+    const Result first = ReadMesh(mesh, Encoding::Little03);
+    ASSERT_TRUE(first.Errors.empty());
+    std::set<std::string> texts;
+    for (int encoding = vtkVisfWriter::ASCII; encoding <= vtkVisfWriter::BINARY_VERSION_02; ++encoding)
+    {
+      for (const bool neighbors : { false, true })
+      {
+        const std::string bytes = WriteBytes(first.Grid, encoding, neighbors);
+        const Result second = ReadBytes(bytes);
+        ASSERT_TRUE(second.Errors.empty()) << second.Errors[0];
+        ExpectSameMesh(first.Grid, second.Grid);
+        EXPECT_EQ(WriteBytes(second.Grid, encoding, neighbors), bytes);
+        texts.insert(WriteBytes(second.Grid));
+      }
+    }
+    EXPECT_EQ(texts.size(), 1u);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, Camarón no longer finds the text laid out as it writes it itself.
+TEST(VisfWriter, TextIsLaidOutAsSpecified)
+{
+  const auto grid = MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 0.1f, 0 } },
+                               { { 0, 0, 1e-7f } }, { { 1, 1, 1 } } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } }, { VTK_TETRA, { 1, 4, 2, 3 } } });
+  const std::string text = WriteBytes(grid);
+  EXPECT_EQ(text,
+    "2 2\n5\n0 0 0\n1 0 0\n0 0.1 0\n0 0 1e-07\n1 1 1\n"
+    "8\n3 0 1 3\n3 1 2 3\n3 2 0 3\n3 0 2 1\n3 0 1 4\n3 1 4 3\n3 4 2 3\n3 1 2 4\n"
+    "0\n2\n4 0 1 2 3\n4 5 6 1 7\n");
+  EXPECT_EQ(WriteBytes(grid, vtkVisfWriter::BINARY_LITTLE_ENDIAN).substr(0, 9),
+    std::string("1\2\0\0\0\5\0\0\0", 9));
+  EXPECT_EQ(WriteBytes(grid, vtkVisfWriter::BINARY_BIG_ENDIAN).substr(0, 9),
+    std::string("0\0\0\0\2\0\0\0\5", 9));
+  EXPECT_EQ(WriteBytes(grid, vtkVisfWriter::BINARY_VERSION_02).substr(0, 9),
+    std::string("\1\2\0\0\0\5\0\0\0", 9));
+  EXPECT_EQ(WriteBytes(MakeGrid({ { { 1, 2, 3 } } }, {})), "2 0\n1\n1 2 3\n");
+  EXPECT_EQ(WriteBytes(MakeGrid({ { { 1, 2, 3 } } }, { { VTK_VERTEX, { 0 } } })), "2 0\n1\n1 2 3\n");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, lists of neighbours differ from their definition: two or more common vertices.
+TEST(VisfWriter, Neighbors)
+{
+  const VisfMesh mesh = MakeBar(4, 2);
+  std::istringstream text(WriteBytes(ReadMesh(mesh, Encoding::Ascii).Grid, 0, true));
+  int number, points;
+  float x;
+  text >> number >> number >> points;
+  for (int i = 0; i < 3 * points; ++i)
+  {
+    text >> x;
+  }
+  const auto readLists = [&text](int count)
+  {
+    std::vector<std::set<int>> lists(count);
+    for (auto& list : lists)
+    {
+      int size, id;
+      text >> size;
+      for (; size > 0; --size)
+      {
+        text >> id;
+        EXPECT_TRUE(list.insert(id).second);
+      }
+    }
+    return lists;
+  };
+  text >> number;
+  const auto polygons = readLists(number);
+  text >> number;
+  EXPECT_EQ(number, 1);
+  const auto neighbors = readLists(static_cast<int>(polygons.size()));
+  for (std::size_t p = 0; p < polygons.size(); ++p)
+  {
+    std::set<int> expected;
+    for (std::size_t q = 0; q < polygons.size(); ++q)
+    {
+      std::vector<int> common;
+      std::set_intersection(polygons[p].begin(), polygons[p].end(), polygons[q].begin(),
+        polygons[q].end(), std::back_inserter(common));
+      if (p != q && common.size() > 1)
+      {
+        expected.insert(static_cast<int>(q));
+      }
+    }
+    EXPECT_EQ(neighbors[p], expected);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, cells of other types are lost without a word, or come out as something else.
+TEST(VisfWriter, OtherTypesOfCells)
+{
+  Points points;
+  for (int i = 0; i < 27; ++i)
+  {
+    points.push_back({ { double(i % 3), double(i / 3 % 3), double(i / 9) } });
+  }
+  auto grid = MakeGrid(points,
+    { { VTK_VOXEL, { 0, 1, 3, 4, 9, 10, 12, 13 } }, { VTK_PIXEL, { 0, 1, 3, 4 } },
+      { VTK_QUADRATIC_TRIANGLE, { 0, 2, 6, 1, 4, 3 } }, { VTK_TRIANGLE_STRIP, { 0, 1, 3, 4, 6 } },
+      { VTK_LINE, { 0, 1 } }, { VTK_POLY_LINE, { 0, 1, 2 } },
+      { VTK_QUADRATIC_TETRA, { 0, 2, 6, 18, 1, 4, 3, 9, 10, 12 } } });
+  const File file("", "written.visf");
+  const Written written = WriteFile(file.Path, grid);
+  ASSERT_EQ(written.Warnings.size(), 3u);
+  EXPECT_NE(written.Warnings[0].find("2 cells of higher order"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("1 cell of one or two points"), std::string::npos);
+  EXPECT_NE(written.Warnings[2].find("1 cell of types that Visf cannot hold"), std::string::npos);
+  const Result result = ReadFile(file.Path);
+  const int types[] = { VTK_HEXAHEDRON, VTK_TETRA, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE, VTK_TRIANGLE,
+    VTK_TRIANGLE, VTK_LINE };
+  ASSERT_EQ(result.Grid->GetNumberOfCells(), 8);
+  for (vtkIdType cell = 0; cell < 8; ++cell)
+  {
+    EXPECT_EQ(result.Grid->GetCellType(cell), types[cell]);
+  }
+  vtkNew<vtkIdList> ids;
+  result.Grid->GetCellPoints(2, ids); // the pixel, as a quadrilateral
+  EXPECT_EQ(ids->GetId(2), 4);
+  result.Grid->GetCellPoints(5, ids); // every second triangle of a strip runs the other way
+  EXPECT_EQ(ids->GetId(0), 1);
+  EXPECT_EQ(ids->GetId(1), 4);
+  EXPECT_EQ(ids->GetId(2), 3);
+
+  vtkNew<vtkPolyData> surface;
+  surface->SetPoints(grid->GetPoints());
+  vtkNew<vtkCellArray> polygons;
+  polygons->InsertNextCell({ 0, 1, 4, 3 });
+  polygons->InsertNextCell({ 1, 2, 5 });
+  surface->SetPolys(polygons);
+  const Result polygonsAgain = ReadBytes(WriteBytes(surface));
+  EXPECT_EQ(Count(polygonsAgain.Grid, VTK_QUAD), 1);
+  EXPECT_EQ(Count(polygonsAgain.Grid, VTK_TRIANGLE), 1);
+  EXPECT_EQ(polygonsAgain.Grid->GetNumberOfPoints(), 27);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, arrays or digits are lost without a word.
+TEST(VisfWriter, SaysWhatIsLost)
+{
+  auto grid = MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 0.1, 0 } } },
+    { { VTK_TRIANGLE, { 0, 1, 2 } } });
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Pressure");
+  array->SetNumberOfTuples(3);
+  grid->GetPointData()->AddArray(array);
+  const File file("");
+  const Written written = WriteFile(file.Path, grid);
+  EXPECT_EQ(written.Success, 1);
+  ASSERT_EQ(written.Warnings.size(), 2u);
+  EXPECT_NE(written.Warnings[0].find("not written: Pressure"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("1 point rounded to single precision: point 2"),
+    std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a face with three or four cells is written with more than two cells, or twice for two.
+TEST(VisfWriter, FacesOfManyCells)
+{
+  for (int cells = 1; cells <= 5; ++cells)
+  {
+    Points points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } } };
+    Cells tetrahedra;
+    for (int i = 0; i < cells; ++i)
+    {
+      points.push_back({ { double(i), 0, 1 } });
+      tetrahedra.push_back({ VTK_TETRA, { 0, 1, 2, 3 + i } });
+    }
+    const auto grid = MakeGrid(points, tetrahedra);
+    std::istringstream text(WriteBytes(grid));
+    std::string line;
+    std::vector<std::string> lines;
+    while (std::getline(text, line))
+    {
+      lines.push_back(line);
+    }
+    const int common = (cells + 1) / 2;
+    EXPECT_EQ(std::stoi(lines[2 + points.size()]), 3 * cells + common);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), "3 0 2 1"), common);
+    const Result again = ReadBytes(text.str());
+    EXPECT_EQ(Count(again.Grid, VTK_TETRA), cells);
+    EXPECT_EQ(again.Grid->GetNumberOfCells(), cells);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a mesh that several processes had is written with seams, twice, or in another order.
+TEST(VisfWriter, PiecesAreMerged)
+{
+  for (const VisfMesh& mesh : MakeGallery())
+  {
+    if (mesh.Polygons.empty())
+    {
+      continue;
+    }
+    const File file(Encode(mesh, Encoding::Ascii));
+    const std::string expected = WriteBytes(ReadFile(file.Path).Grid);
+    for (const int ghostLevels : { 0, 1 })
+    {
+      vtkNew<vtkAppendFilter> append;
+      for (int piece = 0; piece < 3; ++piece)
+      {
+        append->AddInputData(ReadFile(file.Path, piece, 3, ghostLevels).Grid);
+      }
+      append->Update();
+      EXPECT_EQ(WriteBytes(append->GetOutput()), expected);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a failed write destroys the file that was there, or leaves debris.
+TEST(VisfWriter, FailureLeavesNoTrace)
+{
+  const auto grid = ReadMesh(MakeBar(20000), Encoding::Little03).Grid;
+  const File file("precious");
+  const int files = CountFiles(File::GetFolder());
+
+  Written written = WriteFile((File::GetFolder() / "no" / "such" / "folder.visf").string(), grid);
+  EXPECT_EQ(written.Success, 0);
+  EXPECT_EQ(written.Errors.size(), 1u);
+  written = WriteFile(File::GetFolder().string(), grid);
+  EXPECT_EQ(written.Errors.size(), 1u);
+  written = WriteFile("", grid);
+  EXPECT_EQ(written.ErrorCode, static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
+
+#if defined(__linux__)
+  // A limit on the size of files acts as a full disk.
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before;
+  getrlimit(RLIMIT_FSIZE, &before);
+  rlimit limit = before;
+  limit.rlim_cur = 100000;
+  setrlimit(RLIMIT_FSIZE, &limit);
+  for (const int encoding : { vtkVisfWriter::ASCII, vtkVisfWriter::BINARY_BIG_ENDIAN })
+  {
+    written = WriteFile(file.Path, grid, encoding);
+    EXPECT_EQ(written.Success, 0);
+    EXPECT_EQ(written.ErrorCode, static_cast<unsigned long>(vtkErrorCode::OutOfDiskSpaceError));
+    EXPECT_EQ(written.Errors.size(), 1u);
+    EXPECT_EQ(GetBytes(file.Path), "precious");
+    EXPECT_EQ(CountFiles(File::GetFolder()), files);
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  written = WriteFile("/dev/full", grid);
+  EXPECT_EQ(written.ErrorCode, static_cast<unsigned long>(vtkErrorCode::OutOfDiskSpaceError));
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+#endif
+
+  // An abort is no error, but leaves the file alone as well.
+  vtkNew<vtkVisfWriter> writer;
+  std::vector<std::string> errors;
+  Observe(writer, vtkCommand::ErrorEvent, errors);
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkVisfWriter*>(caller)->SetAbortExecuteAndUpdateTime(); });
+  writer->AddObserver(vtkCommand::ProgressEvent, stop);
+  writer->SetInputData(grid);
+  writer->SetFileName(file.Path.c_str());
+  writer->Write();
+  EXPECT_TRUE(errors.empty());
+  EXPECT_EQ(GetBytes(file.Path), "precious");
+  EXPECT_EQ(CountFiles(File::GetFolder()), files);
+
+  // A link stays a link, and the file keeps its permissions.
+  namespace fs = std::filesystem;
+  const fs::path link = File::GetFolder() / "link.visf";
+  fs::create_symlink(file.Path, link);
+  fs::permissions(file.Path, fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(WriteFile(link.string(), grid).Success, 1);
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(ReadFile(file.Path).Grid->GetNumberOfCells(), 20000);
+  EXPECT_EQ(fs::status(file.Path).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  fs::remove(link);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, files of other programs change when they are read and written again.
+TEST(VisfWriter, CollectedFilesRoundTrip)
+{
+  const char* folder = std::getenv("CAMARON_SHARED_DATA");
+  if (!folder || !std::filesystem::exists(std::filesystem::path(folder) / "visf"))
+  {
+    GTEST_SKIP() << "CAMARON_SHARED_DATA names no folder with visf files";
+  }
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(folder) / "visf"))
+  {
+    const Result first = ReadFile(entry.path().string());
+    const Result second = ReadBytes(WriteBytes(first.Grid, vtkVisfWriter::BINARY_LITTLE_ENDIAN));
+    SCOPED_TRACE(entry.path().filename().string());
+    ExpectSameMesh(first.Grid, second.Grid);
+  }
+}
