@@ -19,6 +19,7 @@ environment() {
   export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$threads}
   # More ranks than cores, in Open MPI 4 and 5, and as root.
   export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
+  export HWLOC_COMPONENTS=${HWLOC_COMPONENTS:--gl} # which looks for displays that are not ours
   [[ $EUID != 0 ]] || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   if [[ ! -d ${XDG_RUNTIME_DIR:-} ]]; then
     export XDG_RUNTIME_DIR=$CAMARON_HOME/run
