@@ -3,10 +3,14 @@
 """What meshes are worth, from Python; runs in pvpython and pvbatch with the plugin Camaron.
 
 >>> import camaron
+>>> summary = camaron.inspect("part.visf", "part-report")
+>>> summary["worst_criterion"]
+'MinDihedralAngle'
 >>> camaron.convert("part.visf", "part.vtu")
 []
 """
 
 from .conversion import convert
+from .inspection import inspect
 
-__all__ = ["convert"]
+__all__ = ["convert", "inspect"]

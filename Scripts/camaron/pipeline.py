@@ -15,19 +15,19 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 
 def load_plugin() -> None:
     """Makes the filters, readers and writers of the plugin known; does nothing the second time."""
-    if hasattr(simple, "MeshSurface"):
+    if hasattr(simple, "ElementQuality"):
         return
     with Messages() as messages:
         for folder in os.environ.get("PV_PLUGIN_PATH", "").split(os.pathsep):
             for library in sorted(Path(folder or ".").glob("**/Camaron.so")) if folder else ():
                 simple.LoadPlugin(str(library), remote=False, ns=vars(simple))
-                if hasattr(simple, "MeshSurface"):
+                if hasattr(simple, "ElementQuality"):
                     return
         try:
             simple.LoadDistributedPlugin("Camaron", remote=False, ns=vars(simple))
         except RuntimeError as error:
             messages.errors.append(str(error))
-    if not hasattr(simple, "MeshSurface"):
+    if not hasattr(simple, "ElementQuality"):
         reason = messages.errors[0] if messages.errors else "is the folder in PV_PLUGIN_PATH?"
         raise RuntimeError(f"the plugin Camaron cannot be loaded: {reason}")
 

@@ -77,6 +77,17 @@ class TestConvert(camaron_testing.TestCase):
             convert(source, target)
         self.assertEqual(target.read_text(), "old")
 
+    def test_command(self):
+        """The command line passes options on, says errors in one line and exits with 2."""
+        good = camaron_testing.run_command(
+            "convert", self.mesh(), self.folder / "c.vtu", "--compressor-type", "LZ4"
+        )
+        self.assertEqual((good.returncode, good.stderr), (0, ""))
+        self.assertIn(b"vtkLZ4DataCompressor", (self.folder / "c.vtu").read_bytes())
+        bad = camaron_testing.run_command("convert", self.folder / "none.vtu", self.folder / "d.vtu")
+        self.assertEqual(bad.returncode, 2)
+        self.assertEqual(bad.stderr, f"camaron: {self.folder}/none.vtu: there is no such file\n")
+
 
 if __name__ == "__main__":
     camaron_testing.main()

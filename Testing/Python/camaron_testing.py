@@ -15,14 +15,17 @@ A test is a script of unittest cases that ends with `camaron_testing.main()`:
         camaron_testing.main()
 """
 
+import io
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+import numpy
 from paraview import servermanager, simple
 
 from camaron import pipeline
@@ -86,6 +89,26 @@ def run_command(*arguments, **options):
     }
     command = [shutil.which("pvpython") or "pvpython", str(script), *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, timeout=240, env=environment, **options)
+
+
+def read_visf(path):
+    """Points, faces and cells of a little-endian or ASCII Visf 0.3 file; independent of the plugin."""
+    data = Path(path).read_bytes()
+    if data[:1] == b"2":
+        words = iter(data.split()[2:])
+        integer, real = (lambda: int(next(words))), (lambda: float(next(words)))
+    else:
+        stream = io.BytesIO(data[5:])
+        integer = lambda: struct.unpack("<i", stream.read(4))[0]
+        real = lambda: struct.unpack("<f", stream.read(4))[0]
+    points = numpy.array([[real(), real(), real()] for _ in range(integer())])
+    faces = [[integer() for _ in range(integer())] for _ in range(integer())]
+    assert integer() == 0, "no lists of neighbours"
+    try:
+        number = integer()
+    except (StopIteration, struct.error):
+        return points, faces, []
+    return points, faces, [[integer() for _ in range(integer())] for _ in range(number)]
 
 
 def write_vtk(path, points, cells, name="UNSTRUCTURED_GRID"):

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCriteriaTable.h"
+
+#include "Criteria/Criterion.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkCriteriaTable);
+
+namespace
+{
+//------------------------------------------------------------------------------
+template <typename Array>
+Array* AddColumn(vtkTable* table, const char* name)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  table->AddColumn(column);
+  return column;
+}
+
+//------------------------------------------------------------------------------
+const char* GetDimension(camaron::Unit unit)
+{
+  switch (unit)
+  {
+    case camaron::Unit::Length:
+      return "Length";
+    case camaron::Unit::Area:
+      return "Area";
+    case camaron::Unit::Volume:
+      return "Volume";
+    default:
+      return "";
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* GetShapes(unsigned appliesTo)
+{
+  switch (appliesTo)
+  {
+    case camaron::Polygons:
+      return "polygons";
+    case camaron::Polyhedra:
+      return "polyhedra";
+    case camaron::PolygonsAndPolyhedra:
+      return "polygons and polyhedra";
+    case camaron::Triangles:
+      return "triangles";
+    case camaron::Tetrahedra:
+      return "tetrahedra";
+    default:
+      return "any cell";
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* GetBetter(camaron::Better better)
+{
+  switch (better)
+  {
+    case camaron::Better::Smaller:
+      return "Smaller";
+    case camaron::Better::Bigger:
+      return "Bigger";
+    default:
+      return "Neither";
+  }
+}
+
+//------------------------------------------------------------------------------
+void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criteria)
+{
+  auto* name = AddColumn<vtkStringArray>(table, "Name");
+  auto* label = AddColumn<vtkStringArray>(table, "Label");
+  auto* description = AddColumn<vtkStringArray>(table, "Description");
+  auto* unit = AddColumn<vtkStringArray>(table, "Unit");
+  auto* dimension = AddColumn<vtkStringArray>(table, "Dimension");
+  auto* appliesTo = AddColumn<vtkStringArray>(table, "AppliesTo");
+  auto* rangeLow = AddColumn<vtkDoubleArray>(table, "RangeLow");
+  auto* rangeHigh = AddColumn<vtkDoubleArray>(table, "RangeHigh");
+  auto* ideal = AddColumn<vtkDoubleArray>(table, "Ideal");
+  auto* better = AddColumn<vtkStringArray>(table, "Better");
+  auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
+  auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
+  auto* source = AddColumn<vtkStringArray>(table, "AcceptableSource");
+  auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
+  for (const camaron::Criterion& criterion : criteria)
+  {
+    name->InsertNextValue(criterion.Name);
+    label->InsertNextValue(criterion.Label);
+    description->InsertNextValue(criterion.Description);
+    unit->InsertNextValue(criterion.UnitLabel());
+    dimension->InsertNextValue(GetDimension(criterion.Unit));
+    appliesTo->InsertNextValue(GetShapes(criterion.AppliesTo));
+    rangeLow->InsertNextValue(criterion.Range[0]);
+    rangeHigh->InsertNextValue(criterion.Range[1]);
+    ideal->InsertNextValue(criterion.Ideal);
+    better->InsertNextValue(GetBetter(criterion.Better));
+    low->InsertNextValue(criterion.Acceptable[0]);
+    high->InsertNextValue(criterion.Acceptable[1]);
+    source->InsertNextValue(criterion.AcceptableSource);
+    isHint->InsertNextValue(criterion.AcceptableIsHint ? 1 : 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
+{
+  auto* name = AddColumn<vtkStringArray>(table, "Preset");
+  auto* description = AddColumn<vtkStringArray>(table, "Description");
+  auto* criterion = AddColumn<vtkStringArray>(table, "Criterion");
+  auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
+  auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
+  for (const camaron::Preset& preset : presets)
+  {
+    for (const camaron::Preset::Rule& rule : preset.Rules)
+    {
+      name->InsertNextValue(preset.Name);
+      description->InsertNextValue(preset.Description);
+      criterion->InsertNextValue(rule.Criterion);
+      low->InsertNextValue(rule.Acceptable[0]);
+      high->InsertNextValue(rule.Acceptable[1]);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkCriteriaTable::vtkCriteriaTable()
+{
+  this->SetNumberOfInputPorts(0);
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkCriteriaTable::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  const bool isRoot = !controller || controller->GetLocalProcessId() == 0;
+  vtkTable* criteria = vtkTable::GetData(outputVector, 0);
+  vtkTable* rules = vtkTable::GetData(outputVector, 1);
+  ListCriteria(criteria, isRoot ? camaron::GetCriteria() : std::vector<camaron::Criterion>());
+  ListRules(rules, isRoot ? camaron::GetPresets() : std::vector<camaron::Preset>());
+  return 1;
+}

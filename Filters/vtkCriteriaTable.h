@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCriteriaTable
+ * @brief Lists all quality criteria and presets with what is known about them.
+ *
+ * No input. Outputs, each a vtkTable, complete on process 0 and empty on the others:
+ * 0. criteria, in the order in which people see them: "Name", "Label", "Description", "Unit" ("deg",
+ *    "sr" or empty), "Dimension" ("Length", "Area", "Volume" or empty), "AppliesTo", "RangeLow",
+ *    "RangeHigh", "Ideal" (NaN if none), "Better" ("Smaller", "Neither" or "Bigger"), "AcceptableLow",
+ *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint";
+ * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh".
+ */
+#ifndef vtkCriteriaTable_h
+#define vtkCriteriaTable_h
+
+#include "vtkTableAlgorithm.h"
+
+class vtkCriteriaTable : public vtkTableAlgorithm
+{
+public:
+  static vtkCriteriaTable* New();
+  vtkTypeMacro(vtkCriteriaTable, vtkTableAlgorithm);
+
+protected:
+  vtkCriteriaTable();
+  ~vtkCriteriaTable() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkCriteriaTable(const vtkCriteriaTable&) = delete;
+  void operator=(const vtkCriteriaTable&) = delete;
+};
+
+#endif

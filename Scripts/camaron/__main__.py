@@ -1,0 +1,15 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Runs the command: pvpython Scripts/camaron ARGUMENTS, or mpiexec -n N pvbatch the same."""
+
+import os
+import sys
+
+if not __package__:  # run by path
+    sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+from camaron import cli  # noqa: E402
+
+# pvpython sends what Python prints through VTK's output window, which is slow and cannot be a terminal.
+sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
+sys.exit(cli.main(sys.argv[1:]))

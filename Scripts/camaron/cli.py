@@ -1,0 +1,266 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The command line: arguments in, tables and one-line errors out."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import sys
+from pathlib import Path
+from typing import Any, Sequence
+
+from . import ranking, text
+
+ERROR = 2
+
+INSPECT_HELP = """\
+Reads meshes, evaluates their quality and writes a report for each: report.html (one file, with
+histograms, worst cells and pictures), summary.json (all numbers), worst.csv and the mesh with one
+cell array for each criterion.
+
+  camaron inspect part.visf
+  camaron inspect part.visf --preset FEM-tet -o part-quality
+  camaron inspect part.visf --criteria Volume,MinDihedralAngle --ranks 4"""
+
+CONVERT_HELP = """\
+Writes a mesh in another format, which the name of the target tells. Further options are those of
+the writer; with a wrong one, all are listed.
+
+  camaron convert part.visf part.vtu --compressor-type LZ4
+  camaron convert part.vtu part.visf --file-type ASCII"""
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="camaron", description="Quality of polygonal and polyhedral meshes.")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    style = argparse.RawDescriptionHelpFormatter
+
+    inspect = commands.add_parser(
+        "inspect", help="table and report of a mesh's quality", description=INSPECT_HELP, formatter_class=style
+    )
+    inspect.add_argument("meshes", nargs="+", metavar="MESH", help="file that ParaView can open")
+    inspect.add_argument("-o", "--output", metavar="DIR", help="folder of the report; default: NAME-report")
+    which = inspect.add_mutually_exclusive_group()
+    which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
+    which.add_argument("--criteria", metavar="A,B", help="names of criteria; default: all with a meaning")
+    inspect.add_argument("--worst", type=_positive, default=10, metavar="N", help="length of the lists of worst cells (%(default)s)")
+    inspect.add_argument("--bins", type=_positive, default=50, metavar="N", help="bins of the histograms (%(default)s)")
+    _add_common(inspect)
+    inspect.add_argument("--json", action="store_true", help="print the summary as JSON instead of the table")
+    inspect.add_argument("--no-pictures", action="store_true", help="leave out the pictures")
+
+    convert = commands.add_parser(
+        "convert", help="from one format to another", description=CONVERT_HELP, formatter_class=style
+    )
+    convert.add_argument("source", metavar="IN", help="file that ParaView can open")
+    convert.add_argument("target", metavar="OUT", help="file to write")
+    _add_common(convert)
+
+    criteria = commands.add_parser("criteria", help="list of the criteria and presets")
+    criteria.add_argument("names", nargs="*", metavar="NAME", help="only these, with their descriptions")
+    return parser
+
+
+def _add_common(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("--time", default="last", metavar="STEP", help="time step: first, last or its number (%(default)s)")
+    parser.add_argument("--ranks", type=_positive, metavar="N", help="number of MPI ranks")
+
+
+def _positive(argument: str) -> int:
+    number = int(argument)
+    if number < 1:
+        raise ValueError
+    return number
+
+
+_positive.__name__ = "positive number"  # argparse says "invalid positive number value"
+
+
+def main(arguments: Sequence[str]) -> int:
+    """Runs the command; returns its exit status: 0 done, 2 error."""
+    parser = _parser()
+    options, rest = parser.parse_known_args(arguments)
+    if rest and options.command != "convert":
+        parser.error(f"unrecognized arguments: {' '.join(rest)}")
+    try:
+        return {"inspect": _inspect, "convert": _convert, "criteria": _criteria}[options.command](options, rest)
+    except (ValueError, RuntimeError, OSError) as error:
+        print(f"camaron: {error}", file=sys.stderr)
+        return ERROR
+
+
+def _check_ranks(wanted: int | None) -> None:
+    from . import pipeline
+
+    running = pipeline.rank_count()
+    if wanted and wanted != running:
+        raise RuntimeError(
+            f"--ranks {wanted}, but this program runs on {text.plural(running, 'rank')}: "
+            f"start it through the command camaron, or with mpiexec -n {wanted} pvbatch"
+        )
+
+
+def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
+    from .inspection import inspect
+
+    _check_ranks(options.ranks)
+    folders = _report_folders(options.meshes, options.output)
+    status = 0
+    for number, (mesh, folder) in enumerate(zip(options.meshes, folders)):
+        try:
+            summary = inspect(
+                mesh,
+                folder,
+                preset=options.preset,
+                criteria=options.criteria.split(",") if options.criteria else None,
+                worst=options.worst,
+                bins=options.bins,
+                time=options.time,
+                with_pictures=not options.no_pictures,
+            )
+        except (RuntimeError, OSError) as error:
+            print(f"camaron: {error}", file=sys.stderr)
+            status = ERROR  # the other meshes still get their reports
+            continue
+        if options.json:
+            print(json.dumps(summary, indent=1, ensure_ascii=False, allow_nan=False))
+        else:
+            print(("\n" if number else "") + describe(summary, sys.stdout.isatty()))
+            print(f"\nReport: {Path(folder) / 'report.html'}")
+        sys.stdout.flush()
+    return status
+
+
+def _report_folders(meshes: Sequence[str], output: str | None) -> list[Path]:
+    """One folder for each mesh: NAME-report here, DIR, or DIR/NAME where there are several."""
+    stems = [Path(mesh).stem for mesh in meshes]
+    names = [
+        stem if stems.count(stem) == 1 else str(Path(mesh)).strip("/").replace(os.sep, "-")
+        for stem, mesh in zip(stems, meshes)
+    ]
+    if output is None:
+        return [Path(f"{name}-report") for name in names]
+    return [Path(output)] if len(names) == 1 else [Path(output) / name for name in names]
+
+
+def describe(summary: dict[str, Any], color: bool = False) -> str:
+    """The summary as text: facts, one line for each criterion, what is outside acceptable ranges."""
+    mesh, criteria = summary["mesh"], summary["criteria"]
+    types = ", ".join(f"{t['count']} {t['name']}" for t in mesh["cell_types"])
+    lines = [f"{mesh['path']}"]
+    lines.append(f"  {text.plural(mesh['points'], 'point')}, {text.plural(mesh['cells'], 'cell')}" + (f": {types}" if types else ""))
+    if mesh["bounds"]:
+        low, high = mesh["bounds"][0::2], mesh["bounds"][1::2]
+        place = lambda p: "(" + ", ".join(map(text.number, p)) + ")"
+        lines.append(f"  from {place(low)} to {place(high)}, {text.memory(mesh['memory'])} in memory")
+    totals = [
+        f"{label} {text.number(mesh[key])}" for key, label in (("volume", "volume"), ("area", "area")) if mesh[key] is not None
+    ]
+    if mesh["boundary_faces"]:
+        totals.append(text.plural(mesh["boundary_faces"], "boundary face"))
+    if totals:
+        lines.append("  " + ", ".join(totals))
+    if criteria:
+        lines += ["", *_table(criteria, color)]
+    lines.append("")
+    for finding in ranking.findings(summary):
+        sentence = finding["text"].replace("{criterion}", finding["criterion"] or "")
+        lines.append(_ascii(sentence))
+    lines += [f"Note: {note}" for note in summary["notes"]]
+    return "\n".join(lines)
+
+
+def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
+    """Columns of null and infinite values only where there are some."""
+    columns = [
+        ("criterion", lambda c: c["name"]),
+        ("unit", lambda c: c["unit"]),
+        ("cells", lambda c: str(c["applicable"])),
+        ("null", lambda c: str(ranking.undefined_count(c))),
+        ("inf", lambda c: str(c["inf"])),
+        ("min", lambda c: text.number(c["min"])),
+        ("p1", lambda c: text.number(c["quantiles"].get("1"))),
+        ("median", lambda c: text.number(c["quantiles"].get("50"))),
+        ("p99", lambda c: text.number(c["quantiles"].get("99"))),
+        ("max", lambda c: text.number(c["max"])),
+        ("mean", lambda c: text.number(c["mean"])),
+        ("acceptable", lambda c: _ascii(text.interval(*c["acceptable"]))),
+        ("outside", lambda c: str(c["out_of_range"]) if ranking.is_limited(c) else ""),
+        ("%", lambda c: text.percent(c["out_of_range"], c["applicable"]) if ranking.is_limited(c) else ""),
+    ]
+    unneeded = set()
+    if not any(ranking.undefined_count(c) for c in criteria):
+        unneeded.add("null")
+    if not any(c["inf"] for c in criteria):
+        unneeded.add("inf")
+    columns = [column for column in columns if column[0] not in unneeded]
+    rows = [[value(c) for _, value in columns] for c in criteria]
+    lines = text.table([name for name, _ in columns], rows, left=2)
+    marked = [lines[0]]
+    for line, c in zip(lines[1:], criteria):
+        bad = c["out_of_range"] > 0
+        mark = "! " if bad else "  "
+        marked.append(f"\x1b[1;31m{mark}{line}\x1b[0m" if color and bad else mark + line)
+    return ["  " + marked[0], *marked[1:]]
+
+
+def _ascii(sentence: str) -> str:
+    """The sentence for terminals of any encoding."""
+    for symbol, plain in (("≥", ">="), ("≤", "<="), ("–", "-"), ("°", " deg"), (text.THIN, "")):
+        sentence = sentence.replace(symbol, plain)
+    return sentence
+
+
+def _convert(options: argparse.Namespace, rest: list[str]) -> int:
+    from .conversion import convert
+
+    _check_ranks(options.ranks)
+    for note in convert(options.source, options.target, time=options.time, **_writer_options(rest)):
+        print(note)
+    return 0
+
+
+def _writer_options(arguments: list[str]) -> dict[str, str]:
+    """`--name value` and `--name=value` pairs.
+
+    >>> _writer_options(["--file-type", "ASCII", "--compression-level=3"])
+    {'file-type': 'ASCII', 'compression-level': '3'}
+    """
+    options = {}
+    rest = list(arguments)
+    while rest:
+        name = rest.pop(0)
+        if not name.startswith("--"):
+            raise ValueError(f"unexpected argument {name}: options of the writer are --name value")
+        name, equals, value = name[2:].partition("=")
+        if not equals:
+            if not rest or rest[0].startswith("--"):
+                raise ValueError(f"option --{name} needs a value")
+            value = rest.pop(0)
+        options[name] = value
+    return options
+
+
+def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
+    from . import pipeline, tables
+
+    pipeline.load_plugin()
+    known = tables.known_criteria()
+    if not options.names:
+        rows = [
+            [c["name"], c["unit"], _ascii(text.interval(*c["acceptable"])), c["applies_to"], c["label"]]
+            for c in known.values()
+        ]
+        print("\n".join(text.table(["criterion", "unit", "acceptable", "of", ""], rows, left=5)))
+        presets = [[name, ", ".join(p["rules"])] for name, p in tables.known_presets().items()]
+        print("\n" + "\n".join(text.table(["preset", "criteria"], presets, left=2)))
+        return 0
+    for name in options.names:
+        c = known[tables.lookup(name, list(known), "criterion")]
+        print(f"{c['name']}: {c['label']}, of {c['applies_to']}\n  {c['description']}")
+        if c["acceptable_source"]:
+            limits = _ascii(text.interval(*c["acceptable"], c["unit"]))
+            print(f"  acceptable {limits} ({c['acceptable_source']})")
+    return 0

@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What there is to say about a mesh besides its quality."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from paraview import servermanager, simple
+
+from . import pipeline, tables, text
+from .files import size
+
+#: Cells that Mesh Surface does not pass on one by one.
+NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine", "EmptyCell")
+
+
+def describe(path: Path, opened: pipeline.Opened, surface: Any) -> dict[str, Any]:
+    """Size, extent and cells of the mesh; `surface` is its Mesh Surface."""
+    information = pipeline.data_information(opened.source)
+    points, cells = count_points(opened.source), information.GetNumberOfCells()
+    bounds = [float(x) for x in information.GetBounds()]
+    facts = {
+        "name": path.name,
+        "path": str(path),
+        "file_size": size(path),
+        "time": opened.time,
+        "points": points,
+        "cells": cells,
+        "cell_types": [],
+        "blocks": information.GetNumberOfDataSets() if pipeline.is_composite(opened.source) else 1,
+        "bounds": bounds if points and bounds[0] <= bounds[1] else None,
+        "memory": information.GetMemorySize() * 1024,
+        "boundary_faces": 0,
+        "volume": None,
+        "area": None,
+    }
+    if not cells:
+        return facts
+    quality = simple.ElementQuality(Input=opened.source, Criteria=["CellTypeId", "Volume", "Area"])
+    statistics = simple.QualityStatistics(
+        Input=quality, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1
+    )
+    rows = tables.fetch(statistics)
+    for proxy in (statistics, quality):
+        simple.Delete(proxy)
+    total = {row["Criterion"]: row for row in rows if row["Group"] == "All"}
+    types = {
+        row["Group"]: row["Count"]
+        for row in rows
+        if row["Criterion"] == "CellTypeId" and row["Group"] != "All"
+    }
+    facts["cells"] = total["CellTypeId"]["Count"]  # without ghost cells
+    facts["cell_types"] = [
+        {"name": text.cell_type(label, count), "count": count}
+        for label, count in sorted(types.items(), key=lambda item: -item[1])
+    ]
+    for name in ("Volume", "Area"):
+        if total[name]["ApplicableCount"]:
+            facts[name.lower()] = total[name]["Sum"]
+    solid = total["Volume"]["ApplicableCount"]
+    if solid and not any(label in types for label in NOT_ONE_POLYGON):
+        surface.UpdatePipeline()
+        polygons = pipeline.data_information(surface).GetNumberOfCells()
+        facts["boundary_faces"] = polygons - (facts["cells"] - solid)
+    return facts
+
+
+def count_points(source: Any) -> int:
+    """Number of points; those that several ranks have count once where they are numbered."""
+    counted = pipeline.data_information(source).GetNumberOfPoints()
+    ids = source.PointData["GlobalPointIds"]
+    if pipeline.rank_count() > 1 and ids:
+        low, high = ids.GetRange()
+        if low == 0 and high < counted:
+            return int(high) + 1
+    return counted
+
+
+def notes(opened: pipeline.Opened) -> list[str]:
+    """What the reader of a report should know about what was read."""
+    if opened.time is None or opened.time["steps"] == 1:
+        return []
+    return [
+        f"Step {opened.time['step']} of {opened.time['steps']} time steps was taken"
+        f" (time {opened.time['value']:g})."
+    ]
+
+
+def program() -> str:
+    """Names and versions of what made a report."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager()
+    plugins = manager.GetPluginManager().GetLocalInformation()
+    versions = [
+        plugins.GetPluginVersion(i)
+        for i in range(plugins.GetNumberOfPlugins())
+        if plugins.GetPluginName(i) == "Camaron"
+    ]
+    paraview = simple.GetParaViewSourceVersion().split()[-1]
+    return f"Camarón for ParaView {''.join(versions)}, ParaView {paraview}"
+
+
+def extension(source: Any) -> str:
+    """Extension of the XML format for what the source puts out; with ranks, one file for each."""
+    information = pipeline.data_information(source)
+    if pipeline.is_composite(source):
+        return ".vtpc" if information.GetCompositeDataClassName().startswith("vtkPartitioned") else ".vtm"
+    parallel = "p" if pipeline.rank_count() > 1 else ""
+    kinds = {
+        "vtkUnstructuredGrid": "vtu",
+        "vtkPolyData": "vtp",
+        "vtkStructuredGrid": "vts",
+        "vtkRectilinearGrid": "vtr",
+        "vtkImageData": "vti",
+    }
+    for name, kind in kinds.items():
+        if information.DataSetTypeIsA(name):
+            return f".{parallel}{kind}"
+    return ".vtk"

@@ -1,0 +1,174 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The main job: reads a mesh, evaluates its quality, writes a report."""
+
+from __future__ import annotations
+
+import csv
+import datetime
+import json
+import math
+import os
+from pathlib import Path
+from typing import Any, Iterable, Optional
+
+from paraview import simple
+
+from . import conversion, facts, pictures, pipeline, ranking, report, tables
+from .files import Staging, same_file
+
+#: Evaluated for the facts about the mesh, and no quality.
+NOT_REPORTED = ("CellTypeId",)
+
+
+def inspect(
+    mesh: os.PathLike | str,
+    directory: Optional[os.PathLike | str] = None,
+    *,
+    preset: Optional[str] = None,
+    criteria: Optional[Iterable[str]] = None,
+    worst: int = 10,
+    bins: int = 50,
+    time: str = "last",
+    with_pictures: bool = True,
+) -> dict[str, Any]:
+    """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
+
+    The mesh is any file that ParaView can open. `directory` is made if needed; by default it is
+    NAME-report in the current folder. Criteria are those of the preset, or the given ones, or all that
+    have a meaning for a cell of the mesh. `worst` is the length of the lists of worst cells, `bins` the
+    number of bins of the histograms, `time` the step of a series: "first", "last" or its number.
+
+    Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that does
+    not exist and RuntimeError for a file that cannot be read or written.
+
+    >>> summary = camaron.inspect("part.visf", "part-report", criteria=["Volume", "MinDihedralAngle"])
+    >>> summary["criteria"][1]["min"]
+    12.7
+    """
+    mesh = Path(mesh)
+    directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
+    if preset is not None and criteria is not None:
+        raise ValueError("a preset and criteria exclude each other")
+    pipeline.load_plugin()
+    opened = pipeline.open_mesh(mesh, time)
+    made = [opened.source]
+    try:
+        quality = simple.ElementQuality(Input=opened.source)
+        surface = simple.MeshSurface(Input=quality)
+        statistics = simple.QualityStatistics(Input=quality, NumberOfWorst=worst, NumberOfBins=bins)
+        made += [quality, surface, statistics]
+        preset = choose_criteria(quality, preset, criteria)
+        if preset:
+            statistics.Preset = preset
+        with pipeline.Messages() as messages:
+            rows = tables.read(statistics, preset)
+            described = facts.describe(mesh, opened, surface)
+        if messages.errors:
+            raise RuntimeError(f"{mesh}: {messages.errors[0]}")
+        if criteria is None and preset is None:
+            rows = [row for row in rows if row["applicable"] and row["name"] not in NOT_REPORTED]
+        first = ranking.worst_criterion(rows)
+        summary = {
+            "version": 1,
+            "generated": {
+                "date": datetime.datetime.now().astimezone().isoformat(" ", "minutes"),
+                "by": facts.program(),
+            },
+            "mesh": described,
+            "preset": preset,
+            "criteria": rows,
+            "worst_criterion": first and first["name"],
+            "notes": opened.warnings + messages.warnings + facts.notes(opened),
+            "files": {},
+        }
+        with Staging(directory) as staging, pipeline.Messages():
+            _write(summary, quality, surface, staging.path, with_pictures)
+            for name in staging.names():
+                if same_file(directory / name, mesh):
+                    raise ValueError(f"{directory / name}: the report would replace the mesh itself")
+            staging.publish()
+        return summary
+    finally:
+        for proxy in reversed(made):
+            simple.Delete(proxy)
+
+
+def choose_criteria(
+    quality: Any, preset: Optional[str], criteria: Optional[Iterable[str]]
+) -> Optional[str]:
+    """Sets the criteria to evaluate, returns the name of the preset as it is written.
+
+    ValueError tells the name that comes closest to a wrong one.
+    """
+    known = list(quality.GetProperty("Criteria").Available)
+    if preset is not None:
+        presets = list(quality.GetProperty("Preset").Available)[1:]
+        quality.Preset = preset = tables.lookup(preset, presets, "preset")
+    elif criteria is not None:
+        quality.Criteria = [tables.lookup(name.strip(), known, "criterion") for name in criteria]
+    else:
+        quality.Criteria = known
+    return preset
+
+
+def _write(summary, quality, surface, folder, with_pictures) -> None:
+    """All files of the report into one folder."""
+    shown = [c["name"] for c in summary["criteria"]]
+    mesh_name = "mesh" + facts.extension(quality)
+    # Every rank writes its own cells, without the layer of its neighbours' around them.
+    whole = simple.RemoveGhostInformation(Input=quality) if pipeline.rank_count() > 1 else quality
+    conversion.write(whole, folder / mesh_name, _arrays_to_write(quality, shown))
+    if whole is not quality:
+        simple.Delete(whole)
+    summary["files"] = {
+        "report": "report.html",
+        "summary": "summary.json",
+        "worst": "worst.csv",
+        "mesh": mesh_name,
+    }
+    taken = pictures.take(summary, quality, surface, folder) if with_pictures else []
+    (folder / "report.html").write_text(report.render(summary, taken), encoding="utf-8")
+    for picture in taken:
+        picture.path.unlink()
+    (folder / "summary.json").write_text(to_json(summary) + "\n", encoding="utf-8")
+    with open(folder / "worst.csv", "w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(["criterion", "unit", "rank", "block", "cell", "type", "value", "x", "y", "z"])
+        for c in summary["criteria"]:
+            for w in c["worst"]:
+                place = [repr(x) for x in w["center"]]
+                rows.writerow(
+                    [c["name"], c["unit"], w["rank"], w["block"], w["id"], w["type"], repr(w["value"]), *place]
+                )
+
+
+def _arrays_to_write(quality, criteria) -> dict[str, Any]:
+    """Options of a writer that leave out criteria without a meaning for the mesh."""
+    known = set(quality.GetProperty("Criteria").Available)
+    names = [array.Name for array in quality.CellData]
+    left_out = [name for name in names if name in known and name not in criteria]
+    if not left_out:
+        return {}
+    return {
+        "ChooseArraysToWrite": 1,
+        "CellDataArrays": [name for name in names if name not in left_out],
+        "PointDataArrays": [array.Name for array in quality.PointData],
+    }
+
+
+def to_json(summary: dict[str, Any]) -> str:
+    """The summary as JSON, which knows no infinite numbers: they become "Infinity" and "-Infinity"."""
+
+    def plain(value):
+        if isinstance(value, dict):
+            return {key: plain(item) for key, item in value.items()}
+        if isinstance(value, (list, tuple)):
+            return [plain(item) for item in value]
+        if isinstance(value, float) and math.isinf(value):
+            return "Infinity" if value > 0 else "-Infinity"
+        if isinstance(value, float) and math.isnan(value):
+            return None
+        return value
+
+    return json.dumps(plain(summary), indent=1, ensure_ascii=False, allow_nan=False)

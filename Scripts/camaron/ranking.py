@@ -1,0 +1,118 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which criterion shows best what is wrong with a mesh."""
+
+from __future__ import annotations
+
+from typing import Any, Optional
+
+from . import text
+from .text import THIN
+
+
+def distance_from_ideal(criterion: dict[str, Any]) -> Optional[float]:
+    """How far the median is from the ideal, 0 at the ideal and 1 at the bad end of the range.
+
+    None for a criterion without an ideal, a direction or a finite value. Where the range has no bad
+    end, the distance d from the ideal i counts as d / (d + max(|i|, 1)).
+    """
+    ideal, median = criterion["ideal"], criterion["quantiles"].get("50")
+    if ideal is None or median is None or criterion["better"] == "neither":
+        return None
+    bad_end = criterion["range"][0 if criterion["better"] == "bigger" else 1]
+    distance = abs(median - ideal)
+    if bad_end is None:
+        return distance / (distance + max(abs(ideal), 1.0))
+    return min(distance / abs(bad_end - ideal), 1.0) if bad_end != ideal else None
+
+
+def is_limited(criterion: dict[str, Any]) -> bool:
+    """Whether an acceptable range is known."""
+    return criterion["acceptable"] != [None, None]
+
+
+def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
+    """The criterion to look at first; None when there is no value at all.
+
+    1. The one with the largest share of its values outside the acceptable range.
+    2. On a tie, and when nothing is outside: the largest distance of the median from the ideal,
+       criteria with an acceptable range before those without.
+    3. Without any ideal either, the first criterion that has a direction, then the first.
+    """
+
+    def rank(criterion):
+        valued = criterion["count"] - criterion["null"]
+        share = criterion["out_of_range"] / valued if valued else 0.0
+        distance = distance_from_ideal(criterion)
+        return (
+            share,
+            distance is not None and is_limited(criterion),
+            -1.0 if distance is None else distance,
+            criterion["better"] != "neither",
+        )
+
+    # max() keeps the first of equals, so ties that remain follow the order of the table.
+    valued = [criterion for criterion in criteria if criterion["count"] > criterion["null"]]
+    return max(valued, key=rank, default=None)
+
+
+def undefined_count(criterion: dict[str, Any]) -> int:
+    """Cells for which the criterion has a meaning but no value."""
+    return criterion["null"] - (criterion["count"] - criterion["applicable"])
+
+
+def findings(summary: dict[str, Any], most: int = 4) -> list[dict[str, Any]]:
+    """What to say first about a mesh: facts, no verdict.
+
+    Each is a `text` in which `{criterion}` stands for the criterion's label, with the `criterion`
+    (or None) and whether it `matters`, that is, tells of cells outside a range or without a value.
+    """
+    criteria = summary["criteria"]
+    if not summary["mesh"]["cells"]:
+        return [_finding("The mesh has no cells.", matters=True)]
+    if not criteria:
+        return [_finding("None of the criteria has a meaning for the cells of this mesh.")]
+    limited = [c for c in criteria if is_limited(c)]
+    outside = sorted(
+        (c for c in limited if c["out_of_range"]),
+        key=lambda c: -c["out_of_range"] / max(c["applicable"], 1),
+    )
+    facts = []
+    for c in outside[:most]:
+        verb = "is" if c["out_of_range"] == 1 else "are"
+        limits = text.interval(*c["acceptable"], c["unit"])
+        facts.append(
+            _finding(
+                f"{text.count(c['out_of_range'], THIN)} of {text.plural(c['applicable'], 'cell', THIN)} "
+                f"({text.percent(c['out_of_range'], c['applicable'])} %) {verb} outside the acceptable "
+                f"range of {{criterion}} ({limits}).",
+                c,
+                True,
+            )
+        )
+    if len(outside) > most:
+        names = ", ".join(c["label"] for c in outside[most:])
+        facts.append(_finding(f"Cells are also outside the acceptable ranges of: {names}.", matters=True))
+    if limited and not outside:
+        ranges = f"ranges of the {len(limited)} criteria that have one" if len(limited) > 1 else "range"
+        facts.append(_finding(f"No cell is outside the acceptable {ranges}."))
+    if not limited:
+        facts.append(_finding("None of the criteria evaluated has an acceptable range."))
+    undefined = [c for c in criteria if undefined_count(c)]
+    for c in undefined[:most]:
+        verb = "has" if undefined_count(c) == 1 else "have"
+        sentence = f"{text.plural(undefined_count(c), 'cell', THIN)} {verb} no value of {{criterion}}."
+        facts.append(_finding(sentence, c, True))
+    if len(undefined) > most:
+        names = ", ".join(c["label"] for c in undefined[most:])
+        facts.append(_finding(f"Cells are also without values of: {names}.", matters=True))
+    return facts
+
+
+def _finding(sentence, criterion=None, matters=False):
+    return {
+        "text": sentence,
+        "criterion": criterion and criterion["name"],
+        "label": criterion and criterion["label"],
+        "matters": matters,
+    }

@@ -1,0 +1,149 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The tables of Criteria Table and Quality Statistics as plain Python."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from typing import Any, Optional, Sequence
+
+from paraview import servermanager, simple
+
+from . import text
+
+QUANTILES = (0, 1, 5, 25, 50, 75, 95, 99, 100)
+
+
+def fetch(source: Any, port: int = 0) -> list[dict[str, Any]]:
+    """The rows of a table as dictionaries."""
+    table = servermanager.Fetch(source, idx=port)
+    columns = [table.GetColumn(c) for c in range(table.GetNumberOfColumns())]
+    names = [column.GetName() for column in columns]
+    return [
+        {name: column.GetValue(r) for name, column in zip(names, columns)}
+        for r in range(table.GetNumberOfRows())
+    ]
+
+
+def known_criteria() -> dict[str, dict[str, Any]]:
+    """What the registry says of every criterion, by name, in its order."""
+    table = simple.CriteriaTable()
+    try:
+        return {
+            row["Name"]: {
+                "name": row["Name"],
+                "label": row["Label"],
+                "description": row["Description"],
+                "unit": row["Unit"],
+                "applies_to": row["AppliesTo"],
+                "range": [_finite(row["RangeLow"]), _finite(row["RangeHigh"])],
+                "ideal": _finite(row["Ideal"]),
+                "better": row["Better"].lower(),
+                "acceptable": [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])],
+                "acceptable_source": row["AcceptableSource"],
+                "summable": row["Dimension"] in ("Area", "Volume"),
+            }
+            for row in fetch(table, 0)
+        }
+    finally:
+        simple.Delete(table)
+
+
+def known_presets() -> dict[str, dict[str, Any]]:
+    """Description of every preset and its rules: acceptable [low, high] by the criterion's name."""
+    table = simple.CriteriaTable()
+    try:
+        presets: dict[str, dict[str, Any]] = {}
+        for row in fetch(table, 1):
+            preset = presets.setdefault(row["Preset"], {"description": row["Description"], "rules": {}})
+            limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
+            preset["rules"][row["Criterion"]] = limits
+        return presets
+    finally:
+        simple.Delete(table)
+
+
+def _finite(value: float) -> Optional[float]:
+    """None for NaN and infinite numbers: unknown, or no limit."""
+    return float(value) if math.isfinite(value) else None
+
+
+def _number(value: float) -> Optional[float]:
+    """None for NaN."""
+    return None if math.isnan(value) else float(value)
+
+
+def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
+    """All of Quality Statistics: one dictionary for each criterion, in the order of the registry."""
+    known = known_criteria()
+    rules = known_presets()[preset] if preset else {"description": "", "rules": {}}
+    criteria = {}
+    for row in fetch(statistics, 0):
+        if row["Group"] == "All" and row["Criterion"] in known:
+            criteria[row["Criterion"]] = _criterion(row, known[row["Criterion"]], rules)
+    for row in fetch(statistics, 1):
+        histogram = criteria[row["Criterion"]]["histogram"]
+        if not histogram["edges"]:
+            histogram["edges"].append(row["LowerEdge"])
+            histogram["underflow"], histogram["overflow"] = row["Underflow"], row["Overflow"]
+        histogram["edges"].append(row["UpperEdge"])
+        histogram["counts"].append(row["Count"])
+    for row in fetch(statistics, 2):
+        criteria[row["Criterion"]]["worst"].append(
+            {
+                "rank": row["Rank"],
+                "id": row["Id"],
+                "block": row["Block"] or None,
+                "type": text.cell_type(row["CellType"], 1),
+                "value": row["Value"],
+                "center": [row["X"], row["Y"], row["Z"]],
+            }
+        )
+    return [criteria[name] for name in known if name in criteria]
+
+
+def _criterion(row: dict[str, Any], known: dict[str, Any], rules: dict[str, Any]) -> dict[str, Any]:
+    """One row of the statistics, joined with what the registry knows."""
+    source = rules["description"] if known["name"] in rules["rules"] else known["acceptable_source"]
+    limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
+    return {
+        **known,
+        "unit": row["Unit"],
+        "acceptable": limits,
+        "acceptable_source": source if limits != [None, None] else "",
+        "count": row["Count"],
+        "applicable": row["ApplicableCount"],
+        "null": row["NullCount"],
+        "inf": row["InfCount"],
+        "min": _number(row["Min"]),
+        "max": _number(row["Max"]),
+        "mean": _number(row["Mean"]),
+        "std_dev": _number(row["StdDev"]),
+        "sum": _number(row["Sum"]),
+        "quantiles": {
+            f"{q}": value for q in QUANTILES if (value := _number(row[f"P{q}"])) is not None
+        },
+        "below": row["BelowCount"],
+        "above": row["AboveCount"],
+        "out_of_range": row["BelowCount"] + row["AboveCount"],
+        "histogram": {
+            "edges": [],
+            "counts": [],
+            "underflow": 0,
+            "overflow": 0,
+            "null": row["NullCount"],
+            "inf": row["InfCount"],
+        },
+        "worst": [],
+    }
+
+
+def lookup(name: str, known: Sequence[str], kind: str) -> str:
+    """The known name, whatever its upper and lower case."""
+    by_lower = {k.lower(): k for k in known}
+    if name.lower() in by_lower:
+        return by_lower[name.lower()]
+    close = difflib.get_close_matches(name.lower(), list(by_lower), 1)
+    hint = f"did you mean {by_lower[close[0]]}?" if close else f"known are {', '.join(known)}"
+    raise ValueError(f"unknown {kind} {name}: {hint}")

@@ -1,0 +1,135 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Numbers and tables as people read them."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Iterable, Optional, Sequence
+
+#: Limits below stand for "above zero".
+SMALLEST = 1e-300
+#: Space between groups of three digits.
+THIN = "\u202f"
+UNIT_SYMBOLS = {"deg": "°", "rad": "rad", "sr": "sr"}
+
+
+#: Cell types whose names are not the words in which one speaks of one or several.
+CELL_TYPES = {
+    "Vertex": ("vertex", "vertices"),
+    "PolyVertex": ("poly-vertex", "poly-vertices"),
+    "Quad": ("quadrangle", "quadrangles"),
+    "Tetra": ("tetrahedron", "tetrahedra"),
+    "Hexahedron": ("hexahedron", "hexahedra"),
+    "Polyhedron": ("polyhedron", "polyhedra"),
+}
+
+
+def number(value: Optional[float], digits: int = 4) -> str:
+    """The value with so many significant digits; an empty text for None and NaN.
+
+    >>> number(0.12345678), number(1234567.0), number(-3.0), number(float("inf"))
+    ('0.1235', '1.235e+06', '-3', 'inf')
+    """
+    if value is None or math.isnan(value):
+        return ""
+    if math.isinf(value):
+        return "inf" if value > 0 else "-inf"
+    if value == int(value) and abs(value) < 1e6:
+        return str(int(value))
+    return f"{value:.{digits}g}"
+
+
+def count(value: Optional[int], separator: str = "") -> str:
+    """A whole number, with a separator between groups of three digits.
+
+    >>> count(1234567, " ")
+    '1 234 567'
+    """
+    return "" if value is None else f"{value:,}".replace(",", separator)
+
+
+def percent(part: float, whole: float) -> str:
+    """The share in percent, never rounded to 0 or 100 when it is neither.
+
+    >>> percent(0, 5), percent(1, 3), percent(1, 10**6), percent(999999, 10**6)
+    ('0', '33.3', '<0.01', '>99.9')
+    """
+    if not whole or not part:
+        return "0"
+    if part == whole:
+        return "100"
+    share = 100.0 * part / whole
+    if share < 0.01:
+        return "<0.01"
+    if share > 99.9:
+        return ">99.9"
+    return f"{share:.3g}"
+
+
+def interval(low: Optional[float], high: Optional[float], unit: str = "") -> str:
+    """A range for people; None is an open end.
+
+    >>> interval(40, None, "deg"), interval(0.2, 1.0), interval(None, None)
+    ('≥ 40°', '0.2 – 1', '')
+    """
+    symbol = UNIT_SYMBOLS.get(unit, unit)
+    suffix = symbol if symbol in ("", "°") else " " + symbol
+    if low is None and high is None:
+        return ""
+    if low is not None and 0.0 < low < SMALLEST:
+        return f"> 0{suffix}" if high is None else f"> 0{suffix}, ≤ {number(high)}{suffix}"
+    if high is None:
+        return f"≥ {number(low)}{suffix}"
+    if low is None:
+        return f"≤ {number(high)}{suffix}"
+    return f"{number(low)} – {number(high)}{suffix}"
+
+
+def memory(size: Optional[int]) -> str:
+    """
+    >>> memory(512), memory(12_582_912)
+    ('512 B', '12.6 MB')
+    """
+    if size is None:
+        return ""
+    for unit, scale in (("GB", 1e9), ("MB", 1e6), ("kB", 1e3)):
+        if size >= scale:
+            return f"{size / scale:.3g} {unit}"
+    return f"{size} B"
+
+
+def plural(amount: int, noun: str, separator: str = "") -> str:
+    """
+    >>> plural(1, "cell"), plural(1200, "cell", ",")
+    ('1 cell', '1,200 cells')
+    """
+    return f"{count(amount, separator)} {noun if amount == 1 else noun + 's'}"
+
+
+def cell_type(label: str, amount: int = 2) -> str:
+    """One or several cells of a type, by its label in the tables of statistics.
+
+    >>> cell_type("Tetra"), cell_type("Wedge"), cell_type("QuadraticTetra"), cell_type("Tetra", 1)
+    ('tetrahedra', 'wedges', 'quadratic tetrahedra', 'tetrahedron')
+    """
+    if label in CELL_TYPES:
+        return CELL_TYPES[label][amount != 1]
+    *first, last = re.findall(r"[A-Z][a-z0-9]*", label) or [label]
+    names = CELL_TYPES.get(last, (last.lower(), last.lower() + "s"))
+    return " ".join([*(word.lower() for word in first), names[amount != 1]])
+
+
+def table(header: Sequence[str], rows: Iterable[Sequence[str]], left: int = 1) -> list[str]:
+    """Lines of a table whose first `left` columns are flush left and the others flush right."""
+    rows = [list(header), *map(list, rows)]
+    widths = [max(len(row[c]) for row in rows) for c in range(len(header))]
+    lines = []
+    for row in rows:
+        cells = [
+            text.ljust(width) if c < left else text.rjust(width)
+            for c, (text, width) in enumerate(zip(row, widths))
+        ]
+        lines.append("  ".join(cells).rstrip())
+    return lines

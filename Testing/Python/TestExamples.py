@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The example meshes and scripts."""
+
+import collections
+import csv
+import os
+import runpy
+import shutil
+import subprocess
+
+import camaron_testing
+
+MESHES = ["flange.visf", "polygon-ring.visf", "voronoi-ball.visf"]
+
+
+class TestExamples(camaron_testing.TestCase):
+    def test_meshes_are_those_of_the_script(self):
+        """The script makes the same files, byte for byte."""
+        script = runpy.run_path(str(camaron_testing.EXAMPLES / "make_examples.py"))
+        script["main"](self.folder)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), MESHES)
+        for name in MESHES:
+            made, shipped = (folder / name for folder in (self.folder, camaron_testing.EXAMPLES))
+            self.assertEqual(made.read_bytes(), shipped.read_bytes(), name)
+
+    def test_meshes_are_sound(self):
+        """Cells are closed and fit together; the boundary of the solids and the ring are closed."""
+        for name in MESHES:
+            _, faces, cells = camaron_testing.read_visf(camaron_testing.EXAMPLES / name)
+            uses = collections.Counter(f for cell in cells for f in cell)
+            self.assertLessEqual(set(uses.values()), {1, 2}, name)
+            boundary = [faces[f] for f in range(len(faces)) if uses[f] < 2]
+            for loops in [boundary, *([faces[f] for f in cell] for cell in cells)]:
+                edges = collections.Counter(
+                    frozenset(edge) for loop in loops for edge in zip(loop, loop[1:] + loop[:1])
+                )
+                self.assertEqual(set(edges.values()), {2}, name)
+
+    def test_first_script(self):
+        """What the README shows runs as it stands, from the root of the repository."""
+        (self.folder / "Examples").symlink_to(camaron_testing.EXAMPLES)
+        script = camaron_testing.EXAMPLES / "first_script.py"
+        environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+        done = subprocess.run(
+            [shutil.which("pvpython") or "pvpython", str(script)],
+            cwd=self.folder,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.folder / "statistics.csv", newline="", encoding="utf-8") as file:
+            rows = {row["Criterion"]: row for row in csv.DictReader(file)}
+        self.assertEqual(set(rows), {"Volume", "MinDihedralAngle", "EdgeLengthRatio"})
+        self.assertEqual(rows["Volume"]["Count"], "800")
+        mesh = self.fetch(self.open(self.folder / "voronoi-ball.vtu"))
+        self.assertEqual(mesh.GetNumberOfCells(), 800)
+        self.assertTrue(mesh.GetCellData().HasArray("MinDihedralAngle"))
+
+
+if __name__ == "__main__":
+    camaron_testing.main()

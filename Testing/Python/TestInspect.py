@@ -1,0 +1,326 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""camaron.inspect on the example meshes: numbers against numpy, files, errors, pictures."""
+
+import base64
+import csv
+import json
+import re
+from html.parser import HTMLParser
+
+import camaron_testing
+import numpy
+from camaron import inspect
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+FLANGE = camaron_testing.EXAMPLES / "flange.visf"
+RING = camaron_testing.EXAMPLES / "polygon-ring.visf"
+
+
+def convex_cell(points, faces):
+    """Volume and surface of a convex cell by the divergence theorem; lengths of its edges."""
+    middle = points[sorted({p for face in faces for p in face})].mean(axis=0)
+    volume = area = 0.0
+    edges = {}
+    for face in faces:
+        corners = points[face] - middle
+        vector = 0.5 * numpy.cross(corners, numpy.roll(corners, -1, axis=0)).sum(axis=0)
+        volume += abs(vector @ corners.mean(axis=0)) / 3.0
+        area += numpy.linalg.norm(vector)
+        for a, b in zip(face, face[1:] + face[:1]):
+            edges[frozenset((a, b))] = numpy.linalg.norm(points[a] - points[b])
+    return volume, area, list(edges.values())
+
+
+class Page(HTMLParser):
+    """What a page refers to, and whether its elements are closed."""
+
+    Void = {"meta", "img", "br", "link", "input", "hr"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.ids, self.links, self.sources = [], set(), [], []
+        self.feed(text)
+        self.close()
+        assert not self.open, f"not closed: {self.open}"
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if "id" in attributes:
+            assert attributes["id"] not in self.ids, f"twice: {attributes['id']}"
+            self.ids.add(attributes["id"])
+        if "href" in attributes:
+            self.links.append(attributes["href"])
+        if "src" in attributes:
+            self.sources.append(attributes["src"])
+        if tag not in self.Void:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag, attributes):
+        self.handle_starttag(tag, attributes)
+        if tag not in self.Void:
+            self.open.pop()
+
+    def handle_endtag(self, tag):
+        assert self.open and self.open[-1] == tag, f"</{tag}> closes {self.open[-1:]}"
+        self.open.pop()
+
+
+class TestInspect(camaron_testing.TestCase):
+    def inspect(self, mesh, **options):
+        options.setdefault("with_pictures", False)
+        return inspect(mesh, self.folder / "report", **options)
+
+    def strict_json(self):
+        """summary.json, read by somebody who knows no NaN and Infinity."""
+
+        def refuse(word):
+            raise ValueError(f"{word} is not JSON")
+
+        return json.loads((self.folder / "report" / "summary.json").read_text("utf-8"), parse_constant=refuse)
+
+    def check_numbers(self, criterion, values):
+        """All statistics of a criterion against numpy; values are one a cell, in the file's order."""
+        values = numpy.asarray(values, dtype=float)
+        near = lambda got, want: self.assertAlmostEqual(got, want, delta=1e-6 * max(abs(want), 1e-9))
+        self.assertEqual((criterion["count"], criterion["null"], criterion["inf"]), (len(values), 0, 0))
+        near(criterion["min"], values.min())
+        near(criterion["max"], values.max())
+        near(criterion["mean"], values.mean())
+        near(criterion["std_dev"], values.std(ddof=1))
+        near(criterion["sum"], values.sum())
+        for percent, quantile in criterion["quantiles"].items():
+            near(quantile, numpy.percentile(values, float(percent)))
+        low, high = criterion["acceptable"]
+        outside = (values < (-numpy.inf if low is None else low)) | (values > (numpy.inf if high is None else high))
+        self.assertEqual(criterion["out_of_range"], int(outside.sum()))
+        if criterion["better"] != "neither":
+            order = numpy.argsort(values if criterion["better"] == "bigger" else -values, kind="stable")
+            self.assertEqual([w["id"] for w in criterion["worst"]], order[: len(criterion["worst"])].tolist())
+            for worst in criterion["worst"]:
+                near(worst["value"], values[worst["id"]])
+
+    def test_voronoi_cells(self):
+        """Sizes, ratios and counts of the Voronoi cells are those of an independent computation."""
+        points, faces, cells = camaron_testing.read_visf(BALL)
+        loops = [[faces[f] for f in cell] for cell in cells]
+        computed = [convex_cell(points, loop) for loop in loops]
+        summary = self.inspect(BALL)
+        by_name = {c["name"]: c for c in summary["criteria"]}
+        self.check_numbers(by_name["Volume"], [v for v, _, _ in computed])
+        self.check_numbers(by_name["SurfaceArea"], [a for _, a, _ in computed])
+        self.check_numbers(by_name["FaceCount"], [len(cell) for cell in cells])
+        self.check_numbers(by_name["EdgeLengthRatio"], [min(e) / max(e) for _, _, e in computed])
+        self.check_numbers(
+            by_name["IsoperimetricQuotient"], [36.0 * numpy.pi * v * v / a**3 for v, a, _ in computed]
+        )
+        mesh = summary["mesh"]
+        self.assertEqual((mesh["points"], mesh["cells"]), (len(points), len(cells)))
+        self.assertAlmostEqual(mesh["volume"], sum(v for v, _, _ in computed), places=6)
+        uses = numpy.bincount([f for cell in cells for f in cell])
+        self.assertEqual(mesh["boundary_faces"], int((uses == 1).sum()))
+        numpy.testing.assert_allclose(mesh["bounds"][0::2], points.min(axis=0), rtol=1e-6)
+        numpy.testing.assert_allclose(mesh["bounds"][1::2], points.max(axis=0), rtol=1e-6)
+        self.assertEqual(mesh["cell_types"], [{"name": "polyhedra", "count": 800}])
+
+    def test_mixed_cells(self):
+        """Every criterion is of the cells it has a meaning for; types are recognised and counted."""
+        _, _, cells = camaron_testing.read_visf(FLANGE)
+        summary = self.inspect(FLANGE)
+        types = {t["name"]: t["count"] for t in summary["mesh"]["cell_types"]}
+        self.assertEqual(types["tetrahedra"], sum(len(cell) == 4 for cell in cells))
+        self.assertEqual(types["hexahedra"], sum(len(cell) == 6 for cell in cells))
+        self.assertEqual(sum(types.values()), len(cells))
+        by_name = {c["name"]: c for c in summary["criteria"]}
+        self.assertNotIn("TriangleRadiusRatio", by_name)
+        self.assertNotIn("CellTypeId", by_name)
+        self.assertEqual(by_name["TetMeanRatio"]["applicable"], types["tetrahedra"])
+        self.assertEqual(by_name["TetMeanRatio"]["count"], len(cells))
+        self.assertEqual(by_name["TetMeanRatio"]["null"], len(cells) - types["tetrahedra"])
+        self.assertGreater(by_name["TetMeanRatio"]["out_of_range"], 0, "the slivers")
+
+    def test_surface(self):
+        points, faces, _ = camaron_testing.read_visf(RING)
+        summary = self.inspect(RING)
+        area = 0.0
+        for face in faces:
+            corners = points[face] - points[face[0]]
+            area += 0.5 * numpy.linalg.norm(numpy.cross(corners, numpy.roll(corners, -1, axis=0)).sum(axis=0))
+        self.assertAlmostEqual(summary["mesh"]["area"], area, places=5)
+        self.assertIsNone(summary["mesh"]["volume"])
+        by_name = {c["name"]: c for c in summary["criteria"]}
+        self.check_numbers(by_name["VertexCount"], [len(face) for face in faces])
+        self.assertNotIn("Volume", by_name)
+
+    def test_histograms_add_up(self):
+        """No cell gets lost between the bins, and the bins span the values."""
+        for mesh in (BALL, FLANGE, RING):
+            for c in self.inspect(mesh, bins=7)["criteria"]:
+                h = c["histogram"]
+                total = sum(h["counts"]) + h["underflow"] + h["overflow"] + h["null"] + h["inf"]
+                self.assertEqual(total, c["count"], c["name"])
+                self.assertEqual(len(h["edges"]), len(h["counts"]) + 1)
+                self.assertEqual(h["edges"], sorted(h["edges"]))
+                self.assertLessEqual(h["edges"][0], c["min"])
+                self.assertGreaterEqual(h["edges"][-1], c["max"])
+                if not c["name"].endswith("Count"):
+                    self.assertEqual(len(h["counts"]), 7, c["name"])
+
+    def test_files(self):
+        """summary.json is what inspect returns; worst.csv has its lists; the mesh has the arrays."""
+        summary = self.inspect(FLANGE, worst=4)
+        self.assertEqual(self.strict_json(), json.loads(json.dumps(summary)))
+        names = [c["name"] for c in summary["criteria"]]
+        with open(self.folder / "report" / "worst.csv", newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(
+            [(r["criterion"], int(r["rank"]), int(r["cell"]), float(r["value"])) for r in rows],
+            [(c["name"], w["rank"], w["id"], w["value"]) for c in summary["criteria"] for w in c["worst"]],
+        )
+        for c in summary["criteria"]:
+            values = [float(r["value"]) for r in rows if r["criterion"] == c["name"]]
+            self.assertEqual(values, sorted(values, reverse=c["better"] == "smaller"))
+            self.assertEqual(len(values), 0 if c["better"] == "neither" else 4)
+        mesh = self.fetch(self.open(self.folder / "report" / "mesh.vtu"))
+        self.assertEqual(mesh.GetNumberOfCells(), 4080)
+        arrays = {mesh.GetCellData().GetArrayName(k) for k in range(mesh.GetCellData().GetNumberOfArrays())}
+        self.assertEqual(arrays & set(names), set(names))
+        self.assertNotIn("TriangleRadiusRatio", arrays, "criteria without a meaning are not written")
+        by_name = {c["name"]: c for c in summary["criteria"]}
+        values = vtk_to_numpy(mesh.GetCellData().GetArray("MinDihedralAngle"))
+        self.assertEqual(values.min(), by_name["MinDihedralAngle"]["min"])
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "report").iterdir()),
+            ["mesh.vtu", "report.html", "summary.json", "worst.csv"],
+        )
+
+    def test_page(self):
+        """The page is well formed, refers to nothing outside itself, and names every criterion."""
+        summary = self.inspect(FLANGE)
+        text = (self.folder / "report" / "report.html").read_text("utf-8")
+        page = Page(text)
+        self.assertEqual(page.sources, [])
+        for link in page.links:
+            self.assertTrue(link.startswith("#") and link[1:] in page.ids, link)
+        self.assertNotRegex(text, r"https?:|//[a-z]|@import|url\((?!#)")
+        for c in summary["criteria"]:
+            self.assertIn(f"criterion-{c['name']}", page.ids)
+        self.assertIn("outside the acceptable range", text)
+        self.assertNotRegex(text, r">\s*(nan|None)\s*<")
+
+    def test_choices(self):
+        names = lambda summary: [c["name"] for c in summary["criteria"]]
+        chosen = self.inspect(BALL, criteria=["edgelengthratio", "Volume"], worst=3, bins=5)
+        self.assertEqual(sorted(names(chosen)), ["EdgeLengthRatio", "Volume"])
+        ratio = next(c for c in chosen["criteria"] if c["name"] == "EdgeLengthRatio")
+        self.assertEqual((len(ratio["worst"]), len(ratio["histogram"]["counts"])), (3, 5))
+        self.assertEqual(chosen["worst_criterion"], "EdgeLengthRatio")
+        preset = self.inspect(BALL, preset="finite volume")
+        self.assertEqual(preset["preset"], "Finite volume")
+        limits = {c["name"]: c["acceptable"] for c in preset["criteria"]}
+        self.assertEqual(limits["MinDihedralAngle"], [10.0, None], "the preset's limit, not the default of 20")
+
+    def test_errors(self):
+        with self.assertRaisesRegex(ValueError, "MinDihedral: did you mean MinDihedralAngle"):
+            self.inspect(BALL, criteria=["MinDihedral"])
+        with self.assertRaisesRegex(ValueError, "did you mean Finite volume"):
+            self.inspect(BALL, preset="finite volumes")
+        with self.assertRaisesRegex(ValueError, "exclude each other"):
+            self.inspect(BALL, preset="VEM", criteria=["Volume"])
+        with self.assertRaisesRegex(RuntimeError, "no such file"):
+            self.inspect(self.folder / "none.visf")
+        truncated = self.folder / "truncated.visf"
+        truncated.write_bytes(BALL.read_bytes()[:5000])
+        with self.assertRaisesRegex(RuntimeError, r"truncated\.visf: "):
+            self.inspect(truncated)
+        table = self.folder / "table.csv"
+        table.write_text("a,b\n1,2\n")
+        with self.assertRaisesRegex(RuntimeError, "not a mesh"):
+            self.inspect(table)
+        self.assertFalse((self.folder / "report").exists(), "nothing is left behind")
+
+    def test_the_mesh_is_not_replaced(self):
+        mesh = camaron_testing.write_vtk(self.folder / "a.vtk", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(5, (0, 1, 2))])
+        inspect(mesh, self.folder / "report", with_pictures=False)
+        inside = self.folder / "report" / "mesh.vtu"
+        before = inside.read_bytes()
+        with self.assertRaisesRegex(ValueError, "replace the mesh itself"):
+            inspect(inside, self.folder / "report", with_pictures=False)
+        self.assertEqual(inside.read_bytes(), before)
+
+    def test_no_sources_are_left(self):
+        """A session that inspects many meshes does not fill up."""
+        before = len(simple.GetSources())
+        self.inspect(BALL)
+        with self.assertRaises(ValueError):
+            self.inspect(BALL, criteria=["Nothing"])
+        self.assertEqual(len(simple.GetSources()), before)
+
+    def test_command(self):
+        """Table, exit status, JSON, several meshes of which one is bad."""
+        run = lambda *a: camaron_testing.run_command("inspect", "--no-pictures", *a, cwd=self.folder)
+        table = run(BALL, "--criteria", "Volume,EdgeLengthRatio")
+        self.assertEqual((table.returncode, table.stderr), (0, ""))
+        self.assertRegex(table.stdout, r"(?m)^! EdgeLengthRatio +800 .* 800 +100$")
+        self.assertRegex(table.stdout, r"(?m)^  Volume +800 ")
+        self.assertIn("800 of 800 cells (100 %) are outside the acceptable range of EdgeLengthRatio", table.stdout)
+        self.assertTrue((self.folder / "voronoi-ball-report" / "report.html").exists())
+        printed = run(BALL, "--criteria", "Volume", "--json", "-o", "there")
+        self.assertEqual(json.loads(printed.stdout)["criteria"][0]["name"], "Volume")
+        several = run(RING, "none.visf", FLANGE, "-o", "all")
+        self.assertEqual(several.returncode, 2)
+        self.assertEqual(several.stderr, "camaron: none.visf: there is no such file\n")
+        self.assertEqual(sorted(p.name for p in (self.folder / "all").iterdir()), ["flange", "polygon-ring"])
+        wrong = run(BALL, "--criteria", "Volum")
+        self.assertEqual((wrong.returncode, wrong.stdout), (2, ""))
+        self.assertEqual(wrong.stderr, "camaron: unknown criterion Volum: did you mean Volume?\n")
+
+
+@camaron_testing.require_display()
+class TestPictures(camaron_testing.TestCase):
+    def pictures(self, mesh, **options):
+        """The pictures of a report, as arrays of pixels."""
+        inspect(mesh, self.folder / "report", **options)
+        text = (self.folder / "report" / "report.html").read_text("utf-8")
+        pixels = []
+        for source in Page(text).sources:
+            data = base64.b64decode(re.fullmatch(r"data:image/png;base64,(.*)", source).group(1))
+            (self.folder / "picture.png").write_bytes(data)
+            reader = vtkPNGReader()
+            reader.SetFileName(str(self.folder / "picture.png"))
+            reader.Update()
+            image = reader.GetOutput()
+            width, height, _ = image.GetDimensions()
+            pixels.append(vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[..., :3])
+        return pixels
+
+    def test_pictures(self):
+        """Two pictures, filled by the mesh, in the colours of the map."""
+        for mesh in (BALL, FLANGE, RING):
+            coloured, worst = self.pictures(mesh)
+            for picture in (coloured, worst):
+                self.assertEqual(picture.shape, (900, 1200, 3))
+                drawn = numpy.any(picture < 250, axis=2)
+                columns, rows = numpy.flatnonzero(drawn.any(axis=0)), numpy.flatnonzero(drawn.any(axis=1))
+                self.assertLess(columns[0], 100, mesh)
+                self.assertGreater(drawn.mean(), 0.2, mesh)
+                self.assertGreater(max(numpy.ptp(rows) / 900, numpy.ptp(columns[columns < 1000]) / 1000), 0.85)
+            # Red, as only bad cells are: some in the first, and less in the second than there are cells.
+            red = [((p[..., 0] > 90) & (p[..., 1] < 70) & (p[..., 2] < 70)).mean() for p in (coloured, worst)]
+            self.assertGreater(min(red), 0.001, mesh)
+            self.assertLess(red[1], 0.2, mesh)
+
+    def test_without_values(self):
+        """A mesh without a criterion that applies is shown plainly."""
+        path = camaron_testing.write_vtk(
+            self.folder / "line.vtk", [(0, 0, 0), (1, 1, 0)], [(3, (0, 1))]
+        )
+        (picture,) = self.pictures(path)
+        self.assertGreater(int(numpy.any(picture < 250, axis=2).sum()), 500)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
