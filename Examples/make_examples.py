@@ -139,9 +139,9 @@ def ball_seeds(count, spacing, generator):
 def voronoi_ball(count=800, spacing=0.137, seed=3):
     """Voronoi cells of random points in the unit ball.
 
-    Every point also has a mirror image behind the sphere, so a cell at the boundary ends in the plane
-    that touches the sphere above its point. A corner is known by the four points whose cells meet
-    there, hence neighbours agree on it without comparing coordinates.
+    Every point also has a mirror image behind the sphere, so a cell at the boundary ends in the
+    plane that touches the sphere above its point. A corner is known by the four points whose cells
+    meet there, hence neighbours agree on it without comparing coordinates.
     """
     seeds = ball_seeds(count, spacing, random.Random(seed))
     radius = np.linalg.norm(seeds, axis=1, keepdims=True)
@@ -256,9 +256,7 @@ class Flange:
         c = self.corners(i, j, k)
         for a, b, d in ((0, 1, 2), (0, 2, 3)):
             bottom, top = [c[a], c[b], c[d]], [c[a + 4], c[b + 4], c[d + 4]]
-            around = [
-                [bottom[e], bottom[(e + 1) % 3], top[(e + 1) % 3], top[e]] for e in range(3)
-            ]
+            around = [[bottom[e], bottom[(e + 1) % 3], top[(e + 1) % 3], top[e]] for e in range(3)]
             self.add(bottom[::-1], top, *around)
 
     def add_tetrahedra(self, i, j, k):
@@ -334,7 +332,10 @@ def polygon_ring(around=72, across=22, flips=420, seed=11):
     jitter = [(0.3 * (generator.random() - 0.5), 0.3 * (generator.random() - 0.5)) for _ in degree]
     angles = np.array(
         [
-            ((u + jitter[vertex(u, v)][0]) / around, (v + 0.5 * (u % 2) + jitter[vertex(u, v)][1]) / across)
+            (
+                (u + jitter[vertex(u, v)][0]) / around,
+                (v + 0.5 * (u % 2) + jitter[vertex(u, v)][1]) / across,
+            )
             for u, v in itertools.product(range(around), range(across))
         ]
     )
@@ -345,7 +346,11 @@ def polygon_ring(around=72, across=22, flips=420, seed=11):
     u, v = 2.0 * np.pi * middle.T
     tube = 0.32 + 0.07 * np.cos(5.0 * u)
     points = np.column_stack(
-        [(1.0 + tube * np.cos(v)) * np.cos(u), (1.0 + tube * np.cos(v)) * np.sin(u), tube * np.sin(v)]
+        [
+            (1.0 + tube * np.cos(v)) * np.cos(u),
+            (1.0 + tube * np.cos(v)) * np.sin(u),
+            tube * np.sin(v),
+        ]
     )
     after = {}  # around each vertex: from a triangle to the next
     for t, triangle in enumerate(triangles):

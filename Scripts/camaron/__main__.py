@@ -10,6 +10,6 @@ if not __package__:  # run by path
 
 from camaron import cli  # noqa: E402
 
-# pvpython sends what Python prints through VTK's output window, which is slow and cannot be a terminal.
+# pvpython sends what Python prints through VTK's output window, which is no terminal.
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
 sys.exit(cli.main(sys.argv[1:]))

@@ -33,38 +33,71 @@ the writer; with a wrong one, all are listed.
 
 
 def _parser() -> argparse.ArgumentParser:
-    parser = argparse.ArgumentParser(prog="camaron", description="Quality of polygonal and polyhedral meshes.")
+    parser = argparse.ArgumentParser(
+        prog="camaron", description="Quality of polygonal and polyhedral meshes."
+    )
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     style = argparse.RawDescriptionHelpFormatter
 
     inspect = commands.add_parser(
-        "inspect", help="table and report of a mesh's quality", description=INSPECT_HELP, formatter_class=style
+        "inspect",
+        help="table and report of a mesh's quality",
+        description=INSPECT_HELP,
+        formatter_class=style,
     )
     inspect.add_argument("meshes", nargs="+", metavar="MESH", help="file that ParaView can open")
-    inspect.add_argument("-o", "--output", metavar="DIR", help="folder of the report; default: NAME-report")
+    inspect.add_argument(
+        "-o", "--output", metavar="DIR", help="folder of the report; default: NAME-report"
+    )
     which = inspect.add_mutually_exclusive_group()
     which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
-    which.add_argument("--criteria", metavar="A,B", help="names of criteria; default: all with a meaning")
-    inspect.add_argument("--worst", type=_positive, default=10, metavar="N", help="length of the lists of worst cells (%(default)s)")
-    inspect.add_argument("--bins", type=_positive, default=50, metavar="N", help="bins of the histograms (%(default)s)")
+    which.add_argument(
+        "--criteria", metavar="A,B", help="names of criteria; default: all with a meaning"
+    )
+    inspect.add_argument(
+        "--worst",
+        type=_positive,
+        default=10,
+        metavar="N",
+        help="length of the lists of worst cells (%(default)s)",
+    )
+    inspect.add_argument(
+        "--bins",
+        type=_positive,
+        default=50,
+        metavar="N",
+        help="bins of the histograms (%(default)s)",
+    )
     _add_common(inspect)
-    inspect.add_argument("--json", action="store_true", help="print the summary as JSON instead of the table")
+    inspect.add_argument(
+        "--json", action="store_true", help="print the summary as JSON instead of the table"
+    )
     inspect.add_argument("--no-pictures", action="store_true", help="leave out the pictures")
 
     convert = commands.add_parser(
-        "convert", help="from one format to another", description=CONVERT_HELP, formatter_class=style
+        "convert",
+        help="from one format to another",
+        description=CONVERT_HELP,
+        formatter_class=style,
     )
     convert.add_argument("source", metavar="IN", help="file that ParaView can open")
     convert.add_argument("target", metavar="OUT", help="file to write")
     _add_common(convert)
 
     criteria = commands.add_parser("criteria", help="list of the criteria and presets")
-    criteria.add_argument("names", nargs="*", metavar="NAME", help="only these, with their descriptions")
+    criteria.add_argument(
+        "names", nargs="*", metavar="NAME", help="only these, with their descriptions"
+    )
     return parser
 
 
 def _add_common(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--time", default="last", metavar="STEP", help="time step: first, last or its number (%(default)s)")
+    parser.add_argument(
+        "--time",
+        default="last",
+        metavar="STEP",
+        help="time step: first, last or its number (%(default)s)",
+    )
     parser.add_argument("--ranks", type=_positive, metavar="N", help="number of MPI ranks")
 
 
@@ -85,7 +118,9 @@ def main(arguments: Sequence[str]) -> int:
     if rest and options.command != "convert":
         parser.error(f"unrecognized arguments: {' '.join(rest)}")
     try:
-        return {"inspect": _inspect, "convert": _convert, "criteria": _criteria}[options.command](options, rest)
+        return {"inspect": _inspect, "convert": _convert, "criteria": _criteria}[options.command](
+            options, rest
+        )
     except (ValueError, RuntimeError, OSError) as error:
         print(f"camaron: {error}", file=sys.stderr)
         return ERROR
@@ -146,17 +181,24 @@ def _report_folders(meshes: Sequence[str], output: str | None) -> list[Path]:
 
 
 def describe(summary: dict[str, Any], color: bool = False) -> str:
-    """The summary as text: facts, one line for each criterion, what is outside acceptable ranges."""
+    """The summary as text: facts, one line for each criterion, what stands out."""
     mesh, criteria = summary["mesh"], summary["criteria"]
     types = ", ".join(f"{t['count']} {t['name']}" for t in mesh["cell_types"])
     lines = [f"{mesh['path']}"]
-    lines.append(f"  {text.plural(mesh['points'], 'point')}, {text.plural(mesh['cells'], 'cell')}" + (f": {types}" if types else ""))
+    lines.append(
+        f"  {text.plural(mesh['points'], 'point')}, {text.plural(mesh['cells'], 'cell')}"
+        + (f": {types}" if types else "")
+    )
     if mesh["bounds"]:
         low, high = mesh["bounds"][0::2], mesh["bounds"][1::2]
         place = lambda p: "(" + ", ".join(map(text.number, p)) + ")"
-        lines.append(f"  from {place(low)} to {place(high)}, {text.memory(mesh['memory'])} in memory")
+        lines.append(
+            f"  from {place(low)} to {place(high)}, {text.memory(mesh['memory'])} in memory"
+        )
     totals = [
-        f"{label} {text.number(mesh[key])}" for key, label in (("volume", "volume"), ("area", "area")) if mesh[key] is not None
+        f"{label} {text.number(mesh[key])}"
+        for key, label in (("volume", "volume"), ("area", "area"))
+        if mesh[key] is not None
     ]
     if mesh["boundary_faces"]:
         totals.append(text.plural(mesh["boundary_faces"], "boundary face"))
@@ -188,7 +230,12 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
         ("mean", lambda c: text.number(c["mean"])),
         ("acceptable", lambda c: _ascii(text.interval(*c["acceptable"]))),
         ("outside", lambda c: str(c["out_of_range"]) if ranking.is_limited(c) else ""),
-        ("%", lambda c: text.percent(c["out_of_range"], c["applicable"]) if ranking.is_limited(c) else ""),
+        (
+            "%",
+            lambda c: text.percent(c["out_of_range"], c["applicable"])
+            if ranking.is_limited(c)
+            else "",
+        ),
     ]
     unneeded = set()
     if not any(ranking.undefined_count(c) for c in criteria):
@@ -250,7 +297,13 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
     known = tables.known_criteria()
     if not options.names:
         rows = [
-            [c["name"], c["unit"], _ascii(text.interval(*c["acceptable"])), c["applies_to"], c["label"]]
+            [
+                c["name"],
+                c["unit"],
+                _ascii(text.interval(*c["acceptable"])),
+                c["applies_to"],
+                c["label"],
+            ]
             for c in known.values()
         ]
         print("\n".join(text.table(["criterion", "unit", "acceptable", "of", ""], rows, left=5)))

@@ -21,10 +21,10 @@ def convert(
 ) -> list[str]:
     """Writes the mesh of one file to another; the format follows from the name of the target.
 
-    `options` are properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If the
-    format cannot hold the mesh as it is, blocks are merged, surfaces become unstructured grids, and
-    for formats that know surfaces only, the boundary is written. Returns what was done besides writing,
-    one sentence each.
+    `options` are properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If
+    the format cannot hold the mesh as it is, blocks are merged, surfaces become unstructured grids,
+    and for formats that know surfaces only, the boundary is written. Returns what was done besides
+    writing, one sentence each.
 
     >>> convert("part.visf", "part.vtu", compressor_type="LZ4")
     []
@@ -33,7 +33,9 @@ def convert(
     """
     target = Path(target)
     if not target.suffix:
-        raise ValueError(f"{target}: the name of the target needs an extension, it tells the format")
+        raise ValueError(
+            f"{target}: the name of the target needs an extension, it tells the format"
+        )
     if same_file(source, target):
         raise ValueError(f"{target}: source and target are the same file")
     pipeline.load_plugin()
@@ -87,7 +89,8 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         return surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
     raise ValueError(
-        f"{target}: no writer for {suffix}{_suggestion(suffix, known)}; known are {' '.join(sorted(known))}"
+        f"{target}: no writer for {suffix}{_suggestion(suffix, known)}; "
+        f"known are {' '.join(sorted(known))}"
     )
 
 
@@ -107,7 +110,7 @@ def writable_extensions(proxy: Any) -> set[str]:
 def write(proxy: Any, target: os.PathLike | str, options: dict[str, Any]) -> list[str]:
     """Writes to a temporary name, then renames; returns the names of the files and folders made.
 
-    Formats of several files (.vtm, .pvtu) refer to a folder named like the target without its extension.
+    Formats of several files (.vtm, .pvtu) have a folder named like the target without extension.
     """
     target = Path(target)
     with Staging(target.parent) as staging, pipeline.Messages() as messages:

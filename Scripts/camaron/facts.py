@@ -105,7 +105,11 @@ def extension(source: Any) -> str:
     """Extension of the XML format for what the source puts out; with ranks, one file for each."""
     information = pipeline.data_information(source)
     if pipeline.is_composite(source):
-        return ".vtpc" if information.GetCompositeDataClassName().startswith("vtkPartitioned") else ".vtm"
+        return (
+            ".vtpc"
+            if information.GetCompositeDataClassName().startswith("vtkPartitioned")
+            else ".vtm"
+        )
     parallel = "p" if pipeline.rank_count() > 1 else ""
     kinds = {
         "vtkUnstructuredGrid": "vtu",

@@ -35,14 +35,15 @@ def inspect(
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
     The mesh is any file that ParaView can open. `directory` is made if needed; by default it is
-    NAME-report in the current folder. Criteria are those of the preset, or the given ones, or all that
-    have a meaning for a cell of the mesh. `worst` is the length of the lists of worst cells, `bins` the
-    number of bins of the histograms, `time` the step of a series: "first", "last" or its number.
+    NAME-report in the current folder. Criteria are those of the preset, or the given ones, or all
+    that have a meaning for a cell of the mesh. `worst` is the length of the lists of worst cells,
+    `bins` the number of bins of the histograms, `time` the step of a series: "first", "last" or its
+    number.
 
-    Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that does
-    not exist and RuntimeError for a file that cannot be read or written.
+    Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that
+    does not exist and RuntimeError for a file that cannot be read or written.
 
-    >>> summary = camaron.inspect("part.visf", "part-report", criteria=["Volume", "MinDihedralAngle"])
+    >>> summary = camaron.inspect("part.visf", "report", criteria=["Volume", "MinDihedralAngle"])
     >>> summary["criteria"][1]["min"]
     12.7
     """
@@ -86,7 +87,9 @@ def inspect(
             _write(summary, quality, surface, staging.path, with_pictures)
             for name in staging.names():
                 if same_file(directory / name, mesh):
-                    raise ValueError(f"{directory / name}: the report would replace the mesh itself")
+                    raise ValueError(
+                        f"{directory / name}: the report would replace the mesh itself"
+                    )
             staging.publish()
         return summary
     finally:
@@ -134,12 +137,23 @@ def _write(summary, quality, surface, folder, with_pictures) -> None:
     (folder / "summary.json").write_text(to_json(summary) + "\n", encoding="utf-8")
     with open(folder / "worst.csv", "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)
-        rows.writerow(["criterion", "unit", "rank", "block", "cell", "type", "value", "x", "y", "z"])
+        rows.writerow(
+            ["criterion", "unit", "rank", "block", "cell", "type", "value", "x", "y", "z"]
+        )
         for c in summary["criteria"]:
             for w in c["worst"]:
                 place = [repr(x) for x in w["center"]]
                 rows.writerow(
-                    [c["name"], c["unit"], w["rank"], w["block"], w["id"], w["type"], repr(w["value"]), *place]
+                    [
+                        c["name"],
+                        c["unit"],
+                        w["rank"],
+                        w["block"],
+                        w["id"],
+                        w["type"],
+                        repr(w["value"]),
+                        *place,
+                    ]
                 )
 
 
@@ -158,7 +172,7 @@ def _arrays_to_write(quality, criteria) -> dict[str, Any]:
 
 
 def to_json(summary: dict[str, Any]) -> str:
-    """The summary as JSON, which knows no infinite numbers: they become "Infinity" and "-Infinity"."""
+    """The summary as JSON; infinite numbers become "Infinity" and "-Infinity"."""
 
     def plain(value):
         if isinstance(value, dict):

@@ -96,7 +96,9 @@ class Scene:
 
     def save(self, path: Path) -> None:
         self.camera.apply(self.view)
-        simple.SaveScreenshot(str(path), self.view, ImageResolution=list(SIZE), OverrideColorPalette="")
+        simple.SaveScreenshot(
+            str(path), self.view, ImageResolution=list(SIZE), OverrideColorPalette=""
+        )
 
     def close(self) -> None:
         simple.Delete(self.view)
@@ -139,7 +141,9 @@ class Camera:
         self.right = _cross(up, self.towards)
         self.up = _cross(self.towards, self.right)
         # The box fills the view; `fit` does the same for what is drawn.
-        half = lambda axis: 0.5 * sum(abs(e * x) for e, x in zip(extent, axis)) or 0.5 * self.diagonal
+        half = (
+            lambda axis: 0.5 * sum(abs(e * x) for e, x in zip(extent, axis)) or 0.5 * self.diagonal
+        )
         self.scale = max(half(self.up), half(self.right) * SIZE[1] / SIZE[0])
 
     def fit(self, view: Any) -> None:
@@ -158,7 +162,9 @@ class Camera:
         middle = lambda found, size: pixel * (0.5 * (found[0] + found[-1] + 1) - 0.5 * size)
         half = lambda found: 0.5 * pixel * (found[-1] - found[0] + 1)
         step = middle(columns, width), middle(rows, height)
-        self.center = [c + step[0] * r + step[1] * u for c, r, u in zip(self.center, self.right, self.up)]
+        self.center = [
+            c + step[0] * r + step[1] * u for c, r, u in zip(self.center, self.right, self.up)
+        ]
         aspect = SIZE[0] / SIZE[1]
         self.scale = 1.07 * max(half(rows), half(columns) / (aspect * (1.0 - BAR_SHARE)))
         shift = self.scale * aspect * BAR_SHARE
@@ -167,7 +173,9 @@ class Camera:
     def apply(self, view: Any) -> None:
         view.CameraParallelProjection = 1
         view.CameraFocalPoint = self.center
-        view.CameraPosition = [c + 2.0 * self.diagonal * t for c, t in zip(self.center, self.towards)]
+        view.CameraPosition = [
+            c + 2.0 * self.diagonal * t for c, t in zip(self.center, self.towards)
+        ]
         view.CameraViewUp = self.up
         view.CameraParallelScale = self.scale
 
@@ -198,9 +206,7 @@ def _dot(a: Sequence[float], b: Sequence[float]) -> float:
     return sum(x * y for x, y in zip(a, b))
 
 
-def take(
-    summary: dict[str, Any], quality: Any, surface: Any, folder: Path
-) -> list[Picture]:
+def take(summary: dict[str, Any], quality: Any, surface: Any, folder: Path) -> list[Picture]:
     """The mesh, and its worst cells, coloured by the worst criterion; files go to the folder."""
     mesh = summary["mesh"]
     if not mesh["bounds"]:

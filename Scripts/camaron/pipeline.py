@@ -101,7 +101,9 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
         except RuntimeError:
             source = None
         if source is None:
-            raise RuntimeError(f"{path}: {_first(messages, path) or 'no reader knows this kind of file'}")
+            raise RuntimeError(
+                f"{path}: {_first(messages, path) or 'no reader knows this kind of file'}"
+            )
         try:
             chosen = _choose_time(source, time)
             source.UpdatePipeline(chosen["value"] if chosen else 0.0)
@@ -121,7 +123,9 @@ def _first(messages: Messages, path: Path) -> str:
     """The first error, without the name of the file that is said anyway."""
     if not messages.errors:
         return ""
-    return re.sub(rf"^({re.escape(str(path))}|{re.escape(path.name)})\s*:\s*", "", messages.errors[0])
+    return re.sub(
+        rf"^({re.escape(str(path))}|{re.escape(path.name)})\s*:\s*", "", messages.errors[0]
+    )
 
 
 def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:
@@ -151,7 +155,8 @@ def is_mesh(source: Any) -> bool:
     """Whether there is anything with points and cells in it."""
     information = data_information(source)
     return information.DataSetTypeIsA("vtkDataSet") or (
-        is_composite(source) and information.GetNumberOfCells() + information.GetNumberOfPoints() > 0
+        is_composite(source)
+        and information.GetNumberOfCells() + information.GetNumberOfPoints() > 0
     )
 
 

@@ -81,27 +81,31 @@ def findings(summary: dict[str, Any], most: int = 4) -> list[dict[str, Any]]:
     for c in outside[:most]:
         verb = "is" if c["out_of_range"] == 1 else "are"
         limits = text.interval(*c["acceptable"], c["unit"])
-        facts.append(
-            _finding(
-                f"{text.count(c['out_of_range'], THIN)} of {text.plural(c['applicable'], 'cell', THIN)} "
-                f"({text.percent(c['out_of_range'], c['applicable'])} %) {verb} outside the acceptable "
-                f"range of {{criterion}} ({limits}).",
-                c,
-                True,
-            )
+        part, whole = c["out_of_range"], c["applicable"]
+        sentence = (
+            f"{text.count(part, THIN)} of {text.plural(whole, 'cell', THIN)} "
+            f"({text.percent(part, whole)} %) {verb} outside the acceptable range of "
+            f"{{criterion}} ({limits})."
         )
+        facts.append(_finding(sentence, c, True))
     if len(outside) > most:
         names = ", ".join(c["label"] for c in outside[most:])
-        facts.append(_finding(f"Cells are also outside the acceptable ranges of: {names}.", matters=True))
+        facts.append(
+            _finding(f"Cells are also outside the acceptable ranges of: {names}.", matters=True)
+        )
     if limited and not outside:
-        ranges = f"ranges of the {len(limited)} criteria that have one" if len(limited) > 1 else "range"
+        ranges = (
+            f"ranges of the {len(limited)} criteria that have one" if len(limited) > 1 else "range"
+        )
         facts.append(_finding(f"No cell is outside the acceptable {ranges}."))
     if not limited:
         facts.append(_finding("None of the criteria evaluated has an acceptable range."))
     undefined = [c for c in criteria if undefined_count(c)]
     for c in undefined[:most]:
         verb = "has" if undefined_count(c) == 1 else "have"
-        sentence = f"{text.plural(undefined_count(c), 'cell', THIN)} {verb} no value of {{criterion}}."
+        sentence = (
+            f"{text.plural(undefined_count(c), 'cell', THIN)} {verb} no value of {{criterion}}."
+        )
         facts.append(_finding(sentence, c, True))
     if len(undefined) > most:
         names = ", ".join(c["label"] for c in undefined[most:])

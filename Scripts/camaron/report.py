@@ -96,7 +96,9 @@ def _findings(summary) -> str:
 
 
 def _tile(value: str, label: str, more: str = "") -> str:
-    return f"<div><b>{value}</b><span>{label}</span>{f'<small>{more}</small>' if more else ''}</div>"
+    return (
+        f"<div><b>{value}</b><span>{label}</span>{f'<small>{more}</small>' if more else ''}</div>"
+    )
 
 
 def _facts(mesh) -> str:
@@ -131,7 +133,8 @@ def _pictures(pictures) -> str:
         data = base64.b64encode(picture.path.read_bytes()).decode("ascii")
         figures.append(
             f'<figure><img src="data:image/png;base64,{data}" alt="{escape(picture.title)}">'
-            f"<figcaption><b>{escape(picture.title)}</b> {escape(picture.caption)}</figcaption></figure>"
+            f"<figcaption><b>{escape(picture.title)}</b> {escape(picture.caption)}</figcaption>"
+            "</figure>"
         )
     return f'<section id="pictures" class="pictures">{"".join(figures)}</section>'
 
@@ -245,7 +248,9 @@ def _statistics(c) -> str:
             + (f" ({source})" if source else "")
         )
         if c["below"] and c["above"]:
-            remarks.append(f"{text.count(c['below'], THIN)} below, {text.count(c['above'], THIN)} above")
+            remarks.append(
+                f"{text.count(c['below'], THIN)} below, {text.count(c['above'], THIN)} above"
+            )
     items = "".join(f"<dt>{k}</dt><dd>{v}</dd>" for k, v in rows if v)
     sentence = "; ".join(remarks)
     return (
@@ -276,22 +281,20 @@ def _worst(c) -> str:
     return (
         f"<details{' open' if c['out_of_range'] else ''}><summary>Worst cells</summary>"
         f'<div class="scroll"><table class="worst"><thead><tr>{head}<th>Value{unit}</th>'
-        f'<th>Centre x</th><th>y</th><th>z</th></tr></thead><tbody>{"".join(rows)}</tbody></table></div>'
-        "</details>"
+        f'<th>Centre x</th><th>y</th><th>z</th></tr></thead><tbody>{"".join(rows)}</tbody></table>'
+        "</div></details>"
     )
 
 
 def _footer(summary) -> str:
     return (
-        "<footer><p><b>Acceptable</b> ranges are those of the sources named with each criterion; they "
-        "are hints, what a mesh must satisfy depends on its use. "
+        "<footer><p><b>Acceptable</b> ranges are those of the sources named with each criterion; "
+        "they are hints, what a mesh must satisfy depends on its use. "
         "<b>Null</b>: the value is undefined for the cell, for example 0/0. "
         "<b>Infinite</b>: the criterion has no bound and the cell is degenerate. "
-        "Null and infinite values are in no mean, quantile or bin; infinite ones are outside a range. "
-        "Cell numbers start at 0. Lengths, areas and volumes are in the units of the mesh.</p>"
-        "<p>Beside this page: <code>summary.json</code> (all numbers), <code>worst.csv</code> (worst "
-        f"cells), <code>{escape(summary['files']['mesh'])}</code> (the mesh with one cell array for "
-        "each criterion).</p></footer>"
-        if summary["files"]["mesh"]
-        else "<footer></footer>"
+        "Null and infinite values are in no mean, quantile or bin; infinite ones are outside a "
+        "range. Cell numbers start at 0. Lengths, areas and volumes are in the units of the mesh."
+        "</p><p>Beside this page: <code>summary.json</code> (all numbers), <code>worst.csv</code> "
+        f"(worst cells), <code>{escape(summary['files']['mesh'])}</code> (the mesh with one cell "
+        "array for each criterion).</p></footer>"
     )

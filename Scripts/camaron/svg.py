@@ -67,7 +67,7 @@ class _Axis:
 
 
 def histogram(criterion: dict[str, Any], identifier: str) -> str:
-    """The criterion's histogram: bins, acceptable range, quantiles, and what lies in no bin apart."""
+    """Bins, acceptable range and quantiles of a criterion, and apart what lies in no bin."""
     data = criterion["histogram"]
     edges, counts = data["edges"], data["counts"]
     apart = [
@@ -93,10 +93,12 @@ def histogram(criterion: dict[str, Any], identifier: str) -> str:
         if tick != int(tick):
             continue
         y = base - height(tick)
-        parts.append(f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>')
+        parts.append(
+            f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>'
+        )
         parts.append(
             f'<text class="tick" x="{LEFT - 8}" y="{y + 4:.1f}" text-anchor="end">'
-            f'{text.count(int(tick), text.THIN)}</text>'
+            f"{text.count(int(tick), text.THIN)}</text>"
         )
     if counts:
         parts += _bins(criterion, _Axis(edges, LEFT, right), base, right, height, identifier)
@@ -108,16 +110,16 @@ def histogram(criterion: dict[str, Any], identifier: str) -> str:
         )
     parts.append(f'<line class="axis" x1="{LEFT}" x2="{right:.1f}" y1="{base}" y2="{base}"/>')
     for k, (label, amount) in enumerate(apart):
-        x = right + 12 + APART_WIDTH * k
+        x, h = right + 12 + APART_WIDTH * k, height(amount)
+        left, middle, end = x + 8, x + APART_WIDTH / 2, x + APART_WIDTH
         parts.append(
-            f'<rect class="{"null" if label == "null" else "apart"}" x="{x + 8:.1f}" width="{APART_WIDTH - 16}" '
-            f'y="{base - height(amount):.1f}" height="{height(amount):.1f}">'
+            f'<rect class="{"null" if label == "null" else "apart"}" x="{left:.1f}" '
+            f'width="{APART_WIDTH - 16}" y="{base - h:.1f}" height="{h:.1f}">'
             f"<title>{label}: {text.plural(amount, 'cell')}</title></rect>"
-            f'<line class="axis" x1="{x + 3:.1f}" x2="{x + APART_WIDTH - 3:.1f}" y1="{base}" y2="{base}"/>'
-            f'<text class="tick" x="{x + APART_WIDTH / 2:.1f}" y="{base + 16}" text-anchor="middle">'
-            f"{label}</text>"
-            f'<text class="tick strong" x="{x + APART_WIDTH / 2:.1f}" y="{base + 30}" '
-            f'text-anchor="middle">{text.count(amount, text.THIN)}</text>'
+            f'<line class="axis" x1="{x + 3:.1f}" x2="{end - 3:.1f}" y1="{base}" y2="{base}"/>'
+            f'<text class="tick" x="{middle:.1f}" y="{base + 16}" text-anchor="middle">{label}</text>'
+            f'<text class="tick strong" x="{middle:.1f}" y="{base + 30}" text-anchor="middle">'
+            f"{text.count(amount, text.THIN)}</text>"
         )
     parts.append("</svg>")
     return "".join(parts)
@@ -142,7 +144,9 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
         for limit in (low, high):
             if limit is not None and axis.low < limit < axis.high:
                 x = axis(limit)
-                parts.append(f'<line class="limit" x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{base}"/>')
+                parts.append(
+                    f'<line class="limit" x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{base}"/>'
+                )
         # Wherever a bin lies across a limit, only the part of its bar inside is drawn as such.
         parts.append(
             f'<clipPath id="{identifier}"><rect x="{x0:.1f}" width="{max(x1 - x0, 0):.1f}" y="0" '
@@ -163,10 +167,13 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
         elif width > 3.0:
             x, width = x + 0.5, width - 1.0
         h = max(height(amount), 1.0)
-        span = text.number(lower) if lower == upper else f"{text.number(lower)} – {text.number(upper)}"
+        span = (
+            text.number(lower) if lower == upper else f"{text.number(lower)} – {text.number(upper)}"
+        )
         shape = (
             f'<rect x="{x:.2f}" width="{width:.2f}" y="{base - h:.2f}" height="{h:.2f}">'
-            f"<title>{span}: {text.plural(amount, 'cell')} ({text.percent(amount, total)} %)</title></rect>"
+            f"<title>{span}: {text.plural(amount, 'cell')} ({text.percent(amount, total)} %)"
+            "</title></rect>"
         )
         out_low = low is not None and lower < low
         out_high = high is not None and upper > high
@@ -197,7 +204,11 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
 
 def _are_integers(edges: list[float]) -> bool:
     """Whether every bin is that of one integer."""
-    return len(edges) > 1 and all(edge - 0.5 == int(edge - 0.5) for edge in edges) and edges[1] - edges[0] == 1.0
+    return (
+        len(edges) > 1
+        and all(edge - 0.5 == int(edge - 0.5) for edge in edges)
+        and edges[1] - edges[0] == 1.0
+    )
 
 
 def _quantile_marks(quantiles, axis, base) -> list[str]:

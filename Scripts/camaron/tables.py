@@ -56,7 +56,9 @@ def known_presets() -> dict[str, dict[str, Any]]:
     try:
         presets: dict[str, dict[str, Any]] = {}
         for row in fetch(table, 1):
-            preset = presets.setdefault(row["Preset"], {"description": row["Description"], "rules": {}})
+            preset = presets.setdefault(
+                row["Preset"], {"description": row["Description"], "rules": {}}
+            )
             limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
             preset["rules"][row["Criterion"]] = limits
         return presets
@@ -75,7 +77,7 @@ def _number(value: float) -> Optional[float]:
 
 
 def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
-    """All of Quality Statistics: one dictionary for each criterion, in the order of the registry."""
+    """All of Quality Statistics: one dictionary for each criterion, in the registry's order."""
     known = known_criteria()
     rules = known_presets()[preset] if preset else {"description": "", "rules": {}}
     criteria = {}

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Opens meshes in ParaView's window.
+"""Run by ParaView's window as it starts: opens and shows the files that `camaron view` names.
 
-    PYTHONPATH=Scripts CAMARON_MESHES=mesh.visf paraview --script=Scripts/camaron/view.py
+    PYTHONPATH=Scripts CAMARON_VIEW=mesh.visf paraview --script Scripts/camaron/view.py
 
-CAMARON_MESHES holds one file name a line; a script of the window has no arguments.
+CAMARON_VIEW holds one file name a line; a script of the window has no arguments.
 """
 
 import os
@@ -28,6 +28,9 @@ def has_polyhedra(source) -> bool:
 
 def show(path: str, view) -> None:
     """Opens a mesh and shows it; of polyhedra only the boundary, by Mesh Surface."""
+    if path.endswith(".pvsm"):
+        simple.LoadState(path)
+        return
     source = pipeline.open_mesh(path, "first").source
     name = os.path.basename(path)
     simple.RenameSource(name, source)
@@ -44,9 +47,9 @@ def show(path: str, view) -> None:
 def main() -> None:
     pipeline.load_plugin()
     view = simple.GetActiveViewOrCreate("RenderView")
-    for path in os.environ.get("CAMARON_MESHES", "").splitlines():
+    for path in os.environ.pop("CAMARON_VIEW", "").splitlines():
         try:
-            show(path, view)
+            show(os.path.abspath(path), view)
         except (RuntimeError, ValueError) as error:
             print(f"camaron: {error}", file=sys.stderr)
     simple.ResetCamera(view)
