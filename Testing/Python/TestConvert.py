@@ -22,7 +22,7 @@ class TestConvert(camaron_testing.TestCase):
         self.assertEqual(self.cells(target), 2)
 
     def test_volume_to_surface(self):
-        """Formats of surfaces get the boundary: four triangles a tetrahedron, as the two share none."""
+        """Formats of surfaces get the boundary; the tetrahedra share no face, so it has 8."""
         for name in ("two.stl", "two.ply", "two.vtp"):
             notes = convert(self.mesh(), self.folder / name)
             self.assertEqual(len(notes), 1, name)
@@ -84,7 +84,9 @@ class TestConvert(camaron_testing.TestCase):
         )
         self.assertEqual((good.returncode, good.stderr), (0, ""))
         self.assertIn(b"vtkLZ4DataCompressor", (self.folder / "c.vtu").read_bytes())
-        bad = camaron_testing.run_command("convert", self.folder / "none.vtu", self.folder / "d.vtu")
+        bad = camaron_testing.run_command(
+            "convert", self.folder / "none.vtu", self.folder / "d.vtu"
+        )
         self.assertEqual(bad.returncode, 2)
         self.assertEqual(bad.stderr, f"camaron: {self.folder}/none.vtu: there is no such file\n")
 

@@ -80,13 +80,19 @@ class TestInspect(camaron_testing.TestCase):
         def refuse(word):
             raise ValueError(f"{word} is not JSON")
 
-        return json.loads((self.folder / "report" / "summary.json").read_text("utf-8"), parse_constant=refuse)
+        return json.loads(
+            (self.folder / "report" / "summary.json").read_text("utf-8"), parse_constant=refuse
+        )
 
     def check_numbers(self, criterion, values):
-        """All statistics of a criterion against numpy; values are one a cell, in the file's order."""
+        """All statistics of a criterion against numpy; values are in the order of the cells."""
         values = numpy.asarray(values, dtype=float)
-        near = lambda got, want: self.assertAlmostEqual(got, want, delta=1e-6 * max(abs(want), 1e-9))
-        self.assertEqual((criterion["count"], criterion["null"], criterion["inf"]), (len(values), 0, 0))
+        near = lambda got, want: self.assertAlmostEqual(
+            got, want, delta=1e-6 * max(abs(want), 1e-9)
+        )
+        self.assertEqual(
+            (criterion["count"], criterion["null"], criterion["inf"]), (len(values), 0, 0)
+        )
         near(criterion["min"], values.min())
         near(criterion["max"], values.max())
         near(criterion["mean"], values.mean())
@@ -95,11 +101,17 @@ class TestInspect(camaron_testing.TestCase):
         for percent, quantile in criterion["quantiles"].items():
             near(quantile, numpy.percentile(values, float(percent)))
         low, high = criterion["acceptable"]
-        outside = (values < (-numpy.inf if low is None else low)) | (values > (numpy.inf if high is None else high))
+        outside = (values < (-numpy.inf if low is None else low)) | (
+            values > (numpy.inf if high is None else high)
+        )
         self.assertEqual(criterion["out_of_range"], int(outside.sum()))
         if criterion["better"] != "neither":
-            order = numpy.argsort(values if criterion["better"] == "bigger" else -values, kind="stable")
-            self.assertEqual([w["id"] for w in criterion["worst"]], order[: len(criterion["worst"])].tolist())
+            order = numpy.argsort(
+                values if criterion["better"] == "bigger" else -values, kind="stable"
+            )
+            self.assertEqual(
+                [w["id"] for w in criterion["worst"]], order[: len(criterion["worst"])].tolist()
+            )
             for worst in criterion["worst"]:
                 near(worst["value"], values[worst["id"]])
 
@@ -115,7 +127,8 @@ class TestInspect(camaron_testing.TestCase):
         self.check_numbers(by_name["FaceCount"], [len(cell) for cell in cells])
         self.check_numbers(by_name["EdgeLengthRatio"], [min(e) / max(e) for _, _, e in computed])
         self.check_numbers(
-            by_name["IsoperimetricQuotient"], [36.0 * numpy.pi * v * v / a**3 for v, a, _ in computed]
+            by_name["IsoperimetricQuotient"],
+            [36.0 * numpy.pi * v * v / a**3 for v, a, _ in computed],
         )
         mesh = summary["mesh"]
         self.assertEqual((mesh["points"], mesh["cells"]), (len(points), len(cells)))
@@ -127,7 +140,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(mesh["cell_types"], [{"name": "polyhedra", "count": 800}])
 
     def test_mixed_cells(self):
-        """Every criterion is of the cells it has a meaning for; types are recognised and counted."""
+        """Criteria are of the cells that they have a meaning for; types are recognised."""
         _, _, cells = camaron_testing.read_visf(FLANGE)
         summary = self.inspect(FLANGE)
         types = {t["name"]: t["count"] for t in summary["mesh"]["cell_types"]}
@@ -148,7 +161,9 @@ class TestInspect(camaron_testing.TestCase):
         area = 0.0
         for face in faces:
             corners = points[face] - points[face[0]]
-            area += 0.5 * numpy.linalg.norm(numpy.cross(corners, numpy.roll(corners, -1, axis=0)).sum(axis=0))
+            area += 0.5 * numpy.linalg.norm(
+                numpy.cross(corners, numpy.roll(corners, -1, axis=0)).sum(axis=0)
+            )
         self.assertAlmostEqual(summary["mesh"]["area"], area, places=5)
         self.assertIsNone(summary["mesh"]["volume"])
         by_name = {c["name"]: c for c in summary["criteria"]}
@@ -170,7 +185,7 @@ class TestInspect(camaron_testing.TestCase):
                     self.assertEqual(len(h["counts"]), 7, c["name"])
 
     def test_files(self):
-        """summary.json is what inspect returns; worst.csv has its lists; the mesh has the arrays."""
+        """summary.json is what inspect returns, worst.csv its lists; the mesh has the arrays."""
         summary = self.inspect(FLANGE, worst=4)
         self.assertEqual(self.strict_json(), json.loads(json.dumps(summary)))
         names = [c["name"] for c in summary["criteria"]]
@@ -178,7 +193,11 @@ class TestInspect(camaron_testing.TestCase):
             rows = list(csv.DictReader(file))
         self.assertEqual(
             [(r["criterion"], int(r["rank"]), int(r["cell"]), float(r["value"])) for r in rows],
-            [(c["name"], w["rank"], w["id"], w["value"]) for c in summary["criteria"] for w in c["worst"]],
+            [
+                (c["name"], w["rank"], w["id"], w["value"])
+                for c in summary["criteria"]
+                for w in c["worst"]
+            ],
         )
         for c in summary["criteria"]:
             values = [float(r["value"]) for r in rows if r["criterion"] == c["name"]]
@@ -186,9 +205,14 @@ class TestInspect(camaron_testing.TestCase):
             self.assertEqual(len(values), 0 if c["better"] == "neither" else 4)
         mesh = self.fetch(self.open(self.folder / "report" / "mesh.vtu"))
         self.assertEqual(mesh.GetNumberOfCells(), 4080)
-        arrays = {mesh.GetCellData().GetArrayName(k) for k in range(mesh.GetCellData().GetNumberOfArrays())}
+        arrays = {
+            mesh.GetCellData().GetArrayName(k)
+            for k in range(mesh.GetCellData().GetNumberOfArrays())
+        }
         self.assertEqual(arrays & set(names), set(names))
-        self.assertNotIn("TriangleRadiusRatio", arrays, "criteria without a meaning are not written")
+        self.assertNotIn(
+            "TriangleRadiusRatio", arrays, "criteria without a meaning are not written"
+        )
         by_name = {c["name"]: c for c in summary["criteria"]}
         values = vtk_to_numpy(mesh.GetCellData().GetArray("MinDihedralAngle"))
         self.assertEqual(values.min(), by_name["MinDihedralAngle"]["min"])
@@ -221,7 +245,9 @@ class TestInspect(camaron_testing.TestCase):
         preset = self.inspect(BALL, preset="finite volume")
         self.assertEqual(preset["preset"], "Finite volume")
         limits = {c["name"]: c["acceptable"] for c in preset["criteria"]}
-        self.assertEqual(limits["MinDihedralAngle"], [10.0, None], "the preset's limit, not the default of 20")
+        self.assertEqual(
+            limits["MinDihedralAngle"], [10.0, None], "the preset's limit, not the default of 20"
+        )
 
     def test_errors(self):
         with self.assertRaisesRegex(ValueError, "MinDihedral: did you mean MinDihedralAngle"):
@@ -243,7 +269,9 @@ class TestInspect(camaron_testing.TestCase):
         self.assertFalse((self.folder / "report").exists(), "nothing is left behind")
 
     def test_the_mesh_is_not_replaced(self):
-        mesh = camaron_testing.write_vtk(self.folder / "a.vtk", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(5, (0, 1, 2))])
+        mesh = camaron_testing.write_vtk(
+            self.folder / "a.vtk", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(5, (0, 1, 2))]
+        )
         inspect(mesh, self.folder / "report", with_pictures=False)
         inside = self.folder / "report" / "mesh.vtu"
         before = inside.read_bytes()
@@ -261,19 +289,26 @@ class TestInspect(camaron_testing.TestCase):
 
     def test_command(self):
         """Table, exit status, JSON, several meshes of which one is bad."""
-        run = lambda *a: camaron_testing.run_command("inspect", "--no-pictures", *a, cwd=self.folder)
+        run = lambda *a: camaron_testing.run_command(
+            "inspect", "--no-pictures", *a, cwd=self.folder
+        )
         table = run(BALL, "--criteria", "Volume,EdgeLengthRatio")
         self.assertEqual((table.returncode, table.stderr), (0, ""))
         self.assertRegex(table.stdout, r"(?m)^! EdgeLengthRatio +800 .* 800 +100$")
         self.assertRegex(table.stdout, r"(?m)^  Volume +800 ")
-        self.assertIn("800 of 800 cells (100 %) are outside the acceptable range of EdgeLengthRatio", table.stdout)
+        self.assertIn(
+            "800 of 800 cells (100 %) are outside the acceptable range of EdgeLengthRatio",
+            table.stdout,
+        )
         self.assertTrue((self.folder / "voronoi-ball-report" / "report.html").exists())
         printed = run(BALL, "--criteria", "Volume", "--json", "-o", "there")
         self.assertEqual(json.loads(printed.stdout)["criteria"][0]["name"], "Volume")
         several = run(RING, "none.visf", FLANGE, "-o", "all")
         self.assertEqual(several.returncode, 2)
         self.assertEqual(several.stderr, "camaron: none.visf: there is no such file\n")
-        self.assertEqual(sorted(p.name for p in (self.folder / "all").iterdir()), ["flange", "polygon-ring"])
+        self.assertEqual(
+            sorted(p.name for p in (self.folder / "all").iterdir()), ["flange", "polygon-ring"]
+        )
         wrong = run(BALL, "--criteria", "Volum")
         self.assertEqual((wrong.returncode, wrong.stdout), (2, ""))
         self.assertEqual(wrong.stderr, "camaron: unknown criterion Volum: did you mean Volume?\n")
@@ -294,7 +329,9 @@ class TestPictures(camaron_testing.TestCase):
             reader.Update()
             image = reader.GetOutput()
             width, height, _ = image.GetDimensions()
-            pixels.append(vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[..., :3])
+            pixels.append(
+                vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[..., :3]
+            )
         return pixels
 
     def test_pictures(self):
@@ -304,12 +341,19 @@ class TestPictures(camaron_testing.TestCase):
             for picture in (coloured, worst):
                 self.assertEqual(picture.shape, (900, 1200, 3))
                 drawn = numpy.any(picture < 250, axis=2)
-                columns, rows = numpy.flatnonzero(drawn.any(axis=0)), numpy.flatnonzero(drawn.any(axis=1))
+                columns, rows = numpy.flatnonzero(drawn.any(axis=0)), numpy.flatnonzero(
+                    drawn.any(axis=1)
+                )
                 self.assertLess(columns[0], 100, mesh)
                 self.assertGreater(drawn.mean(), 0.2, mesh)
-                self.assertGreater(max(numpy.ptp(rows) / 900, numpy.ptp(columns[columns < 1000]) / 1000), 0.85)
-            # Red, as only bad cells are: some in the first, and less in the second than there are cells.
-            red = [((p[..., 0] > 90) & (p[..., 1] < 70) & (p[..., 2] < 70)).mean() for p in (coloured, worst)]
+                self.assertGreater(
+                    max(numpy.ptp(rows) / 900, numpy.ptp(columns[columns < 1000]) / 1000), 0.85
+                )
+            # Red, as only bad cells are: some in the first, few in the second.
+            red = [
+                ((p[..., 0] > 90) & (p[..., 1] < 70) & (p[..., 2] < 70)).mean()
+                for p in (coloured, worst)
+            ]
             self.assertGreater(min(red), 0.001, mesh)
             self.assertLess(red[1], 0.2, mesh)
 

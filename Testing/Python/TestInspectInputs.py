@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""camaron.inspect on meshes of all kinds: ParaView's formats, blocks, time steps, odd and bad meshes."""
+"""camaron.inspect on ParaView's formats, blocks, time steps, odd and bad meshes."""
 
 import json
 
@@ -27,7 +27,9 @@ class TestInspectInputs(camaron_testing.TestCase):
         for name in ("box.stl", "box.ply", "box.vtp", "box.vtk"):
             simple.SaveData(str(self.folder / name), box)
             summary, by_name = self.inspect(self.folder / name)
-            self.assertEqual(summary["mesh"]["cell_types"], [{"name": "triangles", "count": 12}], name)
+            self.assertEqual(
+                summary["mesh"]["cell_types"], [{"name": "triangles", "count": 12}], name
+            )
             self.assertAlmostEqual(summary["mesh"]["area"], 6.0, places=6)
             self.assertAlmostEqual(by_name["MinInteriorAngle"]["min"], 45.0, places=5)
             self.assertEqual(summary["files"]["mesh"], "mesh.vtp")
@@ -46,7 +48,9 @@ class TestInspectInputs(camaron_testing.TestCase):
         """Statistics are over all blocks; the worst cells tell theirs."""
         path = self.folder / "blocks.vtm"
         cone, sphere = simple.Cone(), simple.Sphere()
-        simple.SaveData(str(path), simple.GroupDatasets(Input=[cone, sphere], BlockNames=["cone", "sphere"]))
+        simple.SaveData(
+            str(path), simple.GroupDatasets(Input=[cone, sphere], BlockNames=["cone", "sphere"])
+        )
         summary, by_name = self.inspect(path)
         cells = [self.fetch(source).GetNumberOfCells() for source in (cone, sphere)]
         self.assertEqual(summary["mesh"]["blocks"], 2)
@@ -58,20 +62,27 @@ class TestInspectInputs(camaron_testing.TestCase):
         self.assertEqual(self.open(written).CellData["Area"].GetNumberOfComponents(), 1)
 
     def test_time_steps(self):
-        """Of a series one step is taken, the last unless another is asked for, and the report says so."""
+        """Of a series the last step is taken, unless another is asked for; the report says so."""
         path = self.folder / "series.pvd"
         entries = []
         for step, size in enumerate((1.0, 2.0, 3.0)):
             name = f"step{step}.vtp"
-            simple.SaveData(str(self.folder / name), simple.Plane(Point1=[size, 0, 0], Origin=[0, 0, 0], Point2=[0, 1, 0]))
+            simple.SaveData(
+                str(self.folder / name),
+                simple.Plane(Point1=[size, 0, 0], Origin=[0, 0, 0], Point2=[0, 1, 0]),
+            )
             entries.append(f'<DataSet timestep="{0.5 * step}" file="{name}"/>')
         path.write_text(
-            '<?xml version="1.0"?><VTKFile type="Collection"><Collection>' + "".join(entries) + "</Collection></VTKFile>"
+            '<?xml version="1.0"?><VTKFile type="Collection"><Collection>'
+            + "".join(entries)
+            + "</Collection></VTKFile>"
         )
         for time, area, step in (("last", 3.0, 2), ("first", 1.0, 0), ("1", 2.0, 1)):
             summary, _ = self.inspect(path, time=time)
             self.assertAlmostEqual(summary["mesh"]["area"], area)
-            self.assertEqual(summary["mesh"]["time"], {"step": step, "steps": 3, "value": 0.5 * step})
+            self.assertEqual(
+                summary["mesh"]["time"], {"step": step, "steps": 3, "value": 0.5 * step}
+            )
             self.assertTrue(any("time steps" in note for note in summary["notes"]))
         with self.assertRaisesRegex(ValueError, "no time step 3"):
             self.inspect(path, time="3")
@@ -101,14 +112,16 @@ class TestInspectInputs(camaron_testing.TestCase):
         points = [*CUBE, (2, 0, 0)]
         cells = [(12, range(8)), (5, (1, 2, 8)), (3, (0, 8)), (1, (8,)), (10, (1, 2, 5, 8))]
         summary, by_name = self.inspect(self.vtk(points, cells))
-        self.assertEqual({t["name"]: t["count"] for t in summary["mesh"]["cell_types"]},
-            {"hexahedron": 1, "triangle": 1, "line": 1, "vertex": 1, "tetrahedron": 1})
+        self.assertEqual(
+            {t["name"]: t["count"] for t in summary["mesh"]["cell_types"]},
+            {"hexahedron": 1, "triangle": 1, "line": 1, "vertex": 1, "tetrahedron": 1},
+        )
         self.assertEqual((by_name["Volume"]["applicable"], by_name["Area"]["applicable"]), (2, 1))
         self.assertAlmostEqual(summary["mesh"]["volume"], 1.0 + 1.0 / 6.0)
         self.assertAlmostEqual(summary["mesh"]["area"], 0.5)
 
     def test_all_null_and_infinite(self):
-        """Tetrahedra of one point: null and infinite values are counted apart and encoded as JSON."""
+        """Tetrahedra of one point: null and infinite values are counted apart, and go to JSON."""
         summary, by_name = self.inspect(self.vtk([(0, 0, 0)] * 4, [(10, range(4))] * 3))
         ratio, aspect = by_name["EdgeLengthRatio"], by_name["CellAspectRatio"]
         self.assertEqual((ratio["null"], ratio["inf"], ratio["min"]), (3, 0, None))
@@ -117,7 +130,9 @@ class TestInspectInputs(camaron_testing.TestCase):
         text = (self.folder / "report" / "summary.json").read_text("utf-8")
         worst = {c["name"]: c["worst"] for c in json.loads(text)["criteria"]}
         self.assertEqual(worst["CellAspectRatio"][0]["value"], "Infinity")
-        self.assertEqual(summary["worst_criterion"], "CellAspectRatio", "first of those that all cells fail")
+        self.assertEqual(
+            summary["worst_criterion"], "CellAspectRatio", "first of those that all cells fail"
+        )
 
     def test_inverted(self):
         """A hexahedron inside out has a negative volume, which is not acceptable."""
@@ -134,7 +149,7 @@ class TestInspectInputs(camaron_testing.TestCase):
                 self.assertGreater(summary["mesh"]["points"], 0)
 
     def test_hr3(self):
-        """356 cells, as the collection says of the file: 256 with six faces, 68 with five, 32 with four."""
+        """256 cells with six faces, 68 with five, 32 with four, as the collection says."""
         _, by_name = self.inspect(self.data("visf/camaron_hr3.visf"))
         faces = by_name["FaceCount"]["histogram"]
         self.assertEqual(faces["counts"], [32, 68, 256])

@@ -24,7 +24,9 @@ class TestInspectRanks(camaron_testing.TestCase):
                 for edge in zip(faces[f], faces[f][1:] + faces[f][:1])
             }
             ratios.append(min(edges.values()) / max(edges.values()))
-        summary = inspect(BALL, self.folder / "report", with_pictures=bool(os.environ.get("DISPLAY")))
+        summary = inspect(
+            BALL, self.folder / "report", with_pictures=bool(os.environ.get("DISPLAY"))
+        )
         by_name = {c["name"]: c for c in summary["criteria"]}
         ratio = by_name["EdgeLengthRatio"]
         self.assertEqual((ratio["count"], ratio["null"]), (len(cells), 0))
@@ -35,13 +37,17 @@ class TestInspectRanks(camaron_testing.TestCase):
         edges = numpy.array(ratio["histogram"]["edges"])
         edges[[0, -1]] += [-1e-9, 1e-9]
         self.assertEqual(ratio["histogram"]["counts"], numpy.histogram(ratios, edges)[0].tolist())
-        self.assertEqual([w["id"] for w in ratio["worst"]], numpy.argsort(ratios, kind="stable")[:10].tolist())
+        self.assertEqual(
+            [w["id"] for w in ratio["worst"]], numpy.argsort(ratios, kind="stable")[:10].tolist()
+        )
         self.assertEqual(by_name["FaceCount"]["sum"], sum(len(cell) for cell in cells))
 
     def test_facts(self):
         """The mesh is counted once, however it is cut into pieces."""
         points, _, cells = camaron_testing.read_visf(BALL)
-        mesh = inspect(BALL, self.folder / "report", criteria=["Volume"], with_pictures=False)["mesh"]
+        mesh = inspect(BALL, self.folder / "report", criteria=["Volume"], with_pictures=False)[
+            "mesh"
+        ]
         uses = numpy.bincount([f for cell in cells for f in cell])
         self.assertEqual((mesh["points"], mesh["cells"]), (len(points), len(cells)))
         self.assertEqual(mesh["cell_types"], [{"name": "polyhedra", "count": len(cells)}])

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What reports are made of: numbers as text, histograms as SVG, the choice of the worst criterion."""
+"""Parts of reports: numbers as text, histograms as SVG, the worst criterion, findings."""
 
 import doctest
 import re
@@ -34,7 +34,14 @@ def criterion(name, values=(), better="bigger", ideal=1.0, limits=(None, None), 
         "below": below,
         "above": above,
         "out_of_range": below + above,
-        "histogram": {"edges": [], "counts": [], "underflow": 0, "overflow": 0, "null": 0, "inf": 0},
+        "histogram": {
+            "edges": [],
+            "counts": [],
+            "underflow": 0,
+            "overflow": 0,
+            "null": 0,
+            "inf": 0,
+        },
     }
     return {**entry, **more}
 
@@ -48,15 +55,21 @@ class TestReport(camaron_testing.TestCase):
 
     def test_worst_criterion(self):
         """The rule of Documentation/inspect.md, step by step."""
-        worst = lambda *criteria: (ranking.worst_criterion(list(criteria)) or {"name": None})["name"]
+        worst = lambda *criteria: (ranking.worst_criterion(list(criteria)) or {"name": None})[
+            "name"
+        ]
         some = criterion("Some", [0.1, 0.9, 0.9, 0.9], limits=(0.5, None))
         more = criterion("More", [0.4, 0.4, 0.9, 0.9], limits=(0.5, None))
         self.assertEqual(worst(some, more), "More", "the largest share outside")
         far = criterion("Far", [0.6] * 4, limits=(0.5, None))
         near = criterion("Near", [0.9] * 4, limits=(0.5, None))
         free = criterion("Free", [0.1] * 4)
-        self.assertEqual(worst(near, far, free), "Far", "the farthest from ideal of those with limits")
-        self.assertEqual(worst(criterion("FreeToo", [0.9] * 4), free), "Free", "else of all with an ideal")
+        self.assertEqual(
+            worst(near, far, free), "Far", "the farthest from ideal of those with limits"
+        )
+        self.assertEqual(
+            worst(criterion("FreeToo", [0.9] * 4), free), "Free", "else of all with an ideal"
+        )
         size = criterion("Size", [3.0], better="neither", ideal=None)
         angle = criterion("Angle", [3.0], better="bigger", ideal=None)
         self.assertEqual(worst(size, angle), "Angle", "else one with a direction")
@@ -67,7 +80,9 @@ class TestReport(camaron_testing.TestCase):
 
     def test_findings(self):
         summary = {"mesh": {"cells": 4}, "criteria": []}
-        say = lambda *criteria: [f["text"] for f in ranking.findings({**summary, "criteria": list(criteria)})]
+        say = lambda *criteria: [
+            f["text"] for f in ranking.findings({**summary, "criteria": list(criteria)})
+        ]
         self.assertEqual(say(), ["None of the criteria has a meaning for the cells of this mesh."])
         good = criterion("Good", [0.9] * 4, limits=(0.5, None))
         self.assertEqual(say(good), ["No cell is outside the acceptable range."])
@@ -78,7 +93,10 @@ class TestReport(camaron_testing.TestCase):
         )
         null = criterion("Null", [0.9] * 4, null=2)
         self.assertIn("2 cells have no value of {criterion}.", say(null))
-        self.assertEqual(ranking.findings({"mesh": {"cells": 0}, "criteria": []})[0]["text"], "The mesh has no cells.")
+        self.assertEqual(
+            ranking.findings({"mesh": {"cells": 0}, "criteria": []})[0]["text"],
+            "The mesh has no cells.",
+        )
 
     def shapes(self, c):
         """Bars of a histogram by colour: list of (x, width, height)."""
@@ -86,14 +104,25 @@ class TestReport(camaron_testing.TestCase):
         bars = {}
         for group in root.iter("g"):
             bars[group.get("class")] = [
-                tuple(float(rect.get(key)) for key in ("x", "width", "height")) for rect in group.iter("rect")
+                tuple(float(rect.get(key)) for key in ("x", "width", "height"))
+                for rect in group.iter("rect")
             ]
         return root, bars
 
     def test_histogram(self):
-        """Heights are in proportion; the bin across the limit is drawn in both colours, and clipped."""
-        histogram = {"edges": [0.0, 1.0, 2.0, 3.0], "counts": [10, 20, 5], "underflow": 0, "overflow": 0}
-        c = criterion("C", [0.5] * 10 + [1.5] * 20 + [2.5] * 5, limits=(1.5, None), histogram={**histogram, "null": 0, "inf": 0})
+        """Heights are in proportion; a bin across the limit has both colours, clipped there."""
+        histogram = {
+            "edges": [0.0, 1.0, 2.0, 3.0],
+            "counts": [10, 20, 5],
+            "underflow": 0,
+            "overflow": 0,
+        }
+        c = criterion(
+            "C",
+            [0.5] * 10 + [1.5] * 20 + [2.5] * 5,
+            limits=(1.5, None),
+            histogram={**histogram, "null": 0, "inf": 0},
+        )
         root, bars = self.shapes(c)
         self.assertEqual([len(bars["outside"]), len(bars["inside"])], [2, 2])
         heights = [h for _, _, h in bars["outside"]] + [bars["inside"][1][2]]
@@ -116,8 +145,17 @@ class TestReport(camaron_testing.TestCase):
 
     def test_histogram_of_integers(self):
         """Ticks are at the integers, not at the edges between them."""
-        histogram = {"edges": [3.5, 4.5, 5.5], "counts": [3, 4], "underflow": 0, "overflow": 0, "null": 0, "inf": 0}
-        root, _ = self.shapes(criterion("C", [4] * 3 + [5] * 4, better="neither", histogram=histogram))
+        histogram = {
+            "edges": [3.5, 4.5, 5.5],
+            "counts": [3, 4],
+            "underflow": 0,
+            "overflow": 0,
+            "null": 0,
+            "inf": 0,
+        }
+        root, _ = self.shapes(
+            criterion("C", [4] * 3 + [5] * 4, better="neither", histogram=histogram)
+        )
         labels = [element.text for element in root.iter("text")]
         self.assertIn("4", labels)
         self.assertIn("5", labels)
@@ -130,8 +168,13 @@ class TestReport(camaron_testing.TestCase):
         quality = simple.ElementQuality(Input=simple.Sphere())
         known = tables.known_criteria()
         self.assertEqual(list(known), list(quality.GetProperty("Criteria").Available))
-        self.assertEqual(list(tables.known_presets()), list(quality.GetProperty("Preset").Available)[1:])
-        self.assertEqual((known["MinDihedralAngle"]["unit"], known["MinDihedralAngle"]["better"]), ("deg", "bigger"))
+        self.assertEqual(
+            list(tables.known_presets()), list(quality.GetProperty("Preset").Available)[1:]
+        )
+        self.assertEqual(
+            (known["MinDihedralAngle"]["unit"], known["MinDihedralAngle"]["better"]),
+            ("deg", "bigger"),
+        )
         listed = camaron_testing.run_command("criteria")
         self.assertEqual(listed.returncode, 0)
         for name in known:

@@ -88,11 +88,13 @@ def run_command(*arguments, **options):
         if not key.startswith(prefixes) or key.startswith("OMPI_ALLOW_RUN_AS_ROOT")
     }
     command = [shutil.which("pvpython") or "pvpython", str(script), *map(str, arguments)]
-    return subprocess.run(command, capture_output=True, text=True, timeout=240, env=environment, **options)
+    return subprocess.run(
+        command, capture_output=True, text=True, timeout=240, env=environment, **options
+    )
 
 
 def read_visf(path):
-    """Points, faces and cells of a little-endian or ASCII Visf 0.3 file; independent of the plugin."""
+    """Points, faces, cells of a little-endian or ASCII Visf 0.3 file, without the plugin."""
     data = Path(path).read_bytes()
     if data[:1] == b"2":
         words = iter(data.split()[2:])
