@@ -29,7 +29,7 @@ Writes a mesh in another format, which the name of the target tells. Further opt
 the writer; with a wrong one, all are listed.
 
   camaron convert part.visf part.vtu --compressor-type LZ4
-  camaron convert part.vtu part.visf --file-type ASCII"""
+  camaron convert part.vtu part.visf --encoding "Binary Little Endian" """
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -3,6 +3,7 @@
 """camaron.convert: formats, options of writers, errors."""
 
 import camaron_testing
+import numpy
 from camaron import convert
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
@@ -33,6 +34,25 @@ class TestConvert(camaron_testing.TestCase):
         convert(self.mesh(), self.folder / "two.stl")
         self.assertEqual(convert(self.folder / "two.stl", self.folder / "surface.vtu"), [])
         self.assertEqual(self.cells(self.folder / "surface.vtu"), 8)
+
+    def test_round_trip(self):
+        """A mesh that goes from Visf to .vtu and back has the same points, faces and cells."""
+        for name in ("voronoi-ball", "flange", "polygon-ring"):
+            original = camaron_testing.EXAMPLES / f"{name}.visf"
+            between, back = self.folder / f"{name}.vtu", self.folder / f"{name}.visf"
+            convert(original, between)
+            convert(between, back)
+            (points, *shapes), (again, *shapes_again) = map(
+                camaron_testing.read_visf, (original, back)
+            )
+            numpy.testing.assert_array_equal(points.astype("f4"), again.astype("f4"))
+
+            # Faces may be numbered otherwise and start elsewhere: cells as sets of sets of points.
+            def as_sets(faces, cells):
+                sets = [frozenset(face) for face in faces]
+                return [frozenset(sets[f] for f in cell) for cell in cells] or sets
+
+            self.assertEqual(as_sets(*shapes), as_sets(*shapes_again), name)
 
     def test_options(self):
         """Options have an effect in any spelling, and texts of choices are matched."""
