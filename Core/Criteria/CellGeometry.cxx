@@ -145,10 +145,18 @@ void CellGeometry::LoadStandard(
     this->LoadCollapsed(mesh, shape, points);
     return;
   }
-  for (int i = 0; i < size; ++i)
+  double x[3];
+  mesh.GetPoint(ids[0], x);
+  const Vector origin = { x[0], x[1], x[2] };
+  Vector* to = this->Points.data(); // has room for every standard cell
+  to[0] = Vector();
+  for (int i = 1; i < size; ++i)
   {
-    this->AddPoint(mesh, ids[i]);
+    mesh.GetPoint(ids[i], x);
+    to[i] = { x[0] - origin.X, x[1] - origin.Y, x[2] - origin.Z };
   }
+  this->Origin = origin;
+  this->NumberOfPoints = size;
   this->Topology = &this->StandardCells[this->CellType].Topology;
   this->Shapes = this->StandardCells[this->CellType].Shapes;
 }
@@ -297,7 +305,7 @@ void CellGeometry::Compute(unsigned needs)
   {
     this->OwnTopology.MakeOneGroup();
   }
-  if (needs & (NeedsEdges | NeedsDihedral | NeedsSolidAngle))
+  if (needs & (NeedsEdges | NeedsCorners | NeedsDihedral | NeedsSolidAngle))
   {
     this->ComputeEdges();
   }
@@ -387,6 +395,7 @@ void CellGeometry::ComputeEdges()
   }
   this->MinSquaredLength = smallest;
   this->MaxSquaredLength = largest;
+  this->HasCollapsedEdge = this->IsZeroLength(std::sqrt(smallest));
 }
 
 //------------------------------------------------------------------------------
@@ -571,14 +580,7 @@ void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
 {
   const int* ring = this->Topology->GetFace(f);
   int size = this->Topology->GetFaceSize(f);
-  const double zero = this->GetBoxScale().Length;
-  bool collapsed = false;
-  for (int i = 0; i < size; ++i)
-  {
-    const Vector edge = this->Points[ring[i]] - this->Points[ring[i > 0 ? i - 1 : size - 1]];
-    collapsed = collapsed || Norm2(edge) <= zero * zero;
-  }
-  if (collapsed)
+  if (this->HasCollapsedEdge)
   {
     // Points that lie where the previous one does are passed over.
     this->Ring.clear();
@@ -598,18 +600,29 @@ void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
     ring = this->Ring.data();
     size = static_cast<int>(this->Ring.size());
   }
-  const bool isTriangle = size == 3;
-  if (size < 3 || (!isTriangle && this->IsZeroArea(this->FaceAreas[f])))
+  const Vector* points = this->Points.data();
+  if (size == 3)
+  {
+    // All corners have the same sine times the lengths of their sides: twice the area.
+    const Vector a = points[ring[1]] - points[ring[0]], b = points[ring[2]] - points[ring[1]],
+                 c = points[ring[0]] - points[ring[2]];
+    const double sine = Norm(Cross(a, b));
+    angles.Add(sine, -Dot(a, b));
+    angles.Add(sine, -Dot(b, c));
+    angles.Add(sine, -Dot(c, a));
+    return;
+  }
+  if (size < 3 || this->IsZeroArea(this->FaceAreas[f]))
   {
     return;
   }
-  Vector toPrevious = this->Points[ring[size - 1]] - this->Points[ring[0]];
+  Vector toPrevious = points[ring[size - 1]] - points[ring[0]];
   for (int i = 0; i < size; ++i)
   {
-    const Vector toNext = this->Points[ring[i + 1 < size ? i + 1 : 0]] - this->Points[ring[i]];
+    const Vector toNext = points[ring[i + 1 < size ? i + 1 : 0]] - points[ring[i]];
     const Vector normal = Cross(toNext, toPrevious);
     const double sine = Norm(normal);
-    const bool reflex = !isTriangle && Dot(normal, this->FaceVectors[f]) < 0;
+    const bool reflex = Dot(normal, this->FaceVectors[f]) < 0;
     angles.Add(reflex ? -sine : sine, Dot(toNext, toPrevious));
     toPrevious = -toNext;
   }
@@ -651,7 +664,7 @@ void CellGeometry::ComputeDihedralAngles()
 //------------------------------------------------------------------------------
 void CellGeometry::ComputeSolidAngles()
 {
-  const bool collapsed = this->IsZeroLength(this->GetMinEdgeLength());
+  const bool collapsed = this->HasCollapsedEdge;
   if (collapsed)
   {
     this->MergeCollapsedEdges();
@@ -696,12 +709,14 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point)
     const Vector& along = this->EdgeDirections[edge];
     return topology.Edges[edge].Points[0] == point ? along : -along;
   };
-  this->Spokes.clear();
+  // A spoke may bring another direction with it.
+  this->Spokes.resize(std::max<std::size_t>(this->Spokes.size(), 2 * (last - first)));
+  int numberOfSpokes = 0;
   Vector spoke = direction(first);
   for (int s = first; s < last; ++s)
   {
     const Vector next = direction(s + 1 < last ? s + 1 : first);
-    this->Spokes.push_back(spoke);
+    this->Spokes[numberOfSpokes++] = spoke;
     // Over the face between the two spokes; where its corner is straight or reflex the short arc between
     // them is not its side of the spherical polygon.
     const int f = topology.Spokes[s].Face;
@@ -713,18 +728,18 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point)
       const double flat = straight * this->FaceAreas[merged ? this->MergedFaces[f] : f];
       if (turn < -flat || (turn < 0 && Dot(spoke, next) > 0))
       {
-        this->Spokes.push_back(Unit(-(spoke + next)));
+        this->Spokes[numberOfSpokes++] = Unit(-(spoke + next));
       }
       else if (turn <= flat && Dot(spoke, next) < 0)
       {
-        this->Spokes.push_back(Unit(Cross(area, next)));
+        this->Spokes[numberOfSpokes++] = Unit(Cross(area, next));
       }
     }
     spoke = next;
   }
   double sine = 0, cosine = 1;
   const Vector& a = this->Spokes[0];
-  for (std::size_t i = 1; i + 1 < this->Spokes.size(); ++i)
+  for (int i = 1; i + 1 < numberOfSpokes; ++i)
   {
     const Vector &b = this->Spokes[i], &c = this->Spokes[i + 1];
     const double y = this->OrientationSign * Dot(a, Cross(b, c));

@@ -183,6 +183,7 @@ private:
   CellTopology OwnTopology;
 
   double MinSquaredLength = 0, MaxSquaredLength = 0;
+  bool HasCollapsedEdge = false;
   std::vector<double> SquaredLengths;
   std::vector<Vector> FaceVectors, FaceCenters;
   std::vector<double> FaceAreas;

@@ -69,6 +69,17 @@ public:
       {
         corners[i] = points[i];
       }
+      if (type == VTK_TETRA)
+      {
+        // The same as below with all sizes known; most large meshes are of tetrahedra.
+        for (int f = 0; f < 4; ++f)
+        {
+          const int* nodes = shape.FacePoints + 3 * f;
+          const vtkIdType triangle[3] = { corners[nodes[0]], corners[nodes[1]], corners[nodes[2]] };
+          visit(static_cast<const vtkIdType*>(triangle), vtkIdType(3), vtkIdType(f));
+        }
+        return;
+      }
       for (int f = 0; f < shape.NumberOfFaces; ++f)
       {
         const int begin = shape.FaceOffsets[f], size = shape.FaceOffsets[f + 1] - begin;
