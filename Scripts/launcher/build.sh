@@ -118,7 +118,7 @@ compile() {
 }
 
 plugin_folder() {
-  find "$1" -path '*/Camaron/Camaron.so' -printf '%h\n' -quit | grep . || die "no plugin in $1"
+  find "$1"/lib* -path '*/Camaron/Camaron.so' -printf '%h\n' -quit | grep . || die "no plugin in $1"
 }
 
 # Configures tests and benchmarks too, once and for all.

@@ -50,7 +50,8 @@ root_tools() {
       "ParaView's SDK and name it with ParaView_DIR, $use"
   [[ $EUID == 0 ]] || tools+=(uidmap)
   if ! type mmdebstrap bwrap >/dev/null 2>&1 || [[ $EUID != 0 ]] && ! type newuidmap >/dev/null 2>&1; then
-    [[ $EUID == 0 ]] || die "to get ParaView, install: apt-get install ${tools[*]}; $use"
+    [[ $EUID == 0 ]] || die "to get ParaView, let root run: apt-get install ${tools[*]} (or, on Debian 13 or newer," \
+      "what $launcher/packages.txt names); $use"
     refresh_apt
     apt_install "$build/log/packages.log" "${tools[@]}" || die "could not install ${tools[*]}; $use"
   fi
