@@ -12,4 +12,7 @@ from camaron import cli  # noqa: E402
 
 # pvpython sends what Python prints through VTK's output window, which is no terminal.
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
-sys.exit(cli.main(sys.argv[1:]))
+status = cli.main(sys.argv[1:])
+if status:
+    sys.exit(status)
+# Without sys.exit, which would keep pvbatch from leaving MPI in order.

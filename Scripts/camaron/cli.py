@@ -208,7 +208,8 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
         lines += ["", *_table(criteria, color)]
     lines.append("")
     for finding in ranking.findings(summary):
-        sentence = finding["text"].replace("{criterion}", finding["criterion"] or "")
+        names = ", ".join(c["name"] for c in finding["criteria"])
+        sentence = finding["text"].replace("{}", names)
         lines.append(_ascii(sentence))
     lines += [f"Note: {note}" for note in summary["notes"]]
     return "\n".join(lines)

@@ -101,17 +101,16 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
         except RuntimeError:
             source = None
         if source is None:
-            raise RuntimeError(
-                f"{path}: {_first(messages, path) or 'no reader knows this kind of file'}"
-            )
+            raise RuntimeError(_reason(messages, path, "no reader knows this kind of file"))
         try:
             chosen = _choose_time(source, time)
             source.UpdatePipeline(chosen["value"] if chosen else 0.0)
-        except RuntimeError as error:
-            raise RuntimeError(f"{path}: {error}") from None
+        except (RuntimeError, ValueError) as error:
+            simple.Delete(source)
+            raise type(error)(f"{path}: {error}") from None
     if messages.errors:
         simple.Delete(source)
-        raise RuntimeError(f"{path}: {_first(messages, path)}")
+        raise RuntimeError(_reason(messages, path, ""))
     if not is_mesh(source):
         kind = data_information(source).GetPrettyDataTypeString()
         simple.Delete(source)
@@ -119,13 +118,13 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
     return Opened(source, chosen, messages.warnings)
 
 
-def _first(messages: Messages, path: Path) -> str:
-    """The first error, without the name of the file that is said anyway."""
-    if not messages.errors:
-        return ""
-    return re.sub(
-        rf"^({re.escape(str(path))}|{re.escape(path.name)})\s*:\s*", "", messages.errors[0]
-    )
+def _reason(messages: Messages, path: Path, otherwise: str) -> str:
+    """The first error, which may say itself where in the file it is: "mesh.visf:17: ..."."""
+    first = messages.errors[0] if messages.errors else otherwise
+    for name in (str(path), path.name):
+        if first.startswith(name + ":"):
+            return str(path) + first[len(name) :]
+    return f"{path}: {first}"
 
 
 def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:

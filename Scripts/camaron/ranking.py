@@ -34,25 +34,29 @@ def is_limited(criterion: dict[str, Any]) -> bool:
 def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
     """The criterion to look at first; None when there is no value at all.
 
-    1. The one with the largest share of its values outside the acceptable range.
-    2. On a tie, and when nothing is outside: the largest distance of the median from the ideal,
+    Where cells with a volume have values, criteria of polygons alone do not take part: polygons of
+    such a mesh lie on or between its cells. Of the others
+
+    1. the one with the most cells outside the acceptable range;
+    2. on a tie, and when nothing is outside: the largest distance of the median from the ideal,
        criteria with an acceptable range before those without.
     3. Without any ideal either, the first criterion that has a direction, then the first.
     """
 
     def rank(criterion):
-        valued = criterion["count"] - criterion["null"]
-        share = criterion["out_of_range"] / valued if valued else 0.0
         distance = distance_from_ideal(criterion)
         return (
-            share,
+            criterion["out_of_range"],
             distance is not None and is_limited(criterion),
             -1.0 if distance is None else distance,
             criterion["better"] != "neither",
         )
 
-    # max() keeps the first of equals, so ties that remain follow the order of the table.
     valued = [criterion for criterion in criteria if criterion["count"] > criterion["null"]]
+    solid = [c for c in valued if c["applies_to"] in ("polyhedra", "tetrahedra")]
+    if solid:
+        valued = [c for c in valued if c["applies_to"] not in ("polygons", "triangles")]
+    # max() keeps the first of equals, so ties that remain follow the order of the table.
     return max(valued, key=rank, default=None)
 
 
@@ -64,8 +68,8 @@ def undefined_count(criterion: dict[str, Any]) -> int:
 def findings(summary: dict[str, Any], most: int = 4) -> list[dict[str, Any]]:
     """What to say first about a mesh: facts, no verdict.
 
-    Each is a `text` in which `{criterion}` stands for the criterion's label, with the `criterion`
-    (or None) and whether it `matters`, that is, tells of cells outside a range or without a value.
+    Each is a `text` in which `{}` stands for the `criteria` (a list of their dictionaries), and
+    whether it `matters`, that is, tells of cells outside a range or without a value.
     """
     criteria = summary["criteria"]
     if not summary["mesh"]["cells"]:
@@ -73,10 +77,7 @@ def findings(summary: dict[str, Any], most: int = 4) -> list[dict[str, Any]]:
     if not criteria:
         return [_finding("None of the criteria has a meaning for the cells of this mesh.")]
     limited = [c for c in criteria if is_limited(c)]
-    outside = sorted(
-        (c for c in limited if c["out_of_range"]),
-        key=lambda c: -c["out_of_range"] / max(c["applicable"], 1),
-    )
+    outside = sorted((c for c in limited if c["out_of_range"]), key=lambda c: -c["out_of_range"])
     facts = []
     for c in outside[:most]:
         verb = "is" if c["out_of_range"] == 1 else "are"
@@ -84,39 +85,25 @@ def findings(summary: dict[str, Any], most: int = 4) -> list[dict[str, Any]]:
         part, whole = c["out_of_range"], c["applicable"]
         sentence = (
             f"{text.count(part, THIN)} of {text.plural(whole, 'cell', THIN)} "
-            f"({text.percent(part, whole)} %) {verb} outside the acceptable range of "
-            f"{{criterion}} ({limits})."
+            f"({text.percent(part, whole)} %) {verb} outside the acceptable range of {{}} ({limits})."
         )
-        facts.append(_finding(sentence, c, True))
+        facts.append(_finding(sentence, [c], True))
     if len(outside) > most:
-        names = ", ".join(c["label"] for c in outside[most:])
-        facts.append(
-            _finding(f"Cells are also outside the acceptable ranges of: {names}.", matters=True)
-        )
+        sentence = "Fewer are outside the acceptable ranges of {}."
+        facts.append(_finding(sentence, outside[most:], True))
     if limited and not outside:
-        ranges = (
-            f"ranges of the {len(limited)} criteria that have one" if len(limited) > 1 else "range"
-        )
+        ranges = f"ranges of the {len(limited)} criteria that have one"
+        ranges = ranges if len(limited) > 1 else "range"
         facts.append(_finding(f"No cell is outside the acceptable {ranges}."))
     if not limited:
         facts.append(_finding("None of the criteria evaluated has an acceptable range."))
-    undefined = [c for c in criteria if undefined_count(c)]
-    for c in undefined[:most]:
-        verb = "has" if undefined_count(c) == 1 else "have"
-        sentence = (
-            f"{text.plural(undefined_count(c), 'cell', THIN)} {verb} no value of {{criterion}}."
-        )
-        facts.append(_finding(sentence, c, True))
-    if len(undefined) > most:
-        names = ", ".join(c["label"] for c in undefined[most:])
-        facts.append(_finding(f"Cells are also without values of: {names}.", matters=True))
+    for amount in sorted({undefined_count(c) for c in criteria} - {0}, reverse=True):
+        verb = "has" if amount == 1 else "have"
+        sentence = f"{text.plural(amount, 'cell', THIN)} {verb} no value of {{}}."
+        those = [c for c in criteria if undefined_count(c) == amount]
+        facts.append(_finding(sentence, those, True))
     return facts
 
 
-def _finding(sentence, criterion=None, matters=False):
-    return {
-        "text": sentence,
-        "criterion": criterion and criterion["name"],
-        "label": criterion and criterion["label"],
-        "matters": matters,
-    }
+def _finding(sentence, criteria=(), matters=False):
+    return {"text": sentence, "criteria": list(criteria), "matters": matters}

@@ -86,10 +86,10 @@ def _header(summary) -> str:
 def _findings(summary) -> str:
     items = []
     for finding in ranking.findings(summary):
-        sentence = escape(finding["text"])
-        if finding["criterion"]:
-            link = f'<a href="#{_anchor(finding["criterion"])}">{escape(finding["label"])}</a>'
-            sentence = sentence.replace("{criterion}", link)
+        links = [
+            f'<a href="#{_anchor(c["name"])}">{escape(c["label"])}</a>' for c in finding["criteria"]
+        ]
+        sentence = escape(finding["text"]).replace("{}", ", ".join(links))
         items.append(f'<li class="{"matters" if finding["matters"] else ""}">{sentence}</li>')
     items += [f'<li class="note">{escape(note)}</li>' for note in summary["notes"]]
     return f'<ul class="findings">{"".join(items)}</ul>'

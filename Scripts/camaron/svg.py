@@ -82,8 +82,9 @@ def histogram(criterion: dict[str, Any], identifier: str) -> str:
     ]
     right = WIDTH - RIGHT - (12 + APART_WIDTH * len(apart) if apart else 0)
     base = HEIGHT - BOTTOM
-    top = max([*counts, *(amount for _, amount in apart), 1])
-    height = lambda amount: (base - TOP) * amount / top
+    # What lies apart may be cut off at the top, its number stands below; the bins set the scale.
+    top = max(counts or [amount for _, amount in apart], default=1)
+    height = lambda amount: (base - TOP) * min(amount / top, 1.0)
     name = escape(criterion["label"])
     parts = [
         f'<svg class="histogram" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '

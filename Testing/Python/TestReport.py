@@ -19,6 +19,7 @@ def criterion(name, values=(), better="bigger", ideal=1.0, limits=(None, None), 
     entry = {
         "name": name,
         "label": name,
+        "applies_to": "polygons and polyhedra",
         "unit": "",
         "better": better,
         "ideal": ideal,
@@ -60,7 +61,7 @@ class TestReport(camaron_testing.TestCase):
         ]
         some = criterion("Some", [0.1, 0.9, 0.9, 0.9], limits=(0.5, None))
         more = criterion("More", [0.4, 0.4, 0.9, 0.9], limits=(0.5, None))
-        self.assertEqual(worst(some, more), "More", "the largest share outside")
+        self.assertEqual(worst(some, more), "More", "the most cells outside")
         far = criterion("Far", [0.6] * 4, limits=(0.5, None))
         near = criterion("Near", [0.9] * 4, limits=(0.5, None))
         free = criterion("Free", [0.1] * 4)
@@ -77,6 +78,10 @@ class TestReport(camaron_testing.TestCase):
         null = criterion("Null", [0.1] * 4, limits=(0.5, None), null=4, out_of_range=0)
         self.assertEqual(worst(null, size), "Size", "never one without values")
         self.assertEqual(worst(null), None)
+        flat = criterion("Flat", [0.1] * 9, limits=(0.5, None), applies_to="polygons")
+        solid = criterion("Solid", [0.1], limits=(0.5, None), applies_to="polyhedra")
+        self.assertEqual(worst(flat, some), "Flat")
+        self.assertEqual(worst(flat, solid), "Solid", "polygons do not matter beside polyhedra")
 
     def test_findings(self):
         summary = {"mesh": {"cells": 4}, "criteria": []}
@@ -89,10 +94,10 @@ class TestReport(camaron_testing.TestCase):
         bad = criterion("Bad", [0.1, 0.9, 0.9, 0.9], limits=(0.5, None))
         self.assertEqual(
             [sentence.replace(text.THIN, " ") for sentence in say(good, bad)],
-            ["1 of 4 cells (25 %) is outside the acceptable range of {criterion} (≥ 0.5)."],
+            ["1 of 4 cells (25 %) is outside the acceptable range of {} (≥ 0.5)."],
         )
         null = criterion("Null", [0.9] * 4, null=2)
-        self.assertIn("2 cells have no value of {criterion}.", say(null))
+        self.assertIn("2 cells have no value of {}.", say(null))
         self.assertEqual(
             ranking.findings({"mesh": {"cells": 0}, "criteria": []})[0]["text"],
             "The mesh has no cells.",
