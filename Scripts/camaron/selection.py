@@ -11,20 +11,22 @@ from paraview import simple
 from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 
 
-def set_active_selection(source: Any, port: int = 0) -> Any:
+def set_active_selection(source: Any, port: int = 0) -> None:
     """Makes the cells that a SelectElements filter selects ParaView's active selection.
 
     The selection is a description, "Selected is 1 on this output", so it follows the filter when that
     is updated. It is what Find Data, Extract Selection and the views know as the selection of the source;
-    in the window Select Elements does the same when it is applied. Returns the selection source.
+    in the window Select Elements does the same when it is applied. ParaView before 6 does not keep active
+    selections in states: there call this again after loading one.
 
     >>> worst = simple.SelectElements(Input=quality, Strategy="Worst N", Array="EdgeLengthRatio")
+    >>> worst.UpdatePipeline()
     >>> set_active_selection(worst)
     >>> cells = simple.ExtractSelection(Input=worst)
     """
-    information = source.GetDataInformation(port).GetCellDataInformation()
-    if information.GetArrayInformation("Selected") is None:
-        raise ValueError('the output has no cell array "Selected"; update it, or is it a SelectElements?')
+    cells = source.GetDataInformation(port).GetCellDataInformation()
+    if cells.GetArrayInformation("Selected") is None:
+        raise ValueError('the output has no cell array "Selected": update it, or is it no SelectElements?')
     selected = paraview_selection._createSelection(
         "ThresholdSelectionSource", Thresholds=[1, 1], ArrayName="Selected", FieldType="CELL"
     )
@@ -33,4 +35,3 @@ def set_active_selection(source: Any, port: int = 0) -> Any:
     source.SMProxy.SetSelectionInput(port, append, 0)
     append.UnRegister(None)
     simple.SetActiveSource(source)
-    return selected

@@ -90,8 +90,11 @@ def add_arrays(grid, values, global_ids=False):
 
 
 def make_full_mesh(global_ids=False):
+    """All cells with all arrays, and their numbers as the array "Number"."""
     grid = make_mesh()
-    return add_arrays(grid, make_values(grid.GetNumberOfCells()), global_ids)
+    values = make_values(grid.GetNumberOfCells())
+    values["Number"] = numpy.arange(grid.GetNumberOfCells())
+    return add_arrays(grid, values, global_ids)
 
 
 def extract(grid, begin, end, ghost_layer=0):

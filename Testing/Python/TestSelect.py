@@ -1,0 +1,266 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Select Elements: every strategy against numpy, and ParaView's active selection."""
+
+import math
+
+import camaron_testing
+import mesh_parts
+import numpy
+from camaron import selection
+from paraview import simple, smstate
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersExtraction import vtkExtractSelection
+
+
+class TestSelect(camaron_testing.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.grid = mesh_parts.make_full_mesh(global_ids=True)
+        self.count = self.grid.GetNumberOfCells()
+        self.values = mesh_parts.make_values(self.count)
+        self.ids = vtk_to_numpy(self.grid.GetCellData().GetGlobalIds())
+        self.source = mesh_parts.producer(self.grid)
+
+    def select(self, source=None, **properties):
+        """A filter that has run, and the numbers of the cells that it selects."""
+        select = simple.SelectElements(Input=source or self.source, **properties)
+        with camaron_testing.pipeline.Messages() as self.messages:
+            select.UpdatePipeline()
+        select.UpdatePropertyInformation()
+        output = self.fetch(select)
+        marks = output.GetCellData().GetArray("Selected")
+        self.assertEqual(marks.GetClassName(), "vtkUnsignedCharArray")
+        marks = vtk_to_numpy(marks)
+        self.assertTrue(set(marks) <= {0, 1})
+        cells = numpy.flatnonzero(marks).tolist()
+        self.assertEqual(select.GetPropertyValue("NumberOfSelectedCells"), len(cells))
+        return select, cells
+
+    def cells(self, condition):
+        return numpy.flatnonzero(condition).tolist()
+
+    def assert_error(self, reason, **properties):
+        select = simple.SelectElements(Input=self.source, **properties)
+        with camaron_testing.pipeline.Messages() as messages:
+            select.UpdatePipeline()
+        self.assertIn(reason, messages.errors[0])
+
+    def test_case_of_specification(self):
+        """1 to 10, NaN and Inf: five inside [3, 7], six outside with the infinite one, NaN in neither."""
+        values = numpy.array([*range(1, 11), math.nan, math.inf], float)
+        grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, 12)
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName("X")
+        grid.GetCellData().AddArray(array)
+        source = mesh_parts.producer(grid)
+        limits = {"Array": "X", "Range": "Custom", "LowerLimit": "3", "UpperLimit": "7"}
+        for side, expected in (("Inside", [2, 3, 4, 5, 6]), ("Outside", [0, 1, 7, 8, 9, 11])):
+            self.assertEqual(self.select(source, Side=side, **limits)[1], expected)
+
+    def test_by_criterion(self):
+        """Default: outside of the acceptable range of the criterion or of a preset."""
+        values = self.values["EdgeLengthRatio"]
+        for preset, low in (("Default ranges", 1 / 3), ("FEM hexahedra", 1 / 1.3)):
+            _, cells = self.select(Array="EdgeLengthRatio", Preset=preset)
+            self.assertEqual(cells, self.cells(values < low))
+            _, cells = self.select(Array="EdgeLengthRatio", Preset=preset, Side="Inside")
+            self.assertEqual(cells, self.cells(values >= low))
+        _, cells = self.select(Array="EquiangleSkewness")
+        self.assertEqual(cells, self.cells(self.values["EquiangleSkewness"] > 0.9))
+        self.assertTrue(numpy.isinf(self.values["EquiangleSkewness"][cells]).any())
+
+    def test_open_ranges(self):
+        values = self.values["AnyBits"]
+        for low, high in (("", "0"), ("-1e-3", ""), ("", ""), (" 1 ", "1e300")):
+            lowest = float(low) if low else -math.inf
+            highest = float(high) if high else math.inf
+            inside = (values >= lowest) & (values <= highest)
+            limits = {"Array": "AnyBits", "Range": "Custom", "LowerLimit": low, "UpperLimit": high}
+            self.assertEqual(self.select(Side="Inside", **limits)[1], self.cells(inside))
+            outside = (values < lowest) | (values > highest)
+            self.assertEqual(self.select(Side="Outside", **limits)[1], self.cells(outside))
+
+    def test_null(self):
+        for name in ("EdgeLengthRatio", "AllNull", "Volume", "AnyBits"):
+            _, cells = self.select(Strategy="Null", Array=name)
+            self.assertEqual(cells, self.cells(numpy.isnan(self.values[name])), name)
+
+    def test_worst(self):
+        """Exactly N; ties by the smaller global id; infinite values may be the worst."""
+        for name, sign, ends in (
+            ("EquiangleSkewness", -1, ("By criterion", "Largest")),
+            ("EdgeLengthRatio", 1, ("By criterion", "Smallest")),
+            ("Volume", -1, ("Largest",)),
+            ("FaceCount", 1, ("Smallest",)),
+            ("AnyBits", 1, ("Smallest",)),
+            ("Material", -1, ("Largest",)),
+        ):
+            values = self.values[name].astype(float)
+            order = sorted(
+                (i for i in range(self.count) if not math.isnan(values[i])),
+                key=lambda i: (sign * values[i] + 0.0, self.ids[i]),
+            )
+            for end in ends:
+                for number in (0, 1, 17, 300, 5000):
+                    _, cells = self.select(
+                        Strategy="Worst N", Array=name, WorstValues=end, NumberOfWorst=number
+                    )
+                    self.assertEqual(cells, sorted(order[:number]), f"{name} {number}")
+                self.assertIn("there are only", self.messages.warnings[0])
+
+    def test_by_id(self):
+        select, cells = self.select(Strategy="By id", Ids="3, 10-20, 40")
+        self.assertEqual(cells, [3, *range(10, 21), 40])
+        self.assertEqual(select.GetPropertyValue("Report"), "")
+        self.assertEqual(self.messages.warnings, [])
+        select, cells = self.select(Strategy="By id", Ids=f"7 7-9;{self.count - 1}-{self.count + 1}")
+        self.assertEqual(cells, [7, 8, 9, self.count - 1])
+        self.assertEqual(select.GetPropertyValue("Report"), "2 of 6 ids do not exist")
+        self.assertIn("2 of 6 ids do not exist", self.messages.warnings[0])
+        self.assertEqual(self.select(Strategy="By id")[1], [])
+
+    def test_by_global_id(self):
+        select, cells = self.select(Strategy="By id", IdSpace="Global id", Ids="100-110")
+        self.assertEqual(sorted(self.ids[cells]), [100, 103, 106, 109])
+        self.assertEqual(select.GetPropertyValue("Report"), "7 of 11 ids do not exist")
+
+    def test_by_pedigree_id(self):
+        numbers = numpy_to_vtk(numpy.arange(self.count, dtype=numpy.int32)[::-1].copy(), deep=True)
+        numbers.SetName("FileId")
+        self.grid.GetCellData().SetPedigreeIds(numbers)
+        source = mesh_parts.producer(self.grid)
+        _, cells = self.select(source, Strategy="By id", IdSpace="Pedigree id", Ids="0-2")
+        self.assertEqual(cells, [self.count - 3, self.count - 2, self.count - 1])
+
+    def test_errors(self):
+        """One error each, which says what to do."""
+        self.assert_error("expected an id, found 'four'", Strategy="By id", Ids="3, four")
+        self.assert_error("expected an id, found '-5'", Strategy="By id", Ids="-5")
+        self.assert_error("9-3 runs backwards", Strategy="By id", Ids="9-3")
+        self.assert_error("found '99999999999999999999", Strategy="By id", Ids="99999999999999999999")
+        self.assert_error("no numeric pedigree ids", Strategy="By id", Ids="1", IdSpace="Pedigree id")
+        self.assert_error("no acceptable range is known for 'FaceCount'", Array="FaceCount")
+        self.assert_error("no end of 'Volume'", Strategy="Worst N", Array="Volume")
+        custom = {"Array": "Volume", "Range": "Custom"}
+        self.assert_error("expected a number, found '1,5'", LowerLimit="1,5", **custom)
+        self.assert_error("expected a number, found 'nan'", UpperLimit="nan", **custom)
+        self.assert_error("Lower Limit is above", LowerLimit="2", UpperLimit="1", **custom)
+        for name, value, reason in (
+            ("Strategy", "By luck", "no strategy named 'By luck'"),
+            ("Array", "Nonsense", "named 'Nonsense'"),
+            ("Side", "Left", "not 'Left'"),
+        ):
+            select = simple.SelectElements(Input=self.source, Array="EdgeLengthRatio")
+            select.SMProxy.GetProperty(name).SetElement(0, value)
+            select.SMProxy.UpdateVTKObjects()
+            with camaron_testing.pipeline.Messages() as messages:
+                select.UpdatePipeline()
+            self.assertTrue(any(reason in error for error in messages.errors), messages.errors)
+
+    def test_ghosts_are_not_selected(self):
+        part = mesh_parts.extract(self.grid, 200, 400, ghost_layer=50)
+        source = mesh_parts.producer(part)
+        limits = {"Array": "Constant", "Range": "Custom", "Side": "Inside"}
+        self.assertEqual(self.select(source, **limits)[1], list(range(200)))
+        _, cells = self.select(source, Strategy="Worst N", Array="Constant", WorstValues="Largest", NumberOfWorst=999)
+        self.assertEqual(cells, list(range(200)))
+        select, cells = self.select(source, Strategy="By id", Ids="0-300")
+        self.assertEqual(cells, list(range(200)))
+
+    def test_composite(self):
+        """Structure and names stay, every block has the mask, indices run through the blocks."""
+        for parts in (1, 3):
+            source = mesh_parts.producer(mesh_parts.make_collection(parts))
+            third = self.count // 3
+            select = simple.SelectElements(
+                Input=source, Strategy="By id", Ids=f"5,{third + 2},{self.count - 1}"
+            )
+            select.UpdatePipeline()
+            # Fetch makes something else of collections.
+            output = select.GetClientSideObject().GetOutputDataObject(0)
+            self.assertEqual(output.GetClassName(), "vtkPartitionedDataSetCollection")
+            names = [output.GetMetaData(i).Get(output.NAME()) for i in range(3)]
+            self.assertEqual(names, ["first", "none", "last"])
+            selected, first = [], 0
+            for block in (0, 2):
+                for part in range(parts):
+                    data = output.GetPartition(block, part).GetCellData()
+                    marks = vtk_to_numpy(data.GetArray("Selected"))
+                    selected += (first + numpy.flatnonzero(marks)).tolist()
+                    first += len(marks)
+            self.assertEqual(selected, [5, third + 2, self.count - 1])
+            self.assert_selection_agrees(output, self.fetch(select, 1), 3)
+
+    def test_selection_output(self):
+        """The second output names the same cells."""
+        select, cells = self.select(Strategy="Worst N", Array="EdgeLengthRatio", NumberOfWorst=25)
+        self.assert_selection_agrees(self.fetch(select), self.fetch(select, 1), 25)
+
+    def assert_selection_agrees(self, data, chosen, count):
+        extract = vtkExtractSelection()
+        extract.SetInputData(0, data)
+        extract.SetInputData(1, chosen)
+        extract.Update()
+        output = extract.GetOutputDataObject(0)
+        leaves = [output]
+        if output.IsA("vtkCompositeDataSet"):
+            iterator = output.NewIterator()
+            leaves = []
+            while not iterator.IsDoneWithTraversal():
+                leaves.append(iterator.GetCurrentDataObject())
+                iterator.GoToNextItem()
+        marks = [vtk_to_numpy(leaf.GetCellData().GetArray("Selected")) for leaf in leaves if leaf.GetNumberOfCells()]
+        self.assertEqual(numpy.concatenate(marks).tolist(), [1] * count)
+
+    def test_active_selection(self):
+        """Extract Selection takes the active selection, which follows the filter."""
+        select, cells = self.select(Array="EdgeLengthRatio")
+        selection.set_active_selection(select)
+        self.assertIsNotNone(select.GetSelectionInput(0))
+        extract = simple.ExtractSelection(Input=select)
+        extract.UpdatePipeline()
+        self.assertEqual(extract.GetDataInformation().GetNumberOfCells(), len(cells))
+        select.Strategy = "Worst N"
+        select.NumberOfWorst = 33
+        extract.UpdatePipeline()
+        self.assertEqual(extract.GetDataInformation().GetNumberOfCells(), 33)
+        with self.assertRaisesRegex(ValueError, "Selected"):
+            selection.set_active_selection(self.source)
+
+    def test_states(self):
+        """States of both kinds bring the filter back as it was."""
+        for kind in ("python", "xml"):
+            simple.ResetSession()
+            properties = {
+                "Strategy": "By criterion",
+                "Array": "EdgeLengthRatio",
+                "Side": "Inside",
+                "Range": "Custom",
+                "LowerLimit": "0.9",
+            }
+            quality = simple.ElementQuality(Input=simple.Tetrahedralize(Input=simple.Wavelet()))
+            select = simple.SelectElements(registrationName="chosen", Input=quality, **properties)
+            select.UpdatePipeline()
+            select.UpdatePropertyInformation()
+            count = select.GetPropertyValue("NumberOfSelectedCells")
+            self.assertGreater(count, 0)
+            if kind == "python":
+                state = smstate.get_state()
+                simple.ResetSession()
+                exec(compile(state, "state", "exec"), {})
+            else:
+                file = str(self.folder / "state.pvsm")
+                simple.SaveState(file)
+                simple.ResetSession()
+                simple.LoadState(file)
+            select = simple.FindSource("chosen")
+            select.UpdatePipeline()
+            select.UpdatePropertyInformation()
+            for name, value in properties.items():
+                self.assertEqual(select.GetPropertyValue(name), value)
+            self.assertEqual(select.GetPropertyValue("NumberOfSelectedCells"), count)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()

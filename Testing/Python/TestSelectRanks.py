@@ -1,0 +1,110 @@
+# ranks: 1 2 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Select Elements selects the same cells on any number of ranks."""
+
+import math
+
+import camaron_testing
+import mesh_parts
+import numpy
+from camaron import selection
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+WHOLE = mesh_parts.make_full_mesh(global_ids=True)
+VALUES = mesh_parts.make_values(WHOLE.GetNumberOfCells())
+IDS = vtk_to_numpy(WHOLE.GetCellData().GetGlobalIds())
+
+
+def worst(name, sign, count, ids):
+    order = [i for i in range(len(ids)) if not math.isnan(VALUES[name][i])]
+    return sorted(sorted(order, key=lambda i: (sign * float(VALUES[name][i]), ids[i]))[:count])
+
+
+class TestRanks(camaron_testing.TestCase):
+    def check(self, source, expected, **properties):
+        select = simple.SelectElements(Input=source, **properties)
+        with camaron_testing.pipeline.Messages():
+            select.UpdatePipeline()
+        select.UpdatePropertyInformation()
+        output = self.fetch(select).GetCellData()
+        numbers = vtk_to_numpy(output.GetArray("Number"))
+        marks = vtk_to_numpy(output.GetArray("Selected"))
+        self.assertEqual(sorted(numbers[marks == 1].tolist()), sorted(expected), properties)
+        self.assertEqual(select.GetPropertyValue("NumberOfSelectedCells"), len(expected))
+        return select
+
+    def check_strategies(self, ids, **options):
+        source = mesh_parts.split_source(**options)
+        values = VALUES["EdgeLengthRatio"]
+        self.check(source, numpy.flatnonzero(values < 1 / 3), Array="EdgeLengthRatio")
+        self.check(
+            source, numpy.flatnonzero(numpy.isnan(values)), Array="EdgeLengthRatio", Strategy="Null"
+        )
+        for count in (1, 40, 500):
+            self.check(
+                source,
+                worst("EdgeLengthRatio", 1, count, ids),
+                Array="EdgeLengthRatio",
+                Strategy="Worst N",
+                NumberOfWorst=count,
+            )
+            self.check(
+                source,
+                worst("Material", -1, count, ids),
+                Array="Material",
+                Strategy="Worst N",
+                NumberOfWorst=count,
+                WorstValues="Largest",
+            )
+
+    def test_pieces(self):
+        self.check_strategies(numpy.arange(len(IDS)))
+
+    def test_global_ids_and_ghosts(self):
+        self.check_strategies(IDS, global_ids=True)
+        self.check_strategies(IDS, global_ids=True, ghost_layer=40)
+        self.check_strategies(numpy.arange(len(IDS)), ghost_layer=40)
+
+    def test_empty_rank(self):
+        self.check_strategies(numpy.arange(len(IDS)), empty_rank=True)
+
+    def test_ids(self):
+        for options in ({}, {"ghost_layer": 30}, {"empty_rank": True}):
+            source = mesh_parts.split_source(global_ids=True, **options)
+            last = len(IDS) - 1
+            select = self.check(
+                source, [0, 7, 8, 9, last], Strategy="By id", Ids=f"0, 7-9, {last}-{last + 3}"
+            )
+            self.assertEqual(select.GetPropertyValue("Report"), "3 of 8 ids do not exist")
+            expected = numpy.flatnonzero((IDS >= 100) & (IDS <= 130))
+            self.check(source, expected, Strategy="By id", IdSpace="Global id", Ids="100-130")
+
+    def test_errors_on_all_ranks(self):
+        """An error must not leave some ranks waiting for others."""
+        source = mesh_parts.split_source(empty_rank=True)
+        for properties in (
+            {"Strategy": "By id", "IdSpace": "Global id", "Ids": "1"},
+            {"Strategy": "Worst N", "Array": "Volume"},
+            {"Strategy": "By criterion", "Array": "Material"},
+        ):
+            select = simple.SelectElements(Input=source, **properties)
+            with camaron_testing.pipeline.Messages() as messages:
+                select.UpdatePipeline()
+            self.assertIn("Nothing can be selected", messages.errors[0])
+
+    def test_active_selection(self):
+        source = mesh_parts.split_source(ghost_layer=40)
+        expected = worst("EdgeLengthRatio", 1, 55, numpy.arange(len(IDS)))
+        select = self.check(
+            source, expected, Array="EdgeLengthRatio", Strategy="Worst N", NumberOfWorst=55
+        )
+        selection.set_active_selection(select)
+        extract = simple.ExtractSelection(Input=select)
+        extract.UpdatePipeline()
+        self.assertEqual(extract.GetDataInformation().GetNumberOfCells(), 55)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
