@@ -108,9 +108,9 @@ void vtkSelectElements::SetText(std::string& member, const char* text)
 }
 
 //------------------------------------------------------------------------------
-void vtkSelectElements::SetNumberOfWorst(vtkIdType number)
+void vtkSelectElements::SetNumberOfWorst(int number)
 {
-  number = std::max<vtkIdType>(number, 0);
+  number = std::max(number, 0);
   if (this->Parameters->NumberOfWorst != number)
   {
     this->Parameters->NumberOfWorst = number;
@@ -119,7 +119,7 @@ void vtkSelectElements::SetNumberOfWorst(vtkIdType number)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkSelectElements::GetNumberOfWorst() const
+int vtkSelectElements::GetNumberOfWorst() const
 {
   return this->Parameters->NumberOfWorst;
 }

@@ -105,8 +105,8 @@ public:
 
   ///@{
   /// Worst N: how many cells. Default: 10.
-  void SetNumberOfWorst(vtkIdType number);
-  vtkIdType GetNumberOfWorst() const;
+  void SetNumberOfWorst(int number);
+  int GetNumberOfWorst() const;
   ///@}
 
   ///@{

@@ -30,7 +30,7 @@ struct SelectionParameters
   std::string Preset = "Default ranges";
   std::string LowerLimit;
   std::string UpperLimit;
-  vtkIdType NumberOfWorst = 10;
+  int NumberOfWorst = 10;
   std::string WorstValues = "By criterion";
 };
 
