@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import os
 import sys
 from pathlib import Path
@@ -121,6 +120,9 @@ def main(arguments: Sequence[str]) -> int:
         return {"inspect": _inspect, "convert": _convert, "criteria": _criteria}[options.command](
             options, rest
         )
+    except BrokenPipeError:  # of `camaron ... | head`
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
+        return 0
     except (ValueError, RuntimeError, OSError) as error:
         print(f"camaron: {error}", file=sys.stderr)
         return ERROR
@@ -138,7 +140,7 @@ def _check_ranks(wanted: int | None) -> None:
 
 
 def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
-    from .inspection import inspect
+    from .inspection import inspect, to_json
 
     _check_ranks(options.ranks)
     folders = _report_folders(options.meshes, options.output)
@@ -160,12 +162,19 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
             status = ERROR  # the other meshes still get their reports
             continue
         if options.json:
-            print(json.dumps(summary, indent=1, ensure_ascii=False, allow_nan=False))
+            print(to_json(summary))
         else:
-            print(("\n" if number else "") + describe(summary, sys.stdout.isatty()))
+            print(("\n" if number else "") + describe(summary, _wants_color()))
             print(f"\nReport: {Path(folder) / 'report.html'}")
         sys.stdout.flush()
     return status
+
+
+def _wants_color() -> bool:
+    """Whether to mark lines in red; mpiexec shows every program a terminal, there or not."""
+    from . import pipeline
+
+    return sys.stdout.isatty() and "NO_COLOR" not in os.environ and pipeline.rank_count() == 1
 
 
 def _report_folders(meshes: Sequence[str], output: str | None) -> list[Path]:

@@ -130,6 +130,11 @@ class TestInspectInputs(camaron_testing.TestCase):
         text = (self.folder / "report" / "summary.json").read_text("utf-8")
         worst = {c["name"]: c["worst"] for c in json.loads(text)["criteria"]}
         self.assertEqual(worst["CellAspectRatio"][0]["value"], "Infinity")
+        printed = camaron_testing.run_command(
+            *("inspect", "--no-pictures", "--json", "-o", self.folder / "again"),
+            self.folder / "mesh-in.vtk",
+        )
+        json.loads(printed.stdout, parse_constant=self.fail)
         self.assertEqual(
             summary["worst_criterion"], "CellAspectRatio", "first of those that all cells fail"
         )
