@@ -12,7 +12,14 @@ from camaron import cli  # noqa: E402
 
 # pvpython sends what Python prints through VTK's output window, which is no terminal.
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
-status = cli.main(sys.argv[1:])
-if status:
-    sys.exit(status)
+try:
+    status = cli.main(sys.argv[1:])
+except SystemExit as end:  # argparse's
+    status = end.code or 0
+sys.stdout.flush()
 # Without sys.exit, which would keep pvbatch from leaving MPI in order.
+if "CAMARON_STATUS" in os.environ:
+    with open(os.environ["CAMARON_STATUS"], "w", encoding="ascii") as file:
+        file.write(str(status))
+elif status:
+    sys.exit(status)

@@ -1,0 +1,68 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# TestLauncher.sh CLONE: what ./camaron passes on, and what it refuses.
+set -uo pipefail
+
+# Else ./camaron would begin to build.
+[[ -n ${CAMARON_HOME:-} && -r $1/build/built ]] || { echo "not run by ./camaron test"; exit 77; }
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+failures=0
+
+# expect WHAT WANTED GOT
+expect() {
+  [[ $2 == "$3" ]] && return
+  echo "$1: expected '$2', got '$3'"
+  failures=$((failures + 1))
+}
+
+# As one finds it in PATH, called from elsewhere.
+ln -s "$1/camaron" "$folder/camaron"
+mkdir "$folder/my meshes" && cd "$folder/my meshes" || exit 1
+camaron=$folder/camaron
+
+[[ $("$camaron" --version) =~ ^camaron\ [0-9]+\.[0-9]+\.[0-9]+$ ]]
+expect "--version matches" 0 $?
+for arguments in "" "no-such-command" "build --no-such-option" "inspect a --ranks many"; do
+  # shellcheck disable=SC2086
+  "$camaron" $arguments >/dev/null 2>&1 </dev/null
+  expect "status of camaron $arguments" 2 $?
+done
+
+expect "current folder" "$PWD" "$("$camaron" shell pwd)"
+expect "words" "a b|c*" "$("$camaron" shell printf '%s|%s' 'a b' 'c*')"
+"$camaron" shell bash -c 'exit 7'
+expect "status" 7 $?
+# shellcheck disable=SC2016
+plugin=$("$camaron" shell bash -c 'echo "${PV_PLUGIN_PATH%%:*}"')
+[[ -e $plugin/Camaron.so ]]
+expect "the plugin lies in PV_PLUGIN_PATH" 0 $?
+
+# One status on one process and on ranks, and mpiexec has nothing to add.
+for ranks in "" "--ranks 2"; do
+  # shellcheck disable=SC2086
+  message=$(timeout 100 "$camaron" inspect missing.visf $ranks 2>&1)
+  expect "status of inspect $ranks on a missing mesh" 2 $?
+  expect "message of inspect $ranks" "camaron: missing.visf: there is no such file" "$message"
+done
+
+# Displays of their own, gone afterwards.
+if type Xvfb xauth >/dev/null 2>&1; then
+  # shellcheck disable=SC2016
+  show='xauth list "$DISPLAY" | wc -l; echo "$XAUTHORITY $DISPLAY"; sleep 1'
+  for i in 1 2 3; do
+    "$1/Scripts/launcher/with-display" bash -c "$show" >"$folder/display$i" &
+  done
+  wait
+  expect "displays" 3 "$(grep -h -o ':[0-9]*$' "$folder"/display? | sort -u | wc -l)"
+  expect "cookies" "1 1 1" "$(head -q -n 1 "$folder"/display? | xargs)"
+  while read -r authority _; do
+    [[ ! -e $authority ]]
+    expect "$authority is gone" 0 $?
+  done < <(tail -q -n 1 "$folder"/display?)
+fi
+
+exit $((failures > 0))
