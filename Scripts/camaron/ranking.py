@@ -31,13 +31,20 @@ def is_limited(criterion: dict[str, Any]) -> bool:
     return criterion["acceptable"] != [None, None]
 
 
+def weight(criterion: dict[str, Any]) -> tuple[int, int]:
+    """Cells outside of a range that somebody stands for come before those outside of a hint."""
+    outside = criterion["out_of_range"]
+    return (0 if criterion.get("acceptable_is_hint") else outside, outside)
+
+
 def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
     """The criterion to look at first; None when there is no value at all.
 
     Where cells with a volume have values, criteria of polygons alone do not take part: polygons of
     such a mesh lie on or between its cells. Of the others
 
-    1. the one with the most cells outside the acceptable range;
+    1. the one with the most cells outside the acceptable range, where a range that is a hint only
+       counts after those with a source;
     2. on a tie, and when nothing is outside: the largest distance of the median from the ideal,
        criteria with an acceptable range before those without.
     3. Without any ideal either, the first criterion that has a direction, then the first.
@@ -46,7 +53,7 @@ def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
     def rank(criterion):
         distance = distance_from_ideal(criterion)
         return (
-            criterion["out_of_range"],
+            weight(criterion),
             distance is not None and is_limited(criterion),
             -1.0 if distance is None else distance,
             criterion["better"] != "neither",
@@ -77,7 +84,7 @@ def findings(summary: dict[str, Any], most: int = 4) -> list[dict[str, Any]]:
     if not criteria:
         return [_finding("None of the criteria has a meaning for the cells of this mesh.")]
     limited = [c for c in criteria if is_limited(c)]
-    outside = sorted((c for c in limited if c["out_of_range"]), key=lambda c: -c["out_of_range"])
+    outside = sorted((c for c in limited if c["out_of_range"]), key=weight, reverse=True)
     facts = []
     for c in outside[:most]:
         verb = "is" if c["out_of_range"] == 1 else "are"
@@ -89,7 +96,7 @@ def findings(summary: dict[str, Any], most: int = 4) -> list[dict[str, Any]]:
         )
         facts.append(_finding(sentence, [c], True))
     if len(outside) > most:
-        sentence = "Fewer are outside the acceptable ranges of {}."
+        sentence = "Cells are also outside the acceptable ranges of {}."
         facts.append(_finding(sentence, outside[most:], True))
     if limited and not outside:
         ranges = f"ranges of the {len(limited)} criteria that have one"

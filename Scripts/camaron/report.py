@@ -242,7 +242,7 @@ def _statistics(c) -> str:
     if c["ideal"] is not None:
         remarks.append(f"ideal {value(c['ideal'])}")
     if ranking.is_limited(c):
-        source = escape(c["acceptable_source"])
+        source = ("a hint: " if c.get("acceptable_is_hint") else "") + escape(c["acceptable_source"])
         remarks.append(
             f"acceptable {escape(text.interval(*c['acceptable'], c['unit']))}"
             + (f" ({source})" if source else "")

@@ -42,6 +42,7 @@ def known_criteria() -> dict[str, dict[str, Any]]:
                 "better": row["Better"].lower(),
                 "acceptable": [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])],
                 "acceptable_source": row["AcceptableSource"],
+                "acceptable_is_hint": bool(row["AcceptableIsHint"]),
                 "summable": row["Dimension"] in ("Area", "Volume"),
             }
             for row in fetch(table, 0)
@@ -107,13 +108,15 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
 
 def _criterion(row: dict[str, Any], known: dict[str, Any], rules: dict[str, Any]) -> dict[str, Any]:
     """One row of the statistics, joined with what the registry knows."""
-    source = rules["description"] if known["name"] in rules["rules"] else known["acceptable_source"]
+    chosen = known["name"] in rules["rules"]
+    source = rules["description"] if chosen else known["acceptable_source"]
     limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
     return {
         **known,
         "unit": row["Unit"],
         "acceptable": limits,
         "acceptable_source": source if limits != [None, None] else "",
+        "acceptable_is_hint": known["acceptable_is_hint"] and not chosen,
         "count": row["Count"],
         "applicable": row["ApplicableCount"],
         "null": row["NullCount"],
