@@ -111,7 +111,7 @@ _positive.__name__ = "positive number"  # argparse says "invalid positive number
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Runs the command; returns its exit status: 0 done, 2 error."""
+    """Runs the command; returns its exit status: 0 done, 2 error, 130 interrupted."""
     parser = _parser()
     options, rest = parser.parse_known_args(arguments)
     if rest and options.command != "convert":
@@ -120,6 +120,8 @@ def main(arguments: Sequence[str]) -> int:
         return {"inspect": _inspect, "convert": _convert, "criteria": _criteria}[options.command](
             options, rest
         )
+    except KeyboardInterrupt:
+        return 130
     except BrokenPipeError:  # of `camaron ... | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
         return 0

@@ -9,6 +9,7 @@ import datetime
 import json
 import math
 import os
+import shutil
 from pathlib import Path
 from typing import Any, Iterable, Optional
 
@@ -83,6 +84,9 @@ def inspect(
             "notes": opened.warnings + messages.warnings + facts.notes(opened),
             "files": {},
         }
+        if with_pictures and not pictures.can_render():
+            with_pictures = False
+            summary["notes"].append("There are no pictures, for want of a display.")
         with Staging(directory) as staging, pipeline.Messages():
             _write(summary, quality, surface, staging.path, with_pictures)
             for name in staging.names():
@@ -90,7 +94,12 @@ def inspect(
                     raise ValueError(
                         f"{directory / name}: the report would replace the mesh itself"
                     )
+            earlier = _earlier_mesh(directory)
+            published = staging.names()
             staging.publish()
+            for path in earlier:
+                if path.name not in published and not same_file(path, mesh):
+                    shutil.rmtree(path) if path.is_dir() else path.unlink()
         return summary
     finally:
         for proxy in reversed(made):
@@ -113,6 +122,18 @@ def choose_criteria(
     else:
         quality.Criteria = known
     return preset
+
+
+def _earlier_mesh(directory: Path) -> list[Path]:
+    """The mesh of a report that is in the folder already, and the folder with its pieces."""
+    try:
+        summary = json.loads((directory / "summary.json").read_text("utf-8"))
+        name = Path(summary["files"]["mesh"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return []
+    if name.stem != "mesh" or name.name != str(name):
+        return []
+    return [path for path in (directory / name, directory / "mesh") if path.exists()]
 
 
 def _write(summary, quality, surface, folder, with_pictures) -> None:

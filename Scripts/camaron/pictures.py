@@ -14,6 +14,7 @@ from typing import Any, Optional, Sequence
 
 import numpy
 from paraview import simple
+from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import pipeline, text
@@ -39,6 +40,12 @@ COLORS = [
     (0.78, 0.835, 0.325, 0.180),
     (1.00, 0.490, 0.063, 0.125),
 ]
+
+
+def can_render() -> bool:
+    """Whether there is a display, or a ParaView that needs none; it crashes where neither is."""
+    information = vtkPVRenderingCapabilitiesInformation()
+    return information.Supports(information.GetLocalCapabilities(), information.OPENGL)
 
 
 class Scene:

@@ -10,7 +10,7 @@ from html.parser import HTMLParser
 
 import camaron_testing
 import numpy
-from camaron import inspect
+from camaron import convert, inspect
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -278,6 +278,30 @@ class TestInspect(camaron_testing.TestCase):
         with self.assertRaisesRegex(ValueError, "replace the mesh itself"):
             inspect(inside, self.folder / "report", with_pictures=False)
         self.assertEqual(inside.read_bytes(), before)
+
+    def test_earlier_report(self):
+        """A report replaces the one before it, its mesh of another format included."""
+        self.inspect(BALL)
+        (self.folder / "report" / "mine.txt").write_text("stays")
+        single = camaron_testing.write_vtk(
+            self.folder / "a.vtk", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(5, (0, 1, 2))]
+        )
+        surface = self.folder / "a.stl"
+        convert(single, surface)
+        self.inspect(surface)
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "report").iterdir()),
+            ["mesh.vtp", "mine.txt", "report.html", "summary.json", "worst.csv"],
+        )
+
+    def test_without_display(self):
+        """The report is written all the same, and says why there are no pictures."""
+        done = camaron_testing.run_command(
+            "inspect", RING, "-o", "r", cwd=self.folder, without=["DISPLAY"]
+        )
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        has_pictures = bool(Page((self.folder / "r" / "report.html").read_text("utf-8")).sources)
+        self.assertEqual(has_pictures, "There are no pictures" not in done.stdout)
 
     def test_no_sources_are_left(self):
         """A session that inspects many meshes does not fill up."""

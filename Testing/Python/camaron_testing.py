@@ -77,15 +77,19 @@ def require_display():
     return unittest.skipUnless(has_display, "no display: run under xvfb-run")
 
 
-def run_command(*arguments, **options):
-    """Runs the command line in a process of its own; returns it with its output as text."""
+def run_command(*arguments, without=(), **options):
+    """Runs the command line in a process of its own; returns it with its output as text.
+
+    `without` names variables of the environment to leave out.
+    """
     script = ROOT / "Scripts" / "camaron" / "__main__.py"
     # What mpiexec told this process would make the other believe that it belongs to the same job.
     prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
     environment = {
         key: value
         for key, value in os.environ.items()
-        if not key.startswith(prefixes) or key.startswith("OMPI_ALLOW_RUN_AS_ROOT")
+        if key not in without
+        and (not key.startswith(prefixes) or key.startswith("OMPI_ALLOW_RUN_AS_ROOT"))
     }
     command = [shutil.which("pvpython") or "pvpython", str(script), *map(str, arguments)]
     return subprocess.run(
