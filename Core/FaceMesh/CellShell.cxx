@@ -72,47 +72,27 @@ void CellShell::Load(const IdLists& faces, const IdList& cell)
 
 //------------------------------------------------------------------------------
 // Finds the other use of every edge; false if an edge is used once or more than twice.
-bool CellShell::PairEdges()
+// findOrAdd(corner, a, b) gives the corner where the edge between a and b was first met, or -1.
+template <typename FindOrAdd>
+bool CellShell::PairEdges(FindOrAdd&& findOrAdd)
 {
-  const auto numberOfCorners = static_cast<std::int32_t>(this->Corners.size());
-  this->Mates.assign(numberOfCorners, -1);
-  this->Owners.resize(numberOfCorners);
-  const int shift = GetTableShift(numberOfCorners);
-  this->Table.assign(std::size_t(1) << (64 - shift), -1);
-  const std::size_t mask = this->Table.size() - 1;
-
   std::int32_t open = 0;
   for (std::int32_t face = 0; face < this->GetNumberOfFaces(); ++face)
   {
     const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
+    std::int32_t a = this->Corners[begin];
     for (std::int32_t corner = begin; corner < end; ++corner)
     {
-      this->Owners[corner] = face;
-      const std::int32_t a = this->Corners[corner];
       const std::int32_t b = this->Corners[corner + 1 < end ? corner + 1 : begin];
+      this->Owners[corner] = face;
       if (a == b)
       {
         this->Mates[corner] = corner; // a point given twice in a row makes no edge
         continue;
       }
-      const auto key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
-      std::size_t slot = Hash(key) >> shift;
-      std::int32_t other = this->Table[slot];
-      for (; other >= 0; slot = (slot + 1) & mask, other = this->Table[slot])
-      {
-        const std::int32_t otherEnd = this->Begins[this->Owners[other] + 1];
-        const std::int32_t c = this->Corners[other];
-        const std::int32_t d = this->Corners[other + 1 < otherEnd
-            ? other + 1
-            : this->Begins[this->Owners[other]]];
-        if ((a == c && b == d) || (a == d && b == c))
-        {
-          break;
-        }
-      }
+      const std::int32_t other = findOrAdd(corner, std::min(a, b), std::max(a, b));
       if (other < 0)
       {
-        this->Table[slot] = corner;
         ++open;
       }
       else if (this->Mates[other] >= 0)
@@ -125,31 +105,71 @@ bool CellShell::PairEdges()
         this->Mates[corner] = other;
         --open;
       }
+      a = b;
     }
   }
   return open == 0;
 }
 
 //------------------------------------------------------------------------------
-// A sixth of the volume between the face as it is stored and the first point; about so if the face is
-// not plane.
+bool CellShell::PairEdges()
+{
+  const std::size_t numberOfCorners = this->Corners.size();
+  this->Mates.assign(numberOfCorners, -1);
+  this->Owners.resize(numberOfCorners);
+  if (this->Ids.size() <= MaxSmall && numberOfCorners < UINT8_MAX)
+  {
+    std::fill(this->Matrix, this->Matrix + MaxSmall * this->Ids.size(), static_cast<unsigned char>(0));
+    return this->PairEdges(
+      [this](std::int32_t corner, std::int32_t a, std::int32_t b)
+      {
+        unsigned char& entry = this->Matrix[MaxSmall * a + b];
+        const std::int32_t other = entry - 1;
+        entry = other < 0 ? static_cast<unsigned char>(corner + 1) : entry;
+        return other;
+      });
+  }
+  const int shift = GetTableShift(numberOfCorners);
+  this->Table.assign(std::size_t(1) << (64 - shift), -1);
+  const std::size_t mask = this->Table.size() - 1;
+  return this->PairEdges(
+    [&](std::int32_t corner, std::int32_t a, std::int32_t b)
+    {
+      std::size_t slot = Hash(static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b)) >> shift;
+      std::int32_t other = this->Table[slot];
+      for (; other >= 0; slot = (slot + 1) & mask, other = this->Table[slot])
+      {
+        const std::int32_t owner = this->Owners[other];
+        const std::int32_t next = other + 1 < this->Begins[owner + 1] ? other + 1 : this->Begins[owner];
+        const std::int32_t c = this->Corners[other], d = this->Corners[next];
+        if (std::min(c, d) == a && std::max(c, d) == b)
+        {
+          return other;
+        }
+      }
+      this->Table[slot] = corner;
+      return other;
+    });
+}
+
+//------------------------------------------------------------------------------
+// Six times the volume between the face, cut into triangles, and the first point of the cell; positive
+// if the face as it is stored points away from it.
 double CellShell::GetVolumeOfFace(std::int32_t face) const
 {
   const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
-  double area[3] = { 0, 0, 0 }, middle[3] = { 0, 0, 0 };
-  const double* p = &this->Places[3 * std::size_t(this->Corners[end - 1])];
-  for (std::int32_t corner = begin; corner < end; ++corner)
+  const std::int32_t* corner = this->Corners.data() + begin;
+  const double* first = &this->Places[3 * std::size_t(*corner)];
+  double sum[3] = { 0, 0, 0 };
+  for (std::int32_t i = 1; i + 1 < end - begin; ++i)
   {
-    const double* q = &this->Places[3 * std::size_t(this->Corners[corner])];
-    area[0] += p[1] * q[2] - p[2] * q[1];
-    area[1] += p[2] * q[0] - p[0] * q[2];
-    area[2] += p[0] * q[1] - p[1] * q[0];
-    middle[0] += q[0];
-    middle[1] += q[1];
-    middle[2] += q[2];
-    p = q;
+    const double* p = &this->Places[3 * std::size_t(corner[i])];
+    const double* q = &this->Places[3 * std::size_t(corner[i + 1])];
+    sum[0] += p[1] * q[2] - p[2] * q[1];
+    sum[1] += p[2] * q[0] - p[0] * q[2];
+    sum[2] += p[0] * q[1] - p[1] * q[0];
   }
-  return (area[0] * middle[0] + area[1] * middle[1] + area[2] * middle[2]) / (end - begin);
+  return first[0] * sum[0] + first[1] * sum[1] + first[2] * sum[2];
 }
 
 //------------------------------------------------------------------------------

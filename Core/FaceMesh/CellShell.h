@@ -67,6 +67,8 @@ public:
 
 private:
   bool PairEdges();
+  template <typename FindOrAdd>
+  bool PairEdges(FindOrAdd&& findOrAdd);
   bool TurnConsistently();
   double GetVolumeOfFace(std::int32_t face) const;
 
@@ -77,6 +79,8 @@ private:
   std::vector<std::int32_t> Ids;
   std::vector<unsigned char> Turned;
 
+  static constexpr std::size_t MaxSmall = 64;      ///< points of a cell whose edges fit the matrix
+  unsigned char Matrix[MaxSmall * MaxSmall];       ///< per pair of points 1 + the edge between them
   std::vector<std::int32_t> Table;   ///< open hash table of points or edges
   std::vector<std::int32_t> Mates;   ///< per corner the other use of the edge that starts there
   std::vector<std::int32_t> Owners;  ///< per corner its face

@@ -31,6 +31,7 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType BlockSize = 1024;
+constexpr vtkIdType Ahead = 8; // items whose faces are fetched meanwhile
 constexpr vtkIdType MaxInt32 = INT32_MAX;
 
 //------------------------------------------------------------------------------
@@ -202,8 +203,22 @@ private:
       [](const Exception& e, vtkIdType i) { return e.Item < i; });
     for (vtkIdType i = first; i < last; ++i)
     {
+      this->PrefetchFaces(i + Ahead);
       const bool isException = next != this->Exceptions.end() && next->Item == i;
       visit(i, this->Expect(this->Piece.GetItem(i), isException ? &*next++ : nullptr));
+    }
+  }
+  void PrefetchFaces(vtkIdType i) const
+  {
+    const vtkIdType item =
+      i < this->Piece.GetNumberOfItems() ? this->Piece.GetItem(i) : this->Mesh.Cells.GetCount();
+    if (item < this->Mesh.Cells.GetCount())
+    {
+      const IdList cell = this->Mesh.Cells[item];
+      for (std::int32_t f = 0; f < cell.Size; ++f)
+      {
+        this->Mesh.Faces.Prefetch(cell[f]);
+      }
     }
   }
   vtkIdType GetNumberOfBlocks() const

@@ -42,6 +42,8 @@ struct Primitive
   unsigned char FacesOf[8]; // set of faces around a node
   int Opposite[6];          // the face of the same size with fewer than two common nodes, or -1
   int Mirror[2];            // exchanging these two faces gives the mirror image
+  int OppositeFace[4];      // of a tetrahedron, the face without a node, and the reverse
+  int OppositeNode[4];
 
   explicit Primitive(unsigned char type)
     : Shape(&GetCellShape(type))
@@ -60,6 +62,12 @@ struct Primitive
         nodes[f] |= static_cast<unsigned char>(1 << node);
         this->FacesOf[node] |= static_cast<unsigned char>(1 << f);
       }
+    }
+    for (int f = 0; this->NumberOfNodes == 4 && f < 4; ++f)
+    {
+      const int node = CountBits((15u ^ nodes[f]) - 1u);
+      this->OppositeFace[node] = f;
+      this->OppositeNode[f] = node;
     }
     // Any two faces of a tetrahedron will do.
     this->Mirror[0] = this->NumberOfFaces - 2;
@@ -92,6 +100,13 @@ const Primitive& GetPrimitive(unsigned char type)
     : type == VTK_WEDGE      ? wedge
                              : pyramid;
 }
+}
+
+//------------------------------------------------------------------------------
+PrimitiveMatcher::PrimitiveMatcher(const FloatPoints& points)
+  : Points(points)
+  , Tetrahedron(&GetPrimitive(VTK_TETRA))
+{
 }
 
 //------------------------------------------------------------------------------
@@ -227,8 +242,67 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 }
 
 //------------------------------------------------------------------------------
+// The same as the general way, for the most frequent cells: a node is where the face opposite to it
+// is not.
+bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces)
+{
+  std::int32_t v[4] = { faces[0][0], faces[0][1], faces[0][2], 0 };
+  const auto isOld = [&v](std::int32_t id) { return id == v[0] || id == v[1] || id == v[2]; };
+  int fourth = 0;
+  while (fourth < 2 && isOld(faces[1][fourth]))
+  {
+    ++fourth;
+  }
+  v[3] = faces[1][fourth];
+  if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2] || isOld(v[3]))
+  {
+    return false;
+  }
+  unsigned int missing[4];
+  unsigned int all = 0;
+  for (int f = 0; f < 4; ++f)
+  {
+    unsigned int found = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const std::int32_t id = faces[f][i];
+      found |= (id == v[0] ? 1u : 0u) | (id == v[1] ? 2u : 0u) | (id == v[2] ? 4u : 0u) |
+        (id == v[3] ? 8u : 0u);
+    }
+    missing[f] = 15u ^ found;
+    all |= missing[f];
+    if (missing[f] & (missing[f] - 1))
+    {
+      return false;
+    }
+  }
+  if (all != 15u)
+  {
+    return false;
+  }
+  const Primitive& primitive = *this->Tetrahedron;
+  for (int node = 0; node < 4; ++node)
+  {
+    const unsigned int m = missing[primitive.OppositeFace[node]];
+    this->Nodes[node] = v[m == 1u ? 0 : m == 2u ? 1 : m == 4u ? 2 : 3];
+    this->FaceOf[node] = node;
+  }
+  if (this->GetVolume(primitive) < 0)
+  {
+    std::swap(this->FaceOf[primitive.Mirror[0]], this->FaceOf[primitive.Mirror[1]]);
+    std::swap(this->Nodes[primitive.OppositeNode[primitive.Mirror[0]]],
+      this->Nodes[primitive.OppositeNode[primitive.Mirror[1]]]);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool PrimitiveMatcher::Match(unsigned char type, const IdList* faces)
 {
+  if (type == VTK_TETRA)
+  {
+    return this->MatchTetrahedron(faces);
+  }
   const Primitive& primitive = GetPrimitive(type);
   const int numberOfFaces = primitive.NumberOfFaces;
   if (!this->CollectVertices(numberOfFaces, primitive.NumberOfNodes, faces))

@@ -17,13 +17,12 @@
 
 namespace camaron
 {
+struct Primitive;
+
 class PrimitiveMatcher
 {
 public:
-  explicit PrimitiveMatcher(const FloatPoints& points)
-    : Points(points)
-  {
-  }
+  explicit PrimitiveMatcher(const FloatPoints& points);
 
   /// The only type that a cell can be with so many faces, triangles and quadrilaterals.
   static unsigned char Guess(std::int32_t faces, std::int32_t triangles, std::int32_t quads);
@@ -38,14 +37,16 @@ public:
   int GetFace(int face) const { return this->FaceOf[face]; }
 
 private:
+  bool MatchTetrahedron(const IdList* faces);
   bool CollectVertices(int numberOfFaces, int numberOfNodes, const IdList* faces);
-  bool FindNodes(const struct Primitive& primitive);
-  double GetVolume(const struct Primitive& primitive) const;
+  bool FindNodes(const Primitive& primitive);
+  double GetVolume(const Primitive& primitive) const;
 
   static constexpr int MaxFaces = 6;
   static constexpr int MaxNodes = 8;
 
   FloatPoints Points;
+  const Primitive* Tetrahedron;
   std::int32_t Nodes[MaxNodes];
   int FaceOf[MaxFaces];
 

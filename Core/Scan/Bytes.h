@@ -32,6 +32,16 @@ inline std::uint32_t SwapBytes(std::uint32_t v)
   return v >> 24 | (v >> 8 & 0xff00u) | (v << 8 & 0xff0000u) | v << 24;
 }
 
+/// Tells the processor that memory will be read soon. A wish, not a need.
+inline void Prefetch(const void* memory)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(memory);
+#else
+  (void)memory;
+#endif
+}
+
 /// Loads a 4 byte value; @a swap when its byte order is not the machine's.
 template <typename Value>
 inline Value Load(const char* bytes, bool swap)

@@ -125,62 +125,78 @@ bool IdLists::FindStarts(BinaryScanner& scanner, const char* what)
 }
 
 //------------------------------------------------------------------------------
+// Checks the lists of some blocks; returns the first bad one, or how many there are. Size is the common
+// size of the lists, or 0 if that is not known beforehand.
+template <int Size>
+vtkIdType IdLists::CheckBlocks(
+  vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen) const
+{
+  const auto limit = static_cast<std::uint32_t>(seen.Limit);
+  const char* place = this->GetBlock(firstBlock);
+  const vtkIdType end = std::min(lastBlock * BlockSize, this->Count);
+  for (vtkIdType i = firstBlock * BlockSize; i < end; ++i)
+  {
+    const IdList list = this->At(place);
+    const std::int32_t size = Size > 0 ? Size : list.Size;
+    place = list.Ids + 4 * std::ptrdiff_t(size);
+    if (size == 0)
+    {
+      seen.Empty.Add(i);
+      continue;
+    }
+    bool valid = true;
+    bool repeats = false;
+    std::int32_t previous = list[size - 1];
+    for (std::int32_t j = 0; j < size; ++j)
+    {
+      const std::int32_t id = list[j];
+      valid &= static_cast<std::uint32_t>(id) < limit;
+      repeats |= id == previous;
+      previous = id;
+    }
+    if (!valid)
+    {
+      return i;
+    }
+    if (size < 3)
+    {
+      seen.Short.Add(i);
+    }
+    else if (repeats)
+    {
+      seen.Repeating.Add(i);
+    }
+    if (seen.Used)
+    {
+      for (std::int32_t j = 0; j < size; ++j)
+      {
+        seen.Used->Add(list[j]);
+      }
+    }
+  }
+  return this->Count;
+}
+
+//------------------------------------------------------------------------------
 bool IdLists::Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress)
 {
   std::atomic<vtkIdType> bad{ this->Count };
   std::mutex mutex;
-  const auto limit = static_cast<std::uint32_t>(expected.Limit);
-  const vtkIdType blocks = (this->Count + BlockSize - 1) / BlockSize;
-  progress.For(blocks,
-    [&](vtkIdType firstBlock, vtkIdType lastBlock)
+  progress.For((this->Count + BlockSize - 1) / BlockSize,
+    [&](vtkIdType first, vtkIdType last)
     {
-      Tally empty, shortLists, repeating;
-      const char* place = this->GetBlock(firstBlock);
-      const vtkIdType end = std::min(lastBlock * BlockSize, this->Count);
-      for (vtkIdType i = firstBlock * BlockSize; i < end; ++i)
-      {
-        const IdList list = this->At(place);
-        place = list.Ids + 4 * std::ptrdiff_t(list.Size);
-        if (list.Size == 0)
-        {
-          empty.Add(i);
-          continue;
-        }
-        bool valid = true;
-        bool repeats = false;
-        std::int32_t previous = list[list.Size - 1];
-        for (std::int32_t j = 0; j < list.Size; ++j)
-        {
-          const std::int32_t id = list[j];
-          valid &= static_cast<std::uint32_t>(id) < limit;
-          repeats |= id == previous;
-          previous = id;
-        }
-        if (!valid)
-        {
-          Lower(bad, i);
-          break;
-        }
-        if (list.Size < 3)
-        {
-          shortLists.Add(i);
-        }
-        else if (repeats)
-        {
-          repeating.Add(i);
-        }
-        if (expected.Used)
-        {
-          for (std::int32_t j = 0; j < list.Size; ++j)
-          {
-            expected.Used->Add(list[j]);
-          }
-        }
-      }
+      Expectation seen;
+      seen.Limit = expected.Limit;
+      seen.Used = expected.Used;
+      const vtkIdType firstBad = this->CommonSize == 3 ? this->CheckBlocks<3>(first, last, seen)
+        : this->CommonSize == 4                        ? this->CheckBlocks<4>(first, last, seen)
+        : this->CommonSize == 6                        ? this->CheckBlocks<6>(first, last, seen)
+                                                       : this->CheckBlocks<0>(first, last, seen);
+      Lower(bad, firstBad);
       const std::lock_guard<std::mutex> lock(mutex);
-      expected.Empty.Merge(empty);
-      expected.Short.Merge(shortLists);
-      expected.Repeating.Merge(repeating);
+      expected.Empty.Merge(seen.Empty);
+      expected.Short.Merge(seen.Short);
+      expected.Repeating.Merge(seen.Repeating);
     });
   if (bad < this->Count)
   {

@@ -26,10 +26,10 @@ struct IdList
 {
   const char* Ids = nullptr;
   std::int32_t Size = 0;
-  bool Swap = false;
+  std::int32_t Swap = 0; // not bool: copies of a struct with holes are slow
   std::int32_t operator[](std::int32_t i) const
   {
-    return Load<std::int32_t>(this->Ids + 4 * std::ptrdiff_t(i), this->Swap);
+    return Load<std::int32_t>(this->Ids + 4 * std::ptrdiff_t(i), this->Swap != 0);
   }
 };
 
@@ -104,16 +104,23 @@ public:
 
   IdList operator[](vtkIdType i) const
   {
-    if (this->CommonSize >= 0)
-    {
-      return this->At(this->Data + i * this->Stride);
-    }
-    const vtkIdType number = this->Needed ? this->Needed->GetNumber(i) : i;
-    return this->At(this->Blocks[i / BlockSize] + 4 * std::ptrdiff_t(this->Starts[number]));
+    return this->At(this->CommonSize >= 0 ? this->Data + i * this->Stride : this->Place(i));
+  }
+
+  /// Announces that a list will be read soon.
+  void Prefetch(vtkIdType i) const
+  {
+    camaron::Prefetch(this->CommonSize >= 0 ? this->Data + i * this->Stride : this->Place(i));
   }
 
 private:
   static constexpr vtkIdType BlockSize = 1024;
+
+  const char* Place(vtkIdType i) const
+  {
+    const vtkIdType number = this->Needed ? this->Needed->GetNumber(i) : i;
+    return this->Blocks[i / BlockSize] + 4 * std::ptrdiff_t(this->Starts[number]);
+  }
 
   IdList At(const char* place) const
   {
@@ -126,6 +133,8 @@ private:
   }
   bool FindStarts(BinaryScanner& scanner, const char* what);
   bool Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress);
+  template <int Size>
+  vtkIdType CheckBlocks(vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen) const;
   void FailAtList(BinaryScanner& scanner, vtkIdType bad, const Expectation& expected) const;
   bool ScanLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
     const Expectation& expected, const Progress& progress);

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Opening and saving Visf files, beside the same meshes as raw .vtu files in the same run. Files are
+// in the system's cache. Memory is the peak that the process has to itself, without mapped files.
+// Usage: BenchmarkVisf [million tetrahedra [million polyhedra]]
+#include "BenchmarkMeshes.h"
+
+#include "vtkVisfReader.h"
+#include "vtkVisfWriter.h"
+
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+#include "vtkTimerLog.h"
+#include "vtkXMLUnstructuredGridReader.h"
+#include "vtkXMLUnstructuredGridWriter.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+namespace
+{
+constexpr double Mega = 1e6;
+
+//------------------------------------------------------------------------------
+// Anonymous memory of the process in bytes; 0 where the system does not say.
+double GetMemory()
+{
+  std::ifstream status("/proc/self/status");
+  std::string key;
+  while (status >> key)
+  {
+    if (key == "RssAnon:")
+    {
+      double kilobytes;
+      status >> kilobytes;
+      return 1024 * kilobytes;
+    }
+  }
+  return 0;
+}
+
+//------------------------------------------------------------------------------
+struct Cost
+{
+  double Wall = 0;
+  double Processor = 0;
+  double Peak = 0; // bytes above what was there before
+};
+
+//------------------------------------------------------------------------------
+// Median time of several runs, and the peak of memory in one more, sampled meanwhile.
+Cost Measure(const std::function<void()>& work)
+{
+  constexpr int Repetitions = 5;
+  std::vector<std::pair<double, double>> times;
+  for (int i = 0; i < Repetitions; ++i)
+  {
+    const double start = vtkTimerLog::GetUniversalTime();
+    const std::clock_t processor = std::clock();
+    work();
+    times.emplace_back(vtkTimerLog::GetUniversalTime() - start,
+      static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
+  }
+  std::sort(times.begin(), times.end());
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+  const double before = GetMemory();
+  std::atomic<bool> done{ false };
+  double peak = before;
+  std::thread sampler(
+    [&]
+    {
+      while (!done)
+      {
+        peak = std::max(peak, GetMemory());
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+  work();
+  done = true;
+  sampler.join();
+  return { times[Repetitions / 2].first, times[Repetitions / 2].second, peak - before };
+}
+
+//------------------------------------------------------------------------------
+void Print(const char* what, vtkIdType cells, const std::string& path, const Cost& cost)
+{
+  const double bytes = static_cast<double>(std::filesystem::file_size(path));
+  std::printf("  %-28s %7.1f MB  %7.3f s  processor %7.3f s  %8.1f ns/cell  %8.1f MB/s  peak %7.1f MB\n",
+    what, bytes / Mega, cost.Wall, cost.Processor, 1e9 * cost.Wall / cells, bytes / Mega / cost.Wall,
+    cost.Peak / Mega);
+  std::fflush(stdout);
+}
+
+//------------------------------------------------------------------------------
+void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
+{
+  const vtkIdType cells = mesh->GetNumberOfCells();
+  const auto folder = std::filesystem::temp_directory_path() /
+    ("camaron-benchmark-" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
+  std::filesystem::create_directories(folder);
+  const std::string binary = (folder / "binary.visf").string();
+  const std::string text = (folder / "text.visf").string();
+  const std::string vtu = (folder / "raw.vtu").string();
+  std::printf("%lld %s\n", static_cast<long long>(cells), kind);
+
+  const auto write = [&](const std::string& path, int encoding)
+  {
+    vtkNew<vtkVisfWriter> writer;
+    writer->SetInputData(mesh);
+    writer->SetFileName(path.c_str());
+    writer->SetEncoding(encoding);
+    writer->Write();
+  };
+  Cost cost = Measure([&] { write(binary, vtkVisfWriter::BINARY_LITTLE_ENDIAN); });
+  Print("save Visf, binary", cells, binary, cost);
+  cost = Measure([&] { write(text, vtkVisfWriter::ASCII); });
+  Print("save Visf, text", cells, text, cost);
+
+  unsigned long gridSize = 0;
+  for (const std::string& path : { binary, text })
+  {
+    cost = Measure(
+      [&]
+      {
+        vtkNew<vtkVisfReader> reader;
+        reader->SetFileName(path.c_str());
+        reader->Update();
+        gridSize = reader->GetOutput()->GetActualMemorySize();
+      });
+    Print(path == binary ? "open Visf, binary" : "open Visf, text", cells, path, cost);
+  }
+  std::printf("  the grid itself: %.1f MB, %.0f bytes per cell\n", gridSize * 1024. / Mega,
+    gridSize * 1024. / cells);
+
+  vtkNew<vtkXMLUnstructuredGridWriter> vtuWriter;
+  vtuWriter->SetInputData(mesh);
+  vtuWriter->SetFileName(vtu.c_str());
+  vtuWriter->SetDataModeToAppended();
+  vtuWriter->EncodeAppendedDataOff();
+  vtuWriter->SetCompressorTypeToNone();
+  vtuWriter->Write();
+  cost = Measure(
+    [&]
+    {
+      vtkNew<vtkXMLUnstructuredGridReader> reader;
+      reader->SetFileName(vtu.c_str());
+      reader->Update();
+      gridSize = reader->GetOutput()->GetActualMemorySize();
+    });
+  Print("open raw .vtu", cells, vtu, cost);
+  std::printf("  the grid itself: %.1f MB, %.0f bytes per cell\n", gridSize * 1024. / Mega,
+    gridSize * 1024. / cells);
+  std::filesystem::remove_all(folder);
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  const double tetrahedra = argc > 1 ? std::atof(argv[1]) : 3.5;
+  const double polyhedra = argc > 2 ? std::atof(argv[2]) : 1;
+  std::printf("threads %d, SMP backend %s\n", vtkSMPTools::GetEstimatedNumberOfThreads(),
+    vtkSMPTools::GetBackend());
+  if (tetrahedra > 0)
+  {
+    OpenAndSave("tetrahedra", camaron::MakeTetrahedra(static_cast<vtkIdType>(tetrahedra * Mega)));
+  }
+  if (polyhedra > 0)
+  {
+    OpenAndSave("truncated octahedra",
+      camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(polyhedra * Mega)));
+  }
+  return 0;
+}

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Text to number and back, against the C library.
+#include "Scan/Number.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <random>
+
+using namespace camaron;
+
+namespace
+{
+//------------------------------------------------------------------------------
+template <typename Real>
+std::uint64_t GetBits(Real value)
+{
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, &value, sizeof(value));
+  return bits;
+}
+
+//------------------------------------------------------------------------------
+void ExpectAsLibrary(const std::string& text)
+{
+  // Not null-terminated, as text in a mapped file is not.
+  const std::string padded = text + "9";
+  const char* const begin = padded.data();
+  const char* const end = begin + text.size();
+  double d = -7;
+  float f = -7;
+  EXPECT_EQ(ParseReal(begin, end, d), end) << text;
+  EXPECT_EQ(ParseReal(begin, end, f), end) << text;
+  EXPECT_EQ(GetBits(d), GetBits(std::strtod(text.c_str(), nullptr))) << text;
+  EXPECT_EQ(GetBits(f), GetBits(std::strtof(text.c_str(), nullptr))) << text;
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, coordinates are not the nearest to what the file says.
+TEST(ScanNumbers, RealsAsTheLibraryReadsThem)
+{
+  for (const char* text : { "0", "-0", "1", "+1", "1.", ".5", "-.5", "0.1", "1e0", "1e22", "1e23",
+         "123456789012345678", "1234567890123456789", "12345678901234567890", "9007199254740993",
+         "0.000000000000000000000000000001", "1e-400", "1e400", "-1e400", "5e-324", "2e-324", "1e-45",
+         "1.17549435e-38", "3.4028235e38", "3.4028236e38", "1.7976931348623159e308", "16777217",
+         "16777216.99999999999999999", "0.500000029802322387695312", "0.500000029802322387695313",
+         "2.2250738585072011e-308", "1e00000000000000000000001", "0e999999999999",
+         "1e-99999999999999999999", "1e99999999999999999999", "00000000000000000000000000000001.5" })
+  {
+    ExpectAsLibrary(text);
+  }
+  std::mt19937_64 random(1);
+  char text[64];
+  for (int i = 0; i < 200000; ++i)
+  {
+    std::uint64_t bits = random();
+    double d;
+    std::memcpy(&d, &bits, sizeof(d));
+    if (!std::isfinite(d))
+    {
+      continue;
+    }
+    const int digits = 1 + static_cast<int>(random() % 20);
+    std::snprintf(text, sizeof(text), "%.*e", digits, d);
+    ExpectAsLibrary(text);
+    std::snprintf(text, sizeof(text), "%.*g", digits, std::ldexp(d, -std::ilogb(d) + i % 40 - 20));
+    ExpectAsLibrary(text);
+    // Half way between two floats, and next to it.
+    const auto fraction = static_cast<std::uint32_t>(bits);
+    float f;
+    const std::uint32_t pattern = (fraction & 0x807fffffu) | (100u + fraction % 50u) << 23;
+    std::memcpy(&f, &pattern, sizeof(f));
+    const double half = (static_cast<double>(f) + std::nextafter(f, 2 * f)) / 2;
+    std::snprintf(text, sizeof(text), "%.*e", 15 + i % 10, half);
+    ExpectAsLibrary(text);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, other notations of programs are refused, or text that is no number is taken for one.
+TEST(ScanNumbers, Notations)
+{
+  const auto parse = [](const std::string& text, double& value)
+  {
+    const char* end = ParseReal(text.data(), text.data() + text.size(), value);
+    return end ? end - text.data() : -1;
+  };
+  double value = 0;
+  EXPECT_EQ(parse("1.5D+01x", value), 7);
+  EXPECT_EQ(value, 15);
+  EXPECT_EQ(parse("1.234567890123456789012d-3", value), 26);
+  EXPECT_EQ(value, 1.234567890123456789012e-3);
+  EXPECT_EQ(parse("1e", value), 1); // as far as it is a number
+  EXPECT_EQ(parse("1e+", value), 1);
+  EXPECT_EQ(parse("1.2.3", value), 3);
+  EXPECT_EQ(parse("1,5", value), 1);
+  EXPECT_EQ(parse("NaN", value), 3);
+  EXPECT_TRUE(std::isnan(value));
+  EXPECT_EQ(parse("-inf", value), 4);
+  EXPECT_EQ(value, -INFINITY);
+  EXPECT_EQ(parse("+Infinity", value), 9);
+  EXPECT_EQ(value, INFINITY);
+  for (const char* text : { "", "-", "+", ".", "-.", "e5", "--1", "+-1", "x", " 1", "x1" })
+  {
+    EXPECT_EQ(parse(text, value), -1) << text;
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, ids or counts wrap around or are cut.
+TEST(ScanNumbers, Integers)
+{
+  const auto parse = [](const std::string& text, std::int64_t& value)
+  {
+    const char* end = ParseInteger(text.data(), text.data() + text.size(), value);
+    return end ? end - text.data() : -1;
+  };
+  std::int64_t value = 0;
+  EXPECT_EQ(parse("+42 ", value), 3);
+  EXPECT_EQ(value, 42);
+  EXPECT_EQ(parse("9223372036854775807", value), 19);
+  EXPECT_EQ(value, INT64_MAX);
+  EXPECT_EQ(parse("-9223372036854775808", value), 20);
+  EXPECT_EQ(value, INT64_MIN);
+  EXPECT_EQ(parse("0000000000000000000000000000000007", value), 34);
+  EXPECT_EQ(value, 7);
+  EXPECT_EQ(parse("9223372036854775808", value), -1);
+  EXPECT_EQ(parse("99999999999999999999999", value), -1);
+  EXPECT_EQ(parse("3.5", value), 1);
+  EXPECT_EQ(parse("-", value), -1);
+  EXPECT_EQ(parse("", value), -1);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, what we write does not read back, or is longer than it needs to be.
+TEST(ScanNumbers, ThereAndBack)
+{
+  std::mt19937_64 random(9);
+  for (int i = 0; i < 200000; ++i)
+  {
+    const auto pattern = static_cast<std::uint32_t>(random());
+    float f, again = 0;
+    std::memcpy(&f, &pattern, sizeof(f));
+    if (!std::isfinite(f))
+    {
+      continue;
+    }
+    std::string text;
+    AppendNumber(text, f);
+    EXPECT_EQ(ParseReal(text.data(), text.data() + text.size(), again), text.data() + text.size());
+    EXPECT_EQ(GetBits(f), GetBits(again)) << text;
+    EXPECT_LE(text.size(), 15u); // sign, 9 digits, point, exponent
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, numbers depend on the user's language.
+TEST(ScanNumbers, NoLocale)
+{
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  bool found = false;
+  for (const char* name : { "de_DE.UTF-8", "de_DE", "fr_FR.UTF-8", "es_CL.UTF-8" })
+  {
+    found = found || std::setlocale(LC_ALL, name);
+  }
+  const std::string text = "1.5";
+  double value = 0;
+  EXPECT_EQ(ParseReal(text.data(), text.data() + 3, value), text.data() + 3);
+  EXPECT_EQ(value, 1.5);
+  std::string written;
+  AppendNumber(written, 2.5f);
+  EXPECT_EQ(written, "2.5");
+  std::setlocale(LC_ALL, before.c_str());
+  if (!found)
+  {
+    GTEST_SKIP() << "no locale with a decimal comma is installed";
+  }
+}

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Reading text line by line and number by number, alone and in parallel.
+#include "Scan/IdSet.h"
+#include "Scan/TextLines.h"
+#include "Scan/TextTable.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace camaron;
+
+namespace
+{
+TextScanner MakeScanner(const std::string& text)
+{
+  return TextScanner("file", text.data(), text.data() + text.size(), '#');
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, messages name the wrong line for some kind of line end.
+TEST(ScanText, LineNumbers)
+{
+  for (const std::string end : { "\n", "\r\n", "\r" })
+  {
+    const std::string text = "1" + end + end + "# two" + end + "3 4" + end + "x";
+    TextScanner scanner = MakeScanner(text);
+    std::int64_t value = 0;
+    EXPECT_TRUE(scanner.ReadInteger(value, "a number"));
+    EXPECT_TRUE(scanner.ReadInteger(value, "a number"));
+    EXPECT_EQ(value, 3);
+    scanner.SkipLine();
+    EXPECT_FALSE(scanner.ReadInteger(value, "a number"));
+    EXPECT_EQ(value, 3);
+    EXPECT_EQ(scanner.GetError().Message, "file:5: expected a number, found 'x'");
+    EXPECT_FALSE(scanner.ReadInteger(value, "another")); // the first error sticks
+    EXPECT_EQ(scanner.GetError().Message, "file:5: expected a number, found 'x'");
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, words of binary garbage or endless words end up in messages.
+TEST(ScanText, Quotes)
+{
+  const std::string text = std::string("\x01\xff", 2) + std::string(100, 'y');
+  TextScanner scanner = MakeScanner(text);
+  std::int64_t value;
+  EXPECT_FALSE(scanner.ReadInteger(value, "a number"));
+  EXPECT_EQ(scanner.GetError().Message,
+    "file:1: expected a number, found '??" + std::string(28, 'y') + "...'");
+  const std::string empty = " # nothing";
+  TextScanner atEnd = MakeScanner(empty);
+  EXPECT_FALSE(atEnd.ReadInteger(value, "a number"));
+  EXPECT_EQ(atEnd.GetError().Message, "file:1: expected a number, found the end of the file");
+  EXPECT_EQ(atEnd.GetError().Kind, ErrorKind::Truncated);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, lines get lost or numbered wrongly where text is cut into chunks.
+TEST(ScanText, LinesDoNotDependOnChunks)
+{
+  std::mt19937 random(4);
+  for (int round = 0; round < 50; ++round)
+  {
+    std::string text;
+    std::vector<std::string> lines;
+    for (int i = 0; i < 200; ++i)
+    {
+      switch (random() % 6)
+      {
+        case 0:
+          text += random() % 2 ? "\n" : " \t\r\n";
+          break;
+        case 1:
+          text += "  # " + std::string(random() % 50, 'c') + "\n";
+          break;
+        default:
+          lines.push_back(std::to_string(i) + std::string(random() % 30, 'x'));
+          text += (random() % 3 ? "" : "  ") + lines.back() + (random() % 2 ? "\n" : "\r\n");
+      }
+    }
+    if (round % 2)
+    {
+      text.pop_back(); // no last line end
+    }
+    TextScanner scanner = MakeScanner(text);
+    for (const vtkIdType chunk : { 1, 7, 64, 1000, 100000 })
+    {
+      const TextLines index(scanner, Progress(), chunk);
+      const char* place = text.data();
+      for (std::size_t first = 0; first < lines.size();)
+      {
+        const auto count =
+          static_cast<vtkIdType>(std::min<std::size_t>(random() % 40, lines.size() - first));
+        const TextLines::Section section = index.Find(place, count);
+        ASSERT_TRUE(section);
+        std::vector<std::string> seen(static_cast<std::size_t>(count));
+        EXPECT_TRUE(index.ForEach(section, Progress(),
+          [&](vtkIdType piece, vtkIdType line, const char* begin, const char* end)
+          {
+            EXPECT_LT(piece, index.GetNumberOfPieces(section));
+            EXPECT_LT(line, count);
+            std::string content(begin, end);
+            while (!content.empty() && content.back() == '\r')
+            {
+              content.pop_back();
+            }
+            seen[line] = content;
+            return true;
+          }));
+        EXPECT_EQ(seen, std::vector<std::string>(lines.begin() + first, lines.begin() + first + count));
+        place = section.End;
+        first += static_cast<std::size_t>(count);
+        if (count == 0 && random() % 3 == 0)
+        {
+          break;
+        }
+      }
+      EXPECT_FALSE(index.Find(text.data(), static_cast<vtkIdType>(lines.size()) + 1));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, reading in parallel gives other numbers than reading in one go.
+TEST(ScanText, TablesDoNotDependOnChunks)
+{
+  std::string text;
+  for (int i = 0; i < 1000; ++i)
+  {
+    text += std::to_string(i) + " " + std::to_string(i * 0.5) + (i % 7 ? " 1 # x\n" : "\r\n\n");
+  }
+  std::vector<double> expected(2000), values(2000);
+  TextScanner whole = MakeScanner(text);
+  ASSERT_TRUE(ReadTable(whole, nullptr, 1000, 2, expected.data(), "a number", Progress()));
+  EXPECT_EQ(expected[1999], 499.5);
+  for (const vtkIdType chunk : { 10, 333, 5000 })
+  {
+    TextScanner scanner = MakeScanner(text);
+    const TextLines lines(scanner, Progress(), chunk);
+    values.assign(2000, -1);
+    ASSERT_TRUE(ReadTable(scanner, &lines, 1000, 2, values.data(), "a number", Progress()));
+    EXPECT_EQ(values, expected);
+    EXPECT_FALSE(scanner.SkipSpace());
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, ids of pieces are mixed up.
+TEST(ScanText, IdSets)
+{
+  for (const vtkIdType limit : { 1, 63, 64, 65, 1000 })
+  {
+    IdSet set(limit);
+    std::vector<std::int32_t> expected;
+    std::vector<bool> in(static_cast<std::size_t>(limit));
+    for (vtkIdType id = 0; id < limit; id += 1 + id % 5)
+    {
+      set.Add(id);
+      set.Add(id);
+      in[id] = true;
+      expected.push_back(static_cast<std::int32_t>(id));
+    }
+    EXPECT_EQ(set.Number(), static_cast<vtkIdType>(expected.size()));
+    EXPECT_EQ(set.GetMembers(), expected);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_EQ(set.GetNumber(expected[i]), static_cast<vtkIdType>(i));
+    }
+    IdSet rest(limit);
+    rest.AddMissing(set);
+    EXPECT_EQ(rest.Number() + set.GetNumberOfMembers(), limit);
+    for (vtkIdType id = 0; id < limit; ++id)
+    {
+      EXPECT_EQ(set.Contains(id), in[id]);
+      EXPECT_EQ(rest.Contains(id), !in[id]);
+    }
+    rest.AddAll(set);
+    EXPECT_EQ(rest.Number(), limit);
+  }
+}
