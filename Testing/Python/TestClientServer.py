@@ -6,6 +6,8 @@ import os
 import shutil
 import socket
 import subprocess
+import tempfile
+from pathlib import Path
 
 import camaron_testing
 from paraview import simple
@@ -53,7 +55,16 @@ class TestClientServer(camaron_testing.TestCase):
     @classmethod
     def setUpClass(cls):
         super().setUpClass()
-        cls.alone = cls.evaluate()[1]
+        quality, cls.alone = cls.evaluate()
+        cls.saved = cls.save(quality)
+
+    @staticmethod
+    def save(proxy):
+        """What Save Data writes, as one file however many ranks there are."""
+        with tempfile.TemporaryDirectory() as folder:
+            target = Path(folder) / "saved.visf"
+            simple.SaveData(str(target), proxy)
+            return target.read_bytes()
 
     @staticmethod
     def evaluate():
@@ -71,6 +82,7 @@ class TestClientServer(camaron_testing.TestCase):
         self.serve(ranks)
         quality, served = self.evaluate()
         self.assertEqual(served, self.alone)
+        self.assertEqual(self.save(quality), self.saved)
         surface = simple.MeshSurface(Input=quality)
         surface.UpdatePipeline()
         self.assertGreater(surface.GetDataInformation().GetNumberOfCells(), 100)
