@@ -96,8 +96,10 @@ class Scene:
         bar.CustomLabels = ticks(low, high, 7)
         bar.AddRangeLabels = 0
         bar.LabelFormat = "%-g"
-        bar.DrawNanAnnotation = 1 if undefined_count(criterion) else 0
-        bar.NanAnnotation = "null"
+        bar.DrawNanAnnotation = 1 if criterion["null"] else 0
+        bar.NanAnnotation = (
+            "null" if undefined_count(criterion) == criterion["null"] else "no value"
+        )
         bar.Visibility = 1
         display.SetScalarBarVisibility(self.view, True)
 
@@ -234,6 +236,8 @@ def take(summary: dict[str, Any], quality: Any, surface: Any, folder: Path) -> l
     caption = f"Cells with bad values are dark.{_caption_of_colors(criterion)}"
     if criterion["better"] == "neither":
         caption = _caption_of_colors(criterion).strip()
+    if criterion["null"]:
+        caption += " Violet cells have no value."
     taken = [Picture(path, f"{criterion['label']}.", caption)]
     if criterion["worst"] or criterion["out_of_range"]:
         path = folder / "worst.png"

@@ -289,7 +289,7 @@ def _worst(c) -> str:
 def _footer(summary) -> str:
     return (
         "<footer><p><b>Acceptable</b> ranges are those of the sources named with each criterion; "
-        "they are hints, what a mesh must satisfy depends on its use. "
+        "they are no verdict, what a mesh must satisfy depends on its use. "
         "<b>Null</b>: the value is undefined for the cell, for example 0/0. "
         "<b>Infinite</b>: the criterion has no bound and the cell is degenerate. "
         "Null and infinite values are in no mean, quantile or bin; infinite ones are outside a "
