@@ -16,6 +16,8 @@ from paraview import simple
 from paraview.servermanager import OutputPort
 
 ARRAYS = list(mesh_parts.make_values(1))
+CRITERIA = ["Volume", "Area", "EquiangleSkewness", "EdgeLengthRatio", "MaxNeighborNormalAngle"]
+EXAMPLES = ("flange.visf", "voronoi-ball.visf")
 PORTS = ("statistics", "histogram", "worst")
 
 
@@ -24,7 +26,8 @@ def save_tables(source, folder, **properties):
 
     ParaView's writer sorts the columns by name when there are several ranks.
     """
-    statistics = simple.QualityStatistics(Input=source, Arrays=ARRAYS, NumberOfWorst=30, **properties)
+    properties = {"Arrays": ARRAYS, "NumberOfWorst": 30, **properties}
+    statistics = simple.QualityStatistics(Input=source, **properties)
     statistics.UpdatePipeline()
     for port, name in enumerate(PORTS):
         simple.SaveData(
@@ -48,6 +51,16 @@ def save_reference(folder):
         target.mkdir()
         whole = mesh_parts.split_source(global_ids=global_ids)
         save_tables(whole, target, GroupBy="Cell type", WorstValues="Largest")
+    for name in EXAMPLES:
+        target = folder / name
+        target.mkdir()
+        save_tables(evaluate_example(name), target, Arrays=[], GroupBy="Cell type")
+
+
+def evaluate_example(name):
+    """Criteria of an example, one of them with neighbours, for which readers provide ghost cells."""
+    source = simple.OpenDataFile(str(camaron_testing.EXAMPLES / name))
+    return simple.ElementQuality(Input=source, Criteria=CRITERIA)
 
 
 class TestRanks(camaron_testing.TestCase):
@@ -96,6 +109,19 @@ class TestRanks(camaron_testing.TestCase):
         tables = save_tables(moved, self.folder, GroupBy="Cell type", WorstValues="Largest")
         for name, expected in self.reference(True).items():
             self.assertEqual(tables[name], expected, name)
+
+    def test_examples(self):
+        """From the file to the tables: pieces and ghosts as the reader makes them."""
+        self.reference(False)
+        for name in EXAMPLES:
+            tables = save_tables(
+                evaluate_example(name), self.folder, Arrays=[], GroupBy="Cell type"
+            )
+            expected = read_tables(self.folder / "reference" / name)
+            for table in PORTS:
+                for row in tables[table] + expected[table]:
+                    row.pop("IdSpace", None)  # only pieces have global ids, which then are the indices
+                self.assertEqual(tables[table], expected[table], f"{table} of {name}")
 
     def test_complete_on_rank_0(self):
         """Other ranks have the columns but no rows: appended by Fetch there is each row once."""
