@@ -22,6 +22,7 @@ constexpr vtkIdType MaxPoints = (vtkIdType(1) << 31) - 16; // larger values of E
 
 constexpr int PointsPerShareBits = 8; // threads share the points out in runs of 2^8
 constexpr int MaxShares = 64;
+constexpr int MaxListBits = 3;
 constexpr Index NodesPerBlock = 4096;
 
 constexpr std::uint32_t DownBit = 0x80000000u;
@@ -77,20 +78,15 @@ FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>
   const auto part = [](vtkIdType id) { return static_cast<std::uint32_t>(id); };
   if (size == 3)
   {
-    vtkIdType a = points[0], b = points[1], c = points[2];
-    if (b < a && b < c)
+    // Without branches, which would be as hard to foresee as the numbering of the points. An odd number
+    // of inversions means that the triangle runs from its smallest point to the largest one.
+    const vtkIdType a = points[0], b = points[1], c = points[2];
+    const vtkIdType low = std::min(a, std::min(b, c)), high = std::max(a, std::max(b, c));
+    const vtkIdType middle = a + b + c - low - high;
+    const bool down = (a > b) ^ (b > c) ^ (a > c);
+    if (low != middle && middle != high)
     {
-      a = points[1], b = points[2], c = points[0];
-    }
-    else if (c < a && c < b)
-    {
-      a = points[2], b = points[0], c = points[1];
-    }
-    // Now a is the smallest point, b the next one around the triangle.
-    if (a != b && b != c && a != c)
-    {
-      const bool down = b > c;
-      return { { part(down ? c : b), part(down ? b : c), ThreePoints }, down };
+      return { { part(middle), part(high), ThreePoints }, down };
     }
   }
   sorted.assign(points, points + size);
@@ -320,7 +316,13 @@ template <typename ForEachItem>
 void FacetTableBuilder::Match(ForEachItem&& forEachItem)
 {
   const vtkIdType numberOfPoints = this->Mesh.GetNumberOfPoints();
-  std::vector<Index> lists(numberOfPoints, -1);
+  // Where many facets share their smallest point, as in a mesh of tetrahedra, it has several lists.
+  int listBits = 0;
+  while (listBits < MaxListBits && (numberOfPoints << (listBits + 2)) < this->NumberOfUses)
+  {
+    ++listBits;
+  }
+  std::vector<Index> lists(static_cast<std::size_t>(numberOfPoints) << listBits, -1);
   WithThreads(
     [&]
     {
@@ -350,7 +352,9 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
             return;
           }
           const FacetKey key = MakeKey(points, size, sorted);
-          Index found = lists[smallest];
+          const std::uint32_t which = (key.Parts[0] ^ key.Parts[1]) & ((1u << listBits) - 1);
+          Index& list = lists[(smallest << listBits) + which];
+          Index found = list;
           for (; found >= 0; found = nodes[found].Next)
           {
             const Node& node = nodes[found];
@@ -364,9 +368,9 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
           if (found < 0)
           {
             lastNode = nodes.GetNext(lastNode);
-            nodes[lastNode] = { { key.Parts[0], key.Parts[1], key.Parts[2] }, lists[smallest],
+            nodes[lastNode] = { { key.Parts[0], key.Parts[1], key.Parts[2] }, list,
               use | (key.Down ? DownBit : 0u) };
-            lists[smallest] = lastNode;
+            list = lastNode;
             this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
             return;
           }

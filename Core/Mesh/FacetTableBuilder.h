@@ -37,7 +37,7 @@ private:
   struct Node
   {
     std::uint32_t Key[3]; ///< what tells it from other facets with its smallest point
-    Index Next;           ///< in the list of its smallest point, -1 at the end
+    Index Next;           ///< in its list, -1 at the end
     std::uint32_t Item;   ///< its first use; the top bit says that this use runs downwards
   };
   class NodePool;
