@@ -11,6 +11,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 #if __has_include("vtkCellTypeUtilities.h")
 #include "vtkCellTypeUtilities.h"
@@ -27,7 +29,7 @@ namespace camaron
  */
 inline bool HasPlainStorage(vtkCellArray* cells)
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 5, 0)
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
   return cells->GetStorageType() == vtkCellArray::Int64 ||
     cells->GetStorageType() == vtkCellArray::Int32;
 #else
@@ -46,6 +48,19 @@ inline const char* GetCellClassName(int cellType)
   return vtkCellTypeUtilities::GetClassNameFromTypeId(cellType);
 #else
   return vtkCellTypes::GetClassNameFromTypeId(cellType);
+#endif
+}
+
+/**
+ * Types of the cells of a grid, whatever kind of array holds them. From VTK 9.6 on that may be an
+ * implicit one; delete this when VTK < 9.6 is no longer supported and call GetCellTypes() instead.
+ */
+inline vtkDataArray* GetCellTypes(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return grid->GetCellTypes();
+#else
+  return grid->GetCellTypesArray();
 #endif
 }
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshInput.h"
 
+#include "Mesh/MeshView.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
@@ -14,7 +16,6 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
 
 namespace camaron
 {
@@ -23,10 +24,15 @@ namespace
 //------------------------------------------------------------------------------
 bool HasConvexPointSets(vtkUnstructuredGrid* grid)
 {
-  vtkUnsignedCharArray* types = grid->GetCellTypesArray();
-  const unsigned char* first = types ? types->GetPointer(0) : nullptr;
-  return first && std::find(first, first + types->GetNumberOfValues(), VTK_CONVEX_POINT_SET) !=
-    first + types->GetNumberOfValues();
+  const MeshView mesh(grid);
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    if (mesh.GetCellType(cell) == VTK_CONVEX_POINT_SET)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 #include "Mesh/CellFacets.h"
 #include "Mesh/FacetTableBuilder.h"
 #include "Parallel.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -12,7 +13,6 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -147,7 +147,7 @@ struct Key
     if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
     {
       this->Add(grid->GetCells());
-      this->Add(grid->GetCellTypesArray());
+      this->Add(GetCellTypes(grid));
       this->Add(grid->GetPolyhedronFaces());
       this->Add(grid->GetPolyhedronFaceLocations());
     }

@@ -82,7 +82,13 @@ MeshView::MeshView(vtkDataSet* mesh)
 
   if (grid && grid->GetNumberOfCells() > 0)
   {
-    this->TypesOwner = grid->GetCellTypesArray();
+    vtkDataArray* types = GetCellTypes(grid);
+    this->TypesOwner = vtkUnsignedCharArray::FastDownCast(types);
+    if (!this->TypesOwner)
+    {
+      this->TypesOwner = vtkSmartPointer<vtkUnsignedCharArray>::New();
+      this->TypesOwner->DeepCopy(types);
+    }
     this->Types = this->TypesOwner->GetPointer(0);
     this->Blocks[0] = IndexLists(grid->GetCells());
     this->Faces = IndexLists(grid->GetPolyhedronFaces());
