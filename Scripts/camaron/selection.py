@@ -26,7 +26,9 @@ def set_active_selection(source: Any, port: int = 0) -> None:
     """
     cells = source.GetDataInformation(port).GetCellDataInformation()
     if cells.GetArrayInformation("Selected") is None:
-        raise ValueError('the output has no cell array "Selected": update it, or is it no SelectElements?')
+        raise ValueError(
+            'the output has no cell array "Selected": update it, or is it no SelectElements?'
+        )
     selected = paraview_selection._createSelection(
         "ThresholdSelectionSource", Thresholds=[1, 1], ArrayName="Selected", FieldType="CELL"
     )

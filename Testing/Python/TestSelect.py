@@ -114,7 +114,9 @@ class TestSelect(camaron_testing.TestCase):
         self.assertEqual(cells, [3, *range(10, 21), 40])
         self.assertEqual(select.GetPropertyValue("Report"), "")
         self.assertEqual(self.messages.warnings, [])
-        select, cells = self.select(Strategy="By id", Ids=f"7 7-9;{self.count - 1}-{self.count + 1}")
+        select, cells = self.select(
+            Strategy="By id", Ids=f"7 7-9;{self.count - 1}-{self.count + 1}"
+        )
         self.assertEqual(cells, [7, 8, 9, self.count - 1])
         self.assertEqual(select.GetPropertyValue("Report"), "2 of 6 ids do not exist")
         self.assertIn("2 of 6 ids do not exist", self.messages.warnings[0])
@@ -138,8 +140,12 @@ class TestSelect(camaron_testing.TestCase):
         self.assert_error("expected an id, found 'four'", Strategy="By id", Ids="3, four")
         self.assert_error("expected an id, found '-5'", Strategy="By id", Ids="-5")
         self.assert_error("9-3 runs backwards", Strategy="By id", Ids="9-3")
-        self.assert_error("found '99999999999999999999", Strategy="By id", Ids="99999999999999999999")
-        self.assert_error("no numeric pedigree ids", Strategy="By id", Ids="1", IdSpace="Pedigree id")
+        self.assert_error(
+            "found '99999999999999999999", Strategy="By id", Ids="99999999999999999999"
+        )
+        self.assert_error(
+            "no numeric pedigree ids", Strategy="By id", Ids="1", IdSpace="Pedigree id"
+        )
         self.assert_error("no acceptable range is known for 'FaceCount'", Array="FaceCount")
         self.assert_error("no end of 'Volume'", Strategy="Worst N", Array="Volume")
         custom = {"Array": "Volume", "Range": "Custom"}
@@ -163,7 +169,9 @@ class TestSelect(camaron_testing.TestCase):
         source = mesh_parts.producer(part)
         limits = {"Array": "Constant", "Range": "Custom", "Side": "Inside"}
         self.assertEqual(self.select(source, **limits)[1], list(range(200)))
-        _, cells = self.select(source, Strategy="Worst N", Array="Constant", WorstValues="Largest", NumberOfWorst=999)
+        _, cells = self.select(
+            source, Strategy="Worst N", Array="Constant", WorstValues="Largest", NumberOfWorst=999
+        )
         self.assertEqual(cells, list(range(200)))
         select, cells = self.select(source, Strategy="By id", Ids="0-300")
         self.assertEqual(cells, list(range(200)))
@@ -210,7 +218,11 @@ class TestSelect(camaron_testing.TestCase):
             while not iterator.IsDoneWithTraversal():
                 leaves.append(iterator.GetCurrentDataObject())
                 iterator.GoToNextItem()
-        marks = [vtk_to_numpy(leaf.GetCellData().GetArray("Selected")) for leaf in leaves if leaf.GetNumberOfCells()]
+        marks = [
+            vtk_to_numpy(leaf.GetCellData().GetArray("Selected"))
+            for leaf in leaves
+            if leaf.GetNumberOfCells()
+        ]
         self.assertEqual(numpy.concatenate(marks).tolist(), [1] * count)
 
     def test_active_selection(self):

@@ -17,7 +17,9 @@ PERCENTS = [0, 1, 5, 25, 50, 75, 95, 99, 100]
 def rows(table):
     """Rows of a vtkTable as dictionaries."""
     columns = [table.GetColumn(i) for i in range(table.GetNumberOfColumns())]
-    return [{c.GetName(): c.GetValue(row) for c in columns} for row in range(table.GetNumberOfRows())]
+    return [
+        {c.GetName(): c.GetValue(row) for c in columns} for row in range(table.GetNumberOfRows())
+    ]
 
 
 class TestStatistics(camaron_testing.TestCase):
@@ -124,7 +126,9 @@ class TestStatistics(camaron_testing.TestCase):
     def test_worst(self):
         """Exact order; ties by the smaller id; infinite values are the worst, null ones never."""
         grid = mesh_parts.make_full_mesh(global_ids=True)
-        ids = numpy.array([grid.GetCellData().GetGlobalIds().GetValue(i) for i in range(grid.GetNumberOfCells())])
+        ids = numpy.array(
+            [grid.GetCellData().GetGlobalIds().GetValue(i) for i in range(grid.GetNumberOfCells())]
+        )
         values = mesh_parts.make_values(grid.GetNumberOfCells())
         source = mesh_parts.producer(grid)
         _, _, worst = self.tables(source, NumberOfWorst=60)
@@ -143,7 +147,9 @@ class TestStatistics(camaron_testing.TestCase):
             for axis, column in enumerate("XYZ"):
                 self.assertTrue(bounds[2 * axis] <= found[0][column] <= bounds[2 * axis + 1])
             kinds = {12: "Hexahedron", 13: "Wedge", 10: "Tetra"}
-            self.assertEqual([row["CellType"] for row in found], [kinds[grid.GetCellType(i)] for i in order])
+            self.assertEqual(
+                [row["CellType"] for row in found], [kinds[grid.GetCellType(i)] for i in order]
+            )
 
     def test_acceptable_ranges(self):
         grid = mesh_parts.make_full_mesh()
@@ -185,9 +191,7 @@ class TestStatistics(camaron_testing.TestCase):
         quality = simple.ElementQuality(Input=source, WriteNullMask=1)
         quality.Criteria = ["TetRadiusRatio"]
         (row,), _, _ = self.tables(quality)
-        tetrahedra = sum(
-            mesh_parts.make_mesh().GetCellType(i) == 10 for i in range(row["Count"])
-        )
+        tetrahedra = sum(mesh_parts.make_mesh().GetCellType(i) == 10 for i in range(row["Count"]))
         self.assertEqual(row["ApplicableCount"], tetrahedra)
         self.assertEqual(row["NullCount"], row["Count"] - tetrahedra)
 
@@ -218,7 +222,10 @@ class TestStatistics(camaron_testing.TestCase):
             self.check_statistics(row, values[kinds == kind], ids[kinds == kind])
             bins = [r for r in histogram if r["Group"] == row["Group"]]
             self.check_histogram(bins, values[kinds == kind])
-        edges = {group: [r["LowerEdge"] for r in histogram if r["Group"] == group] for group in ("All", "Wedge")}
+        edges = {
+            group: [r["LowerEdge"] for r in histogram if r["Group"] == group]
+            for group in ("All", "Wedge")
+        }
         self.assertEqual(edges["All"], edges["Wedge"])
 
     def test_blocks(self):

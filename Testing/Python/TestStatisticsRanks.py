@@ -51,10 +51,22 @@ def save_reference(folder):
         target.mkdir()
         whole = mesh_parts.split_source(global_ids=global_ids)
         save_tables(whole, target, GroupBy="Cell type", WorstValues="Largest")
+    target = folder / "blocks"
+    target.mkdir()
+    save_tables(make_blocks(), target, GroupBy="Block")
     for name in EXAMPLES:
         target = folder / name
         target.mkdir()
         save_tables(evaluate_example(name), target, Arrays=[], GroupBy="Cell type")
+
+
+def make_blocks():
+    """Two blocks, each spread over the ranks, the second one with ghosts."""
+    return simple.GroupDatasets(
+        Input=[mesh_parts.split_source(), mesh_parts.split_source(ghost_layer=20)],
+        OutputType="vtkPartitionedDataSetCollection",
+        BlockNames=["rotor", "stator"],
+    )
 
 
 def evaluate_example(name):
@@ -110,6 +122,15 @@ class TestRanks(camaron_testing.TestCase):
         for name, expected in self.reference(True).items():
             self.assertEqual(tables[name], expected, name)
 
+    def test_blocks(self):
+        """Indices count one block after the other, whichever ranks have them."""
+        self.reference(False)
+        tables = save_tables(make_blocks(), self.folder, GroupBy="Block")
+        self.assertEqual({row["Group"] for row in tables["statistics"]}, {"All", "rotor", "stator"})
+        expected = read_tables(self.folder / "reference" / "blocks")
+        for name in PORTS:
+            self.assertEqual(tables[name], expected[name], name)
+
     def test_examples(self):
         """From the file to the tables: pieces and ghosts as the reader makes them."""
         self.reference(False)
@@ -120,7 +141,9 @@ class TestRanks(camaron_testing.TestCase):
             expected = read_tables(self.folder / "reference" / name)
             for table in PORTS:
                 for row in tables[table] + expected[table]:
-                    row.pop("IdSpace", None)  # only pieces have global ids, which then are the indices
+                    row.pop(
+                        "IdSpace", None
+                    )  # only pieces have global ids, which then are the indices
                 self.assertEqual(tables[table], expected[table], f"{table} of {name}")
 
     def test_complete_on_rank_0(self):

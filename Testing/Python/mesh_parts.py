@@ -101,7 +101,10 @@ def extract(grid, begin, end, ghost_layer=0):
     """Cells [begin, end), and behind them copies of some neighbours marked as ghosts."""
     total = grid.GetNumberOfCells()
     wanted = list(range(begin, end))
-    ghosts = [*range(max(0, begin - ghost_layer), begin), *range(end, min(total, end + ghost_layer))]
+    ghosts = [
+        *range(max(0, begin - ghost_layer), begin),
+        *range(end, min(total, end + ghost_layer)),
+    ]
     part = None
     for chunk in (wanted, ghosts):
         ids = vtkIdList()
