@@ -22,12 +22,12 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-bool HasConvexPointSets(vtkUnstructuredGrid* grid)
+bool HasCellsOfType(vtkUnstructuredGrid* grid, unsigned char type)
 {
   const MeshView mesh(grid);
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
-    if (mesh.GetCellType(cell) == VTK_CONVEX_POINT_SET)
+    if (mesh.GetCellType(cell) == type)
     {
       return true;
     }
@@ -53,11 +53,12 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid)
     if (type == VTK_CONVEX_POINT_SET)
     {
       grid->GetCell(id, cell);
-      for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+      const int numberOfFaces = cell->GetNumberOfFaces();
+      for (int f = 0; f < numberOfFaces; ++f)
       {
         locations->InsertCellPoint(faces->InsertNextCell(cell->GetFace(f)->GetPointIds()));
       }
-      locations->UpdateCellCount(cell->GetNumberOfFaces());
+      locations->UpdateCellCount(numberOfFaces);
     }
     else if (type == VTK_POLYHEDRON)
     {
@@ -69,14 +70,62 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid)
       }
       locations->UpdateCellCount(static_cast<int>(cellFaces->GetNumberOfCells()));
     }
-    types->InsertNextValue(
-      static_cast<unsigned char>(type == VTK_CONVEX_POINT_SET ? VTK_POLYHEDRON : type));
+    types->InsertNextValue(static_cast<unsigned char>(type));
   }
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
   result->SetPoints(grid->GetPoints());
   result->SetPolyhedralCells(types, connectivity, locations, faces);
   result->GetCellData()->ShallowCopy(grid->GetCellData());
   result->GetPointData()->ShallowCopy(grid->GetPointData());
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(points) for every triangle of a strip, all with the strip's direction.
+template <typename Visitor>
+void ForEachTriangle(vtkIdList* strip, Visitor&& visit)
+{
+  for (vtkIdType i = 0; i + 2 < strip->GetNumberOfIds(); ++i)
+  {
+    const vtkIdType odd = i % 2;
+    const vtkIdType triangle[3] = { strip->GetId(i), strip->GetId(i + 1 + odd),
+      strip->GetId(i + 2 - odd) };
+    visit(triangle);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A grid in which the triangles of a strip stand in its place.
+vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
+{
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result->SetPoints(grid->GetPoints());
+  result->GetPointData()->ShallowCopy(grid->GetPointData());
+  result->GetFieldData()->ShallowCopy(grid->GetFieldData());
+  vtkNew<vtkIdList> sources, points;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    grid->GetCellPoints(cell, points);
+    if (type == VTK_TRIANGLE_STRIP)
+    {
+      ForEachTriangle(points,
+        [&](const vtkIdType* triangle)
+        {
+          result->InsertNextCell(VTK_TRIANGLE, 3, triangle);
+          sources->InsertNextId(cell);
+        });
+      continue;
+    }
+    if (type == VTK_POLYHEDRON)
+    {
+      grid->GetFaceStream(cell, points); // as InsertNextCell takes polyhedra
+    }
+    result->InsertNextCell(type, points);
+    sources->InsertNextId(cell);
+  }
+  result->GetCellData()->CopyAllocate(grid->GetCellData(), sources->GetNumberOfIds());
+  result->GetCellData()->CopyData(grid->GetCellData(), sources, vtkIdType(0));
   return result;
 }
 }
@@ -86,7 +135,7 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    if (HasConvexPointSets(grid))
+    if (HasCellsOfType(grid, VTK_CONVEX_POINT_SET))
     {
       return WithHulls(grid);
     }
@@ -105,6 +154,14 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data)
 {
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    if (HasCellsOfType(grid, VTK_TRIANGLE_STRIP))
+    {
+      return SplitStrips(grid);
+    }
+    return data;
+  }
   auto* surface = vtkPolyData::SafeDownCast(data);
   if (!surface || surface->GetNumberOfStrips() == 0)
   {
@@ -129,13 +186,12 @@ vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data)
   for (vtkIdType cell = 0; cell < surface->GetNumberOfStrips(); ++cell)
   {
     surface->GetStrips()->GetCellAtId(cell, strip);
-    for (vtkIdType i = 0; i + 2 < strip->GetNumberOfIds(); ++i)
-    {
-      const vtkIdType odd = i % 2;
-      polygons->InsertNextCell(
-        { strip->GetId(i), strip->GetId(i + 1 + odd), strip->GetId(i + 2 - odd) });
-      sources->InsertNextId(firstStrip + cell);
-    }
+    ForEachTriangle(strip,
+      [&](const vtkIdType* triangle)
+      {
+        polygons->InsertNextCell(3, triangle);
+        sources->InsertNextId(firstStrip + cell);
+      });
   }
   result->SetPolys(polygons);
   result->GetPointData()->ShallowCopy(surface->GetPointData());

@@ -15,13 +15,13 @@ namespace camaron
 /**
  * A vtkUnstructuredGrid or vtkPolyData with the same cells in the same order as @a data and its ghost
  * array: @a data itself whenever possible. Images and structured grids become unstructured;
- * VTK_CONVEX_POINT_SET cells become polyhedra.
+ * VTK_CONVEX_POINT_SET cells get the faces of their hull.
  */
 vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data);
 
 /**
- * @a data itself, or for a vtkPolyData with triangle strips one in which their triangles come after the
- * other polygons, each with the cell data of its strip.
+ * @a data itself, or when it has triangle strips a mesh of their triangles, each with the cell data of its
+ * strip: in its place in a grid, after the other polygons in a vtkPolyData.
  */
 vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data);
 }

@@ -94,7 +94,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->OrientationSign = 1;
   this->NumberOfPoints = 0;
   const CellShape& shape = this->CellShapes[this->CellType];
-  this->IsStandard = this->CellType != VTK_POLYHEDRON;
+  this->IsStandard = !shape.ListsFaces;
   if (shape.Dimension == 3)
   {
     this->IsStandard ? this->LoadStandard(mesh, shape, mesh.GetCellPoints(cell))
@@ -105,6 +105,13 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
     this->LoadPolygon(mesh, shape, mesh.GetCellPoints(cell));
     this->Shapes = Polygons | (this->NumberOfPoints == 3 ? Triangles : 0u);
   }
+  // 0 times NaN or infinity is NaN.
+  double zero = 0 * (this->Origin.X + this->Origin.Y + this->Origin.Z);
+  for (int i = 1; i < this->NumberOfPoints; ++i)
+  {
+    zero += 0 * (this->Points[i].X + this->Points[i].Y + this->Points[i].Z);
+  }
+  this->Finite = this->NumberOfPoints == 0 || zero == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -392,6 +399,11 @@ void CellGeometry::ComputeEdges()
     this->SquaredLengths[e] = square;
     smallest = std::min(smallest, square);
     largest = std::max(largest, square);
+  }
+  if (edges.empty())
+  {
+    // Too few points for a face, yet they may lie apart.
+    largest = this->GetDiameter() * this->GetDiameter();
   }
   this->MinSquaredLength = smallest;
   this->MaxSquaredLength = largest;

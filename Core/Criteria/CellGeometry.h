@@ -48,6 +48,8 @@ public:
   /// the topology says so, Triangles or Tetrahedra.
   unsigned GetShapes() const { return this->Shapes; }
   unsigned char GetCellType() const { return this->CellType; }
+  /// False if a coordinate is NaN or infinite: nothing but counts has a value then.
+  bool IsFinite() const { return this->Finite; }
 
   const CellTopology& GetTopology() const { return *this->Topology; }
   int GetNumberOfPoints() const { return this->NumberOfPoints; }
@@ -163,6 +165,7 @@ private:
   unsigned Shapes = 0;
   unsigned char CellType = 0;
   bool IsStandard = false;
+  bool Finite = true;
   bool HasRepeatedPoint = false;
   bool HasFloatPoints = false;
   bool TrustFaceOrientation = false;

@@ -50,7 +50,7 @@ public:
       {
         block[i].Load(this->Mesh, first + i, this->Options);
         block[i].Compute(this->Needs);
-        common &= block[i].GetShapes() | AnyCell;
+        common &= block[i].IsFinite() ? block[i].GetShapes() | AnyCell : 0u;
       }
       for (const CriterionValues& row : this->Criteria)
       {
@@ -63,13 +63,17 @@ public:
         {
           for (int i = 0; i < size; ++i)
           {
-            if (AppliesTo(*row.Criterion, block[i]))
+            if (!AppliesTo(*row.Criterion, block[i]))
             {
-              row.Criterion->CellFunction(block.data() + i, 1, values + i);
+              values[i] = Null(NullReason::NotApplicable);
+            }
+            else if (!block[i].IsFinite() && !row.Criterion->IsInteger)
+            {
+              values[i] = Null(NullReason::Degenerate);
             }
             else
             {
-              values[i] = Null(NullReason::NotApplicable);
+              row.Criterion->CellFunction(block.data() + i, 1, values + i);
             }
           }
         }
@@ -98,7 +102,7 @@ std::vector<Vector> GetCellVectors(const MeshView& mesh, const EvaluationOptions
         if ((cell.GetShapes() & Polygons) && cell.GetTopology().GetNumberOfFaces() > 0)
         {
           cell.Compute(NeedsFaces);
-          if (!cell.IsZeroArea(cell.GetFaceArea(0)))
+          if (cell.IsFinite() && !cell.IsZeroArea(cell.GetFaceArea(0)))
           {
             vectors[id] = cell.GetFaceVector(0);
           }

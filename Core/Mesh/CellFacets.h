@@ -34,7 +34,7 @@ public:
     const CellShape& shape = this->Shapes[type];
     if (shape.Dimension == 3)
     {
-      return type == VTK_POLYHEDRON ? this->Mesh.GetPolyhedronFaces(cell).Size : shape.NumberOfFaces;
+      return shape.ListsFaces ? this->Mesh.GetPolyhedronFaces(cell).Size : shape.NumberOfFaces;
     }
     return shape.Dimension == 2 ? this->GetPolygonSize(type, shape, cell) : 0;
   }
@@ -47,7 +47,7 @@ public:
     const CellShape& shape = this->Shapes[type];
     if (shape.Dimension == 3)
     {
-      if (type == VTK_POLYHEDRON)
+      if (shape.ListsFaces)
       {
         const IndexRange faces = this->Mesh.GetPolyhedronFaces(cell);
         for (vtkIdType f = 0; f < faces.Size; ++f)
@@ -120,7 +120,7 @@ public:
   /// Appends the points of one facet.
   void GetFacet(vtkIdType cell, vtkIdType wanted, std::vector<vtkIdType>& facet)
   {
-    if (this->Mesh.GetCellType(cell) == VTK_POLYHEDRON)
+    if (this->Shapes[this->Mesh.GetCellType(cell)].ListsFaces)
     {
       const IndexRange points =
         this->Mesh.GetPolyhedronFacePoints(this->Mesh.GetPolyhedronFaces(cell)[wanted]);

@@ -99,6 +99,7 @@ std::array<CellShape, 256> MakeShapes()
     shape.Dimension = row.Dimension;
     shape.NumberOfCorners = row.NumberOfCorners;
     shape.IsHigherOrder = higherOrder;
+    shape.ListsFaces = row.Dimension == 3 && row.FacesOf == 0;
     if (row.FacesOf)
     {
       AddFaces(shape, row.FacesOf);

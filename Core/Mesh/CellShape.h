@@ -24,7 +24,9 @@ struct CellShape
   int NumberOfCorners = 0;
   /// A higher-order type, which is evaluated by its corners.
   bool IsHigherOrder = false;
-  /// Faces of a 3D type other than VTK_POLYHEDRON: offsets into FacePoints, which are local nodes.
+  /// A 3D type whose cells list their faces: VTK_POLYHEDRON, and VTK_CONVEX_POINT_SET with its hull.
+  bool ListsFaces = false;
+  /// Faces of any other 3D type: offsets into FacePoints, which are local nodes.
   int NumberOfFaces = 0;
   int FaceOffsets[MaxFaces + 1] = {};
   int FacePoints[MaxFacePoints] = {};

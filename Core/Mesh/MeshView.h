@@ -108,10 +108,13 @@ public:
 
   ///@{
   /**
-   * Faces of a VTK_POLYHEDRON cell as entries of the mesh's list of polyhedron faces, and the points
-   * of such an entry. Only for polyhedra.
+   * Faces of a cell whose type lists them (CellShape::ListsFaces) as entries of the mesh's list of
+   * polyhedron faces, and the points of such an entry. None for a convex point set without its hull.
    */
-  IndexRange GetPolyhedronFaces(vtkIdType cell) const { return this->FaceLocations[cell]; }
+  IndexRange GetPolyhedronFaces(vtkIdType cell) const
+  {
+    return this->FaceLocations.NumberOfLists > 0 ? this->FaceLocations[cell] : IndexRange();
+  }
   IndexRange GetPolyhedronFacePoints(vtkIdType face) const { return this->Faces[face]; }
   bool HasPolyhedra() const { return this->Faces.NumberOfLists > 0; }
   ///@}

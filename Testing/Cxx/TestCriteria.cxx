@@ -422,6 +422,47 @@ TEST(Criteria, DegeneratePolyhedra)
   }
 }
 
+// A coordinate that is no number leaves nothing but the counts, and never looks healthy.
+TEST(Criteria, NonFinitePoints)
+{
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), Infinity })
+  {
+    for (const int corner : { 0, 1, 6 })
+    {
+      const Grid cube = FindReferenceShape("unit cube").Standard;
+      const Grid grid = Grid::New();
+      grid->DeepCopy(cube);
+      double x[3];
+      grid->GetPoint(corner, x);
+      grid->GetPoints()->SetPoint(corner, x[0], bad, x[2]);
+      for (const Grid& mesh : { grid, ToPolyhedra(grid) })
+      {
+        for (const auto& row : EvaluateAll(mesh))
+        {
+          const Criterion* criterion = FindCriterion(row.first);
+          if (criterion->AppliesTo & Polyhedra)
+          {
+            EXPECT_EQ(GetNullReason(row.second[0]),
+              criterion->IsInteger ? NullReason::Value : NullReason::Degenerate)
+              << row.first;
+          }
+        }
+      }
+    }
+  }
+}
+
+// A triangle with a repeated id has a collapsed edge.
+TEST(Criteria, RepeatedIdInTriangle)
+{
+  const Grid grid =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_TRIANGLE, { 0, 0, 1 } } });
+  const Values values = EvaluateAll(grid);
+  EXPECT_EQ(values.at("EdgeLengthRatio")[0], 0);
+  EXPECT_EQ(values.at("Area")[0], 0);
+  EXPECT_EQ(values.at("VertexCount")[0], 2);
+}
+
 // Polyhedra without points, with one face, with a point as a face: no answer, and no crash.
 TEST(Criteria, BrokenPolyhedra)
 {

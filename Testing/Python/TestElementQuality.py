@@ -103,6 +103,21 @@ class TestElementQuality(camaron_testing.TestCase):
         direct = self.evaluate(simple.Sphere(), Criteria=["Area"])
         self.assertAlmostEqual(sum(values["Area"]), sum(direct["Area"]), 6)
 
+    def test_strips_and_point_sets_of_a_grid(self):
+        """A strip stands for its triangles, a convex point set for its hull; both keep the cell data."""
+        cube = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+        path = camaron_testing.write_vtk(
+            self.folder / "odd.vtk", cube, [(6, (0, 1, 3, 2)), (41, range(8)), (12, range(8))]
+        )
+        criteria = ["Area", "Volume", "VertexCount", "CellTypeId"]
+        values = self.evaluate(self.open(path), Criteria=criteria)
+        self.assertEqual(values["Area"][:2], [0.5, 0.5])
+        self.assertEqual(values["CellTypeId"], [5, 5, 41, 12])
+        self.assertEqual(values["VertexCount"], [3, 3, 8, 8])
+        self.assertAlmostEqual(values["Volume"][2], 1, 12)
+        surface = self.fetch(simple.MeshSurface(Input=self.open(path)))
+        self.assertEqual(surface.GetNumberOfPolys(), 1 + 12 + 6)
+
     def test_blocks(self):
         group = simple.GroupDatasets(Input=[simple.Sphere(), simple.Wavelet()])
         quality = simple.ElementQuality(Input=group, Criteria=["Area", "Volume"])
