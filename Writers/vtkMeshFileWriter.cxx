@@ -2,17 +2,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshFileWriter.h"
 
+#include "PieceGathering.h"
 #include "Scan/MappedFile.h"
 #include "Scan/Progress.h"
 #include "Scan/ScanError.h"
 
+#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+
+vtkCxxSetObjectMacro(vtkMeshFileWriter, Controller, vtkMultiProcessController);
+
+namespace
+{
+//------------------------------------------------------------------------------
+// The name of a file of a series: the number comes before the extension.
+std::string AddNumber(const std::string& path, int number)
+{
+  const std::size_t name = path.size() - camaron::GetFileName(path).size();
+  const std::size_t dot = path.find_last_of('.');
+  const std::size_t at = dot == std::string::npos || dot < name ? path.size() : dot;
+  return path.substr(0, at) + "_" + std::to_string(number) + path.substr(at);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkMeshFileWriter::vtkMeshFileWriter()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
 
 //------------------------------------------------------------------------------
 vtkMeshFileWriter::~vtkMeshFileWriter()
 {
+  this->SetController(nullptr);
   this->SetFileName(nullptr);
 }
 
@@ -20,21 +49,98 @@ vtkMeshFileWriter::~vtkMeshFileWriter()
 int vtkMeshFileWriter::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshFileWriter::WriteData()
+vtkTypeBool vtkMeshFileWriter::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  auto* mesh = vtkDataSet::SafeDownCast(this->GetInput());
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  if (info && request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
+  {
+    this->NumberOfTimeSteps =
+      info->Has(vtkSDDP::TIME_STEPS()) ? info->Length(vtkSDDP::TIME_STEPS()) : 0;
+    return 1;
+  }
+  if (info && request->Has(vtkSDDP::REQUEST_UPDATE_EXTENT()))
+  {
+    if (this->Controller)
+    {
+      info->Set(vtkSDDP::UPDATE_PIECE_NUMBER(), this->Controller->GetLocalProcessId());
+      info->Set(vtkSDDP::UPDATE_NUMBER_OF_PIECES(), this->Controller->GetNumberOfProcesses());
+      info->Set(vtkSDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+    if (this->WriteTimeSteps && this->TimeStep < this->NumberOfTimeSteps)
+    {
+      info->Set(vtkSDDP::UPDATE_TIME_STEP(), info->Get(vtkSDDP::TIME_STEPS())[this->TimeStep]);
+    }
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFileWriter::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  if (this->TimeStep == 0)
+  {
+    this->SetErrorCode(vtkErrorCode::NoError);
+  }
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  if (!input)
+  {
+    vtkErrorMacro("There is nothing to write.");
+    return 0;
+  }
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("The name of the file to write is not set.");
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
-    return;
+    return 1;
   }
+
+  this->InvokeEvent(vtkCommand::StartEvent, nullptr);
+  const bool isSeries = this->WriteTimeSteps && this->NumberOfTimeSteps > 0;
+  vtkSmartPointer<vtkDataSet> mesh = camaron::MergeLeaves(input);
+  if (this->Controller)
+  {
+    mesh = camaron::Gather(mesh, this->Controller);
+  }
+  if (mesh)
+  {
+    this->WriteTo(isSeries ? AddNumber(this->FileName, this->TimeStep) : this->FileName, mesh);
+  }
+  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    // When the others go on, the file is there, or they know that it is not.
+    int code = static_cast<int>(this->GetErrorCode());
+    this->Controller->Broadcast(&code, 1, 0);
+    this->SetErrorCode(static_cast<unsigned long>(code));
+  }
+  this->InvokeEvent(vtkCommand::EndEvent, nullptr);
+  this->WriteTime.Modified();
+
+  const bool isLast = !isSeries || this->TimeStep + 1 >= this->NumberOfTimeSteps ||
+    this->GetErrorCode() != vtkErrorCode::NoError;
+  this->TimeStep = isLast ? 0 : this->TimeStep + 1;
+  if (isLast)
+  {
+    request->Remove(vtkSDDP::CONTINUE_EXECUTING());
+  }
+  else
+  {
+    request->Set(vtkSDDP::CONTINUE_EXECUTING(), 1);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFileWriter::WriteTo(const std::string& path, vtkDataSet* mesh)
+{
   const camaron::Progress progress(
     [this](double fraction)
     {
@@ -43,8 +149,7 @@ void vtkMeshFileWriter::WriteData()
     });
   camaron::Warnings warnings;
   camaron::ScanError error;
-  this->SetErrorCode(vtkErrorCode::NoError);
-  if (!this->WriteMesh(this->FileName, mesh, warnings, error, progress) && !error)
+  if (!this->WriteMesh(path, mesh, warnings, error, progress) && !error)
   {
     this->SetErrorCode(vtkErrorCode::UserError); // stopped
   }
@@ -54,7 +159,7 @@ void vtkMeshFileWriter::WriteData()
     this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
     return;
   }
-  const std::string name = camaron::GetFileName(this->FileName);
+  const std::string name = camaron::GetFileName(path);
   for (const std::string& sentence : warnings.GetSentences())
   {
     vtkWarningMacro(<< name << ": " << sentence);
@@ -66,4 +171,6 @@ void vtkMeshFileWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "WriteTimeSteps: " << this->WriteTimeSteps << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
 }

@@ -10,9 +10,6 @@
  * with the faces of a tetrahedron, pyramid, wedge or hexahedron becomes one, that cells given inside
  * out are turned, and that 2D cells come after 3D ones.
  *
- * Points of pieces that were gathered from several processes are merged by their global ids; ghost
- * cells are left out.
- *
  * @sa vtkVisfReader
  */
 #ifndef vtkVisfWriter_h

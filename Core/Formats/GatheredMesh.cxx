@@ -3,21 +3,27 @@
 #include "Formats/GatheredMesh.h"
 
 #include "Mesh/MeshView.h"
+#include "Scan/Buffer.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDataSetAttributesFieldList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
 #include <numeric>
-#include <vector>
+#include <type_traits>
 
 namespace camaron
 {
@@ -26,156 +32,381 @@ namespace
 constexpr int LeftOut = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
 
 //------------------------------------------------------------------------------
-bool IsLeftOut(vtkUnsignedCharArray* ghosts, vtkIdType cell)
+struct Piece
 {
-  return ghosts && (ghosts->GetValue(cell) & LeftOut) != 0;
-}
-
-//------------------------------------------------------------------------------
-// The points that stay, in their new order, each with all its old ids: old ids sorted by new point, and
-// where each new point begins.
-struct PointGroups
-{
-  std::vector<vtkIdType> NewIds; // per old point; -1 if it is left out
-  std::vector<vtkIdType> OldIds; // per new point one of the old ones
+  vtkDataSet* Mesh;
+  MeshView View;
+  vtkUnsignedCharArray* Ghosts;
+  vtkIdType FirstPoint; // among the points of all pieces
+  bool IsLeftOut(vtkIdType cell) const
+  {
+    return this->Ghosts && (this->Ghosts->GetValue(cell) & LeftOut) != 0;
+  }
 };
 
 //------------------------------------------------------------------------------
-PointGroups GroupPoints(vtkDataArray* globalIds, const std::vector<unsigned char>& stays)
+// Sizes of what stays.
+struct Sizes
 {
-  PointGroups groups;
-  const auto size = static_cast<vtkIdType>(stays.size());
-  groups.NewIds.assign(stays.size(), -1);
-  std::vector<vtkIdType> order;
-  for (vtkIdType id = 0; id < size; ++id)
-  {
-    if (stays[id])
-    {
-      order.push_back(id);
-    }
-  }
-  std::vector<vtkIdType> global;
-  if (globalIds)
-  {
-    global.resize(stays.size());
-    for (vtkIdType id = 0; id < size; ++id)
-    {
-      global[id] = static_cast<vtkIdType>(globalIds->GetTuple1(id));
-    }
-    std::vector<vtkIdType> sorted = order;
-    std::stable_sort(sorted.begin(), sorted.end(),
-      [&global](vtkIdType a, vtkIdType b) { return global[a] < global[b]; });
-    const bool haveTwins = std::adjacent_find(sorted.begin(), sorted.end(),
-                             [&global](vtkIdType a, vtkIdType b)
-                             { return global[a] == global[b]; }) != sorted.end();
-    haveTwins ? order.swap(sorted) : global.clear();
-  }
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    if (global.empty() || i == 0 || global[order[i]] != global[order[i - 1]])
-    {
-      groups.OldIds.push_back(order[i]);
-    }
-    groups.NewIds[order[i]] = static_cast<vtkIdType>(groups.OldIds.size()) - 1;
-  }
-  return groups;
-}
+  vtkIdType Cells = 0, Points = 0, Faces = 0, FacePoints = 0;
+  bool Polyhedra = false;
+};
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnstructuredGrid> Rebuild(
-  vtkPointSet* mesh, vtkUnsignedCharArray* ghosts, const PointGroups& groups)
+class PieceMerger
 {
-  const MeshView view(mesh);
-  vtkNew<vtkCellArray> cells, faces, locations;
-  vtkNew<vtkUnsignedCharArray> types;
-  const auto insert = [&groups](vtkCellArray* lists, const IndexRange& points)
+public:
+  explicit PieceMerger(const std::vector<vtkDataSet*>& meshes)
   {
-    const vtkIdType list = lists->InsertNextCell(static_cast<int>(points.Size));
-    for (vtkIdType i = 0; i < points.Size; ++i)
+    for (vtkDataSet* mesh : meshes)
     {
-      lists->InsertCellPoint(groups.NewIds[points[i]]);
+      this->Pieces.push_back(
+        { mesh, MeshView(mesh), mesh->GetCellGhostArray(), this->NumberOfPoints });
+      this->NumberOfPoints += this->Pieces.back().View.GetNumberOfPoints();
     }
-    return list;
-  };
-  for (vtkIdType cell = 0; cell < view.GetNumberOfCells(); ++cell)
-  {
-    if (IsLeftOut(ghosts, cell))
-    {
-      continue;
-    }
-    types->InsertNextValue(view.GetCellType(cell));
-    insert(cells, view.GetCellPoints(cell));
-    if (view.HasPolyhedra())
-    {
-      const bool polyhedron = view.GetCellType(cell) == VTK_POLYHEDRON;
-      const IndexRange cellFaces = polyhedron ? view.GetPolyhedronFaces(cell) : IndexRange();
-      locations->InsertNextCell(static_cast<int>(cellFaces.Size));
-      for (vtkIdType f = 0; f < cellFaces.Size; ++f)
-      {
-        locations->InsertCellPoint(insert(faces, view.GetPolyhedronFacePoints(cellFaces[f])));
-      }
-    }
+    this->DropPoints();
+    this->NumberPoints();
   }
 
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataType(mesh->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(static_cast<vtkIdType>(groups.OldIds.size()));
-  for (std::size_t i = 0; i < groups.OldIds.size(); ++i)
+  bool IsUnchanged() const
   {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh->GetPoint(groups.OldIds[i]));
+    return !this->LosesCells && static_cast<vtkIdType>(this->OldIds.size()) == this->NumberOfPoints;
   }
-  grid->SetPoints(points);
-  if (view.HasPolyhedra())
-  {
-    grid->SetPolyhedralCells(types, cells, locations, faces);
-  }
-  else
-  {
-    grid->SetCells(types, cells);
-  }
-  return grid;
-}
-}
 
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataSet> MergePieces(vtkDataSet* mesh)
-{
-  auto* pointSet = vtkPointSet::SafeDownCast(mesh);
-  if (!pointSet || !pointSet->GetPoints())
+  vtkSmartPointer<vtkUnstructuredGrid> Merge() const
   {
-    return mesh;
-  }
-  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
-  vtkDataArray* globalIds = mesh->GetPointData()->GetGlobalIds();
-  const MeshView view(mesh);
-  bool changes = false;
-  // Points that only cells use that are left out.
-  std::vector<unsigned char> stays(static_cast<std::size_t>(view.GetNumberOfPoints()), 1);
-  for (const unsigned char value : { 0, 1 })
-  {
-    for (vtkIdType cell = 0; ghosts && cell < view.GetNumberOfCells(); ++cell)
+    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    const Sizes sizes = this->Measure();
+    const vtkIdType largest = std::max({ sizes.Cells, sizes.Points, sizes.Faces, sizes.FacePoints });
+    if (largest <= std::numeric_limits<vtkTypeInt32>::max())
     {
-      if (IsLeftOut(ghosts, cell) == (value == 0))
+      this->MergeCells<vtkTypeInt32>(sizes, grid);
+    }
+    else
+    {
+      this->MergeCells<vtkTypeInt64>(sizes, grid);
+    }
+    this->MergePoints(grid);
+    this->MergeArrays(grid);
+    return grid;
+  }
+
+private:
+  void DropPoints();
+  void NumberPoints();
+  Sizes Measure() const;
+  template <typename Id>
+  void MergeCells(const Sizes& sizes, vtkUnstructuredGrid* grid) const;
+  void MergePoints(vtkUnstructuredGrid* grid) const;
+  void MergeArrays(vtkUnstructuredGrid* grid) const;
+
+  /// Calls @a visit(piece, cell) for the cells that stay.
+  template <typename Visit>
+  void ForEachCell(Visit&& visit) const
+  {
+    for (const Piece& piece : this->Pieces)
+    {
+      for (vtkIdType cell = 0; cell < piece.View.GetNumberOfCells(); ++cell)
       {
-        changes = changes || value == 0;
-        const IndexRange points = view.GetCellPoints(cell);
-        for (vtkIdType i = 0; i < points.Size; ++i)
+        if (!piece.IsLeftOut(cell))
         {
-          stays[points[i]] = value;
+          visit(piece, cell);
         }
       }
     }
   }
-  if (!changes && !globalIds)
+  const Piece& GetPiece(vtkIdType point) const
   {
-    return mesh;
+    return *(std::upper_bound(this->Pieces.begin(), this->Pieces.end(), point,
+               [](vtkIdType p, const Piece& piece) { return p < piece.FirstPoint; }) -
+      1);
   }
-  const PointGroups groups = GroupPoints(globalIds, stays);
-  if (!changes && groups.OldIds.size() == groups.NewIds.size())
+
+  void GetPlace(vtkIdType point, double x[3]) const
   {
-    return mesh;
+    const Piece& piece = this->GetPiece(point);
+    piece.View.GetPoint(point - piece.FirstPoint, x);
   }
-  return Rebuild(pointSet, ghosts, groups);
+  bool HaveSamePlace(vtkIdType a, vtkIdType b) const;
+
+  std::vector<Piece> Pieces;
+  vtkIdType NumberOfPoints = 0;
+  bool LosesCells = false;
+  std::vector<vtkIdType> NewIds; // per point of all pieces; -1 if it is left out
+  std::vector<vtkIdType> OldIds; // per new point the first of those that became it
+};
+
+//------------------------------------------------------------------------------
+// Points that only cells use that are left out.
+void PieceMerger::DropPoints()
+{
+  this->NewIds.assign(static_cast<std::size_t>(this->NumberOfPoints), 0);
+  for (const vtkIdType mark : { -1, 0 })
+  {
+    for (const Piece& piece : this->Pieces)
+    {
+      for (vtkIdType cell = 0; piece.Ghosts && cell < piece.View.GetNumberOfCells(); ++cell)
+      {
+        if (piece.IsLeftOut(cell) == (mark < 0))
+        {
+          this->LosesCells = this->LosesCells || mark < 0;
+          const IndexRange points = piece.View.GetCellPoints(cell);
+          for (vtkIdType i = 0; i < points.Size; ++i)
+          {
+            this->NewIds[piece.FirstPoint + points[i]] = mark;
+          }
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PieceMerger::NumberPoints()
+{
+  std::vector<vtkIdType> global;
+  for (const Piece& piece : this->Pieces)
+  {
+    vtkDataArray* ids = piece.Mesh->GetPointData()->GetGlobalIds();
+    for (vtkIdType i = 0; ids && i < piece.View.GetNumberOfPoints(); ++i)
+    {
+      global.push_back(static_cast<vtkIdType>(ids->GetTuple1(i)));
+    }
+  }
+  for (vtkIdType point = 0; point < this->NumberOfPoints; ++point)
+  {
+    if (this->NewIds[point] >= 0)
+    {
+      this->OldIds.push_back(point);
+    }
+  }
+  if (static_cast<vtkIdType>(global.size()) != this->NumberOfPoints)
+  {
+    global.assign(static_cast<std::size_t>(this->NumberOfPoints), 0);
+    std::iota(global.begin(), global.end(), vtkIdType(0)); // no twins
+  }
+  std::vector<vtkIdType> sorted = this->OldIds;
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [&global](vtkIdType a, vtkIdType b) { return global[a] < global[b]; });
+
+  // Points are the same if their places are, too: blocks of different meshes may use the same ids. More
+  // places than this for one id, and the ids mean nothing.
+  constexpr std::size_t MaxPlaces = 64;
+  std::vector<vtkIdType> kept;
+  std::size_t first = 0; // of the kept points with the id at hand
+  for (const vtkIdType point : sorted)
+  {
+    if (first < kept.size() && global[kept[first]] != global[point])
+    {
+      first = kept.size();
+    }
+    std::size_t twin = kept.size() - first < MaxPlaces ? first : kept.size();
+    while (twin < kept.size() && !this->HaveSamePlace(kept[twin], point))
+    {
+      ++twin;
+    }
+    this->NewIds[point] = static_cast<vtkIdType>(twin);
+    if (twin == kept.size())
+    {
+      kept.push_back(point);
+    }
+  }
+  if (kept.size() < this->OldIds.size())
+  {
+    this->OldIds.swap(kept);
+    return;
+  }
+  // Nothing to merge: the order stays.
+  for (std::size_t i = 0; i < this->OldIds.size(); ++i)
+  {
+    this->NewIds[this->OldIds[i]] = static_cast<vtkIdType>(i);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool PieceMerger::HaveSamePlace(vtkIdType a, vtkIdType b) const
+{
+  double x[3], y[3];
+  this->GetPlace(a, x);
+  this->GetPlace(b, y);
+  return std::memcmp(x, y, sizeof(x)) == 0;
+}
+
+//------------------------------------------------------------------------------
+Sizes PieceMerger::Measure() const
+{
+  Sizes sizes;
+  this->ForEachCell(
+    [&sizes](const Piece& piece, vtkIdType cell)
+    {
+      ++sizes.Cells;
+      sizes.Points += piece.View.GetCellPoints(cell).Size;
+      if (piece.View.GetCellType(cell) == VTK_POLYHEDRON)
+      {
+        sizes.Polyhedra = true;
+        const IndexRange faces = piece.View.GetPolyhedronFaces(cell);
+        sizes.Faces += faces.Size;
+        for (vtkIdType f = 0; f < faces.Size; ++f)
+        {
+          sizes.FacePoints += piece.View.GetPolyhedronFacePoints(faces[f]).Size;
+        }
+      }
+    });
+  return sizes;
+}
+
+//------------------------------------------------------------------------------
+// A vtkCellArray that is filled list by list and then exactly full.
+template <typename Id>
+class Lists
+{
+public:
+  Lists(vtkIdType lists, vtkIdType values)
+    : Offsets(lists + 1)
+    , Values(values)
+  {
+    this->Offsets[0] = 0;
+  }
+  void Add(vtkIdType value) { this->Values[this->NextValue++] = static_cast<Id>(value); }
+  vtkIdType EndList()
+  {
+    this->Offsets[++this->NextList] = static_cast<Id>(this->NextValue);
+    return this->NextList - 1;
+  }
+  vtkSmartPointer<vtkCellArray> Take()
+  {
+    using Array =
+      typename std::conditional<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>::type;
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    const auto offsets = this->Offsets.template TakeArray<Array>();
+    const auto values = this->Values.template TakeArray<Array>();
+    cells->SetData(offsets.Get(), values.Get());
+    return cells;
+  }
+
+private:
+  Buffer<Id> Offsets, Values;
+  vtkIdType NextList = 0;
+  vtkIdType NextValue = 0;
+};
+
+//------------------------------------------------------------------------------
+template <typename Id>
+void PieceMerger::MergeCells(const Sizes& sizes, vtkUnstructuredGrid* grid) const
+{
+  Buffer<unsigned char> types(sizes.Cells);
+  Lists<Id> cells(sizes.Cells, sizes.Points);
+  Lists<Id> faces(sizes.Faces, sizes.FacePoints);
+  Lists<Id> locations(sizes.Polyhedra ? sizes.Cells : 0, sizes.Faces);
+  vtkIdType next = 0;
+  this->ForEachCell(
+    [&](const Piece& piece, vtkIdType cell)
+    {
+      const auto add = [&](Lists<Id>& lists, const IndexRange& points)
+      {
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          lists.Add(this->NewIds[piece.FirstPoint + points[i]]);
+        }
+        return lists.EndList();
+      };
+      types[next++] = piece.View.GetCellType(cell);
+      add(cells, piece.View.GetCellPoints(cell));
+      if (sizes.Polyhedra)
+      {
+        const IndexRange cellFaces = piece.View.GetCellType(cell) == VTK_POLYHEDRON
+          ? piece.View.GetPolyhedronFaces(cell)
+          : IndexRange();
+        for (vtkIdType f = 0; f < cellFaces.Size; ++f)
+        {
+          locations.Add(add(faces, piece.View.GetPolyhedronFacePoints(cellFaces[f])));
+        }
+        locations.EndList();
+      }
+    });
+  const auto typeArray = types.TakeArray<vtkUnsignedCharArray>();
+  const auto cellArray = cells.Take();
+  if (sizes.Polyhedra)
+  {
+    const auto locationArray = locations.Take();
+    const auto faceArray = faces.Take();
+    grid->SetPolyhedralCells(typeArray, cellArray, locationArray, faceArray);
+  }
+  else
+  {
+    grid->SetCells(typeArray, cellArray);
+  }
+}
+
+//------------------------------------------------------------------------------
+void PieceMerger::MergePoints(vtkUnstructuredGrid* grid) const
+{
+  bool single = true;
+  for (const Piece& piece : this->Pieces)
+  {
+    single = single && (piece.View.HasFloatPoints() || piece.View.GetNumberOfPoints() == 0);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataType(single ? VTK_FLOAT : VTK_DOUBLE);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(this->OldIds.size()));
+  for (std::size_t i = 0; i < this->OldIds.size(); ++i)
+  {
+    double x[3];
+    this->GetPlace(this->OldIds[i], x);
+    points->SetPoint(static_cast<vtkIdType>(i), x);
+  }
+  grid->SetPoints(points);
+}
+
+//------------------------------------------------------------------------------
+void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid) const
+{
+  vtkDataSetAttributes::FieldList pointFields, cellFields;
+  for (const Piece& piece : this->Pieces)
+  {
+    pointFields.IntersectFieldList(piece.Mesh->GetPointData());
+    cellFields.IntersectFieldList(piece.Mesh->GetCellData());
+  }
+  vtkPointData* points = grid->GetPointData();
+  points->CopyGlobalIdsOn(); // a merged point still has the id of all of which it was made
+  points->CopyAllocate(pointFields, static_cast<vtkIdType>(this->OldIds.size()));
+  for (std::size_t i = 0; points->GetNumberOfArrays() > 0 && i < this->OldIds.size(); ++i)
+  {
+    const Piece& piece = this->GetPiece(this->OldIds[i]);
+    pointFields.CopyData(static_cast<int>(&piece - this->Pieces.data()), piece.Mesh->GetPointData(),
+      this->OldIds[i] - piece.FirstPoint, points, static_cast<vtkIdType>(i));
+  }
+  vtkCellData* cells = grid->GetCellData();
+  cells->CopyGlobalIdsOn();
+  cells->CopyAllocate(cellFields, grid->GetNumberOfCells());
+  vtkIdType next = 0;
+  if (cells->GetNumberOfArrays() > 0)
+  {
+    this->ForEachCell(
+      [&](const Piece& piece, vtkIdType cell)
+      {
+        cellFields.CopyData(static_cast<int>(&piece - this->Pieces.data()),
+          piece.Mesh->GetCellData(), cell, cells, next++);
+      });
+  }
+  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(points),
+         static_cast<vtkDataSetAttributes*>(cells) })
+  {
+    data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool HasSeams(vtkDataSet* mesh)
+{
+  return (mesh->GetCellGhostArray() || mesh->GetPointData()->GetGlobalIds()) &&
+    !PieceMerger({ mesh }).IsUnchanged();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> MergePieces(const std::vector<vtkDataSet*>& pieces)
+{
+  return PieceMerger(pieces).Merge();
 }
 }

@@ -9,17 +9,27 @@
 
 #include "vtkSmartPointer.h"
 
+#include <vector> // for pieces
+
 class vtkDataSet;
+class vtkUnstructuredGrid;
 
 namespace camaron
 {
 /**
- * Leaves out ghost and hidden cells, and points that only these use. If several points have the same
- * global id, all points are merged and sorted by it. Returns @a mesh itself if there is nothing to do,
- * else a vtkUnstructuredGrid without arrays.
- * @param mesh a vtkUnstructuredGrid or vtkPolyData
+ * Whether a mesh has ghost or hidden cells, or several points of the same global id and place, as it may after
+ * pieces were put together.
  */
-vtkSmartPointer<vtkDataSet> MergePieces(vtkDataSet* mesh);
+bool HasSeams(vtkDataSet* mesh);
+
+/**
+ * Puts pieces together: their cells one after the other without ghost and hidden ones, and their points
+ * without those that only such cells use. If all pieces have global ids of points, points of the same
+ * id and place are merged, and if there are any, all are sorted by id. Arrays that all pieces have are kept;
+ * a merged point has the values of the first.
+ * @param pieces of types vtkUnstructuredGrid and vtkPolyData
+ */
+vtkSmartPointer<vtkUnstructuredGrid> MergePieces(const std::vector<vtkDataSet*>& pieces);
 }
 
 #endif

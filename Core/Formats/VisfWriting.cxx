@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formats/VisfWriting.h"
 
-#include "Formats/GatheredMesh.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 #include "Scan/Buffer.h"
@@ -674,8 +673,7 @@ void WarnOfLosses(vtkDataSet* mesh, const MeshView& view, Warnings& warnings)
 bool Write(OutputFile& file, vtkDataSet* mesh, VisfEncoding encoding, bool neighbors,
   Warnings& warnings, const Progress& progress)
 {
-  const vtkSmartPointer<vtkDataSet> whole = MergePieces(mesh);
-  const VisfLists lists(whole, warnings);
+  const VisfLists lists(mesh, warnings);
   WarnOfLosses(mesh, lists.GetMesh(), warnings);
   if (!progress.Report(0.3))
   {

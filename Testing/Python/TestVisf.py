@@ -150,11 +150,32 @@ class TestVisf(camaron_testing.TestCase):
         simple.SaveData(target, image)
         self.assertEqual(counts(target)[2], 24)
 
-    def test_series(self):
+    def test_save_blocks(self):
+        blocks = simple.GroupDatasets(Input=[self.open(EXAMPLES / name) for name in MESHES[:2]])
+        target = str(self.folder / "blocks.visf")
+        simple.SaveData(target, blocks)
+        expected = [sum(numbers) for numbers in zip(*(counts(EXAMPLES / m) for m in MESHES[:2]))]
+        # On several ranks points of both blocks have the same global ids, and stay apart all the same.
+        self.assertEqual(list(counts(target)), expected)
+
+    def series(self):
         names = [str(self.folder / f"step{i}.visf") for i in range(3)]
         for i, name in enumerate(names):
             shutil.copy(EXAMPLES / MESHES[i], name)
-        source = simple.OpenDataFile(names)
+        return names, simple.OpenDataFile(names)
+
+    def test_save_series(self):
+        _, source = self.series()
+        target = self.folder / "saved.visf"
+        simple.SaveData(str(target), source, WriteTimeSteps=1)
+        self.assertFalse(target.exists())
+        for i, name in enumerate(MESHES):
+            self.assertEqual(counts(self.folder / f"saved_{i}.visf"), counts(EXAMPLES / name))
+        source.UpdatePipeline(1)
+        simple.SaveData(str(target), source)
+
+    def test_series(self):
+        names, source = self.series()
         self.assertEqual(list(source.TimestepValues), [0, 1, 2])
         for i in range(3):
             source.UpdatePipeline(i)
