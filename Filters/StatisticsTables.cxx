@@ -134,6 +134,25 @@ void AddHistogramRows(
 {
   const std::int64_t total = histogram.GetTotal();
   std::int64_t upTo = histogram.Underflow;
+  if (bins.GetSize() == 0)
+  {
+    // Values there may be, though none of them goes into a bin.
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Row row(labels);
+    row.Add(std::int64_t(-1));
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      row.Add(unknown);
+    }
+    row.Add(std::int64_t(0));
+    row.Add(Percent(0, total));
+    row.Add(Percent(upTo, total));
+    row.Add(histogram.Underflow);
+    row.Add(histogram.Overflow);
+    row.Add(histogram.NullCount);
+    row.Add(histogram.InfCount);
+    row.AppendTo(table);
+  }
   for (std::size_t bin = 0; bin < bins.GetSize(); ++bin)
   {
     upTo += histogram.Counts[bin];

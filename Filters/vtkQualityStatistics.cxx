@@ -33,7 +33,14 @@ struct StatisticsArray
 {
   std::string Name;
   std::string Unit;
+  bool OfIntegers = true; // a count of the registry, or an array of an integer type
 };
+
+//------------------------------------------------------------------------------
+bool IsIntegral(int dataType)
+{
+  return dataType != VTK_FLOAT && dataType != VTK_DOUBLE;
+}
 
 //------------------------------------------------------------------------------
 // All numeric cell arrays with one component that any process has, with their units.
@@ -52,8 +59,11 @@ std::vector<StatisticsArray> FindArrays(
       {
         const bool hasUnit =
           array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL());
+        const camaron::Criterion* criterion = camaron::FindCriterion(array->GetName());
+        const bool ofIntegers = criterion ? criterion->IsInteger : IsIntegral(array->GetDataType());
         own.push_back(std::string(array->GetName()) + separator +
-          (hasUnit ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : ""));
+          (hasUnit ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : "") +
+          (ofIntegers ? 'i' : 'r'));
       }
     }
   }
@@ -61,14 +71,16 @@ std::vector<StatisticsArray> FindArrays(
   for (const std::string& entry : reducer.GatherNames(own))
   {
     const std::size_t end = entry.find(separator);
-    const StatisticsArray array{ entry.substr(0, end), entry.substr(end + 1) };
+    const StatisticsArray array{ entry.substr(0, end),
+      entry.substr(end + 1, entry.size() - end - 2), entry.back() == 'i' };
     if (arrays.empty() || arrays.back().Name != array.Name)
     {
       arrays.push_back(array);
     }
     else
     {
-      arrays.back().Unit = array.Unit; // sorted, so one with a unit comes after one without
+      arrays.back().Unit = std::max(arrays.back().Unit, array.Unit); // rather one than none
+      arrays.back().OfIntegers = arrays.back().OfIntegers && array.OfIntegers;
     }
   }
   return arrays;
@@ -232,8 +244,17 @@ void vtkQualityStatistics::ClearArrays()
 //------------------------------------------------------------------------------
 void vtkQualityStatistics::AddQuantile(double percent)
 {
-  this->Quantiles.push_back(std::min(std::max(percent, 0.0), 100.0));
-  this->Modified();
+  if (!(percent >= 0 && percent <= 100))
+  {
+    vtkErrorMacro("A quantile is between 0 and 100 percent, not " << percent << '.');
+    return;
+  }
+  // Each has a column of its own.
+  if (std::find(this->Quantiles.begin(), this->Quantiles.end(), percent) == this->Quantiles.end())
+  {
+    this->Quantiles.push_back(percent);
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -301,6 +322,7 @@ int vtkQualityStatistics::RequestData(
       const StatisticsArray& array = arrays[a];
       const auto acceptable = camaron::FindAcceptableRange(array.Name, this->Preset, array.Unit);
       const auto worstEnd = camaron::FindWorstEnd(array.Name, this->WorstValues);
+      settings.OfIntegers = array.OfIntegers;
       settings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
       const camaron::BlockValues values(blocks, array.Name);
       camaron::Bins bins;

@@ -107,7 +107,8 @@ Bins MakeBins(const Summary& summary, const BinSettings& settings)
     return Bins();
   }
   const double first = std::ceil(low), last = std::floor(high);
-  if (!logarithmic && summary.NonIntegerCount == 0 && low < high && first <= last &&
+  if (settings.OfIntegers && !logarithmic && summary.NonIntegerCount == 0 && low < high &&
+    first <= last &&
     last - first < MaximumOfIntegerBins && std::abs(first) < 1e15)
   {
     return Bins::OfIntegers(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));

@@ -68,10 +68,12 @@ struct BinSettings
   /// Range of the bins; where an end is infinite that of the data (the positive data, if
   /// logarithmic).
   ValueRange Range;
+  /// The values are integers by their nature, such as counts.
+  bool OfIntegers = false;
 };
 
 /**
- * Bins for the data of @a summary: one per integer if all values are integers and these are not too
+ * Bins for the data of @a summary: one per integer if the values are integers and these are not too
  * many, one for constant data, none without finite (positive, if logarithmic) values.
  */
 Bins MakeBins(const Summary& summary, const BinSettings& settings);

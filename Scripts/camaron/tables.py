@@ -87,9 +87,11 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
             criteria[row["Criterion"]] = _criterion(row, known[row["Criterion"]], rules)
     for row in fetch(statistics, 1):
         histogram = criteria[row["Criterion"]]["histogram"]
-        if not histogram["edges"]:
+        histogram["underflow"], histogram["overflow"] = row["Underflow"], row["Overflow"]
+        if row["Bin"] < 0:
+            continue  # there are no bins
+        if row["Bin"] == 0:
             histogram["edges"].append(row["LowerEdge"])
-            histogram["underflow"], histogram["overflow"] = row["Underflow"], row["Overflow"]
         histogram["edges"].append(row["UpperEdge"])
         histogram["counts"].append(row["Count"])
     for row in fetch(statistics, 2):

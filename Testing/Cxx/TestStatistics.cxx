@@ -459,16 +459,22 @@ TEST(Statistics, BinsOfIntegersAndConstants)
 {
   Reducer serial;
   const std::vector<double> counts = { 4, 6, 6, 5, 12, NaN, 6 };
-  Bins bins = MakeBins(Summarize(OneBlock(counts), {}, serial), {});
+  BinSettings ofIntegers;
+  ofIntegers.OfIntegers = true;
+  Bins bins = MakeBins(Summarize(OneBlock(counts), {}, serial), ofIntegers);
   ASSERT_EQ(bins.GetSize(), 9u);
   EXPECT_EQ(bins.GetCenter(0), 4);
   EXPECT_EQ(CountBins(OneBlock(counts), bins, serial).Counts,
     (std::vector<std::int64_t>{ 1, 1, 3, 0, 0, 0, 0, 0, 1 }));
-  bins = MakeBins(Summarize(OneBlock(counts), {}, serial), { 50, BinScale::Linear, { 4.5, 6 } });
+  bins = MakeBins(Summarize(OneBlock(counts), {}, serial), { 50, BinScale::Linear, { 4.5, 6 }, true });
   const Histogram custom = CountBins(OneBlock(counts), bins, serial);
   EXPECT_EQ(custom.Counts, (std::vector<std::int64_t>{ 1, 3 }));
   EXPECT_EQ(custom.Underflow, 1);
   EXPECT_EQ(custom.Overflow, 1);
+
+  // Other values that happen to be whole numbers have as many bins as the user wants.
+  bins = MakeBins(Summarize(OneBlock(counts), {}, serial), { 4, BinScale::Linear, { 4, 12 } });
+  EXPECT_EQ(bins.GetEdges(), (std::vector<double>{ 4, 6, 8, 10, 12 }));
 
   const std::vector<double> constant = { 0.1, 0.1, 0.1 };
   for (const BinScale scale : { BinScale::Linear, BinScale::Logarithmic })

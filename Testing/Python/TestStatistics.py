@@ -101,7 +101,10 @@ class TestStatistics(camaron_testing.TestCase):
                     if len(finite) and (scale == "Linear" or finite.max() > 0):
                         self.check_histogram(bins, numbers)
                     else:
-                        self.assertEqual(bins, [])
+                        # No bins, and one row that tells where the values are instead.
+                    self.assertEqual([row["Bin"] for row in bins], [-1])
+                    outside = ("Count", "Underflow", "Overflow", "NullCount", "InfCount")
+                    self.assertEqual(sum(bins[0][name] for name in outside), len(numbers))
         self.assertEqual(len([row for row in histogram if row["Criterion"] == "Constant"]), 1)
 
     def test_default_arrays_are_criteria(self):
@@ -116,6 +119,17 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertEqual(
             {row["Criterion"] for row in worst}, {"EquiangleSkewness", "EdgeLengthRatio"}
         )
+
+    def test_equal_quantiles_share_a_column(self):
+        """Each percentage once, and what is none is refused: the table keeps its shape."""
+        source = mesh_parts.producer(mesh_parts.make_full_mesh())
+        with camaron_testing.pipeline.Messages() as messages:
+            statistics, _, _ = self.tables(
+                source, Arrays=["Volume"], Quantiles=[50, 50, 33.3, 150, -5, 100]
+            )
+        self.assertEqual([c for c in statistics[0] if c.startswith("P")], ["P50", "P33.3", "P100"])
+        self.assertEqual(statistics[0]["P100"], statistics[0]["Max"])
+        self.assertTrue(any("between 0 and 100" in text for text in messages.errors))
 
     def test_integers_have_bins_of_their_own(self):
         source = mesh_parts.producer(mesh_parts.make_full_mesh())
