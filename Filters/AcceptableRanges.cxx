@@ -57,9 +57,17 @@ std::optional<ValueRange> FindAcceptableRange(
 std::optional<WorstEnd> FindWorstEnd(const std::string& name)
 {
   const Criterion* criterion = FindCriterion(name);
-  if (!criterion || criterion->Better == Better::Neither)
+  if (!criterion)
   {
     return std::nullopt;
+  }
+  if (criterion->Better == Better::Neither)
+  {
+    // A limit on one side tells as well: a volume must be above zero.
+    const bool low = std::isfinite(criterion->Acceptable[0]);
+    const bool high = std::isfinite(criterion->Acceptable[1]);
+    return low == high ? std::nullopt
+                       : std::optional<WorstEnd>(low ? WorstEnd::Smallest : WorstEnd::Largest);
   }
   return criterion->Better == Better::Smaller ? WorstEnd::Largest : WorstEnd::Smallest;
 }

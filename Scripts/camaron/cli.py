@@ -20,7 +20,7 @@ histograms, worst cells and pictures), summary.json (all numbers), worst.csv and
 cell array for each criterion.
 
   camaron inspect part.visf
-  camaron inspect part.visf --preset FEM-tet -o part-quality
+  camaron inspect part.visf --preset 'FEM tetrahedra' -o part-quality
   camaron inspect part.visf --criteria Volume,MinDihedralAngle --ranks 4"""
 
 CONVERT_HELP = """\

@@ -15,6 +15,9 @@ from paraview import servermanager, simple
 from . import pipeline
 from .files import Staging, same_file
 
+#: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
+FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".ex2", ".exo", ".e"}
+
 
 def convert(
     source: os.PathLike | str, target: os.PathLike | str, *, time: str = "last", **options: Any
@@ -45,7 +48,7 @@ def convert(
         notes = list(opened.warnings)
         if opened.time and opened.time["steps"] > 1:
             notes.append(
-                f"Step {opened.time['step']} of {opened.time['steps']} time steps was taken"
+                f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0, was taken"
                 f" (time {opened.time['value']:g})."
             )
         proxy = _suitable(made, target, notes)
@@ -69,14 +72,11 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         return proxy
 
     proxy = made[0]
+    if pipeline.is_composite(proxy) and suffix not in FORMATS_WITH_BLOCKS:
+        proxy = append(simple.MergeBlocks(Input=proxy))
+        notes.append("The blocks were merged.")
     if fits(proxy) and not (suffix == ".stl" and _is_volume(proxy)):
         return append(simple.Triangulate(Input=proxy)) if suffix == ".stl" else proxy
-    if pipeline.is_composite(proxy):
-        merged = append(simple.MergeBlocks(Input=proxy))
-        if fits(merged):
-            notes.append("The blocks were merged.")
-            return merged
-        proxy = merged
     grid = append(simple.AppendDatasets(Input=proxy))
     if fits(grid) and suffix != ".stl":
         return grid

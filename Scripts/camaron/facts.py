@@ -13,7 +13,7 @@ from . import pipeline, tables, text
 from .files import size
 
 #: Cells that Mesh Surface does not pass on one by one.
-NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine", "EmptyCell")
+NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine")
 
 
 def describe(path: Path, opened: pipeline.Opened, surface: Any) -> dict[str, Any]:
@@ -57,13 +57,14 @@ def describe(path: Path, opened: pipeline.Opened, surface: Any) -> dict[str, Any
         for label, count in sorted(types.items(), key=lambda item: -item[1])
     ]
     for name in ("Volume", "Area"):
-        if total[name]["ApplicableCount"]:
+        if total[name]["Count"] > total[name]["NullCount"]:
             facts[name.lower()] = total[name]["Sum"]
     solid = total["Volume"]["ApplicableCount"]
     if solid and not any(label in types for label in NOT_ONE_POLYGON):
         surface.UpdatePipeline()
         polygons = pipeline.data_information(surface).GetNumberOfCells()
-        facts["boundary_faces"] = polygons - (facts["cells"] - solid)
+        others = facts["cells"] - solid - types.get("EmptyCell", 0)
+        facts["boundary_faces"] = polygons - others
     return facts
 
 
@@ -83,7 +84,7 @@ def notes(opened: pipeline.Opened) -> list[str]:
     if opened.time is None or opened.time["steps"] == 1:
         return []
     return [
-        f"Step {opened.time['step']} of {opened.time['steps']} time steps was taken"
+        f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0, was taken"
         f" (time {opened.time['value']:g})."
     ]
 

@@ -102,9 +102,9 @@ class TestStatistics(camaron_testing.TestCase):
                         self.check_histogram(bins, numbers)
                     else:
                         # No bins, and one row that tells where the values are instead.
-                    self.assertEqual([row["Bin"] for row in bins], [-1])
-                    outside = ("Count", "Underflow", "Overflow", "NullCount", "InfCount")
-                    self.assertEqual(sum(bins[0][name] for name in outside), len(numbers))
+                        self.assertEqual([row["Bin"] for row in bins], [-1])
+                        outside = ("Count", "Underflow", "Overflow", "NullCount", "InfCount")
+                        self.assertEqual(sum(bins[0][key] for key in outside), len(numbers))
         self.assertEqual(len([row for row in histogram if row["Criterion"] == "Constant"]), 1)
 
     def test_default_arrays_are_criteria(self):
@@ -115,9 +115,9 @@ class TestStatistics(camaron_testing.TestCase):
             [row["Criterion"] for row in statistics],
             ["Volume", "FaceCount", "EquiangleSkewness", "EdgeLengthRatio"],
         )
-        # Volume and FaceCount have no worse end.
+        # FaceCount has no worse end; Volume has none either, but must be above zero.
         self.assertEqual(
-            {row["Criterion"] for row in worst}, {"EquiangleSkewness", "EdgeLengthRatio"}
+            {row["Criterion"] for row in worst}, {"Volume", "EquiangleSkewness", "EdgeLengthRatio"}
         )
 
     def test_equal_quantiles_share_a_column(self):
