@@ -147,7 +147,7 @@ class TestSelect(camaron_testing.TestCase):
             "no numeric pedigree ids", Strategy="By id", Ids="1", IdSpace="Pedigree id"
         )
         self.assert_error("no acceptable range is known for 'FaceCount'", Array="FaceCount")
-        self.assert_error("no end of 'Volume'", Strategy="Worst N", Array="Volume")
+        self.assert_error("no end of 'FaceCount'", Strategy="Worst N", Array="FaceCount")
         custom = {"Array": "Volume", "Range": "Custom"}
         self.assert_error("expected a number, found '1,5'", LowerLimit="1,5", **custom)
         self.assert_error("expected a number, found 'nan'", UpperLimit="nan", **custom)

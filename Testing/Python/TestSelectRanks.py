@@ -89,7 +89,7 @@ class TestRanks(camaron_testing.TestCase):
         source = mesh_parts.split_source(empty_rank=True)
         for properties in (
             {"Strategy": "By id", "IdSpace": "Global id", "Ids": "1"},
-            {"Strategy": "Worst N", "Array": "Volume"},
+            {"Strategy": "Worst N", "Array": "FaceCount"},
             {"Strategy": "By criterion", "Array": "Material"},
         ):
             select = simple.SelectElements(Input=source, **properties)
