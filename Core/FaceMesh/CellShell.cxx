@@ -31,43 +31,52 @@ std::uint64_t Hash(std::uint64_t key)
 void CellShell::Load(const IdLists& faces, const IdList& cell)
 {
   this->Faces.clear();
+  this->Lists.clear();
   this->Begins.assign(1, 0);
-  this->Corners.clear();
+  std::int32_t numberOfCorners = 0;
   for (std::int32_t f = 0; f < cell.Size; ++f)
   {
     const std::int32_t id = cell[f];
     const IdList face = faces[id];
     if (face.Size > 0)
     {
-      for (std::int32_t i = 0; i < face.Size; ++i)
-      {
-        this->Corners.push_back(face[i]);
-      }
+      numberOfCorners += face.Size;
       this->Faces.push_back(id);
-      this->Begins.push_back(static_cast<std::int32_t>(this->Corners.size()));
+      this->Lists.push_back(face);
+      this->Begins.push_back(numberOfCorners);
     }
   }
   this->Turned.assign(this->Faces.size(), 0);
 
   // Point ids become positions in the list of distinct points.
-  this->Ids.clear();
-  const int shift = GetTableShift(this->Corners.size());
+  this->Corners.resize(numberOfCorners);
+  this->Ids.resize(numberOfCorners);
+  const int shift = GetTableShift(numberOfCorners);
   this->Table.assign(std::size_t(1) << (64 - shift), -1);
   const std::size_t mask = this->Table.size() - 1;
-  for (std::int32_t& corner : this->Corners)
+  std::int32_t* const table = this->Table.data();
+  std::int32_t* const ids = this->Ids.data();
+  std::int32_t* corner = this->Corners.data();
+  std::int32_t numberOfIds = 0;
+  for (const IdList& face : this->Lists)
   {
-    std::size_t slot = Hash(static_cast<std::uint32_t>(corner)) >> shift;
-    while (this->Table[slot] >= 0 && this->Ids[this->Table[slot]] != corner)
+    for (std::int32_t i = 0; i < face.Size; ++i)
     {
-      slot = (slot + 1) & mask;
+      const std::int32_t id = face[i];
+      std::size_t slot = Hash(static_cast<std::uint32_t>(id)) >> shift;
+      while (table[slot] >= 0 && ids[table[slot]] != id)
+      {
+        slot = (slot + 1) & mask;
+      }
+      if (table[slot] < 0)
+      {
+        table[slot] = numberOfIds;
+        ids[numberOfIds++] = id;
+      }
+      *corner++ = table[slot];
     }
-    if (this->Table[slot] < 0)
-    {
-      this->Table[slot] = static_cast<std::int32_t>(this->Ids.size());
-      this->Ids.push_back(corner);
-    }
-    corner = this->Table[slot];
   }
+  this->Ids.resize(numberOfIds);
 }
 
 //------------------------------------------------------------------------------

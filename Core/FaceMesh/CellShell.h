@@ -74,6 +74,7 @@ private:
 
   FloatPoints Points;
   std::vector<std::int32_t> Faces;
+  std::vector<IdList> Lists;         ///< of the points of every face, in the mesh
   std::vector<std::int32_t> Begins;  ///< first corner of every face, and one more
   std::vector<std::int32_t> Corners; ///< positions in Ids
   std::vector<std::int32_t> Ids;

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <mutex>
 #include <type_traits>
 
@@ -204,8 +205,16 @@ private:
     for (vtkIdType i = first; i < last; ++i)
     {
       this->PrefetchFaces(i + Ahead);
+      const vtkIdType item = this->Piece.GetItem(i);
       const bool isException = next != this->Exceptions.end() && next->Item == i;
-      visit(i, this->Expect(this->Piece.GetItem(i), isException ? &*next++ : nullptr));
+      if (isException || item >= this->NumberOfUniformCells)
+      {
+        visit(i, this->Expect(item, isException ? &*next++ : nullptr));
+      }
+      else
+      {
+        visit(i, this->UniformShape);
+      }
     }
   }
   void PrefetchFaces(vtkIdType i) const
@@ -232,6 +241,8 @@ private:
   Warnings& Messages;
   ScanError& Error;
   MeshPiece Piece;
+  vtkIdType NumberOfUniformCells = 0; ///< all cells, if they are all expected to be of one shape
+  Shape UniformShape;
   Extent Total;
   std::vector<Extent> Blocks; ///< where blocks of items begin
   std::vector<Exception> Exceptions; ///< ascending
@@ -336,14 +347,28 @@ Shape GridBuilder::Expect(vtkIdType item, const Exception* exception) const
 //------------------------------------------------------------------------------
 bool GridBuilder::Measure(const Progress& progress)
 {
+  if (this->Mesh.Cells.GetCommonSize() > 0 && this->Mesh.Faces.GetCommonSize() > 0)
+  {
+    this->NumberOfUniformCells = this->Mesh.Cells.GetCount();
+    this->UniformShape = this->Expect(0, nullptr);
+  }
   this->Blocks.assign(static_cast<std::size_t>(this->GetNumberOfBlocks()) + 1, Extent());
+  std::atomic<bool> isTooLarge{ false };
   const bool finished = progress.For(this->GetNumberOfBlocks(),
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType block = first; block < last; ++block)
       {
         Extent sum;
-        this->ForBlock(block, [&sum](vtkIdType, const Shape& shape) { sum += shape.Size; });
+        this->ForBlock(block,
+          [&](vtkIdType, const Shape& shape)
+          {
+            sum += shape.Size;
+            if (shape.Size.PolyhedronFacePoints > MaxInt32)
+            {
+              isTooLarge = true;
+            }
+          });
         this->Blocks[block + 1] = sum;
       }
     });
@@ -353,6 +378,12 @@ bool GridBuilder::Measure(const Progress& progress)
   }
   this->Total = this->Blocks.back();
 
+  if (isTooLarge)
+  {
+    this->Error = { ErrorKind::Unsupported,
+      "expected cells with fewer than 2147483648 corners, found a larger one" };
+    return false;
+  }
   // A face belongs to two cells, rarely to more. A small file that lists large faces again and again
   // must not eat all memory.
   constexpr vtkIdType MaxUses = 16;

@@ -139,8 +139,7 @@ bool MeshPiece::Select(FaceMesh& mesh, const PieceRequest& request, const Progre
   this->End = numberOfItems;
   if (this->Whole)
   {
-    return mesh.Faces.MakeRandomAccess(nullptr, progress) &&
-      mesh.Cells.MakeRandomAccess(nullptr, progress);
+    return true;
   }
 
   const vtkIdType pieces = request.NumberOfPieces, piece = request.Piece;
@@ -191,7 +190,7 @@ bool MeshPiece::Select(FaceMesh& mesh, const PieceRequest& request, const Progre
   this->Points.Number();
   this->Faces.Number();
   this->Cells.Number();
-  return mesh.Faces.MakeRandomAccess(&this->Faces, progress) &&
-    mesh.Cells.MakeRandomAccess(&this->Cells, progress);
+  return mesh.Faces.MakeRandomAccess(this->Faces, progress) &&
+    mesh.Cells.MakeRandomAccess(this->Cells, progress);
 }
 }

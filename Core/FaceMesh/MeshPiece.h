@@ -22,7 +22,10 @@ namespace camaron
 class MeshPiece
 {
 public:
-  /// Finds the piece and prepares @a mesh for access to it, which must stay where it is.
+  /**
+   * Finds the piece and prepares @a mesh for access to it, which must stay where it is. For the whole
+   * mesh all lists must be accessible already.
+   */
   bool Select(FaceMesh& mesh, const PieceRequest& request, const Progress& progress);
 
   /// True if the piece is all of the mesh: ids are those of the file then.

@@ -162,6 +162,7 @@ void VisfReading::Expect(Content& content, vtkIdType points, vtkIdType faces) co
   content.Cells.List = "polyhedron";
   content.Cells.Id = "polygon";
   content.Cells.Limit = faces;
+  content.Faces.AccessAll = content.Cells.AccessAll = !this->InPieces;
 }
 
 //------------------------------------------------------------------------------
@@ -217,6 +218,7 @@ bool VisfReading::ReadBinary(
       expected.List = "list of neighbours";
       expected.Id = "polygon";
       expected.Limit = faces;
+      expected.AccessAll = false;
       if (scanner.HasFailed() ||
         (flag == 1 && !neighbors.Scan(scanner, faces, expected, progress.Part(0.5, 0.6))))
       {
@@ -370,6 +372,7 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
     expected.List = "list of neighbours";
     expected.Id = "polygon";
     expected.Limit = faces;
+    expected.AccessAll = false;
     if (flag == 1 &&
       !neighbors.Scan(scanner, lines, faces, false, expected, progress.Part(0, 0.3)))
     {

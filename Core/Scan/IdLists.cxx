@@ -41,51 +41,51 @@ bool IdLists::Scan(
   this->Data = scanner.GetPosition();
   this->Swap = scanner.IsSwapped();
   this->CommonSize = -1;
+  this->Needed = nullptr;
   if (scanner.HasFailed() || count == 0)
   {
     return !scanner.HasFailed();
   }
 
-  // Lists of one length need no table; that all have the length of the first is soon refuted.
-  bool uniform = false;
-  if (scanner.GetBytesLeft() >= 4)
+  // Lists of one length need no table. Whether all have the length of the first is found out on the
+  // way, and soon if not.
+  Verdict verdict = Verdict::Uneven;
+  if (this->GuessCommonSize(scanner))
   {
-    const auto size = Load<std::int32_t>(this->Data, this->Swap);
-    if (size >= 0 && (scanner.GetBytesLeft() / 4) / count >= vtkIdType(size) + 1)
+    BinaryScanner after = scanner;
+    after.Skip(count * this->Stride, expected.List);
+    verdict = this->Check(after, expected, progress.Part(0, 0.5));
+    if (verdict != Verdict::Uneven)
     {
-      this->Stride = 4 * (std::ptrdiff_t(size) + 1);
-      std::atomic<bool> same{ true };
-      progress.Part(0, 0.2).For((count + BlockSize - 1) / BlockSize,
-        [&](vtkIdType first, vtkIdType last)
-        {
-          for (vtkIdType block = first; block < last && same; ++block)
-          {
-            const vtkIdType end = std::min((block + 1) * BlockSize, count);
-            bool blockIsSame = true;
-            for (vtkIdType i = block * BlockSize; i < end; ++i)
-            {
-              blockIsSame &= Load<std::int32_t>(this->Data + i * this->Stride, this->Swap) == size;
-            }
-            if (!blockIsSame)
-            {
-              same = false;
-            }
-          }
-        });
-      uniform = same && !progress.IsStopped();
-      if (uniform)
-      {
-        this->CommonSize = size;
-        scanner.Skip(count * this->Stride, expected.List);
-      }
+      scanner = after;
     }
   }
-  if (progress.IsStopped() || !(uniform || this->FindStarts(scanner, expected.List)))
+  if (verdict == Verdict::Uneven && !progress.IsStopped())
+  {
+    this->CommonSize = -1;
+    if (!this->FindStarts(scanner, expected.List))
+    {
+      return false;
+    }
+    verdict = this->Check(scanner, expected, progress.Part(0.5, 1));
+  }
+  this->NumberOfIds = (scanner.GetPosition() - this->Data) / 4 - count;
+  return verdict == Verdict::Good && !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+// Takes the length of the first list for that of all; false if they would not fit the file.
+bool IdLists::GuessCommonSize(const BinaryScanner& scanner)
+{
+  const auto size =
+    scanner.GetBytesLeft() >= 4 ? Load<std::int32_t>(this->Data, this->Swap) : -1;
+  if (size < 0 || scanner.GetBytesLeft() / 4 / this->Count < vtkIdType(size) + 1)
   {
     return false;
   }
-  this->NumberOfIds = (scanner.GetPosition() - this->Data) / 4 - count;
-  return this->Check(scanner, expected, progress.Part(0.2, 1));
+  this->CommonSize = size;
+  this->Stride = 4 * (std::ptrdiff_t(size) + 1);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -125,18 +125,31 @@ bool IdLists::FindStarts(BinaryScanner& scanner, const char* what)
 }
 
 //------------------------------------------------------------------------------
-// Checks the lists of some blocks; returns the first bad one, or how many there are. Size is the common
-// size of the lists, or 0 if that is not known beforehand.
+// Checks the lists of some blocks; returns the first bad one, or how many lists there are. Size is the
+// common size of the lists if it is one of the usual ones, or 0.
 template <int Size>
 vtkIdType IdLists::CheckBlocks(
-  vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen) const
+  vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen, bool& even)
 {
   const auto limit = static_cast<std::uint32_t>(seen.Limit);
+  IdSet nothing;
+  IdSet::Adder used(seen.Used ? *seen.Used : nothing);
   const char* place = this->GetBlock(firstBlock);
+  const char* block = place;
   const vtkIdType end = std::min(lastBlock * BlockSize, this->Count);
   for (vtkIdType i = firstBlock * BlockSize; i < end; ++i)
   {
     const IdList list = this->At(place);
+    if (this->CommonSize >= 0 && list.Size != this->CommonSize)
+    {
+      even = false;
+      return this->Count;
+    }
+    if (this->Starts.size() > 0)
+    {
+      block = i % BlockSize == 0 ? place : block;
+      this->Starts[i] = static_cast<std::uint32_t>((place - block) / 4);
+    }
     const std::int32_t size = Size > 0 ? Size : list.Size;
     place = list.Ids + 4 * std::ptrdiff_t(size);
     if (size == 0)
@@ -170,7 +183,7 @@ vtkIdType IdLists::CheckBlocks(
     {
       for (std::int32_t j = 0; j < size; ++j)
       {
-        seen.Used->Add(list[j]);
+        used.Add(list[j]);
       }
     }
   }
@@ -178,32 +191,60 @@ vtkIdType IdLists::CheckBlocks(
 }
 
 //------------------------------------------------------------------------------
-bool IdLists::Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress)
+IdLists::Verdict IdLists::Check(
+  BinaryScanner& scanner, Expectation& expected, const Progress& progress)
 {
+  this->Starts = Buffer<std::uint32_t>();
+  if (this->CommonSize < 0 && expected.AccessAll)
+  {
+    this->Starts = Buffer<std::uint32_t>(this->Count);
+  }
   std::atomic<vtkIdType> bad{ this->Count };
+  std::atomic<bool> allEven{ true };
   std::mutex mutex;
+  Expectation sum;
   progress.For((this->Count + BlockSize - 1) / BlockSize,
     [&](vtkIdType first, vtkIdType last)
     {
+      if (!allEven)
+      {
+        return;
+      }
       Expectation seen;
       seen.Limit = expected.Limit;
       seen.Used = expected.Used;
-      const vtkIdType firstBad = this->CommonSize == 3 ? this->CheckBlocks<3>(first, last, seen)
-        : this->CommonSize == 4                        ? this->CheckBlocks<4>(first, last, seen)
-        : this->CommonSize == 6                        ? this->CheckBlocks<6>(first, last, seen)
-                                                       : this->CheckBlocks<0>(first, last, seen);
+      bool even = true;
+      const vtkIdType firstBad = this->CommonSize == 3 ? this->CheckBlocks<3>(first, last, seen, even)
+        : this->CommonSize == 4 ? this->CheckBlocks<4>(first, last, seen, even)
+        : this->CommonSize == 6 ? this->CheckBlocks<6>(first, last, seen, even)
+                                : this->CheckBlocks<0>(first, last, seen, even);
+      if (!even)
+      {
+        allEven = false;
+      }
       Lower(bad, firstBad);
       const std::lock_guard<std::mutex> lock(mutex);
-      expected.Empty.Merge(seen.Empty);
-      expected.Short.Merge(seen.Short);
-      expected.Repeating.Merge(seen.Repeating);
+      sum.Empty.Merge(seen.Empty);
+      sum.Short.Merge(seen.Short);
+      sum.Repeating.Merge(seen.Repeating);
     });
+  if (!allEven)
+  {
+    if (expected.Used)
+    {
+      *expected.Used = IdSet(expected.Used->GetLimit());
+    }
+    return Verdict::Uneven;
+  }
   if (bad < this->Count)
   {
     this->FailAtList(scanner, bad, expected);
-    return false;
+    return Verdict::Bad;
   }
-  return !progress.IsStopped();
+  expected.Empty = sum.Empty;
+  expected.Short = sum.Short;
+  expected.Repeating = sum.Repeating;
+  return Verdict::Good;
 }
 
 //------------------------------------------------------------------------------
@@ -350,21 +391,20 @@ bool IdLists::ScanText(TextScanner& scanner, bool dropRest, const Expectation& e
 }
 
 //------------------------------------------------------------------------------
-bool IdLists::MakeRandomAccess(const IdSet* needed, const Progress& progress)
+bool IdLists::MakeRandomAccess(const IdSet& needed, const Progress& progress)
 {
   if (this->CommonSize >= 0)
   {
     return true;
   }
-  this->Needed = needed;
-  this->Starts = Buffer<std::uint32_t>(needed ? needed->GetNumberOfMembers() : this->Count);
+  this->Needed = &needed;
+  this->Starts = Buffer<std::uint32_t>(needed.GetNumberOfMembers());
   return this->ForEach(progress,
     [&](vtkIdType i, const IdList& list)
     {
-      if (!needed || needed->Contains(i))
+      if (needed.Contains(i))
       {
-        const vtkIdType number = needed ? needed->GetNumber(i) : i;
-        this->Starts[number] =
+        this->Starts[needed.GetNumber(i)] =
           static_cast<std::uint32_t>((list.Ids - 4 - this->Blocks[i / BlockSize]) / 4);
       }
     });

@@ -6,7 +6,7 @@
  *
  * The lists stay where they are, usually in a mapped file of either byte order. Lists of one common
  * length are found by arithmetic. For others the start of every 1024th list is kept, and, once
- * MakeRandomAccess was called, the start of every list that is needed.
+ * MakeRandomAccess was called or if the reader asks for it, the start of every list that is needed.
  */
 #ifndef camaron_IdLists_h
 #define camaron_IdLists_h
@@ -43,6 +43,7 @@ public:
     const char* Id = "";    ///< what an id stands for, e.g. "vertex"
     vtkIdType Limit = 0;    ///< ids must be in [0, Limit)
     IdSet* Used = nullptr;  ///< if given, all ids found are added to it
+    bool AccessAll = true;  ///< whether operator[] shall work for all lists
     Tally Empty;            ///< lists without ids
     Tally Short;            ///< lists with one or two ids
     Tally Repeating;        ///< lists with the same id twice in a row (cyclically)
@@ -99,8 +100,8 @@ public:
     }
   }
 
-  /// Makes operator[] work, for the members of @a needed (which must be numbered) or for all lists.
-  bool MakeRandomAccess(const IdSet* needed, const Progress& progress);
+  /// Makes operator[] work for the members of @a needed, which must be numbered and stay alive.
+  bool MakeRandomAccess(const IdSet& needed, const Progress& progress);
 
   IdList operator[](vtkIdType i) const
   {
@@ -132,9 +133,16 @@ private:
                                  : this->Blocks[block];
   }
   bool FindStarts(BinaryScanner& scanner, const char* what);
-  bool Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress);
+  enum class Verdict
+  {
+    Good,
+    Bad,   ///< an id is out of range; the error is in the scanner
+    Uneven ///< lists that were taken to be of one length are not
+  };
+  Verdict Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress);
   template <int Size>
-  vtkIdType CheckBlocks(vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen) const;
+  vtkIdType CheckBlocks(vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen, bool& even);
+  bool GuessCommonSize(const BinaryScanner& scanner);
   void FailAtList(BinaryScanner& scanner, vtkIdType bad, const Expectation& expected) const;
   bool ScanLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
     const Expectation& expected, const Progress& progress);

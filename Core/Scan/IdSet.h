@@ -41,6 +41,51 @@ public:
       word.fetch_or(bit, std::memory_order_relaxed);
     }
   }
+  /**
+   * Adds ids for one thread. Ascending ids, as the first uses of faces often are, cost little, because
+   * what falls into one word is added at once; all are added when the adder goes out of scope.
+   */
+  class Adder
+  {
+  public:
+    explicit Adder(IdSet& set)
+      : Set(set)
+    {
+    }
+    ~Adder() { this->Flush(); }
+    Adder(const Adder&) = delete;
+    void operator=(const Adder&) = delete;
+
+    void Add(vtkIdType id)
+    {
+      const std::uint64_t bit = std::uint64_t(1) << (id & 63);
+      const vtkIdType word = id >> 6;
+      if (this->Set.Words[word].load(std::memory_order_relaxed) & bit)
+      {
+        return;
+      }
+      if (word != this->Word)
+      {
+        this->Flush();
+        this->Word = word;
+      }
+      this->Bits |= bit;
+    }
+
+  private:
+    void Flush()
+    {
+      if (this->Bits)
+      {
+        this->Set.Words[this->Word].fetch_or(this->Bits, std::memory_order_relaxed);
+        this->Bits = 0;
+      }
+    }
+    IdSet& Set;
+    vtkIdType Word = -1;
+    std::uint64_t Bits = 0;
+  };
+
   /// Adds all ids in [0, limit) that are not in @a other, which must have the same limit.
   void AddMissing(const IdSet& other);
   void AddAll(const IdSet& other);
