@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The angles of CellGeometry: interior angles of faces, dihedral and solid angles.
+#include "Criteria/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+void CellGeometry::ComputeCorners()
+{
+  const int numberOfFaces = this->Topology->GetNumberOfFaces();
+  this->FaceAngles.resize(numberOfFaces);
+  for (int f = 0; f < numberOfFaces; ++f)
+  {
+    this->FaceAngles[f].Clear();
+    this->ComputeFaceAngles(f, this->FaceAngles[f]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::ComputeFaceAngles(int f, AngleRange& angles)
+{
+  const int* ring = this->Topology->GetFace(f);
+  int size = this->Topology->GetFaceSize(f);
+  if (this->HasCollapsedEdge)
+  {
+    // Points that lie where the previous one does are passed over.
+    this->Ring.clear();
+    for (int i = 0; i < size; ++i)
+    {
+      if (this->Ring.empty() ||
+        !this->IsZeroLength(Norm(this->Points[ring[i]] - this->Points[this->Ring.back()])))
+      {
+        this->Ring.push_back(ring[i]);
+      }
+    }
+    while (this->Ring.size() > 1 &&
+      this->IsZeroLength(Norm(this->Points[this->Ring.back()] - this->Points[this->Ring.front()])))
+    {
+      this->Ring.pop_back();
+    }
+    ring = this->Ring.data();
+    size = static_cast<int>(this->Ring.size());
+  }
+  const Vector* points = this->Points.data();
+  if (size == 3)
+  {
+    // All corners have the same sine times the lengths of their sides: twice the area.
+    const Vector a = points[ring[1]] - points[ring[0]], b = points[ring[2]] - points[ring[1]],
+                 c = points[ring[0]] - points[ring[2]];
+    const double sine = Norm(Cross(a, b));
+    angles.Add(sine, -Dot(a, b));
+    angles.Add(sine, -Dot(b, c));
+    angles.Add(sine, -Dot(c, a));
+    return;
+  }
+  if (size < 3 || this->IsZeroArea(this->FaceAreas[f]))
+  {
+    return;
+  }
+  Vector toPrevious = points[ring[size - 1]] - points[ring[0]];
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector toNext = points[ring[i + 1 < size ? i + 1 : 0]] - points[ring[i]];
+    const Vector normal = Cross(toNext, toPrevious);
+    const double sine = Norm(normal);
+    const bool reflex = Dot(normal, this->FaceVectors[f]) < 0;
+    angles.Add(reflex ? -sine : sine, Dot(toNext, toPrevious));
+    toPrevious = -toNext;
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::ComputeDihedralAngles()
+{
+  this->DihedralAngles.Clear();
+  if (!this->Topology->IsClosed || !this->Topology->IsManifold)
+  {
+    this->DihedralAngles.Clear(NullReason::InvalidTopology);
+    return;
+  }
+  const std::vector<CellTopology::Edge>& edges = this->Topology->Edges;
+  for (std::size_t e = 0; e < edges.size(); ++e)
+  {
+    const CellTopology::Edge& edge = edges[e];
+    const double length = std::sqrt(this->SquaredLengths[e]);
+    const double area0 = this->FaceAreas[edge.Faces[0]], area1 = this->FaceAreas[edge.Faces[1]];
+    if (this->IsZeroLength(length) || this->IsZeroArea(area0) || this->IsZeroArea(area1))
+    {
+      continue;
+    }
+    const Vector &s0 = this->FaceVectors[edge.Faces[0]], &s1 = this->FaceVectors[edge.Faces[1]];
+    const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
+    // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must not
+    // turn an angle of 0 into one of 2 pi.
+    double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
+    constexpr double rounding = 1e-14;
+    if (std::abs(sine) <= rounding * length * area0 * area1)
+    {
+      sine = 0;
+    }
+    this->DihedralAngles.Add(sine, -length * Dot(s0, s1));
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::ComputeSolidAngles()
+{
+  const bool collapsed = this->HasCollapsedEdge;
+  if (collapsed)
+  {
+    this->MergeCollapsedEdges();
+  }
+  else if (this->Topology == &this->OwnTopology)
+  {
+    this->OwnTopology.MakeVertexFigures();
+  }
+  const CellTopology& topology = collapsed ? this->MergedTopology : *this->Topology;
+  if (!this->Topology->IsClosed || !topology.HasVertexFigures)
+  {
+    this->HalfSolidAngles.Clear(NullReason::InvalidTopology);
+    return;
+  }
+  this->EdgeDirections.resize(topology.Edges.size());
+  for (std::size_t e = 0; e < topology.Edges.size(); ++e)
+  {
+    const CellTopology::Edge& edge = topology.Edges[e];
+    this->EdgeDirections[e] = Unit(this->Points[edge.Points[1]] - this->Points[edge.Points[0]]);
+  }
+  this->HalfSolidAngles.Clear();
+  for (int point = 0; point < topology.NumberOfPoints; ++point)
+  {
+    if (topology.SpokeOffsets[point + 1] > topology.SpokeOffsets[point])
+    {
+      this->AddSolidAngle(topology, point);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Area of the spherical polygon of the spokes, as a fan of Van Oosterom and Strackee's triangles. Each has
+// tan(area / 2) as a quotient: the product of these as complex numbers has the sum of the halves as its
+// angle, in [0, 2 pi) as is half of the area.
+void CellGeometry::AddSolidAngle(const CellTopology& topology, int point)
+{
+  const bool merged = &topology == &this->MergedTopology;
+  const int first = topology.SpokeOffsets[point], last = topology.SpokeOffsets[point + 1];
+  const auto direction = [&](int spoke)
+  {
+    const int edge = topology.Spokes[spoke].Edge;
+    const Vector& along = this->EdgeDirections[edge];
+    return topology.Edges[edge].Points[0] == point ? along : -along;
+  };
+  // A spoke may bring another direction with it.
+  this->Spokes.resize(std::max<std::size_t>(this->Spokes.size(), 2 * (last - first)));
+  int numberOfSpokes = 0;
+  Vector spoke = direction(first);
+  for (int s = first; s < last; ++s)
+  {
+    const Vector next = direction(s + 1 < last ? s + 1 : first);
+    this->Spokes[numberOfSpokes++] = spoke;
+    // Over the face between the two spokes; where its corner is straight or reflex the short arc between
+    // them is not its side of the spherical polygon.
+    const int f = topology.Spokes[s].Face;
+    if (topology.GetFaceSize(f) > 3)
+    {
+      const Vector& area = this->FaceVectors[merged ? this->MergedFaces[f] : f];
+      const double turn = Dot(Cross(next, spoke), area);
+      constexpr double straight = 1e-9;
+      const double flat = straight * this->FaceAreas[merged ? this->MergedFaces[f] : f];
+      if (turn < -flat || (turn < 0 && Dot(spoke, next) > 0))
+      {
+        this->Spokes[numberOfSpokes++] = Unit(-(spoke + next));
+      }
+      else if (turn <= flat && Dot(spoke, next) < 0)
+      {
+        this->Spokes[numberOfSpokes++] = Unit(Cross(area, next));
+      }
+    }
+    spoke = next;
+  }
+  double sine = 0, cosine = 1;
+  const Vector& a = this->Spokes[0];
+  for (int i = 1; i + 1 < numberOfSpokes; ++i)
+  {
+    const Vector &b = this->Spokes[i], &c = this->Spokes[i + 1];
+    const double y = this->OrientationSign * Dot(a, Cross(b, c));
+    const double x = 1 + Dot(a, b) + Dot(b, c) + Dot(c, a);
+    const double product = cosine * x - sine * y;
+    sine = sine * x + cosine * y;
+    cosine = product;
+  }
+  // Rounding must not turn an angle of 0 into a full sphere.
+  constexpr double rounding = 1e-13;
+  if (sine < 0 && cosine > 0 && -sine <= rounding * cosine)
+  {
+    sine = 0;
+  }
+  this->HalfSolidAngles.Add(sine, cosine);
+}
+
+//------------------------------------------------------------------------------
+// Leaves only one of the points that a collapsed edge joins.
+void CellGeometry::MergeCollapsedEdges()
+{
+  const CellTopology& topology = *this->Topology;
+  this->Representatives.resize(topology.NumberOfPoints);
+  for (int point = 0; point < topology.NumberOfPoints; ++point)
+  {
+    this->Representatives[point] = point;
+  }
+  const auto find = [this](int point)
+  {
+    while (this->Representatives[point] != point)
+    {
+      point = this->Representatives[point];
+    }
+    return point;
+  };
+  for (std::size_t e = 0; e < topology.Edges.size(); ++e)
+  {
+    if (this->IsZeroLength(this->GetEdgeLength(static_cast<int>(e))))
+    {
+      const int a = find(topology.Edges[e].Points[0]), b = find(topology.Edges[e].Points[1]);
+      this->Representatives[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  this->MergedTopology.Clear();
+  this->MergedTopology.NumberOfPoints = topology.NumberOfPoints;
+  this->MergedFaces.clear();
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* face = topology.GetFace(f);
+    this->Ring.clear();
+    for (int i = 0; i < topology.GetFaceSize(f); ++i)
+    {
+      this->Ring.push_back(find(face[i]));
+    }
+    const int before = this->MergedTopology.GetNumberOfFaces();
+    this->MergedTopology.AddFace(this->Ring.data(), static_cast<int>(this->Ring.size()));
+    if (this->MergedTopology.GetNumberOfFaces() > before)
+    {
+      this->MergedFaces.push_back(f);
+    }
+  }
+  this->MergedTopology.FindEdges();
+  this->MergedTopology.MakeVertexFigures();
+}
+}
