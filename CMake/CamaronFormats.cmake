@@ -1,11 +1,11 @@
-# camaron_format: declares one mesh format; called only in Readers/Formats.cmake.
+# camaron_format: declares one mesh format; called only in Formats/Formats.cmake.
 #
 #   camaron_format(
-#     NAME        Visf                         # stem of every class, XML file and test of the format
+#     NAME        Visf                         # its folder, and stem of its classes and XML files
 #     EXTENSIONS  visf                         # without the dot; several allowed
 #     DESCRIPTION "Camarón Visf mesh"          # as shown to people
-#     READER                                   # there is Readers/vtkVisfReader.{h,cxx} + VisfReader.xml
-#     WRITER)                                  # there is Writers/vtkVisfWriter.{h,cxx} + VisfWriter.xml
+#     READER                                   # there is Formats/Visf/vtkVisfReader.{h,cxx} + VisfReader.xml
+#     WRITER)                                  # there is Formats/Visf/vtkVisfWriter.{h,cxx} + VisfWriter.xml
 #
 # From the blocks follow CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names with a
 # reader or a writer), and per format CAMARON_FORMAT_<NAME>_EXTENSIONS and _DESCRIPTION.

@@ -8,7 +8,7 @@ import xml.etree.ElementTree as ElementTree
 import camaron_testing
 from paraview import simple
 
-FOLDERS = ("Filters", "Readers", "Writers")
+XMLS = ("Filters/*.xml", "Formats/*/*.xml")
 
 
 def words(element):
@@ -18,8 +18,8 @@ def words(element):
 
 class TestDocumentation(camaron_testing.TestCase):
     def proxies(self):
-        for folder in FOLDERS:
-            for path in sorted((camaron_testing.ROOT / folder).glob("*.xml")):
+        for pattern in XMLS:
+            for path in sorted(camaron_testing.ROOT.glob(pattern)):
                 for group in ElementTree.parse(path).getroot().findall("ProxyGroup"):
                     for proxy in group:
                         yield path.name, group.get("name"), proxy

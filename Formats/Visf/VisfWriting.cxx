@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/VisfWriting.h"
+#include "VisfWriting.h"
 
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"

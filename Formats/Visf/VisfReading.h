@@ -4,7 +4,7 @@
  * @file VisfReading.h
  * @brief Reads Visf mesh files of every known dialect.
  *
- * See Documentation/formats/Visf.md for the format. All of it is read; the lists of neighbours are
+ * See Formats/Visf/README.md for the format. All of it is read; the lists of neighbours are
  * checked and then dropped, as they follow from the polygons.
  */
 #ifndef camaron_VisfReading_h

@@ -4,7 +4,7 @@
  * @class vtkVisfWriter
  * @brief Writes polygonal and polyhedral meshes to Visf files.
  *
- * Visf is the format of Camarón; see Documentation/formats/Visf.md. It holds points in single
+ * Visf is the format of Camarón; see Formats/Visf/README.md. It holds points in single
  * precision, polygons and polyhedra, and no arrays. Faces that two cells share are written once, in the
  * direction of the first. What the reader makes of the file is the same mesh, except that a polyhedron
  * with the faces of a tetrahedron, pyramid, wedge or hexahedron becomes one, that cells given inside
@@ -17,7 +17,7 @@
 
 #include "vtkMeshFileWriter.h"
 
-class CAMARONWRITERS_EXPORT vtkVisfWriter : public vtkMeshFileWriter
+class CAMARONFORMATS_EXPORT vtkVisfWriter : public vtkMeshFileWriter
 {
 public:
   static vtkVisfWriter* New();

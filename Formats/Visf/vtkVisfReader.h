@@ -6,7 +6,7 @@
  *
  * Visf is the format of Camarón: vertices, polygons as lists of vertices, polyhedra as lists of
  * polygons. All dialects are read: ASCII, binary of both byte orders, with the headers of all
- * versions. See Documentation/formats/Visf.md.
+ * versions. See Formats/Visf/README.md.
  *
  * Output: a vtkUnstructuredGrid with float coordinates (in the unit of the file, which does not say
  * which one). Polyhedra become tetrahedra, pyramids, wedges or hexahedra where they are such, else
@@ -24,7 +24,7 @@
 
 #include "vtkMeshFileReader.h"
 
-class CAMARONREADERS_EXPORT vtkVisfReader : public vtkMeshFileReader
+class CAMARONFORMATS_EXPORT vtkVisfReader : public vtkMeshFileReader
 {
 public:
   static vtkVisfReader* New();

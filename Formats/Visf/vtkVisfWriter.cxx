@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVisfWriter.h"
 
-#include "Formats/VisfWriting.h"
+#include "VisfWriting.h"
 
 #include "vtkObjectFactory.h"
 

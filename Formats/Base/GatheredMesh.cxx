@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/GatheredMesh.h"
+#include "GatheredMesh.h"
 
 #include "Mesh/MeshView.h"
 #include "Scan/Buffer.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVisfReader.h"
 
-#include "Formats/VisfReading.h"
+#include "VisfReading.h"
 
 #include "vtkObjectFactory.h"
 

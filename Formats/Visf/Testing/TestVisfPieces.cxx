@@ -3,7 +3,7 @@
 // Visf files read by several processes, by several threads and in several chunks.
 #include "VisfSamples.h"
 
-#include "Formats/VisfReading.h"
+#include "VisfReading.h"
 #include "Mesh/CellFacets.h"
 
 #include "vtkSMPTools.h"

@@ -18,7 +18,7 @@
 #ifndef vtkMeshFileWriter_h
 #define vtkMeshFileWriter_h
 
-#include "CamaronWritersModule.h" // for export macro
+#include "CamaronFormatsModule.h" // for export macro
 #include "vtkWriter.h"
 
 #include <string> // for paths
@@ -33,7 +33,7 @@ class Warnings;
 struct ScanError;
 }
 
-class CAMARONWRITERS_EXPORT vtkMeshFileWriter : public vtkWriter
+class CAMARONFORMATS_EXPORT vtkMeshFileWriter : public vtkWriter
 {
 public:
   vtkAbstractTypeMacro(vtkMeshFileWriter, vtkWriter);

@@ -13,7 +13,7 @@
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h
 
-#include "CamaronReadersModule.h" // for export macro
+#include "CamaronFormatsModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string> // for paths
@@ -26,7 +26,7 @@ struct PieceRequest;
 struct ScanError;
 }
 
-class CAMARONREADERS_EXPORT vtkMeshFileReader : public vtkUnstructuredGridAlgorithm
+class CAMARONFORMATS_EXPORT vtkMeshFileReader : public vtkUnstructuredGridAlgorithm
 {
 public:
   vtkAbstractTypeMacro(vtkMeshFileReader, vtkUnstructuredGridAlgorithm);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceGathering.h"
 
-#include "Formats/GatheredMesh.h"
+#include "GatheredMesh.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Formats/VisfReading.h"
+#include "VisfReading.h"
 
 #include "FaceMesh/GridBuilder.h"
 #include "Scan/ReadMappedFile.h"
