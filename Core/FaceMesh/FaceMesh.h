@@ -8,6 +8,7 @@
 #define camaron_FaceMesh_h
 
 #include "Scan/IdLists.h"
+#include "Scan/PieceRequest.h"
 
 namespace camaron
 {
@@ -38,14 +39,6 @@ struct FaceMesh
   IdSet PointsOfFaces;
   /// Whether there are faces without points, which are in no grid.
   bool HasEmptyFaces = false;
-};
-
-/// What part of a mesh somebody wants.
-struct PieceRequest
-{
-  int Piece = 0;
-  int NumberOfPieces = 1;
-  int GhostLevels = 0;
 };
 }
 

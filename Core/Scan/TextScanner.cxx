@@ -167,6 +167,28 @@ bool TextScanner::ReadInteger(
 }
 
 //------------------------------------------------------------------------------
+bool TextScanner::ReadWord(std::string_view& word, const char* what)
+{
+  if (this->HasFailed())
+  {
+    return false;
+  }
+  if (!this->SkipSpace())
+  {
+    this->FailAt(this->End, ErrorKind::Truncated, what);
+    return false;
+  }
+  const char* const begin = this->Position;
+  while (this->Position < this->End && !IsSpace(*this->Position) &&
+    (this->Comment == '\0' || *this->Position != this->Comment))
+  {
+    ++this->Position;
+  }
+  word = std::string_view(begin, static_cast<std::size_t>(this->Position - begin));
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool TextScanner::ReadCount(std::int64_t& value, int bytes, const char* what)
 {
   std::int64_t count;

@@ -13,8 +13,9 @@
 
 #include "Scan/ScanError.h"
 
-#include <cstdint> // for integers of known size
-#include <string>  // for messages
+#include <cstdint>     // for integers of known size
+#include <string>      // for messages
+#include <string_view> // for words
 
 namespace camaron
 {
@@ -47,6 +48,8 @@ public:
   bool ReadReal(float& value, const char* what);
   bool ReadReal(double& value, const char* what);
   ///@}
+  /// Reads what is between white space; it stays where it is in the text.
+  bool ReadWord(std::string_view& word, const char* what);
   /// Reads an integer in [first, last]; else fails with @a kind.
   bool ReadInteger(std::int64_t& value, std::int64_t first, std::int64_t last, ErrorKind kind,
     const char* what);

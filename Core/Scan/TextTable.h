@@ -7,7 +7,7 @@
 #ifndef camaron_TextTable_h
 #define camaron_TextTable_h
 
-#include "Scan/TextLines.h"
+#include "Scan/TextRows.h"
 
 namespace camaron
 {
@@ -21,45 +21,16 @@ template <typename Real>
 bool ReadTable(TextScanner& scanner, const TextLines* lines, vtkIdType rows, int columns,
   Real* values, const char* what, const Progress& progress)
 {
-  const TextLines::Section section =
-    lines ? lines->Find(scanner.GetPosition(), rows) : TextLines::Section();
-  const char comment = scanner.GetComment();
-  if (section &&
-    lines->ForEach(section, progress,
-      [&](vtkIdType, vtkIdType line, const char* text, const char* end)
-      {
-        Real* row = values + line * columns;
-        for (int c = 0; c < columns; ++c)
-        {
-          while (text < end && IsSpace(*text))
-          {
-            ++text;
-          }
-          text = ParseReal(text, end, row[c]);
-          if (!text || (text < end && !IsSpace(*text) && *text != comment))
-          {
-            return false;
-          }
-        }
-        return TextLines::HasOneEnd(text, end);
-      }))
-  {
-    scanner.SetPosition(section.End);
-    return true;
-  }
-  // Not one row per line, or wrong: row by row.
-  for (vtkIdType row = 0; row < rows && !progress.IsStopped(); ++row)
-  {
-    for (int c = 0; c < columns; ++c)
+  return ReadRows(scanner, lines, rows, progress,
+    [&](vtkIdType row, TextRow& text)
     {
-      if (!scanner.ReadReal(values[row * columns + c], what))
+      bool good = true;
+      for (int c = 0; c < columns && good; ++c)
       {
-        return false;
+        good = text.ReadReal(values[row * columns + c], what);
       }
-    }
-    scanner.SkipLine();
-  }
-  return !progress.IsStopped();
+      return good;
+    });
 }
 }
 

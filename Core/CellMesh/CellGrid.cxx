@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellMesh/CellGrid.h"
+
+#include "Scan/PieceArrays.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 65536;
+
+//------------------------------------------------------------------------------
+// The cells of a piece with its own indices of points.
+CellMesh Extract(const CellMesh& mesh, const CellPiece& piece)
+{
+  const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
+  const auto size = static_cast<vtkIdType>(cells.size());
+  CellMesh part;
+  part.NumberOfPoints = piece.GetNumberOfPoints();
+  part.NumberOfCells = size;
+  part.Types = Buffer<unsigned char>(size);
+  part.Offsets = Buffer<std::int32_t>(size + 1);
+  part.Offsets[0] = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    part.Types[i] = mesh.GetType(cells[i]);
+    part.Offsets[i + 1] = part.Offsets[i] + static_cast<std::int32_t>(mesh.GetSize(cells[i]));
+  }
+  part.Connectivity = Buffer<std::int32_t>(part.Offsets[size]);
+  ParallelFor(size, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const std::int32_t* points = mesh.GetPoints(cells[i]);
+        for (vtkIdType at = part.Offsets[i]; at < part.Offsets[i + 1]; ++at)
+        {
+          part.Connectivity[at] = static_cast<std::int32_t>(piece.FindPoint(*points++));
+        }
+      }
+    });
+  return part;
+}
+
+//------------------------------------------------------------------------------
+void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
+{
+  const vtkIdType size = mesh.NumberOfCells;
+  if (mesh.Types.size() != size)
+  {
+    mesh.Types = Buffer<unsigned char>(size);
+    std::fill(mesh.Types.data(), mesh.Types.data() + size, mesh.CommonType);
+  }
+  if (mesh.Offsets.size() != size + 1)
+  {
+    mesh.Offsets = Buffer<std::int32_t>(size + 1);
+    ParallelFor(size + 1, Grain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          mesh.Offsets[i] = static_cast<std::int32_t>(i) * mesh.CommonSize;
+        }
+      });
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(mesh.Offsets.TakeArray<vtkTypeInt32Array>(),
+    mesh.Connectivity.TakeArray<vtkTypeInt32Array>());
+  grid->SetCells(mesh.Types.TakeArray<vtkUnsignedCharArray>(), cells);
+}
+
+//------------------------------------------------------------------------------
+void AddIds(const CellPiece& piece, vtkUnstructuredGrid* grid)
+{
+  const auto add = [](const IdSet& members, vtkDataSetAttributes* attributes, const char* name)
+  {
+    const std::vector<std::int32_t> ids = members.GetMembers();
+    Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
+    std::copy(ids.begin(), ids.end(), values.data());
+    SetGlobalIds(attributes, std::move(values), name);
+    return ids;
+  };
+  const auto points = add(piece.GetPoints(), grid->GetPointData(), "GlobalPointIds");
+  const auto cells = add(piece.GetCells(), grid->GetCellData(), "GlobalCellIds");
+  if (piece.HasGhosts())
+  {
+    Buffer<unsigned char> pointFlags(static_cast<vtkIdType>(points.size()));
+    Buffer<unsigned char> cellFlags(static_cast<vtkIdType>(cells.size()));
+    std::transform(points.begin(), points.end(), pointFlags.data(), [&](std::int32_t id)
+      { return piece.IsGhostPoint(id) ? vtkDataSetAttributes::DUPLICATEPOINT : 0; });
+    std::transform(cells.begin(), cells.end(), cellFlags.data(), [&](std::int32_t id)
+      { return piece.IsGhostCell(id) ? vtkDataSetAttributes::DUPLICATECELL : 0; });
+    SetGhosts(grid->GetPointData(), std::move(pointFlags));
+    SetGhosts(grid->GetCellData(), std::move(cellFlags));
+  }
+}
+
+//------------------------------------------------------------------------------
+struct CountNotFinite
+{
+  template <typename Array>
+  void operator()(Array* array, Tally& tally, const Progress& progress)
+  {
+    std::mutex mutex;
+    const auto points = vtk::DataArrayTupleRange<3>(array);
+    constexpr vtkIdType Block = 4096;
+    progress.For((points.size() + Block - 1) / Block,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        Tally local;
+        for (vtkIdType i = first * Block; i < std::min(last * Block, points.size()); ++i)
+        {
+          const auto x = points[i];
+          if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+          {
+            local.Add(i);
+          }
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        tally.Merge(local);
+      });
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkPoints> gridPoints;
+  gridPoints->SetData(points);
+  grid->SetPoints(gridPoints);
+  if (piece.IsWhole())
+  {
+    SetCells(mesh, grid);
+    return;
+  }
+  CellMesh part = Extract(mesh, piece);
+  mesh = CellMesh(); // its memory is needed elsewhere
+  SetCells(part, grid);
+  AddIds(piece, grid);
+}
+
+//------------------------------------------------------------------------------
+void WarnOfPoints(vtkDataArray* points, Warnings& warnings, const Progress& progress,
+  const char* one, const char* many)
+{
+  Tally bad;
+  CountNotFinite count;
+  if (!vtkArrayDispatch::DispatchByArray<vtkTypeList::Create<vtkAOSDataArrayTemplate<float>,
+        vtkAOSDataArrayTemplate<double>>>::Execute(points, count, bad, progress))
+  {
+    count(points, bad, progress);
+  }
+  warnings.Add(bad, one, many, "with a coordinate that is not finite");
+}
+}

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellGrid.h
+ * @brief Makes a vtkUnstructuredGrid of a mesh given by its cells.
+ */
+#ifndef camaron_CellGrid_h
+#define camaron_CellGrid_h
+
+#include "CellMesh/CellPiece.h"
+
+class vtkDataArray;
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/**
+ * Fills @a grid, which must be empty, with a piece of @a mesh, whose arrays it takes over where it can.
+ * A piece that is not the whole mesh has "GlobalPointIds" and "GlobalCellIds", positions in the whole
+ * mesh, and "vtkGhostType" if ghosts were asked for.
+ * @param points coordinates of the points of the piece, in its order
+ */
+void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid);
+
+/// Warns of points with a coordinate that is not finite, named as in "node", "nodes".
+void WarnOfPoints(vtkDataArray* points, Warnings& warnings, const Progress& progress,
+  const char* one = "point", const char* many = "points");
+}
+
+#endif

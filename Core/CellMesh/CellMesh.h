@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellMesh.h
+ * @brief A mesh as many formats give it: cells of known types as lists of points.
+ */
+#ifndef camaron_CellMesh_h
+#define camaron_CellMesh_h
+
+#include "Scan/Buffer.h"
+#include "Scan/Progress.h"
+#include "Scan/ScanError.h"
+
+#include "vtkCellType.h" // for the types of cells
+
+#include <cstdint> // for integers of known size
+
+namespace camaron
+{
+/**
+ * Cells are in the order of the file, their points in VTK's order for their type. Where all cells are of
+ * one type, Types is empty and CommonType tells it; where all have as many points, Offsets is empty and
+ * CommonSize tells how many.
+ */
+struct CellMesh
+{
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCells = 0;
+  unsigned char CommonType = VTK_EMPTY_CELL;
+  std::int32_t CommonSize = 0;
+  Buffer<unsigned char> Types;       ///< one per cell, or none
+  Buffer<std::int32_t> Offsets;      ///< one per cell and one more, or none
+  Buffer<std::int32_t> Connectivity; ///< indices of points
+
+  CellMesh() = default;
+  /// Cells of one type with @a size points each, whose points are to be filled in.
+  CellMesh(vtkIdType numberOfPoints, vtkIdType numberOfCells, unsigned char type, std::int32_t size)
+    : NumberOfPoints(numberOfPoints)
+    , NumberOfCells(numberOfCells)
+    , CommonType(type)
+    , CommonSize(size)
+    , Connectivity(numberOfCells * size)
+  {
+  }
+
+  unsigned char GetType(vtkIdType cell) const
+  {
+    return this->Types.size() > 0 ? this->Types[cell] : this->CommonType;
+  }
+  vtkIdType GetBegin(vtkIdType cell) const
+  {
+    return this->Offsets.size() > 0 ? this->Offsets[cell] : cell * this->CommonSize;
+  }
+  vtkIdType GetSize(vtkIdType cell) const
+  {
+    return this->Offsets.size() > 0 ? this->Offsets[cell + 1] - this->Offsets[cell]
+                                    : this->CommonSize;
+  }
+  const std::int32_t* GetPoints(vtkIdType cell) const
+  {
+    return this->Connectivity.data() + this->GetBegin(cell);
+  }
+};
+
+/// One VTK_VERTEX per point.
+CellMesh MakeCloud(vtkIdType numberOfPoints);
+
+/// Warns of cells that have a point twice, named as in "hexahedron", "hexahedra".
+void WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings, const Progress& progress,
+  const char* one = "cell", const char* many = "cells");
+}
+
+#endif

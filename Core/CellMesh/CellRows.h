@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellRows.h
+ * @brief Reads cells of several types or sizes from rows of text in parallel.
+ *
+ * For cells of one type, fill CellMesh::Connectivity by ReadRows.
+ */
+#ifndef camaron_CellRows_h
+#define camaron_CellRows_h
+
+#include "CellMesh/CellMesh.h"
+#include "Scan/TextRows.h"
+
+#include <vector> // for cells whose number of points is not known before
+
+namespace camaron
+{
+/// Takes the cells of consecutive rows.
+class CellSink
+{
+public:
+  /// Adds a cell of a type, without points so far.
+  void BeginCell(unsigned char type)
+  {
+    this->Types.push_back(type);
+    this->Ends.push_back(static_cast<vtkIdType>(this->Points.size()));
+  }
+  /// Adds a point to the last cell.
+  void AddPoint(std::int32_t point)
+  {
+    this->Points.push_back(point);
+    ++this->Ends.back();
+  }
+  /// Points of the last cell, to be put into VTK's order; valid until the next call.
+  std::int32_t* GetPoints()
+  {
+    return this->Points.data() + (this->Ends.size() > 1 ? this->Ends[this->Ends.size() - 2] : 0);
+  }
+  /// For a type that follows from the number of points.
+  void SetType(unsigned char type) { this->Types.back() = type; }
+  /// Takes the last points of the last cell away, e.g. those that are no nodes.
+  void RemovePoints(vtkIdType number)
+  {
+    this->Points.resize(this->Points.size() - static_cast<std::size_t>(number));
+    this->Ends.back() -= number;
+  }
+
+private:
+  friend bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);
+  std::vector<unsigned char> Types;
+  std::vector<vtkIdType> Ends; ///< of the points of every cell
+  std::vector<std::int32_t> Points;
+};
+
+/**
+ * Sets the cells of @a mesh to those of all sinks, which are emptied. False if they have more points than
+ * 32 bit offsets can tell.
+ */
+bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);
+
+/**
+ * Reads @a count rows by @a visit(row, TextRow&, CellSink&), which adds one cell per row, returns false
+ * when something is wrong, and may be called by several threads. Sets the cells of @a mesh, not the
+ * number of its points. False with the error in the scanner, or if stopped.
+ * @param lines of the text if it is large enough to read it in parallel, else nullptr
+ */
+template <typename Visit>
+bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
+  const Progress& progress, Visit&& visit)
+{
+  std::vector<CellSink> sinks;
+  const TextLines::Section section =
+    lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section();
+  sinks.resize(section ? static_cast<std::size_t>(lines->GetNumberOfPieces(section)) : 1);
+  const bool inParallel = section &&
+    VisitRows(*lines, section, scanner.GetComment(), progress,
+      [&](vtkIdType row, vtkIdType piece, TextRow& text) { return visit(row, text, sinks[piece]); });
+  if (inParallel)
+  {
+    scanner.SetPosition(section.End);
+  }
+  else
+  {
+    sinks.assign(1, CellSink());
+    if (!ReadRows(scanner, nullptr, count, progress,
+          [&](vtkIdType row, TextRow& text) { return visit(row, text, sinks[0]); }))
+    {
+      return false;
+    }
+  }
+  ScanError error;
+  if (!FillCells(sinks, mesh, error))
+  {
+    scanner.FailAt(scanner.GetPosition(), error.Kind, error.Message, "more");
+    return false;
+  }
+  return true;
+}
+}
+
+#endif
