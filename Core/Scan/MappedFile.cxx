@@ -7,7 +7,7 @@
 
 #if defined(_WIN32)
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #else
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -33,29 +33,36 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
 {
   this->Name = GetFileName(path);
   std::ifstream stream(path, std::ios::binary);
-  std::ostringstream content;
-  if (!stream || (stream.peek() != EOF && !(content << stream.rdbuf())))
+  this->Copy.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  if (!stream || stream.bad())
   {
     error = { ErrorKind::Open, this->Name + ": cannot read the file" };
     return false;
   }
-  this->Copy = content.str();
-  this->Data = this->Copy.data();
+  this->Data = this->Copy.empty() ? "" : this->Copy.data();
   this->Size = this->Copy.size();
   return true;
 }
 #else
 namespace
 {
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool MayMap = false;
+#else
+constexpr bool MayMap = true;
+#endif
+
 //------------------------------------------------------------------------------
-bool ReadAll(int file, std::string& content)
+/// @param expected size, as far as it is known
+bool ReadAll(int file, std::size_t expected, std::vector<char>& content)
 {
   constexpr std::size_t Block = std::size_t(1) << 22; // large enough that calls do not count
   std::size_t size = 0;
   for (;;)
   {
-    content.resize(size + Block);
-    const ssize_t got = read(file, &content[size], Block);
+    const std::size_t block = size < expected ? expected - size : size > 0 ? Block : 1;
+    content.resize(size + block);
+    const ssize_t got = read(file, &content[size], block);
     if (got < 0 && errno == EINTR)
     {
       continue;
@@ -64,6 +71,7 @@ bool ReadAll(int file, std::string& content)
     if (got <= 0)
     {
       content.resize(size);
+      content.shrink_to_fit();
       return got == 0;
     }
   }
@@ -93,9 +101,9 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
   }
   if (good)
   {
-    if (S_ISREG(status.st_mode) && status.st_size > 0)
+    const std::size_t size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
+    if (MayMap && size > 0)
     {
-      const auto size = static_cast<std::size_t>(status.st_size);
       void* mapping = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
       if (mapping != MAP_FAILED)
       {
@@ -106,8 +114,8 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
     }
     if (!this->Mapping)
     {
-      good = ReadAll(file, this->Copy);
-      this->Data = this->Copy.data();
+      good = ReadAll(file, size, this->Copy);
+      this->Data = this->Copy.empty() ? "" : this->Copy.data();
       this->Size = this->Copy.size();
     }
   }

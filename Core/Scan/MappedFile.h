@@ -5,7 +5,8 @@
  * @brief The bytes of a whole file, mapped into memory where the system can.
  *
  * Reading costs no copy and no memory of our own: pages come from the system's cache when they are
- * touched. Where a file cannot be mapped (a pipe, some file systems) it is read as a whole.
+ * touched. Where a file cannot be mapped (a pipe, some file systems) it is read as a whole. So it is for
+ * AddressSanitizer, which knows where an allocation ends, but not where a mapped file does.
  */
 #ifndef camaron_MappedFile_h
 #define camaron_MappedFile_h
@@ -14,6 +15,7 @@
 
 #include <cstddef> // for std::size_t
 #include <string>  // for paths
+#include <vector>  // for copies
 
 namespace camaron
 {
@@ -39,7 +41,7 @@ private:
   const char* Data = "";
   std::size_t Size = 0;
   void* Mapping = nullptr;
-  std::string Copy; ///< the content where it could not be mapped
+  std::vector<char> Copy; ///< the content where it could not be mapped
 };
 
 /// Last part of a path.
