@@ -27,8 +27,8 @@ namespace camaron
 class TextLines
 {
 public:
-  /// Bytes visited as one piece.
-  static constexpr vtkIdType DefaultChunk = vtkIdType(1) << 18;
+  /// Bytes visited as one piece. Tests make it small, to see small files read in parallel.
+  inline static vtkIdType DefaultChunk = vtkIdType(1) << 18;
 
   /// Counts the lines from the scanner's position to the end, which must be at the start of a line.
   TextLines(const TextScanner& scanner, const Progress& progress, vtkIdType chunk = DefaultChunk);
