@@ -7,3 +7,9 @@ camaron_format(
   DESCRIPTION "Camarón Visf mesh"
   READER
   WRITER)
+
+camaron_format(
+  NAME        TRI
+  EXTENSIONS  tri
+  DESCRIPTION "Camarón or Cart3D triangle mesh"
+  READER)

@@ -67,7 +67,7 @@ bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);
  */
 template <typename Visit>
 bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
-  const Progress& progress, Visit&& visit)
+  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
 {
   std::vector<CellSink> sinks;
   const TextLines::Section section =
@@ -84,7 +84,7 @@ bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, Ce
   {
     sinks.assign(1, CellSink());
     if (!ReadRows(scanner, nullptr, count, progress,
-          [&](vtkIdType row, TextRow& text) { return visit(row, text, sinks[0]); }))
+          [&](vtkIdType row, TextRow& text) { return visit(row, text, sinks[0]); }, layout))
     {
       return false;
     }

@@ -15,12 +15,19 @@
 
 namespace camaron
 {
+/// How the rows of a table are laid out.
+enum class RowLayout
+{
+  Free,   ///< a row may go on over several lines
+  OneLine ///< a row that ends too early is wrong
+};
+
 /**
  * @class camaron::TextRow
  * @brief One row of a table: a line of a large text, or what a TextScanner finds next.
  *
- * Of a scanner, a row may go on over several lines, and what is wrong is worded; of a line, it is enough
- * to say that something is wrong, as the table is then read again with a scanner. @a what says what is
+ * Of a scanner, what is wrong is worded; of a line, it is enough to say that something is wrong, as the
+ * table is then read again with a scanner. @a what says what is
  * read, e.g. "a coordinate of a node".
  */
 class TextRow
@@ -32,9 +39,10 @@ public:
     , Comment(comment)
   {
   }
-  explicit TextRow(TextScanner& scanner)
+  explicit TextRow(TextScanner& scanner, RowLayout layout = RowLayout::Free)
     : Comment(scanner.GetComment())
     , Scanner(&scanner)
+    , Layout(layout)
   {
   }
 
@@ -45,7 +53,8 @@ public:
   bool ReadId(std::int32_t& index, std::int64_t first, std::int64_t last, const char* what)
   {
     std::int64_t id;
-    if (this->Scanner ? !this->Scanner->ReadInteger(id, first, last, ErrorKind::Index, what)
+    if (this->Scanner ? !this->IsComplete(what) ||
+          !this->Scanner->ReadInteger(id, first, last, ErrorKind::Index, what)
                       : !this->Read(id, what) || id < first || id > last)
     {
       return false;
@@ -58,7 +67,7 @@ public:
   {
     if (this->Scanner)
     {
-      return this->Scanner->ReadWord(word, what);
+      return this->IsComplete(what) && this->Scanner->ReadWord(word, what);
     }
     this->SkipBlanks();
     const char* const begin = this->Text;
@@ -121,7 +130,7 @@ private:
   {
     if (this->Scanner)
     {
-      return ReadNext(*this->Scanner, value, what);
+      return this->IsComplete(what) && ReadNext(*this->Scanner, value, what);
     }
     this->SkipBlanks();
     const char* const next = Parse(this->Text, this->End, value);
@@ -130,6 +139,18 @@ private:
       return false;
     }
     this->Text = next;
+    return true;
+  }
+  /// False if the row of a scanner should go on, but its line has ended.
+  bool IsComplete(const char* what)
+  {
+    if (this->Layout == RowLayout::OneLine && this->HasBegun && !this->HasMore())
+    {
+      this->Scanner->FailAt(
+        this->Scanner->GetPosition(), ErrorKind::Syntax, what, "the end of the line");
+      return false;
+    }
+    this->HasBegun = true;
     return true;
   }
   void SkipBlanks()
@@ -144,6 +165,8 @@ private:
   const char* End = nullptr;
   char Comment;
   TextScanner* Scanner = nullptr;
+  RowLayout Layout = RowLayout::Free;
+  bool HasBegun = false;
 };
 
 /**
@@ -171,7 +194,7 @@ bool VisitRows(const TextLines& lines, const TextLines::Section& section, char c
  */
 template <typename Visit>
 bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
-  const Progress& progress, Visit&& visit)
+  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
 {
   const TextLines::Section section =
     lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section();
@@ -185,7 +208,7 @@ bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
   // Not one row per line, or wrong: row by row.
   for (vtkIdType row = 0; row < count && !progress.IsStopped(); ++row)
   {
-    TextRow text(scanner);
+    TextRow text(scanner, layout);
     if (!visit(row, text) || scanner.HasFailed())
     {
       return false;
@@ -201,7 +224,7 @@ bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
  */
 template <typename Visit>
 bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
-  const Progress& progress, Visit&& visit)
+  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
 {
   if (const TextLines::Section section =
         lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section())
@@ -209,7 +232,7 @@ bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
     scanner.SetPosition(section.End);
     return true;
   }
-  return ReadRows(scanner, nullptr, count, progress, visit);
+  return ReadRows(scanner, nullptr, count, progress, visit, layout);
 }
 
 /**

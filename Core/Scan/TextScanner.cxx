@@ -240,6 +240,15 @@ void TextScanner::FailAt(
 }
 
 //------------------------------------------------------------------------------
+void TextScanner::AddToError(const std::string& more)
+{
+  if (this->HasFailed())
+  {
+    this->Error.Message += more;
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkIdType TextScanner::GetLine(const char* position) const
 {
   vtkIdType line = 1;

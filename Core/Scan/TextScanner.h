@@ -62,6 +62,8 @@ public:
   void FailAt(const char* position, ErrorKind kind, const std::string& expected,
     const std::string& found);
   ///@}
+  /// Says more about the error, if there is one.
+  void AddToError(const std::string& more);
   const ScanError& GetError() const { return this->Error; }
   bool HasFailed() const { return static_cast<bool>(this->Error); }
 

@@ -4,13 +4,10 @@
 #include "VisfSamples.h"
 
 #include "VisfReading.h"
-#include "Mesh/CellFacets.h"
 
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <map>
-#include <set>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -39,109 +36,9 @@ VisfMesh MakeLargerMesh()
 }
 
 //------------------------------------------------------------------------------
-// All lists of point ids that define a cell, in ids of the whole mesh.
-std::vector<std::vector<vtkIdType>> Describe(
-  vtkUnstructuredGrid* grid, vtkIdType cell, const std::vector<vtkIdType>& ids)
-{
-  const MeshView mesh(grid);
-  std::vector<std::vector<vtkIdType>> lists(1);
-  lists[0].push_back(grid->GetCellType(cell));
-  for (vtkIdType i = 0; i < mesh.GetCellPoints(cell).Size; ++i)
-  {
-    lists[0].push_back(ids[mesh.GetCellPoints(cell)[i]]);
-  }
-  CellFacets(mesh).ForEach(cell,
-    [&](const vtkIdType* points, vtkIdType size, vtkIdType)
-    {
-      lists.emplace_back();
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        lists.back().push_back(ids[points[i]]);
-      }
-    });
-  return lists;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkIdType> GetIds(vtkDataSetAttributes* data, vtkIdType size)
-{
-  std::vector<vtkIdType> ids(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    ids[i] = data->GetGlobalIds() ? static_cast<vtkIdType>(data->GetGlobalIds()->GetTuple1(i)) : i;
-  }
-  return ids;
-}
-
-//------------------------------------------------------------------------------
 void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLevels)
 {
-  const Result whole = ReadFile(path);
-  ASSERT_TRUE(whole.Errors.empty());
-  EXPECT_EQ(whole.Grid->GetPointData()->GetGlobalIds(), nullptr);
-  const auto allPoints = GetIds(whole.Grid->GetPointData(), whole.Grid->GetNumberOfPoints());
-  std::set<vtkIdType> cells, points, ownedPoints;
-  for (int piece = 0; piece < pieces; ++piece)
-  {
-    const Result part = ReadFile(path, piece, pieces, ghostLevels);
-    ASSERT_TRUE(part.Errors.empty());
-    EXPECT_EQ(part.Warnings.size(), piece == 0 ? whole.Warnings.size() : 0u);
-    vtkUnstructuredGrid* grid = part.Grid;
-    const auto pointIds = GetIds(grid->GetPointData(), grid->GetNumberOfPoints());
-    const auto cellIds = GetIds(grid->GetCellData(), grid->GetNumberOfCells());
-    vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
-    vtkUnsignedCharArray* ghostPoints = grid->GetPointGhostArray();
-    EXPECT_EQ(ghosts != nullptr, ghostLevels > 0 && pieces > 1);
-    vtkIdType owned = 0;
-    std::set<vtkIdType> mine, touched;
-    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-    {
-      EXPECT_EQ(Describe(grid, cell, pointIds), Describe(whole.Grid, cellIds[cell], allPoints));
-      if (!ghosts || !ghosts->GetValue(cell))
-      {
-        EXPECT_TRUE(cells.insert(cellIds[cell]).second) << "cell twice";
-        ++owned;
-        for (vtkIdType i = 0; i < MeshView(grid).GetCellPoints(cell).Size; ++i)
-        {
-          touched.insert(pointIds[MeshView(grid).GetCellPoints(cell)[i]]);
-        }
-      }
-      mine.insert(cellIds[cell]);
-    }
-    EXPECT_LE(std::abs(owned - whole.Grid->GetNumberOfCells() / pieces), 1);
-    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-    {
-      double x[3], y[3];
-      grid->GetPoint(i, x);
-      whole.Grid->GetPoint(pointIds[i], y);
-      EXPECT_TRUE(std::equal(x, x + 3, y));
-      points.insert(pointIds[i]);
-      if (ghostPoints && !ghostPoints->GetValue(i))
-      {
-        EXPECT_TRUE(ownedPoints.insert(pointIds[i]).second) << "point owned twice";
-      }
-    }
-    if (ghostLevels > 0)
-    {
-      // Every cell that shares a point with an owned one must be there.
-      for (vtkIdType cell = 0; cell < whole.Grid->GetNumberOfCells(); ++cell)
-      {
-        const IndexRange ids = MeshView(whole.Grid).GetCellPoints(cell);
-        bool shares = false;
-        for (vtkIdType i = 0; i < ids.Size; ++i)
-        {
-          shares = shares || touched.count(ids[i]);
-        }
-        EXPECT_TRUE(!shares || mine.count(cell)) << cell;
-      }
-    }
-  }
-  EXPECT_EQ(static_cast<vtkIdType>(cells.size()), whole.Grid->GetNumberOfCells());
-  EXPECT_EQ(static_cast<vtkIdType>(points.size()), whole.Grid->GetNumberOfPoints());
-  if (ghostLevels > 0 && pieces > 1)
-  {
-    EXPECT_EQ(static_cast<vtkIdType>(ownedPoints.size()), whole.Grid->GetNumberOfPoints());
-  }
+  camaron::testing::ExpectPiecesMakeTheWhole<vtkVisfReader>(path, pieces, ghostLevels);
 }
 }
 

@@ -8,22 +8,10 @@
 #ifndef camaron_VisfSamples_h
 #define camaron_VisfSamples_h
 
+#include "FormatTesting.h"
 #include "vtkVisfReader.h"
 
-#include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkCommand.h"
-#include "vtkDataArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkSmartPointer.h"
-#include "vtkUnsignedCharArray.h"
-#include "vtkUnstructuredGrid.h"
-
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cstdint>
@@ -237,150 +225,19 @@ inline VisfMesh MakeBar(int cubes, int wedges = 0)
 }
 
 //------------------------------------------------------------------------------
-/// A file that is gone with the object, in a folder that is gone with the program.
-class File
-{
-public:
-  explicit File(const std::string& bytes, const std::string& name = "test.visf")
-    : Path((GetFolder() / name).string())
-  {
-    std::ofstream(this->Path, std::ios::binary) << bytes;
-  }
-  ~File() { std::filesystem::remove(this->Path); }
-  File(const File&) = delete;
-  void operator=(const File&) = delete;
-
-  static const std::filesystem::path& GetFolder()
-  {
-    static const struct Temporary
-    {
-      std::filesystem::path Path = std::filesystem::temp_directory_path() /
-        ("camaron-test-" + std::to_string(std::random_device()()));
-      Temporary() { std::filesystem::create_directories(this->Path); }
-      ~Temporary() { std::filesystem::remove_all(this->Path); }
-    } folder;
-    return folder.Path;
-  }
-
-  std::string Path;
-};
-
-//------------------------------------------------------------------------------
-/// What reading a file gives.
-struct Result
-{
-  vtkSmartPointer<vtkUnstructuredGrid> Grid;
-  unsigned long ErrorCode = 0;
-  std::vector<std::string> Errors;
-  std::vector<std::string> Warnings;
-
-  bool IsEmpty() const
-  {
-    return this->Grid->GetNumberOfPoints() == 0 && this->Grid->GetNumberOfCells() == 0;
-  }
-  /// Of an error: one message, a code, nothing in the grid.
-  bool IsProperError() const
-  {
-    return this->Errors.size() == 1 && this->ErrorCode != 0 && this->IsEmpty();
-  }
-};
-
-inline void Collect(vtkObject*, unsigned long, void* messages, void* text)
-{
-  static_cast<std::vector<std::string>*>(messages)->push_back(static_cast<const char*>(text));
-}
-
-inline void Observe(vtkObject* object, unsigned long event, std::vector<std::string>& messages)
-{
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(Collect);
-  command->SetClientData(&messages);
-  object->AddObserver(event, command);
-}
-
 inline Result ReadFile(const std::string& path, int piece = 0, int pieces = 1, int ghostLevels = 0)
 {
-  Result result;
-  vtkNew<vtkVisfReader> reader;
-  reader->SetFileName(path.c_str());
-  Observe(reader, vtkCommand::ErrorEvent, result.Errors);
-  Observe(reader, vtkCommand::WarningEvent, result.Warnings);
-  reader->UpdatePiece(piece, pieces, ghostLevels);
-  result.Grid = reader->GetOutput();
-  result.ErrorCode = reader->GetErrorCode();
-  return result;
+  return ReadWith<vtkVisfReader>(path, piece, pieces, ghostLevels);
 }
 
 inline Result ReadBytes(const std::string& bytes)
 {
-  return ReadFile(File(bytes).Path);
+  return ReadFile(File(bytes, "test.visf").Path);
 }
 
 inline Result ReadMesh(const VisfMesh& mesh, Encoding encoding)
 {
   return ReadBytes(Encode(mesh, encoding));
-}
-
-//------------------------------------------------------------------------------
-inline ::testing::AssertionResult HaveSameValues(vtkDataArray* a, vtkDataArray* b)
-{
-  if (a->GetDataType() != b->GetDataType() || a->GetNumberOfValues() != b->GetNumberOfValues())
-  {
-    return ::testing::AssertionFailure() << a->GetClassName() << " of " << a->GetNumberOfValues()
-                                         << " values, " << b->GetClassName() << " of "
-                                         << b->GetNumberOfValues();
-  }
-  // Bit by bit, as nan is not equal to itself.
-  if (std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-        static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) != 0)
-  {
-    return ::testing::AssertionFailure() << "values differ";
-  }
-  return ::testing::AssertionSuccess();
-}
-
-inline ::testing::AssertionResult HaveSameLists(vtkCellArray* a, vtkCellArray* b)
-{
-  const vtkIdType sizeOfA = a ? a->GetNumberOfCells() : 0, sizeOfB = b ? b->GetNumberOfCells() : 0;
-  if (sizeOfA != sizeOfB)
-  {
-    return ::testing::AssertionFailure() << sizeOfA << " and " << sizeOfB << " lists";
-  }
-  if (sizeOfA == 0)
-  {
-    return ::testing::AssertionSuccess();
-  }
-  const auto offsets = HaveSameValues(a->GetOffsetsArray(), b->GetOffsetsArray());
-  return offsets ? HaveSameValues(a->GetConnectivityArray(), b->GetConnectivityArray()) : offsets;
-}
-
-/// Points, types, connectivity and faces are the same, bit by bit and in order.
-inline void ExpectSameGrid(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
-{
-  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
-  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
-  if (a->GetNumberOfPoints() > 0)
-  {
-    EXPECT_TRUE(HaveSameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
-  }
-  if (a->GetNumberOfCells() > 0)
-  {
-    EXPECT_TRUE(HaveSameValues(a->GetCellTypesArray(), b->GetCellTypesArray()));
-    EXPECT_TRUE(HaveSameLists(a->GetCells(), b->GetCells()));
-    EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaces(), b->GetPolyhedronFaces()));
-    EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaceLocations(), b->GetPolyhedronFaceLocations()));
-  }
-}
-
-/// How many cells of a type a grid has.
-inline vtkIdType Count(vtkUnstructuredGrid* grid, int type)
-{
-  vtkIdType count = 0;
-  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
-  {
-    count += grid->GetCellType(cell) == type;
-  }
-  return count;
 }
 }
 }

@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TRIReading.h"
+
+#include "CellMesh/CellGrid.h"
+#include "Scan/ReadMappedFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Coordinate[] = "a coordinate of a vertex";
+constexpr char Vertex[] = "a vertex of a triangle";
+constexpr int VertexBytes = 6; // "0 0 0" and a line end
+constexpr int TriangleBytes = 6;
+
+//------------------------------------------------------------------------------
+// The first line: the number of vertices, or, in files of Cart3D, of vertices and triangles.
+struct Header
+{
+  std::int64_t Vertices = 0;
+  std::int64_t Triangles = -1;
+  bool IsCart3D() const { return this->Triangles >= 0; }
+};
+
+//------------------------------------------------------------------------------
+bool ReadHeader(TextScanner& scanner, Header& header)
+{
+  constexpr char Expected[] = "a TRI file, whose first line is the number of vertices";
+  if (!scanner.SkipSpace())
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
+    return false;
+  }
+  const char* const begin = scanner.GetPosition();
+  TextScanner counts = scanner; // how many there can be is asked when it is known what they count
+  std::int64_t count;
+  int numbers = 0;
+  for (TextRow row(counts); row.HasMore() && numbers <= 2; ++numbers)
+  {
+    if (!counts.ReadInteger(count, Expected))
+    {
+      break;
+    }
+  }
+  if (numbers > 2 || counts.HasFailed())
+  {
+    scanner.FailAt(begin, ErrorKind::NotThisFormat,
+      "a TRI file, whose first line is one number, or two in files of Cart3D");
+    return false;
+  }
+  if (!scanner.ReadCount(header.Vertices, VertexBytes, "the number of vertices") ||
+    (numbers == 2 &&
+      !scanner.ReadCount(header.Triangles, TriangleBytes, "the number of triangles")))
+  {
+    return false;
+  }
+  scanner.SkipLine();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ReadVertex(TextRow& row, double* x)
+{
+  return row.ReadReal(x[0], Coordinate) && row.ReadReal(x[1], Coordinate) &&
+    row.ReadReal(x[2], Coordinate);
+}
+
+//------------------------------------------------------------------------------
+class TRIReading
+{
+public:
+  TRIReading(const PieceRequest& request, vtkUnstructuredGrid* grid)
+    : Request(request)
+    , Grid(grid)
+  {
+  }
+
+  /// Starts anew with every call.
+  bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  Warnings Messages;
+
+private:
+  bool ReadTriangles(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool ReadComponents(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool LooksOneBased(TextScanner scanner) const;
+
+  PieceRequest Request;
+  vtkUnstructuredGrid* Grid;
+  Header Counts;
+  CellMesh Mesh;
+  Buffer<int> Components; // of triangles, in files of Cart3D that have them
+};
+
+//------------------------------------------------------------------------------
+bool TRIReading::LooksOneBased(TextScanner scanner) const
+{
+  std::int64_t least = INT64_MAX, greatest = -1;
+  const bool good = ReadRows(scanner, nullptr, this->Mesh.NumberOfCells, Progress(),
+    [&](vtkIdType, TextRow& row)
+    {
+      bool isGood = true;
+      for (int i = 0; i < 3 && isGood; ++i)
+      {
+        std::int64_t id = 0;
+        isGood = row.ReadInteger(id, Vertex);
+        least = std::min(least, id);
+        greatest = std::max(greatest, id);
+      }
+      return isGood;
+    });
+  return good && least >= 1 && greatest == this->Counts.Vertices;
+}
+
+//------------------------------------------------------------------------------
+bool TRIReading::ReadTriangles(
+  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  std::int64_t& triangles = this->Counts.Triangles;
+  const bool isCart3D = this->Counts.IsCart3D();
+  if (!isCart3D)
+  {
+    if (!scanner.SkipSpace())
+    {
+      this->Mesh = MakeCloud(this->Counts.Vertices);
+      return true;
+    }
+    if (!scanner.ReadCount(triangles, TriangleBytes, "the number of triangles"))
+    {
+      return false;
+    }
+    scanner.SkipLine();
+  }
+  this->Mesh = CellMesh(this->Counts.Vertices, triangles, VTK_TRIANGLE, 3);
+  const TextScanner start = scanner;
+  const std::int64_t first = isCart3D ? 1 : 0, last = first + this->Counts.Vertices - 1;
+  std::int32_t* const points = this->Mesh.Connectivity.data();
+  if (ReadRows(scanner, lines, triangles, progress,
+        [&](vtkIdType i, TextRow& row)
+        {
+          return row.ReadId(points[3 * i], first, last, Vertex) &&
+            row.ReadId(points[3 * i + 1], first, last, Vertex) &&
+            row.ReadId(points[3 * i + 2], first, last, Vertex);
+        },
+        RowLayout::OneLine))
+  {
+    return true;
+  }
+  if (scanner.GetError().Kind == ErrorKind::Index && !isCart3D && this->LooksOneBased(start))
+  {
+    scanner.AddToError(" (the file seems to count vertices from 1, TRI counts from 0)");
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// One number per triangle, of which each line may have any number.
+bool TRIReading::ReadComponents(
+  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  constexpr char Component[] = "the component of a triangle";
+  if (!scanner.SkipSpace())
+  {
+    return true;
+  }
+  this->Components = Buffer<int>(this->Mesh.NumberOfCells);
+  const auto set = [&](vtkIdType i, std::int64_t component)
+  {
+    this->Components[i] = static_cast<int>(component);
+    return component >= INT32_MIN && component <= INT32_MAX;
+  };
+  const TextLines::Section section =
+    lines ? lines->Find(scanner.GetPosition(), this->Mesh.NumberOfCells) : TextLines::Section();
+  if (section &&
+    VisitRows(*lines, section, scanner.GetComment(), progress,
+      [&](vtkIdType i, vtkIdType, TextRow& row)
+      {
+        std::int64_t component;
+        return row.ReadInteger(component, Component) && !row.HasMore() && set(i, component);
+      }))
+  {
+    scanner.SetPosition(section.End);
+    return true;
+  }
+  for (vtkIdType i = 0; i < this->Mesh.NumberOfCells && !progress.IsStopped(); ++i)
+  {
+    std::int64_t component;
+    if (!scanner.ReadInteger(component, INT32_MIN, INT32_MAX, ErrorKind::Syntax, Component))
+    {
+      return false;
+    }
+    set(i, component);
+  }
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  this->Grid->Initialize();
+  this->Messages = Warnings();
+  this->Counts = Header();
+  this->Components = Buffer<int>();
+  if (!ReadHeader(scanner, this->Counts))
+  {
+    return false;
+  }
+  const bool isCart3D = this->Counts.IsCart3D();
+  // The vertices come first, but which of them a piece needs is known from its triangles.
+  TextScanner vertices = scanner;
+  if (!SkipRows(scanner, lines, this->Counts.Vertices, progress.Part(0, 0.1),
+        [](vtkIdType, TextRow& row)
+        {
+          double x[3];
+          return ReadVertex(row, x);
+        },
+        RowLayout::OneLine))
+  {
+    return false;
+  }
+  const char* const verticesEnd = scanner.GetPosition();
+  if (!this->ReadTriangles(scanner, lines, progress.Part(0.1, 0.4)) ||
+    (isCart3D && !this->ReadComponents(scanner, lines, progress.Part(0.4, 0.5))))
+  {
+    return false;
+  }
+
+  CellPiece piece;
+  if (!piece.Select(this->Mesh, this->Request, progress.Part(0.5, 0.55)))
+  {
+    return false;
+  }
+  Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
+  if (!ReadRows(vertices, lines, this->Counts.Vertices, progress.Part(0.55, 0.95),
+        [&](vtkIdType i, TextRow& row)
+        {
+          double unused[3];
+          const vtkIdType point = piece.FindPoint(i);
+          return ReadVertex(row, point < 0 ? unused : coordinates.data() + 3 * point);
+        },
+        RowLayout::OneLine) ||
+    vertices.GetPosition() != verticesEnd)
+  {
+    return false;
+  }
+
+  const auto points = coordinates.TakeArray<vtkDoubleArray>(3);
+  if (this->Request.Piece == 0)
+  {
+    WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
+    WarnOfRepeatedPoints(
+      this->Mesh, this->Messages, progress.Part(0.97, 1), "triangle", "triangles");
+    if (scanner.SkipSpace())
+    {
+      this->Messages.Add("there is more data after the end of the mesh");
+    }
+  }
+  const vtkIdType numberOfTriangles = this->Mesh.NumberOfCells;
+  FillGrid(this->Mesh, piece, points, this->Grid);
+  if (this->Components.size() > 0)
+  {
+    Buffer<int> kept(piece.GetNumberOfCells());
+    for (vtkIdType i = 0; i < numberOfTriangles; ++i)
+    {
+      if (const vtkIdType cell = piece.FindCell(i); cell >= 0)
+      {
+        kept[cell] = this->Components[i];
+      }
+    }
+    const auto array = kept.TakeArray<vtkIntArray>();
+    array->SetName("Component");
+    this->Grid->GetCellData()->AddArray(array);
+  }
+  return !progress.IsStopped();
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsTRI(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  if (!file.Open(path, error))
+  {
+    return false;
+  }
+  TextScanner scanner("", file.begin(), file.end(), '#');
+  Header header;
+  double x[3];
+  TextRow row(scanner);
+  return ReadHeader(scanner, header) && (header.Vertices == 0 || ReadVertex(row, x));
+}
+
+//------------------------------------------------------------------------------
+bool ReadTRI(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  TRIReading reading(request, grid);
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      return ReadText(file, '#', chunk, error, progress,
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return reading.Read(scanner, lines, part); });
+    });
+  if (!good)
+  {
+    grid->Initialize();
+    return false;
+  }
+  warnings = std::move(reading.Messages);
+  return true;
+}
+}

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FormatTesting.h
+ * @brief What the tests of formats share: files, readers with their messages, comparing grids.
+ */
+#ifndef camaron_FormatTesting_h
+#define camaron_FormatTesting_h
+
+#include "Mesh/CellFacets.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace camaron
+{
+namespace testing
+{
+//------------------------------------------------------------------------------
+/// A file that is gone with the object, in a folder that is gone with the program.
+class File
+{
+public:
+  explicit File(const std::string& bytes, const std::string& name = "test.mesh")
+    : Path((GetFolder() / name).string())
+  {
+    std::ofstream(this->Path, std::ios::binary) << bytes;
+  }
+  ~File() { std::filesystem::remove(this->Path); }
+  File(const File&) = delete;
+  void operator=(const File&) = delete;
+
+  static const std::filesystem::path& GetFolder()
+  {
+    static const struct Temporary
+    {
+      std::filesystem::path Path = std::filesystem::temp_directory_path() /
+        ("camaron-test-" + std::to_string(std::random_device()()));
+      Temporary() { std::filesystem::create_directories(this->Path); }
+      ~Temporary() { std::filesystem::remove_all(this->Path); }
+    } folder;
+    return folder.Path;
+  }
+
+  std::string Path;
+};
+
+//------------------------------------------------------------------------------
+/// What reading a file gives.
+struct Result
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  unsigned long ErrorCode = 0;
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+
+  bool IsEmpty() const
+  {
+    return this->Grid->GetNumberOfPoints() == 0 && this->Grid->GetNumberOfCells() == 0;
+  }
+  /// Of an error: one message, a code, nothing in the grid.
+  bool IsProperError() const
+  {
+    return this->Errors.size() == 1 && this->ErrorCode != 0 && this->IsEmpty();
+  }
+};
+
+inline void Collect(vtkObject*, unsigned long, void* messages, void* text)
+{
+  static_cast<std::vector<std::string>*>(messages)->push_back(static_cast<const char*>(text));
+}
+
+inline void Observe(vtkObject* object, unsigned long event, std::vector<std::string>& messages)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Collect);
+  command->SetClientData(&messages);
+  object->AddObserver(event, command);
+}
+
+/// What a reader of class @a Reader makes of a file; @a configure sets its options.
+template <typename Reader, typename Configure>
+Result ReadWith(const std::string& path, int piece, int pieces, int ghostLevels, Configure&& configure)
+{
+  Result result;
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  configure(reader.Get());
+  Observe(reader, vtkCommand::ErrorEvent, result.Errors);
+  Observe(reader, vtkCommand::WarningEvent, result.Warnings);
+  reader->UpdatePiece(piece, pieces, ghostLevels);
+  result.Grid = reader->GetOutput();
+  result.ErrorCode = reader->GetErrorCode();
+  return result;
+}
+
+template <typename Reader>
+Result ReadWith(const std::string& path, int piece = 0, int pieces = 1, int ghostLevels = 0)
+{
+  return ReadWith<Reader>(path, piece, pieces, ghostLevels, [](Reader*) {});
+}
+
+//------------------------------------------------------------------------------
+inline ::testing::AssertionResult HaveSameValues(vtkDataArray* a, vtkDataArray* b)
+{
+  if (a->GetDataType() != b->GetDataType() || a->GetNumberOfValues() != b->GetNumberOfValues())
+  {
+    return ::testing::AssertionFailure() << a->GetClassName() << " of " << a->GetNumberOfValues()
+                                         << " values, " << b->GetClassName() << " of "
+                                         << b->GetNumberOfValues();
+  }
+  // Bit by bit, as nan is not equal to itself.
+  if (std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+        static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) != 0)
+  {
+    return ::testing::AssertionFailure() << "values differ";
+  }
+  return ::testing::AssertionSuccess();
+}
+
+inline ::testing::AssertionResult HaveSameLists(vtkCellArray* a, vtkCellArray* b)
+{
+  const vtkIdType sizeOfA = a ? a->GetNumberOfCells() : 0, sizeOfB = b ? b->GetNumberOfCells() : 0;
+  if (sizeOfA != sizeOfB)
+  {
+    return ::testing::AssertionFailure() << sizeOfA << " and " << sizeOfB << " lists";
+  }
+  if (sizeOfA == 0)
+  {
+    return ::testing::AssertionSuccess();
+  }
+  const auto offsets = HaveSameValues(a->GetOffsetsArray(), b->GetOffsetsArray());
+  return offsets ? HaveSameValues(a->GetConnectivityArray(), b->GetConnectivityArray()) : offsets;
+}
+
+inline void ExpectSameArrays(vtkDataSetAttributes* a, vtkDataSetAttributes* b)
+{
+  ASSERT_EQ(a->GetNumberOfArrays(), b->GetNumberOfArrays());
+  for (int i = 0; i < a->GetNumberOfArrays(); ++i)
+  {
+    const std::string name = a->GetAbstractArray(i)->GetName();
+    ASSERT_NE(b->GetArray(name.c_str()), nullptr) << name;
+    EXPECT_TRUE(HaveSameValues(a->GetArray(i), b->GetArray(name.c_str()))) << name;
+  }
+}
+
+/// Points, types, connectivity, faces and arrays are the same, bit by bit and in order.
+inline void ExpectSameGrid(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
+  if (a->GetNumberOfPoints() > 0)
+  {
+    EXPECT_TRUE(HaveSameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
+  }
+  if (a->GetNumberOfCells() > 0)
+  {
+    EXPECT_TRUE(HaveSameValues(a->GetCellTypesArray(), b->GetCellTypesArray()));
+    EXPECT_TRUE(HaveSameLists(a->GetCells(), b->GetCells()));
+    EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaces(), b->GetPolyhedronFaces()));
+    EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaceLocations(), b->GetPolyhedronFaceLocations()));
+  }
+  ExpectSameArrays(a->GetPointData(), b->GetPointData());
+  ExpectSameArrays(a->GetCellData(), b->GetCellData());
+}
+
+/// How many cells of a type a grid has.
+inline vtkIdType Count(vtkUnstructuredGrid* grid, int type)
+{
+  vtkIdType count = 0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    count += grid->GetCellType(cell) == type;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+/// All lists of point ids that define a cell, in ids of the whole mesh.
+inline std::vector<std::vector<vtkIdType>> DescribeCell(
+  vtkUnstructuredGrid* grid, vtkIdType cell, const std::vector<vtkIdType>& ids)
+{
+  const MeshView mesh(grid);
+  std::vector<std::vector<vtkIdType>> lists(1);
+  lists[0].push_back(grid->GetCellType(cell));
+  for (vtkIdType i = 0; i < mesh.GetCellPoints(cell).Size; ++i)
+  {
+    lists[0].push_back(ids[mesh.GetCellPoints(cell)[i]]);
+  }
+  CellFacets(mesh).ForEach(cell,
+    [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+    {
+      lists.emplace_back();
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        lists.back().push_back(ids[points[i]]);
+      }
+    });
+  return lists;
+}
+
+//------------------------------------------------------------------------------
+inline std::vector<vtkIdType> GetIds(vtkDataSetAttributes* data, vtkIdType size)
+{
+  std::vector<vtkIdType> ids(size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    ids[i] = data->GetGlobalIds() ? static_cast<vtkIdType>(data->GetGlobalIds()->GetTuple1(i)) : i;
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+/// All arrays of the whole are in a piece, with the same tuple for the same id.
+inline void ExpectSameTuples(
+  vtkDataSetAttributes* part, vtkIdType id, vtkDataSetAttributes* whole, vtkIdType wholeId)
+{
+  for (int a = 0; a < whole->GetNumberOfArrays(); ++a)
+  {
+    const char* const name = whole->GetAbstractArray(a)->GetName();
+    vtkDataArray* const array = part->GetArray(name);
+    ASSERT_NE(array, nullptr) << name;
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      const double x = array->GetComponent(id, c), y = whole->GetArray(a)->GetComponent(wholeId, c);
+      EXPECT_TRUE(x == y || (x != x && y != y)) << name << " of " << wholeId;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// The pieces of a file, with their points, cells, arrays and ghosts, are those of the whole.
+template <typename Reader>
+void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLevels)
+{
+  const Result whole = ReadWith<Reader>(path);
+  ASSERT_TRUE(whole.Errors.empty());
+  EXPECT_EQ(whole.Grid->GetPointData()->GetGlobalIds(), nullptr);
+  const auto allPoints = GetIds(whole.Grid->GetPointData(), whole.Grid->GetNumberOfPoints());
+  std::set<vtkIdType> cells, points, ownedPoints;
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    const Result part = ReadWith<Reader>(path, piece, pieces, ghostLevels);
+    ASSERT_TRUE(part.Errors.empty());
+    EXPECT_EQ(part.Warnings.size(), piece == 0 ? whole.Warnings.size() : 0u);
+    vtkUnstructuredGrid* grid = part.Grid;
+    const auto pointIds = GetIds(grid->GetPointData(), grid->GetNumberOfPoints());
+    const auto cellIds = GetIds(grid->GetCellData(), grid->GetNumberOfCells());
+    vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+    vtkUnsignedCharArray* ghostPoints = grid->GetPointGhostArray();
+    EXPECT_EQ(ghosts != nullptr, ghostLevels > 0 && pieces > 1);
+    vtkIdType owned = 0;
+    std::set<vtkIdType> mine, touched;
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      EXPECT_EQ(DescribeCell(grid, cell, pointIds), DescribeCell(whole.Grid, cellIds[cell], allPoints));
+      if (!ghosts || !ghosts->GetValue(cell))
+      {
+        EXPECT_TRUE(cells.insert(cellIds[cell]).second) << "cell twice";
+        ++owned;
+        for (vtkIdType i = 0; i < MeshView(grid).GetCellPoints(cell).Size; ++i)
+        {
+          touched.insert(pointIds[MeshView(grid).GetCellPoints(cell)[i]]);
+        }
+      }
+      ExpectSameTuples(grid->GetCellData(), cell, whole.Grid->GetCellData(), cellIds[cell]);
+      mine.insert(cellIds[cell]);
+    }
+    EXPECT_LE(std::abs(owned - whole.Grid->GetNumberOfCells() / pieces), 1);
+    for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+    {
+      double x[3], y[3];
+      grid->GetPoint(i, x);
+      whole.Grid->GetPoint(pointIds[i], y);
+      EXPECT_TRUE(std::equal(x, x + 3, y));
+      ExpectSameTuples(grid->GetPointData(), i, whole.Grid->GetPointData(), pointIds[i]);
+      points.insert(pointIds[i]);
+      if (ghostPoints && !ghostPoints->GetValue(i))
+      {
+        EXPECT_TRUE(ownedPoints.insert(pointIds[i]).second) << "point owned twice";
+      }
+    }
+    if (ghostLevels > 0)
+    {
+      // Every cell that shares a point with an owned one must be there.
+      for (vtkIdType cell = 0; cell < whole.Grid->GetNumberOfCells(); ++cell)
+      {
+        const IndexRange ids = MeshView(whole.Grid).GetCellPoints(cell);
+        bool shares = false;
+        for (vtkIdType i = 0; i < ids.Size; ++i)
+        {
+          shares = shares || touched.count(ids[i]);
+        }
+        EXPECT_TRUE(!shares || mine.count(cell)) << cell;
+      }
+    }
+  }
+  EXPECT_EQ(static_cast<vtkIdType>(cells.size()), whole.Grid->GetNumberOfCells());
+  EXPECT_EQ(static_cast<vtkIdType>(points.size()), whole.Grid->GetNumberOfPoints());
+  if (ghostLevels > 0 && pieces > 1)
+  {
+    EXPECT_EQ(static_cast<vtkIdType>(ownedPoints.size()), whole.Grid->GetNumberOfPoints());
+  }
+}
+}
+}
+
+#endif
