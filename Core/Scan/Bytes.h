@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Bytes.h
- * @brief Loads and stores 32 bit values of either byte order at any address.
+ * @brief Loads and stores values of either byte order at any address.
  */
 #ifndef camaron_Bytes_h
 #define camaron_Bytes_h
 
 #include <cstdint> // for integers of known size
 #include <cstring> // for std::memcpy
+#include <string>  // for bytes to append to
 
 namespace camaron
 {
@@ -27,9 +28,49 @@ inline ByteOrder GetByteOrder()
   return first == 1 ? ByteOrder::Little : ByteOrder::Big;
 }
 
+inline std::uint8_t SwapBytes(std::uint8_t v)
+{
+  return v;
+}
+inline std::uint16_t SwapBytes(std::uint16_t v)
+{
+  return static_cast<std::uint16_t>(v >> 8 | v << 8);
+}
 inline std::uint32_t SwapBytes(std::uint32_t v)
 {
   return v >> 24 | (v >> 8 & 0xff00u) | (v << 8 & 0xff0000u) | v << 24;
+}
+inline std::uint64_t SwapBytes(std::uint64_t v)
+{
+  return std::uint64_t(SwapBytes(static_cast<std::uint32_t>(v))) << 32 |
+    SwapBytes(static_cast<std::uint32_t>(v >> 32));
+}
+
+namespace detail
+{
+/// The unsigned integer of so many bytes.
+template <std::size_t Size>
+struct WordOf;
+template <>
+struct WordOf<1>
+{
+  using Type = std::uint8_t;
+};
+template <>
+struct WordOf<2>
+{
+  using Type = std::uint16_t;
+};
+template <>
+struct WordOf<4>
+{
+  using Type = std::uint32_t;
+};
+template <>
+struct WordOf<8>
+{
+  using Type = std::uint64_t;
+};
 }
 
 /// Tells the processor that memory will be read soon. A wish, not a need.
@@ -42,27 +83,34 @@ inline void Prefetch(const void* memory)
 #endif
 }
 
-/// Loads a 4 byte value; @a swap when its byte order is not the machine's.
+/// Loads a value of 1, 2, 4 or 8 bytes; @a swap when its byte order is not the machine's.
 template <typename Value>
 inline Value Load(const char* bytes, bool swap)
 {
-  static_assert(sizeof(Value) == 4, "4 byte values only");
-  std::uint32_t word;
-  std::memcpy(&word, bytes, 4);
+  typename detail::WordOf<sizeof(Value)>::Type word;
+  std::memcpy(&word, bytes, sizeof(Value));
   word = swap ? SwapBytes(word) : word;
   Value value;
-  std::memcpy(&value, &word, 4);
+  std::memcpy(&value, &word, sizeof(Value));
   return value;
 }
 
 template <typename Value>
 inline void Store(char* bytes, Value value, bool swap)
 {
-  static_assert(sizeof(Value) == 4, "4 byte values only");
-  std::uint32_t word;
-  std::memcpy(&word, &value, 4);
+  typename detail::WordOf<sizeof(Value)>::Type word;
+  std::memcpy(&word, &value, sizeof(Value));
   word = swap ? SwapBytes(word) : word;
-  std::memcpy(bytes, &word, 4);
+  std::memcpy(bytes, &word, sizeof(Value));
+}
+
+/// Appends the bytes of a value.
+template <typename Value>
+inline void AppendBytes(std::string& bytes, Value value, bool swap)
+{
+  char place[sizeof(Value)];
+  Store(place, value, swap);
+  bytes.append(place, sizeof(Value));
 }
 }
 
