@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellMesh/CellCutter.h"
+
+#include "FaceMesh/PrimitiveMatcher.h"
+
+#include "vtkIdList.h"
+#include "vtkPoints.h"
+#include "vtkPolygon.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+CellCutter::CellCutter(const MeshView& mesh)
+  : Mesh(mesh)
+  , Facets(mesh)
+{
+}
+
+//------------------------------------------------------------------------------
+CellCutter::~CellCutter() = default;
+
+//------------------------------------------------------------------------------
+void CellCutter::Fan(const vtkIdType* points, vtkIdType size)
+{
+  const vtkIdType first = std::min_element(points, points + size) - points;
+  for (vtkIdType i = 1; i + 1 < size; ++i)
+  {
+    this->Triangles.push_back(
+      { points[first], points[(first + i) % size], points[(first + i + 1) % size] });
+  }
+}
+
+//------------------------------------------------------------------------------
+// Along the diagonal from the smallest id, unless the quadrilateral is concave at the other two.
+bool CellCutter::CutQuad(const vtkIdType* points)
+{
+  const vtkIdType smallest = std::min_element(points, points + 4) - points;
+  for (vtkIdType turn = 0; turn < 2; ++turn)
+  {
+    vtkIdType p[4];
+    Vector x[4];
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      p[i] = points[(smallest + turn + i) % 4];
+      x[i] = this->GetPlace(p[i]);
+    }
+    const Vector first = Cross(x[1] - x[0], x[2] - x[0]), second = Cross(x[2] - x[0], x[3] - x[0]);
+    if (Dot(first, second) > 0)
+    {
+      this->Triangles.push_back({ p[0], p[1], p[2] });
+      this->Triangles.push_back({ p[0], p[2], p[3] });
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool CellCutter::CutPolygon(const vtkIdType* points, vtkIdType size)
+{
+  this->Triangles.clear();
+  if (size == 3)
+  {
+    this->Triangles.push_back({ points[0], points[1], points[2] });
+    return true;
+  }
+  if (size == 4)
+  {
+    const bool good = this->CutQuad(points);
+    if (!good)
+    {
+      this->Fan(points, size);
+    }
+    return good;
+  }
+  if (!this->Polygon)
+  {
+    this->Polygon = vtkSmartPointer<vtkPolygon>::New();
+    this->Polygon->GetPoints()->SetDataTypeToDouble();
+  }
+  this->Polygon->GetPoints()->SetNumberOfPoints(size);
+  this->Polygon->GetPointIds()->SetNumberOfIds(size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    // VTK's tolerances are relative to the size of the polygon, not to its place.
+    const Vector x = this->GetPlace(points[i]) - this->GetPlace(points[0]);
+    this->Polygon->GetPoints()->SetPoint(i, x.X, x.Y, x.Z);
+    this->Polygon->GetPointIds()->SetId(i, i);
+  }
+  this->Ears->Reset();
+  const bool good = this->Polygon->EarCutTriangulation(this->Ears, vtkPolygon::BEST_QUALITY) != 0 &&
+    this->Ears->GetNumberOfIds() == 3 * (size - 2);
+  if (!good)
+  {
+    this->Fan(points, size);
+    return false;
+  }
+  for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
+  {
+    this->Triangles.push_back({ points[this->Ears->GetId(i)], points[this->Ears->GetId(i + 1)],
+      points[this->Ears->GetId(i + 2)] });
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double CellCutter::GetVolume(const Tetrahedron& t) const
+{
+  const Vector origin = this->GetPlace(t[0]);
+  return Dot(Cross(this->GetPlace(t[1]) - origin, this->GetPlace(t[2]) - origin),
+    this->GetPlace(t[3]) - origin);
+}
+
+//------------------------------------------------------------------------------
+void CellCutter::CutCell(vtkIdType cell)
+{
+  this->Tetrahedra.clear();
+  vtkIdType apex = -1;
+  const bool listsFaces = GetCellShape(this->Mesh.GetCellType(cell)).ListsFaces;
+  this->Edges.clear();
+  this->Facets.ForEach(cell,
+    [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+    {
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        apex = apex < 0 ? points[i] : std::min(apex, points[i]);
+        if (listsFaces)
+        {
+          this->Edges.emplace_back(points[i], points[i + 1 < size ? i + 1 : 0]);
+        }
+      }
+    });
+  // Consistent faces run along every edge once in either direction.
+  std::sort(this->Edges.begin(), this->Edges.end());
+  const bool consistent =
+    std::adjacent_find(this->Edges.begin(), this->Edges.end()) == this->Edges.end();
+
+  this->Facets.ForEach(cell,
+    [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+    {
+      this->Points.assign(points, points + size);
+      this->Points.erase(std::unique(this->Points.begin(), this->Points.end()), this->Points.end());
+      const auto& ids = this->Points;
+      if (std::find(ids.begin(), ids.end(), apex) != ids.end())
+      {
+        return;
+      }
+      this->Triangles.clear();
+      this->Fan(ids.data(), static_cast<vtkIdType>(ids.size()));
+      for (const Triangle& t : this->Triangles)
+      {
+        if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+        {
+          this->Tetrahedra.push_back({ apex, t[0], t[1], t[2] });
+        }
+      }
+    });
+  for (Tetrahedron& t : this->Tetrahedra)
+  {
+    if (!consistent && this->GetVolume(t) < 0)
+    {
+      std::swap(t[2], t[3]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
+{
+  constexpr vtkIdType MaxFaces = 6, MaxNodes = 8;
+  const vtkIdType numberOfFaces = this->Facets.GetNumberOfFacets(cell);
+  if (numberOfFaces < 4 || numberOfFaces > MaxFaces)
+  {
+    return VTK_POLYHEDRON;
+  }
+  // The matcher wants small ids and coordinates in single precision; relative ones will do.
+  std::int32_t faces[MaxFaces][4];
+  IdList lists[MaxFaces];
+  vtkIdType ids[MaxNodes];
+  float places[3 * MaxNodes];
+  std::int32_t numberOfNodes = 0, triangles = 0, quads = 0;
+  bool fits = true;
+  this->Facets.ForEach(cell,
+    [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+    {
+      fits = fits && (size == 3 || size == 4);
+      triangles += size == 3 ? 1 : 0;
+      quads += size == 4 ? 1 : 0;
+      for (vtkIdType i = 0; fits && i < size; ++i)
+      {
+        std::int32_t node = 0;
+        while (node < numberOfNodes && ids[node] != points[i])
+        {
+          ++node;
+        }
+        if (node == MaxNodes)
+        {
+          fits = false;
+          break;
+        }
+        if (node == numberOfNodes)
+        {
+          ids[numberOfNodes++] = points[i];
+          const Vector x = this->GetPlace(points[i]) - this->GetPlace(ids[0]);
+          places[3 * node] = static_cast<float>(x.X);
+          places[3 * node + 1] = static_cast<float>(x.Y);
+          places[3 * node + 2] = static_cast<float>(x.Z);
+        }
+        faces[local][i] = node;
+      }
+      lists[local].Ids = reinterpret_cast<const char*>(faces[local]);
+      lists[local].Size = static_cast<std::int32_t>(size);
+    });
+  if (!fits)
+  {
+    return VTK_POLYHEDRON;
+  }
+  const unsigned char type =
+    PrimitiveMatcher::Guess(static_cast<std::int32_t>(numberOfFaces), triangles, quads);
+  FloatPoints points;
+  points.Data = reinterpret_cast<const char*>(places);
+  points.Count = numberOfNodes;
+  PrimitiveMatcher matcher(points);
+  if (type == VTK_POLYHEDRON || !matcher.Match(type, lists))
+  {
+    return VTK_POLYHEDRON;
+  }
+
+  // The matcher gives a positive cell. If all faces run the other way, it is its mirror image.
+  const CellShape& shape = GetCellShape(type);
+  const std::int32_t* matched = matcher.GetNodes();
+  bool inward = true;
+  for (int f = 0; f < shape.NumberOfFaces; ++f)
+  {
+    const int* face = shape.FacePoints + shape.FaceOffsets[f];
+    const IdList list = lists[matcher.GetFace(f)];
+    for (std::int32_t i = 0; i < list.Size; ++i)
+    {
+      inward =
+        inward && (list[i] != matched[face[0]] || list[(i + 1) % list.Size] != matched[face[1]]);
+    }
+  }
+  static const int mirrors[4][MaxNodes] = { { 0, 2, 1, 3 }, { 0, 3, 2, 1, 4 }, { 0, 2, 1, 3, 5, 4 },
+    { 0, 3, 2, 1, 4, 7, 6, 5 } };
+  const int* mirror = type == VTK_TETRA ? mirrors[0]
+    : type == VTK_PYRAMID               ? mirrors[1]
+    : type == VTK_WEDGE                 ? mirrors[2]
+                                        : mirrors[3];
+  for (int i = 0; i < PrimitiveMatcher::GetNumberOfNodes(type); ++i)
+  {
+    nodes[i] = ids[matched[inward ? mirror[i] : i]];
+  }
+  return type;
+}
+}

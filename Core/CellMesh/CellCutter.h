@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellCutter
+ * @brief Cuts polygons into triangles and 3D cells into tetrahedra, without new points.
+ *
+ * Holds scratch memory: use one per thread.
+ */
+#ifndef camaron_CellCutter_h
+#define camaron_CellCutter_h
+
+#include "Mesh/CellFacets.h"
+#include "Mesh/Vector.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <array>   // for simplices
+#include <utility> // for edges
+#include <vector>  // for scratch
+
+class vtkIdList;
+class vtkPolygon;
+
+namespace camaron
+{
+class CellCutter
+{
+public:
+  using Triangle = std::array<vtkIdType, 3>;
+  using Tetrahedron = std::array<vtkIdType, 4>;
+
+  explicit CellCutter(const MeshView& mesh);
+  ~CellCutter();
+
+  /**
+   * Triangles of a polygon that run as it does. False if it crosses itself or has no area, so that
+   * any choice is as good: they then fan out from the smallest point id.
+   */
+  bool CutPolygon(const vtkIdType* points, vtkIdType size);
+  const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
+
+  /**
+   * Tetrahedra between the smallest point id of a 3D cell and the triangles of the faces around
+   * other points, each of which fans out from its own smallest id. Of a cell whose faces run
+   * outward they are positive where the cell is convex. If the faces do not run consistently, all
+   * are made positive.
+   */
+  void CutCell(vtkIdType cell);
+  const std::vector<Tetrahedron>& GetTetrahedra() const { return this->Tetrahedra; }
+
+  /// Six times the volume.
+  double GetVolume(const Tetrahedron& tetrahedron) const;
+
+  /**
+   * Recognises a polyhedron that is a tetrahedron, pyramid, wedge or hexahedron and finds its nodes
+   * in VTK's order; VTK_POLYHEDRON if it is none of them.
+   */
+  unsigned char MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8]);
+
+private:
+  Vector GetPlace(vtkIdType point) const
+  {
+    double x[3];
+    this->Mesh.GetPoint(point, x);
+    return { x[0], x[1], x[2] };
+  }
+  bool CutQuad(const vtkIdType* points);
+  void Fan(const vtkIdType* points, vtkIdType size);
+
+  const MeshView& Mesh;
+  CellFacets Facets;
+  std::vector<Triangle> Triangles;
+  std::vector<Tetrahedron> Tetrahedra;
+  std::vector<vtkIdType> Points;
+  std::vector<std::pair<vtkIdType, vtkIdType>> Edges;
+  std::vector<std::vector<vtkIdType>> Faces;
+  vtkSmartPointer<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+};
+}
+
+#endif

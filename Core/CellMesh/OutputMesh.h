@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::OutputMesh
+ * @brief The points and cells that a writer puts into a file, and where in its input they are from.
+ *
+ * Made by ConvertCells. If a format holds all cells of the input as they are, this is a view of it
+ * and nothing is copied. Else it has cells of its own; those of VTK_POLYHEDRON have the faces of
+ * their input cell (CellFacets, with GetPointOf for the ids). All methods are safe to call from
+ * several threads.
+ */
+#ifndef camaron_OutputMesh_h
+#define camaron_OutputMesh_h
+
+#include "Mesh/MeshView.h"
+#include "Scan/IdSet.h"
+
+#include <vector> // for cells
+
+namespace camaron
+{
+class OutputMesh
+{
+public:
+  OutputMesh() = default;
+  /// All of a vtkUnstructuredGrid or vtkPolyData.
+  explicit OutputMesh(vtkDataSet* mesh)
+    : Input(mesh)
+    , NumberOfPoints(this->Input.GetNumberOfPoints())
+    , NumberOfCells(this->Input.GetNumberOfCells())
+  {
+  }
+
+  const MeshView& GetInput() const { return this->Input; }
+
+  ///@{
+  /// The same number of the same points, or cells, as the input; arrays may be written as they are.
+  bool HasInputPoints() const { return this->SamePoints; }
+  bool HasInputCells() const { return this->SameCells; }
+  ///@}
+
+  vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
+  bool HasFloatPoints() const { return this->Input.HasFloatPoints(); }
+  void GetPoint(vtkIdType point, double x[3]) const
+  {
+    this->Input.GetPoint(this->GetInputPoint(point), x);
+  }
+  /// The point of the input.
+  vtkIdType GetInputPoint(vtkIdType point) const
+  {
+    return this->SamePoints ? point : this->InputPoints[point];
+  }
+  /// What a point of the input, which must be one of some cell here, has become.
+  vtkIdType GetPointOf(vtkIdType inputPoint) const
+  {
+    return this->SamePoints ? inputPoint : this->KeptPoints.GetNumber(inputPoint);
+  }
+
+  vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
+  unsigned char GetCellType(vtkIdType cell) const
+  {
+    return this->SameCells ? this->Input.GetCellType(cell) : this->Types[cell];
+  }
+  IndexRange GetCellPoints(vtkIdType cell) const
+  {
+    if (this->SameCells)
+    {
+      return this->Input.GetCellPoints(cell);
+    }
+    const vtkIdType begin = this->Offsets[cell];
+    IndexRange range;
+    range.Values.Values64 = this->Connectivity.data();
+    range.Begin = begin;
+    range.Size = this->Offsets[cell + 1] - begin;
+    return range;
+  }
+  /// The cell of the input that this one is, or is a part of.
+  vtkIdType GetInputCell(vtkIdType cell) const
+  {
+    return this->SameCells ? cell : this->InputCells[cell];
+  }
+  /// Number of cells of a type.
+  vtkIdType Count(unsigned char type) const;
+
+private:
+  friend class OutputMeshBuilder;
+
+  MeshView Input;
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCells = 0;
+  bool SamePoints = true;
+  bool SameCells = true;
+  std::vector<unsigned char> Types;
+  std::vector<std::int64_t> Offsets; ///< one more than cells
+  std::vector<std::int64_t> Connectivity;
+  std::vector<std::int64_t> InputCells;
+  std::vector<std::int32_t> InputPoints;
+  IdSet KeptPoints;
+};
+}
+
+#endif
