@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisfWriting.h"
 
+#include "CellMesh/OutputWarnings.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 #include "Scan/Buffer.h"
@@ -10,12 +11,9 @@
 #include "Scan/Number.h"
 #include "Scan/WriteChunks.h"
 
-#include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <mutex>
 #include <new>
@@ -634,47 +632,12 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void WarnOfLosses(vtkDataSet* mesh, const MeshView& view, Warnings& warnings)
-{
-  std::string arrays;
-  for (vtkDataSetAttributes* data :
-    { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
-      static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
-  {
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* array = data->GetAbstractArray(i);
-      const char* name = array->GetName() ? array->GetName() : "without name";
-      if (array != data->GetGlobalIds() && name != std::string(vtkDataSetAttributes::GhostArrayName()))
-      {
-        arrays += (arrays.empty() ? "" : ", ") + std::string(name);
-      }
-    }
-  }
-  if (!arrays.empty())
-  {
-    warnings.Add("Visf holds no arrays; not written: " + arrays);
-  }
-  Tally rounded;
-  for (vtkIdType id = 0; !view.HasFloatPoints() && id < view.GetNumberOfPoints(); ++id)
-  {
-    double x[3];
-    view.GetPoint(id, x);
-    const auto isExact = [](double v) { return std::isnan(v) || static_cast<float>(v) == v; };
-    if (!isExact(x[0]) || !isExact(x[1]) || !isExact(x[2]))
-    {
-      rounded.Add(id);
-    }
-  }
-  warnings.Add(rounded, "point", "points", "rounded to single precision");
-}
-
-//------------------------------------------------------------------------------
 bool Write(OutputFile& file, vtkDataSet* mesh, VisfEncoding encoding, bool neighbors,
   Warnings& warnings, const Progress& progress)
 {
   const VisfLists lists(mesh, warnings);
-  WarnOfLosses(mesh, lists.GetMesh(), warnings);
+  WarnOfArrays(mesh, "Visf", warnings);
+  WarnOfRounding(mesh, warnings);
   if (!progress.Report(0.3))
   {
     return false;

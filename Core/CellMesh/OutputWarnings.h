@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file OutputWarnings.h
+ * @brief Says what of a mesh is lost when it is written.
+ */
+#ifndef camaron_OutputWarnings_h
+#define camaron_OutputWarnings_h
+
+#include "Scan/ScanError.h"
+
+#include <string> // for names
+#include <vector> // for names
+
+class vtkDataSet;
+
+namespace camaron
+{
+/**
+ * Warns of arrays of points and cells that are not written, except those for VTK's own use (global
+ * ids, ghosts).
+ * @param format e.g. "Visf"
+ * @param written names of arrays that are written
+ */
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
+  const std::vector<std::string>& written = {});
+
+/// Warns of points whose coordinates are not the same as float; @a mesh as for MeshView.
+void WarnOfRounding(vtkDataSet* mesh, Warnings& warnings);
+}
+
+#endif

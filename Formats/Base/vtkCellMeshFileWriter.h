@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkCellMeshFileWriter
+ * @brief Common part of the writers of formats that hold cells of certain types only.
+ *
+ * Adds the choice what becomes of other cells. See camaron::ConvertCells for what is rewritten in any
+ * case, and how cells are cut.
+ *
+ * The XML of every such writer has this property:
+ * @code{.xml}
+      <IntVectorProperty command="SetUnsupportedCells" default_values="0" label="Unsupported Cells"
+                         name="UnsupportedCells" number_of_elements="1">
+        <EnumerationDomain name="enum">
+          <Entry text="Refuse" value="0" />
+          <Entry text="Skip" value="1" />
+          <Entry text="Convert" value="2" />
+        </EnumerationDomain>
+        <Documentation>What becomes of cells that the format cannot hold: an error and no file, left
+        out with a warning, or cut into triangles or tetrahedra without new points. Default:
+        Refuse.</Documentation>
+      </IntVectorProperty>
+ * @endcode
+ */
+#ifndef vtkCellMeshFileWriter_h
+#define vtkCellMeshFileWriter_h
+
+#include "vtkMeshFileWriter.h"
+
+namespace camaron
+{
+enum class UnsupportedCells;
+}
+
+class CAMARONFORMATS_EXPORT vtkCellMeshFileWriter : public vtkMeshFileWriter
+{
+public:
+  vtkAbstractTypeMacro(vtkCellMeshFileWriter, vtkMeshFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum UnsupportedCellsType
+  {
+    REFUSE = 0, ///< an error; nothing is written
+    SKIP = 1,   ///< left out, with a warning
+    CONVERT = 2 ///< cut into triangles or tetrahedra, without new points
+  };
+
+  ///@{
+  /**
+   * What becomes of cells that the format cannot hold. Default: REFUSE.
+   */
+  vtkSetClampMacro(UnsupportedCells, int, REFUSE, CONVERT);
+  vtkGetMacro(UnsupportedCells, int);
+  ///@}
+
+protected:
+  vtkCellMeshFileWriter() = default;
+  ~vtkCellMeshFileWriter() override = default;
+
+  camaron::UnsupportedCells GetOtherCells() const
+  {
+    return static_cast<camaron::UnsupportedCells>(this->UnsupportedCells);
+  }
+
+private:
+  vtkCellMeshFileWriter(const vtkCellMeshFileWriter&) = delete;
+  void operator=(const vtkCellMeshFileWriter&) = delete;
+
+  int UnsupportedCells = REFUSE;
+};
+
+#endif

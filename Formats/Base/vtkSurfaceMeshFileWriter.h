@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkSurfaceMeshFileWriter
+ * @brief Common part of the writers of formats of polygons.
+ *
+ * Adds the choice which faces of 3D cells are written.
+ *
+ * The XML of every such writer has, besides that of vtkCellMeshFileWriter, this property:
+ * @code{.xml}
+      <IntVectorProperty command="SetFacesOfVolumes" default_values="0" label="Faces Of Volumes"
+                         name="FacesOfVolumes" number_of_elements="1">
+        <EnumerationDomain name="enum">
+          <Entry text="Boundary" value="0" />
+          <Entry text="Every" value="1" />
+        </EnumerationDomain>
+        <Documentation>Which faces of cells of three dimensions are written: those that only one cell
+        has, or every face once. Default: Boundary.</Documentation>
+      </IntVectorProperty>
+ * @endcode
+ */
+#ifndef vtkSurfaceMeshFileWriter_h
+#define vtkSurfaceMeshFileWriter_h
+
+#include "vtkCellMeshFileWriter.h"
+
+namespace camaron
+{
+enum class SurfaceFaces;
+}
+
+class CAMARONFORMATS_EXPORT vtkSurfaceMeshFileWriter : public vtkCellMeshFileWriter
+{
+public:
+  vtkAbstractTypeMacro(vtkSurfaceMeshFileWriter, vtkCellMeshFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum FacesOfVolumesType
+  {
+    BOUNDARY = 0, ///< those that only one cell has
+    EVERY = 1     ///< every face once
+  };
+
+  ///@{
+  /**
+   * Which faces of 3D cells are written. Default: BOUNDARY.
+   */
+  vtkSetClampMacro(FacesOfVolumes, int, BOUNDARY, EVERY);
+  vtkGetMacro(FacesOfVolumes, int);
+  ///@}
+
+protected:
+  vtkSurfaceMeshFileWriter() = default;
+  ~vtkSurfaceMeshFileWriter() override = default;
+
+  camaron::SurfaceFaces GetSurfaceFaces() const;
+
+private:
+  vtkSurfaceMeshFileWriter(const vtkSurfaceMeshFileWriter&) = delete;
+  void operator=(const vtkSurfaceMeshFileWriter&) = delete;
+
+  int FacesOfVolumes = BOUNDARY;
+};
+
+#endif
