@@ -302,6 +302,10 @@ void CellGeometry::Compute(unsigned needs)
     return;
   }
   const bool isPolyhedron = (this->Shapes & Polyhedra) != 0;
+  if (needs & NeedsCentroid)
+  {
+    needs |= isPolyhedron ? NeedsFaces | NeedsVolume : NeedsFaces;
+  }
   const unsigned oriented = NeedsVolume | NeedsDihedral | NeedsSolidAngle;
   if (isPolyhedron && !this->IsStandard && !this->TrustFaceOrientation && (needs & oriented) &&
     !this->Topology->IsClosed)
@@ -325,6 +329,10 @@ void CellGeometry::Compute(unsigned needs)
   if (isPolyhedron && (needs & oriented))
   {
     this->ComputeVolume();
+  }
+  if (needs & NeedsCentroid)
+  {
+    this->ComputeCentroid();
   }
   if (needs & NeedsCorners)
   {
@@ -573,5 +581,43 @@ void CellGeometry::OrientPolyhedron()
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// From the tetrahedra of the origin, every edge of a face and the centre of that face, with signs.
+void CellGeometry::ComputeCentroid()
+{
+  const CellTopology& topology = *this->Topology;
+  if (this->Shapes & Polygons)
+  {
+    this->Centroid = topology.GetNumberOfFaces() > 0 ? this->FaceCenters[0] : Vector();
+    return;
+  }
+  Vector moment;
+  double volume = 0; // times six
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* face = topology.GetFace(f);
+    const int size = topology.GetFaceSize(f);
+    const Vector& center = this->FaceCenters[f];
+    for (int i = 0; i < size; ++i)
+    {
+      const Vector &a = this->Points[face[i]], &b = this->Points[face[i + 1 < size ? i + 1 : 0]];
+      const double part = Dot(center, Cross(a, b));
+      volume += part;
+      moment += part * (a + b + center);
+    }
+  }
+  if (!std::isnan(this->Volume) && !this->IsZeroVolume(volume / 6))
+  {
+    this->Centroid = (1 / (4 * volume)) * moment;
+    return;
+  }
+  Vector sum;
+  for (int i = 0; i < this->NumberOfPoints; ++i)
+  {
+    sum += this->Points[i];
+  }
+  this->Centroid = (1.0 / std::max(1, this->NumberOfPoints)) * sum;
 }
 }

@@ -101,6 +101,9 @@ public:
 
   /// With NeedsVolume; a null value when the cell is not closed.
   double GetVolume() const { return this->Volume; }
+  /// With NeedsCentroid: of a polygon the centre of its face; of a polyhedron without a volume the mean
+  /// of its points. Relative to the first point.
+  const Vector& GetCentroid() const { return this->Centroid; }
 
   /// With NeedsCorners: interior angles of one face; empty when the face has none.
   const AngleRange& GetFaceAngles(int face) const { return this->FaceAngles[face]; }
@@ -150,6 +153,7 @@ private:
   void ComputeVolume();
   double SumVolume(int group) const;
   void OrientPolyhedron();
+  void ComputeCentroid();
   void ComputeCorners();
   void ComputeFaceAngles(int face, AngleRange& angles);
   void ComputeDihedralAngles();
@@ -192,6 +196,7 @@ private:
   std::vector<double> FaceAreas;
   double Volume = 0;
   double OrientationSign = 1;
+  Vector Centroid;
   std::vector<AngleRange> FaceAngles;
   AngleRange DihedralAngles;
   AngleRange HalfSolidAngles;

@@ -16,6 +16,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
 constexpr double Positive = std::numeric_limits<double>::min(); // smallest value that is above zero
 constexpr double SquareRootOf3Over8 = 0.61237243569579452; // of the regular tetrahedron
+constexpr double SquareRootOf1Over3 = 0.57735026918962573; // of the equilateral triangle
+constexpr double SquareRootOf2 = 1.4142135623730951;
 constexpr double FullSphere = 12.566370614359172;          // 4 pi
 
 constexpr const char* Verdict = "Verdict manual, rev. A";
@@ -90,6 +92,24 @@ const std::vector<Criterion>& GetCriteria()
     { "Diameter", "Diameter", "Largest distance between two vertices.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CELLS(Diameter) },
+    { "MinFaceVertexCount", "Fewest vertices of a face", "Number of points of the face with the fewest.",
+      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CELLS(MinFaceVertexCount) },
+    { "MaxFaceVertexCount", "Most vertices of a face", "Number of points of the face with the most.",
+      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CELLS(MaxFaceVertexCount) },
+    { "MinFaceArea", "Smallest face", "Length of the vector area of the smallest face.",
+      Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CELLS(MinFaceArea) },
+    { "MaxFaceArea", "Largest face", "Length of the vector area of the largest face.",
+      Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CELLS(MaxFaceArea) },
+    { "EquivalentRadius", "Equivalent radius",
+      "Radius of the circle of the same area, or of the ball of the same volume; 0 where that is not "
+      "positive.",
+      PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume, CELLS(EquivalentRadius) },
     { "CellTypeId", "Cell type", "VTK's number of the cell type, for grouping.",
       AnyCell, Unit::None, { 0, 255 }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CELLS(CellTypeId) },
@@ -158,12 +178,48 @@ const std::vector<Criterion>& GetCriteria()
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1.0 / 3, Infinity }, "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
       Hint, Real, Cost::Faces, NeedsEdges, CELLS(EdgeLengthRatio) },
+    { "EdgeRatio", "Edge ratio", "Longest edge divided by shortest edge; infinite if an edge is collapsed.",
+      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
+      { -Infinity, 3 }, "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals",
+      Hint, Real, Cost::Faces, NeedsEdges, CELLS(EdgeRatio) },
+    { "EdgeDiameterRatio", "Edge to diameter", "Shortest edge divided by the largest distance of two vertices.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CELLS(EdgeDiameterRatio) },
+    { "MinPointDistanceRatio", "Closest vertices",
+      "Smallest distance of two vertices divided by the largest.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CELLS(MinPointDistanceRatio) },
+    { "PrincipalAspectRatio", "Principal aspect ratio",
+      "Shortest divided by longest principal axis of the vertices (square root of the ratio of the "
+      "eigenvalues of their second moments; of a polygon in its plane).",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CELLS(PrincipalAspectRatio) },
     { "IsoperimetricQuotient", "Isoperimetric quotient",
       "Compactness: 4 pi area / perimeter^2 of a polygon, 36 pi volume^2 / surface area^3 of a "
       "polyhedron; 1 for circle and ball, 0.5236 for the cube.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CELLS(IsoperimetricQuotient) },
+    { "Sphericity", "Sphericity",
+      "Wadell's sphericity: surface of the ball of the same volume divided by the surface area; cube 0.806.",
+      Polyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume, CELLS(Sphericity) },
+    { "VolumeEdgeRatio", "Volume to edges", "Volume divided by the cube of the root mean square of the edge lengths; cube 1.",
+      Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CELLS(VolumeEdgeRatio) },
+    { "CornerScaledJacobian", "Corner scaled Jacobian",
+      "Smallest determinant of the unit vectors along the three edges at a vertex; 1 for right angles, "
+      "negative for an inverted corner. Null for cells with a vertex of more edges.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      { Positive, Infinity }, "not inverted; 0.5 for hexahedra in the Verdict manual, rev. A", Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume | NeedsSolidAngle, CELLS(CornerScaledJacobian) },
+    { "CellIsotropy", "Cell isotropy",
+      "27 det T / (tr T)^3, T being the sum of the products of the face vectors with themselves; 1 for "
+      "the cube and all regular polyhedra, 0 for a flat cell.",
+      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CELLS(CellIsotropy) },
     { "CellAspectRatio", "Cell aspect ratio",
       "OpenFOAM's aspect ratio from the face areas seen along the axes; depends on the axes, so that a "
       "rotated box has another value.",
@@ -181,6 +237,10 @@ const std::vector<Criterion>& GetCriteria()
       Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.25, Infinity }, "Verdict manual, rev. A, shape of triangles", Cited, Real,
       Cost::Faces, NeedsEdges | NeedsFaces, CELLS(BhatiaLawrence) },
+    { "TriangleRadiusEdgeRatio", "Triangle radius-edge ratio", "Circumradius divided by the shortest edge.",
+      Triangles, Unit::None, { SquareRootOf1Over3, Infinity }, SquareRootOf1Over3, Better::Smaller,
+      { -Infinity, SquareRootOf2 }, "Ruppert's bound, smallest angle above 20.7 degrees", Cited, Real,
+      Cost::Faces, NeedsEdges | NeedsFaces, CELLS(TriangleRadiusEdgeRatio) },
     { "TetRadiusEdgeRatio", "Tetrahedron radius-edge ratio",
       "Circumradius divided by the shortest edge. Does not see slivers: read it together with the "
       "smallest dihedral angle.",
@@ -196,6 +256,68 @@ const std::vector<Criterion>& GetCriteria()
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 0.3, Infinity }, "Verdict manual, rev. A, shape of tetrahedra", Cited, Real,
       Cost::Edges, NeedsEdges | NeedsVolume, CELLS(TetMeanRatio) },
+    { "TetQualityFoam", "OpenFOAM's tetrahedron quality",
+      "Volume divided by that of the regular tetrahedron with the same circumsphere.",
+      Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
+      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CELLS(TetQualityFoam) },
+
+    // The faces of a cell, and the cell cut at its centroid, as finite volumes want them.
+    { "MinFaceFlatness", "Smallest face flatness",
+      "Length of the vector area of a face divided by the area of its triangles about the centre, the "
+      "smallest of all faces; 1 is planar.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 0.8, Infinity }, CheckMesh, Cited, Real, Cost::Faces, NeedsFaces, CELLS(MinFaceFlatness) },
+    { "MaxWarpage", "Largest warpage",
+      "Largest distance of a vertex from the mean plane of its face divided by the largest distance from "
+      "the centre of that face.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
+      { -Infinity, 0.1 }, "planarity limit of VTK's Validate Cells", Cited, Real,
+      Cost::Faces, NeedsFaces, CELLS(MaxWarpage) },
+    { "MaxFaceConcavity", "Largest face concavity",
+      "How far the largest interior angle of a face exceeds 180 degrees; 0 for convex faces.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, 80 }, "OpenFOAM's maxConcave; checkMesh reports from 10", Cited, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CELLS(MaxFaceConcavity) },
+    { "CellConcavity", "Cell concavity",
+      "Largest distance of the centre of a face outside the plane of a neighbouring face, divided by the "
+      "diameter; not above 0 where the cell is convex.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CELLS(CellConcavity) },
+    { "MinFacePyramidVolume", "Smallest face pyramid", "Volume of the smallest pyramid of a face and the centroid of the cell.",
+      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
+      { Positive, Infinity }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsCentroid, CELLS(MinFacePyramidVolume) },
+    { "MinFacePyramidRatio", "Smallest face pyramid, relative",
+      "Volume of the smallest pyramid of a face and the centroid, times the number of faces, divided by "
+      "the volume of the cell; 1 if all are equal.",
+      Polyhedra, Unit::None, { -Infinity, 1 }, 1, Better::Bigger,
+      { Positive, Infinity }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsCentroid, CELLS(MinFacePyramidRatio) },
+    { "MinTetVolume", "Smallest tetrahedron of the decomposition",
+      "Volume of the smallest tetrahedron of the centroid, the centre of a face and an edge of it.",
+      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
+      { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
+      Cost::Edges, NeedsCentroid, CELLS(MinTetVolume) },
+    { "MinTetMeanRatio", "Smallest mean ratio of the decomposition",
+      "Mean ratio of the worst tetrahedron of the centroid, the centre of a face and an edge of it; above "
+      "0 where the cell is star-shaped about its centroid. Not 1 for the cube.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
+      Cost::Edges, NeedsCentroid, CELLS(MinTetMeanRatio) },
+    { "MinTetQuality", "Smallest OpenFOAM tetrahedron quality",
+      "Volume divided by that of the regular tetrahedron with the same circumsphere, of the worst "
+      "tetrahedron of the centroid, the centre of a face and an edge of it.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Real,
+      Cost::Edges, NeedsCentroid, CELLS(MinTetQuality) },
+    { "Openness", "Openness",
+      "Largest component of the sum of the face vectors relative to the sum of the sizes of that "
+      "component; 0 where the faces close the cell.",
+      Polyhedra, Unit::None, { 0, 1 }, 0, Better::Smaller,
+      { -Infinity, 1e-6 }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume, CELLS(Openness) },
   };
   // clang-format on
   return criteria;

@@ -71,7 +71,8 @@ enum Needs : unsigned
   NeedsVolume = 4u,   ///< orientation and volume of a polyhedron
   NeedsCorners = 8u,  ///< interior angles of the faces
   NeedsDihedral = 16u,
-  NeedsSolidAngle = 32u
+  NeedsSolidAngle = 32u,
+  NeedsCentroid = 64u   ///< with NeedsVolume for a polyhedron
 };
 
 /// Why a value is null, as written to the mask arrays.

@@ -25,6 +25,48 @@ double EdgeLengthRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+double EdgeRatio(const CellGeometry& cell)
+{
+  const double shortest = cell.GetMinEdgeLength(), longest = cell.GetMaxEdgeLength();
+  if (cell.IsZeroLength(longest))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  return cell.IsZeroLength(shortest) ? std::numeric_limits<double>::infinity() : longest / shortest;
+}
+
+//------------------------------------------------------------------------------
+double EdgeDiameterRatio(const CellGeometry& cell)
+{
+  const double shortest = cell.GetMinEdgeLength(), diameter = cell.GetDiameter();
+  if (cell.IsZeroLength(diameter))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  return cell.IsZeroLength(shortest) ? 0 : shortest / diameter;
+}
+
+//------------------------------------------------------------------------------
+double MinPointDistanceRatio(const CellGeometry& cell)
+{
+  const double diameter = cell.GetDiameter();
+  if (cell.IsZeroLength(diameter))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  double smallest = diameter * diameter;
+  for (int i = 1; i < cell.GetNumberOfPoints(); ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      smallest = std::min(smallest, Norm2(cell.GetPoint(i) - cell.GetPoint(j)));
+    }
+  }
+  const double distance = std::sqrt(smallest);
+  return cell.IsZeroLength(distance) ? 0 : distance / diameter;
+}
+
+//------------------------------------------------------------------------------
 double IsoperimetricQuotient(const CellGeometry& cell)
 {
   if (cell.GetShapes() & Polygons)
@@ -40,6 +82,30 @@ double IsoperimetricQuotient(const CellGeometry& cell)
   }
   return cell.IsZeroArea(surface) ? Null(NullReason::Degenerate)
                                   : 36 * Pi * volume * volume / (surface * surface * surface);
+}
+
+//------------------------------------------------------------------------------
+double Sphericity(const CellGeometry& cell)
+{
+  const double quotient = IsoperimetricQuotient(cell);
+  return std::isnan(quotient) ? quotient : std::cbrt(quotient);
+}
+
+//------------------------------------------------------------------------------
+double VolumeEdgeRatio(const CellGeometry& cell)
+{
+  const double volume = cell.GetVolume();
+  if (std::isnan(volume))
+  {
+    return volume;
+  }
+  if (cell.IsZeroLength(cell.GetMaxEdgeLength()))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double edges = static_cast<double>(cell.GetTopology().Edges.size());
+  const double length = std::sqrt(cell.GetSumOfSquaredLengths() / edges);
+  return cell.IsZeroVolume(volume) ? 0 : volume / (length * length * length);
 }
 
 //------------------------------------------------------------------------------

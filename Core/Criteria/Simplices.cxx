@@ -11,6 +11,7 @@ namespace camaron
 namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double RegularVolume = 0.5132002392796673; // 8 sqrt(3) / 27, of circumradius 1
 
 //------------------------------------------------------------------------------
 // All points in one place: 0/0 for every ratio.
@@ -55,6 +56,22 @@ double BhatiaLawrence(const CellGeometry& cell)
   }
   const double area = cell.GetPolygonArea();
   return cell.IsZeroArea(area) ? 0 : 4 * std::sqrt(3.0) * area / cell.GetSumOfSquaredLengths();
+}
+
+//------------------------------------------------------------------------------
+double TriangleRadiusEdgeRatio(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double area = cell.GetPolygonArea();
+  if (cell.IsZeroArea(area))
+  {
+    return Infinity;
+  }
+  const double a = cell.GetEdgeLength(0), b = cell.GetEdgeLength(1), c = cell.GetEdgeLength(2);
+  return a * b * c / (4 * area * std::min({ a, b, c }));
 }
 
 //------------------------------------------------------------------------------
@@ -104,5 +121,21 @@ double TetMeanRatio(const CellGeometry& cell)
   }
   const double root = std::cbrt(3 * std::abs(volume));
   return std::copysign(12 * root * root / cell.GetSumOfSquaredLengths(), volume);
+}
+
+//------------------------------------------------------------------------------
+double TetQualityFoam(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double volume = cell.GetVolume();
+  if (std::isnan(volume) || cell.IsZeroVolume(volume))
+  {
+    return std::isnan(volume) ? volume : 0;
+  }
+  const double circumradius = CircumradiusTimes12Volumes(cell) / (12 * std::abs(volume));
+  return volume / (RegularVolume * circumradius * circumradius * circumradius);
 }
 }

@@ -237,6 +237,32 @@ inline const std::vector<ReferenceShape>& GetReferenceShapes()
     add("warped hex", warped, VTK_HEXAHEDRON, {},
       { 1.125, 6.588222469, 8, 12, 6, 0.6666666667, 63.43494882, 116.5650512, 76.0472636, 104.0362435,
         0.7297276562, 2.034443936, 0.5005559761, 1.25 });
+
+    // Smallest pyramid, smallest flatness, isotropy.
+    const std::map<std::string, std::vector<double>> more = {
+      { "unit cube", { 0.1666666667, 1, 1 } },
+      { "regular tetrahedron", { 0.02946278255, 1, 1 } },
+      { "right-corner tetrahedron", { 0.04166666667, 1, 0.5 } },
+      { "square pyramid", { 0.04419417382, 1, 0.3935860058 } },
+      { "right triangular prism", { 0.07216878365, 1, 0.5925925926 } },
+      { "regular octahedron", { 0.0589255651, 1, 1 } },
+      { "regular dodecahedron", { 0.6385932467, 1, 1 } },
+      { "truncated octahedron", { 0.4714045208, 1, 1 } },
+      { "sheared hex", { 0.1666666667, 1, 0.421875 } },
+      { "box", { 1.333333333, 1, 0.1865889213 } },
+      { "flat sliver", { 0.003333333333, 1, 1.078705036e-06 } },
+      { "hexagonal prism", { 0.2886751346, 1, 0.4424214838 } },
+      { "L-prism", { 0.05555555556, 1, 0.648 } },
+      { "warped hex", { 0.1728109282, 0.9746721852, 0.953175612 } },
+    };
+    for (ReferenceShape& shape : result)
+    {
+      const std::vector<double>& values = more.at(shape.Name);
+      shape.Expected["MinFacePyramidVolume"] = values[0];
+      shape.Expected["MinFaceFlatness"] = values[1];
+      shape.Expected["CellIsotropy"] = values[2];
+      shape.Expected["Openness"] = 0;
+    }
     return result;
   }();
   return shapes;

@@ -260,6 +260,71 @@ TEST(Criteria, SolidAnglesOfTetrahedron)
     2 * dihedral - 4 * Pi, 1e-12);
 }
 
+// Values that follow from the shapes by hand.
+TEST(Criteria, ValuesByHand)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const double r3 = std::sqrt(3.0);
+  const std::map<std::string, std::map<std::string, double>> expected = {
+    { "unit cube",
+      { { "EdgeRatio", 1 }, { "EdgeDiameterRatio", 1 / r3 }, { "MinPointDistanceRatio", 1 / r3 },
+        { "PrincipalAspectRatio", 1 }, { "Sphericity", std::cbrt(Pi / 6) }, { "VolumeEdgeRatio", 1 },
+        { "CornerScaledJacobian", 1 }, { "MaxWarpage", 0 }, { "MaxFaceConcavity", 0 },
+        { "CellConcavity", -0.5 / r3 }, { "MinFacePyramidRatio", 1 }, { "MinTetVolume", 1.0 / 24 },
+        { "MinTetMeanRatio", 0.8 }, { "EquivalentRadius", std::cbrt(0.75 / Pi) },
+        { "MinFaceArea", 1 }, { "MaxFaceArea", 1 }, { "MinFaceVertexCount", 4 },
+        { "MaxFaceVertexCount", 4 }, { "TetQualityFoam", none } } },
+    { "regular tetrahedron",
+      { { "CornerScaledJacobian", std::sqrt(0.5) }, { "TetQualityFoam", 1 },
+        { "PrincipalAspectRatio", 1 }, { "MinFacePyramidRatio", 1 } } },
+    { "right-corner tetrahedron", { { "TetQualityFoam", 0.5 } } },
+    { "flat sliver", { { "TetQualityFoam", 0.02597686549 }, { "EdgeRatio", 1 / 0.7071774883 } } },
+    { "square pyramid",
+      { { "CornerScaledJacobian", none }, { "MinFaceVertexCount", 3 }, { "MaxFaceVertexCount", 4 },
+        { "MinFaceArea", r3 / 4 }, { "MaxFaceArea", 1 } } },
+    { "box",
+      { { "PrincipalAspectRatio", 0.25 }, { "EdgeRatio", 4 }, { "VolumeEdgeRatio", 8 / std::pow(7, 1.5) },
+        { "EdgeDiameterRatio", 1 / std::sqrt(21.0) } } },
+    { "sheared hex", { { "CornerScaledJacobian", std::sqrt(0.5) } } },
+    { "L-prism",
+      { { "CornerScaledJacobian", -1 }, { "MaxFaceConcavity", 90 }, { "CellConcavity", 1.0 / 6 },
+        { "MinFaceVertexCount", 4 }, { "MaxFaceVertexCount", 6 } } },
+  };
+  for (const auto& shape : expected)
+  {
+    const Values values = EvaluateAll(FindReferenceShape(shape.first).Polyhedron);
+    for (const auto& criterion : shape.second)
+    {
+      ExpectNear(criterion.second, values.at(criterion.first)[0], 1e-9,
+        shape.first + ' ' + criterion.first);
+    }
+  }
+
+  // A saddle, whose vertices lie h above and below its plane.
+  const double h = 0.2;
+  const Values saddle = EvaluateAll(MakeGrid(
+    { { 1, 0, h }, { 0, 1, -h }, { -1, 0, h }, { 0, -1, -h } }, { { VTK_QUAD, { 0, 1, 2, 3 } } }));
+  ExpectNear(h / std::sqrt(1 + h * h), saddle.at("MaxWarpage")[0], 1e-12, "saddle");
+  const Values rectangle = EvaluateAll(MakeGrid(
+    { { 0, 0, 5 }, { 2, 0, 5 }, { 2, 1, 5 }, { 0, 1, 5 } }, { { VTK_QUAD, { 0, 1, 2, 3 } } }));
+  ExpectNear(0.5, rectangle.at("PrincipalAspectRatio")[0], 1e-12, "rectangle");
+  ExpectNear(std::sqrt(2 / Pi), rectangle.at("EquivalentRadius")[0], 1e-12, "rectangle");
+  const Values triangle =
+    EvaluateAll(MakeGrid({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
+  ExpectNear(0.8333333333, triangle.at("TriangleRadiusEdgeRatio")[0], 1e-9, "triangle");
+
+  // The faces of a cube but one: all of that axis is open.
+  const Grid& cube = FindReferenceShape("unit cube").Polyhedron;
+  Faces faces = GetFaces(cube, 0);
+  Points points(8);
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    cube->GetPoint(i, points[i].data());
+  }
+  faces.pop_back();
+  ExpectNear(1, EvaluateAll(MakePolyhedron(points, faces)).at("Openness")[0], 1e-12, "open cube");
+}
+
 // Translation, rotation, renumbering and scaling change what they should and nothing else.
 TEST(Criteria, Invariance)
 {
@@ -269,8 +334,15 @@ TEST(Criteria, Invariance)
     const Point q = { c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] };
     return Point{ q[0], c * q[1] - s * q[2], s * q[1] + c * q[2] };
   };
-  const std::vector<std::string> ofLength = { "Perimeter", "MinEdgeLength", "MaxEdgeLength",
-    "MeanEdgeLength", "Diameter", "Area", "SurfaceArea", "Volume" };
+  std::vector<std::string> ofLength;
+  for (const Criterion& criterion : GetCriteria())
+  {
+    if (criterion.Unit == Unit::Length || criterion.Unit == Unit::Area ||
+      criterion.Unit == Unit::Volume)
+    {
+      ofLength.push_back(criterion.Name);
+    }
+  }
   for (const ReferenceShape& shape : GetReferenceShapes())
   {
     const Grid& grid = shape.Polyhedron;

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// The unit vector along an edge, away from one of its points.
+Vector GetDirection(const CellGeometry& cell, const CellTopology::Edge& edge, int point)
+{
+  const int other = edge.Points[edge.Points[0] == point ? 1 : 0];
+  return Unit(cell.GetPoint(other) - cell.GetPoint(point));
+}
+
+//------------------------------------------------------------------------------
+// Whether a face runs from one point to another, which is its next.
+bool RunsTo(const CellTopology& topology, int face, int from, int to)
+{
+  const int* points = topology.GetFace(face);
+  const int size = topology.GetFaceSize(face);
+  const auto at = static_cast<int>(std::find(points, points + size, from) - points);
+  return points[at + 1 < size ? at + 1 : 0] == to;
+}
+}
+
+//------------------------------------------------------------------------------
+double CornerScaledJacobian(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  if (std::isnan(cell.GetVolume()))
+  {
+    return cell.GetVolume();
+  }
+  if (cell.IsZeroLength(cell.GetMinEdgeLength()))
+  {
+    return cell.IsZeroLength(cell.GetMaxEdgeLength()) ? Null(NullReason::Degenerate) : 0;
+  }
+  if (!topology.HasVertexFigures)
+  {
+    return Null(NullReason::InvalidTopology);
+  }
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int point = 0; point < topology.NumberOfPoints; ++point)
+  {
+    const int first = topology.SpokeOffsets[point];
+    const int valence = topology.SpokeOffsets[point + 1] - first;
+    if (valence != 3)
+    {
+      return Null(valence == 0 ? NullReason::InvalidTopology : NullReason::NotApplicable);
+    }
+    const CellTopology::Edge* edges[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      edges[i] = &topology.Edges[topology.Spokes[first + i].Edge];
+    }
+    // The first face lies between the first two edges. With its next edge first, the third edge is on
+    // the other side of their product, which points outward.
+    const int end = edges[0]->Points[edges[0]->Points[0] == point ? 1 : 0];
+    const bool isNext = RunsTo(topology, topology.Spokes[first].Face, point, end);
+    const Vector next = GetDirection(cell, *edges[isNext ? 0 : 1], point);
+    const Vector previous = GetDirection(cell, *edges[isNext ? 1 : 0], point);
+    smallest = std::min(smallest, -Dot(Cross(next, previous), GetDirection(cell, *edges[2], point)));
+  }
+  return smallest;
+}
+}

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// A cell cut at its centroid: into the pyramids over its faces, and into the tetrahedra of the centroid,
+// the centre of a face and an edge of that face.
+#include "Criteria/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr double RegularVolume = 0.5132002392796673; // of a tetrahedron of circumradius 1
+
+//------------------------------------------------------------------------------
+// The smallest measure(a, b, c, volume) of the tetrahedra, a to c relative to the centroid.
+template <typename Measure>
+double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
+{
+  if (std::isnan(cell.GetVolume()))
+  {
+    return cell.GetVolume();
+  }
+  const CellTopology& topology = cell.GetTopology();
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* face = topology.GetFace(f);
+    const int size = topology.GetFaceSize(f);
+    const Vector center = cell.GetFaceCenter(f) - cell.GetCentroid();
+    for (int i = 0; i < size; ++i)
+    {
+      const Vector a = cell.GetPoint(face[i]) - cell.GetCentroid();
+      const Vector b = cell.GetPoint(face[i + 1 < size ? i + 1 : 0]) - cell.GetCentroid();
+      const double volume = Dot(center, Cross(a, b)) / 6;
+      smallest =
+        std::min(smallest, cell.IsZeroVolume(volume) ? 0 : measure(center, a, b, volume));
+    }
+  }
+  return smallest;
+}
+
+//------------------------------------------------------------------------------
+double GetMinPyramidVolume(const CellGeometry& cell)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  {
+    smallest = std::min(
+      smallest, Dot(cell.GetFaceVector(f), cell.GetFaceCenter(f) - cell.GetCentroid()) / 3);
+  }
+  return smallest;
+}
+}
+
+//------------------------------------------------------------------------------
+double MinFacePyramidVolume(const CellGeometry& cell)
+{
+  return std::isnan(cell.GetVolume()) ? cell.GetVolume() : GetMinPyramidVolume(cell);
+}
+
+//------------------------------------------------------------------------------
+double MinFacePyramidRatio(const CellGeometry& cell)
+{
+  const double volume = cell.GetVolume();
+  if (std::isnan(volume))
+  {
+    return volume;
+  }
+  return cell.IsZeroVolume(volume)
+    ? Null(NullReason::Degenerate)
+    : GetMinPyramidVolume(cell) * cell.GetTopology().GetNumberOfFaces() / std::abs(volume);
+}
+
+//------------------------------------------------------------------------------
+double MinTetVolume(const CellGeometry& cell)
+{
+  return MinOfTetrahedra(cell,
+    [](const Vector&, const Vector&, const Vector&, double volume) { return volume; });
+}
+
+//------------------------------------------------------------------------------
+double MinTetMeanRatio(const CellGeometry& cell)
+{
+  return MinOfTetrahedra(cell,
+    [](const Vector& a, const Vector& b, const Vector& c, double volume)
+    {
+      const double squares = Norm2(a) + Norm2(b) + Norm2(c) + Norm2(a - b) + Norm2(b - c) + Norm2(c - a);
+      const double root = std::cbrt(3 * std::abs(volume));
+      return std::copysign(12 * root * root / squares, volume);
+    });
+}
+
+//------------------------------------------------------------------------------
+double MinTetQuality(const CellGeometry& cell)
+{
+  return MinOfTetrahedra(cell,
+    [](const Vector& a, const Vector& b, const Vector& c, double volume)
+    {
+      const double radius =
+        Norm(Norm2(a) * Cross(b, c) + Norm2(b) * Cross(c, a) + Norm2(c) * Cross(a, b)) /
+        (12 * std::abs(volume));
+      return volume / (RegularVolume * radius * radius * radius);
+    });
+}
+}

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The faces of a cell: how flat they are, and how they close it.
+#include "Criteria/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr double HalfTurn = 3.141592653589793238462643383279502884;
+
+//------------------------------------------------------------------------------
+double GetFlatness(const CellGeometry& cell, int face)
+{
+  return std::min(1.0, cell.GetFaceArea(face) / cell.GetFanArea(face));
+}
+
+//------------------------------------------------------------------------------
+double GetWarpage(const CellGeometry& cell, int face)
+{
+  const CellTopology& topology = cell.GetTopology();
+  if (topology.GetFaceSize(face) == 3)
+  {
+    return 0;
+  }
+  const Vector normal = Unit(cell.GetFaceVector(face));
+  double height = 0, radius = 0;
+  for (int i = 0; i < topology.GetFaceSize(face); ++i)
+  {
+    const Vector offset = cell.GetPoint(topology.GetFace(face)[i]) - cell.GetFaceCenter(face);
+    height = std::max(height, std::abs(Dot(normal, offset)));
+    radius = std::max(radius, Norm2(offset));
+  }
+  return height / std::sqrt(radius);
+}
+
+//------------------------------------------------------------------------------
+// The worst measure of the faces that have an area.
+template <typename Measure, typename Choose>
+double ChooseOfRealFaces(const CellGeometry& cell, Measure&& measure, Choose&& choose)
+{
+  double chosen = Null(NullReason::Degenerate);
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  {
+    if (!cell.IsZeroArea(cell.GetFaceArea(f)))
+    {
+      const double value = measure(cell, f);
+      chosen = std::isnan(chosen) ? value : choose(chosen, value);
+    }
+  }
+  return chosen;
+}
+}
+
+//------------------------------------------------------------------------------
+double MinFaceFlatness(const CellGeometry& cell)
+{
+  return ChooseOfRealFaces(cell, GetFlatness, [](double a, double b) { return std::min(a, b); });
+}
+
+//------------------------------------------------------------------------------
+double MaxWarpage(const CellGeometry& cell)
+{
+  return ChooseOfRealFaces(cell, GetWarpage, [](double a, double b) { return std::max(a, b); });
+}
+
+//------------------------------------------------------------------------------
+double MaxFaceConcavity(const CellGeometry& cell)
+{
+  double largest = Null(NullReason::Degenerate);
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  {
+    const AngleRange& angles = cell.GetFaceAngles(f);
+    if (!angles.IsEmpty())
+    {
+      const double value = std::max(0.0, angles.GetMax() - HalfTurn);
+      largest = std::isnan(largest) ? value : std::max(largest, value);
+    }
+  }
+  return std::isnan(largest) ? largest : cell.ToAngleUnit(largest);
+}
+
+//------------------------------------------------------------------------------
+double Openness(const CellGeometry& cell)
+{
+  Vector sum, total;
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  {
+    const Vector& area = cell.GetFaceVector(f);
+    sum += area;
+    total += { std::abs(area.X), std::abs(area.Y), std::abs(area.Z) };
+  }
+  double largest = Null(NullReason::Degenerate);
+  const auto add = [&](double part, double whole)
+  {
+    if (!cell.IsZeroArea(whole))
+    {
+      const double value = std::abs(part) / whole;
+      largest = std::isnan(largest) ? value : std::max(largest, value);
+    }
+  };
+  add(sum.X, total.X);
+  add(sum.Y, total.Y);
+  add(sum.Z, total.Z);
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+double CellConcavity(const CellGeometry& cell)
+{
+  if (std::isnan(cell.GetVolume()))
+  {
+    return cell.GetVolume();
+  }
+  // A cell of a standard type that is inside out is judged as if turned.
+  const double sign = cell.GetVolume() < 0 ? -1 : 1;
+  double largest = -std::numeric_limits<double>::infinity();
+  for (const CellTopology::Edge& edge : cell.GetTopology().Edges)
+  {
+    for (const int side : { 0, 1 })
+    {
+      const int own = edge.Faces[side], other = edge.Faces[1 - side];
+      if (other >= 0 && own >= 0 && !cell.IsZeroArea(cell.GetFaceArea(own)))
+      {
+        const Vector offset = cell.GetFaceCenter(other) - cell.GetFaceCenter(own);
+        largest = std::max(
+          largest, sign * Dot(cell.GetFaceVector(own), offset) / cell.GetFaceArea(own));
+      }
+    }
+  }
+  const double diameter = cell.GetDiameter();
+  if (std::isinf(largest) || cell.IsZeroLength(diameter))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  return cell.IsZeroLength(std::abs(largest)) ? 0 : largest / diameter;
+}
+}

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How much a cell is stretched, from the second moments of its points and of its face vectors.
+#include "Criteria/CellGeometry.h"
+
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// A symmetric matrix, the sum of products of vectors with themselves.
+struct Moments
+{
+  double XX = 0, YY = 0, ZZ = 0, XY = 0, YZ = 0, ZX = 0;
+  void Add(const Vector& v)
+  {
+    this->XX += v.X * v.X, this->YY += v.Y * v.Y, this->ZZ += v.Z * v.Z;
+    this->XY += v.X * v.Y, this->YZ += v.Y * v.Z, this->ZX += v.Z * v.X;
+  }
+  double GetTrace() const { return this->XX + this->YY + this->ZZ; }
+  double GetDeterminant() const
+  {
+    return this->XX * (this->YY * this->ZZ - this->YZ * this->YZ) -
+      this->XY * (this->XY * this->ZZ - this->YZ * this->ZX) +
+      this->ZX * (this->XY * this->YZ - this->YY * this->ZX);
+  }
+  /// Descending.
+  void GetEigenvalues(double values[3]) const
+  {
+    double rows[3][3] = { { this->XX, this->XY, this->ZX }, { this->XY, this->YY, this->YZ },
+      { this->ZX, this->YZ, this->ZZ } };
+    double vectors[3][3];
+    double* matrix[3] = { rows[0], rows[1], rows[2] };
+    double* columns[3] = { vectors[0], vectors[1], vectors[2] };
+    vtkMath::Jacobi(matrix, values, columns);
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+double PrincipalAspectRatio(const CellGeometry& cell)
+{
+  const int size = cell.GetNumberOfPoints();
+  if (cell.IsZeroLength(cell.GetDiameter()))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  Vector mean;
+  for (int i = 0; i < size; ++i)
+  {
+    mean += cell.GetPoint(i);
+  }
+  mean = (1.0 / size) * mean;
+  const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
+  const Vector normal = isPolygon && cell.GetTopology().GetNumberOfFaces() > 0
+    ? Unit(cell.GetFaceVector(0))
+    : Vector();
+  Moments moments;
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector offset = cell.GetPoint(i) - mean;
+    moments.Add(offset - Dot(offset, normal) * normal);
+  }
+  double values[3];
+  moments.GetEigenvalues(values);
+  const double smallest = std::max(0.0, values[isPolygon ? 1 : 2]);
+  const double ratio = std::sqrt(smallest / values[0]);
+  return cell.IsZeroLength(ratio * cell.GetDiameter()) ? 0 : ratio;
+}
+
+//------------------------------------------------------------------------------
+double CellIsotropy(const CellGeometry& cell)
+{
+  Moments moments;
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  {
+    moments.Add(cell.GetFaceVector(f));
+  }
+  const double trace = moments.GetTrace();
+  return cell.IsZeroArea(std::sqrt(trace))
+    ? Null(NullReason::Degenerate)
+    : std::max(0.0, 27 * moments.GetDeterminant() / (trace * trace * trace));
+}
+}
