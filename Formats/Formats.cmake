@@ -12,4 +12,5 @@ camaron_format(
   NAME        TRI
   EXTENSIONS  tri
   DESCRIPTION "Camarón or Cart3D triangle mesh"
-  READER)
+  READER
+  WRITER)
