@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/MappedFile.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -53,28 +54,28 @@ constexpr bool MayMap = true;
 #endif
 
 //------------------------------------------------------------------------------
-/// @param expected size, as far as it is known
+/// @param expected size, or 0 if it is not known before the end
 bool ReadAll(int file, std::size_t expected, std::vector<char>& content)
 {
-  constexpr std::size_t Block = std::size_t(1) << 22; // large enough that calls do not count
+  // Small for small files, later large enough that calls do not count.
+  constexpr std::size_t FirstBlock = std::size_t(1) << 16, LastBlock = std::size_t(1) << 22;
   std::size_t size = 0;
-  for (;;)
+  ssize_t got = 1;
+  while (got > 0 && (expected == 0 || size < expected))
   {
-    const std::size_t block = size < expected ? expected - size : size > 0 ? Block : 1;
-    content.resize(size + block);
-    const ssize_t got = read(file, &content[size], block);
+    const std::size_t block = std::min(std::max(size, FirstBlock), LastBlock);
+    content.resize(expected > 0 ? expected : size + block);
+    got = read(file, &content[size], content.size() - size);
     if (got < 0 && errno == EINTR)
     {
+      got = 1;
       continue;
     }
     size += got > 0 ? static_cast<std::size_t>(got) : 0;
-    if (got <= 0)
-    {
-      content.resize(size);
-      content.shrink_to_fit();
-      return got == 0;
-    }
   }
+  content.resize(size);
+  content.shrink_to_fit();
+  return got >= 0;
 }
 }
 
