@@ -57,6 +57,14 @@ vtkIdType TextLines::GetChunk(const char* position) const
 TextLines::Section TextLines::Find(const char* begin, vtkIdType count) const
 {
   const Chunk& chunk = this->Chunks[this->GetChunk(begin)];
+  // Behind a lone CR, which ends a line for a scanner but not here, lines would be counted twice.
+  for (const char* before = begin; before > chunk.Begin && before[-1] != '\n'; --before)
+  {
+    if (!IsSpace(before[-1]))
+    {
+      return {};
+    }
+  }
   const vtkIdType first = chunk.FirstLine + this->CountLines(chunk.Begin, begin);
   if (this->Chunks.back().FirstLine - first < count)
   {

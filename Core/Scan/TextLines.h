@@ -43,7 +43,10 @@ public:
     explicit operator bool() const { return this->Begin != nullptr; }
   };
 
-  /// The next @a count lines from @a begin, the start of a line; an empty section if there are fewer.
+  /**
+   * The next @a count lines from @a begin, the start of a line; an empty section if there are fewer, or
+   * if a lone CR ended the line before.
+   */
   Section Find(const char* begin, vtkIdType count) const;
 
   /// Number of pieces in which a section is visited.

@@ -153,9 +153,10 @@ private:
     this->HasBegun = true;
     return true;
   }
+  // A CR is at the end of the line or ends it, and then the scanner has to see to it.
   void SkipBlanks()
   {
-    while (this->Text < this->End && IsSpace(*this->Text))
+    while (this->Text < this->End && IsSpace(*this->Text) && *this->Text != '\r')
     {
       ++this->Text;
     }

@@ -3,6 +3,7 @@
 // Reading text line by line and number by number, alone and in parallel.
 #include "Scan/IdSet.h"
 #include "Scan/TextLines.h"
+#include "Scan/TextRows.h"
 #include "Scan/TextTable.h"
 
 #include <gtest/gtest.h>
@@ -123,6 +124,33 @@ TEST(ScanText, LinesDoNotDependOnChunks)
       EXPECT_FALSE(index.Find(text.data(), static_cast<vtkIdType>(lines.size()) + 1));
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, lines of which some end with a lone CR are visited twice, and so one more than asked for.
+TEST(ScanText, LinesBehindLoneCarriageReturns)
+{
+  const std::string text = "header\r1\n2\n3\n4\n5\n6\n";
+  TextScanner scanner = MakeScanner(text);
+  for (vtkIdType chunk = 1; chunk < 20; ++chunk)
+  {
+    const TextLines index(scanner, Progress(), chunk);
+    EXPECT_FALSE(index.Find(text.data() + 7, 3));
+    EXPECT_TRUE(index.Find(text.data(), 6));
+    EXPECT_TRUE(index.Find(text.data() + 9, 5));
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, what is one row in parallel is two rows, and an error, for a scanner.
+TEST(ScanText, RowsEndAtLoneCarriageReturns)
+{
+  const std::string text = "1\r2";
+  std::int64_t value = 0;
+  TextRow row(text.data(), text.data() + text.size(), '#');
+  EXPECT_TRUE(row.ReadInteger(value, "a number"));
+  EXPECT_FALSE(row.HasMore());
+  EXPECT_FALSE(row.ReadInteger(value, "a number"));
 }
 
 //------------------------------------------------------------------------------
