@@ -128,10 +128,12 @@ Role VisfLists::GetRole(vtkIdType cell) const
 void VisfLists::Classify(Warnings& warnings)
 {
   Tally higherOrder, small, others;
+  vtkIdType corners = 0;
   for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
   {
     const CellShape& shape = this->Shapes[this->Mesh.GetCellType(cell)];
     const Role role = this->GetRole(cell);
+    corners += this->Cloud ? this->Mesh.GetCellPoints(cell).Size : 0;
     if (shape.IsHigherOrder && role != Role::None)
     {
       higherOrder.Add(cell);
@@ -149,6 +151,9 @@ void VisfLists::Classify(Warnings& warnings)
       small.Add(cell);
     }
   }
+  // Every point of a cloud is read as a cell.
+  const bool coversPoints = this->Mesh.GetNumberOfCells() == 0 || corners == this->Mesh.GetNumberOfPoints();
+  this->Cloud = this->Cloud && coversPoints;
   if (this->Cloud)
   {
     return;

@@ -153,6 +153,12 @@ std::vector<VisfMesh> MakeGallery()
   cloud.Points.push_back({ { NAN, INFINITY, -INFINITY } });
   cloud.Points.push_back({ { -0.f, 1e-45f, 3.4028235e38f } });
   gallery.push_back(cloud);
+  // A polygon of one vertex is no cloud of all points.
+  VisfMesh vertex;
+  vertex.Type = 1;
+  vertex.Points.resize(4);
+  vertex.Polygons = { { 3 } };
+  gallery.push_back(vertex);
   gallery.emplace_back();
   return gallery;
 }
