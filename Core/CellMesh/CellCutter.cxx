@@ -180,7 +180,7 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
   std::int32_t faces[MaxFaces][4];
   IdList lists[MaxFaces];
   vtkIdType ids[MaxNodes];
-  float places[3 * MaxNodes];
+  double places[3 * MaxNodes];
   std::int32_t numberOfNodes = 0, triangles = 0, quads = 0;
   bool fits = true;
   this->Facets.ForEach(cell,
@@ -205,9 +205,9 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
         {
           ids[numberOfNodes++] = points[i];
           const Vector x = this->GetPlace(points[i]) - this->GetPlace(ids[0]);
-          places[3 * node] = static_cast<float>(x.X);
-          places[3 * node + 1] = static_cast<float>(x.Y);
-          places[3 * node + 2] = static_cast<float>(x.Z);
+          places[3 * node] = x.X;
+          places[3 * node + 1] = x.Y;
+          places[3 * node + 2] = x.Z;
         }
         faces[local][i] = node;
       }
@@ -220,10 +220,8 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
   }
   const unsigned char type =
     PrimitiveMatcher::Guess(static_cast<std::int32_t>(numberOfFaces), triangles, quads);
-  FloatPoints points;
-  points.Data = reinterpret_cast<const char*>(places);
-  points.Count = numberOfNodes;
-  PrimitiveMatcher matcher(points);
+  PrimitiveMatcher matcher(
+    PointSource(reinterpret_cast<const char*>(places), numberOfNodes, true));
   if (type == VTK_POLYHEDRON || !matcher.Match(type, lists))
   {
     return VTK_POLYHEDRON;

@@ -24,7 +24,7 @@ namespace camaron
 class CellShell
 {
 public:
-  explicit CellShell(const FloatPoints& points)
+  explicit CellShell(const PointSource& points)
     : Points(points)
   {
   }
@@ -72,7 +72,7 @@ private:
   bool TurnConsistently();
   double GetVolumeOfFace(std::int32_t face) const;
 
-  FloatPoints Points;
+  PointSource Points;
   std::vector<std::int32_t> Faces;
   std::vector<IdList> Lists;         ///< of the points of every face, in the mesh
   std::vector<std::int32_t> Begins;  ///< first corner of every face, and one more

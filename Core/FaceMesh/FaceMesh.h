@@ -7,29 +7,73 @@
 #ifndef camaron_FaceMesh_h
 #define camaron_FaceMesh_h
 
+#include "Scan/Buffer.h"
 #include "Scan/IdLists.h"
 #include "Scan/PieceRequest.h"
 
 namespace camaron
 {
-/// Float coordinates where they are, usually in a mapped file of either byte order.
-struct FloatPoints
+/**
+ * Coordinates of type float or double where they are, usually in a mapped file of either byte order.
+ */
+struct PointSource
 {
   const char* Data = nullptr;
   vtkIdType Count = 0;
+  bool IsDouble = false;
   bool Swap = false;
+  std::ptrdiff_t Stride = 0; ///< bytes from point to point
+
+  PointSource() = default;
+  /// @a stride is that of points that follow each other directly if it is not given.
+  PointSource(
+    const char* data, vtkIdType count, bool isDouble, bool swap = false, std::ptrdiff_t stride = 0)
+    : Data(data)
+    , Count(count)
+    , IsDouble(isDouble)
+    , Swap(swap)
+    , Stride(stride > 0 ? stride : isDouble ? 24 : 12)
+  {
+  }
+
   void Get(vtkIdType id, double x[3]) const
   {
-    const char* place = this->Data + 12 * id;
-    x[0] = Load<float>(place, this->Swap);
-    x[1] = Load<float>(place + 4, this->Swap);
-    x[2] = Load<float>(place + 8, this->Swap);
+    const char* place = this->Data + this->Stride * id;
+    if (this->IsDouble)
+    {
+      Load3<double>(place, this->Swap, x);
+    }
+    else
+    {
+      Load3<float>(place, this->Swap, x);
+    }
+  }
+  /// The coordinates as they are: Real is double if IsDouble, else float.
+  template <typename Real>
+  void GetAs(vtkIdType id, Real x[3]) const
+  {
+    Load3<Real>(this->Data + this->Stride * id, this->Swap, x);
+  }
+
+private:
+  template <typename Real, typename Value>
+  static void Load3(const char* place, bool swap, Value x[3])
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      x[c] = Load<Real>(place + c * sizeof(Real), swap);
+    }
   }
 };
 
 struct FaceMesh
 {
-  FloatPoints Points;
+  PointSource Points;
+  ///@{
+  /// The memory of Points if it is the mesh's own; the grid takes it over where it can.
+  Buffer<float> Floats;
+  Buffer<double> Doubles;
+  ///@}
   IdLists Faces;
   IdLists Cells;
 

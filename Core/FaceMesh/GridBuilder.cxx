@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -176,6 +177,8 @@ public:
 
 private:
   void TakePoints(const Progress& progress);
+  template <typename Real, typename Array>
+  void TakePointsAs(Buffer<Real>& owned, const Progress& progress);
   Shape Expect(vtkIdType item, const Exception* exception) const;
   bool Measure(const Progress& progress);
   bool Fill(const Progress& progress)
@@ -252,32 +255,50 @@ private:
 //------------------------------------------------------------------------------
 void GridBuilder::TakePoints(const Progress& progress)
 {
-  Buffer<float> coordinates(3 * this->Piece.GetNumberOfPoints());
-  const std::vector<std::int32_t> ids =
-    this->Piece.IsWhole() ? std::vector<std::int32_t>() : this->Piece.GetPoints().GetMembers();
-  const FloatPoints& source = this->Mesh.Points;
-  progress.For((this->Piece.GetNumberOfPoints() + BlockSize - 1) / BlockSize,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      const vtkIdType end = std::min(last * BlockSize, this->Piece.GetNumberOfPoints());
-      for (vtkIdType i = first * BlockSize; i < end; ++i)
+  if (this->Mesh.Points.IsDouble)
+  {
+    this->TakePointsAs<double, vtkDoubleArray>(this->Mesh.Doubles, progress);
+  }
+  else
+  {
+    this->TakePointsAs<float, vtkFloatArray>(this->Mesh.Floats, progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Real, typename Array>
+void GridBuilder::TakePointsAs(Buffer<Real>& owned, const Progress& progress)
+{
+  PointSource& source = this->Mesh.Points;
+  const bool isWhole = this->Piece.IsWhole();
+  Buffer<Real> coordinates;
+  if (isWhole && owned.size() == 3 * source.Count)
+  {
+    coordinates = std::move(owned);
+  }
+  else
+  {
+    coordinates = Buffer<Real>(3 * this->Piece.GetNumberOfPoints());
+    const std::vector<std::int32_t> ids =
+      isWhole ? std::vector<std::int32_t>() : this->Piece.GetPoints().GetMembers();
+    progress.For((this->Piece.GetNumberOfPoints() + BlockSize - 1) / BlockSize,
+      [&](vtkIdType first, vtkIdType last)
       {
-        const char* place = source.Data + 12 * (ids.empty() ? i : ids[i]);
-        for (int c = 0; c < 3; ++c)
+        const vtkIdType end = std::min(last * BlockSize, this->Piece.GetNumberOfPoints());
+        for (vtkIdType i = first * BlockSize; i < end; ++i)
         {
-          coordinates[3 * i + c] = Load<float>(place + 4 * c, source.Swap);
+          source.GetAs(ids.empty() ? i : ids[i], &coordinates[3 * i]);
         }
-      }
-    });
-  if (this->Piece.IsWhole())
+      });
+  }
+  if (isWhole)
   {
     // From here on the aligned copy in native order is the faster source.
-    this->Mesh.Points.Data = reinterpret_cast<const char*>(coordinates.data());
-    this->Mesh.Points.Swap = false;
+    source = PointSource(
+      reinterpret_cast<const char*>(coordinates.data()), source.Count, source.IsDouble);
   }
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToFloat();
-  points->SetData(coordinates.TakeArray<vtkFloatArray>(3));
+  points->SetData(coordinates.template TakeArray<Array>(3));
   this->Grid->SetPoints(points);
 }
 

@@ -14,7 +14,8 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 /**
- * Fills @a grid, which must be empty, with a piece of @a mesh.
+ * Fills @a grid, which must be empty, with a piece of @a mesh. Its points have the precision of the
+ * source.
  *
  * Cells become VTK_TETRA, VTK_PYRAMID, VTK_WEDGE or VTK_HEXAHEDRON where PrimitiveMatcher recognises
  * them, VTK_EMPTY_CELL where they have no faces, else VTK_POLYHEDRON with faces turned as CellShell

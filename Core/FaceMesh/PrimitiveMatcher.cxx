@@ -103,7 +103,7 @@ const Primitive& GetPrimitive(unsigned char type)
 }
 
 //------------------------------------------------------------------------------
-PrimitiveMatcher::PrimitiveMatcher(const FloatPoints& points)
+PrimitiveMatcher::PrimitiveMatcher(const PointSource& points)
   : Points(points)
   , Tetrahedron(&GetPrimitive(VTK_TETRA))
 {

@@ -22,7 +22,7 @@ struct Primitive;
 class PrimitiveMatcher
 {
 public:
-  explicit PrimitiveMatcher(const FloatPoints& points);
+  explicit PrimitiveMatcher(const PointSource& points);
 
   /// The only type that a cell can be with so many faces, triangles and quadrilaterals.
   static unsigned char Guess(std::int32_t faces, std::int32_t triangles, std::int32_t quads);
@@ -45,7 +45,7 @@ private:
   static constexpr int MaxFaces = 6;
   static constexpr int MaxNodes = 8;
 
-  FloatPoints Points;
+  PointSource Points;
   const Primitive* Tetrahedron;
   std::int32_t Nodes[MaxNodes];
   int FaceOf[MaxFaces];

@@ -74,7 +74,6 @@ const char* DescribeType(int type)
 struct Content
 {
   FaceMesh Mesh;
-  Buffer<float> Coordinates; // of text
   int Type = -1;
   bool HasFlag = true;
   bool HasTrailingData = false;
@@ -190,8 +189,8 @@ bool VisfReading::ReadBinary(
     {
       return false;
     }
-    mesh.Points = { scanner.Skip(12 * std::int64_t(points), "the vertices"), points,
-      scanner.IsSwapped() };
+    mesh.Points = PointSource(
+      scanner.Skip(12 * std::int64_t(points), "the vertices"), points, false, scanner.IsSwapped());
     if (scanner.GetBytesLeft() == 0)
     {
       return true;
@@ -282,14 +281,15 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
     {
       lines.reset(new TextLines(scanner, progress.Part(0, 0.1), this->Chunk));
     }
-    content.Coordinates = Buffer<float>(3 * points);
+    mesh.Floats = Buffer<float>(3 * points);
     if (progress.IsStopped() ||
-      !ReadTable(scanner, lines.get(), points, 3, content.Coordinates.data(),
+      !ReadTable(scanner, lines.get(), points, 3, mesh.Floats.data(),
         "a coordinate of a vertex", progress.Part(0.1, 0.4)))
     {
       return false;
     }
-    mesh.Points = { reinterpret_cast<const char*>(content.Coordinates.data()), points, false };
+    mesh.Points =
+      PointSource(reinterpret_cast<const char*>(mesh.Floats.data()), points, false);
     if (!scanner.SkipSpace())
     {
       return true;
@@ -411,7 +411,7 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
 //------------------------------------------------------------------------------
 void Warn(const Content& content, const Progress& progress, Warnings& warnings)
 {
-  const FloatPoints& points = content.Mesh.Points;
+  const PointSource& points = content.Mesh.Points;
   Tally bad;
   std::mutex mutex;
   constexpr vtkIdType Block = 4096;
