@@ -27,8 +27,10 @@ public:
   /// Position of an id, or -1.
   std::int32_t Find(std::int64_t id) const
   {
-    const std::int64_t place = id - this->Least;
-    if (place < 0 || place >= this->Span)
+    // Without sign, as ids below the least are beyond the span then, however far below they are.
+    const std::uint64_t place =
+      static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(this->Least);
+    if (place >= static_cast<std::uint64_t>(this->Span))
     {
       return -1;
     }
@@ -36,7 +38,7 @@ public:
     {
       return static_cast<std::int32_t>(place);
     }
-    return this->Form == Storage::Table ? this->Table[place] : this->Search(id);
+    return this->Form == Storage::Table ? this->Table[static_cast<vtkIdType>(place)] : this->Search(id);
   }
 
   /// Number of ids that occur again later in the list.
