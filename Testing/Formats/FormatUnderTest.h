@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FormatUnderTest.h
+ * @brief The format of Formats/Formats.cmake that a test program was made for.
+ *
+ * The tests in this folder and in Testing/Fuzz are written once and linked for every format.
+ */
+#ifndef camaron_FormatUnderTest_h
+#define camaron_FormatUnderTest_h
+
+#include "vtkSmartPointer.h"
+
+#include <string> // for names
+#include <vector> // for extensions
+
+class vtkMeshFileReader;
+class vtkMeshFileWriter;
+
+namespace camaron
+{
+namespace testing
+{
+struct FormatUnderTest
+{
+  std::string Name;
+  std::vector<std::string> Extensions; ///< without the dot, the usual one first
+  std::string SeedFolder;              ///< Formats/<Name>/Testing/Seeds
+  std::string Dictionary;              ///< Formats/<Name>/Testing/<Name>.dict
+};
+
+const FormatUnderTest& GetFormat();
+vtkSmartPointer<vtkMeshFileReader> MakeReader();
+/// nullptr if the format has no writer.
+vtkSmartPointer<vtkMeshFileWriter> MakeWriter();
+}
+}
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MeshFiles.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace testing
+{
+namespace
+{
+const std::string Mark = "//// ";
+
+//------------------------------------------------------------------------------
+// The extension of the format that a line such as "//// ele" names, or nothing; moves behind the line.
+std::string ReadMark(const std::string& bytes, std::size_t& at, const FormatUnderTest& format)
+{
+  if (bytes.compare(at, Mark.size(), Mark) == 0)
+  {
+    for (const std::string& extension : format.Extensions)
+    {
+      const std::size_t end = at + Mark.size() + extension.size();
+      if (bytes.compare(at + Mark.size(), extension.size() + 1, extension + "\n") == 0)
+      {
+        at = end + 1;
+        return extension;
+      }
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+std::string GetExtension(const std::filesystem::path& path)
+{
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension.empty() ? extension : extension.substr(1);
+}
+
+//------------------------------------------------------------------------------
+bool Has(const FormatUnderTest& format, const std::string& extension)
+{
+  const auto& all = format.Extensions;
+  return std::find(all.begin(), all.end(), extension) != all.end();
+}
+
+//------------------------------------------------------------------------------
+std::string Load(const std::filesystem::path& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+  {
+    throw std::runtime_error("cannot read " + path.string());
+  }
+  return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+}
+}
+
+//------------------------------------------------------------------------------
+std::size_t GetTotalSize(const MeshFiles& files)
+{
+  std::size_t size = 0;
+  for (const MeshFile& file : files)
+  {
+    size += file.Bytes.size();
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+std::string Pack(const MeshFiles& files, const FormatUnderTest& format)
+{
+  if (files.size() == 1 && files[0].Extension == format.Extensions[0])
+  {
+    return files[0].Bytes;
+  }
+  std::string bytes;
+  for (const MeshFile& file : files)
+  {
+    bytes += (bytes.empty() ? "" : "\n") + Mark + file.Extension + "\n" + file.Bytes;
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+MeshFiles Unpack(const std::string& bytes, const FormatUnderTest& format)
+{
+  std::size_t begin = 0;
+  std::string extension = ReadMark(bytes, begin, format);
+  if (extension.empty())
+  {
+    return { { format.Extensions[0], bytes } };
+  }
+  MeshFiles files;
+  while (!extension.empty())
+  {
+    std::size_t end = bytes.find("\n" + Mark, begin);
+    std::string nextExtension;
+    std::size_t next = bytes.size();
+    for (; end != std::string::npos; end = bytes.find("\n" + Mark, end + 1))
+    {
+      next = end + 1;
+      nextExtension = ReadMark(bytes, next, format);
+      if (!nextExtension.empty())
+      {
+        break;
+      }
+    }
+    end = std::min(end, bytes.size());
+    if (std::none_of(files.begin(), files.end(),
+          [&](const MeshFile& file) { return file.Extension == extension; }))
+    {
+      files.push_back({ extension, bytes.substr(begin, end - begin) });
+    }
+    extension = nextExtension;
+    begin = next;
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+MeshFiles LoadMeshFiles(const std::filesystem::path& opened, const FormatUnderTest& format)
+{
+  MeshFiles files = { { GetExtension(opened), Load(opened) } };
+  for (const std::string& extension : format.Extensions)
+  {
+    std::filesystem::path companion = opened;
+    companion.replace_extension(extension);
+    if (extension != files[0].Extension && std::filesystem::exists(companion))
+    {
+      files.push_back({ extension, Load(companion) });
+    }
+  }
+  return files;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::filesystem::path> FindMeshFiles(
+  const std::filesystem::path& folder, const FormatUnderTest& format)
+{
+  std::vector<std::filesystem::path> paths;
+  if (std::filesystem::is_directory(folder))
+  {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+    {
+      if (entry.is_regular_file() && Has(format, GetExtension(entry.path())))
+      {
+        paths.push_back(entry.path());
+      }
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+//------------------------------------------------------------------------------
+Folder::Folder()
+{
+  std::filesystem::path parent = "/dev/shm";
+  std::error_code error;
+  if (!std::filesystem::is_directory(parent, error))
+  {
+    parent = std::filesystem::temp_directory_path();
+  }
+  this->Path = parent / ("camaron-test-" + std::to_string(std::random_device()()));
+  std::filesystem::create_directories(this->Path);
+}
+
+//------------------------------------------------------------------------------
+Folder::~Folder()
+{
+  std::error_code error;
+  std::filesystem::remove_all(this->Path, error);
+}
+
+//------------------------------------------------------------------------------
+std::string Folder::Write(const MeshFiles& files, const std::string& name) const
+{
+  for (const MeshFile& file : files)
+  {
+    std::ofstream stream(this->Path / (name + "." + file.Extension), std::ios::binary);
+    stream << file.Bytes;
+    if (!stream.flush())
+    {
+      throw std::runtime_error("cannot write to " + this->Path.string());
+    }
+  }
+  return (this->Path / (name + "." + files[0].Extension)).string();
+}
+
+//------------------------------------------------------------------------------
+void Folder::Clear() const
+{
+  for (const auto& entry : std::filesystem::directory_iterator(this->Path))
+  {
+    std::filesystem::remove_all(entry.path());
+  }
+}
+}
+}

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ReaderTrial.h"
+
+#include "AllocationMeter.h"
+#include "MeshChecks.h"
+#include "Scan/TextLines.h"
+#include "vtkMeshFileReader.h"
+#include "vtkMeshFileWriter.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cctype>
+#include <cstdint>
+#include <ctime>
+
+namespace camaron
+{
+namespace testing
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Without "ERROR: In file, line 7\nvtkFooReader (0x1234): " and the line ends after it.
+void Collect(vtkObject*, unsigned long, void* messages, void* data)
+{
+  std::string text = static_cast<const char*>(data);
+  const std::size_t line = text.find('\n');
+  const std::size_t preamble = line == std::string::npos ? line : text.find("): ", line);
+  text = preamble == std::string::npos ? text : text.substr(preamble + 3);
+  while (!text.empty() && text.back() == '\n')
+  {
+    text.pop_back();
+  }
+  static_cast<std::vector<std::string>*>(messages)->push_back(text);
+}
+
+//------------------------------------------------------------------------------
+void Observe(vtkObject* object, unsigned long event, std::vector<std::string>& messages)
+{
+  vtkNew<vtkCallbackCommand> command;
+  command->SetCallback(Collect);
+  command->SetClientData(&messages);
+  object->AddObserver(event, command);
+}
+
+//------------------------------------------------------------------------------
+std::string Quote(const std::string& text)
+{
+  std::string quoted;
+  for (const char letter : text)
+  {
+    quoted += std::iscntrl(static_cast<unsigned char>(letter)) ? '?' : letter;
+  }
+  return "'" + quoted + "'";
+}
+
+//------------------------------------------------------------------------------
+// A message is one printable line of reasonable length that names a file of the mesh.
+std::string FindFaultOfMessage(const std::string& message, const std::string& path)
+{
+  const std::string file = std::filesystem::path(path).stem().string() + ".";
+  const std::size_t name = message.find(file);
+  constexpr std::size_t MaxLength = 400; // a few lines of a terminal
+  if (name == std::string::npos)
+  {
+    return "a message does not name the file: " + Quote(message);
+  }
+  if (message.size() < name + file.size() + 15 || message.size() > MaxLength)
+  {
+    return "a message is too short or too long: " + Quote(message);
+  }
+  for (const char letter : message)
+  {
+    if (std::iscntrl(static_cast<unsigned char>(letter)))
+    {
+      return "a message has unprintable characters: " + Quote(message);
+    }
+  }
+  return {};
+}
+
+//------------------------------------------------------------------------------
+bool IsEmpty(vtkUnstructuredGrid* grid)
+{
+  return grid->GetNumberOfPoints() == 0 && grid->GetNumberOfCells() == 0 &&
+    grid->GetPointData()->GetNumberOfArrays() == 0 && grid->GetCellData()->GetNumberOfArrays() == 0;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType CountOwnCells(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  vtkIdType count = grid->GetNumberOfCells();
+  for (vtkIdType cell = 0; ghosts && cell < grid->GetNumberOfCells(); ++cell)
+  {
+    count -= (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+/// Sets a value back when it goes out of scope.
+template <typename Value>
+class Set
+{
+public:
+  Set(Value& variable, Value value)
+    : Variable(variable)
+    , Before(variable)
+  {
+    variable = value;
+  }
+  ~Set() { this->Variable = this->Before; }
+  Set(const Set&) = delete;
+  void operator=(const Set&) = delete;
+
+private:
+  Value& Variable;
+  Value Before;
+};
+}
+
+//------------------------------------------------------------------------------
+ReaderTrial::ReaderTrial()
+{
+  for (const std::filesystem::path& seed : FindMeshFiles(GetFormat().SeedFolder, GetFormat()))
+  {
+    this->Try(LoadMeshFiles(seed, GetFormat()));
+  }
+}
+
+//------------------------------------------------------------------------------
+Reading ReaderTrial::Read(
+  const std::string& path, std::size_t size, int piece, int pieces, int ghostLevels) const
+{
+  Reading reading;
+  const auto fail = [&](const std::string& fault)
+  {
+    if (reading.Fault.empty())
+    {
+      reading.Fault = fault;
+    }
+  };
+
+  const std::clock_t begin = std::clock();
+  const AllocationMeter meter;
+  const vtkSmartPointer<vtkMeshFileReader> reader = MakeReader();
+  Observe(reader, vtkCommand::ErrorEvent, reading.Errors);
+  Observe(reader, vtkCommand::WarningEvent, reading.Warnings);
+  reader->CanReadFile(path.c_str());
+  if (!reading.Errors.empty() || !reading.Warnings.empty())
+  {
+    fail("CanReadFile has something to say");
+  }
+  reader->SetFileName(path.c_str());
+  reader->UpdatePiece(piece, pieces, ghostLevels);
+  const std::size_t peak = meter.GetPeak(), largest = meter.GetLargestRequest();
+  const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  reading.Grid = vtkUnstructuredGrid::SafeDownCast(reader->GetOutputDataObject(0));
+  reading.ErrorCode = reader->GetErrorCode();
+
+  if (seconds > MaxSeconds)
+  {
+    fail("reading took " + std::to_string(seconds) + " s");
+  }
+  const std::size_t allowed = MaxAllocation * size + BaseAllocation;
+  if (peak > allowed || largest > allowed)
+  {
+    fail(std::to_string(peak) + " bytes in use, " + std::to_string(largest) + " at once, for files of " +
+      std::to_string(size));
+  }
+  for (const std::string& message : reading.Errors)
+  {
+    fail(FindFaultOfMessage(message, path));
+  }
+  for (const std::string& message : reading.Warnings)
+  {
+    fail(FindFaultOfMessage(message, path));
+  }
+  if (!reading.Grid)
+  {
+    fail("there is no output");
+    reading.Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  }
+  if ((reading.ErrorCode != 0) != !reading.Errors.empty() || reading.Errors.size() > 1)
+  {
+    fail(std::to_string(reading.Errors.size()) + " messages and code " +
+      std::to_string(reading.ErrorCode));
+  }
+  if (!reading.Errors.empty() && !IsEmpty(reading.Grid))
+  {
+    fail("the output is not empty after " + Quote(reading.Errors[0]));
+  }
+  for (int port = 0; port < reader->GetNumberOfOutputPorts(); ++port)
+  {
+    fail(FindFault(reader->GetOutputDataObject(port)));
+  }
+  return reading;
+}
+
+//------------------------------------------------------------------------------
+Reading ReaderTrial::Try(const MeshFiles& files, int laws)
+{
+  this->Input.Clear();
+  const std::string path = this->Input.Write(files);
+  const std::size_t size = GetTotalSize(files);
+  Reading reading = this->Read(path, size);
+  if (reading.Fault.empty() && (laws & Parallel))
+  {
+    reading.Fault = this->FindFaultInParallel(path, size, reading);
+  }
+  if (reading.Fault.empty() && reading.Errors.empty() && (laws & Pieces))
+  {
+    reading.Fault = this->FindFaultInPieces(path, size, reading);
+  }
+  if (reading.Fault.empty() && reading.Errors.empty() && (laws & Writing))
+  {
+    reading.Fault = this->FindFaultInWriting(reading);
+  }
+  return reading;
+}
+
+//------------------------------------------------------------------------------
+std::string ReaderTrial::FindFaultInParallel(
+  const std::string& path, std::size_t size, const Reading& expected) const
+{
+  const Set<vtkIdType> chunk(TextLines::DefaultChunk, 16); // bytes: a line or two
+  // What many pieces need of their own is nothing in proportion to pieces of the usual size.
+  const Reading reading = this->Read(path, 64 * size);
+  if (!reading.Fault.empty())
+  {
+    return "in parallel: " + reading.Fault;
+  }
+  if (reading.Errors != expected.Errors)
+  {
+    return "in parallel: " + Quote(reading.Errors.empty() ? "no error" : reading.Errors[0]) +
+      ", not " + Quote(expected.Errors.empty() ? "no error" : expected.Errors[0]);
+  }
+  if (reading.Warnings != expected.Warnings)
+  {
+    return "in parallel: other warnings";
+  }
+  const std::string difference = FindDifference(expected.Grid, reading.Grid);
+  return difference.empty() ? difference : "in parallel: " + difference;
+}
+
+//------------------------------------------------------------------------------
+std::string ReaderTrial::FindFaultInPieces(
+  const std::string& path, std::size_t size, const Reading& whole) const
+{
+  constexpr int NumberOfPieces = 3;
+  vtkIdType cells = 0;
+  for (int piece = 0; piece < NumberOfPieces; ++piece)
+  {
+    const std::string where = "piece " + std::to_string(piece) + ": ";
+    const Reading reading = this->Read(path, size, piece, NumberOfPieces, 1);
+    if (!reading.Fault.empty() || !reading.Errors.empty())
+    {
+      return where + (reading.Fault.empty() ? Quote(reading.Errors[0]) : reading.Fault);
+    }
+    cells += CountOwnCells(reading.Grid);
+  }
+  return cells == whole.Grid->GetNumberOfCells()
+    ? std::string()
+    : "pieces have " + std::to_string(cells) + " cells, the whole " +
+      std::to_string(whole.Grid->GetNumberOfCells());
+}
+
+//------------------------------------------------------------------------------
+std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
+{
+  // Writers may change what they are given (precision, order), but then once and for all.
+  Reading before = reading;
+  MeshFiles files;
+  for (int round = 0; round < 2; ++round)
+  {
+    const vtkSmartPointer<vtkMeshFileWriter> writer = MakeWriter();
+    if (!writer)
+    {
+      return {};
+    }
+    this->Output.Clear();
+    const std::filesystem::path path =
+      this->Output.GetPath() / ("mesh." + GetFormat().Extensions[0]);
+    std::vector<std::string> errors, warnings;
+    Observe(writer, vtkCommand::ErrorEvent, errors);
+    Observe(writer, vtkCommand::WarningEvent, warnings);
+    writer->SetController(nullptr);
+    writer->SetInputData(before.Grid);
+    writer->SetFileName(path.c_str());
+    const bool good = writer->Write() == 1 && errors.empty();
+    if (!good)
+    {
+      // What a format cannot hold is refused; what came from it a moment ago is not.
+      const std::string fault = round > 0 ? "the writer refuses what it wrote: " + Quote(errors.at(0))
+        : errors.size() != 1              ? "the writer has " + std::to_string(errors.size()) + " errors"
+        : !std::filesystem::is_empty(this->Output.GetPath()) ? "the writer left a file after an error"
+                                                              : FindFaultOfMessage(errors[0], path);
+      return fault;
+    }
+    if (!std::filesystem::exists(path))
+    {
+      return "the writer wrote no " + path.filename().string();
+    }
+    const MeshFiles written = LoadMeshFiles(path, GetFormat());
+    if (round > 0)
+    {
+      for (std::size_t i = 0; i < files.size(); ++i)
+      {
+        if (i >= written.size() || files[i].Bytes != written[i].Bytes)
+        {
+          return "what was written, read and written again is another ." + files[i].Extension;
+        }
+      }
+      return {};
+    }
+    files = written;
+    Reading after = this->Read(path.string(), SIZE_MAX / MaxAllocation / 2);
+    if (!after.Fault.empty() || !after.Errors.empty())
+    {
+      return "what was written: " + (after.Fault.empty() ? Quote(after.Errors[0]) : after.Fault);
+    }
+    // Points without cells are a cloud, and in many formats so is every file of points alone.
+    const bool isCloud = before.Grid->GetNumberOfCells() == 0 &&
+      after.Grid->GetNumberOfCells() == after.Grid->GetNumberOfPoints();
+    if (warnings.empty() && !isCloud &&
+      (after.Grid->GetNumberOfPoints() != before.Grid->GetNumberOfPoints() ||
+        after.Grid->GetNumberOfCells() != before.Grid->GetNumberOfCells()))
+    {
+      return "written and read, " + std::to_string(before.Grid->GetNumberOfPoints()) +
+        " points are " + std::to_string(after.Grid->GetNumberOfPoints()) + ", " +
+        std::to_string(before.Grid->GetNumberOfCells()) + " cells are " +
+        std::to_string(after.Grid->GetNumberOfCells());
+    }
+    before = after;
+  }
+  return {};
+}
+}
+}

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the reader of a format does with good files, with files that are cut off, and with files some of
+// whose bytes are wrong. One program per format; the files are the format's seeds and, where
+// CAMARON_SHARED_DATA names a folder of meshes, those of this format.
+#include "LastWords.h"
+#include "ReaderTrial.h"
+
+#include "Scan/ScanError.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <set>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool IsSanitized = true;
+#else
+constexpr bool IsSanitized = false;
+#endif
+/// Files larger than this are tried less often under a sanitizer, which is some ten times slower.
+constexpr std::size_t LargeFile = 40000;
+/// Files smaller than this are tried under all laws.
+constexpr std::size_t SmallFile = 4000;
+constexpr int MaxFaults = 5; // shown of one test
+
+struct Sample
+{
+  std::string Name;
+  MeshFiles Files;
+  bool IsGood = true;
+};
+
+//------------------------------------------------------------------------------
+std::filesystem::path GetSharedData()
+{
+  const char* folder = std::getenv("CAMARON_SHARED_DATA");
+  return folder ? folder : "";
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Sample>& GetSamples()
+{
+  static const std::vector<Sample> samples = []
+  {
+    std::vector<Sample> found;
+    for (const auto& folder : { std::filesystem::path(GetFormat().SeedFolder), GetSharedData() })
+    {
+      for (const auto& path : FindMeshFiles(folder, GetFormat()))
+      {
+        const std::string name = path.filename().string();
+        if (path.parent_path().filename() != "malformed")
+        {
+          found.push_back(
+            { name, LoadMeshFiles(path, GetFormat()), name.compare(0, 4, "bad-") != 0 });
+        }
+      }
+    }
+    return found;
+  }();
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+/// Tries files one after the other; the files of the first faults are kept.
+class Trials
+{
+public:
+  Reading Try(const MeshFiles& files, const std::string& description, int laws = NoFurtherLaws)
+  {
+    const LastWords words(GetFormat().Name + ": " + description + "; the files are in " +
+      this->Trial.GetFolder().GetPath().string());
+    Reading reading = this->Trial.Try(files, laws);
+    if (!reading.Fault.empty())
+    {
+      ++this->Faults;
+      ADD_FAILURE() << description << ": " << reading.Fault << "\n(kept in " << this->Keep() << ")";
+    }
+    return reading;
+  }
+  bool HasSeenEnough() const { return this->Faults >= MaxFaults; }
+
+private:
+  std::string Keep() const
+  {
+    namespace fs = std::filesystem;
+    const fs::path kept = fs::temp_directory_path() / "camaron-damage" /
+      (GetFormat().Name + "-" + ::testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
+        std::to_string(this->Faults));
+    std::error_code error;
+    fs::remove_all(kept, error);
+    fs::create_directories(kept, error);
+    fs::copy(this->Trial.GetFolder().GetPath(), kept, fs::copy_options::recursive, error);
+    return error ? error.message() : kept.string();
+  }
+
+  ReaderTrial Trial;
+  int Faults = 0;
+};
+
+//------------------------------------------------------------------------------
+int CountTrials(const Sample& sample, int wanted)
+{
+  return IsSanitized && GetTotalSize(sample.Files) > LargeFile ? wanted / 20 : wanted;
+}
+
+//------------------------------------------------------------------------------
+int ChooseLaws(const Sample& sample, int trial)
+{
+  return GetTotalSize(sample.Files) <= SmallFile || trial % 20 == 0 ? AllLaws : NoFurtherLaws;
+}
+
+//------------------------------------------------------------------------------
+ErrorKind FindKind(const std::string& word)
+{
+  static const std::pair<const char*, ErrorKind> kinds[] = { { "OPEN", ErrorKind::Open },
+    { "NOT_THIS_FORMAT", ErrorKind::NotThisFormat }, { "TRUNCATED", ErrorKind::Truncated },
+    { "SYNTAX", ErrorKind::Syntax }, { "COUNT", ErrorKind::Count }, { "INDEX", ErrorKind::Index },
+    { "UNSUPPORTED", ErrorKind::Unsupported }, { "COMPANION", ErrorKind::Companion } };
+  for (const auto& kind : kinds)
+  {
+    if (word == kind.first)
+    {
+      return kind.second;
+    }
+  }
+  return ErrorKind::None;
+}
+
+//------------------------------------------------------------------------------
+/// The codes that a row such as "| a.off | 309 | ... | 353535235358 vertices -> COUNT |" names.
+std::set<unsigned long> FindExpectedCodes(const std::string& readMe, const std::string& file)
+{
+  std::set<unsigned long> codes;
+  std::ifstream stream(readMe);
+  for (std::string row; std::getline(stream, row);)
+  {
+    const std::size_t arrow = row.find("-> ");
+    if (row.compare(0, file.size() + 4, "| " + file + " |") != 0 || arrow == std::string::npos)
+    {
+      continue;
+    }
+    std::string words = row.substr(arrow + 3);
+    std::replace(words.begin(), words.end(), '/', ' ');
+    std::istringstream list(words);
+    for (std::string word; list >> word;)
+    {
+      if (FindKind(word) != ErrorKind::None)
+      {
+        codes.insert(GetVTKErrorCode(FindKind(word)));
+      }
+    }
+  }
+  return codes;
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, the other tests here damage what was not good to begin with, or good files are read
+// wrongly: in parallel, in pieces, or after they were written.
+TEST(Damage, GoodFilesAreGood)
+{
+  Trials trials;
+  ASSERT_FALSE(FindMeshFiles(GetFormat().SeedFolder, GetFormat()).empty())
+    << GetFormat().SeedFolder << " needs a small file or two of the format";
+  for (const Sample& sample : GetSamples())
+  {
+    const Reading reading = trials.Try(sample.Files, sample.Name, AllLaws);
+    EXPECT_EQ(reading.Errors.empty(), sample.IsGood)
+      << sample.Name << (reading.Errors.empty() ? " was read" : ": " + reading.Errors[0]);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, real files that are no good are read, or refused for another reason than is theirs.
+TEST(Damage, MalformedFiles)
+{
+  const std::filesystem::path folder = GetSharedData() / "malformed";
+  if (!std::filesystem::is_directory(folder))
+  {
+    GTEST_SKIP() << "CAMARON_SHARED_DATA names no folder of meshes with a part `malformed`";
+  }
+  Trials trials;
+  for (const auto& path : FindMeshFiles(folder, GetFormat()))
+  {
+    const std::string name = path.filename().string();
+    const Reading reading = trials.Try(LoadMeshFiles(path, GetFormat()), name);
+    ASSERT_FALSE(reading.Errors.empty()) << name << " was read";
+    const auto codes = FindExpectedCodes((GetSharedData() / "README.md").string(), name);
+    EXPECT_TRUE(codes.empty() || codes.count(reading.ErrorCode) > 0)
+      << name << ": " << reading.Errors[0];
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a file that was cut off crashes or hangs the reader, costs memory out of all
+// proportion, or shows half a mesh that filters fall over.
+TEST(Damage, CutOffAnywhere)
+{
+  constexpr int Trials200 = 200;
+  Trials trials;
+  std::mt19937 random(1);
+  for (const Sample& sample : GetSamples())
+  {
+    MeshFiles files = sample.Files;
+    const std::string& bytes = sample.Files[0].Bytes;
+    std::set<std::size_t> sizes;
+    if (bytes.size() <= Trials200)
+    {
+      for (std::size_t size = 0; size < bytes.size(); ++size)
+      {
+        sizes.insert(size);
+      }
+    }
+    else
+    {
+      const auto count = static_cast<std::size_t>(CountTrials(sample, Trials200));
+      while (sizes.size() < count)
+      {
+        sizes.insert(random() % bytes.size());
+      }
+    }
+    int trial = 0;
+    for (const std::size_t size : sizes)
+    {
+      files[0].Bytes = bytes.substr(0, size);
+      trials.Try(files, sample.Name + " cut off after " + std::to_string(size) + " bytes",
+        ChooseLaws(sample, trial++));
+      if (trials.HasSeenEnough())
+      {
+        return;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, the same happens to a file some of whose bytes are wrong.
+TEST(Damage, WrongBytes)
+{
+  constexpr int NumberOfTrials = 2000;
+  constexpr char Text[] = "0123456789-+.eE \n\r\t#/(){},:|ax";
+  Trials trials;
+  std::mt19937 random(2);
+  std::vector<const Sample*> samples;
+  for (const Sample& sample : GetSamples())
+  {
+    if (GetTotalSize(sample.Files) > 0 && CountTrials(sample, 20) == 20)
+    {
+      samples.push_back(&sample);
+    }
+  }
+  for (int trial = 0; trial < NumberOfTrials && !samples.empty() && !trials.HasSeenEnough(); ++trial)
+  {
+    const Sample& sample = *samples[random() % samples.size()];
+    MeshFiles files = sample.Files;
+    std::string description = sample.Name;
+    for (int changes = 1 + trial % 3; changes > 0; --changes)
+    {
+      std::size_t at = random() % GetTotalSize(files), file = 0;
+      for (; at >= files[file].Bytes.size(); ++file)
+      {
+        at -= files[file].Bytes.size();
+      }
+      char& byte = files[file].Bytes[at];
+      switch (random() % 3)
+      {
+        case 0:
+          byte = static_cast<char>(byte ^ 1 << random() % 8);
+          break;
+        case 1:
+          byte = static_cast<char>(random());
+          break;
+        default:
+          byte = Text[random() % (sizeof(Text) - 1)];
+      }
+      description += ", byte " + std::to_string(at) + " of ." + files[file].Extension + " is " +
+        std::to_string(static_cast<unsigned char>(byte));
+    }
+    trials.Try(files, description, ChooseLaws(sample, trial));
+  }
+}
