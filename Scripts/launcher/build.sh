@@ -111,9 +111,10 @@ compile() {
   gigabytes=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
   jobs=$(nproc)
   ((jobs <= gigabytes)) || jobs=$((gigabytes > 1 ? gigabytes : 1))
+  export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs} # of builds within it too
   lock "$build/lock"
   logged "building" "$folder/log/build.log" "${enter[@]}" \
-    cmake --build "$folder" --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs}" "$@" || exit 2
+    cmake --build "$folder" --parallel "$CMAKE_BUILD_PARALLEL_LEVEL" "$@" || exit 2
   unlock
 }
 
