@@ -4,16 +4,20 @@
 #     NAME        Visf                         # its folder, and stem of its classes and XML files
 #     EXTENSIONS  visf                         # without the dot; several allowed
 #     DESCRIPTION "Camarón Visf mesh"          # as shown to people
+#     READS       "every dialect"              # what of it is read and written, for the table of formats;
+#     WRITES      "ASCII and binary"           #   no semicolons
 #     READER                                   # there is Formats/Visf/vtkVisfReader.{h,cxx} + VisfReader.xml
 #     WRITER)                                  # there is Formats/Visf/vtkVisfWriter.{h,cxx} + VisfWriter.xml
 #
 # From the blocks follow CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names with a
-# reader or a writer), and per format CAMARON_FORMAT_<NAME>_EXTENSIONS and _DESCRIPTION.
+# reader or a writer), per format CAMARON_FORMAT_<NAME>_EXTENSIONS and _DESCRIPTION, and
+# CAMARON_FORMATS_JSON, a JSON object each, which the file formats.json beside the plugin tells scripts.
 set(CAMARON_FORMATS)
 set(CAMARON_READERS)
 set(CAMARON_WRITERS)
+set(CAMARON_FORMATS_JSON)
 function (camaron_format)
-  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;DESCRIPTION" "EXTENSIONS")
+  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;DESCRIPTION;READS;WRITES" "EXTENSIONS")
   if (format_UNPARSED_ARGUMENTS OR NOT format_NAME OR NOT format_EXTENSIONS OR NOT format_DESCRIPTION)
     message(FATAL_ERROR "camaron_format needs NAME, EXTENSIONS and DESCRIPTION; "
       "not understood: ${format_UNPARSED_ARGUMENTS}")
@@ -30,4 +34,26 @@ function (camaron_format)
   endforeach ()
   set("CAMARON_FORMAT_${format_NAME}_EXTENSIONS" "${format_EXTENSIONS}" PARENT_SCOPE)
   set("CAMARON_FORMAT_${format_NAME}_DESCRIPTION" "${format_DESCRIPTION}" PARENT_SCOPE)
+
+  # string(JSON) needs CMake 3.19.
+  set(fields "\"name\": \"${format_NAME}\"")
+  foreach (key IN ITEMS DESCRIPTION READS WRITES)
+    string(TOLOWER "${key}" lower)
+    string(REPLACE "\\" "\\\\" value "${format_${key}}")
+    string(REPLACE "\"" "\\\"" value "${value}")
+    string(APPEND fields ", \"${lower}\": \"${value}\"")
+  endforeach ()
+  list(JOIN format_EXTENSIONS "\", \"" extensions)
+  string(APPEND fields ", \"extensions\": [\"${extensions}\"]")
+  set(reader null)
+  set(writer null)
+  if (format_READER)
+    set(reader "\"${format_NAME}Reader\"")
+  endif ()
+  if (format_WRITER)
+    set(writer "\"${format_NAME}Writer\"")
+  endif ()
+  string(APPEND fields ", \"reader\": ${reader}, \"writer\": ${writer}")
+  list(APPEND CAMARON_FORMATS_JSON "{${fields}}")
+  set(CAMARON_FORMATS_JSON "${CAMARON_FORMATS_JSON}" PARENT_SCOPE)
 endfunction ()

@@ -5,6 +5,8 @@ camaron_format(
   NAME        Visf
   EXTENSIONS  visf
   DESCRIPTION "Camarón Visf mesh"
+  READS       "every dialect: ASCII, binary of both byte orders, all header versions"
+  WRITES      "ASCII and binary"
   READER
   WRITER)
 
@@ -12,5 +14,7 @@ camaron_format(
   NAME        TRI
   EXTENSIONS  tri
   DESCRIPTION "Camarón or Cart3D triangle mesh"
+  READS       "ASCII"
+  WRITES      "ASCII"
   READER
   WRITER)

@@ -25,10 +25,12 @@ cell array for each criterion.
 
 CONVERT_HELP = """\
 Writes a mesh in another format, which the name of the target tells. Further options are those of
-the writer; with a wrong one, all are listed.
+the format, as listed below, each with its default; yes/no options need no value. File names that
+begin with a dash come after --.
 
-  camaron convert part.visf part.vtu --compressor-type LZ4
-  camaron convert part.vtu part.visf --encoding "Binary Little Endian" """
+  camaron convert part.visf part.vtu --compressor-type lz4
+  camaron convert part.vtu part.visf --encoding binary-little-endian
+  camaron convert part.cas part.tri --unsupported-cells convert"""
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -76,8 +78,13 @@ def _parser() -> argparse.ArgumentParser:
     convert = commands.add_parser(
         "convert",
         help="from one format to another",
+        usage="camaron convert [OPTION...] IN OUT",
         description=CONVERT_HELP,
         formatter_class=style,
+        add_help=False,
+    )
+    convert.add_argument(
+        "-h", "--help", action=_FormatsHelp, help="this text, with all formats and their options"
     )
     convert.add_argument("source", metavar="IN", help="file that ParaView can open")
     convert.add_argument("target", metavar="OUT", help="file to write")
@@ -88,6 +95,20 @@ def _parser() -> argparse.ArgumentParser:
         "names", nargs="*", metavar="NAME", help="only these, with their descriptions"
     )
     return parser
+
+
+class _FormatsHelp(argparse.Action):
+    """Prints the help of a command and the formats, which only a running ParaView knows."""
+
+    def __init__(self, option_strings, dest, help=None):
+        super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help=help)
+
+    def __call__(self, parser, namespace, values, option_string=None):
+        from . import formats, pipeline
+
+        pipeline.load_plugin()
+        print(f"{parser.format_help()}\n{formats.describe_formats()}")
+        parser.exit()
 
 
 def _add_common(parser: argparse.ArgumentParser) -> None:
@@ -113,9 +134,10 @@ _positive.__name__ = "positive number"  # argparse says "invalid positive number
 def main(arguments: Sequence[str]) -> int:
     """Runs the command; returns its exit status: 0 done, 2 error, 130 interrupted."""
     parser = _parser()
-    options, rest = parser.parse_known_args(arguments)
-    if rest and options.command != "convert":
-        parser.error(f"unrecognized arguments: {' '.join(rest)}")
+    rest: list[str] = []
+    if list(arguments[:1]) == ["convert"]:
+        arguments, rest = _split_writer_options(arguments)
+    options = parser.parse_args(arguments)
     try:
         return {"inspect": _inspect, "convert": _convert, "criteria": _criteria}[options.command](
             options, rest
@@ -126,7 +148,9 @@ def main(arguments: Sequence[str]) -> int:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
         return 0
     except (ValueError, RuntimeError, OSError) as error:
-        print(f"camaron: {error}", file=sys.stderr)
+        # Readers and writers name their options as the window does.
+        reason = str(error).replace("Unsupported Cells", "--unsupported-cells")
+        print(f"camaron: {reason}", file=sys.stderr)
         return ERROR
 
 
@@ -281,23 +305,45 @@ def _convert(options: argparse.Namespace, rest: list[str]) -> int:
     return 0
 
 
-def _writer_options(arguments: list[str]) -> dict[str, str]:
-    """`--name value` and `--name=value` pairs.
+def _split_writer_options(arguments: Sequence[str]) -> tuple[list[str], list[str]]:
+    """What argparse is to see, and the options of the writer, whose names it does not know.
 
-    >>> _writer_options(["--file-type", "ASCII", "--compression-level=3"])
-    {'file-type': 'ASCII', 'compression-level': '3'}
+    >>> _split_writer_options(["convert", "a.visf", "--file-type", "ascii", "b.vtu"])
+    (['convert', 'a.visf', 'b.vtu'], ['--file-type', 'ascii'])
+    """
+    ours, writers = [], []
+    words = list(arguments)
+    while words:
+        word = words.pop(0)
+        name = word.partition("=")[0]
+        if word == "--":
+            return ours + [word] + words, writers
+        if not word.startswith("--") or name == "--help":
+            ours.append(word)
+            continue
+        target = ours if name in ("--time", "--ranks") else writers
+        target.append(word)
+        if "=" not in word and words and not words[0].startswith("--"):
+            target.append(words.pop(0))
+    return ours, writers
+
+
+def _writer_options(arguments: list[str]) -> dict[str, str]:
+    """`--name value`, `--name=value`, `--name` for yes, and `--option NAME=VALUE`.
+
+    >>> _writer_options(["--file-type", "ASCII", "--compression-level=3", "--write-time-steps"])
+    {'file-type': 'ASCII', 'compression-level': '3', 'write-time-steps': 'on'}
     """
     options = {}
     rest = list(arguments)
     while rest:
-        name = rest.pop(0)
-        if not name.startswith("--"):
-            raise ValueError(f"unexpected argument {name}: options of the writer are --name value")
-        name, equals, value = name[2:].partition("=")
+        name, equals, value = rest.pop(0)[2:].partition("=")
         if not equals:
-            if not rest or rest[0].startswith("--"):
-                raise ValueError(f"option --{name} needs a value")
-            value = rest.pop(0)
+            value = rest.pop(0) if rest and not rest[0].startswith("--") else "on"
+        if name == "option":
+            name, equals, value = value.partition("=")
+            if not equals:
+                raise ValueError("--option takes NAME=VALUE")
         options[name] = value
     return options
 

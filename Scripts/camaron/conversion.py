@@ -4,15 +4,14 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 import re
 from pathlib import Path
-from typing import Any
+from typing import Any, Optional
 
 from paraview import servermanager, simple
 
-from . import pipeline
+from . import formats, pipeline
 from .files import Staging, same_file
 
 #: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
@@ -24,10 +23,12 @@ def convert(
 ) -> list[str]:
     """Writes the mesh of one file to another; the format follows from the name of the target.
 
-    `options` are properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If
-    the format cannot hold the mesh as it is, blocks are merged, surfaces become unstructured grids,
-    and for formats that know surfaces only, the boundary is written. Returns what was done besides
-    writing, one sentence each.
+    Formats of the plugin are written by its own writers, others by ParaView's. `options` are
+    properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If a format of
+    ParaView cannot hold the mesh as it is, blocks are merged, surfaces become unstructured grids,
+    and for formats that know surfaces only, the boundary is written; those of the plugin do as
+    their options say. Returns what was done besides writing, and what the reader and the writer
+    warn of, one sentence each.
 
     >>> convert("part.visf", "part.vtu", compressor_type="LZ4")
     []
@@ -52,7 +53,7 @@ def convert(
                 f" (time {opened.time['value']:g})."
             )
         proxy = _suitable(made, target, notes)
-        write(proxy, target, options)
+        write(proxy, target, options, notes)
         return notes
     finally:
         for proxy in reversed(made):
@@ -62,6 +63,8 @@ def convert(
 def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     """What of the mesh the format can hold; adds the filters it takes to `made`."""
     suffix = target.suffix.lower()
+    if formats.own_writer(target):
+        return made[0]  # takes any mesh, blocks too
 
     def fits(proxy) -> bool:
         return suffix in writable_extensions(proxy)
@@ -88,8 +91,10 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         notes.append("The boundary surface was written.")
         return surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
+    if suffix in {kind for f in formats.known_formats() for kind in f.extensions if f.writers}:
+        raise ValueError(f"{target}: files named *{suffix} cannot hold a mesh like this")
     raise ValueError(
-        f"{target}: no writer for {suffix}{_suggestion(suffix, known)}; "
+        f"{target}: no writer for {suffix}{formats.suggestion(suffix, known)}; "
         f"known are {' '.join(sorted(known))}"
     )
 
@@ -107,17 +112,23 @@ def writable_extensions(proxy: Any) -> set[str]:
     return {"." + extension.lower() for extension in re.findall(r"\*\.([\w.]+)", types)}
 
 
-def write(proxy: Any, target: os.PathLike | str, options: dict[str, Any]) -> list[str]:
+def write(
+    proxy: Any,
+    target: os.PathLike | str,
+    options: dict[str, Any],
+    notes: Optional[list[str]] = None,
+) -> list[str]:
     """Writes to a temporary name, then renames; returns the names of the files and folders made.
 
-    Formats of several files (.vtm, .pvtu) have a folder named like the target without extension.
+    Formats of several files (.vtm, .node and .ele) have further names. What the writer warns of is
+    added to `notes`.
     """
     target = Path(target)
     with Staging(target.parent) as staging, pipeline.Messages() as messages:
-        writer = simple.CreateWriter(str(staging.path / target.name), proxy)
-        for name, value in options.items():
-            set_option(writer, name, value)
+        writer = _make_writer(proxy, staging.path / target.name)
         try:
+            for name, value in options.items():
+                formats.set_option(writer, name, value)
             writer.UpdatePipeline()
         except RuntimeError as error:
             messages.errors.append(str(error))
@@ -126,56 +137,26 @@ def write(proxy: Any, target: os.PathLike | str, options: dict[str, Any]) -> lis
         names = staging.names()
         if messages.errors or not names:
             reason = messages.errors[0] if messages.errors else "nothing was written"
-            raise RuntimeError(f"{target}: {reason}")
+            raise RuntimeError(_with_path(target, reason))
         staging.publish()
+        if notes is not None:
+            notes += messages.warnings
     return names
 
 
-def set_option(proxy: Any, name: str, value: Any) -> None:
-    """Sets a property by a name in any spelling; texts become what the property holds.
-
-    Raises ValueError for a name or a value that the proxy does not know.
-    """
-    plain = lambda text: re.sub(r"[^a-z0-9]", "", str(text).lower())
-    hidden = {"input", "filename"}
-    known = {plain(p): p for p in proxy.ListProperties() if plain(p) not in hidden}
-    if plain(name) not in known:
-        raise ValueError(
-            f"unknown option {name}{_suggestion(plain(name), known)}; "
-            f"options are {' '.join(sorted(known.values()))}"
-        )
-    key = known[plain(name)]
-    choices = getattr(proxy.GetProperty(key), "Available", None)
-    if choices:
-        by_text = {plain(choice): choice for choice in choices}
-        if plain(value) not in by_text:
-            raise ValueError(f"{name} is one of {', '.join(map(str, choices))}, not {value}")
-        setattr(proxy, key, by_text[plain(value)])
-        return
-    try:
-        setattr(proxy, key, _number(value))
-    except (ValueError, TypeError, RuntimeError):
-        raise ValueError(f"{name} cannot be {value!r}") from None
+def _make_writer(proxy: Any, path: Path) -> Any:
+    """The plugin's own writer for such a name, else ParaView's."""
+    name = formats.own_writer(path)
+    if name is None:
+        return simple.CreateWriter(str(path), proxy)
+    writer = formats.make_writer(name)
+    writer.Input = proxy
+    writer.FileName = str(path)
+    return writer
 
 
-def _number(value: Any) -> Any:
-    """The number a text says, else the text; words for yes and no become 1 and 0."""
-    if not isinstance(value, str):
-        return int(value) if isinstance(value, bool) else value
-    words = {"true": 1, "yes": 1, "on": 1, "false": 0, "no": 0, "off": 0}
-    if value.lower() in words:
-        return words[value.lower()]
-    for kind in (int, float):
-        try:
-            return kind(value)
-        except ValueError:
-            pass
-    return value
-
-
-def _suggestion(word: str, known: Any) -> str:
-    close = difflib.get_close_matches(word, list(known), 1)
-    if not close:
-        return ""
-    best = known[close[0]] if isinstance(known, dict) else close[0]
-    return f" (did you mean {best}?)"
+def _with_path(target: Path, reason: str) -> str:
+    """The reason with the path once; the plugin's writers begin with the name."""
+    if reason.startswith(target.name + ": "):
+        reason = reason[len(target.name) + 2 :]
+    return f"{target}: {reason}"

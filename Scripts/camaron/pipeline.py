@@ -12,6 +12,8 @@ from typing import Any, Optional
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
 
+from . import opening
+
 
 def load_plugin() -> None:
     """Makes the filters, readers and writers of the plugin known; does nothing the second time."""
@@ -95,13 +97,12 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
     path = Path(path)
     if not path.exists():
         raise RuntimeError(f"{path}: there is no such file")
+    notes: list[str] = []
     with Messages() as messages:
         try:
-            source = simple.OpenDataFile(str(path))
-        except RuntimeError:
-            source = None
-        if source is None:
-            raise RuntimeError(_reason(messages, path, "no reader knows this kind of file"))
+            source = opening.make_reader(path, notes)
+        except opening.NotReadable as error:
+            raise RuntimeError(_reason(messages, path, str(error))) from None
         try:
             chosen = _choose_time(source, time)
             source.UpdatePipeline(chosen["value"] if chosen else 0.0)
@@ -115,7 +116,7 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
         kind = data_information(source).GetPrettyDataTypeString()
         simple.Delete(source)
         raise RuntimeError(f"{path}: not a mesh but a {kind.lower()}")
-    return Opened(source, chosen, messages.warnings)
+    return Opened(source, chosen, notes + messages.warnings)
 
 
 def _reason(messages: Messages, path: Path, otherwise: str) -> str:

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.convert: formats, options of writers, errors."""
 
+import re
+
 import camaron_testing
 import numpy
 from camaron import convert
@@ -27,7 +29,7 @@ class TestConvert(camaron_testing.TestCase):
         for name in ("two.stl", "two.ply", "two.vtp"):
             notes = convert(self.mesh(), self.folder / name)
             self.assertEqual(len(notes), 1, name)
-            self.assertIn("boundary surface", notes[0])
+            self.assertIn("boundary", notes[0])
             self.assertEqual(self.cells(self.folder / name), 8, name)
 
     def test_surface_to_grid(self):
@@ -64,10 +66,13 @@ class TestConvert(camaron_testing.TestCase):
 
     def test_wrong_options(self):
         for options, reason in (
-            ({"data_mod": "ascii"}, "did you mean DataMode?"),
-            ({"data_mode": "asci"}, "one of Ascii, Binary, Appended"),
+            ({"data_mod": "ascii"}, "did you mean data-mode?"),
+            ({"data_mod": "ascii"}, "--data-mode ascii|binary|appended (appended)"),
+            ({"data_mode": "asci"}, "one of ascii, binary, appended"),
+            ({"encode_appended_data": "maybe"}, "is on or off, not maybe"),
+            ({"time_step_stride": "two"}, "cannot be 'two'"),
         ):
-            with self.assertRaisesRegex(ValueError, reason.replace("?", r"\?")):
+            with self.assertRaisesRegex(ValueError, re.escape(reason)):
                 convert(self.mesh(), self.folder / "x.vtu", **options)
         self.assertFalse((self.folder / "x.vtu").exists())
 
@@ -96,6 +101,69 @@ class TestConvert(camaron_testing.TestCase):
         with self.assertRaises(RuntimeError):
             convert(source, target)
         self.assertEqual(target.read_text(), "old")
+
+    def test_refused_cells(self):
+        """What a format cannot hold is an error unless the user says what to do; nothing is silent."""
+        source, target = self.mesh(), self.folder / "two.tri"
+        quads = camaron_testing.write_vtk(self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3))])
+        self.assertIn("boundary", " ".join(convert(source, target)))
+        target.unlink()
+        with self.assertRaisesRegex(RuntimeError, "1 cell of type quad"):
+            convert(quads, target)
+        self.assertFalse(target.exists())
+        (note,) = convert(quads, target, unsupported_cells="convert")
+        self.assertIn("cut into triangles", note)
+        self.assertEqual(self.cells(target), 2)
+        command = camaron_testing.run_command("convert", quads, target)
+        self.assertIn("set --unsupported-cells to Convert", command.stderr)
+
+    def test_command_options(self):
+        """Options may stand anywhere, flags need no value, names after -- may begin with a dash."""
+        run = camaron_testing.run_command
+        source = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+        target = self.folder / "-c.visf"
+        good = run(
+            *("convert", "--option", "Encoding=Binary Big Endian", "--write-neighbors"),
+            *("--", source, target.name),
+            cwd=self.folder,
+        )
+        self.assertEqual((good.returncode, good.stderr), (0, ""))
+        self.assertEqual(target.read_bytes()[:1], b"0")
+        again = run("convert", "--", target.name, "d.visf", cwd=self.folder)
+        self.assertEqual((again.returncode, again.stderr), (0, ""))
+        bad = run("convert", source, self.folder / "d.visf", "--encodin", "x")
+        self.assertEqual(bad.returncode, 2)
+        self.assertIn("did you mean encoding?", bad.stderr)
+        self.assertIn("--encoding ascii|binary-little-endian|", bad.stderr)
+
+    def test_other_formats(self):
+        """Other programs' formats under our extensions go to ParaView's own readers, and say so."""
+        gmsh = self.folder / "g.msh"
+        gmsh.write_text(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
+            "$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n"
+        )
+        try:
+            notes = convert(gmsh, self.folder / "g.vtu")
+        except RuntimeError as error:  # a ParaView without its reader
+            self.assertRegex(str(error), "this is a Gmsh mesh, for which this ParaView has no")
+        else:
+            self.assertRegex(notes[0], "This is a Gmsh mesh; ParaView's own reader")
+            self.assertEqual(self.cells(self.folder / "g.vtu"), 1)
+
+    def test_unreadable(self):
+        """Each says what is wrong in a few words."""
+        (self.folder / "empty.visf").write_text("")
+        (self.folder / "text.visf").write_text("Dear diary")
+        (self.folder / "x.unheard").write_text("Dear diary")
+        for name, reason in (
+            ("empty.visf", "the file is empty"),
+            ("text.visf", "expected a Visf file"),
+            ("x.unheard", r"no reader knows files named \*.unheard; camaron convert --help"),
+            (".", "this is a folder, not a mesh"),
+        ):
+            with self.assertRaisesRegex(RuntimeError, reason):
+                convert(self.folder / name, self.folder / "y.vtu")
 
     def test_command(self):
         """The command line passes options on, says errors in one line and exits with 2."""

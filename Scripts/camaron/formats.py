@@ -1,0 +1,245 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The formats of files: who reads and writes them, and with which options.
+
+What ParaView knows is asked of its proxies; which of these are the plugin's own says `formats.json`
+beside the plugin, which the build makes of Formats/Formats.cmake.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import os
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Iterator, Optional
+
+from paraview import servermanager
+from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
+
+
+#: Properties of writers that are set otherwise, or are of no use without lists of arrays.
+NOT_OPTIONS = {"input", "filename", "choosearraystowrite"}
+
+
+@dataclass
+class Format:
+    """A kind of files. `reader` and `writer` are names of proxies, `own` tells the plugin's."""
+
+    description: str
+    extensions: list[str]
+    reader: Optional[str] = None
+    writers: list[str] = field(default_factory=list)
+    own: bool = False
+
+
+@dataclass
+class Option:
+    """A property of a writer as people see it: a name for the command line, choices, the default."""
+
+    key: str
+    flag: str
+    choices: list[str]
+    default: str
+    text: str
+
+    def describe(self) -> str:
+        """`--data-mode ascii|binary|appended (appended)`"""
+        values = "|".join(self.choices) if self.choices else "VALUE"
+        return f"--{self.flag} {values}" + (f" ({self.default})" if self.default else "")
+
+
+def plain(word: Any) -> str:
+    """What is left of a name when its spelling does not matter."""
+    return re.sub(r"[^a-z0-9]", "", str(word).lower())
+
+
+def suggestion(word: str, known: Any) -> str:
+    """` (did you mean ...?)`, or nothing; `known` may map plain names to real ones."""
+    close = difflib.get_close_matches(word, list(known), 1)
+    if not close:
+        return ""
+    best = known[close[0]] if isinstance(known, dict) else close[0]
+    return f" (did you mean {best}?)"
+
+
+def own_formats() -> list[dict[str, Any]]:
+    """The table of the plugin's formats as the build made it; empty for a plugin without one."""
+    tracker = vtkPVPluginTracker.GetInstance()
+    for i in range(tracker.GetNumberOfPlugins()):
+        if tracker.GetPluginName(i) == "Camaron" and tracker.GetPluginLoaded(i):
+            path = Path(tracker.GetPluginFileName(i)).with_name("formats.json")
+            if path.exists():
+                return json.loads(path.read_text(encoding="utf-8"))
+    return []
+
+
+def _hints(group: str, tag: str) -> Iterator[tuple[str, str, list[str]]]:
+    """Name of the proxy, description and extensions of every reader or writer."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
+    iterator = manager.GetProxyDefinitionManager().NewSingleGroupIterator(group)
+    iterator.InitTraversal()
+    while not iterator.IsDoneWithTraversal():
+        hints = iterator.GetProxyDefinition().FindNestedElementByName("Hints")
+        for i in range(hints.GetNumberOfNestedElements() if hints else 0):
+            hint = hints.GetNestedElement(i)
+            if hint.GetName() == tag:
+                extensions = (hint.GetAttribute("extensions") or "").split()
+                patterns = (hint.GetAttribute("filename_patterns") or "").split()
+                kinds = ["." + e for e in extensions if not e.endswith(".series")] + patterns
+                yield iterator.GetProxyName(), hint.GetAttribute("file_description") or "", kinds
+        iterator.GoToNextItem()
+
+
+def known_formats() -> list[Format]:
+    """All formats, the plugin's own first, the others by name."""
+    own = own_formats()
+    readers = {f["reader"] for f in own}
+    writers = {f["writer"]: f for f in own}
+    formats = []
+    for name, description, kinds in _hints("sources", "ReaderFactory"):
+        formats.append(Format(description, kinds, name, [], name in readers))
+    by_reader = {f.reader: f for f in formats if f.own}
+    for name, description, kinds in _hints("writers", "WriterFactory"):
+        if name in writers:
+            match = by_reader.get(writers[name]["reader"])
+        else:
+            match = max(
+                (f for f in formats if not f.own and set(kinds) & set(f.extensions)),
+                key=lambda f: len(set(kinds) & set(f.extensions)) / len(f.extensions),
+                default=None,
+            )
+        if match is None:
+            match = Format(description, kinds, None, [], name in writers)
+            formats.append(match)
+        match.writers.append(name)
+    return sorted(formats, key=lambda f: (not f.own, f.description.lower()))
+
+
+def own_readers(path: os.PathLike | str) -> list[str]:
+    """Proxies of the plugin that read files of such a name."""
+    name = Path(path).name.lower()
+    return [
+        f["reader"]
+        for f in own_formats()
+        if f["reader"] and any(name.endswith("." + e.lower()) for e in f["extensions"])
+    ]
+
+
+def own_writer(path: os.PathLike | str) -> Optional[str]:
+    """The proxy of the plugin that writes files of such a name, or None."""
+    suffix = Path(path).suffix.lower()
+    names = {f["writer"] for f in own_formats()} - {None, ""}
+    for name, _, kinds in _hints("writers", "WriterFactory"):
+        if name in names and suffix in [kind.lower() for kind in kinds]:
+            return name
+    return None
+
+
+def make_writer(name: str) -> Any:
+    """A writer of its own, with nothing to write yet."""
+    manager = servermanager.vtkSMProxyManager.GetProxyManager()
+    return servermanager._getPyProxy(manager.NewProxy("writers", name))
+
+
+def options(writer: Any) -> dict[str, Option]:
+    """What can be chosen of a writer, by plain name."""
+    found = {}
+    for key in writer.ListProperties():
+        prop = writer.GetProperty(key)
+        smproperty = prop.SMProperty
+        if plain(key) in NOT_OPTIONS or smproperty.GetIsInternal():
+            continue
+        choices = [_word(choice) for choice in getattr(prop, "Available", None) or [] if choice]
+        value = prop.GetData() if choices else writer.GetPropertyValue(key)
+        if not isinstance(value, (str, int, float)):
+            continue  # lists of arrays, other proxies
+        if smproperty.FindDomain("vtkSMBooleanDomain"):
+            choices, value = ["on", "off"], "on" if value else "off"
+        documentation = smproperty.GetDocumentation()
+        text = " ".join((documentation.GetDescription() or "").split()) if documentation else ""
+        flag = _word(smproperty.GetXMLLabel() or key)
+        found[plain(key)] = Option(key, flag, choices, _word(value) if choices else str(value), text)
+    return found
+
+
+def _word(text: Any) -> str:
+    """`Binary Little Endian` as people type it: `binary-little-endian`."""
+    return re.sub(r"[^a-z0-9.]+", "-", str(text).lower()).strip("-")
+
+
+def describe_options(writer: Any, indent: str = "  ") -> list[str]:
+    """One line for each option of a writer."""
+    return [indent + option.describe() for option in options(writer).values()]
+
+
+def describe_formats() -> str:
+    """All formats as text, with the options of their writers."""
+    lines = []
+    formats = known_formats()
+    for own, title in ((True, "Formats of the plugin"), (False, "Formats of ParaView")):
+        lines += ["", f"{title} (r: read, w: written):"]
+        for f in formats:
+            if f.own != own:
+                continue
+            mode = ("r" if f.reader else "-") + ("w" if f.writers else "-")
+            lines.append(f"  {mode}  {f.description}: {' '.join(f.extensions)}")
+            seen: set[str] = set()
+            for name in f.writers:
+                for line in describe_options(make_writer(name), "        "):
+                    if line not in seen:
+                        lines.append(line)
+                    seen.add(line)
+    return "\n".join(lines[1:])
+
+
+def set_option(writer: Any, name: str, value: Any) -> None:
+    """Sets a property by a name in any spelling; texts become what the property holds.
+
+    Raises ValueError with a list of what there is for a name or a value that the writer does not
+    know.
+
+    >>> set_option(writer, "data-mode", "ascii")
+    """
+    known = options(writer)
+    hidden = {plain(key): key for key in writer.ListProperties()}
+    key = plain(name)
+    if key not in known and (key not in hidden or key in ("input", "filename")):
+        lines = "\n".join(describe_options(writer))
+        names = {k: option.flag for k, option in known.items()}
+        raise ValueError(
+            f"unknown option {name}{suggestion(key, names)}; "
+            + (f"options of this format are\n{lines}" if known else "this format has none")
+        )
+    prop = hidden[key]
+    choices = getattr(writer.GetProperty(prop), "Available", None)
+    if choices:
+        by_text = {plain(choice): choice for choice in choices}
+        if plain(value) not in by_text:
+            words = ", ".join(map(_word, choices))
+            raise ValueError(f"{name} is one of {words}, not {value}")
+        setattr(writer, prop, by_text[plain(value)])
+        return
+    if writer.GetProperty(prop).SMProperty.FindDomain("vtkSMBooleanDomain"):
+        words = {"true": 1, "yes": 1, "on": 1, "1": 1, "false": 0, "no": 0, "off": 0, "0": 0}
+        if str(value).lower() not in words:
+            raise ValueError(f"{name} is on or off, not {value}")
+        value = words[str(value).lower()]
+    try:
+        setattr(writer, prop, _number(value))
+    except (ValueError, TypeError, RuntimeError):
+        raise ValueError(f"{name} cannot be {value!r}") from None
+
+
+def _number(value: Any) -> Any:
+    """The number a text says, else the text."""
+    if not isinstance(value, str):
+        return value
+    for kind in (int, float):
+        try:
+            return kind(value)
+        except ValueError:
+            pass
+    return value

@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which reader a file is given to."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Optional
+
+import paraview
+from paraview import servermanager, simple
+
+from . import formats
+
+
+#: Files that are there only to be opened.
+EMPTY_FILES = {".foam"}
+
+
+class NotReadable(RuntimeError):
+    """No reader takes the file; the message says why, without its name."""
+
+
+def make_reader(path: Path, notes: list[str]) -> Any:
+    """A reader for the file, not updated yet.
+
+    Where the plugin and ParaView both know a kind of files, the plugin's own reader is taken if the
+    content is what it reads, else ParaView's. If nobody takes a file of a kind that the plugin knows,
+    it goes to the plugin's reader all the same, whose error says what is wrong with it. Adds to
+    `notes` if another format than the name says is read.
+    """
+    if path.is_file() and path.stat().st_size == 0 and path.suffix not in EMPTY_FILES:
+        raise NotReadable("the file is empty")
+    own = formats.own_readers(path)
+    for name in own:
+        if _can_read(path, name):
+            return _make(name, path)
+    other = _other_format(path)
+    if other is not None:
+        return _hand_over(path, *other, notes)
+    try:
+        source = simple.OpenDataFile(str(path))
+    except RuntimeError:
+        source = None
+    if source is not None:
+        return source
+    if path.is_dir():
+        raise NotReadable("this is a folder, not a mesh")
+    if own:
+        return _make(own[0], path)
+    kind = "".join(path.suffixes[-1:])
+    raise NotReadable(
+        f"no reader knows {f'files named *{kind}' if kind else 'files without an extension'}; "
+        "camaron convert --help lists the formats"
+    )
+
+
+def _can_read(path: Path, reader: str) -> bool:
+    session = servermanager.ActiveConnection.Session
+    return path.is_file() and servermanager.vtkSMReaderFactory.CanReadFile(
+        str(path), "sources", reader, session
+    )
+
+
+def _prototype(reader: str) -> Optional[Any]:
+    return servermanager.ProxyManager().GetPrototypeProxy("sources", reader)
+
+
+def _make(reader: str, path: Path) -> Any:
+    prototype = _prototype(reader)
+    create = getattr(simple, paraview.make_name_valid(prototype.GetXMLLabel()))
+    file_name = servermanager.vtkSMCoreUtilities.GetFileNameProperty(prototype)
+    return create(**{file_name: str(path)})
+
+
+#: Formats under the same extensions as ours, by how they begin: name, readers of ParaView, and the
+#: plugin of ParaView that may have to be loaded first.
+OTHER_FORMATS = (
+    (b"\x89HDF", "a Fluent case in the CFF format (HDF5)", ("FLUENTCFFReader",), None),
+    (b"$MeshFormat", "a Gmsh mesh", ("GmshReader", "GmshIO"), "GmshIO"),
+    (b"$NOD", "a Gmsh mesh (version 1)", (), None),
+)
+OTHER_EXTENSIONS = (".msh", ".cas", ".cas.h5", ".msh.h5")
+
+
+def _other_format(path: Path) -> Optional[tuple]:
+    """The row of OTHER_FORMATS that the content of a file is of, or None."""
+    if not path.is_file() or not path.name.lower().endswith(OTHER_EXTENSIONS):
+        return None
+    with open(path, "rb") as file:
+        head = file.read(64).lstrip()
+    return next((row[1:] for row in OTHER_FORMATS if head.startswith(row[0])), None)
+
+
+def _hand_over(
+    path: Path, kind: str, readers: tuple, plugin: Optional[str], notes: list[str]
+) -> Any:
+    if plugin and not any(map(_knows, readers)):
+        try:
+            simple.LoadDistributedPlugin(plugin, remote=False, ns=vars(simple))
+        except RuntimeError:
+            pass  # this ParaView was built without it
+    for name in filter(_knows, readers):
+        notes.append(f"This is {kind}; ParaView's own reader {name} reads it.")
+        return _make(name, path)
+    help = f" (its plugin {plugin} has one)" if plugin else ""
+    raise NotReadable(f"this is {kind}, for which this ParaView has no reader{help}")
+
+
+def _knows(reader: str) -> bool:
+    names = servermanager.vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager()
+    return bool(names.GetProxyDefinitionManager().HasDefinition("sources", reader))

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The one table of formats: XML, README, help and choice of readers follow it."""
+
+import xml.etree.ElementTree as ElementTree
+
+import camaron_testing
+from camaron import formats
+
+ROOT = camaron_testing.ROOT
+
+
+class TestFormats(camaron_testing.TestCase):
+    def hints(self, name, kind, tag):
+        path = ROOT / "Formats" / name / f"{name}{kind}.xml"
+        found = ElementTree.parse(path).getroot().findall(f".//{tag}")
+        self.assertTrue(found, path.name)
+        return found
+
+    def test_table_and_xml(self):
+        """Extensions and names are said twice, in the table and in the XML: they must agree."""
+        table = formats.own_formats()
+        self.assertGreaterEqual(len(table), 2)
+        for f in table:
+            extensions = set(f["extensions"])
+            for kind, tag in (("reader", "ReaderFactory"), ("writer", "WriterFactory")):
+                if not f[kind]:
+                    continue
+                self.assertEqual(f[kind], f["name"] + kind.capitalize())
+                found = set()
+                for hint in self.hints(f["name"], kind.capitalize(), tag):
+                    found |= set(hint.get("extensions").split())
+                    self.assertEqual(hint.get("file_description"), f["description"])
+                found = {e for e in found if not e.endswith(".series")}
+                if kind == "reader":
+                    self.assertEqual(found, extensions, f["name"])
+                else:
+                    self.assertLessEqual(found, extensions, f["name"])
+
+    def test_pages(self):
+        """Every format has a page."""
+        for f in formats.own_formats():
+            self.assertTrue((ROOT / "Formats" / f["name"] / "README.md").exists(), f["name"])
+
+    def test_known_formats(self):
+        """Readers and writers of one format are one entry, ours and ParaView's."""
+        known = formats.known_formats()
+        by_name = {f.reader: f for f in known if f.reader}
+        self.assertEqual(by_name["VisfReader"].writers, ["VisfWriter"])
+        self.assertTrue(by_name["VisfReader"].own)
+        self.assertEqual(by_name["VisfReader"].extensions, [".visf"])
+        self.assertIn("XMLUnstructuredGridWriter", by_name["XMLUnstructuredGridReader"].writers)
+        self.assertFalse(by_name["XMLUnstructuredGridReader"].own)
+        self.assertGreater(len(known), 50)
+
+    def test_help(self):
+        """What the help says is what the command takes."""
+        command = camaron_testing.run_command("convert", "--help")
+        self.assertEqual((command.returncode, command.stderr), (0, ""))
+        for line in (
+            "  rw  Camarón Visf mesh: .visf",
+            "--encoding ascii|binary-little-endian|binary-big-endian|binary-version-0.2 (ascii)",
+            "--write-neighbors on|off (off)",
+            "  rw  VTK UnstructuredGrid Files: .vtu",
+            "--data-mode ascii|binary|appended (appended)",
+        ):
+            self.assertIn(line, command.stdout)
+
+    def test_every_option_can_be_set(self):
+        """Each choice of each option of our writers, as the help spells it."""
+        for f in formats.own_formats():
+            if not f["writer"]:
+                continue
+            writer = formats.make_writer(f["writer"])
+            self.assertTrue(formats.options(writer), f["writer"])
+            for option in formats.options(writer).values():
+                for choice in option.choices or [option.default]:
+                    formats.set_option(writer, option.flag, choice)
+                    self.assertEqual(
+                        formats.options(writer)[formats.plain(option.key)].default, choice
+                    )
+                self.assertGreater(len(option.text), 10)
+
+    def test_readers_by_name(self):
+        self.assertEqual(formats.own_readers("some/where/x.VISF"), ["VisfReader"])
+        self.assertEqual(formats.own_readers("x.vtu"), [])
+        self.assertEqual(formats.own_writer("some/where/x.visf"), "VisfWriter")
+        self.assertIsNone(formats.own_writer("x.vtu"))
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
