@@ -183,6 +183,10 @@ int vtkElementQuality::RequestData(
   {
     const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(input);
     output->ShallowCopy(triangulated);
+    if (vtkUnsignedCharArray* ghosts = triangulated->GetCellGhostArray())
+    {
+      options.Ghosts = ghosts->GetPointer(0);
+    }
     const camaron::MeshTopology topology(camaron::AsMesh(triangulated));
     for (const std::string& name : this->GetChosenCriteria())
     {

@@ -32,6 +32,11 @@ struct EvaluationOptions
   bool TrustFaceOrientation = false;
   /// Relative length below which an edge counts as collapsed; 0 for the default of the specification.
   double DegeneracyTolerance = 0;
+  /// The mesh is one of several pieces without ghost cells: a cell without a neighbour may have one in
+  /// another piece.
+  bool IsPieceWithoutGhosts = false;
+  /// Of every cell whether it is a ghost, not 0; or none.
+  const unsigned char* Ghosts = nullptr;
 };
 
 class CellGeometry
@@ -52,6 +57,8 @@ public:
   bool IsFinite() const { return this->Finite; }
 
   const CellTopology& GetTopology() const { return *this->Topology; }
+  /// The first point.
+  const Vector& GetOrigin() const { return this->Origin; }
   int GetNumberOfPoints() const { return this->NumberOfPoints; }
   /// Relative to the first point.
   const Vector& GetPoint(int point) const { return this->Points[point]; }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of all criteria. To add one: write its function in a .cxx of this folder (a cell function
 // `double Foo(const CellGeometry&)`, or a mesh function as in NeighborNormals.cxx) and a row here.
-#include "Criteria/CellGeometry.h"
+#include "Criteria/CellNeighborhood.h"
 #include "Criteria/Criterion.h"
 #include "Criteria/MeshContext.h"
 
@@ -45,6 +45,13 @@ constexpr bool Real = false;
   {                                                                                                \
     void Function(const MeshContext&, vtkIdType, vtkIdType, double*);                              \
     Function(mesh, begin, end, values);                                                            \
+  }
+// The same for a function of a cell and the cells at its faces.
+#define NEIGHBORS(Function)                                                                        \
+  nullptr, nullptr, [](const CellNeighborhood& cell)                                               \
+  {                                                                                                \
+    double Function(const CellNeighborhood&);                                                      \
+    return Function(cell);                                                                         \
   }
 }
 
@@ -318,6 +325,52 @@ const std::vector<Criterion>& GetCriteria()
       Polyhedra, Unit::None, { 0, 1 }, 0, Better::Smaller,
       { -Infinity, 1e-6 }, CheckMesh, Cited, Real,
       Cost::Edges, NeedsFaces | NeedsVolume, CELLS(Openness) },
+
+    // Finite volumes: a cell and its neighbours. Of polygons, with edges for faces.
+    { "MaxNonOrthogonality", "Largest non-orthogonality",
+      "Largest angle between the line to the centroid of a neighbour and the normal of the face between; "
+      "above 90 the centroids are on the wrong sides.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, 65 }, "OpenFOAM's maxNonOrtho; checkMesh reports from 70", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(MaxNonOrthogonality) },
+    { "MaxBoundaryNonOrthogonality", "Largest non-orthogonality at the boundary",
+      "Largest angle between the line to the centre of a boundary face and the normal of that face.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(MaxBoundaryNonOrthogonality) },
+    { "MaxFaceSkewness", "Largest face skewness",
+      "Largest distance of the centre of a face from where the line to the neighbour crosses it, relative "
+      "to the size of the face in that direction; at the boundary as if the cell were mirrored.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
+      { -Infinity, 4 }, "OpenFOAM checkMesh for inner faces; 20 at the boundary", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(MaxFaceSkewness) },
+    { "MinFaceWeight", "Smallest face weight",
+      "Smaller distance of a face from the two centroids, along its normal, divided by the sum of both.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
+      { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(MinFaceWeight) },
+    { "MinVolumeRatio", "Smallest volume ratio",
+      "Smaller divided by larger volume (area) of the cell and a neighbour, the worst of all neighbours.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(MinVolumeRatio) },
+    { "CellVolumeRatio", "Size growth",
+      "Larger divided by smaller volume (area) of the cell and a neighbour, the worst of all neighbours.",
+      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
+      { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(CellVolumeRatio) },
+    { "OrthogonalQuality", "Orthogonal quality",
+      "Smallest cosine of the angles between the normal of a face and the lines from the centroid to the "
+      "centre of the face and to the centroid of the neighbour, as in Fluent.",
+      PolygonsAndPolyhedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
+      { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(OrthogonalQuality) },
+    { "CellDeterminant", "Cell determinant",
+      "OpenFOAM's determinant of the inner faces, relative to their mean area; 8 for a cube within a grid, "
+      "0 for a cell without inner faces.",
+      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
+      { 0.001, Infinity }, CheckMesh, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, NEIGHBORS(CellDeterminant) },
   };
   // clang-format on
   return criteria;
@@ -325,6 +378,7 @@ const std::vector<Criterion>& GetCriteria()
 
 #undef CELLS
 #undef MESH
+#undef NEIGHBORS
 
 //------------------------------------------------------------------------------
 const Criterion* FindCriterion(std::string_view name)

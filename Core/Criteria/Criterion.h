@@ -16,6 +16,7 @@
 namespace camaron
 {
 class CellGeometry;
+class CellNeighborhood;
 struct MeshContext;
 
 /// Which end of its range is good.
@@ -113,10 +114,12 @@ struct Criterion
   ///@{
   /**
    * One of them is set. CellFunction fills values for a block of cells whose geometry is there;
-   * MeshFunction fills the values of cells [begin, end) of a mesh with neighbours.
+   * MeshFunction fills the values of cells [begin, end) of a mesh with neighbours; NeighborFunction
+   * returns the value of a cell from its geometry and the cells at its faces.
    */
   void (*CellFunction)(const CellGeometry* cells, int numberOfCells, double* values);
   void (*MeshFunction)(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values);
+  double (*NeighborFunction)(const CellNeighborhood& cell) = nullptr;
   ///@}
 
   bool HasAcceptableRange() const { return this->AcceptableSource[0] != '\0'; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/Evaluation.h"
 
+#include "Criteria/CellNeighborhood.h"
 #include "Criteria/MeshContext.h"
 #include "Parallel.h"
 
@@ -89,6 +90,55 @@ private:
 };
 
 //------------------------------------------------------------------------------
+class NeighborEvaluation
+{
+public:
+  NeighborEvaluation(const MeshTopology& topology, const EvaluationOptions& options,
+    const std::vector<CriterionValues>& criteria)
+    : Mesh(topology.GetMesh())
+    , Options(options)
+    , Criteria(criteria)
+    , Centers(topology.GetMesh(), options)
+    , Neighborhood(topology, this->Centers, options)
+  {
+    for (const CriterionValues& row : criteria)
+    {
+      this->Needs |= row.Criterion->Needs;
+    }
+  }
+
+  void operator()(vtkIdType begin, vtkIdType end) const
+  {
+    CellGeometry cell;
+    CellNeighborhood neighborhood = this->Neighborhood;
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      cell.Load(this->Mesh, id, this->Options);
+      bool isGood = cell.IsFinite() && (cell.GetShapes() & PolygonsAndPolyhedra);
+      if (isGood)
+      {
+        cell.Compute(this->Needs);
+        isGood = neighborhood.Load(id, cell);
+      }
+      for (const CriterionValues& row : this->Criteria)
+      {
+        row.Values[id] = !AppliesTo(*row.Criterion, cell) ? Null(NullReason::NotApplicable)
+          : isGood ? row.Criterion->NeighborFunction(neighborhood)
+                   : Null(NullReason::Degenerate);
+      }
+    }
+  }
+
+private:
+  const MeshView& Mesh;
+  const EvaluationOptions& Options;
+  const std::vector<CriterionValues>& Criteria;
+  unsigned Needs = CellNeighborhood::BaseNeeds;
+  CellCenters Centers;
+  CellNeighborhood Neighborhood;
+};
+
+//------------------------------------------------------------------------------
 std::vector<Vector> GetCellVectors(const MeshView& mesh, const EvaluationOptions& options)
 {
   std::vector<Vector> vectors(mesh.GetNumberOfCells());
@@ -118,15 +168,18 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& options,
   const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress)
 {
   const MeshView& mesh = topology.GetMesh();
-  std::vector<CriterionValues> ofCells, ofMesh;
+  std::vector<CriterionValues> ofCells, ofMesh, ofNeighbors;
   for (const CriterionValues& row : criteria)
   {
-    (row.Criterion->CellFunction ? ofCells : ofMesh).push_back(row);
+    (row.Criterion->CellFunction           ? ofCells
+        : row.Criterion->NeighborFunction ? ofNeighbors
+                                          : ofMesh)
+      .push_back(row);
   }
   const vtkIdType numberOfCells = mesh.GetNumberOfCells();
   const vtkIdType slab = std::max(SlabSize, numberOfCells / NumberOfReports + 1);
-  const double total =
-    static_cast<double>(numberOfCells) * ((ofCells.empty() ? 0 : 1) + (ofMesh.empty() ? 0 : 1));
+  const int passes = !ofCells.empty() + !ofMesh.empty() + !ofNeighbors.empty();
+  const double total = static_cast<double>(numberOfCells) * passes;
   double done = 0;
   const auto inSlabs = [&](auto&& evaluate)
   {
@@ -145,6 +198,10 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& options,
   };
 
   if (!ofCells.empty() && !inSlabs(CellEvaluation(mesh, options, ofCells)))
+  {
+    return false;
+  }
+  if (!ofNeighbors.empty() && !inSlabs(NeighborEvaluation(topology, options, ofNeighbors)))
   {
     return false;
   }

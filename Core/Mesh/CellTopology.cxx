@@ -12,6 +12,8 @@ void CellTopology::Clear()
   this->NumberOfPoints = 0;
   this->FaceOffsets.assign(1, 0);
   this->FacePoints.clear();
+  this->FaceNumbers.clear();
+  this->NumberOfAddedFaces = 0;
   this->Edges.clear();
   this->HasVertexFigures = false;
 }
@@ -20,6 +22,7 @@ void CellTopology::Clear()
 bool CellTopology::AddFace(const int* points, int size)
 {
   const int begin = this->FaceOffsets.back();
+  const int number = this->NumberOfAddedFaces++;
   for (int i = 0; i < size; ++i)
   {
     if (points[i] != points[i > 0 ? i - 1 : size - 1])
@@ -34,6 +37,7 @@ bool CellTopology::AddFace(const int* points, int size)
     return true;
   }
   this->FaceOffsets.push_back(end);
+  this->FaceNumbers.push_back(number);
   return end - begin < size;
 }
 

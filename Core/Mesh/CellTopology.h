@@ -34,6 +34,7 @@ public:
 
   int NumberOfPoints = 0;
   std::vector<int> FaceOffsets, FacePoints;
+  std::vector<int> FaceNumbers; ///< of every face, among all that were added
   std::vector<int> FaceEdges; ///< parallel to FacePoints: the edge from this point to the next
   std::vector<Edge> Edges;
   /// Every edge has two faces, or more of them in balance, which run along it in opposite directions.
@@ -75,6 +76,7 @@ public:
   void MakeVertexFigures();
 
 private:
+  int NumberOfAddedFaces = 0;
   bool IsBalanced() const;
   void ReverseFace(int face);
 

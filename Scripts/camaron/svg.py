@@ -23,7 +23,8 @@ def ticks(low: float, high: float, most: int) -> list[float]:
     [0.0, 20.0, 40.0, 60.0, 80.0]
     """
     span = high - low
-    if not span > 0.0 or not math.isfinite(span):
+    rounding = 1e-13 * max(abs(low), abs(high))
+    if not span > rounding or not math.isfinite(span):
         return [low]
     power = 10.0 ** math.floor(math.log10(span / most))
     for factor in (1, 2, 5, 10):

@@ -325,6 +325,109 @@ TEST(Criteria, ValuesByHand)
   ExpectNear(1, EvaluateAll(MakePolyhedron(points, faces)).at("Openness")[0], 1e-12, "open cube");
 }
 
+// Two cells that share a face, from the table of pairs: what each sees of the other.
+TEST(Criteria, Neighbors)
+{
+  const auto hexahedra = [](const Points& second)
+  {
+    Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+      { 1, 1, 1 }, { 0, 1, 1 } };
+    points.insert(points.end(), second.begin(), second.end());
+    return MakeGrid(points,
+      { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_HEXAHEDRON, { 1, 8, 9, 2, 5, 10, 11, 6 } } });
+  };
+  const double d = std::sqrt(0.5);
+  const struct
+  {
+    const char* Name;
+    Grid Mesh;
+    double NonOrthogonality, Quality, Skewness, Weight, Ratio;
+  } pairs[] = {
+    { "two unit cubes", hexahedra({ { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 2, 1, 1 } }), 0, 1, 0, 0.5, 1 },
+    { "cube and box", hexahedra({ { 3, 0, 0 }, { 3, 1, 0 }, { 3, 0, 1 }, { 3, 1, 1 } }), 0, 1, 0, 1.0 / 3,
+      0.5 },
+    { "cube and sheared cube", hexahedra({ { 2, 1, 0 }, { 2, 2, 0 }, { 2, 1, 1 }, { 2, 2, 1 } }),
+      26.56505118, d, 1, 0.5, 1 },
+  };
+  for (const auto& pair : pairs)
+  {
+    for (const Grid& grid : { pair.Mesh, ToPolyhedra(pair.Mesh) })
+    {
+      const Values values = EvaluateAll(grid);
+      for (const std::size_t cell : { 0, 1 })
+      {
+        ExpectNear(pair.NonOrthogonality, values.at("MaxNonOrthogonality")[cell], 1e-9, pair.Name);
+        ExpectNear(pair.Weight, values.at("MinFaceWeight")[cell], 1e-9, pair.Name);
+        ExpectNear(pair.Ratio, values.at("MinVolumeRatio")[cell], 1e-9, pair.Name);
+        ExpectNear(1 / pair.Ratio, values.at("CellVolumeRatio")[cell], 1e-9, pair.Name);
+      }
+      ExpectNear(pair.Quality,
+        std::min(values.at("OrthogonalQuality")[0], values.at("OrthogonalQuality")[1]), 1e-9, pair.Name);
+      // The skewness of the inner face is 0.5 in the third pair; the sides of the sheared cell have 1.
+      ExpectNear(pair.Skewness, values.at("MaxFaceSkewness")[1], 1e-9, pair.Name);
+    }
+  }
+  EXPECT_NEAR(EvaluateAll(pairs[2].Mesh).at("MaxFaceSkewness")[0], 0.5, 1e-9);
+
+  // A grid of 3 x 3 x 3 cubes: the one in the middle has six inner faces.
+  Points points;
+  Cells cells;
+  for (int i = 0; i < 64; ++i)
+  {
+    points.push_back({ double(i % 4), double(i / 4 % 4), double(i / 16) });
+  }
+  for (int i = 0; i < 27; ++i)
+  {
+    const vtkIdType a = i % 3 + 4 * (i / 3 % 3) + 16 * (i / 9);
+    cells.push_back(
+      { VTK_HEXAHEDRON, { a, a + 1, a + 5, a + 4, a + 16, a + 17, a + 21, a + 20 } });
+  }
+  const Values cube = EvaluateAll(MakeGrid(points, cells));
+  ExpectNear(8, cube.at("CellDeterminant")[13], 1e-12, "middle");
+  EXPECT_EQ(GetNullReason(cube.at("MaxBoundaryNonOrthogonality")[13]), NullReason::NoNeighbor);
+  ExpectNear(0, cube.at("MaxBoundaryNonOrthogonality")[0], 1e-12, "corner");
+
+  // Alone: nothing to compare with.
+  const Values alone = EvaluateAll(FindReferenceShape("unit cube").Polyhedron);
+  for (const char* name : { "MaxNonOrthogonality", "MinFaceWeight", "MinVolumeRatio", "CellVolumeRatio" })
+  {
+    EXPECT_EQ(GetNullReason(alone.at(name)[0]), NullReason::NoNeighbor) << name;
+  }
+  ExpectNear(0, alone.at("CellDeterminant")[0], 1e-12, "alone");
+  const std::map<std::string, std::array<double, 2>> boundary = {
+    { "right-corner tetrahedron", { 0.25, 0.9045340337 } }, { "square pyramid", { 0.25, 0.9045340337 } },
+    { "sheared hex", { 1, 0.7071067812 } }, { "flat sliver", { 0.49970012, 0.02999250221 } },
+    { "L-prism", { 1.333333333, 0.242535625 } }, { "warped hex", { 0.2248677249, 0.9502584925 } },
+  };
+  for (const auto& shape : boundary)
+  {
+    const Values values = EvaluateAll(FindReferenceShape(shape.first).Polyhedron);
+    ExpectNear(shape.second[0], values.at("MaxFaceSkewness")[0], 1e-9, shape.first);
+    ExpectNear(shape.second[1], values.at("OrthogonalQuality")[0], 1e-9, shape.first);
+  }
+
+  // A cell next to a piece border: what is beyond is not known, unless there are ghosts.
+  const Grid& two = pairs[0].Mesh;
+  EvaluationOptions options;
+  options.IsPieceWithoutGhosts = true;
+  const Values piece = EvaluateAll(two, options);
+  EXPECT_EQ(GetNullReason(piece.at("MaxNonOrthogonality")[0]), NullReason::MissingGhosts);
+  const unsigned char ghosts[] = { 0, 1 };
+  options = EvaluationOptions();
+  options.Ghosts = ghosts;
+  const Values withGhost = EvaluateAll(two, options);
+  ExpectNear(0, withGhost.at("MaxNonOrthogonality")[0], 1e-12, "owned");
+  EXPECT_EQ(GetNullReason(withGhost.at("MaxNonOrthogonality")[1]), NullReason::MissingGhosts);
+
+  // Polygons in a plane, with edges for faces.
+  const Values squares = EvaluateAll(MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 3, 1, 0 }, { 3, 2, 0 } },
+    { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_QUAD, { 2, 1, 4, 5 } } }));
+  ExpectNear(2, squares.at("CellVolumeRatio")[0], 1e-12, "areas");
+  ExpectNear(1.0 / 3, squares.at("MinFaceWeight")[1], 1e-12, "weights");
+  ExpectNear(std::atan2(0.5, 1.5) * 180 / Pi, squares.at("MaxNonOrthogonality")[0], 1e-9, "angle");
+}
+
 // Translation, rotation, renumbering and scaling change what they should and nothing else.
 TEST(Criteria, Invariance)
 {
@@ -688,7 +791,9 @@ TEST(Criteria, Registry)
   {
     EXPECT_EQ(FindCriterion(criterion.Name), &criterion) << "name used twice: " << criterion.Name;
     EXPECT_GT(std::string(criterion.Description).size(), 20u) << criterion.Name;
-    EXPECT_NE(criterion.CellFunction == nullptr, criterion.MeshFunction == nullptr);
+    EXPECT_EQ((criterion.CellFunction != nullptr) + (criterion.MeshFunction != nullptr) +
+        (criterion.NeighborFunction != nullptr),
+      1);
     EXPECT_LE(criterion.Range[0], criterion.Range[1]);
     EXPECT_LE(criterion.Acceptable[0], criterion.Acceptable[1]);
     EXPECT_EQ(criterion.HasAcceptableRange(),

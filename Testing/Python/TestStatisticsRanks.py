@@ -16,7 +16,18 @@ from paraview import simple
 from paraview.servermanager import OutputPort
 
 ARRAYS = list(mesh_parts.make_values(1))
-CRITERIA = ["Volume", "Area", "EquiangleSkewness", "EdgeLengthRatio", "MaxNeighborNormalAngle"]
+CRITERIA = [
+    "Volume",
+    "Area",
+    "EquiangleSkewness",
+    "EdgeLengthRatio",
+    "MaxNeighborNormalAngle",
+    "MaxNonOrthogonality",
+    "MaxFaceSkewness",
+    "MinVolumeRatio",
+    "OrthogonalQuality",
+    "CellDeterminant",
+]
 EXAMPLES = ("flange.visf", "voronoi-ball.visf")
 PORTS = ("statistics", "histogram", "worst")
 

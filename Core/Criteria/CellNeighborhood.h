@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellNeighborhood
+ * @brief A cell, its facets, and the cells on their other sides, as finite volumes see them.
+ *
+ * The facets of a polyhedron are its faces; those of a polygon its edges, with a vector area that lies in
+ * the plane of the polygon and has the length of the edge. All coordinates are relative to the first point of
+ * the cell. Holds scratch memory: use one per thread.
+ */
+#ifndef camaron_CellNeighborhood_h
+#define camaron_CellNeighborhood_h
+
+#include "Criteria/CellGeometry.h"
+#include "Mesh/MeshTopology.h"
+
+#include <vector> // for the facets
+
+namespace camaron
+{
+/// Centroid and volume or area of every cell of a mesh.
+struct CellCenters
+{
+  std::vector<Vector> Centroids; ///< not relative to anything
+  std::vector<double> Sizes;     ///< null where the cell is not closed
+
+  CellCenters(const MeshView& mesh, const EvaluationOptions& options);
+};
+
+class CellNeighborhood
+{
+public:
+  enum class Side
+  {
+    Cell,        ///< there is one other cell
+    Boundary,    ///< there is none
+    Missing,     ///< the other cell is in another piece
+    NonManifold  ///< there are several, or the cell itself
+  };
+  struct Facet
+  {
+    Vector Area;   ///< out of the cell
+    Vector Center;
+    Side Other = Side::Boundary;
+    Vector OtherCentroid;
+    double OtherSize = 0;
+    int Number = 0; ///< of the face or edge in the cell
+  };
+
+  CellNeighborhood(
+    const MeshTopology& topology, const CellCenters& centers, const EvaluationOptions& options);
+
+  /// Parts of the geometry that are always computed.
+  static constexpr unsigned BaseNeeds = NeedsFaces | NeedsCentroid;
+
+  /// Takes a cell; false if it has no facets that can be told apart.
+  bool Load(vtkIdType cell, const CellGeometry& geometry);
+
+  const CellGeometry& GetGeometry() const { return *this->Geometry; }
+  const Vector& GetCentroid() const { return this->Geometry->GetCentroid(); }
+  /// Volume or area.
+  double GetSize() const { return this->Size; }
+  const std::vector<Facet>& GetFacets() const { return this->Facets; }
+
+  /// Calls @a visit(const Vector&) for the points of a facet.
+  template <typename Visit>
+  void ForEachPoint(const Facet& facet, Visit&& visit) const
+  {
+    const CellTopology& topology = this->Geometry->GetTopology();
+    if (this->IsPolygon)
+    {
+      const int* ring = topology.GetFace(0);
+      const int next = facet.Number + 1 < topology.GetFaceSize(0) ? facet.Number + 1 : 0;
+      visit(this->Geometry->GetPoint(ring[facet.Number]));
+      visit(this->Geometry->GetPoint(ring[next]));
+      return;
+    }
+    for (int i = 0; i < topology.GetFaceSize(facet.Number); ++i)
+    {
+      visit(this->Geometry->GetPoint(topology.GetFace(facet.Number)[i]));
+    }
+  }
+
+private:
+  void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, Facet& facet) const;
+
+  const CellCenters& Centers;
+  const unsigned char* Ghosts;
+  bool IsPieceWithoutGhosts;
+  const FacetTable* Faces = nullptr; ///< of 3D cells, if there are any
+  const FacetTable* Edges = nullptr; ///< of 2D cells, if there are any
+  const CellGeometry* Geometry = nullptr;
+  bool IsPolygon = false;
+  double Size = 0;
+  std::vector<Facet> Facets;
+};
+}
+
+#endif

@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What finite volumes ask of a cell and its neighbours, as OpenFOAM's checkMesh and Fluent define it.
+#include "Criteria/CellNeighborhood.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+using Facet = CellNeighborhood::Facet;
+using Side = CellNeighborhood::Side;
+
+//------------------------------------------------------------------------------
+// The worst of what facets have, or why there is none. A neighbour in another piece, of which nothing is
+// known, might be worse than all others.
+class Worst
+{
+public:
+  explicit Worst(bool largest)
+    : Sign(largest ? 1 : -1)
+  {
+  }
+  void Add(double value)
+  {
+    if (!std::isnan(value))
+    {
+      this->Value = this->IsEmpty ? value : std::max(this->Sign * value, this->Sign * this->Value) * this->Sign;
+      this->IsEmpty = false;
+    }
+    else if (this->Reason == NullReason::NoNeighbor)
+    {
+      this->Reason = NullReason::Degenerate;
+    }
+  }
+  void AddMissing() { this->IsMissing = true; }
+  double Get() const
+  {
+    return this->IsMissing ? Null(NullReason::MissingGhosts)
+      : this->IsEmpty      ? Null(this->Reason)
+                           : this->Value;
+  }
+
+private:
+  double Sign;
+  double Value = 0;
+  bool IsEmpty = true;
+  bool IsMissing = false;
+  NullReason Reason = NullReason::NoNeighbor;
+};
+
+//------------------------------------------------------------------------------
+// The worst measure(facet) of the facets with a cell on the other side.
+template <typename Measure>
+double WorstOfInnerFacets(const CellNeighborhood& cell, bool largest, Measure&& measure)
+{
+  Worst worst(largest);
+  for (const Facet& facet : cell.GetFacets())
+  {
+    if (facet.Other == Side::Cell)
+    {
+      worst.Add(measure(facet));
+    }
+    else if (facet.Other == Side::Missing)
+    {
+      worst.AddMissing();
+    }
+  }
+  return worst.Get();
+}
+
+//------------------------------------------------------------------------------
+bool IsZero(const CellNeighborhood& cell, const Facet& facet)
+{
+  const CellGeometry& geometry = cell.GetGeometry();
+  return geometry.GetShapes() & Polygons ? geometry.IsZeroLength(Norm(facet.Area))
+                                         : geometry.IsZeroArea(Norm(facet.Area));
+}
+
+//------------------------------------------------------------------------------
+double GetAngle(const Vector& a, const Vector& b)
+{
+  return std::atan2(Norm(Cross(a, b)), Dot(a, b));
+}
+
+//------------------------------------------------------------------------------
+double GetSkewness(const CellNeighborhood& cell, const Facet& facet)
+{
+  if (IsZero(cell, facet))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const bool isBoundary = facet.Other == Side::Boundary;
+  const Vector way = facet.Center - cell.GetCentroid();
+  Vector line = facet.OtherCentroid - cell.GetCentroid();
+  if (isBoundary)
+  {
+    // As if a mirrored cell lay beyond.
+    const Vector normal = Unit(facet.Area);
+    line = Dot(normal, way) * normal;
+  }
+  const double across = Dot(facet.Area, line);
+  if (cell.GetGeometry().IsZeroLength(std::abs(across) / Norm(facet.Area)))
+  {
+    return Infinity;
+  }
+  const Vector offset = way - (Dot(facet.Area, way) / across) * line;
+  const double distance = Norm(offset);
+  const Vector direction = Unit(offset);
+  double reach = (isBoundary ? 0.4 : 0.2) * Norm(line);
+  cell.ForEachPoint(facet,
+    [&](const Vector& point)
+    { reach = std::max(reach, std::abs(Dot(direction, point - facet.Center))); });
+  return distance / reach;
+}
+}
+
+//------------------------------------------------------------------------------
+double MaxNonOrthogonality(const CellNeighborhood& cell)
+{
+  const double angle = WorstOfInnerFacets(cell, true,
+    [&](const Facet& facet)
+    {
+      const Vector line = facet.OtherCentroid - cell.GetCentroid();
+      return IsZero(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(line))
+        ? Null(NullReason::Degenerate)
+        : GetAngle(line, facet.Area);
+    });
+  return std::isnan(angle) ? angle : cell.GetGeometry().ToAngleUnit(angle);
+}
+
+//------------------------------------------------------------------------------
+double MaxBoundaryNonOrthogonality(const CellNeighborhood& cell)
+{
+  Worst worst(true);
+  for (const Facet& facet : cell.GetFacets())
+  {
+    if (facet.Other == Side::Boundary)
+    {
+      const Vector way = facet.Center - cell.GetCentroid();
+      worst.Add(IsZero(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(way))
+          ? Null(NullReason::Degenerate)
+          : GetAngle(way, facet.Area));
+    }
+    else if (facet.Other == Side::Missing)
+    {
+      worst.AddMissing();
+    }
+  }
+  const double angle = worst.Get();
+  return std::isnan(angle) ? angle : cell.GetGeometry().ToAngleUnit(angle);
+}
+
+//------------------------------------------------------------------------------
+double MaxFaceSkewness(const CellNeighborhood& cell)
+{
+  Worst worst(true);
+  for (const Facet& facet : cell.GetFacets())
+  {
+    if (facet.Other == Side::Cell || facet.Other == Side::Boundary)
+    {
+      worst.Add(GetSkewness(cell, facet));
+    }
+    else if (facet.Other == Side::Missing)
+    {
+      worst.AddMissing();
+    }
+  }
+  return worst.Get();
+}
+
+//------------------------------------------------------------------------------
+double MinFaceWeight(const CellNeighborhood& cell)
+{
+  return WorstOfInnerFacets(cell, false,
+    [&](const Facet& facet)
+    {
+      const double own = std::abs(Dot(facet.Area, facet.Center - cell.GetCentroid()));
+      const double other = std::abs(Dot(facet.Area, facet.OtherCentroid - facet.Center));
+      const double distance = own + other;
+      return IsZero(cell, facet) || cell.GetGeometry().IsZeroLength(distance / Norm(facet.Area))
+        ? Null(NullReason::Degenerate)
+        : std::min(own, other) / distance;
+    });
+}
+
+//------------------------------------------------------------------------------
+double MinVolumeRatio(const CellNeighborhood& cell)
+{
+  if (std::isnan(cell.GetSize()))
+  {
+    return cell.GetSize();
+  }
+  return WorstOfInnerFacets(cell, false,
+    [&](const Facet& facet)
+    {
+      const double smaller = std::min(cell.GetSize(), facet.OtherSize);
+      return std::isnan(facet.OtherSize) ? facet.OtherSize
+        : smaller <= 0                   ? 0
+                                         : smaller / std::max(cell.GetSize(), facet.OtherSize);
+    });
+}
+
+//------------------------------------------------------------------------------
+double CellVolumeRatio(const CellNeighborhood& cell)
+{
+  const double ratio = MinVolumeRatio(cell);
+  return std::isnan(ratio) ? ratio : ratio > 0 ? 1 / ratio : Infinity;
+}
+
+//------------------------------------------------------------------------------
+double OrthogonalQuality(const CellNeighborhood& cell)
+{
+  Worst worst(false);
+  for (const Facet& facet : cell.GetFacets())
+  {
+    // A vector of no length makes the quality 0.
+    const Vector normal = IsZero(cell, facet) ? Vector() : Unit(facet.Area);
+    worst.Add(Dot(normal, Unit(facet.Center - cell.GetCentroid())));
+    if (facet.Other == Side::Cell)
+    {
+      worst.Add(Dot(normal, Unit(facet.OtherCentroid - cell.GetCentroid())));
+    }
+    else if (facet.Other == Side::Missing)
+    {
+      worst.AddMissing();
+    }
+  }
+  return worst.Get();
+}
+
+//------------------------------------------------------------------------------
+double CellDeterminant(const CellNeighborhood& cell)
+{
+  double mean = 0;
+  int count = 0;
+  for (const Facet& facet : cell.GetFacets())
+  {
+    if (facet.Other == Side::Missing)
+    {
+      return Null(NullReason::MissingGhosts);
+    }
+    if (facet.Other == Side::Cell)
+    {
+      mean += Norm(facet.Area);
+      ++count;
+    }
+  }
+  if (count == 0 || cell.GetGeometry().IsZeroArea(mean / count))
+  {
+    return 0;
+  }
+  mean /= count;
+  double m[3][3] = {};
+  for (const Facet& facet : cell.GetFacets())
+  {
+    if (facet.Other == Side::Cell)
+    {
+      const double v[3] = { facet.Area.X / mean, facet.Area.Y / mean, facet.Area.Z / mean };
+      for (int i = 0; i < 3; ++i)
+      {
+        for (int j = 0; j < 3; ++j)
+        {
+          m[i][j] += v[i] * v[j];
+        }
+      }
+    }
+  }
+  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+}
