@@ -15,6 +15,9 @@
 #include "Mesh/MeshView.h"
 #include "Scan/IdSet.h"
 
+#include "vtkDataArray.h"         // for moving the view
+#include "vtkUnsignedCharArray.h" // for moving the view
+
 #include <vector> // for cells
 
 namespace camaron

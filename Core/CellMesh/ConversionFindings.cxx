@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellMesh/ConversionFindings.h"
+
+#include "CellMesh/ConversionPlan.h"
+#include "Mesh/CellShape.h"
+#include "Scan/MappedFile.h"
+#include "vtkCamaronCompat.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+using Kind = ConversionStep::Kind;
+
+//------------------------------------------------------------------------------
+std::string Join(const std::vector<std::string>& parts)
+{
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 < parts.size() ? ", " : " and ") + parts[i];
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void AddPerType(Warnings& warnings, const std::array<Tally, 256>& tallies, const std::string& what)
+{
+  for (int type = 0; type < 256; ++type)
+  {
+    const std::string name = " of type " + GetCellTypeName(static_cast<unsigned char>(type)) + what;
+    warnings.Add(tallies[type], "cell", "cells", name.c_str() + 1);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string GetCellTypeName(unsigned char type)
+{
+  if (type == VTK_EMPTY_CELL)
+  {
+    return "empty cell";
+  }
+  const std::string name = GetCellClassName(type); // vtkQuadraticTetra
+  if (name.compare(0, 3, "vtk") != 0)
+  {
+    return std::to_string(static_cast<int>(type));
+  }
+  std::string words;
+  for (std::size_t i = 3; i < name.size(); ++i)
+  {
+    const bool isUpper = std::isupper(static_cast<unsigned char>(name[i])) != 0;
+    const bool wasLower = i > 3 && !std::isupper(static_cast<unsigned char>(name[i - 1]));
+    words += isUpper && wasLower ? " " : "";
+    words += static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+  }
+  return words;
+}
+
+//------------------------------------------------------------------------------
+bool HasUnsupported(const ConversionFindings& found)
+{
+  return std::any_of(found.Unsupported.begin(), found.Unsupported.end(),
+    [](const Tally& tally) { return tally.Count > 0; });
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeRefusal(
+  const CellConversion& how, const ConversionFindings& found, const std::string& path)
+{
+  CellConversion cutting = how;
+  cutting.Others = UnsupportedCells::Convert;
+  const ConversionPlan plan(cutting);
+  std::vector<std::string> kinds;
+  bool triangles = false, tetrahedra = false;
+  for (int type = 0; type < 256; ++type)
+  {
+    const Tally& tally = found.Unsupported[type];
+    if (tally.Count == 0)
+    {
+      continue;
+    }
+    const auto step = plan[static_cast<unsigned char>(type)].What;
+    tetrahedra = tetrahedra || step == Kind::Tetrahedra || step == Kind::Polyhedron;
+    triangles =
+      triangles || ((step == Kind::Surface || step == Kind::Polygon) && plan.CutsPolygons());
+    kinds.push_back(std::to_string(tally.Count) + (tally.Count == 1 ? " cell" : " cells") +
+      " of type " + GetCellTypeName(static_cast<unsigned char>(type)) +
+      (tally.Count == 1 ? " (cell " : " (the first is cell ") + std::to_string(tally.First) + ")");
+  }
+  std::string help = "set Unsupported Cells to ";
+  if (how.Others == UnsupportedCells::Refuse && (triangles || tetrahedra))
+  {
+    help += std::string("Convert to cut them into ") +
+      (triangles && tetrahedra ? "triangles and tetrahedra"
+          : triangles          ? "triangles"
+                               : "tetrahedra") +
+      ", or to ";
+  }
+  help += "Skip to leave them out";
+  return GetFileName(path) + ": " + how.Format + " files cannot hold " + Join(kinds) + "; " + help;
+}
+
+//------------------------------------------------------------------------------
+void WarnOfConversion(
+  const CellConversion& how, const ConversionFindings& found, Warnings& warnings)
+{
+  AddPerType(warnings, found.Reduced, " written without their nodes of higher order");
+  const std::string faces = std::string("of three dimensions written by ") +
+    (how.Surface == SurfaceFaces::Every ? "all their faces, " : "the faces of their boundary, ") +
+    std::to_string(found.NumberOfFaces) + " polygons";
+  warnings.Add(found.Surface, "cell", "cells", faces.c_str());
+  std::array<Tally, 256> cut2D = found.Cut, cut3D = found.Cut;
+  for (int type = 0; type < 256; ++type)
+  {
+    const bool isCell = GetCellShape(static_cast<unsigned char>(type)).Dimension == 3 &&
+      how.Surface == SurfaceFaces::None;
+    (isCell ? cut2D : cut3D)[type] = Tally();
+  }
+  AddPerType(warnings, cut2D, " cut into triangles");
+  AddPerType(warnings, cut3D, " cut into tetrahedra");
+  warnings.Add(found.Uncut, "cell", "cells",
+    "with polygons that cross themselves or have no area, whose triangles are arbitrary");
+  const std::string bad = "not convex or inside out, of whose tetrahedra " +
+    std::to_string(found.NumberOfNotPositive) + " have no positive volume";
+  warnings.Add(found.NotPositive, "cell", "cells", bad.c_str());
+  AddPerType(
+    warnings, found.Unsupported, " left out, as " + how.Format + " files cannot hold them");
+}
+}
