@@ -78,6 +78,8 @@ void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
   os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
   os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
+  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
+  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -179,6 +181,8 @@ int vtkElementQuality::RequestData(
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
   options.TrustFaceOrientation = this->TrustFaceOrientation;
   options.DegeneracyTolerance = this->DegeneracyTolerance;
+  options.ConvexityTolerance = this->ConvexityTolerance;
+  options.PlanarityTolerance = this->PlanarityTolerance;
   try
   {
     const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(input);

@@ -94,6 +94,23 @@ public:
   vtkGetMacro(DegeneracyTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * How far an angle may exceed 180 degrees in a cell that CellStatus and IsConvex take as convex, in
+   * degrees whatever AngleUnits says. Default: 1e-4.
+   */
+  vtkSetClampMacro(ConvexityTolerance, double, 0.0, 180.0);
+  vtkGetMacro(ConvexityTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Largest warpage (see MaxWarpage) of a face that CellStatus takes as planar. Default: 0.1.
+   */
+  vtkSetClampMacro(PlanarityTolerance, double, 0.0, 1.0);
+  vtkGetMacro(PlanarityTolerance, double);
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -116,6 +133,8 @@ private:
   bool WriteNullMask = false;
   bool TrustFaceOrientation = false;
   double DegeneracyTolerance = 0;
+  double ConvexityTolerance = 1e-4;
+  double PlanarityTolerance = 0.1;
 };
 
 #endif

@@ -83,6 +83,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
 {
   this->CellType = mesh.GetCellType(cell);
   this->HasFloatPoints = mesh.HasFloatPoints();
+  this->Options = &options;
   this->TrustFaceOrientation = options.TrustFaceOrientation;
   this->DegeneracyTolerance = options.DegeneracyTolerance;
   this->AngleFactor = options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;

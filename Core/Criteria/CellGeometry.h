@@ -35,6 +35,10 @@ struct EvaluationOptions
   /// The mesh is one of several pieces without ghost cells: a cell without a neighbour may have one in
   /// another piece.
   bool IsPieceWithoutGhosts = false;
+  /// How far an angle may exceed 180 degrees in a convex cell, in degrees.
+  double ConvexityTolerance = 1e-4;
+  /// Largest warpage of a planar face.
+  double PlanarityTolerance = 0.1;
   /// Of every cell whether it is a ghost, not 0; or none.
   const unsigned char* Ghosts = nullptr;
 };
@@ -55,6 +59,11 @@ public:
   unsigned char GetCellType() const { return this->CellType; }
   /// False if a coordinate is NaN or infinite: nothing but counts has a value then.
   bool IsFinite() const { return this->Finite; }
+  /// True for a type whose faces follow from its nodes.
+  bool IsOfStandardType() const { return this->IsStandard; }
+  /// True if a face has the same point twice in a row.
+  bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
+  const EvaluationOptions& GetOptions() const { return *this->Options; }
 
   const CellTopology& GetTopology() const { return *this->Topology; }
   /// The first point.
@@ -173,6 +182,7 @@ private:
   const CellShape* CellShapes;
   const StandardCell* StandardCells;
 
+  const EvaluationOptions* Options = nullptr;
   unsigned Shapes = 0;
   unsigned char CellType = 0;
   bool IsStandard = false;

@@ -28,6 +28,9 @@ constexpr bool Cited = false;
 constexpr bool Integer = true;
 constexpr bool Real = false;
 
+constexpr unsigned NeedsAll =
+  NeedsEdges | NeedsFaces | NeedsVolume | NeedsCorners | NeedsDihedral | NeedsSolidAngle | NeedsCentroid;
+
 // Calls one function for a block of cells; declares the function, too. A direct call per cell.
 #define CELLS(Function)                                                                            \
   [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
@@ -325,6 +328,30 @@ const std::vector<Criterion>& GetCriteria()
       Polyhedra, Unit::None, { 0, 1 }, 0, Better::Smaller,
       { -Infinity, 1e-6 }, CheckMesh, Cited, Real,
       Cost::Edges, NeedsFaces | NeedsVolume, CELLS(Openness) },
+
+    // Validity. Bits as in CellStatusBits.h.
+    { "CellStatus", "Cell status",
+      "Sum of what is wrong: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 a face that "
+      "comes to a point twice, 16 not convex, 32 faces not outward, 64 faces not planar, 128 degenerate "
+      "faces, 256 coincident points, 4096 open edge, 8192 edge of several faces, 16384 pinched vertex, "
+      "32768 inverted or no volume, 65536 edge of no length, 262144 coordinates that are not finite, "
+      "524288 face vectors that do not cancel. The first nine as in VTK's Validate Cells.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
+      { -Infinity, 0 }, "nothing wrong", Cited, Integer, Cost::Edges, NeedsAll, CELLS(CellStatus) },
+    { "FaceOrientationStatus", "Orientation of faces",
+      "0 if all faces point outward, 1 inward, 2 some of both, 3 they cannot be made to agree.",
+      Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
+      { -Infinity, 0 }, "outward", Cited, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CELLS(FaceOrientationStatus) },
+    { "IsConvex", "Convex", "1 if neither faces nor edges bend inward (within ConvexityTolerance), else 0.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CELLS(IsConvex) },
+    { "IsWatertight", "Watertight", "1 if every edge of the cell has at least two faces, else 0.",
+      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1, Infinity }, "closed", Cited, Integer, Cost::Edges, NeedsAll, CELLS(IsWatertight) },
+    { "IsValid", "Valid",
+      "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex, else 0.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1, Infinity }, "valid", Cited, Integer, Cost::Edges, NeedsAll, CELLS(IsValid) },
 
     // Finite volumes: a cell and its neighbours. Of polygons, with edges for faces.
     { "MaxNonOrthogonality", "Largest non-orthogonality",

@@ -13,6 +13,7 @@ void CellTopology::Clear()
   this->FaceOffsets.assign(1, 0);
   this->FacePoints.clear();
   this->FaceNumbers.clear();
+  this->Reversed.clear();
   this->NumberOfAddedFaces = 0;
   this->Edges.clear();
   this->HasVertexFigures = false;
@@ -38,6 +39,7 @@ bool CellTopology::AddFace(const int* points, int size)
   }
   this->FaceOffsets.push_back(end);
   this->FaceNumbers.push_back(number);
+  this->Reversed.push_back(0);
   return end - begin < size;
 }
 
@@ -169,6 +171,13 @@ void CellTopology::ReverseFace(int face)
   std::reverse(this->FacePoints.begin() + begin, this->FacePoints.begin() + end);
   // The last edge joins the last point with the first one also when the others run backwards.
   std::reverse(this->FaceEdges.begin() + begin, this->FaceEdges.begin() + end - 1);
+  this->Reversed[face] ^= 1;
+}
+
+//------------------------------------------------------------------------------
+int CellTopology::GetNumberOfReversedFaces() const
+{
+  return static_cast<int>(std::count(this->Reversed.begin(), this->Reversed.end(), 1));
 }
 
 //------------------------------------------------------------------------------

@@ -72,6 +72,8 @@ public:
   void MakeOneGroup();
   int GetGroup(int face) const { return this->Groups[face]; }
   int GetNumberOfGroups() const { return this->NumberOfGroups; }
+  /// Faces that run against the order in which they were added.
+  int GetNumberOfReversedFaces() const;
   void ReverseFaces(int group);
   void MakeVertexFigures();
 
@@ -82,6 +84,7 @@ private:
 
   std::vector<int> FirstEdges, NextEdges; // edges by their smaller point
   std::vector<int> Groups, Stack;
+  std::vector<unsigned char> Reversed;
   int NumberOfGroups = 0;
   struct Corner
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values of the criteria against tables that an independent program computed from closed forms, against
 // themselves under what must not change them, and on degenerate cells.
+#include "Criteria/CellStatusBits.h"
 #include "Criteria/Evaluation.h"
 
 #include "ReferenceShapes.h"
@@ -428,6 +429,80 @@ TEST(Criteria, Neighbors)
   ExpectNear(std::atan2(0.5, 1.5) * 180 / Pi, squares.at("MaxNonOrthogonality")[0], 1e-9, "angle");
 }
 
+// What is wrong with a cell, bit by bit.
+TEST(Criteria, Validity)
+{
+  const auto status = [](const Grid& grid)
+  { return static_cast<unsigned>(EvaluateAll(grid).at("CellStatus")[0]); };
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    const unsigned expected = shape.Name == std::string("L-prism") ? Nonconvex
+      : shape.Name == std::string("warped hex")                    ? NonPlanarFaces
+                                                                    : 0u;
+    EXPECT_EQ(status(shape.Polyhedron), expected) << shape.Name;
+    const Values values = EvaluateAll(shape.Polyhedron);
+    EXPECT_EQ(values.at("IsConvex")[0], !(expected & Nonconvex)) << shape.Name;
+    EXPECT_EQ(values.at("IsValid")[0], 1) << shape.Name;
+    EXPECT_EQ(values.at("FaceOrientationStatus")[0], 0) << shape.Name;
+  }
+
+  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { 0, 1, 1 } };
+  const Faces outward = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
+  Faces faces = outward;
+  faces.pop_back();
+  EXPECT_EQ(status(MakePolyhedron(corners, faces)), NotWatertight | OpenCell);
+  EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("IsWatertight")[0], 0);
+  faces = outward;
+  for (auto& face : faces)
+  {
+    std::reverse(face.begin(), face.end());
+  }
+  EXPECT_EQ(status(MakePolyhedron(corners, faces)), FacesAreOrientedIncorrectly);
+  EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("FaceOrientationStatus")[0], 1);
+  faces = outward;
+  std::reverse(faces[2].begin(), faces[2].end());
+  EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("FaceOrientationStatus")[0], 2);
+
+  Points points = corners;
+  points[6] = points[5]; // an edge of no length
+  EXPECT_EQ(status(MakePolyhedron(points, outward)) & (ZeroLengthEdge | CoincidentPoints),
+    ZeroLengthEdge | CoincidentPoints);
+  points = corners;
+  points[3][2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(status(MakePolyhedron(points, outward)), NonFinitePoint);
+
+  const Points unit = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 } };
+  const auto tetrahedron = [&](std::vector<vtkIdType> ids)
+  { return status(MakeGrid(unit, { { VTK_TETRA, ids } })); };
+  EXPECT_EQ(tetrahedron({ 0, 1, 2, 3 }), 0u);
+  EXPECT_EQ(tetrahedron({ 1, 0, 2, 3 }), InvertedOrZeroVolume | FacesAreOrientedIncorrectly);
+  EXPECT_EQ(tetrahedron({ 0, 1, 2, 4 }) & InvertedOrZeroVolume, InvertedOrZeroVolume);
+  EXPECT_NE(tetrahedron({ 0, 1, 2, 2 }) & WrongNumberOfPoints, 0u);
+
+  const auto polygon = [&](std::vector<vtkIdType> ids)
+  { return status(MakeGrid(unit, { { VTK_POLYGON, ids } })); };
+  EXPECT_EQ(polygon({ 0, 1, 4, 2 }), 0u);
+  EXPECT_NE(polygon({ 0, 1, 2, 4 }) & IntersectingEdges, 0u); // a bow tie
+  EXPECT_NE(polygon({ 0, 1, 4, 0, 2 }) & NoncontiguousEdges, 0u);
+  EXPECT_NE(polygon({ 0, 1, 1, 4, 2 }) & CoincidentPoints, 0u);
+  EXPECT_NE(polygon({ 0, 1, 0 }) & WrongNumberOfPoints, 0u);
+
+  // A cube whose top is pushed down through its bottom.
+  points = corners;
+  points[6][2] = -0.5;
+  EXPECT_NE(status(MakePolyhedron(points, outward)) & IntersectingFaces, 0u);
+
+  // Two tetrahedra that meet in one point, as one cell.
+  const Points pair = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
+    { 0, 0, -1 } };
+  EXPECT_EQ(status(MakePolyhedron(pair,
+              { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 4, 5 }, { 0, 5, 6 }, { 0, 6, 4 },
+                { 4, 6, 5 } })) &
+      (NonManifoldVertex | NotWatertight),
+    NonManifoldVertex);
+}
+
 // Translation, rotation, renumbering and scaling change what they should and nothing else.
 TEST(Criteria, Invariance)
 {
@@ -483,7 +558,7 @@ TEST(Criteria, Invariance)
     }
     std::reverse(faces.begin(), faces.end());
     ExpectSame(values, EvaluateAll(MakePolyhedron(points, faces)), 1e-10,
-      std::string(shape.Name) + " renumbered");
+      std::string(shape.Name) + " renumbered", { "CellStatus", "FaceOrientationStatus" });
   }
 }
 

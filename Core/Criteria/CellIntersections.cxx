@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/CellIntersections.h"
+
+#include "Criteria/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+double Clamp(double value)
+{
+  return std::min(1.0, std::max(0.0, value));
+}
+
+//------------------------------------------------------------------------------
+// Distance of the segments p + s u and q + t v, s and t from 0 to 1.
+double GetDistance(const Vector& p, const Vector& u, const Vector& q, const Vector& v)
+{
+  const Vector w = p - q;
+  const double a = Norm2(u), b = Dot(u, v), c = Norm2(v), d = Dot(u, w), e = Dot(v, w);
+  const double determinant = a * c - b * b;
+  double s = determinant > 0 ? Clamp((b * e - c * d) / determinant) : 0;
+  const double t = c > 0 ? Clamp((b * s + e) / c) : 0;
+  s = a > 0 ? Clamp((b * t - d) / a) : 0;
+  return Norm(w + s * u - t * v);
+}
+
+//------------------------------------------------------------------------------
+// Whether the segment from p to q crosses or touches the triangle.
+bool Crosses(const Vector& p, const Vector& q, const Vector& a, const Vector& b, const Vector& c)
+{
+  const Vector normal = Cross(b - a, c - a);
+  const double height = Dot(normal, p - a), depth = Dot(normal, q - a);
+  if (height * depth > 0 || height == depth)
+  {
+    return false;
+  }
+  const Vector hit = p + (height / (height - depth)) * (q - p);
+  return Dot(normal, Cross(b - a, hit - a)) >= 0 && Dot(normal, Cross(c - b, hit - b)) >= 0 &&
+    Dot(normal, Cross(a - c, hit - c)) >= 0;
+}
+
+//------------------------------------------------------------------------------
+bool HasPoint(const CellTopology& topology, int face, int point)
+{
+  const int* points = topology.GetFace(face);
+  return std::find(points, points + topology.GetFaceSize(face), point) !=
+    points + topology.GetFaceSize(face);
+}
+}
+
+//------------------------------------------------------------------------------
+bool HasIntersectingEdges(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* ring = topology.GetFace(f);
+    const int size = topology.GetFaceSize(f);
+    for (int i = 0; i + 2 < size; ++i)
+    {
+      const Vector &p = cell.GetPoint(ring[i]), u = cell.GetPoint(ring[i + 1]) - p;
+      for (int j = i + 2; j < size; ++j)
+      {
+        const int a = ring[j], b = ring[j + 1 < size ? j + 1 : 0];
+        if (a == ring[i] || a == ring[i + 1] || b == ring[i] || b == ring[i + 1])
+        {
+          continue;
+        }
+        const Vector& q = cell.GetPoint(a);
+        if (cell.IsZeroLength(GetDistance(p, u, q, cell.GetPoint(b) - q)))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool HasIntersectingFaces(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  for (const CellTopology::Edge& edge : topology.Edges)
+  {
+    const Vector &p = cell.GetPoint(edge.Points[0]), &q = cell.GetPoint(edge.Points[1]);
+    for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+    {
+      if (HasPoint(topology, f, edge.Points[0]) || HasPoint(topology, f, edge.Points[1]))
+      {
+        continue;
+      }
+      const int* ring = topology.GetFace(f);
+      const int size = topology.GetFaceSize(f);
+      for (int i = 0; i < size; ++i)
+      {
+        if (Crosses(p, q, cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]),
+              cell.GetFaceCenter(f)))
+        {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+}

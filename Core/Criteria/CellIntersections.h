@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellIntersections.h
+ * @brief Whether a cell cuts through itself.
+ */
+#ifndef camaron_CellIntersections_h
+#define camaron_CellIntersections_h
+
+namespace camaron
+{
+class CellGeometry;
+
+/// Whether two edges of a face meet that have no point in common.
+bool HasIntersectingEdges(const CellGeometry& cell);
+/// Whether an edge goes through a face with which it has no point in common. With NeedsFaces.
+bool HasIntersectingFaces(const CellGeometry& cell);
+}
+
+#endif

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/CellGeometry.h"
+#include "Criteria/CellIntersections.h"
+#include "Criteria/CellStatusBits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+double CellConcavity(const CellGeometry& cell);
+double MaxFaceConcavity(const CellGeometry& cell);
+double MaxWarpage(const CellGeometry& cell);
+double MinPointDistanceRatio(const CellGeometry& cell);
+double Openness(const CellGeometry& cell);
+double FaceOrientationStatus(const CellGeometry& cell);
+
+namespace
+{
+constexpr double OpennessLimit = 1e-6;
+constexpr double HalfTurn = 3.141592653589793238462643383279502884;
+
+/// What makes a cell unfit whatever it is used for; faces may be warped, and turned if need be.
+constexpr unsigned Defects = WrongNumberOfPoints | IntersectingEdges | IntersectingFaces |
+  NoncontiguousEdges | DegenerateFaces | CoincidentPoints | NotWatertight | NonManifoldEdge |
+  NonManifoldVertex | InvertedOrZeroVolume | ZeroLengthEdge | NonFinitePoint | OpenCell;
+
+//------------------------------------------------------------------------------
+unsigned Flag(bool isSet, unsigned bit)
+{
+  return isSet ? bit : 0;
+}
+
+//------------------------------------------------------------------------------
+bool HasPointTwiceInFace(const CellTopology& topology)
+{
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* face = topology.GetFace(f);
+    for (int i = 1; i < topology.GetFaceSize(f); ++i)
+    {
+      if (std::find(face, face + i, face[i]) != face + i)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Of the faces, which a polygon has one of.
+unsigned CheckFaces(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  bool isDegenerate = false;
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    isDegenerate = isDegenerate || cell.IsZeroArea(cell.GetFaceArea(f));
+  }
+  const double tolerance = cell.ToAngleUnit(cell.GetOptions().ConvexityTolerance * HalfTurn / 180);
+  return Flag(isDegenerate, DegenerateFaces) | Flag(HasPointTwiceInFace(topology), NoncontiguousEdges) |
+    Flag(HasIntersectingEdges(cell), IntersectingEdges) |
+    Flag(MaxWarpage(cell) > cell.GetOptions().PlanarityTolerance, NonPlanarFaces) |
+    Flag(MaxFaceConcavity(cell) > tolerance, Nonconvex);
+}
+
+//------------------------------------------------------------------------------
+unsigned CheckPolyhedron(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  unsigned status =
+    Flag(cell.GetNumberOfPoints() < 4 || topology.GetNumberOfFaces() < 4, WrongNumberOfPoints);
+  for (const CellTopology::Edge& edge : topology.Edges)
+  {
+    status |= Flag(edge.Uses == 1, NotWatertight) | Flag(edge.Uses > 2, NonManifoldEdge);
+  }
+  const double volume = cell.GetVolume();
+  const bool hasVolume = !std::isnan(volume);
+  const double tolerance = cell.GetOptions().ConvexityTolerance * HalfTurn / 180;
+  status |= Flag(hasVolume && (volume < 0 || cell.IsZeroVolume(volume)), InvertedOrZeroVolume);
+  status |= Flag(FaceOrientationStatus(cell) > 0, FacesAreOrientedIncorrectly);
+  status |= Flag(Openness(cell) > OpennessLimit, OpenCell);
+  status |= Flag(hasVolume && GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology,
+    NonManifoldVertex);
+  status |= Flag(
+    cell.GetMaxDihedralAngle() > HalfTurn + tolerance || CellConcavity(cell) > tolerance, Nonconvex);
+  return status;
+}
+}
+
+//------------------------------------------------------------------------------
+double FaceOrientationStatus(const CellGeometry& cell)
+{
+  enum
+  {
+    Outward,
+    Inward,
+    Mixed,
+    NotOrientable
+  };
+  const CellTopology& topology = cell.GetTopology();
+  const double volume = cell.GetVolume();
+  if (std::isnan(volume))
+  {
+    // Faces that could not be made to agree, although every edge has two of them.
+    const bool isManifold = topology.IsManifold && topology.GetNumberOfFaces() >= 4;
+    return isManifold ? double(NotOrientable) : volume;
+  }
+  const int reversed = cell.IsOfStandardType() ? 0 : topology.GetNumberOfReversedFaces();
+  if (reversed == 0)
+  {
+    return volume < 0 && !cell.IsZeroVolume(volume) ? Inward : Outward;
+  }
+  return reversed == topology.GetNumberOfFaces() ? Inward : Mixed;
+}
+
+//------------------------------------------------------------------------------
+double CellStatus(const CellGeometry& cell)
+{
+  if (!(cell.GetShapes() & PolygonsAndPolyhedra))
+  {
+    return 0;
+  }
+  if (!cell.IsFinite())
+  {
+    return NonFinitePoint;
+  }
+  unsigned status = CheckFaces(cell) |
+    Flag(cell.GetNumberOfPoints() > 1 && MinPointDistanceRatio(cell) == 0, CoincidentPoints) |
+    Flag(cell.HasRepeatedPoints(), CoincidentPoints) |
+    Flag(cell.IsZeroLength(cell.GetMinEdgeLength()), ZeroLengthEdge);
+  if (cell.GetShapes() & Polygons)
+  {
+    status |= Flag(cell.GetNumberOfPoints() < 3, WrongNumberOfPoints);
+  }
+  else
+  {
+    status |= CheckPolyhedron(cell);
+    // The faces of a convex cell do not meet; looking is expensive.
+    status |= Flag((status & Nonconvex) && HasIntersectingFaces(cell), IntersectingFaces);
+  }
+  return status;
+}
+
+//------------------------------------------------------------------------------
+double IsConvex(const CellGeometry& cell)
+{
+  const auto status = static_cast<unsigned>(CellStatus(cell));
+  return (status & (Nonconvex | NotWatertight | NonManifoldEdge | NonFinitePoint)) == 0;
+}
+
+//------------------------------------------------------------------------------
+double IsWatertight(const CellGeometry& cell)
+{
+  const auto status = static_cast<unsigned>(CellStatus(cell));
+  return (status & (NotWatertight | NonFinitePoint)) == 0;
+}
+
+//------------------------------------------------------------------------------
+double IsValid(const CellGeometry& cell)
+{
+  return (static_cast<unsigned>(CellStatus(cell)) & Defects) == 0;
+}
+}
