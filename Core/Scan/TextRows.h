@@ -146,8 +146,10 @@ private:
   {
     if (this->Layout == RowLayout::OneLine && this->HasBegun && !this->HasMore())
     {
-      this->Scanner->FailAt(
-        this->Scanner->GetPosition(), ErrorKind::Syntax, what, "the end of the line");
+      const bool isLast = !TextScanner(*this->Scanner).SkipSpace();
+      this->Scanner->FailAt(this->Scanner->GetPosition(),
+        isLast ? ErrorKind::Truncated : ErrorKind::Syntax, what,
+        isLast ? "the end of the file" : "the end of the line");
       return false;
     }
     this->HasBegun = true;
