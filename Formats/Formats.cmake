@@ -18,3 +18,10 @@ camaron_format(
   WRITES      "ASCII"
   READER
   WRITER)
+
+camaron_format(
+  NAME        M3D
+  EXTENSIONS  m3d m2d mvm
+  DESCRIPTION "M3D mesh of mixed elements"
+  READS       "M3D, M2D and MVM with codes, projections and materials"
+  READER)

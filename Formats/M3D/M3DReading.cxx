@@ -1,0 +1,463 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "M3DReading.h"
+
+#include "CellMesh/CellGrid.h"
+#include "CellMesh/CellRows.h"
+#include "M3DElements.h"
+#include "M3DSections.h"
+#include "Scan/ReadMappedFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Node[] = "a node of an element";
+constexpr char Element[] = "an element (T, P, R, H, t or q)";
+constexpr char MVMElement[] = "an element (T, P, R, H or Q)";
+constexpr int NodeBytes = 8;    // "1 0 0 0" and a line end
+constexpr int MVMNodeBytes = 6; // without a code
+constexpr int ElementBytes = 8; // "t 0 1 2" and a line end
+
+//------------------------------------------------------------------------------
+struct NodeRow
+{
+  double Position[3];
+  std::int64_t Code = 1;
+  double Projection[3] = { 0, 0, 0 };
+};
+
+//------------------------------------------------------------------------------
+bool ReadNode(TextRow& row, M3DDialect dialect, NodeRow& node)
+{
+  const auto readVector = [&row](double* x, const char* what)
+  { return row.ReadReal(x[0], what) && row.ReadReal(x[1], what) && row.ReadReal(x[2], what); };
+  if (dialect != M3DDialect::MVM &&
+    (!row.ReadInteger(node.Code, "the code of a node") || node.Code != static_cast<int>(node.Code)))
+  {
+    return row.FailAt(row.GetPosition(), ErrorKind::Syntax, "a code of a node below 2147483648");
+  }
+  return readVector(node.Position, "a coordinate of a node") &&
+    ((node.Code != 2 && node.Code != 3) ||
+      readVector(node.Projection, "the projection of a node of code 2 or 3"));
+}
+
+//------------------------------------------------------------------------------
+class M3DReading
+{
+public:
+  M3DReading(const PieceRequest& request, const M3DOptions& options, vtkUnstructuredGrid* grid)
+    : Request(request)
+    , Options(options)
+    , Grid(grid)
+  {
+  }
+
+  /// Starts anew with every call.
+  bool Read(
+    TextScanner& scanner, const TextLines* lines, RowLayout layout, const Progress& progress);
+  Warnings Messages;
+
+private:
+  bool ReadCounts(TextScanner& scanner);
+  const ElementKind* ReadKind(TextRow& row) const;
+  const ElementKind* ReadElement(TextRow& row, std::int32_t* nodes) const;
+  bool ReadElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool ReadNodes(
+    TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
+  bool ReadCodes(
+    TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
+  bool ReadMaterials(
+    TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
+  void AddMaterials();
+  void WarnOfRest(TextScanner& scanner);
+
+  PieceRequest Request;
+  M3DOptions Options;
+  vtkUnstructuredGrid* Grid;
+
+  RowLayout Layout = RowLayout::OneLine;
+  M3DDialect Dialect = M3DDialect::M3D;
+  std::int64_t NumberOfNodes = 0;
+  std::int64_t NumberOfElements = 0;
+  OtherSections Others;
+  CellMesh Mesh;
+  std::unique_ptr<MaterialTally> Found;
+  const char* NodesEnd = nullptr;
+  std::atomic<bool> HasCodes{ false };
+  vtkSmartPointer<vtkDataArray> Points, Codes, Projections, Materials;
+};
+
+//------------------------------------------------------------------------------
+// The letter of an element, perhaps with the number of its nodes.
+const ElementKind* M3DReading::ReadKind(TextRow& row) const
+{
+  const char* const what = this->Dialect == M3DDialect::MVM ? MVMElement : Element;
+  std::string_view word;
+  if (!row.ReadWord(word, what))
+  {
+    return nullptr;
+  }
+  const ElementKind* kind = FindElementKind(word[0], this->Dialect);
+  if (!kind)
+  {
+    row.FailAt(word.data(), ErrorKind::Syntax, what);
+    return nullptr;
+  }
+  if (word.size() > 1 && IsDigit(word[1]))
+  {
+    std::int64_t number = 0;
+    ParseInteger(word.data() + 1, word.data() + word.size(), number);
+    if (number != kind->NumberOfNodes)
+    {
+      row.FailAt(word.data(), ErrorKind::Unsupported,
+        std::string("an element of type ") + kind->Letter + " with " +
+          std::to_string(kind->NumberOfNodes) + " nodes");
+      return nullptr;
+    }
+  }
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+// In the order of the file.
+const ElementKind* M3DReading::ReadElement(TextRow& row, std::int32_t* nodes) const
+{
+  const ElementKind* kind = this->ReadKind(row);
+  for (int i = 0; kind && i < kind->NumberOfNodes; ++i)
+  {
+    // In MVM files triangles have the letter of tetrahedra, and nothing follows them.
+    if (i == 3 && kind->Letter == 'T' && this->Dialect == M3DDialect::MVM && !row.HasMore())
+    {
+      static const ElementKind triangle = { 'T', VTK_TRIANGLE, 3 };
+      return &triangle;
+    }
+    if (!row.ReadId(nodes[i], 0, this->NumberOfNodes - 1, Node))
+    {
+      return nullptr;
+    }
+  }
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+bool M3DReading::ReadElements(
+  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  this->Found = std::make_unique<MaterialTally>(scanner.GetEnd());
+  if (this->NumberOfElements == 0)
+  {
+    this->Mesh = MakeCloud(this->NumberOfNodes);
+    return true;
+  }
+  this->Mesh = CellMesh();
+  this->Mesh.NumberOfPoints = this->NumberOfNodes;
+  return ReadCells(
+    scanner, lines, this->NumberOfElements, this->Mesh, progress,
+    [this](vtkIdType, TextRow& row, CellSink& sink)
+    {
+      std::int32_t nodes[MaxElementNodes];
+      const ElementKind* const kind = this->ReadElement(row, nodes);
+      if (!kind)
+      {
+        return false;
+      }
+      sink.BeginCell(kind->Type);
+      const int* const order = kind->GetOrder();
+      for (int i = 0; i < kind->NumberOfNodes; ++i)
+      {
+        sink.AddPoint(nodes[order[i]]);
+      }
+      if (this->Dialect != M3DDialect::MVM)
+      {
+        this->Found->Add(row);
+      }
+      return true;
+    },
+    this->Layout);
+}
+
+//------------------------------------------------------------------------------
+// Of all nodes it is found whether they have codes, coordinates are kept of those of the piece.
+bool M3DReading::ReadNodes(
+  TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+{
+  Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
+  const bool good = ReadRows(
+    scanner, lines, this->NumberOfNodes, progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      NodeRow node;
+      if (!ReadNode(row, this->Dialect, node))
+      {
+        return false;
+      }
+      if (node.Code != 1)
+      {
+        this->HasCodes.store(true, std::memory_order_relaxed);
+      }
+      if (const vtkIdType point = piece.FindPoint(i); point >= 0)
+      {
+        const double factor = node.Code == 2 && this->Options.AddProjection ? 1 : 0;
+        for (int c = 0; c < 3; ++c)
+        {
+          coordinates[3 * point + c] = node.Position[c] + factor * node.Projection[c];
+        }
+      }
+      return true;
+    },
+    this->Layout);
+  this->Points = coordinates.TakeArray<vtkDoubleArray>(3);
+  return good && scanner.GetPosition() == this->NodesEnd;
+}
+
+//------------------------------------------------------------------------------
+bool M3DReading::ReadCodes(
+  TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+{
+  Buffer<int> codes(piece.GetNumberOfPoints());
+  Buffer<double> projections(3 * piece.GetNumberOfPoints());
+  const bool good = ReadRows(
+    scanner, lines, this->NumberOfNodes, progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      NodeRow node;
+      const bool isGood = ReadNode(row, this->Dialect, node);
+      if (const vtkIdType point = piece.FindPoint(i); isGood && point >= 0)
+      {
+        codes[point] = static_cast<int>(node.Code);
+        std::copy(node.Projection, node.Projection + 3, projections.data() + 3 * point);
+      }
+      return isGood;
+    },
+    this->Layout);
+  this->Codes = codes.TakeArray<vtkIntArray>();
+  this->Codes->SetName(NodeCodeName);
+  this->Projections = projections.TakeArray<vtkDoubleArray>(3);
+  this->Projections->SetName(ProjectionName);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool M3DReading::ReadMaterials(
+  TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+{
+  Buffer<double> materials(MaterialSize * piece.GetNumberOfCells());
+  const bool good = ReadRows(
+    scanner, lines, this->NumberOfElements, progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      std::int32_t nodes[MaxElementNodes];
+      double unused[MaterialSize];
+      const vtkIdType cell = piece.FindCell(i);
+      double* const values = cell < 0 ? unused : materials.data() + MaterialSize * cell;
+      bool isGood = this->ReadElement(row, nodes) != nullptr;
+      for (int c = 0; c < MaterialSize && isGood; ++c)
+      {
+        isGood = row.ReadReal(values[c], "the material of an element");
+      }
+      return isGood;
+    },
+    this->Layout);
+  this->Materials = materials.TakeArray<vtkDoubleArray>(MaterialSize);
+  this->Materials->SetName(MaterialName);
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// A material that all elements have in common is one of the whole mesh.
+void M3DReading::AddMaterials()
+{
+  if (this->Materials)
+  {
+    this->Grid->GetCellData()->AddArray(this->Materials);
+  }
+  else if (this->Found->IsFoundSomewhere() && !this->Found->IsMissingSomewhere())
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(MaterialName);
+    array->SetNumberOfComponents(MaterialSize);
+    array->InsertNextTuple(this->Found->GetMaterial());
+    this->Grid->GetFieldData()->AddArray(array);
+  }
+}
+
+//------------------------------------------------------------------------------
+void M3DReading::WarnOfRest(TextScanner& scanner)
+{
+  if (scanner.SkipSpace() && *scanner.GetPosition() != '[')
+  {
+    this->Messages.Add("there is more data after the end of the mesh");
+  }
+  // No section has this name.
+  FindSection(scanner, "[\n", scanner.GetBytesLeft(), this->Others);
+  if (this->Others.Count > 0)
+  {
+    this->Messages.Add("sections that are not read: " + std::to_string(this->Others.Count) +
+      ", the first is '" + this->Others.First + "'");
+  }
+}
+
+//------------------------------------------------------------------------------
+bool M3DReading::ReadCounts(TextScanner& scanner)
+{
+  if (!ReadHeading(scanner, this->Dialect, this->Others))
+  {
+    return false;
+  }
+  const bool isMVM = this->Dialect == M3DDialect::MVM;
+  return scanner.ReadCount(
+           this->NumberOfNodes, isMVM ? MVMNodeBytes : NodeBytes, "the number of nodes") &&
+    (!isMVM || scanner.ReadCount(this->NumberOfElements, ElementBytes, "the number of elements"));
+}
+
+//------------------------------------------------------------------------------
+bool M3DReading::Read(
+  TextScanner& scanner, const TextLines* lines, RowLayout layout, const Progress& progress)
+{
+  this->Grid->Initialize();
+  this->Messages = Warnings();
+  this->Others = OtherSections();
+  this->Layout = layout;
+  this->HasCodes = false;
+  this->Materials = nullptr;
+  if (!this->ReadCounts(scanner))
+  {
+    return false;
+  }
+  // The nodes come first, but which of them a piece needs is known from its elements.
+  const TextScanner nodes = scanner;
+  if (!SkipRows(
+        scanner, lines, this->NumberOfNodes, progress.Part(0, 0.05),
+        [this](vtkIdType, TextRow& row)
+        {
+          NodeRow node;
+          return ReadNode(row, this->Dialect, node);
+        },
+        this->Layout))
+  {
+    return false;
+  }
+  this->NodesEnd = scanner.GetPosition();
+  if (this->Dialect != M3DDialect::MVM)
+  {
+    if (scanner.SkipSpace() && *scanner.GetPosition() != '[')
+    {
+      this->Messages.Add("there are more lines in the section of nodes than its number says");
+    }
+    if (!FindSection(scanner, "[elements,", scanner.GetBytesLeft(), this->Others))
+    {
+      scanner.FailAt(scanner.GetEnd(), ErrorKind::Truncated, "the section '[Elements,'");
+      return false;
+    }
+    if (!scanner.ReadCount(this->NumberOfElements, ElementBytes, "the number of elements"))
+    {
+      return false;
+    }
+  }
+  const TextScanner elements = scanner;
+  if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.4)))
+  {
+    return false;
+  }
+
+  CellPiece piece;
+  if (!piece.Select(this->Mesh, this->Request, progress.Part(0.4, 0.5)) ||
+    !this->ReadNodes(nodes, lines, piece, progress.Part(0.5, 0.7)) ||
+    (this->HasCodes && !this->ReadCodes(nodes, lines, piece, progress.Part(0.7, 0.8))))
+  {
+    return false;
+  }
+  const bool complete = !this->Found->IsMissingSomewhere();
+  if (complete && this->Found->Varies() &&
+    !this->ReadMaterials(elements, lines, piece, progress.Part(0.8, 0.9)))
+  {
+    return false;
+  }
+
+  if (this->Request.Piece == 0)
+  {
+    if (!complete && this->Found->Varies())
+    {
+      this->Messages.Add("the material of elements is not read, as some elements have none");
+    }
+    WarnOfPoints(this->Points, this->Messages, progress.Part(0.9, 0.95), "node", "nodes");
+    WarnOfRepeatedPoints(this->Mesh, this->Messages, progress.Part(0.95, 1), "element", "elements");
+    this->WarnOfRest(scanner);
+  }
+  else
+  {
+    this->Messages = Warnings();
+  }
+  FillGrid(this->Mesh, piece, this->Points, this->Grid);
+  if (this->HasCodes)
+  {
+    this->Grid->GetPointData()->AddArray(this->Codes);
+    this->Grid->GetPointData()->AddArray(this->Projections);
+  }
+  this->AddMaterials();
+  return !progress.IsStopped();
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsM3D(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  if (!file.Open(path, error))
+  {
+    return false;
+  }
+  TextScanner scanner("", file.begin(), file.end(), '#');
+  M3DDialect dialect;
+  OtherSections others;
+  std::int64_t nodes;
+  return ReadHeading(scanner, dialect, others) && scanner.ReadInteger(nodes, "");
+}
+
+//------------------------------------------------------------------------------
+bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOptions& options,
+  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error, const Progress& progress,
+  vtkIdType chunk)
+{
+  M3DReading reading(request, options, grid);
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      const auto read = [&](RowLayout layout, vtkIdType chunkSize, ScanError& why)
+      {
+        return ReadText(file, '#', chunkSize, why, progress,
+          [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+          { return reading.Read(scanner, lines, layout, part); });
+      };
+      if (read(RowLayout::OneLine, chunk, error))
+      {
+        return true;
+      }
+      // Camarón reads numbers wherever a line ends; the counts and headings still have to fit then.
+      ScanError ignored;
+      const bool isFree = error.Kind == ErrorKind::Syntax &&
+        read(RowLayout::Free, file.end() - file.begin() + 1, ignored);
+      error = isFree ? ScanError() : error;
+      return isFree;
+    });
+  if (!good)
+  {
+    grid->Initialize();
+    return false;
+  }
+  warnings = std::move(reading.Messages);
+  return true;
+}
+}
