@@ -52,6 +52,30 @@ void Observe(vtkObject* object, unsigned long event, std::vector<std::string>& m
 }
 
 //------------------------------------------------------------------------------
+/// Stops a reader at its first or a later word about its progress.
+struct Stopper
+{
+  int Wait;
+  double Last = 0;
+  double At = -1;
+  bool GoesBack = false;
+};
+
+void Stop(vtkObject* object, unsigned long, void* stopper, void* fraction)
+{
+  auto* reader = static_cast<vtkMeshFileReader*>(object);
+  auto& self = *static_cast<Stopper*>(stopper);
+  const double now = *static_cast<double*>(fraction);
+  self.GoesBack = self.GoesBack || !(now >= self.Last && now <= 1);
+  self.Last = now;
+  if (--self.Wait == 0 && now < 1)
+  {
+    self.At = now;
+    reader->SetAbortExecuteAndUpdateTime();
+  }
+}
+
+//------------------------------------------------------------------------------
 std::string Quote(const std::string& text)
 {
   std::string quoted;
@@ -225,7 +249,41 @@ Reading ReaderTrial::Try(const MeshFiles& files, int laws)
   {
     reading.Fault = this->FindFaultInWriting(reading);
   }
+  if (reading.Fault.empty() && reading.Errors.empty() && (laws & Stopping))
+  {
+    reading.Fault = this->FindFaultInStopping(path);
+  }
   return reading;
+}
+
+//------------------------------------------------------------------------------
+std::string ReaderTrial::FindFaultInStopping(const std::string& path) const
+{
+  for (const int wait : { 1, 4, 16 })
+  {
+    Stopper stopper{ wait };
+    std::vector<std::string> errors, warnings;
+    vtkNew<vtkCallbackCommand> command;
+    command->SetCallback(Stop);
+    command->SetClientData(&stopper);
+    const vtkSmartPointer<vtkMeshFileReader> reader = MakeReader();
+    Observe(reader, vtkCommand::ErrorEvent, errors);
+    Observe(reader, vtkCommand::WarningEvent, warnings);
+    reader->AddObserver(vtkCommand::ProgressEvent, command);
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    if (stopper.GoesBack)
+    {
+      return "progress goes back, or beyond its end";
+    }
+    if (stopper.At >= 0 &&
+      (!errors.empty() || !IsEmpty(vtkUnstructuredGrid::SafeDownCast(reader->GetOutputDataObject(0)))))
+    {
+      return "stopped at " + std::to_string(stopper.At) +
+        (errors.empty() ? ": there is an output" : ": " + Quote(errors[0]));
+    }
+  }
+  return {};
 }
 
 //------------------------------------------------------------------------------

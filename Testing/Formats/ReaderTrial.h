@@ -37,7 +37,8 @@ enum Laws
   Parallel = 1, ///< read in many pieces of text as in one: the same mesh, the same error
   Pieces = 2,   ///< the pieces of ranks are good, and have all cells together
   Writing = 4,  ///< what the writer makes of the mesh is read as the same mesh
-  AllLaws = 7
+  Stopping = 8, ///< progress goes one way, and a reader that is stopped gives nothing and is silent
+  AllLaws = 15
 };
 
 class ReaderTrial
@@ -69,6 +70,7 @@ private:
   std::string FindFaultInPieces(
     const std::string& path, std::size_t size, const Reading& whole) const;
   std::string FindFaultInWriting(const Reading& reading) const;
+  std::string FindFaultInStopping(const std::string& path) const;
 
   Folder Input;
   Folder Output;

@@ -52,14 +52,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static ReaderTrial trial;
   const std::string bytes(reinterpret_cast<const char*>(data), size);
 
-  // Most inputs are read once only; which ones are tried under which further law depends on their bytes,
-  // so that a finding is one again when its bytes are tried alone.
+  // Under which further law an input is tried depends on its bytes, so that a finding is one again when
+  // its bytes are tried alone.
   std::uint32_t hash = 2166136261u; // Fowler, Noll and Vo's hash, FNV-1a
   for (const char byte : bytes)
   {
     hash = (hash ^ static_cast<std::uint8_t>(byte)) * 16777619u;
   }
-  constexpr int Choices[] = { Parallel, Pieces, Writing, NoFurtherLaws };
+  constexpr int Choices[] = { Parallel, Pieces, Writing, Stopping };
   const int laws = std::getenv("CAMARON_FUZZ_ALL_LAWS") ? int(AllLaws) : Choices[hash >> 16 & 3];
 
   const Reading reading = trial.Try(Unpack(bytes, GetFormat()), laws);
