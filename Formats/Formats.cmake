@@ -24,4 +24,6 @@ camaron_format(
   EXTENSIONS  m3d m2d mvm
   DESCRIPTION "M3D mesh of mixed elements"
   READS       "M3D, M2D and MVM with codes, projections and materials"
-  READER)
+  WRITES      "M3D, M2D and MVM with materials"
+  READER
+  WRITER)

@@ -449,7 +449,7 @@ bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOpti
       ScanError ignored;
       const bool isFree = error.Kind == ErrorKind::Syntax &&
         read(RowLayout::Free, file.end() - file.begin() + 1, ignored);
-      error = isFree ? ScanError() : error;
+      error = isFree || progress.IsStopped() ? ScanError() : error;
       return isFree;
     });
   if (!good)

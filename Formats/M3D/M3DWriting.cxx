@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "M3DWriting.h"
+
+#include "CellMesh/OutputMesh.h"
+#include "CellMesh/OutputWarnings.h"
+#include "Scan/RealFormat.h"
+#include "Scan/WriteRows.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+const char* GetName(M3DDialect dialect)
+{
+  return dialect == M3DDialect::M2D ? "M2D" : dialect == M3DDialect::MVM ? "MVM" : "M3D";
+}
+
+//------------------------------------------------------------------------------
+CellTypeSet GetTypes(M3DDialect dialect)
+{
+  switch (dialect)
+  {
+    case M3DDialect::M2D:
+      return { VTK_TRIANGLE, VTK_QUAD };
+    case M3DDialect::MVM:
+      return { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_TRIANGLE, VTK_QUAD };
+    default:
+      return { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON };
+  }
+}
+
+//------------------------------------------------------------------------------
+// The material of elements as text.
+class MaterialText
+{
+public:
+  explicit MaterialText(vtkDataSet* mesh)
+    : Cells(FindArray(mesh->GetCellData()))
+  {
+    vtkDataArray* all = this->Cells ? nullptr : FindArray(mesh->GetFieldData());
+    if (all && all->GetNumberOfTuples() == 1)
+    {
+      this->Common.clear();
+      AppendTuple(this->Common, all, 0);
+    }
+  }
+
+  bool HasCells() const { return this->Cells != nullptr; }
+  void Append(std::string& text, vtkIdType cell) const
+  {
+    if (this->Cells)
+    {
+      AppendTuple(text, this->Cells, cell);
+    }
+    else
+    {
+      text += this->Common;
+    }
+  }
+
+private:
+  static vtkDataArray* FindArray(vtkFieldData* data)
+  {
+    vtkDataArray* array = data->GetArray(MaterialName);
+    return array && array->GetNumberOfComponents() == MaterialSize ? array : nullptr;
+  }
+  static void AppendTuple(std::string& text, vtkDataArray* array, vtkIdType tuple)
+  {
+    for (int c = 0; c < MaterialSize; ++c)
+    {
+      text += ' ';
+      const std::size_t begin = text.size();
+      AppendNumber(text, array->GetComponent(tuple, c));
+      // Generators write 1000.0, not 1000.
+      text += text.find_first_not_of("-0123456789", begin) == std::string::npos ? ".0" : "";
+    }
+  }
+
+  vtkDataArray* Cells;
+  std::string Common = " 1000.0 0.45 1.0"; // what generators write
+};
+}
+
+//------------------------------------------------------------------------------
+M3DDialect GetM3DDialect(const std::string& path)
+{
+  std::string extension = path.size() < 4 ? "" : path.substr(path.size() - 4);
+  for (char& c : extension)
+  {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return extension == ".m2d" ? M3DDialect::M2D
+    : extension == ".mvm"    ? M3DDialect::MVM
+                             : M3DDialect::M3D;
+}
+
+//------------------------------------------------------------------------------
+bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& options,
+  Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  const M3DDialect dialect = options.Dialect;
+  const bool isMVM = dialect == M3DDialect::MVM;
+  const MaterialText material(mesh);
+  WarnOfArrays(mesh, GetName(dialect), warnings,
+    material.HasCells() && !isMVM ? std::vector<std::string>{ MaterialName }
+                                  : std::vector<std::string>());
+
+  const CellConversion how{ GetName(dialect), GetTypes(dialect), options.Others };
+  OutputMesh output;
+  if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  const std::string points = std::to_string(output.GetNumberOfPoints());
+  const std::string cells = std::to_string(output.GetNumberOfCells());
+
+  OutputFile file(path);
+  file.Write(isMVM ? "MIXED\n" + points + " " + cells + "\n\n"
+                   : "[Nodes, ARRAY1<STRING>]\n" + points + "\n\n");
+  const RealFormat format = RealFormat::Exponent(options.Digits - 1, 'E', true);
+  bool good = WriteRows(file, output.GetNumberOfPoints(), progress.Part(0.3, 0.7),
+    [&](vtkIdType point, std::string& text)
+    {
+      double x[3];
+      output.GetPoint(point, x);
+      text += isMVM ? "" : "1 ";
+      format.AppendRow(text, x, 3);
+    });
+  if (!isMVM)
+  {
+    file.Write("\n[Elements, ARRAY1<STRING>]\n" + cells + "\n\n");
+  }
+  good = good &&
+    WriteRows(file, output.GetNumberOfCells(), progress.Part(0.7, 1),
+      [&](vtkIdType cell, std::string& text)
+      {
+        const ElementKind* const kind = FindElementKind(output.GetCellType(cell), dialect);
+        const IndexRange nodes = output.GetCellPoints(cell);
+        const int* const order = kind->GetOrder();
+        text += kind->Letter;
+        for (int i = 0; i < kind->NumberOfNodes; ++i)
+        {
+          text += ' ';
+          AppendNumber(text, nodes[order[i]]);
+        }
+        if (!isMVM)
+        {
+          material.Append(text, output.GetInputCell(cell));
+        }
+        text += '\n';
+      });
+  good = good && file.Commit();
+  error = file.GetError();
+  return good;
+}
+}

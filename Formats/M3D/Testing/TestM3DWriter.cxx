@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// M3D, M2D and MVM files that we write: exact bytes, and the same mesh when they are read again.
+#include "FormatTesting.h"
+#include "TestMeshes.h"
+#include "vtkM3DReader.h"
+#include "vtkM3DWriter.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkSMPTools.h"
+
+#include <functional>
+#include <sstream>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+struct Written
+{
+  int Success = 0;
+  std::string Bytes;
+  std::vector<std::string> Errors, Warnings;
+};
+
+Written Write(vtkDataObject* mesh, const std::string& name,
+  const std::function<void(vtkM3DWriter*)>& configure = {})
+{
+  const File file("before", name);
+  Written result;
+  vtkNew<vtkM3DWriter> writer;
+  writer->SetFileName(file.Path.c_str());
+  writer->SetInputDataObject(mesh);
+  if (configure)
+  {
+    configure(writer);
+  }
+  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
+  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
+  result.Success = writer->Write();
+  std::ostringstream bytes;
+  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
+  result.Bytes = bytes.str();
+  return result;
+}
+
+const Points Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+  { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { .5, .5, 2 }, { 2, 0, 0 }, { 2, 0, 1 } };
+
+Grid MakeMixed()
+{
+  return MakeGrid(Corners,
+    { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_PYRAMID, { 4, 5, 6, 7, 8 } },
+      { VTK_WEDGE, { 1, 2, 9, 5, 6, 10 } }, { VTK_TETRA, { 5, 10, 6, 8 } } });
+}
+
+void AddMaterial(vtkFieldData* data, const std::vector<double>& values)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("Material");
+  array->SetNumberOfComponents(3);
+  for (std::size_t i = 0; i < values.size(); i += 3)
+  {
+    array->InsertNextTuple(values.data() + i);
+  }
+  data->AddArray(array);
+}
+
+void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  EXPECT_TRUE(HaveSameValues(a->GetPoints()->GetData(), b->GetPoints()->GetData()));
+  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
+  const auto ids = GetIds(a->GetPointData(), a->GetNumberOfPoints());
+  for (vtkIdType cell = 0; cell < a->GetNumberOfCells(); ++cell)
+  {
+    EXPECT_EQ(DescribeCell(a, cell, ids)[0], DescribeCell(b, cell, ids)[0]);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(M3DWriter, WritesWhatGeneratorsWrite)
+{
+  const Grid grid = MakeGrid(
+    { { 0, -0.1, 1. / 3 }, { 1, 0, 0 }, { 0, 1e-30, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 0, 1, 1 } },
+    { { VTK_WEDGE, { 0, 2, 1, 3, 5, 4 } }, { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Written file = Write(grid, "test.m3d");
+  ASSERT_TRUE(file.Success);
+  EXPECT_TRUE(file.Warnings.empty());
+  EXPECT_EQ(file.Bytes,
+    "[Nodes, ARRAY1<STRING>]\n6\n\n"
+    "1 +0.00000000E+00 -1.00000000E-01 +3.33333333E-01\n"
+    "1 +1.00000000E+00 +0.00000000E+00 +0.00000000E+00\n"
+    "1 +0.00000000E+00 +1.00000000E-30 +0.00000000E+00\n"
+    "1 +0.00000000E+00 +0.00000000E+00 +1.00000000E+00\n"
+    "1 +1.00000000E+00 +0.00000000E+00 +1.00000000E+00\n"
+    "1 +0.00000000E+00 +1.00000000E+00 +1.00000000E+00\n"
+    "\n[Elements, ARRAY1<STRING>]\n2\n\n"
+    "R 0 1 2 3 4 5 1000.0 0.45 1.0\nT 0 1 2 3 1000.0 0.45 1.0\n");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, what was written is another mesh when it is read.
+TEST(M3DWriter, RoundTrips)
+{
+  const Grid flat =
+    MakeGrid(Corners, { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 1, 9, 2 } } });
+  Grid all = MakeMixed();
+  all->InsertNextCell(VTK_QUAD, 4, std::array<vtkIdType, 4>{ 0, 1, 2, 3 }.data());
+  all->InsertNextCell(VTK_TRIANGLE, 3, std::array<vtkIdType, 3>{ 1, 9, 2 }.data());
+  const Grid cloud =
+    MakeGrid({ { 1, 2, 3 }, { 4, 5, 6 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
+  const struct
+  {
+    Grid Mesh;
+    const char* Name;
+  } cases[] = { { MakeMixed(), "a.m3d" }, { flat, "a.M2D" }, { all, "a.mvm" },
+    { MakeMixed(), "a.mvm" }, { cloud, "a.m3d" } };
+  for (const auto& c : cases)
+  {
+    const Written file = Write(c.Mesh, c.Name);
+    ASSERT_TRUE(file.Success) << (file.Errors.empty() ? "" : file.Errors[0]);
+    const Result again = ReadWith<vtkM3DReader>(File(file.Bytes, "b.m3d").Path);
+    ASSERT_TRUE(again.Errors.empty()) << again.Errors[0];
+    ExpectSameMesh(c.Mesh, again.Grid);
+    EXPECT_EQ(Write(again.Grid, c.Name).Bytes, file.Bytes);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(M3DWriter, KeepsDigitsOnRequest)
+{
+  const Grid grid = MakeGrid({ { 0.1, 1. / 3, 1e300 / 7 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Written file = Write(grid, "test.m3d", [](vtkM3DWriter* writer) { writer->SetDigits(17); });
+  const Result again = ReadWith<vtkM3DReader>(File(file.Bytes, "b.m3d").Path);
+  ExpectSameMesh(grid, again.Grid);
+}
+
+//------------------------------------------------------------------------------
+TEST(M3DWriter, WritesMaterials)
+{
+  Grid grid = MakeMixed();
+  AddMaterial(grid->GetFieldData(), { 5, 0.25, 1e-3 });
+  const Written common = Write(grid, "test.m3d");
+  EXPECT_NE(common.Bytes.find("T 5 10 6 8 5.0 0.25 0.001\n"), std::string::npos);
+  AddMaterial(grid->GetCellData(), { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12 });
+  const Written each = Write(grid, "test.m3d");
+  EXPECT_TRUE(each.Warnings.empty());
+  const Result again = ReadWith<vtkM3DReader>(File(each.Bytes, "b.m3d").Path);
+  EXPECT_TRUE(HaveSameValues(
+    again.Grid->GetCellData()->GetArray("Material"), grid->GetCellData()->GetArray("Material")));
+  const Written none = Write(grid, "test.mvm");
+  ASSERT_EQ(none.Warnings.size(), 1u);
+  EXPECT_NE(none.Warnings[0].find("Material"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+TEST(M3DWriter, WhatItCannotHold)
+{
+  Grid grid = MakeMixed();
+  grid->InsertNextCell(VTK_QUAD, 4, std::array<vtkIdType, 4>{ 0, 1, 2, 3 }.data());
+  const Written refused = Write(grid, "test.m3d");
+  EXPECT_EQ(refused.Success, 0);
+  EXPECT_EQ(refused.Bytes, "before");
+  EXPECT_EQ(refused.Errors.size(), 1u);
+  const Written skipped =
+    Write(grid, "test.m3d", [](vtkM3DWriter* w) { w->SetUnsupportedCells(vtkM3DWriter::SKIP); });
+  ASSERT_TRUE(skipped.Success);
+  EXPECT_EQ(skipped.Warnings.size(), 1u);
+  EXPECT_EQ(ReadWith<vtkM3DReader>(File(skipped.Bytes, "b.m3d").Path).Grid->GetNumberOfCells(), 4);
+
+  // Materials go with the parts of a cell that is cut, and with cells behind one that is left out.
+  Grid prism = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0.5, 2, 0 }, { 0, 1, 0 } },
+    { { VTK_POLYGON, { 0, 1, 2, 3, 4 } }, { VTK_TRIANGLE, { 0, 1, 2 } } });
+  AddMaterial(prism->GetCellData(), { 1, 2, 3, 4, 5, 6 });
+  const Written cut = Write(
+    prism, "test.m2d", [](vtkM3DWriter* w) { w->SetUnsupportedCells(vtkM3DWriter::CONVERT); });
+  const Result again = ReadWith<vtkM3DReader>(File(cut.Bytes, "b.m3d").Path);
+  ASSERT_EQ(Count(again.Grid, VTK_TRIANGLE), 4);
+  vtkDataArray* material = again.Grid->GetCellData()->GetArray("Material");
+  ASSERT_NE(material, nullptr);
+  EXPECT_EQ(material->GetComponent(2, 0), 1);
+  EXPECT_EQ(material->GetComponent(3, 0), 4);
+
+  const Grid voxel = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 0, 1 },
+                                { 1, 0, 1 }, { 0, 1, 1 }, { 1, 1, 1 } },
+    { { VTK_VOXEL, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
+  EXPECT_NE(Write(voxel, "test.m3d").Bytes.find("H 0 1 3 2 4 5 7 6 "), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+TEST(M3DWriter, DialectIsAnOption)
+{
+  const Written file =
+    Write(MakeMixed(), "test.m2d", [](vtkM3DWriter* w) { w->SetDialect(vtkM3DWriter::M3D); });
+  EXPECT_TRUE(file.Success);
+  EXPECT_EQ(Write(MakeMixed(), "test.m2d").Success, 0);
+  EXPECT_EQ(Write(MakeMixed(), "test").Bytes, file.Bytes);
+}
+
+//------------------------------------------------------------------------------
+// Rows are formatted by several threads.
+TEST(M3DWriter, ThreadsChangeNothing)
+{
+  Points points;
+  Cells cells;
+  for (int i = 0; i < 20000; ++i)
+  {
+    points.push_back({ i * 0.1, i % 7 * 1., i % 5 * 1. });
+    cells.push_back({ VTK_TETRA, { i, (i + 1) % 20000, (i + 2) % 20000, (i + 3) % 20000 } });
+  }
+  const Grid grid = MakeGrid(points, cells);
+  std::vector<std::string> files;
+  for (const int threads : { 1, 3 })
+  {
+    vtkSMPTools::LocalScope(
+      vtkSMPTools::Config(threads), [&] { files.push_back(Write(grid, "test.m3d").Bytes); });
+  }
+  EXPECT_EQ(files[0], files[1]);
+  EXPECT_GT(files[0].size(), 1000000u);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, files of mesh generators are not the same after reading and writing.
+TEST(M3DWriter, CollectedFilesStayAsTheyAre)
+{
+  const char* folder = std::getenv("CAMARON_SHARED_DATA");
+  if (!folder || !std::filesystem::exists(std::string(folder) + "/m3d"))
+  {
+    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder m3d";
+  }
+  for (const char* name : { "mesher_roi_cortex", "mesher_roi_cyl50" })
+  {
+    const std::string path = std::string(folder) + "/m3d/" + name + ".m3d";
+    std::ostringstream expected;
+    expected << std::ifstream(path, std::ios::binary).rdbuf();
+    const Result result = ReadWith<vtkM3DReader>(path);
+    EXPECT_TRUE(Write(result.Grid, "test.m3d").Bytes == expected.str()) << name;
+  }
+}
