@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The one table of formats: XML, README, help and choice of readers follow it."""
 
+import importlib.util
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
@@ -27,6 +28,7 @@ class TestFormats(camaron_testing.TestCase):
                 if not f[kind]:
                     continue
                 self.assertEqual(f[kind], f["name"] + kind.capitalize())
+                self.assertTrue(f["reads" if kind == "reader" else "writes"], f["name"])
                 found = set()
                 for hint in self.hints(f["name"], kind.capitalize(), tag):
                     found |= set(hint.get("extensions").split())
@@ -38,9 +40,15 @@ class TestFormats(camaron_testing.TestCase):
                     self.assertLessEqual(found, extensions, f["name"])
 
     def test_pages(self):
-        """Every format has a page."""
+        """Every format has a page, and the README the table as it is made."""
         for f in formats.own_formats():
             self.assertTrue((ROOT / "Formats" / f["name"] / "README.md").exists(), f["name"])
+        script = ROOT / "Documentation" / "make_formats.py"
+        spec = importlib.util.spec_from_file_location("make_formats", script)
+        make_formats = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(make_formats)
+        page = (ROOT / "README.md").read_text(encoding="utf-8")
+        self.assertEqual(page, make_formats.updated(page), "run Documentation/make_formats.py")
 
     def test_known_formats(self):
         """Readers and writers of one format are one entry, ours and ParaView's."""
