@@ -27,3 +27,10 @@ camaron_format(
   WRITES      "M3D, M2D and MVM with materials"
   READER
   WRITER)
+
+camaron_format(
+  NAME        PolygonOFF
+  EXTENSIONS  off coff noff cnoff stoff stcoff stnoff stcnoff 4off
+  DESCRIPTION "OFF polygon mesh"
+  READS       "polygons with every prefix, normals, texture and colours, ASCII and binary"
+  READER)

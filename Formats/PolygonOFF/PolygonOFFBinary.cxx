@@ -1,0 +1,379 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonOFFBinary.h"
+
+#include "Scan/BinaryScanner.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType BlockSize = 4096; // faces or vertices that one thread reads in a row
+constexpr int Word = 4;               // bytes
+constexpr int FaceBytes = 2 * Word;   // its number of vertices and that of components of its colour
+
+//------------------------------------------------------------------------------
+class BinaryReading
+{
+public:
+  BinaryReading(const BinaryScanner& scanner, const OFFHeader& keyword)
+    : Scanner(scanner)
+    , Header(keyword)
+  {
+  }
+
+  bool ReadHeader();
+  bool FindFaces(const Progress& progress);
+  bool ReadFaces(const Progress& progress);
+  bool ReadVertices(const CellPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
+
+  BinaryScanner Scanner;
+  OFFHeader Header;
+  OFFFaces Faces;
+  OFFFaceCensus FaceCensus;
+  OFFVertexCensus VertexCensus;
+
+private:
+  struct Block
+  {
+    const char* Place;
+    vtkIdType Cell;
+    vtkIdType Id;
+  };
+
+  bool ReadFace(
+    const char*& place, vtkIdType face, vtkIdType& cell, vtkIdType& id, OFFFaceCensus& seen);
+  OFFColor ReadColor(const char* place, std::int32_t count) const;
+  float ReadReal(const char* place) const { return Load<float>(place, this->Scanner.IsSwapped()); }
+  std::int32_t ReadInteger(const char* place) const
+  {
+    return Load<std::int32_t>(place, this->Scanner.IsSwapped());
+  }
+  std::int64_t GetVertexBytes() const
+  {
+    return Word * (this->Header.GetVertexSize() + (this->Header.HasColors ? 4 : 0));
+  }
+
+  const char* Vertices = nullptr;
+  std::vector<Block> Blocks;
+  vtkIdType NumberOfCells = 0;
+  vtkIdType NumberOfIds = 0;
+  std::int32_t CommonSize = -1;
+  bool HasFaceColors = false;
+};
+
+//------------------------------------------------------------------------------
+bool BinaryReading::ReadHeader()
+{
+  std::int32_t count;
+  if (this->Header.HasDimension)
+  {
+    const char* const place = this->Scanner.GetPosition();
+    if (!this->Scanner.ReadInteger(count, "the number of dimensions"))
+    {
+      return false;
+    }
+    if (count < 1)
+    {
+      this->Scanner.FailAt(
+        place, ErrorKind::Count, "the number of dimensions, at least 1", std::to_string(count));
+      return false;
+    }
+    this->Header.Dimension = count;
+  }
+  const auto vertexBytes =
+    static_cast<int>(std::min<std::int64_t>(this->GetVertexBytes(), INT32_MAX));
+  if (!this->Scanner.ReadCount(count, vertexBytes, "the number of vertices"))
+  {
+    return false;
+  }
+  this->Header.Vertices = count;
+  const char* const place = this->Scanner.GetPosition();
+  if (!this->Scanner.ReadInteger(count, "the number of faces") ||
+    !this->Scanner.Skip(Word, "the number of edges"))
+  {
+    return false;
+  }
+  this->Vertices = this->Scanner.Skip(vertexBytes * this->Header.Vertices, "the vertices");
+  if (this->Vertices && (count < 0 || count > this->Scanner.GetBytesLeft() / FaceBytes))
+  {
+    this->Scanner.FailAt(place, count < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+      "the number of faces, each of at least 8 bytes", std::to_string(count));
+  }
+  this->Header.Faces = count;
+  return !this->Scanner.HasFailed();
+}
+
+//------------------------------------------------------------------------------
+// Goes from face to face, to know where threads start and how much there is to store.
+bool BinaryReading::FindFaces(const Progress& progress)
+{
+  const vtkIdType count = this->Header.Faces;
+  for (vtkIdType face = 0; face < count; ++face)
+  {
+    const char* const place = this->Scanner.GetPosition();
+    if (face % BlockSize == 0)
+    {
+      this->Blocks.push_back({ place, this->NumberOfCells, this->NumberOfIds });
+      if (!progress.Report(static_cast<double>(face) / count))
+      {
+        return false;
+      }
+    }
+    std::int32_t size, components;
+    if (!this->Scanner.ReadCount(size, Word, "the number of vertices of a face") ||
+      !this->Scanner.Skip(Word * std::int64_t(size), "the vertices of a face") ||
+      !this->Scanner.ReadCount(
+        components, Word, "the number of components of the colour of a face") ||
+      !this->Scanner.Skip(Word * std::int64_t(components), "the colour of a face"))
+    {
+      return false;
+    }
+    this->CommonSize = this->CommonSize == -1 || this->CommonSize == size ? size : 0;
+    this->HasFaceColors = this->HasFaceColors || components > 0;
+    this->NumberOfCells += size > 0 ? 1 : 0;
+    this->NumberOfIds += size;
+  }
+  if (this->NumberOfIds > std::numeric_limits<std::int32_t>::max())
+  {
+    this->Scanner.FailAt(this->Scanner.GetPosition(), ErrorKind::Unsupported,
+      "fewer than 2147483648 vertices of all faces together", std::to_string(this->NumberOfIds));
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Real numbers from 0 to 1, or an index, of which it is not known whether programs write it as
+// real.
+OFFColor BinaryReading::ReadColor(const char* place, std::int32_t count) const
+{
+  OFFColor color;
+  color.Count = count <= 4 ? count : 0;
+  color.IsReal = count > 1;
+  for (int c = 0; c < color.Count; ++c)
+  {
+    color.Values[c] = this->ReadReal(place + Word * c);
+  }
+  // Small integers are tiny real numbers, which nobody means.
+  if (count == 1 && !(std::fabs(color.Values[0]) >= std::numeric_limits<float>::min()))
+  {
+    color.Values[0] = this->ReadInteger(place);
+  }
+  return color;
+}
+
+//------------------------------------------------------------------------------
+// False if an id is out of range.
+bool BinaryReading::ReadFace(
+  const char*& place, vtkIdType face, vtkIdType& cell, vtkIdType& id, OFFFaceCensus& seen)
+{
+  const std::int32_t size = this->ReadInteger(place);
+  place += Word;
+  std::int32_t* const ids = this->Faces.Mesh.Connectivity.data() + id;
+  const auto limit = static_cast<std::uint32_t>(this->Header.Vertices);
+  bool isGood = true;
+  for (std::int32_t i = 0; i < size; ++i, place += Word)
+  {
+    ids[i] = this->ReadInteger(place);
+    isGood = isGood && static_cast<std::uint32_t>(ids[i]) < limit;
+  }
+  const std::int32_t components = this->ReadInteger(place);
+  place += Word;
+  OFFColor color;
+  if (components > 0)
+  {
+    color = this->ReadColor(place, components);
+    if (!seen.Colors.Add(color) || color.Count == 0)
+    {
+      seen.WithOddColor.Add(face);
+    }
+    place += Word * std::ptrdiff_t(components);
+  }
+  seen.AddSize(face, size);
+  if (size > 0)
+  {
+    if (this->HasFaceColors)
+    {
+      this->Faces.Colors.Set(cell, color);
+    }
+    if (this->Faces.Mesh.CommonSize == 0)
+    {
+      this->Faces.Begin(cell, id, size);
+    }
+    ++cell;
+    id += size;
+  }
+  return isGood;
+}
+
+//------------------------------------------------------------------------------
+bool BinaryReading::ReadFaces(const Progress& progress)
+{
+  if (this->Header.Faces == 0)
+  {
+    this->Faces.Mesh = MakeCloud(this->Header.Vertices);
+    return true;
+  }
+  this->Faces.Allocate(
+    this->NumberOfCells, this->NumberOfIds, std::max(this->CommonSize, 0), this->HasFaceColors);
+  this->Faces.Mesh.NumberOfPoints = this->Header.Vertices;
+  const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
+  std::vector<OFFFaceCensus> seen(blocks);
+  std::vector<vtkIdType> badFaces(blocks, -1);
+  std::vector<const char*> badPlaces(blocks, nullptr);
+  const bool isComplete = progress.For(blocks,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType b = begin; b < end; ++b)
+      {
+        const char* place = this->Blocks[b].Place;
+        vtkIdType cell = this->Blocks[b].Cell, id = this->Blocks[b].Id;
+        const vtkIdType last = std::min((b + 1) * BlockSize, vtkIdType(this->Header.Faces));
+        for (vtkIdType face = b * BlockSize; face < last; ++face)
+        {
+          const char* const start = place;
+          if (!this->ReadFace(place, face, cell, id, seen[b]) && badFaces[b] < 0)
+          {
+            badFaces[b] = face;
+            badPlaces[b] = start;
+          }
+        }
+      }
+    });
+  for (vtkIdType b = 0; b < blocks && isComplete; ++b)
+  {
+    this->FaceCensus.Merge(seen[b]);
+    if (badFaces[b] >= 0)
+    {
+      const char* place = badPlaces[b] + Word;
+      while (static_cast<std::uint32_t>(this->ReadInteger(place)) < this->Header.Vertices)
+      {
+        place += Word;
+      }
+      this->Scanner.FailAt(place, ErrorKind::Index,
+        "a vertex of face " + std::to_string(badFaces[b]) + " from 0 to " +
+          std::to_string(this->Header.Vertices - 1),
+        std::to_string(this->ReadInteger(place)));
+      return false;
+    }
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+bool BinaryReading::ReadVertices(
+  const CellPiece& piece, OFFVertices<float>& vertices, const Progress& progress)
+{
+  const OFFHeader& header = this->Header;
+  const std::int64_t bytes = this->GetVertexBytes();
+  const auto readThree = [&](const char* place, double x[3])
+  {
+    for (std::int64_t c = 0; c < std::min<std::int64_t>(header.Dimension, 3); ++c)
+    {
+      x[c] = this->ReadReal(place + Word * c);
+    }
+  };
+  const std::int64_t normalAt =
+    Word * (header.GetPositionSize() + (header.HasColors && header.HasColorsFirst ? 4 : 0));
+  const std::int64_t colorAt =
+    Word * (header.GetPositionSize() + (header.HasColorsFirst ? 0 : header.GetNormalSize()));
+  const auto read = [&](vtkIdType vertex, vtkIdType point)
+  {
+    const char* const place = this->Vertices + bytes * vertex;
+    double x[3];
+    readThree(place, x);
+    vertices.SetPosition(
+      point, header, x, header.IsHomogeneous ? this->ReadReal(place + Word * header.Dimension) : 1);
+    if (header.HasNormals)
+    {
+      readThree(place + normalAt, x);
+      vertices.SetNormal(point, header, x);
+    }
+    if (header.HasColors)
+    {
+      vertices.Colors.Set(point, this->ReadColor(place + colorAt, 4));
+    }
+    if (header.HasTexture)
+    {
+      const double uv[2] = { this->ReadReal(place + bytes - 2 * Word),
+        this->ReadReal(place + bytes - Word) };
+      vertices.SetTexture(point, uv);
+    }
+  };
+  this->VertexCensus.Colors.HasColors = header.HasColors;
+  this->VertexCensus.Colors.HasReals = header.HasColors;
+  const vtkIdType count = header.Vertices;
+  return progress.For((count + BlockSize - 1) / BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType vertex = begin * BlockSize; vertex < std::min(end * BlockSize, count);
+           ++vertex)
+      {
+        if (const vtkIdType point = piece.FindPoint(vertex); point >= 0)
+        {
+          read(vertex, point);
+        }
+      }
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& keyword,
+  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
+  const Progress& progress)
+{
+  grid->Initialize();
+  const auto start = [&](ByteOrder order)
+  {
+    BinaryScanner scanner(file.GetName(), file.begin(), file.end(), order);
+    scanner.SetPosition(body);
+    return BinaryReading(scanner, keyword);
+  };
+  BinaryReading reading = start(ByteOrder::Big);
+  bool isGood = reading.ReadHeader();
+  if (!isGood)
+  {
+    BinaryReading little = start(ByteOrder::Little);
+    if (little.ReadHeader())
+    {
+      isGood = true;
+      reading = std::move(little);
+      if (request.Piece == 0)
+      {
+        warnings.Add("the file is little endian, though OFF files are big endian");
+      }
+    }
+  }
+  CellPiece piece;
+  OFFVertices<float> vertices;
+  isGood = isGood && reading.FindFaces(progress.Part(0, 0.3)) &&
+    reading.ReadFaces(progress.Part(0.3, 0.6)) &&
+    piece.Select(reading.Faces.Mesh, request, progress.Part(0.6, 0.65));
+  if (isGood)
+  {
+    vertices = OFFVertices<float>(reading.Header, piece.GetNumberOfPoints());
+    isGood = reading.ReadVertices(piece, vertices, progress.Part(0.65, 0.9));
+  }
+  if (!isGood)
+  {
+    error = progress.IsStopped() ? ScanError() : reading.Scanner.GetError();
+    return false;
+  }
+  if (request.Piece == 0 && reading.Scanner.GetBytesLeft() > 0)
+  {
+    warnings.Add("there is more data after the end of the mesh");
+  }
+  FillOFFGrid(reading.Header, reading.Faces, reading.FaceCensus, vertices, reading.VertexCensus,
+    piece, request, grid, warnings, progress.Part(0.9, 1));
+  return !progress.IsStopped();
+}
+}

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonOFFHeader.h"
+
+#include "Scan/TextRows.h"
+
+namespace camaron
+{
+namespace
+{
+constexpr char Expected[] = "an OFF file, which begins with [ST][C][N][4][n]OFF";
+constexpr std::int64_t NumberBytes = 2; // of text: a digit and a blank
+constexpr std::int64_t FaceBytes = 2;   // "0" and a line end
+
+//------------------------------------------------------------------------------
+bool Remove(std::string_view& word, std::string_view prefix)
+{
+  const bool found = word.substr(0, prefix.size()) == prefix;
+  word.remove_prefix(found ? prefix.size() : 0);
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// Sets a flag that may be set once only, if the word goes on with this prefix.
+bool Take(std::string_view& word, std::string_view prefix, bool& flag)
+{
+  const bool found = !flag && Remove(word, prefix);
+  flag = flag || found;
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// Takes the keyword off the start of a word.
+bool TakeKeyword(std::string_view& word, OFFHeader& header)
+{
+  while (!Remove(word, "OFF"))
+  {
+    const bool hadNormals = header.HasNormals;
+    if (Take(word, "C", header.HasColors))
+    {
+      header.HasColorsFirst = hadNormals;
+    }
+    else if (!Take(word, "ST", header.HasTexture) && !Take(word, "N", header.HasNormals) &&
+      !Take(word, "4", header.IsHomogeneous) && !Take(word, "n", header.HasDimension))
+    {
+      return false;
+    }
+  }
+  header.HasKeyword = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IsInteger(std::string_view word)
+{
+  std::int64_t value;
+  const char* const end = word.data() + word.size();
+  return ParseInteger(word.data(), end, value) == end;
+}
+
+//------------------------------------------------------------------------------
+// Whether the number of edges is all that is on the next line.
+bool HasEdgesOnNextLine(TextScanner scanner)
+{
+  std::string_view word;
+  return scanner.SkipSpace() && scanner.ReadWord(word, "") && IsInteger(word) &&
+    !TextRow(scanner).HasMore();
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header)
+{
+  if (!scanner.SkipSpace())
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
+    return false;
+  }
+  const char* const begin = scanner.GetPosition();
+  std::string_view word;
+  scanner.ReadWord(word, Expected);
+  if (mayLackKeyword && IsInteger(word))
+  {
+    scanner.SetPosition(begin);
+    return true;
+  }
+  if (!TakeKeyword(word, header) || (!word.empty() && !IsDigit(word[0])))
+  {
+    scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected);
+    return false;
+  }
+  if (!word.empty())
+  {
+    scanner.SetPosition(word.data()); // the first count sticks to the keyword
+    return true;
+  }
+  if (TextRow(scanner).HasMore())
+  {
+    TextScanner next = scanner;
+    next.ReadWord(word, "");
+    if (word == "BINARY")
+    {
+      header.IsBinary = true;
+      next.SkipLine();
+      scanner = next;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ReadOFFCounts(TextScanner& scanner, OFFHeader& header)
+{
+  if (header.HasDimension &&
+    (!scanner.ReadInteger(
+      header.Dimension, 1, INT32_MAX, ErrorKind::Count, "the number of dimensions")))
+  {
+    return false;
+  }
+  // So many bytes that none are left also end here, before they overflow.
+  const auto vertexBytes =
+    static_cast<int>(std::min<std::int64_t>(NumberBytes * header.GetVertexSize(), INT32_MAX));
+  if (!scanner.ReadCount(header.Vertices, vertexBytes, "the number of vertices") ||
+    !scanner.ReadCount(header.Faces, FaceBytes, "the number of faces"))
+  {
+    return false;
+  }
+  // The number of edges may be wrong or missing. A vertex of one number cannot be told from it.
+  if (!TextRow(scanner).HasMore() && HasEdgesOnNextLine(scanner))
+  {
+    scanner.SkipSpace();
+  }
+  scanner.SkipLine();
+  return true;
+}
+}

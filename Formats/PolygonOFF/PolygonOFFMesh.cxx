@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonOFFMesh.h"
+
+#include "CellMesh/CellGrid.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <type_traits>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+void OFFVertexCensus::Merge(const OFFVertexCensus& other)
+{
+  this->Colors.Merge(other.Colors);
+  this->WithMore.Merge(other.WithMore);
+  this->WithoutColor.Merge(other.WithoutColor);
+}
+
+//------------------------------------------------------------------------------
+void OFFFaceCensus::Merge(const OFFFaceCensus& other)
+{
+  this->Colors.Merge(other.Colors);
+  this->WithoutVertices.Merge(other.WithoutVertices);
+  this->OfOneVertex.Merge(other.OfOneVertex);
+  this->OfTwoVertices.Merge(other.OfTwoVertices);
+  this->WithOddColor.Merge(other.WithOddColor);
+}
+
+//------------------------------------------------------------------------------
+unsigned char OFFFaces::GetType(std::int64_t size)
+{
+  constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE,
+    VTK_QUAD };
+  return size <= 4 ? Types[size] : static_cast<unsigned char>(VTK_POLYGON);
+}
+
+//------------------------------------------------------------------------------
+void OFFFaces::Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors)
+{
+  this->Mesh.NumberOfCells = cells;
+  this->Mesh.CommonSize = commonSize;
+  this->Mesh.CommonType = commonSize > 0 ? GetType(commonSize) : VTK_EMPTY_CELL;
+  this->Mesh.Types = Buffer<unsigned char>(commonSize > 0 ? 0 : cells);
+  this->Mesh.Offsets = Buffer<std::int32_t>(commonSize > 0 ? 0 : cells + 1);
+  if (commonSize == 0)
+  {
+    this->Mesh.Offsets[cells] = static_cast<std::int32_t>(ids);
+  }
+  this->Mesh.Connectivity = Buffer<std::int32_t>(ids);
+  this->Colors = OFFColors(haveColors ? cells : 0);
+}
+
+//------------------------------------------------------------------------------
+void OFFFaces::Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size)
+{
+  this->Mesh.Types[cell] = GetType(size);
+  this->Mesh.Offsets[cell] = static_cast<std::int32_t>(firstId);
+}
+
+//------------------------------------------------------------------------------
+template <typename Real>
+void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& faceCensus,
+  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellPiece& piece,
+  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
+  const Progress& progress)
+{
+  using Array = std::conditional_t<std::is_same<Real, float>::value, vtkFloatArray, vtkDoubleArray>;
+  const auto points = vertices.Coordinates.template TakeArray<Array>(3);
+  if (request.Piece == 0)
+  {
+    WarnOfPoints(points, warnings, progress.Part(0, 0.4), "vertex", "vertices");
+    if (header.Dimension > 3)
+    {
+      warnings.Add("the vertices have " + std::to_string(header.Dimension) +
+        " dimensions, of which the first three are shown");
+    }
+    warnings.Add(vertexCensus.WithMore, "vertex", "vertices",
+      "with more numbers than the keyword of the file tells of, which are left out");
+    warnings.Add(vertexCensus.WithoutColor, "vertex", "vertices",
+      "without a colour, though the keyword of the file tells of one; they are white");
+    warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, left out");
+    warnings.Add(faceCensus.OfOneVertex, "face", "faces", "of one vertex, shown as a vertex");
+    warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "of two vertices, shown as a line");
+    warnings.Add(faceCensus.WithOddColor, "face", "faces",
+      "with something after the vertices that is no colour, left out");
+    WarnOfRepeatedPoints(faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
+  }
+
+  const bool isWhole = piece.IsWhole();
+  OFFColors colors =
+    isWhole || faces.Colors.size() == 0 ? std::move(faces.Colors) : faces.Colors.Extract(piece);
+  FillGrid(faces.Mesh, piece, points, grid);
+  if (faceCensus.Colors.HasColors || faceCensus.Colors.HasIndices)
+  {
+    // Integers are bytes (Geomview's manual), unless others are real and none is above 1.
+    colors.AddTo(grid->GetCellData(), faceCensus.Colors,
+      faceCensus.Colors.HasReals && !faceCensus.Colors.HasBytes);
+  }
+  if (header.HasNormals)
+  {
+    const auto normals = vertices.Normals.template TakeArray<Array>(3);
+    normals->SetName("Normals");
+    grid->GetPointData()->SetNormals(normals);
+  }
+  if (header.HasTexture)
+  {
+    const auto texture = vertices.Texture.template TakeArray<Array>(2);
+    texture->SetName("TCoords");
+    grid->GetPointData()->SetTCoords(texture);
+  }
+  if (header.HasColors)
+  {
+    // Those of vertices are real by the same manual; many programs write bytes nevertheless.
+    vertices.Colors.AddTo(grid->GetPointData(), vertexCensus.Colors, !vertexCensus.Colors.HasBytes);
+  }
+}
+template void FillOFFGrid<float>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
+  OFFVertices<float>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  vtkUnstructuredGrid*, Warnings&, const Progress&);
+template void FillOFFGrid<double>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
+  OFFVertices<double>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  vtkUnstructuredGrid*, Warnings&, const Progress&);
+}

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PolygonOFFMesh.h
+ * @brief What text and binary OFF files have in common once their numbers are read.
+ */
+#ifndef camaron_PolygonOFFMesh_h
+#define camaron_PolygonOFFMesh_h
+
+#include "CellMesh/CellPiece.h"
+#include "PolygonOFFColors.h"
+#include "PolygonOFFHeader.h"
+#include "Scan/PieceRequest.h"
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/// Odd things about vertices; threads keep their own.
+struct OFFVertexCensus
+{
+  OFFColors::Census Colors;
+  Tally WithMore;     ///< numbers than the keyword says
+  Tally WithoutColor; ///< though the keyword says that there is one
+  void Merge(const OFFVertexCensus& other);
+};
+
+/// Odd things about faces; threads keep their own.
+struct OFFFaceCensus
+{
+  OFFColors::Census Colors;
+  Tally WithoutVertices;
+  Tally OfOneVertex;
+  Tally OfTwoVertices;
+  Tally WithOddColor;
+  void Merge(const OFFFaceCensus& other);
+
+  /// Counts a face by its number of vertices.
+  void AddSize(vtkIdType face, std::int64_t size)
+  {
+    if (size <= 2)
+    {
+      (size == 0      ? this->WithoutVertices
+          : size == 1 ? this->OfOneVertex
+                      : this->OfTwoVertices)
+        .Add(face);
+    }
+  }
+};
+
+/// Vertices in a piece of the mesh.
+template <typename Real>
+struct OFFVertices
+{
+  Buffer<Real> Coordinates;
+  Buffer<Real> Normals;
+  Buffer<Real> Texture;
+  OFFColors Colors;
+
+  OFFVertices() = default;
+  OFFVertices(const OFFHeader& header, vtkIdType size)
+    : Coordinates(3 * size)
+    , Normals(header.HasNormals ? 3 * size : 0)
+    , Texture(header.HasTexture ? 2 * size : 0)
+    , Colors(header.HasColors ? size : 0)
+  {
+  }
+
+  ///@{
+  /**
+   * Sets what is made of the numbers of a vertex: the first three coordinates, divided by the last
+   * one in homogeneous files, and as many components of a normal; 0 where there are fewer.
+   */
+  void SetPosition(vtkIdType vertex, const OFFHeader& header, const double* first, double last)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double x = c < header.Dimension ? first[c] : 0;
+      this->Coordinates[3 * vertex + c] = static_cast<Real>(header.IsHomogeneous ? x / last : x);
+    }
+  }
+  void SetNormal(vtkIdType vertex, const OFFHeader& header, const double* first)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      this->Normals[3 * vertex + c] = static_cast<Real>(c < header.Dimension ? first[c] : 0);
+    }
+  }
+  void SetTexture(vtkIdType vertex, const double* first)
+  {
+    this->Texture[2 * vertex] = static_cast<Real>(first[0]);
+    this->Texture[2 * vertex + 1] = static_cast<Real>(first[1]);
+  }
+  ///@}
+};
+
+/// All faces of the mesh.
+struct OFFFaces
+{
+  CellMesh Mesh;
+  OFFColors Colors; ///< none, or one for every cell
+
+  /// Prepares the mesh for faces of one size, or (0) of several.
+  void Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors);
+  /// Begins a face, whose first vertex is this one of all.
+  void Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size);
+  static unsigned char GetType(std::int64_t size);
+};
+
+/// Makes the grid of a piece, and on the first one warnings.
+template <typename Real>
+void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& faceCensus,
+  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellPiece& piece,
+  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
+  const Progress& progress);
+extern template void FillOFFGrid<float>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
+  OFFVertices<float>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  vtkUnstructuredGrid*, Warnings&, const Progress&);
+extern template void FillOFFGrid<double>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
+  OFFVertices<double>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  vtkUnstructuredGrid*, Warnings&, const Progress&);
+}
+
+#endif

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::OFFTextReading
+ * @brief Reads what comes after the keyword of an OFF file in text.
+ */
+#ifndef camaron_PolygonOFFText_h
+#define camaron_PolygonOFFText_h
+
+#include "PolygonOFFMesh.h"
+#include "Scan/TextRows.h"
+
+#include <vector> // for pieces of text
+
+namespace camaron
+{
+class OFFTextReading
+{
+public:
+  OFFTextReading(bool mayLackKeyword, const PieceRequest& request, vtkUnstructuredGrid* grid)
+    : MayLackKeyword(mayLackKeyword)
+    , Request(request)
+    , Grid(grid)
+  {
+  }
+
+  /// Reads a piece of the file for ReadText; starts anew with every call.
+  bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  Warnings Messages;
+
+private:
+  struct Face;
+  struct FacePart;
+
+  bool ReadVertices(TextScanner& scanner, const TextLines* lines, const CellPiece& piece,
+    OFFVertices<double>* vertices, const Progress& progress);
+  bool ReadVertex(vtkIdType row, TextRow& text, vtkIdType point, OFFVertices<double>* vertices,
+    OFFVertexCensus& seen);
+  bool ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
+    OFFVertices<double>* vertices, OFFVertexCensus& seen);
+  bool ReadFaces(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool ReadFacesInParallel(TextScanner& scanner, const TextLines& lines, const Progress& progress);
+  bool CountFaces(const TextLines& lines, const TextLines::Section& section,
+    std::vector<FacePart>& parts, const Progress& progress) const;
+  bool ReadFacesInOrder(TextScanner& scanner, const Progress& progress);
+  bool ReadFace(vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store);
+  static void ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color, FacePart& part);
+
+  bool MayLackKeyword;
+  PieceRequest Request;
+  vtkUnstructuredGrid* Grid;
+  OFFHeader Header;
+  OFFFaces Faces;
+  OFFVertexCensus VertexCensus;
+  OFFFaceCensus FaceCensus;
+};
+}
+
+#endif

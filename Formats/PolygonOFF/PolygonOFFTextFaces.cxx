@@ -1,0 +1,280 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonOFFText.h"
+
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Size[] = "the number of vertices of a face";
+constexpr char Id[] = "a vertex of a face";
+constexpr std::int64_t IdBytes = 2; // a blank and a digit
+constexpr std::int64_t MaxIds = std::numeric_limits<std::int32_t>::max();
+}
+
+//------------------------------------------------------------------------------
+// What one thread has of the faces; a cache line of its own, as it changes with every face.
+struct alignas(64) OFFTextReading::FacePart
+{
+  vtkIdType Cell = 0; // of the next face
+  vtkIdType Id = 0;   // of its first vertex
+  bool HasOtherSize = false;
+  bool HasColor = false;
+  OFFFaceCensus Census;
+};
+
+//------------------------------------------------------------------------------
+// Takes what follows the vertices of a face.
+void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color, FacePart& part)
+{
+  constexpr int MaxColor = 4;
+  int count = 0;
+  bool isColor = true;
+  for (std::string_view word; text.HasMore() && text.ReadWord(word, "a colour"); ++count)
+  {
+    const char* const end = word.data() + word.size();
+    double value;
+    isColor = isColor && count < MaxColor && ParseReal(word.data(), end, value) == end;
+    if (isColor)
+    {
+      color.Values[count] = value;
+      std::int64_t integer;
+      color.IsReal = color.IsReal || ParseInteger(word.data(), end, integer) != end;
+    }
+  }
+  color.Count = isColor ? count : 0;
+  if (!part.Census.Colors.Add(color) || !isColor)
+  {
+    part.Census.WithOddColor.Add(row);
+    color.Count = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Reads a face after its size, and stores it or only looks at it.
+bool OFFTextReading::ReadFace(
+  vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store)
+{
+  std::int32_t* const ids = store ? this->Faces.Mesh.Connectivity.data() + part.Id : nullptr;
+  const std::int64_t last = this->Header.Vertices - 1;
+  for (std::int64_t i = 0; i < size; ++i)
+  {
+    std::int32_t id;
+    if (!text.ReadId(id, 0, last, Id))
+    {
+      return false;
+    }
+    if (store)
+    {
+      ids[i] = id;
+    }
+  }
+  part.Census.AddSize(row, size);
+  const bool storesColor = store && this->Faces.Colors.size() > 0;
+  const bool hasColor = text.HasMore();
+  part.HasColor = part.HasColor || hasColor;
+  if (hasColor && store && !storesColor)
+  {
+    return false; // there is no room for it yet
+  }
+  if (hasColor || storesColor)
+  {
+    OFFColor color;
+    this->ReadFaceColor(row, text, color, part);
+    if (storesColor && size > 0)
+    {
+      this->Faces.Colors.Set(part.Cell, color);
+    }
+  }
+  if (size == 0)
+  {
+    return true;
+  }
+  if (store && this->Faces.Mesh.CommonSize == 0)
+  {
+    this->Faces.Begin(part.Cell, part.Id, size);
+  }
+  ++part.Cell;
+  part.Id += size;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Looks at the sizes of all faces only, to know where each thread stores its own.
+bool OFFTextReading::CountFaces(const TextLines& lines, const TextLines::Section& section,
+  std::vector<FacePart>& parts, const Progress& progress) const
+{
+  return lines.ForEach(section, progress,
+    [&](vtkIdType part, vtkIdType, const char* text, const char* end)
+    {
+      std::int64_t size;
+      const char* const next = ParseInteger(text, end, size);
+      if (!next || size < 0 || size > (end - next) / IdBytes)
+      {
+        return false;
+      }
+      parts[part].Cell += size > 0 ? 1 : 0;
+      parts[part].Id += size;
+      return true;
+    });
+}
+
+//------------------------------------------------------------------------------
+// Faces of one line each. The first face tells what all may be like, which need not be counted
+// then.
+bool OFFTextReading::ReadFacesInParallel(
+  TextScanner& scanner, const TextLines& lines, const Progress& progress)
+{
+  const vtkIdType count = this->Header.Faces;
+  const TextLines::Section section = lines.Find(scanner.GetPosition(), count);
+  if (!section)
+  {
+    return false;
+  }
+  FacePart first;
+  std::int64_t commonSize;
+  {
+    TextScanner look = scanner;
+    TextRow row(look);
+    if (!look.ReadCount(commonSize, IdBytes, Size) ||
+      !this->ReadFace(0, row, commonSize, first, false))
+    {
+      return false;
+    }
+  }
+  const std::int64_t lineBytes = IdBytes * (commonSize + 1);
+  bool isCommon = commonSize > 0 && count <= (section.End - section.Begin + 1) / lineBytes &&
+    count * commonSize <= MaxIds;
+  bool hasColors = first.HasColor;
+
+  std::vector<FacePart> parts;
+  for (int attempt = 0;; ++attempt)
+  {
+    const Progress part = attempt == 0 ? progress : progress.Part(1, 1);
+    parts.assign(lines.GetNumberOfPieces(section), FacePart());
+    vtkIdType cells = count, ids = count * commonSize;
+    if (!isCommon)
+    {
+      if (!this->CountFaces(lines, section, parts, part.Part(0, 0.2)))
+      {
+        return false;
+      }
+      cells = ids = 0;
+      for (FacePart& place : parts)
+      {
+        std::swap(cells, place.Cell);
+        std::swap(ids, place.Id);
+        cells += place.Cell;
+        ids += place.Id;
+      }
+      if (ids > MaxIds)
+      {
+        return false;
+      }
+    }
+    this->Faces.Allocate(
+      cells, ids, static_cast<std::int32_t>(isCommon ? commonSize : 0), hasColors);
+    if (VisitRows(lines, section, scanner.GetComment(), part.Part(isCommon ? 0 : 0.2, 1),
+          [&](vtkIdType row, vtkIdType piece, TextRow& text)
+          {
+            FacePart& place = parts[piece];
+            std::int64_t size;
+            if (!text.ReadInteger(size, Size))
+            {
+              return false;
+            }
+            if (isCommon)
+            {
+              place.HasOtherSize = size != commonSize;
+              place.Cell = row;
+              place.Id = row * commonSize;
+            }
+            return !place.HasOtherSize && this->ReadFace(row, text, size, place, true);
+          }))
+    {
+      break;
+    }
+    const bool hadColors = hasColors, wasCommon = isCommon;
+    for (const FacePart& place : parts)
+    {
+      hasColors = hasColors || place.HasColor;
+      isCommon = isCommon && !place.HasOtherSize;
+    }
+    if (progress.IsStopped() || (hasColors == hadColors && isCommon == wasCommon))
+    {
+      return false;
+    }
+  }
+  for (const FacePart& place : parts)
+  {
+    this->FaceCensus.Merge(place.Census);
+  }
+  scanner.SetPosition(section.End);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Faces whose vertices may be on several lines, first to check and count, then to store them.
+bool OFFTextReading::ReadFacesInOrder(TextScanner& scanner, const Progress& progress)
+{
+  const vtkIdType count = this->Header.Faces;
+  const TextScanner start = scanner;
+  FacePart part;
+  std::int64_t commonSize = -1;
+  for (const bool store : { false, true })
+  {
+    if (store)
+    {
+      this->Faces.Allocate(part.Cell, part.Id,
+        static_cast<std::int32_t>(commonSize > 0 ? commonSize : 0), part.HasColor);
+      part = FacePart();
+      scanner = start;
+    }
+    for (vtkIdType row = 0;
+         row < count && progress.Report((store ? 0.5 : 0) + 0.5 * static_cast<double>(row) / count);
+         ++row)
+    {
+      std::int64_t size;
+      TextRow text(scanner);
+      if (!scanner.ReadCount(size, IdBytes, Size) || !this->ReadFace(row, text, size, part, store))
+      {
+        return false;
+      }
+      if (part.Id > MaxIds)
+      {
+        scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+          "fewer than 2147483648 vertices of all faces together", "more");
+        return false;
+      }
+      commonSize = commonSize == -1 || commonSize == size ? size : 0;
+      scanner.SkipLine();
+    }
+    if (progress.IsStopped())
+    {
+      return false;
+    }
+  }
+  this->FaceCensus = part.Census;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool OFFTextReading::ReadFaces(
+  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  if (this->Header.Faces == 0)
+  {
+    this->Faces.Mesh = MakeCloud(this->Header.Vertices);
+    return true;
+  }
+  if (!(lines ? this->ReadFacesInParallel(scanner, *lines, progress)
+              : this->ReadFacesInOrder(scanner, progress)))
+  {
+    return false;
+  }
+  this->Faces.Mesh.NumberOfPoints = this->Header.Vertices;
+  return true;
+}
+}
