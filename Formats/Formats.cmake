@@ -34,3 +34,10 @@ camaron_format(
   DESCRIPTION "OFF polygon mesh"
   READS       "polygons with every prefix, normals, texture and colours, ASCII and binary"
   READER)
+
+camaron_format(
+  NAME        MAPDL
+  EXTENSIONS  cdb dat inp
+  DESCRIPTION "Ansys Mechanical APDL deck"
+  READS       "blocks and commands of nodes, elements, types and components, linear and quadratic"
+  READER)

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MAPDLCommands.h
+ * @brief Command lines of Mechanical APDL: fields, abbreviations, parameters.
+ */
+#ifndef camaron_MAPDLCommands_h
+#define camaron_MAPDLCommands_h
+
+#include "Scan/LineChunks.h"
+
+#include <cstdint>       // for integers of known size
+#include <string>        // for names
+#include <string_view>   // for fields
+#include <unordered_map> // for parameters
+#include <vector>        // for fields
+
+namespace camaron
+{
+/// Text without blanks at both ends.
+std::string_view TrimMAPDL(std::string_view text);
+/// Text in upper case, as the program takes names.
+std::string ToUpperMAPDL(std::string_view text);
+
+/**
+ * @class camaron::MAPDLCommand
+ * @brief A command: its name and fields, still in the text.
+ */
+class MAPDLCommand
+{
+public:
+  /**
+   * Takes the next command of a line, of which $ may separate several; false if there is none.
+   * Comments, from ! on, are no part of it, and those that are commands (/COM, /TITLE, C***) end
+   * the line.
+   */
+  bool Take(const char*& text, const char* end);
+
+  /// Whether this is the command of a name in upper case, of which four letters are enough.
+  bool Is(std::string_view name) const;
+  /// Field by number, the name being field 0; empty if there is none.
+  std::string_view GetField(std::size_t i) const
+  {
+    return i < this->Fields.size() ? this->Fields[i] : std::string_view();
+  }
+  std::size_t GetNumberOfFields() const { return this->Fields.size(); }
+  /// name=value: the name, else nothing; the value is in @a value.
+  std::string_view GetAssignment(std::string_view& value) const;
+
+private:
+  std::string_view Text;
+  std::vector<std::string_view> Fields;
+};
+
+/**
+ * @class camaron::MAPDLParameters
+ * @brief Values of parameters, as far as they are numbers.
+ */
+class MAPDLParameters
+{
+public:
+  /// Sets a parameter to what a text says; one that is no number or known parameter makes it
+  /// unknown.
+  void Set(std::string_view name, std::string_view value);
+
+  enum class Value
+  {
+    Absent, ///< a blank field
+    Number,
+    Unknown ///< a parameter without known value, an expression, a word
+  };
+  Value Read(std::string_view field, double& value) const;
+  /// The same, rounded to an integer; what is out of the range of 32 bits is unknown.
+  Value Read(std::string_view field, std::int32_t& value) const;
+
+private:
+  std::unordered_map<std::string, double> Values;
+};
+}
+
+#endif

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MAPDLDeck.h
+ * @brief What is where in a deck of Mechanical APDL commands.
+ */
+#ifndef camaron_MAPDLDeck_h
+#define camaron_MAPDLDeck_h
+
+#include "MAPDLBlocks.h"
+
+#include <deque> // for what single commands define; vectors would grow by copying
+#include <map>   // for types
+#include <set>   // for names
+
+namespace camaron
+{
+struct MAPDLNode
+{
+  std::int32_t Id;
+  double X[3];
+};
+
+/// Nodes of a block, or of consecutive commands.
+struct MAPDLNodeBlock
+{
+  MAPDLNodeFormat Format;
+  MAPDLExtent Extent;         ///< empty for commands
+  vtkIdType FirstCommand = 0; ///< among MAPDLDeck::Nodes
+  vtkIdType NumberOfCommands = 0;
+  vtkIdType GetNumberOfRows() const { return this->Extent.NumberOfRows + this->NumberOfCommands; }
+};
+
+/// Elements of a block, or of consecutive commands.
+struct MAPDLElementBlock
+{
+  MAPDLElementFormat Format;
+  MAPDLExtent Extent;
+  vtkIdType FirstCommand = 0; ///< among MAPDLDeck::Elements
+  vtkIdType NumberOfCommands = 0;
+  vtkIdType NumberOfCommandNodes = 0;
+  vtkIdType GetNumberOfRows() const { return this->Extent.NumberOfRows + this->NumberOfCommands; }
+  vtkIdType GetNumberOfNodes() const
+  {
+    return this->Extent.NumberOfNodes + this->NumberOfCommandNodes;
+  }
+};
+
+/// An element type of the deck.
+struct MAPDLType
+{
+  int Element = 0; ///< number of the element, 0 if it is not known
+  int Shape = 0;   ///< KEYOPT(1)
+};
+
+/// A named set of nodes or elements.
+struct MAPDLComponent
+{
+  std::string Name; ///< in upper case
+  bool OfNodes = true;
+  MAPDLRowFormat Fields;
+  const char* Begin = nullptr;
+  const char* End = nullptr;
+  std::int64_t NumberOfValues = -1; ///< as the deck says, or -1
+  bool IsEnded = true;              ///< not by the end of the file
+};
+
+struct MAPDLDeck
+{
+  std::vector<MAPDLNodeBlock> NodeBlocks;
+  std::deque<MAPDLNode> Nodes; ///< of N commands
+  std::vector<MAPDLElementBlock> ElementBlocks;
+  std::map<std::int64_t, MAPDLType> Types;
+  std::vector<MAPDLComponent> Components;
+
+  ///@{
+  /// Elements of E and EN commands; their nodes are one after the other.
+  struct Element
+  {
+    std::int32_t Id;
+    std::int32_t Attributes; ///< which ones
+    vtkIdType FirstNode;
+    const char* Place;
+  };
+  std::deque<Element> Elements;
+  std::deque<std::int32_t> ElementNodes;
+  std::vector<MAPDLElement> Attributes; ///< without id and nodes
+  MAPDLElement GetElement(vtkIdType i) const;
+  vtkIdType GetNumberOfNodes(vtkIdType element) const
+  {
+    const vtkIdType end = element + 1 < static_cast<vtkIdType>(this->Elements.size())
+      ? this->Elements[element + 1].FirstNode
+      : static_cast<vtkIdType>(this->ElementNodes.size());
+    return end - this->Elements[element].FirstNode;
+  }
+  ///@}
+
+  ///@{
+  /// What is odd. Skipped are commands in branches and loops, Ignored others that change a mesh.
+  vtkIdType NumberOfUnknownParameters = 0;
+  vtkIdType NumberOfFreeBlocks = 0;
+  vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
+  vtkIdType NumberOfSkipped = 0;
+  vtkIdType NumberOfIgnored = 0;
+  std::set<std::string> IgnoredNames;
+  ///@}
+
+  /// Most nodes that an element of a type may have.
+  int GetMostNodes(std::int64_t type) const;
+};
+
+/**
+ * Walks through the text from @a begin to @a end; false with what is wrong in @a fault, or if
+ * stopped. Large blocks are measured in parallel, in pieces of @a chunk bytes.
+ */
+bool WalkMAPDL(const char* begin, const char* end, vtkIdType chunk, const Progress& progress,
+  MAPDLDeck& deck, MAPDLFault& fault);
+
+/// Whether text begins like a deck with a mesh. Looks at no more than the first part of it.
+bool LooksLikeMAPDL(const char* begin, const char* end);
+}
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMAPDLReader.h"
+
+#include "MAPDLReading.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkMAPDLReader);
+
+//------------------------------------------------------------------------------
+int vtkMAPDLReader::CanReadFile(const char* fileName)
+{
+  return fileName && camaron::IsMAPDL(fileName) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMAPDLReader::ReadMesh(const std::string& path, const camaron::PieceRequest& request,
+  vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
+  const camaron::Progress& progress)
+{
+  camaron::MAPDLOptions options;
+  options.Linear = this->Linear;
+  options.SurfaceEffects = this->SurfaceEffects;
+  options.UnknownAsPoints = this->UnknownElementsAsPoints;
+  return camaron::ReadMAPDL(path, options, request, output, warnings, error, progress);
+}
+
+//------------------------------------------------------------------------------
+void vtkMAPDLReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Linear: " << this->Linear << "\n";
+  os << indent << "SurfaceEffects: " << this->SurfaceEffects << "\n";
+  os << indent << "UnknownElementsAsPoints: " << this->UnknownElementsAsPoints << "\n";
+}
