@@ -41,3 +41,10 @@ camaron_format(
   DESCRIPTION "Ansys Mechanical APDL deck"
   READS       "blocks and commands of nodes, elements, types and components, linear and quadratic"
   READER)
+
+camaron_format(
+  NAME        TetGen
+  EXTENSIONS  ele node face edge neigh poly smesh
+  DESCRIPTION "TetGen or Triangle mesh"
+  READS       "all files, any ids, attributes, regions and markers, elements of second order"
+  READER)

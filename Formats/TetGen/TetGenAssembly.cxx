@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenAssembly.h"
+
+#include "CellMesh/CellGrid.h"
+#include "TetGenFacets.h"
+#include "TetGenMidpoints.h"
+
+#include "vtkFieldData.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+void TetGenAssembly::WarnOfMore(TextScanner& scanner, const MappedFile& file)
+{
+  if (scanner.SkipSpace())
+  {
+    this->More = "there is more data after the end of " + file.GetName();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadNodes(const MappedFile& file, bool isLast, const Progress& progress)
+{
+  return this->ReadFile(file, progress,
+    [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+    {
+      this->More.clear();
+      if (!this->Nodes.Read(scanner, lines, this->IsWhole(), part))
+      {
+        return false;
+      }
+      this->EndOfNodes = scanner.GetPosition() - file.begin();
+      if (isLast)
+      {
+        this->WarnOfMore(scanner, file);
+      }
+      return true;
+    });
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadNeighbors(
+  const MappedFile& file, const TetGenCells& cells, const CellMesh& mesh, const Progress& progress)
+{
+  IdMap ids;
+  ids.Build(cells.GetIds().data(), cells.GetIds().size());
+  if (!this->ReadFile(file, progress.Part(0, 0.8),
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return this->Neighbors.Read(scanner, lines, cells, mesh, ids, part); }))
+  {
+    return false;
+  }
+  if (this->Request.Piece == 0)
+  {
+    this->Neighbors.Check(mesh, this->Messages, progress.Part(0.8, 1));
+  }
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+void TetGenAssembly::OrderMidpoints(CellMesh& mesh, int corners)
+{
+  double x[10][3]; // of the nodes of a tetrahedron of second order
+  this->Nodes.GetAnswer(x);
+  TetGenMidpointOrder order;
+  if (!FindMidpointOrder(corners, x, order) && this->Request.Piece == 0)
+  {
+    this->Messages.Add(
+      "the nodes on edges of the first element are not near the middle of edges in "
+      "any order; they are taken to be in the order of TetGen 1.5 and Triangle");
+  }
+  camaron::OrderMidpoints(mesh, corners, order);
+}
+
+//------------------------------------------------------------------------------
+// Takes what the piece needs of the nodes and makes the grid, which has no arrays of cells so far.
+// Nodes on edges are put into order if there are any, that is if corners are given.
+bool TetGenAssembly::Fill(
+  const MappedFile& nodes, CellMesh& mesh, int corners, const Progress& progress)
+{
+  if (corners > 0)
+  {
+    this->Nodes.Ask(mesh.GetPoints(0), static_cast<int>(mesh.GetSize(0)));
+  }
+  if (!this->IsWhole() &&
+    !this->ReadFile(nodes, progress.Part(0, 0.7),
+      [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+      { return this->Nodes.ReadValues(scanner, lines, this->Piece, part); }))
+  {
+    return false;
+  }
+  if (corners > 0)
+  {
+    this->OrderMidpoints(mesh, corners);
+  }
+  const auto points = this->Nodes.TakePoints();
+  if (this->Request.Piece == 0)
+  {
+    this->Nodes.Warn(this->Messages);
+    WarnOfPoints(points, this->Messages, progress.Part(0.7, 0.8), "node", "nodes");
+    WarnOfRepeatedPoints(mesh, this->Messages, progress.Part(0.8, 0.9));
+    if (!this->More.empty())
+    {
+      this->Messages.Add(this->More);
+    }
+  }
+  FillGrid(mesh, this->Piece, points, this->Grid);
+  this->Nodes.AddArrays(this->Grid, this->Piece);
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadCloud(const MappedFile& nodes, const Progress& progress)
+{
+  if (!this->ReadNodes(nodes, true, progress.Part(0, 0.6)))
+  {
+    return false;
+  }
+  CellMesh mesh = MakeCloud(this->Nodes.GetCount());
+  return this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)) &&
+    this->Fill(nodes, mesh, 0, progress.Part(0.65, 1));
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadTable(const MappedFile& file, TetGenKind kind, const MappedFile& nodes,
+  const MappedFile* neighbors, const Progress& progress)
+{
+  TetGenCells cells(kind);
+  if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)) ||
+    !this->ReadFile(file, progress.Part(0.3, 0.6),
+      [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+      {
+        this->More.clear();
+        const bool good = cells.Read(scanner, lines, this->Nodes, this->IsWhole(), part);
+        this->WarnOfMore(scanner, file);
+        return good;
+      }))
+  {
+    return false;
+  }
+  CellMesh& mesh = cells.GetMesh();
+  if (kind == TetGenKind::Ele && mesh.NumberOfCells == 0)
+  {
+    mesh = MakeCloud(this->Nodes.GetCount());
+    return this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)) &&
+      this->Fill(nodes, mesh, 0, progress.Part(0.65, 1));
+  }
+  return this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)) &&
+    (this->IsWhole() || !cells.HasValues() ||
+      this->ReadFile(file, progress.Part(0.65, 0.7),
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return cells.ReadValues(scanner, lines, this->Piece, part); })) &&
+    (!neighbors || this->ReadNeighbors(*neighbors, cells, mesh, progress.Part(0.7, 0.8))) &&
+    this->FinishTable(cells, nodes, neighbors != nullptr, progress.Part(0.8, 1));
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::FinishTable(
+  TetGenCells& cells, const MappedFile& nodes, bool hasNeighbors, const Progress& progress)
+{
+  CellMesh& mesh = cells.GetMesh();
+  const int corners = cells.GetNumberOfCorners();
+  const bool hasOrder = cells.IsQuadratic() && corners > 2 && mesh.NumberOfCells > 0;
+  if (!this->Fill(nodes, mesh, hasOrder ? corners : 0, progress))
+  {
+    return false;
+  }
+  if (this->Request.Piece == 0)
+  {
+    cells.Warn(this->Messages);
+  }
+  cells.AddArrays(this->Grid, this->Piece);
+  if (hasNeighbors)
+  {
+    this->Neighbors.AddArrays(this->Grid, this->Piece);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenAssembly::ReadComplex(
+  const MappedFile& file, bool isSmesh, const MappedFile& nodes, const Progress& progress)
+{
+  const bool isOwn = &nodes == &file;
+  if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  const bool isFlat = this->Nodes.GetDimension() == 2 && !isSmesh;
+  const auto skipNodes = [&](TextScanner& scanner)
+  {
+    if (isOwn)
+    {
+      scanner.SetPosition(file.begin() + this->EndOfNodes);
+      return true;
+    }
+    TetGenNodes::Header header;
+    return TetGenNodes::ReadHeader(scanner, header);
+  };
+  TetGenCells segments(TetGenKind::Edge);
+  TetGenFacets facets;
+  TetGenSeeds seeds;
+  if (!this->ReadFile(file, progress.Part(0.3, 0.6),
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        {
+          this->More.clear();
+          const bool good = skipNodes(scanner) &&
+            (isFlat ? segments.Read(
+                        scanner, lines, this->Nodes, this->IsWhole(), part, ErrorKind::Syntax)
+                    : facets.Read(scanner, lines, this->Nodes, isSmesh, part)) &&
+            seeds.Read(scanner, this->Nodes.GetDimension());
+          this->WarnOfMore(scanner, file);
+          return good;
+        }))
+  {
+    return false;
+  }
+  CellMesh& mesh = isFlat ? segments.GetMesh() : facets.GetMesh();
+  if (!this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)))
+  {
+    return false;
+  }
+  if (isFlat)
+  {
+    if ((!this->IsWhole() &&
+          !this->ReadFile(file, progress.Part(0.65, 0.7),
+            [&](TextScanner& scanner, const TextLines* lines, const Progress& part) {
+              return skipNodes(scanner) && segments.ReadValues(scanner, lines, this->Piece, part);
+            })) ||
+      !this->FinishTable(segments, nodes, false, progress.Part(0.7, 1)))
+    {
+      return false;
+    }
+  }
+  else
+  {
+    if (!this->Fill(nodes, mesh, 0, progress.Part(0.7, 1)))
+    {
+      return false;
+    }
+    if (this->Request.Piece == 0)
+    {
+      facets.Warn(this->Messages);
+    }
+    facets.AddArrays(this->Grid, this->Piece);
+    facets.AddFields(this->Grid->GetFieldData());
+  }
+  seeds.AddFields(this->Grid->GetFieldData());
+  return true;
+}
+}

@@ -1,0 +1,323 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenCells.h"
+
+#include "vtkCellData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <set>
+
+namespace camaron
+{
+namespace
+{
+constexpr int BytesPerNumber = 2; // a digit and a blank or line end
+constexpr int TetrahedronNodes = 10, TriangleNodes = 6, EdgeNodes = 3; // of second order
+
+//------------------------------------------------------------------------------
+struct Names
+{
+  const char* One;
+  const char* Many;
+  const char* Header;
+  const char* Count;
+  const char* Id;
+  const char* Node;
+};
+
+const Names& GetNames(TetGenKind kind)
+{
+  static const Names element = { "element", "elements",
+    "elements of TetGen or Triangle, whose first line is their number, how many nodes each has, "
+    "and "
+    "the number of attributes",
+    "the number of elements", "the id of an element", "a node of an element" };
+  static const Names face = { "face", "faces",
+    "faces of TetGen, whose first line is their number and whether there are markers",
+    "the number of faces", "the id of a face", "a node of a face" };
+  static const Names edge = { "edge", "edges",
+    "edges of TetGen or Triangle, whose first line is their number and whether there are markers",
+    "the number of edges", "the id of an edge", "a node of an edge" };
+  return kind == TetGenKind::Ele ? element : kind == TetGenKind::Face ? face : edge;
+}
+
+//------------------------------------------------------------------------------
+// How many words a row has.
+int CountColumns(TextScanner scanner)
+{
+  constexpr int Enough = 16; // more than any table of faces or edges has
+  if (!scanner.SkipSpace())
+  {
+    return 0;
+  }
+  TextRow row(scanner);
+  std::string_view word;
+  int columns = 0;
+  while (columns < Enough && row.HasMore() && row.ReadWord(word, ""))
+  {
+    ++columns;
+  }
+  return columns;
+}
+
+//------------------------------------------------------------------------------
+unsigned char GetType(int corners, bool isQuadratic)
+{
+  switch (corners)
+  {
+    case 4:
+      return isQuadratic ? VTK_QUADRATIC_TETRA : VTK_TETRA;
+    case 3:
+      return isQuadratic ? VTK_QUADRATIC_TRIANGLE : VTK_TRIANGLE;
+    default:
+      return isQuadratic ? VTK_QUADRATIC_EDGE : VTK_LINE;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The columns of a row of faces: id, three corners, three midpoints of second order, marker, the
+// two adjacent tetrahedra. The header tells about the marker only.
+void SetFaceColumns(int columns, bool hasMarkers, TetGenCells::Header& header)
+{
+  int rest = columns - 4;
+  header.NumberOfNodes = header.Corners = 3;
+  if (rest > 3 || (rest == 3 && !hasMarkers))
+  {
+    header.NumberOfNodes = TriangleNodes;
+    rest -= 3;
+  }
+  header.Columns.Markers = rest == 1 || rest >= 3 || (rest == 2 && hasMarkers);
+  header.Columns.Tetrahedra = rest >= 3 || (rest == 2 && !hasMarkers) ? 2 : 0;
+}
+
+//------------------------------------------------------------------------------
+// The columns of a row of edges: id, two corners, a midpoint of second order, marker, an adjacent
+// tetrahedron. Whether the column after the corners is a midpoint must be found out.
+void SetEdgeColumns(int columns, bool hasMarkers, bool hasMidpoints, TetGenCells::Header& header)
+{
+  const int rest = columns - 3 - (hasMidpoints ? 1 : 0);
+  header.NumberOfNodes = hasMidpoints ? EdgeNodes : 2;
+  header.Columns.Markers = hasMarkers && rest >= 1;
+  header.Columns.Tetrahedra = rest >= (hasMarkers ? 2 : 1) ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+bool IsKnownNumberOfNodes(std::int64_t nodes)
+{
+  return nodes == 3 || nodes == 4 || nodes == TriangleNodes || nodes == TetrahedronNodes;
+}
+}
+
+//------------------------------------------------------------------------------
+bool TetGenCells::ReadHeader(
+  TextScanner& scanner, TetGenKind kind, Header& header, ErrorKind notThis)
+{
+  const Names& names = GetNames(kind);
+  const bool isElements = kind == TetGenKind::Ele;
+  header = Header();
+  std::int64_t numbers[3] = { 0, isElements ? 4 : 0, 0 };
+  if (!ReadTetGenHeader(scanner, numbers, isElements ? 3 : 2, notThis, names.Header))
+  {
+    return false;
+  }
+  int perRow = 1;
+  if (isElements)
+  {
+    scanner.SkipSpace();
+    const std::int64_t nodes = numbers[1], attributes = numbers[2];
+    if (!IsKnownNumberOfNodes(nodes))
+    {
+      scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+        "elements of 3, 4, 6 or 10 nodes, as the second number of the first line",
+        std::to_string(nodes));
+      return false;
+    }
+    if (attributes < 0 || attributes > MaxTetGenAttributes)
+    {
+      scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
+        "at most " + std::to_string(MaxTetGenAttributes) + " attributes of elements",
+        std::to_string(attributes));
+      return false;
+    }
+    header.NumberOfNodes = static_cast<int>(nodes);
+    header.Corners = nodes == 4 || nodes == TetrahedronNodes ? 4 : 3;
+    header.Columns.Attributes = static_cast<int>(attributes);
+    perRow += header.NumberOfNodes + header.Columns.Attributes;
+  }
+  else
+  {
+    header.Corners = header.NumberOfNodes = kind == TetGenKind::Face ? 3 : 2;
+    header.Columns.Markers = numbers[1] != 0;
+    perRow += header.Corners;
+  }
+  if (!scanner.ReadCount(header.Count, BytesPerNumber * perRow, names.Count))
+  {
+    return false;
+  }
+  scanner.SkipLine();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenCells::IsRow(TextScanner scanner, const Header& header)
+{
+  if (header.Count == 0)
+  {
+    return true;
+  }
+  TextRow row(scanner, RowLayout::OneLine);
+  std::int32_t id;
+  double value;
+  bool good = true;
+  for (int i = 0; i <= header.NumberOfNodes && good; ++i)
+  {
+    good = ReadTetGenId(row, id, "");
+  }
+  for (int i = 0; i < header.Columns.Attributes && good; ++i)
+  {
+    good = row.ReadReal(value, "");
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Midpoints are nodes of one edge each and no corners; markers and tetrahedra come again and again,
+// or are no ids of nodes. The first edges tell.
+bool TetGenCells::HasMidpoints(TextScanner scanner, const TetGenNodes& nodes) const
+{
+  constexpr std::int64_t Enough = 100;
+  std::set<std::int32_t> corners, midpoints;
+  const std::int64_t count = std::min(this->Table.Count, Enough);
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    TextRow row(scanner, RowLayout::OneLine);
+    std::int64_t numbers[4] = { 0, 0, 0, 0 };
+    for (std::int64_t& number : numbers)
+    {
+      if (!row.ReadInteger(number, ""))
+      {
+        return false;
+      }
+    }
+    const std::int32_t midpoint = nodes.Find(numbers[3]);
+    if (midpoint < 0 || !midpoints.insert(midpoint).second)
+    {
+      return false;
+    }
+    corners.insert({ nodes.Find(numbers[1]), nodes.Find(numbers[2]) });
+    scanner.SkipLine();
+  }
+  return std::none_of(midpoints.begin(), midpoints.end(),
+    [&](std::int32_t midpoint) { return corners.count(midpoint) > 0; });
+}
+
+//------------------------------------------------------------------------------
+bool TetGenCells::ReadRow(TextRow& row, vtkIdType number, const TetGenNodes& nodes)
+{
+  const Names& names = GetNames(this->Kind);
+  if (!ReadTetGenId(row, this->Ids[number], names.Id))
+  {
+    return false;
+  }
+  const int size = this->Table.NumberOfNodes;
+  std::int32_t* const points = this->Mesh.Connectivity.data() + number * size;
+  for (int i = 0; i < size; ++i)
+  {
+    if (!nodes.ReadPoint(row, points[i], names.Node))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
+  bool whole, const Progress& progress, ErrorKind notThis)
+{
+  if (!ReadHeader(scanner, this->Kind, this->Table, notThis))
+  {
+    return false;
+  }
+  Header& table = this->Table;
+  if (this->Kind == TetGenKind::Ele && table.Corners == 4 && nodes.GetDimension() == 2)
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+      "elements of 3 or 6 nodes, as nodes are in 2 dimensions",
+      std::to_string(table.NumberOfNodes));
+    return false;
+  }
+  if (this->Kind != TetGenKind::Ele && table.Count > 0)
+  {
+    const int columns = CountColumns(scanner);
+    if (this->Kind == TetGenKind::Face)
+    {
+      SetFaceColumns(columns, table.Columns.Markers, table);
+    }
+    else
+    {
+      // With one column more it is the marker if there are any.
+      const bool mayHave = columns > (table.Columns.Markers ? 4 : 3);
+      SetEdgeColumns(
+        columns, table.Columns.Markers, mayHave && this->HasMidpoints(scanner, nodes), table);
+    }
+  }
+  if (table.Count * table.NumberOfNodes > INT32_MAX)
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported,
+      "fewer than 2147483648 nodes of all cells together",
+      std::to_string(table.Count * table.NumberOfNodes));
+    return false;
+  }
+  this->Mesh = CellMesh(nodes.GetCount(), table.Count, GetType(table.Corners, this->IsQuadratic()),
+    table.NumberOfNodes);
+  this->Ids = Buffer<std::int32_t>(table.Count);
+  this->Columns.Allocate(table.Columns, whole ? table.Count : 0);
+  return ReadRows(
+    scanner, lines, table.Count, progress,
+    [&](vtkIdType i, TextRow& row)
+    { return this->ReadRow(row, i, nodes) && (!whole || this->Columns.Read(row, i, i)); },
+    RowLayout::OneLine);
+}
+
+//------------------------------------------------------------------------------
+bool TetGenCells::ReadValues(
+  TextScanner& scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+{
+  Header header;
+  if (!ReadHeader(scanner, this->Kind, header))
+  {
+    return false;
+  }
+  this->Columns.Allocate(this->Table.Columns, piece.GetNumberOfCells());
+  return ReadRows(
+    scanner, lines, this->Table.Count, progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      std::int64_t id;
+      bool good = true;
+      for (int column = 0; column <= this->Table.NumberOfNodes && good; ++column)
+      {
+        good = row.ReadInteger(id, GetNames(this->Kind).Node);
+      }
+      return good && this->Columns.Read(row, i, piece.FindCell(i));
+    },
+    RowLayout::OneLine);
+}
+
+//------------------------------------------------------------------------------
+void TetGenCells::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+{
+  this->Columns.AddTo(grid->GetCellData(), "Region");
+  AddTetGenIds(grid->GetCellData(), "OriginalCellId", this->Ids, piece.GetNumberOfCells(),
+    [&](vtkIdType i) { return piece.FindCell(i); });
+}
+
+//------------------------------------------------------------------------------
+void TetGenCells::Warn(Warnings& warnings) const
+{
+  const Names& names = GetNames(this->Kind);
+  this->Columns.Warn(warnings, names.One, names.Many);
+}
+}

@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenFacets.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr char FacetNode[] = "a node of a facet";
+
+//------------------------------------------------------------------------------
+unsigned char GetPolygonType(std::int64_t size)
+{
+  return size == 1 ? VTK_VERTEX
+    : size == 2    ? VTK_LINE
+    : size == 3    ? VTK_TRIANGLE
+    : size == 4    ? VTK_QUAD
+                   : VTK_POLYGON;
+}
+
+//------------------------------------------------------------------------------
+// How many nodes, and these; they may go on over several lines.
+bool ReadPolygon(TextRow& row, const TetGenNodes& nodes, CellSink& sink)
+{
+  constexpr char Size[] = "the number of nodes of a polygon";
+  std::int64_t size;
+  if (!row.ReadInteger(size, Size))
+  {
+    return false;
+  }
+  if (size < 1)
+  {
+    return FailAtLastNumber(row, ErrorKind::Count, std::string(Size) + ", 1 or more");
+  }
+  sink.BeginCell(GetPolygonType(size));
+  for (std::int64_t i = 0; i < size; ++i)
+  {
+    std::int32_t point;
+    if (!nodes.ReadPoint(row, point, FacetNode))
+    {
+      return false;
+    }
+    sink.AddPoint(point);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ReadMarker(TextRow& row, std::int32_t& marker)
+{
+  marker = 0;
+  return !row.HasMore() || ReadTetGenInteger(row, marker, "the marker of a facet");
+}
+
+//------------------------------------------------------------------------------
+void AddField(vtkFieldData* fields, const char* name, const std::vector<double>& values,
+  const std::vector<const char*>& components)
+{
+  if (values.empty())
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(static_cast<int>(components.size()));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size() / components.size()));
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    array->SetComponentName(static_cast<vtkIdType>(i), components[i]);
+  }
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  fields->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
+  bool isSmesh, const Progress& progress)
+{
+  constexpr char Expected[] = "the number of facets and whether they have markers";
+  *this = TetGenFacets();
+  this->Mesh.NumberOfPoints = nodes.GetCount();
+  std::int64_t numbers[2] = { 0, 0 };
+  constexpr int FewestBytes = 4; // "1 0" and a line end, or an empty facet of a .poly file
+  if (!ReadTetGenHeader(scanner, numbers, 2, ErrorKind::Syntax, Expected) ||
+    !scanner.ReadCount(
+      this->Count, isSmesh ? FewestBytes : FewestBytes / 2, "the number of facets"))
+  {
+    return false;
+  }
+  scanner.SkipLine();
+  this->HasMarkers = numbers[1] != 0;
+  this->Markers.assign(static_cast<std::size_t>(this->Count), 0);
+  if (!this->ReadFacets(scanner, lines, nodes, isSmesh, progress))
+  {
+    return false;
+  }
+  this->NumberOfCells = this->Mesh.NumberOfCells;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenFacets::ReadFacets(TextScanner& scanner, const TextLines* lines,
+  const TetGenNodes& nodes, bool isSmesh, const Progress& progress)
+{
+  if (isSmesh)
+  {
+    return ReadCells(scanner, lines, this->Count, this->Mesh, progress,
+      [&](vtkIdType facet, TextRow& row, CellSink& sink)
+      {
+        return ReadPolygon(row, nodes, sink) &&
+          (!this->HasMarkers || ReadMarker(row, this->Markers[facet]));
+      });
+  }
+  return (lines && this->ReadPairs(scanner, *lines, nodes, progress)) ||
+    (!progress.IsStopped() && this->ReadOneByOne(scanner, nodes, progress));
+}
+
+//------------------------------------------------------------------------------
+// Most large files have one polygon per facet, two lines in all, and can be read in parallel.
+bool TetGenFacets::ReadPairs(
+  TextScanner& scanner, const TextLines& lines, const TetGenNodes& nodes, const Progress& progress)
+{
+  const TextLines::Section section = lines.Find(scanner.GetPosition(), 2 * this->Count);
+  if (!section)
+  {
+    return false;
+  }
+  std::vector<CellSink> sinks(static_cast<std::size_t>(lines.GetNumberOfPieces(section)));
+  const bool good = VisitRows(lines, section, scanner.GetComment(), progress,
+    [&](vtkIdType line, vtkIdType piece, TextRow& row)
+    {
+      if (line % 2 == 1)
+      {
+        return ReadPolygon(row, nodes, sinks[piece]);
+      }
+      std::int64_t polygons, holes = 0;
+      return row.ReadInteger(polygons, "") && polygons == 1 &&
+        (!row.HasMore() ||
+          (row.ReadInteger(holes, "") && holes == 0 && ReadMarker(row, this->Markers[line / 2])));
+    });
+  ScanError error;
+  if (!good || !FillCells(sinks, this->Mesh, error))
+  {
+    return false;
+  }
+  scanner.SetPosition(section.End);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenFacets::ReadOneByOne(
+  TextScanner& scanner, const TetGenNodes& nodes, const Progress& progress)
+{
+  constexpr vtkIdType ReportEvery = 4096;
+  std::vector<CellSink> sinks(1);
+  for (vtkIdType facet = 0; facet < this->Count; ++facet)
+  {
+    if (!this->ReadFacet(scanner, nodes, facet, sinks[0]) ||
+      (facet % ReportEvery == 0 && !progress.Report(static_cast<double>(facet) / this->Count)))
+    {
+      return false;
+    }
+  }
+  ScanError error;
+  if (!FillCells(sinks, this->Mesh, error))
+  {
+    scanner.FailAt(scanner.GetPosition(), error.Kind, error.Message, "more");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenFacets::ReadFacet(
+  TextScanner& scanner, const TetGenNodes& nodes, vtkIdType facet, CellSink& sink)
+{
+  constexpr char Polygons[] = "the number of polygons of a facet";
+  constexpr char NumberOfHoles[] = "the number of holes of a facet";
+  std::int64_t polygons, holes = 0;
+  TextRow header(scanner);
+  if (!scanner.ReadCount(polygons, 4, Polygons) ||
+    (header.HasMore() && !scanner.ReadCount(holes, 4, NumberOfHoles)) ||
+    !ReadMarker(header, this->Markers[facet]))
+  {
+    return false;
+  }
+  scanner.SkipLine();
+  for (std::int64_t i = 0; i < polygons; ++i)
+  {
+    TextRow row(scanner);
+    if (!ReadPolygon(row, nodes, sink))
+    {
+      return false;
+    }
+    scanner.SkipLine();
+    this->Facets.push_back(static_cast<std::int32_t>(facet));
+  }
+  for (std::int64_t i = 0; i < holes; ++i)
+  {
+    if (!this->ReadHole(scanner, facet))
+    {
+      return false;
+    }
+  }
+  if (holes > 0)
+  {
+    this->WithHoles.Add(facet);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenFacets::ReadHole(TextScanner& scanner, vtkIdType facet)
+{
+  TextRow row(scanner, RowLayout::OneLine);
+  std::int64_t id;
+  if (!row.ReadInteger(id, "the number of a hole of a facet"))
+  {
+    return false;
+  }
+  for (int i = 0; i < 3; ++i)
+  {
+    double x;
+    if (!row.ReadReal(x, "a coordinate of a hole of a facet"))
+    {
+      return false;
+    }
+    this->Holes.push_back(x);
+  }
+  this->FacetsOfHoles.push_back(static_cast<std::int32_t>(facet));
+  scanner.SkipLine();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void TetGenFacets::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+{
+  const vtkIdType size = piece.GetNumberOfCells();
+  Buffer<std::int32_t> facets(size), markers(this->HasMarkers ? size : 0);
+  for (vtkIdType i = 0; i < this->NumberOfCells; ++i)
+  {
+    if (const vtkIdType cell = piece.FindCell(i); cell >= 0)
+    {
+      facets[cell] = this->Facets.empty() ? static_cast<std::int32_t>(i) : this->Facets[i];
+      if (this->HasMarkers)
+      {
+        markers[cell] = this->Markers[facets[cell]];
+      }
+    }
+  }
+  AddIntegers(grid->GetCellData(), "Facet", std::move(facets));
+  if (this->HasMarkers)
+  {
+    AddIntegers(grid->GetCellData(), "BoundaryMarker", std::move(markers));
+  }
+}
+
+//------------------------------------------------------------------------------
+void TetGenFacets::AddFields(vtkFieldData* fields) const
+{
+  AddField(fields, "FacetHoles", this->Holes, { "x", "y", "z" });
+  if (!this->FacetsOfHoles.empty())
+  {
+    vtkNew<vtkIntArray> facets;
+    facets->SetName("FacetOfHole");
+    facets->SetNumberOfTuples(static_cast<vtkIdType>(this->FacetsOfHoles.size()));
+    std::copy(this->FacetsOfHoles.begin(), this->FacetsOfHoles.end(), facets->GetPointer(0));
+    fields->AddArray(facets);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TetGenFacets::Warn(Warnings& warnings) const
+{
+  warnings.Add(this->WithHoles, "facet", "facets",
+    "with holes, which are not cut out: all polygons are cells of their own");
+}
+
+//------------------------------------------------------------------------------
+bool TetGenSeeds::Read(TextScanner& scanner, int dimension)
+{
+  *this = TetGenSeeds();
+  constexpr int BytesPerNumber = 2;
+  constexpr double None = -1; // no largest volume
+  for (const bool isRegion : { false, true })
+  {
+    if (!scanner.SkipSpace())
+    {
+      return true;
+    }
+    std::int64_t count;
+    const char* const counted = isRegion ? "the number of regions" : "the number of holes";
+    if (!scanner.ReadCount(count, BytesPerNumber * (1 + dimension), counted))
+    {
+      return false;
+    }
+    scanner.SkipLine();
+    for (std::int64_t i = 0; i < count; ++i)
+    {
+      TextRow row(scanner, RowLayout::OneLine);
+      std::int64_t id;
+      double values[5] = { 0, 0, 0, 0, None };
+      bool good = row.ReadInteger(id, isRegion ? "the number of a region" : "the number of a hole");
+      for (int c = 0; c < dimension && good; ++c)
+      {
+        good = row.ReadReal(values[c],
+          isRegion ? "a coordinate of a point in a region" : "a coordinate of a point in a hole");
+      }
+      for (int c = 3; isRegion && c < 5 && good && row.HasMore(); ++c)
+      {
+        good = row.ReadReal(values[c], "an attribute or a largest volume of a region");
+      }
+      if (!good)
+      {
+        return false;
+      }
+      scanner.SkipLine();
+      std::vector<double>& seeds = isRegion ? this->Regions : this->Holes;
+      seeds.insert(seeds.end(), values, values + (isRegion ? 5 : 3));
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void TetGenSeeds::AddFields(vtkFieldData* fields) const
+{
+  AddField(fields, "Holes", this->Holes, { "x", "y", "z" });
+  AddField(fields, "Regions", this->Regions, { "x", "y", "z", "attribute", "largest size" });
+}
+}

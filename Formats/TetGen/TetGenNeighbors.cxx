@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenNeighbors.h"
+
+#include "vtkCellData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::int32_t None = -1;    // at the boundary
+constexpr std::int32_t Unknown = -2; // no row of the file has told
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNeighbors::ReadHeader(TextScanner& scanner, Header& header)
+{
+  header = Header();
+  std::int64_t numbers[2] = { 0, 4 };
+  if (!ReadTetGenHeader(scanner, numbers, 2, ErrorKind::NotThisFormat,
+        "neighbors of TetGen or Triangle, whose first line is the number of elements and how many "
+        "neighbors each has"))
+  {
+    return false;
+  }
+  scanner.SkipSpace();
+  if (numbers[1] != 3 && numbers[1] != 4)
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
+      "3 or 4 neighbors of an element, as the second number of the first line",
+      std::to_string(numbers[1]));
+    return false;
+  }
+  header.Corners = static_cast<int>(numbers[1]);
+  constexpr int BytesPerNumber = 2;
+  if (!scanner.ReadCount(header.Count, BytesPerNumber * (1 + header.Corners),
+        "the number of elements with neighbors"))
+  {
+    return false;
+  }
+  scanner.SkipLine();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
+  const CellMesh& mesh, const IdMap& ids, const Progress& progress)
+{
+  Header header;
+  const char* const begin = scanner.GetPosition();
+  if (!ReadHeader(scanner, header))
+  {
+    return false;
+  }
+  if (header.Corners != cells.GetNumberOfCorners() || header.Count != mesh.NumberOfCells)
+  {
+    const auto describe = [](std::int64_t count, int corners) {
+      return std::to_string(corners) + " neighbors each of " + std::to_string(count) + " elements";
+    };
+    scanner.FailAt(begin, ErrorKind::Count,
+      describe(mesh.NumberOfCells, cells.GetNumberOfCorners()) + ", as the file of elements has",
+      describe(header.Count, header.Corners));
+    return false;
+  }
+  this->Corners = header.Corners;
+  this->Neighbors = Buffer<std::int32_t>(header.Count * header.Corners);
+  std::fill(this->Neighbors.data(), this->Neighbors.data() + this->Neighbors.size(), Unknown);
+  return ReadRows(
+    scanner, lines, header.Count, progress,
+    [&](vtkIdType, TextRow& row)
+    {
+      constexpr char Element[] = "the id of an element",
+                     Neighbor[] = "a neighbor, the id of an element";
+      std::int64_t id;
+      if (!row.ReadInteger(id, Element))
+      {
+        return false;
+      }
+      const std::int32_t element = ids.Find(id);
+      if (element < 0)
+      {
+        return FailAtLastNumber(row, ErrorKind::Index, std::string(Element) + " of the mesh");
+      }
+      for (int i = 0; i < this->Corners; ++i)
+      {
+        if (!row.ReadInteger(id, Neighbor))
+        {
+          return false;
+        }
+        const std::int32_t neighbor = id == None ? None : ids.Find(id);
+        if (neighbor < 0 && id != None)
+        {
+          return FailAtLastNumber(
+            row, ErrorKind::Index, std::string(Neighbor) + " of the mesh, or -1");
+        }
+        this->Neighbors[vtkIdType(this->Corners) * element + i] = neighbor;
+      }
+      return true;
+    },
+    RowLayout::OneLine);
+}
+
+//------------------------------------------------------------------------------
+void TetGenNeighbors::Check(
+  const CellMesh& mesh, Warnings& warnings, const Progress& progress) const
+{
+  Tally missing, oneSided, apart;
+  std::mutex mutex;
+  constexpr vtkIdType Block = 4096;
+  const int corners = this->Corners;
+  progress.For((mesh.NumberOfCells + Block - 1) / Block,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Tally myMissing, myOneSided, myApart;
+      const vtkIdType end = std::min(last * Block, mesh.NumberOfCells);
+      for (vtkIdType cell = first * Block; cell < end; ++cell)
+      {
+        const std::int32_t* const neighbors = this->Neighbors.data() + corners * cell;
+        const std::int32_t* const points = mesh.GetPoints(cell);
+        bool isMutual = true, isShared = true;
+        for (int i = 0; i < corners; ++i)
+        {
+          if (neighbors[i] < 0)
+          {
+            continue;
+          }
+          const std::int32_t* const back =
+            this->Neighbors.data() + vtkIdType(corners) * neighbors[i];
+          const std::int32_t* const others = mesh.GetPoints(neighbors[i]);
+          isMutual = isMutual && std::find(back, back + corners, cell) != back + corners;
+          for (int corner = 0; corner < corners; ++corner)
+          {
+            isShared = isShared &&
+              (corner == i ||
+                std::find(others, others + corners, points[corner]) != others + corners);
+          }
+        }
+        if (neighbors[0] == Unknown)
+        {
+          myMissing.Add(cell);
+        }
+        if (!isMutual)
+        {
+          myOneSided.Add(cell);
+        }
+        if (!isShared)
+        {
+          myApart.Add(cell);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      missing.Merge(myMissing);
+      oneSided.Merge(myOneSided);
+      apart.Merge(myApart);
+    });
+  warnings.Add(missing, "element", "elements", "without neighbors in the file");
+  warnings.Add(oneSided, "element", "elements", "that are not among the neighbors of a neighbor");
+  warnings.Add(apart, "element", "elements",
+    "that do not share the side opposite of a corner with the neighbor given for it");
+}
+
+//------------------------------------------------------------------------------
+void TetGenNeighbors::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+{
+  const int corners = this->Corners;
+  const vtkIdType cells = this->Neighbors.size() / corners;
+  for (vtkIdType i = 0; i < this->Neighbors.size(); ++i)
+  {
+    this->Neighbors[i] = std::max(this->Neighbors[i], None);
+  }
+  if (!piece.IsWhole())
+  {
+    Buffer<std::int32_t> kept(corners * piece.GetNumberOfCells());
+    for (vtkIdType i = 0; i < cells; ++i)
+    {
+      if (const vtkIdType cell = piece.FindCell(i); cell >= 0)
+      {
+        const std::int32_t* const from = this->Neighbors.data() + corners * i;
+        std::copy(from, from + corners, kept.data() + corners * cell);
+      }
+    }
+    this->Neighbors = std::move(kept);
+  }
+  AddIntegers(grid->GetCellData(), "Neighbors", std::move(this->Neighbors), corners);
+}
+}

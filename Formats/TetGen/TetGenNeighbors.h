@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::TetGenNeighbors
+ * @brief The neighbours of elements, from a .neigh file.
+ */
+#ifndef camaron_TetGenNeighbors_h
+#define camaron_TetGenNeighbors_h
+
+#include "TetGenCells.h"
+
+namespace camaron
+{
+class TetGenNeighbors
+{
+public:
+  struct Header
+  {
+    std::int64_t Count = 0;
+    int Corners = 4;
+  };
+  static bool ReadHeader(TextScanner& scanner, Header& header);
+
+  /**
+   * Reads the neighbours of all elements.
+   * @param cells of the mesh
+   * @param ids finds an element by its id
+   */
+  bool Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
+    const CellMesh& mesh, const IdMap& ids, const Progress& progress);
+
+  /**
+   * Warns of elements that are no neighbour of a neighbour, or do not share with a neighbour the
+   * side that is opposite of the corner.
+   */
+  void Check(const CellMesh& mesh, Warnings& warnings, const Progress& progress) const;
+
+  /// Adds "Neighbors", positions of elements in the whole mesh, -1 where there is none.
+  void AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece);
+
+private:
+  int Corners = 4;
+  Buffer<std::int32_t> Neighbors; ///< in the order of elements
+};
+}
+
+#endif

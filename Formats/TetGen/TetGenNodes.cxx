@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenNodes.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Coordinate[] = "a coordinate of a node";
+constexpr char Id[] = "the id of a node";
+constexpr int BytesPerNumber = 2; // a digit and a blank or line end
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNodes::ReadHeader(TextScanner& scanner, Header& header)
+{
+  constexpr char Expected[] =
+    "nodes of TetGen or Triangle, whose first line is their number, their dimension, the number of "
+    "attributes and whether there are markers";
+  header = Header();
+  std::int64_t numbers[4] = { 0, 3, 0, 0 };
+  if (!ReadTetGenHeader(scanner, numbers, 4, ErrorKind::NotThisFormat, Expected))
+  {
+    return false;
+  }
+  scanner.SkipSpace();
+  const std::int64_t dimension = numbers[1], attributes = numbers[2];
+  if (dimension != 2 && dimension != 3)
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
+      "nodes in 2 or 3 dimensions, as the second number of the first line",
+      std::to_string(dimension));
+    return false;
+  }
+  if (attributes < 0 || attributes > MaxTetGenAttributes)
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::Count,
+      "at most " + std::to_string(MaxTetGenAttributes) + " attributes of nodes",
+      std::to_string(attributes));
+    return false;
+  }
+  const int perRow = 1 + static_cast<int>(dimension + attributes);
+  if (!scanner.ReadCount(header.Count, BytesPerNumber * perRow, "the number of nodes"))
+  {
+    return false;
+  }
+  scanner.SkipLine();
+  header.Dimension = static_cast<int>(dimension);
+  header.Columns.Attributes = static_cast<int>(attributes);
+  header.Columns.Markers = numbers[3] != 0;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNodes::IsRow(TextScanner scanner, const Header& header)
+{
+  if (header.Count == 0)
+  {
+    return true;
+  }
+  TextRow row(scanner, RowLayout::OneLine);
+  std::int32_t id;
+  double value;
+  bool good = ReadTetGenId(row, id, Id);
+  for (int i = 0; i < header.Dimension + header.Columns.Attributes && good; ++i)
+  {
+    good = row.ReadReal(value, Coordinate);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+void TetGenNodes::Allocate(vtkIdType size)
+{
+  this->Coordinates = Buffer<double>(3 * size);
+  this->Columns.Allocate(this->Table.Columns, size);
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNodes::ReadValuesOf(TextRow& row, vtkIdType number, vtkIdType index)
+{
+  double unused[3];
+  double* const x = index < 0 ? unused : this->Coordinates.data() + 3 * index;
+  x[2] = 0;
+  if (!row.ReadReal(x[0], Coordinate) || !row.ReadReal(x[1], Coordinate) ||
+    (this->Table.Dimension == 3 && !row.ReadReal(x[2], Coordinate)) ||
+    !this->Columns.Read(row, number, index))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < this->Answer.size() / 3; ++i)
+  {
+    if (this->Asked[i] == number)
+    {
+      std::copy(x, x + 3, this->Answer.data() + 3 * i);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNodes::Read(
+  TextScanner& scanner, const TextLines* lines, bool whole, const Progress& progress)
+{
+  this->IsWhole = whole;
+  this->Answer.clear();
+  if (!ReadHeader(scanner, this->Table))
+  {
+    return false;
+  }
+  const vtkIdType count = this->Table.Count;
+  this->Ids = Buffer<std::int32_t>(count);
+  this->Allocate(whole ? count : 0);
+  const char* const rows = scanner.GetPosition();
+  if (!ReadRows(
+        scanner, lines, count, progress,
+        [&](vtkIdType i, TextRow& row) {
+          return ReadTetGenId(row, this->Ids[i], Id) && (!whole || this->ReadValuesOf(row, i, i));
+        },
+        RowLayout::OneLine))
+  {
+    return false;
+  }
+  this->Map.Build(this->Ids.data(), count);
+  return this->Map.GetNumberOfRepeated() == 0 || this->FailAtRepeated(scanner, rows);
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNodes::ReadValues(
+  TextScanner& scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+{
+  Header header;
+  if (!ReadHeader(scanner, header))
+  {
+    return false;
+  }
+  this->Allocate(piece.GetNumberOfPoints());
+  this->Answer.assign(3 * this->Asked.size(), 0);
+  return ReadRows(
+    scanner, lines, this->GetCount(), progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      std::int32_t id;
+      return ReadTetGenId(row, id, Id) && this->ReadValuesOf(row, i, piece.FindPoint(i));
+    },
+    RowLayout::OneLine);
+}
+
+//------------------------------------------------------------------------------
+bool TetGenNodes::FailAtId(TextRow& row, const char* what) const
+{
+  std::string expected = std::string(what) + ", the id of a node";
+  if (this->GetCount() == 0)
+  {
+    expected += " (there are none)";
+  }
+  else
+  {
+    const bool allThere = this->Map.GetGreatest() - this->Map.GetLeast() + 1 == this->GetCount();
+    expected += " from " + std::to_string(this->Map.GetLeast()) + " to " +
+      std::to_string(this->Map.GetGreatest()) + (allThere ? "" : " that there is");
+  }
+  return FailAtLastNumber(row, ErrorKind::Index, expected);
+}
+
+//------------------------------------------------------------------------------
+// Names the line on which an id comes again. If the file was read in parallel it is read once more.
+bool TetGenNodes::FailAtRepeated(TextScanner& scanner, const char* rows) const
+{
+  vtkIdType first = 0;
+  while (this->Map.Find(this->Ids[first]) == first)
+  {
+    ++first;
+  }
+  vtkIdType again = first + 1;
+  while (this->Ids[again] != this->Ids[first])
+  {
+    ++again;
+  }
+  scanner.SetPosition(rows);
+  for (vtkIdType i = 0; i < again; ++i)
+  {
+    scanner.SkipSpace();
+    scanner.SkipLine();
+  }
+  scanner.SkipSpace();
+  scanner.FailAt(
+    scanner.GetPosition(), ErrorKind::Syntax, "an id of a node that no node before has");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void TetGenNodes::GetAnswer(double (*x)[3]) const
+{
+  for (std::size_t i = 0; i < this->Asked.size(); ++i)
+  {
+    const double* const from = this->IsWhole
+      ? this->Coordinates.data() + 3 * vtkIdType(this->Asked[i])
+      : this->Answer.data() + 3 * i;
+    std::copy(from, from + 3, x[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> TetGenNodes::TakePoints()
+{
+  return this->Coordinates.TakeArray<vtkDoubleArray>(3);
+}
+
+//------------------------------------------------------------------------------
+void TetGenNodes::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+{
+  this->Columns.AddTo(grid->GetPointData());
+  AddTetGenIds(grid->GetPointData(), "OriginalPointId", this->Ids, piece.GetNumberOfPoints(),
+    [&](vtkIdType i) { return piece.FindPoint(i); });
+}
+}

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenReading.h"
+
+#include "Scan/ReadMappedFile.h"
+#include "TetGenAssembly.h"
+
+#include "vtkUnstructuredGrid.h"
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Finds the other files and reads the mesh.
+bool ReadMesh(const MappedFile& file, const std::string& path, TetGenAssembly& assembly,
+  ScanError& error, const Progress& progress)
+{
+  constexpr char Nodes[] = "nodes";
+  TetGenKind kind = GetTetGenKind(path);
+  MappedFile nodes, elements;
+  switch (kind)
+  {
+    case TetGenKind::Node:
+      if (!HasTetGenCompanion(path, TetGenKind::Ele))
+      {
+        return assembly.ReadCloud(file, progress);
+      }
+      return elements.Open(GetTetGenCompanion(path, TetGenKind::Ele), error) &&
+        assembly.ReadTable(elements, TetGenKind::Ele, file, nullptr, progress);
+    case TetGenKind::Ele:
+    case TetGenKind::Face:
+    case TetGenKind::Edge:
+      return OpenTetGenCompanion(path, TetGenKind::Node, Nodes, nodes, error) &&
+        assembly.ReadTable(file, kind, nodes, nullptr, progress);
+    case TetGenKind::Neigh:
+      return OpenTetGenCompanion(path, TetGenKind::Ele, "elements", elements, error) &&
+        OpenTetGenCompanion(path, TetGenKind::Node, Nodes, nodes, error) &&
+        assembly.ReadTable(elements, TetGenKind::Ele, nodes, &file, progress);
+    case TetGenKind::Poly:
+    case TetGenKind::Smesh:
+    {
+      TextScanner scanner(file.GetName(), file.begin(), file.end(), '#');
+      TetGenNodes::Header header;
+      if (!TetGenNodes::ReadHeader(scanner, header))
+      {
+        error = scanner.GetError();
+        return false;
+      }
+      const bool isSmesh = kind == TetGenKind::Smesh;
+      return header.Count > 0 ? assembly.ReadComplex(file, isSmesh, file, progress)
+                              : OpenTetGenCompanion(path, TetGenKind::Node, Nodes, nodes, error) &&
+          assembly.ReadComplex(file, isSmesh, nodes, progress);
+    }
+    case TetGenKind::None:
+      break;
+  }
+  error = { ErrorKind::NotThisFormat,
+    file.GetName() +
+      ": expected a file of TetGen or Triangle, whose name ends with .node, .ele, .face, .edge, "
+      ".neigh, .poly or .smesh" };
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsTetGen(const std::string& path)
+{
+  const TetGenKind kind = GetTetGenKind(path);
+  MappedFile file;
+  ScanError error;
+  if (kind == TetGenKind::None || !file.Open(path, error))
+  {
+    return false;
+  }
+  TextScanner scanner("", file.begin(), file.end(), '#');
+  switch (kind)
+  {
+    case TetGenKind::Node:
+    case TetGenKind::Poly:
+    case TetGenKind::Smesh:
+    {
+      TetGenNodes::Header header;
+      return TetGenNodes::ReadHeader(scanner, header) && TetGenNodes::IsRow(scanner, header);
+    }
+    case TetGenKind::Neigh:
+    {
+      TetGenNeighbors::Header header;
+      return TetGenNeighbors::ReadHeader(scanner, header);
+    }
+    default:
+    {
+      TetGenCells::Header header;
+      return TetGenCells::ReadHeader(scanner, kind, header) && TetGenCells::IsRow(scanner, header);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool ReadTetGen(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  grid->Initialize();
+  TetGenAssembly assembly(request, grid, chunk, error);
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file) { return ReadMesh(file, path, assembly, error, progress); });
+  if (!good || progress.IsStopped())
+  {
+    grid->Initialize();
+    return false;
+  }
+  warnings = std::move(assembly.Messages);
+  return true;
+}
+}

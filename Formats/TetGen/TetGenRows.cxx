@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenRows.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+
+#include <set>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Attribute[] = "an attribute";
+constexpr char Marker[] = "a boundary marker";
+constexpr char Tetrahedron[] = "an adjacent tetrahedron";
+
+//------------------------------------------------------------------------------
+bool IsInteger(double value)
+{
+  return value >= INT32_MIN && value <= INT32_MAX && value == static_cast<std::int32_t>(value);
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadTetGenHeader(
+  TextScanner& scanner, std::int64_t* numbers, int size, ErrorKind kind, const char* expected)
+{
+  if (scanner.HasFailed())
+  {
+    return false;
+  }
+  if (!scanner.SkipSpace())
+  {
+    scanner.FailAt(
+      scanner.GetEnd(), kind == ErrorKind::NotThisFormat ? kind : ErrorKind::Truncated, expected);
+    return false;
+  }
+  TextScanner line = scanner; // its errors are worded here
+  TextRow row(line);
+  for (int i = 0; i < size && (i == 0 || row.HasMore()); ++i)
+  {
+    const char* position = line.GetPosition();
+    if (!row.ReadInteger(numbers[i], expected))
+    {
+      while (position < line.GetEnd() && IsSpace(*position))
+      {
+        ++position;
+      }
+      scanner.FailAt(position, i == 0 ? kind : ErrorKind::Syntax, expected);
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FailAtLastNumber(TextRow& row, ErrorKind kind, const std::string& expected)
+{
+  const char* position = row.GetPosition();
+  do
+  {
+    --position;
+  } while (!IsSpace(position[-1])); // no number that fails here is the first of its file
+  return row.FailAt(position, kind, expected);
+}
+
+//------------------------------------------------------------------------------
+bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what)
+{
+  std::int64_t number;
+  if (!row.ReadInteger(number, what))
+  {
+    return false;
+  }
+  if (number < INT32_MIN || number > INT32_MAX)
+  {
+    return FailAtLastNumber(row, ErrorKind::Syntax, std::string(what) + " of 32 bits");
+  }
+  value = static_cast<std::int32_t>(number);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what)
+{
+  return row.ReadId(id, 0, INT32_MAX, what);
+}
+
+//------------------------------------------------------------------------------
+void TetGenColumns::Allocate(const Layout& layout, vtkIdType size)
+{
+  this->Columns = layout;
+  this->Attributes.clear();
+  for (int i = 0; i < layout.Attributes; ++i)
+  {
+    this->Attributes.emplace_back(size);
+  }
+  this->Markers = Buffer<std::int32_t>(layout.Markers ? size : 0);
+  this->Tetrahedra = Buffer<std::int32_t>(layout.Tetrahedra * size);
+  this->FirstIsInteger = true;
+  this->Missing.clear();
+}
+
+//------------------------------------------------------------------------------
+bool TetGenColumns::Read(TextRow& row, vtkIdType number, vtkIdType index)
+{
+  const bool keep = index >= 0;
+  for (int i = 0; i < this->Columns.Attributes; ++i)
+  {
+    double value;
+    if (!row.ReadReal(value, Attribute))
+    {
+      return false;
+    }
+    if (keep)
+    {
+      this->Attributes[i][index] = value;
+    }
+    if (i == 0 && !IsInteger(value) && this->FirstIsInteger.load(std::memory_order_relaxed))
+    {
+      this->FirstIsInteger = false;
+    }
+  }
+  if (this->Columns.Markers)
+  {
+    std::int32_t marker = 0;
+    if (this->Columns.Tetrahedra == 0 && !row.HasMore())
+    {
+      const std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Missing.push_back(number);
+    }
+    else if (!ReadTetGenInteger(row, marker, Marker))
+    {
+      return false;
+    }
+    if (keep)
+    {
+      this->Markers[index] = marker;
+    }
+  }
+  for (int i = 0; i < this->Columns.Tetrahedra; ++i)
+  {
+    std::int32_t tetrahedron;
+    if (!ReadTetGenInteger(row, tetrahedron, Tetrahedron))
+    {
+      return false;
+    }
+    if (keep)
+    {
+      this->Tetrahedra[this->Columns.Tetrahedra * index + i] = tetrahedron;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void TetGenColumns::AddTo(vtkDataSetAttributes* attributes, const char* first)
+{
+  for (std::size_t i = 0; i < this->Attributes.size(); ++i)
+  {
+    Buffer<double>& values = this->Attributes[i];
+    if (i == 0 && first && this->FirstIsInteger)
+    {
+      Buffer<std::int32_t> integers(values.size());
+      for (vtkIdType row = 0; row < values.size(); ++row)
+      {
+        integers[row] = static_cast<std::int32_t>(values[row]);
+      }
+      values = Buffer<double>();
+      AddIntegers(attributes, first, std::move(integers));
+      continue;
+    }
+    const auto array = values.TakeArray<vtkDoubleArray>();
+    array->SetName(i == 0 && first ? first : ("attr_" + std::to_string(i)).c_str());
+    attributes->AddArray(array);
+  }
+  if (this->Columns.Markers)
+  {
+    AddIntegers(attributes, "BoundaryMarker", std::move(this->Markers));
+  }
+  if (this->Columns.Tetrahedra > 0)
+  {
+    AddIntegers(attributes, "Tetrahedra", std::move(this->Tetrahedra), this->Columns.Tetrahedra);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TetGenColumns::Warn(Warnings& warnings, const char* one, const char* many) const
+{
+  Tally missing;
+  for (const vtkIdType row : std::set<vtkIdType>(this->Missing.begin(), this->Missing.end()))
+  {
+    missing.Add(row);
+  }
+  warnings.Add(missing, one, many, "without the boundary marker that the header promises");
+}
+
+//------------------------------------------------------------------------------
+void AddIntegers(
+  vtkDataSetAttributes* attributes, const char* name, Buffer<std::int32_t>&& values, int components)
+{
+  const auto array = values.TakeArray<vtkIntArray>(components);
+  array->SetName(name);
+  attributes->AddArray(array);
+}
+}
