@@ -45,23 +45,31 @@ const char* GetDimension(camaron::Unit unit)
 }
 
 //------------------------------------------------------------------------------
-const char* GetShapes(unsigned appliesTo)
+std::string GetShapes(unsigned appliesTo)
 {
-  switch (appliesTo)
+  if (appliesTo & camaron::AnyCell)
   {
-    case camaron::Polygons:
-      return "polygons";
-    case camaron::Polyhedra:
-      return "polyhedra";
-    case camaron::PolygonsAndPolyhedra:
-      return "polygons and polyhedra";
-    case camaron::Triangles:
-      return "triangles";
-    case camaron::Tetrahedra:
-      return "tetrahedra";
-    default:
-      return "any cell";
+    return "any cell";
   }
+  const std::pair<unsigned, const char*> shapes[] = { { camaron::Polygons, "polygons" },
+    { camaron::Polyhedra, "polyhedra" }, { camaron::Triangles, "triangles" },
+    { camaron::Quadrilaterals, "quadrilaterals" }, { camaron::Tetrahedra, "tetrahedra" },
+    { camaron::Pyramids, "pyramids" }, { camaron::Wedges, "wedges" },
+    { camaron::Hexahedra, "hexahedra" } };
+  std::vector<std::string> names;
+  for (const auto& shape : shapes)
+  {
+    if (appliesTo & shape.first)
+    {
+      names.emplace_back(shape.second);
+    }
+  }
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " and ") + names[i];
+  }
+  return list;
 }
 
 //------------------------------------------------------------------------------

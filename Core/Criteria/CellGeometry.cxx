@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CellGeometry.h"
 
+#include "Criteria/SimpleShapes.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -19,17 +21,6 @@ constexpr int MaxStandardPoints = 12;
 std::size_t Hash(vtkIdType id)
 {
   return static_cast<std::size_t>(static_cast<std::uint64_t>(id) * 0x9e3779b97f4a7c15ull >> 32);
-}
-
-//------------------------------------------------------------------------------
-unsigned FindShapes(const CellTopology& topology, int numberOfPoints)
-{
-  bool isTetrahedron = numberOfPoints == 4 && topology.GetNumberOfFaces() == 4;
-  for (int f = 0; f < topology.GetNumberOfFaces() && isTetrahedron; ++f)
-  {
-    isTetrahedron = topology.GetFaceSize(f) == 3;
-  }
-  return Polyhedra | (isTetrahedron ? Tetrahedra : 0u);
 }
 }
 
@@ -62,7 +53,7 @@ const CellGeometry::StandardCell* CellGeometry::GetStandardCells()
       {
         topology.FindEdges();
         topology.MakeVertexFigures();
-        result[type].Shapes = FindShapes(topology, shape.NumberOfCorners);
+        result[type].Shapes = Polyhedra | FindSimpleShape(topology);
       }
     }
     return result;
@@ -104,7 +95,10 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   else if (shape.Dimension == 2)
   {
     this->LoadPolygon(mesh, shape, mesh.GetCellPoints(cell));
-    this->Shapes = Polygons | (this->NumberOfPoints == 3 ? Triangles : 0u);
+    this->Shapes = Polygons |
+      (this->NumberOfPoints == 3        ? Triangles
+          : this->IsQuadrilateral() ? Quadrilaterals
+                                        : 0u);
   }
   // 0 times NaN or infinity is NaN.
   double zero = 0 * (this->Origin.X + this->Origin.Y + this->Origin.Z);
@@ -191,7 +185,7 @@ void CellGeometry::LoadCollapsed(
     this->AddFace(this->LocalFace.data(), static_cast<int>(this->LocalFace.size()));
   }
   this->FinishOwnTopology();
-  this->Shapes = FindShapes(*this->Topology, this->NumberOfPoints);
+  this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
 }
 
 //------------------------------------------------------------------------------
@@ -278,7 +272,7 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
     this->AddFace(this->LocalFace.data(), static_cast<int>(points.Size));
   }
   this->FinishOwnTopology();
-  this->Shapes = FindShapes(*this->Topology, this->NumberOfPoints);
+  this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
 }
 
 //------------------------------------------------------------------------------

@@ -54,7 +54,7 @@ public:
   void Compute(unsigned needs);
 
   /// Shapes that the cell is: one of Polygons and Polyhedra (neither for points and lines) and, where
-  /// the topology says so, Triangles or Tetrahedra.
+  /// the topology says so, one of the simple shapes, whatever its VTK type.
   unsigned GetShapes() const { return this->Shapes; }
   unsigned char GetCellType() const { return this->CellType; }
   /// False if a coordinate is NaN or infinite: nothing but counts has a value then.
@@ -154,6 +154,11 @@ private:
   void AddFace(const int* points, int size);
   void FinishOwnTopology();
 
+  bool IsQuadrilateral() const
+  {
+    return this->NumberOfPoints == 4 && this->Topology->GetNumberOfFaces() == 1 &&
+      this->Topology->GetFaceSize(0) == 4;
+  }
   Scale GetScale(double diameter) const;
   const Scale& GetBoxScale() const
   {

@@ -5,6 +5,7 @@
 #include "Criteria/CellNeighborhood.h"
 #include "Criteria/Criterion.h"
 #include "Criteria/MeshContext.h"
+#include "Criteria/Verdict.h"
 
 #include <limits>
 
@@ -61,10 +62,10 @@ constexpr unsigned NeedsAll =
 //------------------------------------------------------------------------------
 // Columns: name, label, description; shapes, unit, range, ideal, better; acceptable range, its source,
 // hint or cited, integer or real; cost, needs, function.
-const std::vector<Criterion>& GetCriteria()
+static std::vector<Criterion> MakeCriteria()
 {
   // clang-format off
-  static const std::vector<Criterion> criteria = {
+  std::vector<Criterion> criteria = {
     // Size and counts. Acceptable sizes depend on the problem; only signs are judged.
     { "Area", "Area", "Length of the polygon's vector area; the area of a planar polygon.",
       Polygons, Unit::Area, { 0, Infinity }, None, Better::Neither,
@@ -400,6 +401,15 @@ const std::vector<Criterion>& GetCriteria()
       Cost::Neighbors, NeedsCentroid, NEIGHBORS(CellDeterminant) },
   };
   // clang-format on
+  const std::vector<Criterion> ofVerdict = GetVerdictCriteria();
+  criteria.insert(criteria.end(), ofVerdict.begin(), ofVerdict.end());
+  return criteria;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Criterion>& GetCriteria()
+{
+  static const std::vector<Criterion> criteria = MakeCriteria();
   return criteria;
 }
 

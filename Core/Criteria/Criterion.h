@@ -51,7 +51,11 @@ enum Shapes : unsigned
   PolygonsAndPolyhedra = Polygons | Polyhedra,
   Triangles = 4u,
   Tetrahedra = 8u,
-  AnyCell = 16u
+  AnyCell = 16u,
+  Quadrilaterals = 32u,
+  Pyramids = 64u,
+  Wedges = 128u,
+  Hexahedra = 256u
 };
 
 /// How much work a criterion is per cell.

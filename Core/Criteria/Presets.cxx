@@ -10,6 +10,19 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Positive = std::numeric_limits<double>::min();
+
+//------------------------------------------------------------------------------
+// With the acceptable ranges of the table of criteria.
+std::vector<Preset::Rule> AsInTable(const std::vector<const char*>& names)
+{
+  std::vector<Preset::Rule> rules;
+  for (const char* name : names)
+  {
+    const Criterion& criterion = *FindCriterion(name);
+    rules.push_back({ name, { criterion.Acceptable[0], criterion.Acceptable[1] } });
+  }
+  return rules;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -21,6 +34,15 @@ const std::vector<Preset>& GetPresets()
       { { "EdgeLengthRatio", { 1.0 / 3, Infinity } },
         { "EquiangleSkewness", { -Infinity, 0.9 } },
         { "IsoperimetricQuotient", { -Infinity, Infinity } } } },
+    { "General", "What a report shows unless asked otherwise; ranges as in the table of criteria.",
+      AsInTable({ "Area", "Perimeter", "SurfaceArea", "Volume", "VertexCount", "EdgeCount", "FaceCount",
+        "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinInteriorAngle",
+        "MaxInteriorAngle", "MinFaceAngle", "MaxFaceAngle", "MinDihedralAngle", "MaxDihedralAngle",
+        "MinSolidAngle", "MaxSolidAngle", "EquiangleSkewness", "MaxNeighborNormalAngle",
+        "EdgeLengthRatio", "IsoperimetricQuotient", "CellAspectRatio", "TriangleRadiusRatio",
+        "BhatiaLawrence", "TetRadiusEdgeRatio", "TetRadiusRatio", "TetMeanRatio", "MinFaceFlatness",
+        "MinTetMeanRatio", "CellStatus", "MaxNonOrthogonality", "MaxFaceSkewness", "MinVolumeRatio",
+        "OrthogonalQuality" }) },
     { "FEM tetrahedra", "Finite elements on tetrahedra; ranges of the Verdict manual, rev. A, and TetGen.",
       { { "Volume", { Positive, Infinity } },
         { "MinDihedralAngle", { 40, Infinity } },

@@ -53,7 +53,7 @@ def _parser() -> argparse.ArgumentParser:
     which = inspect.add_mutually_exclusive_group()
     which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
     which.add_argument(
-        "--criteria", metavar="A,B", help="names of criteria; default: all with a meaning"
+        "--criteria", metavar="A,B", help="names of criteria, or all; default: those of the preset General"
     )
     inspect.add_argument(
         "--worst",

@@ -20,6 +20,8 @@ from .files import Staging, same_file
 
 #: Evaluated for the facts about the mesh, and no quality.
 NOT_REPORTED = ("CellTypeId",)
+#: Preset whose criteria are evaluated unless asked otherwise, and the word for all there are.
+GENERAL, ALL = "General", "all"
 
 
 def inspect(
@@ -36,8 +38,8 @@ def inspect(
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
     The mesh is any file that ParaView can open. `directory` is made if needed; by default it is
-    NAME-report in the current folder. Criteria are those of the preset, or the given ones, or all
-    that have a meaning for a cell of the mesh. `worst` is the length of the lists of worst cells,
+    NAME-report in the current folder. Criteria are those of the preset, or the given ones, or
+    those of the preset General; of the latter, and of ["all"], what has a meaning for the mesh. `worst` is the length of the lists of worst cells,
     `bins` the number of bins of the histograms, `time` the step of a series: "first", "last" or its
     number.
 
@@ -52,6 +54,7 @@ def inspect(
     directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
+    criteria = None if criteria is None else list(criteria)
     pipeline.load_plugin()
     opened = pipeline.open_mesh(mesh, time)
     made = [opened.source]
@@ -68,7 +71,7 @@ def inspect(
             described = facts.describe(mesh, opened, surface)
         if messages.errors:
             raise RuntimeError(f"{mesh}: {messages.errors[0]}")
-        if criteria is None and preset is None:
+        if preset is None and (criteria is None or criteria == [ALL]):
             rows = [row for row in rows if row["applicable"] and row["name"] not in NOT_REPORTED]
         first = ranking.worst_criterion(rows)
         summary = {
@@ -117,10 +120,12 @@ def choose_criteria(
     if preset is not None:
         presets = list(quality.GetProperty("Preset").Available)[1:]
         quality.Preset = preset = tables.lookup(preset, presets, "preset")
+    elif criteria == [ALL]:
+        quality.Criteria = known
     elif criteria is not None:
         quality.Criteria = [tables.lookup(name.strip(), known, "criterion") for name in criteria]
     else:
-        quality.Criteria = known
+        quality.Criteria = [*tables.known_presets()[GENERAL]["rules"], *NOT_REPORTED]
     return preset
 
 

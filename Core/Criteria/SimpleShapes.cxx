@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/SimpleShapes.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Every point has three edges.
+bool HasThreeEdgesPerPoint(const CellTopology& topology)
+{
+  int valences[MaxSimpleNodes] = {};
+  for (const CellTopology::Edge& edge : topology.Edges)
+  {
+    ++valences[edge.Points[0]];
+    ++valences[edge.Points[1]];
+  }
+  return std::all_of(
+    valences, valences + topology.NumberOfPoints, [](int valence) { return valence == 3; });
+}
+
+//------------------------------------------------------------------------------
+int FindFace(const CellTopology& topology, int size)
+{
+  int face = 0;
+  while (topology.GetFaceSize(face) != size)
+  {
+    ++face;
+  }
+  return face;
+}
+
+//------------------------------------------------------------------------------
+bool Contains(const int* points, int size, int point)
+{
+  return std::find(points, points + size, point) != points + size;
+}
+}
+
+//------------------------------------------------------------------------------
+unsigned FindSimpleShape(const CellTopology& topology)
+{
+  const int points = topology.NumberOfPoints, faces = topology.GetNumberOfFaces();
+  int triangles = 0, quads = 0;
+  for (int f = 0; f < faces; ++f)
+  {
+    triangles += topology.GetFaceSize(f) == 3;
+    quads += topology.GetFaceSize(f) == 4;
+  }
+  if (triangles + quads != faces)
+  {
+    return 0;
+  }
+  if (points == 4 && triangles == 4 && quads == 0)
+  {
+    return Tetrahedra;
+  }
+  if (points == 5 && triangles == 4 && quads == 1)
+  {
+    return Pyramids;
+  }
+  const auto edges = static_cast<int>(topology.Edges.size());
+  if (points == 6 && triangles == 2 && quads == 3 && edges == 9 && HasThreeEdgesPerPoint(topology))
+  {
+    return Wedges;
+  }
+  return points == 8 && quads == 6 && triangles == 0 && edges == 12 && HasThreeEdgesPerPoint(topology)
+    ? Hexahedra
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+int GetSimpleNodes(const CellTopology& topology, unsigned shape, int nodes[MaxSimpleNodes])
+{
+  const int base = shape & (Pyramids | Hexahedra) ? 4 : 3;
+  const int* face = topology.GetFace(FindFace(topology, base));
+  std::reverse_copy(face, face + base, nodes);
+  int size = base;
+  if (shape & (Tetrahedra | Pyramids))
+  {
+    nodes[size] = 0;
+    while (Contains(nodes, base, nodes[size]))
+    {
+      ++nodes[size];
+    }
+    return size + 1;
+  }
+  for (int i = 0; i < base; ++i)
+  {
+    for (const CellTopology::Edge& edge : topology.Edges)
+    {
+      for (const int end : { 0, 1 })
+      {
+        if (edge.Points[end] == nodes[i] && !Contains(nodes, base, edge.Points[1 - end]))
+        {
+          nodes[size++] = edge.Points[1 - end];
+        }
+      }
+    }
+  }
+  return size;
+}
+}

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/Verdict.h"
+
+#include "CellMesh/WedgeOrder.h"
+#include "Criteria/CellGeometry.h"
+#include "Criteria/SimpleShapes.h"
+
+#include "vtk_verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
+constexpr double Positive = std::numeric_limits<double>::min();
+constexpr double VerdictInfinity = 1e30;
+constexpr double RadianPerDegree = 0.017453292519943295;
+constexpr int NumberOfShapes = 6;
+constexpr unsigned ShapesInOrder[NumberOfShapes] = { Triangles, Quadrilaterals, Tetrahedra, Pyramids,
+  Wedges, Hexahedra };
+
+using Function = double (*)(int, const double[][3]);
+
+//------------------------------------------------------------------------------
+// A measure of Verdict. The acceptable range is that of the most lenient shape.
+struct Measure
+{
+  const char* Name;
+  const char* Label;
+  const char* Description;
+  enum camaron::Unit Unit; // there is a function of that name, too
+  double Range[2];
+  double Ideal;
+  camaron::Better Better;
+  double Acceptable[2];
+  Function Functions[NumberOfShapes]; // of the shapes in this order, null where there is none
+};
+
+constexpr Measure Measures[] = {
+  // clang-format off
+    { "VerdictArea", "Verdict area",
+      "Area of a triangle or quadrilateral.", Unit::Area, { -Infinity, Infinity }, None,
+      Better::Neither, { -Infinity, Infinity },
+      { verdict::tri_area, verdict::quad_area, nullptr,
+        nullptr, nullptr, nullptr } },
+    { "VerdictAspectFrobenius", "Verdict aspect Frobenius",
+      "Frobenius norm of the Jacobian relative to the regular simplex.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 1.3 },
+      { verdict::tri_aspect_frobenius, nullptr, verdict::tet_aspect_frobenius,
+        nullptr, nullptr, nullptr } },
+    { "VerdictAspectGamma", "Verdict aspect gamma",
+      "Root mean square edge length cubed relative to the volume.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 3 },
+      { nullptr, nullptr, verdict::tet_aspect_gamma,
+        nullptr, nullptr, nullptr } },
+    { "VerdictAspectRatio", "Verdict aspect ratio",
+      "Longest edge relative to the inradius (to the area for quadrilaterals).", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 3 },
+      { verdict::tri_aspect_ratio, verdict::quad_aspect_ratio, verdict::tet_aspect_ratio,
+        nullptr, nullptr, nullptr } },
+    { "VerdictCollapseRatio", "Verdict collapse ratio",
+      "Smallest height above a face relative to the longest edge of that face; depends on the order of "
+      "the nodes.", Unit::None, { 0, Infinity }, None,
+      Better::Bigger, { 0.1, Infinity },
+      { nullptr, nullptr, verdict::tet_collapse_ratio,
+        nullptr, nullptr, nullptr } },
+    { "VerdictCondition", "Verdict condition",
+      "Condition number of the Jacobian, the largest of the corners.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 4 },
+      { verdict::tri_condition, verdict::quad_condition, verdict::tet_condition,
+        nullptr, verdict::wedge_condition, verdict::hex_condition } },
+    { "VerdictDiagonal", "Verdict diagonal",
+      "Shortest divided by longest diagonal.", Unit::None, { 0, 1 }, 1,
+      Better::Bigger, { 0.65, Infinity },
+      { nullptr, nullptr, nullptr,
+        nullptr, nullptr, verdict::hex_diagonal } },
+    { "VerdictDimension", "Verdict dimension",
+      "Volume divided by twice the gradient of volume, for stable time steps.", Unit::Length, { 0, Infinity }, None,
+      Better::Neither, { -Infinity, Infinity },
+      { nullptr, nullptr, nullptr,
+        nullptr, nullptr, verdict::hex_dimension } },
+    { "VerdictDistortion", "Verdict distortion",
+      "Smallest Jacobian determinant relative to the area or volume.", Unit::None, { -Infinity, Infinity }, 1,
+      Better::Bigger, { 0.5, Infinity },
+      { verdict::tri_distortion, verdict::quad_distortion, verdict::tet_distortion,
+        nullptr, verdict::wedge_distortion, verdict::hex_distortion } },
+    { "VerdictEdgeRatio", "Verdict edge ratio",
+      "Longest divided by shortest edge; of hexahedra only some edges, depending on the order of the nodes.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 3 },
+      { verdict::tri_edge_ratio, verdict::quad_edge_ratio, verdict::tet_edge_ratio,
+        nullptr, verdict::wedge_edge_ratio, verdict::hex_edge_ratio } },
+    { "VerdictEquiangleSkew", "Verdict equiangle skew",
+      "Largest relative deviation of an angle from that of the regular shape.", Unit::None, { 0, 1 }, 0,
+      Better::Smaller, { -Infinity, 0.7 },
+      { verdict::tri_equiangle_skew, verdict::quad_equiangle_skew, verdict::tet_equiangle_skew,
+        verdict::pyramid_equiangle_skew, verdict::wedge_equiangle_skew, verdict::hex_equiangle_skew } },
+    { "VerdictEquivolumeSkew", "Verdict equivolume skew",
+      "Relative deviation of the volume from that of the regular tetrahedron of the same circumsphere.", Unit::None, { 0, 1 }, 0,
+      Better::Smaller, { -Infinity, 0.7 },
+      { nullptr, nullptr, verdict::tet_equivolume_skew,
+        nullptr, nullptr, nullptr } },
+    { "VerdictInradius", "Verdict inradius",
+      "Radius of the inscribed ball.", Unit::Length, { 0, Infinity }, None,
+      Better::Neither, { -Infinity, Infinity },
+      { nullptr, nullptr, verdict::tet_inradius,
+        nullptr, nullptr, nullptr } },
+    { "VerdictJacobian", "Verdict Jacobian",
+      "Smallest determinant of the Jacobian.", Unit::Volume, { -Infinity, Infinity }, None,
+      Better::Bigger, { Positive, Infinity },
+      { nullptr, verdict::quad_jacobian, verdict::tet_jacobian,
+        verdict::pyramid_jacobian, verdict::wedge_jacobian, verdict::hex_jacobian } },
+    { "VerdictMaxAngle", "Verdict largest angle",
+      "Largest interior angle.", Unit::Angle, { 0, 360 }, None,
+      Better::Smaller, { -Infinity, 135 },
+      { verdict::tri_maximum_angle, verdict::quad_maximum_angle, nullptr,
+        nullptr, nullptr, nullptr } },
+    { "VerdictMaxAspectFrobenius", "Verdict largest aspect Frobenius",
+      "Largest aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 3 },
+      { nullptr, verdict::quad_max_aspect_frobenius, nullptr,
+        nullptr, verdict::wedge_max_aspect_frobenius, verdict::hex_max_aspect_frobenius } },
+    { "VerdictMaxEdgeRatio", "Verdict largest edge ratio",
+      "Largest ratio of the principal axes.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 1.3 },
+      { nullptr, verdict::quad_max_edge_ratio, nullptr,
+        nullptr, nullptr, verdict::hex_max_edge_ratio } },
+    { "VerdictMaxStretch", "Verdict largest stretch",
+      "Shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
+      Better::Neither, { -Infinity, Infinity },
+      { nullptr, nullptr, nullptr,
+        nullptr, verdict::wedge_max_stretch, nullptr } },
+    { "VerdictMeanAspectFrobenius", "Verdict mean aspect Frobenius",
+      "Mean aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, Infinity },
+      { nullptr, nullptr, nullptr,
+        nullptr, verdict::wedge_mean_aspect_frobenius, nullptr } },
+    { "VerdictMeanRatio", "Verdict mean ratio",
+      "Mean ratio of the tetrahedron.", Unit::None, { 0, 1 }, 1,
+      Better::Bigger, { 0.3, Infinity },
+      { nullptr, nullptr, verdict::tet_mean_ratio,
+        nullptr, nullptr, nullptr } },
+    { "VerdictMedAspectFrobenius", "Verdict mean aspect Frobenius of corners",
+      "Mean aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 3 },
+      { nullptr, verdict::quad_med_aspect_frobenius, nullptr,
+        nullptr, nullptr, verdict::hex_med_aspect_frobenius } },
+    { "VerdictMinAngle", "Verdict smallest angle",
+      "Smallest interior angle of a polygon, smallest dihedral angle of a tetrahedron, which depends on the order "
+      "of its nodes.", Unit::Angle, { 0, 360 }, None,
+      Better::Bigger, { 30, Infinity },
+      { verdict::tri_minimum_angle, verdict::quad_minimum_angle, verdict::tet_minimum_angle,
+        nullptr, nullptr, nullptr } },
+    { "VerdictNodalJacobianRatio", "Verdict nodal Jacobian ratio",
+      "Smallest divided by largest Jacobian of the nodes.", Unit::None, { -Infinity, 1 }, 1,
+      Better::Bigger, { Positive, Infinity },
+      { nullptr, nullptr, nullptr,
+        nullptr, nullptr, verdict::hex_nodal_jacobian_ratio } },
+    { "VerdictNormalizedInradius", "Verdict normalized inradius",
+      "Smallest inradius of the subtriangles or subtetrahedra relative to the regular shape.", Unit::None, { -Infinity, 1 }, 1,
+      Better::Bigger, { 0.15, Infinity },
+      { verdict::tri_normalized_inradius, nullptr, verdict::tet_normalized_inradius,
+        nullptr, nullptr, nullptr } },
+    { "VerdictOddy", "Verdict Oddy",
+      "Largest deviation of the metric tensor from the isotropic one.", Unit::None, { 0, Infinity }, 0,
+      Better::Smaller, { -Infinity, 0.5 },
+      { nullptr, verdict::quad_oddy, nullptr,
+        nullptr, nullptr, verdict::hex_oddy } },
+    { "VerdictRadiusRatio", "Verdict radius ratio",
+      "Circumradius divided by the inradius, relative to the regular shape.", Unit::None, { 1, Infinity }, 1,
+      Better::Smaller, { -Infinity, 3 },
+      { verdict::tri_radius_ratio, verdict::quad_radius_ratio, verdict::tet_radius_ratio,
+        nullptr, nullptr, nullptr } },
+    { "VerdictScaledJacobian", "Verdict scaled Jacobian",
+      "Smallest Jacobian divided by the lengths of its edges.", Unit::None, { -1.5, 1.5 }, 1,
+      Better::Bigger, { 0.3, Infinity },
+      { verdict::tri_scaled_jacobian, verdict::quad_scaled_jacobian, verdict::tet_scaled_jacobian,
+        verdict::pyramid_scaled_jacobian, verdict::wedge_scaled_jacobian, verdict::hex_scaled_jacobian } },
+    { "VerdictShape", "Verdict shape",
+      "Inverse of the worst condition number or aspect Frobenius.", Unit::None, { 0, 1 }, 1,
+      Better::Bigger, { 0.25, Infinity },
+      { verdict::tri_shape, verdict::quad_shape, verdict::tet_shape,
+        verdict::pyramid_shape, verdict::wedge_shape, verdict::hex_shape } },
+    { "VerdictShear", "Verdict shear",
+      "Smallest scaled Jacobian that is relevant for the skew.", Unit::None, { 0, 1 }, 1,
+      Better::Bigger, { 0.3, Infinity },
+      { nullptr, verdict::quad_shear, nullptr,
+        nullptr, nullptr, verdict::hex_shear } },
+    { "VerdictSkew", "Verdict skew",
+      "Largest cosine of the angles between the principal axes.", Unit::None, { 0, 1 }, 0,
+      Better::Smaller, { -Infinity, 0.5 },
+      { nullptr, verdict::quad_skew, nullptr,
+        nullptr, nullptr, verdict::hex_skew } },
+    { "VerdictSquishIndex", "Verdict squish index",
+      "Largest sine of the angle between a face and the line to its centre.", Unit::None, { 0, 1 }, 0,
+      Better::Smaller, { -Infinity, 0.3 },
+      { nullptr, nullptr, verdict::tet_squish_index,
+        nullptr, nullptr, nullptr } },
+    { "VerdictStretch", "Verdict stretch",
+      "Shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
+      Better::Bigger, { 0.25, Infinity },
+      { nullptr, verdict::quad_stretch, nullptr,
+        nullptr, nullptr, verdict::hex_stretch } },
+    { "VerdictTaper", "Verdict taper",
+      "Largest ratio of the cross derivative to the principal axes.", Unit::None, { 0, Infinity }, 0,
+      Better::Smaller, { -Infinity, 0.7 },
+      { nullptr, verdict::quad_taper, nullptr,
+        nullptr, nullptr, verdict::hex_taper } },
+    { "VerdictVolume", "Verdict volume",
+      "Volume by corner tetrahedra.", Unit::Volume, { -Infinity, Infinity }, None,
+      Better::Neither, { Positive, Infinity },
+      { nullptr, nullptr, verdict::tet_volume,
+        verdict::pyramid_volume, verdict::wedge_volume, verdict::hex_volume } },
+    { "VerdictWarpage", "Verdict warpage",
+      "1 minus the cube of the smallest cosine of the angle between normals of opposite corners.", Unit::None, { 0, 2 }, 0,
+      Better::Smaller, { -Infinity, 0.7 },
+      { nullptr, verdict::quad_warpage, nullptr,
+        nullptr, nullptr, nullptr } },
+  // clang-format on
+};
+constexpr std::size_t NumberOfMeasures = sizeof(Measures) / sizeof(Measures[0]);
+
+//------------------------------------------------------------------------------
+// Coordinates of the corners in Verdict's order, in which a wedge is an extrusion.
+int GetCorners(const CellGeometry& cell, unsigned shape, double corners[MaxSimpleNodes][3])
+{
+  int nodes[MaxSimpleNodes] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  int size = cell.GetNumberOfPoints();
+  const unsigned char type = cell.GetCellType();
+  if (shape & (Triangles | Quadrilaterals))
+  {
+    std::copy_n(cell.GetTopology().GetFace(0), size, nodes);
+  }
+  else if (type == VTK_WEDGE)
+  {
+    std::copy_n(GetExtrusionOrder(VTK_WEDGE), size, nodes);
+  }
+  else if (type != VTK_TETRA && type != VTK_PYRAMID && type != VTK_HEXAHEDRON)
+  {
+    size = GetSimpleNodes(cell.GetTopology(), shape, nodes);
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector& point = cell.GetPoint(nodes[i]);
+    corners[i][0] = point.X, corners[i][1] = point.Y, corners[i][2] = point.Z;
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+double Evaluate(const Measure& measure, const CellGeometry& cell)
+{
+  const unsigned shapes = cell.GetShapes();
+  int index = 0;
+  while (!(shapes & ShapesInOrder[index]))
+  {
+    ++index;
+  }
+  if (cell.IsZeroLength(cell.GetMaxEdgeLength()))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  double corners[MaxSimpleNodes][3];
+  const int size = GetCorners(cell, ShapesInOrder[index], corners);
+  double value = measure.Functions[index](size, corners);
+  if (std::isnan(value))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  if (std::abs(value) >= VerdictInfinity)
+  {
+    // Where a bounded measure should be large, this is Verdict's word for a collapsed cell.
+    value = measure.Better == Better::Bigger ? std::max(0.0, measure.Range[0])
+                                             : std::copysign(Infinity, value);
+  }
+  return measure.Unit == Unit::Angle ? cell.ToAngleUnit(RadianPerDegree * value) : value;
+}
+
+//------------------------------------------------------------------------------
+template <std::size_t Index>
+void EvaluateBlock(const CellGeometry* cells, int numberOfCells, double* values)
+{
+  for (int i = 0; i < numberOfCells; ++i)
+  {
+    values[i] = Evaluate(Measures[Index], cells[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+Criterion MakeCriterion(
+  const Measure& measure, void (*function)(const CellGeometry*, int, double*))
+{
+  unsigned shapes = 0;
+  for (int i = 0; i < NumberOfShapes; ++i)
+  {
+    shapes |= measure.Functions[i] ? ShapesInOrder[i] : 0u;
+  }
+  const bool hasRange = std::isfinite(measure.Acceptable[0]) || std::isfinite(measure.Acceptable[1]);
+  Criterion criterion = { measure.Name, measure.Label, measure.Description, shapes, measure.Unit,
+    { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
+    { measure.Acceptable[0], measure.Acceptable[1] },
+    hasRange ? "Verdict manual, rev. A, of the most lenient shape" : "", true, false, Cost::Edges,
+    NeedsEdges | NeedsFaces | NeedsVolume, function, nullptr };
+  return criterion;
+}
+
+//------------------------------------------------------------------------------
+template <std::size_t... Indices>
+std::vector<Criterion> MakeCriteria(std::index_sequence<Indices...>)
+{
+  return { MakeCriterion(Measures[Indices], EvaluateBlock<Indices>)... };
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> GetVerdictCriteria()
+{
+  return MakeCriteria(std::make_index_sequence<NumberOfMeasures>());
+}
+}

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The measures of Verdict against VTK's own use of it, and where VTK's answers are mended.
+#include "Criteria/Evaluation.h"
+#include "TestMeshes.h"
+
+#include "vtkMeshQuality.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+struct Row
+{
+  int Type;
+  const char* Name;
+  double (*OfVTK)(vtkCell*);
+};
+
+const Row Rows[] = {
+  { VTK_TRIANGLE, "VerdictArea", vtkMeshQuality::TriangleArea },
+  { VTK_QUAD, "VerdictArea", vtkMeshQuality::QuadArea },
+  { VTK_TRIANGLE, "VerdictAspectFrobenius", vtkMeshQuality::TriangleAspectFrobenius },
+  { VTK_TETRA, "VerdictAspectFrobenius", vtkMeshQuality::TetAspectFrobenius },
+  { VTK_TETRA, "VerdictAspectGamma", vtkMeshQuality::TetAspectGamma },
+  { VTK_TRIANGLE, "VerdictAspectRatio", vtkMeshQuality::TriangleAspectRatio },
+  { VTK_QUAD, "VerdictAspectRatio", vtkMeshQuality::QuadAspectRatio },
+  { VTK_TETRA, "VerdictAspectRatio", vtkMeshQuality::TetAspectRatio },
+  { VTK_TETRA, "VerdictCollapseRatio", vtkMeshQuality::TetCollapseRatio },
+  { VTK_TRIANGLE, "VerdictCondition", vtkMeshQuality::TriangleCondition },
+  { VTK_QUAD, "VerdictCondition", vtkMeshQuality::QuadCondition },
+  { VTK_TETRA, "VerdictCondition", vtkMeshQuality::TetCondition },
+  { VTK_WEDGE, "VerdictCondition", vtkMeshQuality::WedgeCondition },
+  { VTK_HEXAHEDRON, "VerdictCondition", vtkMeshQuality::HexCondition },
+  { VTK_HEXAHEDRON, "VerdictDiagonal", vtkMeshQuality::HexDiagonal },
+  { VTK_HEXAHEDRON, "VerdictDimension", vtkMeshQuality::HexDimension },
+  { VTK_TRIANGLE, "VerdictDistortion", vtkMeshQuality::TriangleDistortion },
+  { VTK_QUAD, "VerdictDistortion", vtkMeshQuality::QuadDistortion },
+  { VTK_TETRA, "VerdictDistortion", vtkMeshQuality::TetDistortion },
+  { VTK_WEDGE, "VerdictDistortion", vtkMeshQuality::WedgeDistortion },
+  { VTK_HEXAHEDRON, "VerdictDistortion", vtkMeshQuality::HexDistortion },
+  { VTK_TRIANGLE, "VerdictEdgeRatio", vtkMeshQuality::TriangleEdgeRatio },
+  { VTK_QUAD, "VerdictEdgeRatio", vtkMeshQuality::QuadEdgeRatio },
+  { VTK_TETRA, "VerdictEdgeRatio", vtkMeshQuality::TetEdgeRatio },
+  { VTK_WEDGE, "VerdictEdgeRatio", vtkMeshQuality::WedgeEdgeRatio },
+  { VTK_HEXAHEDRON, "VerdictEdgeRatio", vtkMeshQuality::HexEdgeRatio },
+  { VTK_TRIANGLE, "VerdictEquiangleSkew", vtkMeshQuality::TriangleEquiangleSkew },
+  { VTK_QUAD, "VerdictEquiangleSkew", vtkMeshQuality::QuadEquiangleSkew },
+  { VTK_TETRA, "VerdictEquiangleSkew", vtkMeshQuality::TetEquiangleSkew },
+  { VTK_PYRAMID, "VerdictEquiangleSkew", vtkMeshQuality::PyramidEquiangleSkew },
+  { VTK_WEDGE, "VerdictEquiangleSkew", vtkMeshQuality::WedgeEquiangleSkew },
+  { VTK_HEXAHEDRON, "VerdictEquiangleSkew", vtkMeshQuality::HexEquiangleSkew },
+  { VTK_TETRA, "VerdictEquivolumeSkew", vtkMeshQuality::TetEquivolumeSkew },
+  { VTK_QUAD, "VerdictJacobian", vtkMeshQuality::QuadJacobian },
+  { VTK_TETRA, "VerdictJacobian", vtkMeshQuality::TetJacobian },
+  { VTK_PYRAMID, "VerdictJacobian", vtkMeshQuality::PyramidJacobian },
+  { VTK_WEDGE, "VerdictJacobian", vtkMeshQuality::WedgeJacobian },
+  { VTK_HEXAHEDRON, "VerdictJacobian", vtkMeshQuality::HexJacobian },
+  { VTK_TRIANGLE, "VerdictMaxAngle", vtkMeshQuality::TriangleMaxAngle },
+  { VTK_QUAD, "VerdictMaxAngle", vtkMeshQuality::QuadMaxAngle },
+  { VTK_QUAD, "VerdictMaxAspectFrobenius", vtkMeshQuality::QuadMaxAspectFrobenius },
+  { VTK_WEDGE, "VerdictMaxAspectFrobenius", vtkMeshQuality::WedgeMaxAspectFrobenius },
+  { VTK_HEXAHEDRON, "VerdictMaxAspectFrobenius", vtkMeshQuality::HexMaxAspectFrobenius },
+  { VTK_QUAD, "VerdictMaxEdgeRatio", vtkMeshQuality::QuadMaxEdgeRatio },
+  { VTK_HEXAHEDRON, "VerdictMaxEdgeRatio", vtkMeshQuality::HexMaxEdgeRatio },
+  { VTK_WEDGE, "VerdictMaxStretch", vtkMeshQuality::WedgeMaxStretch },
+  { VTK_WEDGE, "VerdictMeanAspectFrobenius", vtkMeshQuality::WedgeMeanAspectFrobenius },
+  { VTK_TETRA, "VerdictMeanRatio", vtkMeshQuality::TetMeanRatio },
+  { VTK_QUAD, "VerdictMedAspectFrobenius", vtkMeshQuality::QuadMedAspectFrobenius },
+  { VTK_HEXAHEDRON, "VerdictMedAspectFrobenius", vtkMeshQuality::HexMedAspectFrobenius },
+  { VTK_TRIANGLE, "VerdictMinAngle", vtkMeshQuality::TriangleMinAngle },
+  { VTK_QUAD, "VerdictMinAngle", vtkMeshQuality::QuadMinAngle },
+  { VTK_TETRA, "VerdictMinAngle", vtkMeshQuality::TetMinAngle },
+  { VTK_HEXAHEDRON, "VerdictNodalJacobianRatio", vtkMeshQuality::HexNodalJacobianRatio },
+  { VTK_TRIANGLE, "VerdictNormalizedInradius", vtkMeshQuality::TriangleNormalizedInradius },
+  { VTK_TETRA, "VerdictNormalizedInradius", vtkMeshQuality::TetNormalizedInradius },
+  { VTK_QUAD, "VerdictOddy", vtkMeshQuality::QuadOddy },
+  { VTK_HEXAHEDRON, "VerdictOddy", vtkMeshQuality::HexOddy },
+  { VTK_TRIANGLE, "VerdictRadiusRatio", vtkMeshQuality::TriangleRadiusRatio },
+  { VTK_QUAD, "VerdictRadiusRatio", vtkMeshQuality::QuadRadiusRatio },
+  { VTK_TETRA, "VerdictRadiusRatio", vtkMeshQuality::TetRadiusRatio },
+  { VTK_TRIANGLE, "VerdictScaledJacobian", vtkMeshQuality::TriangleScaledJacobian },
+  { VTK_QUAD, "VerdictScaledJacobian", vtkMeshQuality::QuadScaledJacobian },
+  { VTK_TETRA, "VerdictScaledJacobian", vtkMeshQuality::TetScaledJacobian },
+  { VTK_PYRAMID, "VerdictScaledJacobian", vtkMeshQuality::PyramidScaledJacobian },
+  { VTK_WEDGE, "VerdictScaledJacobian", vtkMeshQuality::WedgeScaledJacobian },
+  { VTK_HEXAHEDRON, "VerdictScaledJacobian", vtkMeshQuality::HexScaledJacobian },
+  { VTK_TRIANGLE, "VerdictShape", vtkMeshQuality::TriangleShape },
+  { VTK_QUAD, "VerdictShape", vtkMeshQuality::QuadShape },
+  { VTK_TETRA, "VerdictShape", vtkMeshQuality::TetShape },
+  { VTK_PYRAMID, "VerdictShape", vtkMeshQuality::PyramidShape },
+  { VTK_WEDGE, "VerdictShape", vtkMeshQuality::WedgeShape },
+  { VTK_HEXAHEDRON, "VerdictShape", vtkMeshQuality::HexShape },
+  { VTK_QUAD, "VerdictShear", vtkMeshQuality::QuadShear },
+  { VTK_HEXAHEDRON, "VerdictShear", vtkMeshQuality::HexShear },
+  { VTK_QUAD, "VerdictSkew", vtkMeshQuality::QuadSkew },
+  { VTK_HEXAHEDRON, "VerdictSkew", vtkMeshQuality::HexSkew },
+  { VTK_TETRA, "VerdictSquishIndex", vtkMeshQuality::TetSquishIndex },
+  { VTK_QUAD, "VerdictStretch", vtkMeshQuality::QuadStretch },
+  { VTK_HEXAHEDRON, "VerdictStretch", vtkMeshQuality::HexStretch },
+  { VTK_QUAD, "VerdictTaper", vtkMeshQuality::QuadTaper },
+  { VTK_HEXAHEDRON, "VerdictTaper", vtkMeshQuality::HexTaper },
+  { VTK_TETRA, "VerdictVolume", vtkMeshQuality::TetVolume },
+  { VTK_PYRAMID, "VerdictVolume", vtkMeshQuality::PyramidVolume },
+  { VTK_WEDGE, "VerdictVolume", vtkMeshQuality::WedgeVolume },
+  { VTK_HEXAHEDRON, "VerdictVolume", vtkMeshQuality::HexVolume },
+  { VTK_QUAD, "VerdictWarpage", vtkMeshQuality::QuadWarpage },
+};
+
+double EvaluateOne(vtkDataSet* mesh, const char* name, const EvaluationOptions& options = {})
+{
+  double value = 0;
+  const std::vector<CriterionValues> rows = { { FindCriterion(name), &value } };
+  EXPECT_NE(rows[0].Criterion, nullptr) << name;
+  EXPECT_TRUE(Evaluate(MeshTopology(mesh), options, rows, [](double) { return true; }));
+  return value;
+}
+
+Grid MakeCell(int type)
+{
+  const Points square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  switch (type)
+  {
+    case VTK_TRIANGLE:
+      return MakeGrid(square, { { VTK_TRIANGLE, { 0, 1, 2 } } });
+    case VTK_QUAD:
+      return MakeGrid(square, { { VTK_QUAD, { 0, 1, 2, 3 } } });
+    default:
+      return MakeStandardCell(type);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Some versions of VTK hand a wedge to Verdict in VTK's order, that is inside out.
+Grid AsVerdictWants(vtkUnstructuredGrid* grid)
+{
+  if (grid->GetCellType(0) != VTK_WEDGE ||
+    vtkMeshQuality::WedgeVolume(MakeStandardCell(VTK_WEDGE)->GetCell(0)) > 0)
+  {
+    return grid;
+  }
+  Grid turned = MakeGrid({}, { { VTK_WEDGE, { 0, 2, 1, 3, 5, 4 } } });
+  turned->SetPoints(grid->GetPoints());
+  return turned;
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, our numbers are not those that people know from VTK.
+TEST(Verdict, EqualsMeshQuality)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> noise(-0.15, 0.15);
+  for (int round = 0; round < 20; ++round)
+  {
+    for (const Row& row : Rows)
+    {
+      const Grid grid = MakeCell(row.Type);
+      for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+      {
+        double x[3];
+        grid->GetPoint(i, x);
+        const bool isFlat = row.Type == VTK_TRIANGLE || row.Type == VTK_QUAD;
+        grid->GetPoints()->SetPoint(
+          i, x[0] + noise(random), x[1] + noise(random), x[2] + (isFlat ? 0 : noise(random)));
+      }
+      const double expected = row.OfVTK(AsVerdictWants(grid)->GetCell(0));
+      EXPECT_NEAR(EvaluateOne(grid, row.Name), expected, 1e-9 * std::max(1.0, std::abs(expected)))
+        << row.Name << " of type " << row.Type;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(Verdict, PitfallsAreMended)
+{
+  // Verdict says 1e30 for a hexahedron with a collapsed edge, which is not good.
+  const Grid hexahedron = MakeStandardCell(VTK_HEXAHEDRON);
+  double x[3];
+  hexahedron->GetPoint(0, x);
+  hexahedron->GetPoints()->SetPoint(1, x);
+  EXPECT_LE(EvaluateOne(hexahedron, "VerdictScaledJacobian"), 0);
+  // A flat tetrahedron is infinitely bad.
+  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  EXPECT_EQ(EvaluateOne(flat, "VerdictAspectRatio"), std::numeric_limits<double>::infinity());
+  // What has no such measure is null, and not -1.
+  EXPECT_EQ(GetNullReason(EvaluateOne(flat, "VerdictMaxAngle")), NullReason::NotApplicable);
+  // A tetrahedron is one whatever its VTK type.
+  const Grid healthy = MakeStandardCell(VTK_TETRA);
+  EXPECT_NEAR(EvaluateOne(ToPolyhedra(healthy), "VerdictShape"), EvaluateOne(healthy, "VerdictShape"), 1e-12);
+  // Angles come in the unit that was asked for.
+  EvaluationOptions radians;
+  radians.Angles = AngleUnit::Radians;
+  const Grid square = MakeCell(VTK_QUAD);
+  EXPECT_NEAR(EvaluateOne(square, "VerdictMaxAngle"), 90, 1e-9);
+  EXPECT_NEAR(EvaluateOne(square, "VerdictMaxAngle", radians), std::acos(0.0), 1e-12);
+}
