@@ -47,7 +47,7 @@ def convert(
     made = [opened.source]
     try:
         notes = list(opened.warnings)
-        if opened.time and opened.time["steps"] > 1:
+        if opened.time and opened.time["steps"] > 1 and not _writes_all_steps(options):
             notes.append(
                 f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0, was taken"
                 f" (time {opened.time['value']:g})."
@@ -58,6 +58,14 @@ def convert(
     finally:
         for proxy in reversed(made):
             simple.Delete(proxy)
+
+
+def _writes_all_steps(options: dict[str, Any]) -> bool:
+    names = {"writetimesteps", "writealltimesteps", "writetimestepsasfileseries"}
+    return any(
+        formats.plain(name) in names and str(value).lower() not in ("0", "off", "no", "false")
+        for name, value in options.items()
+    )
 
 
 def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:

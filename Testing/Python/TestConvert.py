@@ -151,6 +151,19 @@ class TestConvert(camaron_testing.TestCase):
             self.assertRegex(notes[0], "This is a Gmsh mesh; ParaView's own reader")
             self.assertEqual(self.cells(self.folder / "g.vtu"), 1)
 
+    def test_time_steps(self):
+        """One step is taken, and said to be; or all are written to numbered files."""
+        for step in range(2):
+            convert(camaron_testing.EXAMPLES / "flange.visf", self.folder / f"s{step}.visf")
+        series = self.folder / "s.visf.series"
+        files = ", ".join(f'{{"name": "s{i}.visf", "time": {i}}}' for i in range(2))
+        series.write_text(f'{{"file-series-version": "1.0", "files": [{files}]}}')
+        (note,) = convert(series, self.folder / "one.visf")
+        self.assertIn("Of 2 time steps number 1", note)
+        self.assertEqual(convert(series, self.folder / "all.visf", write_time_steps="on"), [])
+        names = sorted(path.name for path in self.folder.glob("all*"))
+        self.assertEqual(names, ["all_0.visf", "all_1.visf"])
+
     def test_unreadable(self):
         """Each says what is wrong in a few words."""
         (self.folder / "empty.visf").write_text("")
