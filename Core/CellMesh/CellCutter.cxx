@@ -23,9 +23,8 @@ CellCutter::CellCutter(const MeshView& mesh)
 CellCutter::~CellCutter() = default;
 
 //------------------------------------------------------------------------------
-void CellCutter::Fan(const vtkIdType* points, vtkIdType size)
+void CellCutter::Fan(const vtkIdType* points, vtkIdType size, vtkIdType first)
 {
-  const vtkIdType first = std::min_element(points, points + size) - points;
   for (vtkIdType i = 1; i + 1 < size; ++i)
   {
     this->Triangles.push_back(
@@ -34,28 +33,22 @@ void CellCutter::Fan(const vtkIdType* points, vtkIdType size)
 }
 
 //------------------------------------------------------------------------------
-// Along the diagonal from the smallest id, unless the quadrilateral is concave at the other two.
-bool CellCutter::CutQuad(const vtkIdType* points)
+// Whether all triangles around a point look to the same side as the polygon does as a whole.
+bool CellCutter::CanFan(const vtkIdType* points, vtkIdType size, vtkIdType first)
 {
-  const vtkIdType smallest = std::min_element(points, points + 4) - points;
-  for (vtkIdType turn = 0; turn < 2; ++turn)
+  const Vector origin = this->GetPlace(points[first]);
+  this->Normals.clear();
+  Vector sum;
+  Vector edge = this->GetPlace(points[(first + 1) % size]) - origin;
+  for (vtkIdType i = 2; i < size; ++i)
   {
-    vtkIdType p[4];
-    Vector x[4];
-    for (vtkIdType i = 0; i < 4; ++i)
-    {
-      p[i] = points[(smallest + turn + i) % 4];
-      x[i] = this->GetPlace(p[i]);
-    }
-    const Vector first = Cross(x[1] - x[0], x[2] - x[0]), second = Cross(x[2] - x[0], x[3] - x[0]);
-    if (Dot(first, second) > 0)
-    {
-      this->Triangles.push_back({ p[0], p[1], p[2] });
-      this->Triangles.push_back({ p[0], p[2], p[3] });
-      return true;
-    }
+    const Vector next = this->GetPlace(points[(first + i) % size]) - origin;
+    this->Normals.push_back(Cross(edge, next));
+    sum += this->Normals.back();
+    edge = next;
   }
-  return false;
+  return std::all_of(this->Normals.begin(), this->Normals.end(),
+    [&sum](const Vector& normal) { return Dot(normal, sum) > 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -67,13 +60,17 @@ bool CellCutter::CutPolygon(const vtkIdType* points, vtkIdType size)
     this->Triangles.push_back({ points[0], points[1], points[2] });
     return true;
   }
+  const vtkIdType smallest = std::min_element(points, points + size) - points;
+  if (this->CanFan(points, size, smallest))
+  {
+    this->Fan(points, size, smallest);
+    return true;
+  }
   if (size == 4)
   {
-    const bool good = this->CutQuad(points);
-    if (!good)
-    {
-      this->Fan(points, size);
-    }
+    const vtkIdType other = (smallest + 1) % size;
+    const bool good = this->CanFan(points, size, other);
+    this->Fan(points, size, good ? other : smallest);
     return good;
   }
   if (!this->Polygon)
@@ -95,7 +92,7 @@ bool CellCutter::CutPolygon(const vtkIdType* points, vtkIdType size)
     this->Ears->GetNumberOfIds() == 3 * (size - 2);
   if (!good)
   {
-    this->Fan(points, size);
+    this->Fan(points, size, smallest);
     return false;
   }
   for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
@@ -149,7 +146,8 @@ void CellCutter::CutCell(vtkIdType cell)
         return;
       }
       this->Triangles.clear();
-      this->Fan(ids.data(), static_cast<vtkIdType>(ids.size()));
+      this->Fan(ids.data(), static_cast<vtkIdType>(ids.size()),
+        std::min_element(ids.begin(), ids.end()) - ids.begin());
       for (const Triangle& t : this->Triangles)
       {
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
@@ -220,8 +218,7 @@ unsigned char CellCutter::MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8])
   }
   const unsigned char type =
     PrimitiveMatcher::Guess(static_cast<std::int32_t>(numberOfFaces), triangles, quads);
-  PrimitiveMatcher matcher(
-    PointSource(reinterpret_cast<const char*>(places), numberOfNodes, true));
+  PrimitiveMatcher matcher(PointSource(reinterpret_cast<const char*>(places), numberOfNodes, true));
   if (type == VTK_POLYHEDRON || !matcher.Match(type, lists))
   {
     return VTK_POLYHEDRON;

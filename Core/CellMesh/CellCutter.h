@@ -34,7 +34,8 @@ public:
   ~CellCutter();
 
   /**
-   * Triangles of a polygon that run as it does. False if it crosses itself or has no area, so that
+   * Triangles of a polygon that run as it does: around the smallest point id if that is right, else
+   * ears are cut (O(n^2)). False if it crosses itself or has no area, so that
    * any choice is as good: they then fan out from the smallest point id.
    */
   bool CutPolygon(const vtkIdType* points, vtkIdType size);
@@ -65,14 +66,15 @@ private:
     this->Mesh.GetPoint(point, x);
     return { x[0], x[1], x[2] };
   }
-  bool CutQuad(const vtkIdType* points);
-  void Fan(const vtkIdType* points, vtkIdType size);
+  void Fan(const vtkIdType* points, vtkIdType size, vtkIdType first);
+  bool CanFan(const vtkIdType* points, vtkIdType size, vtkIdType first);
 
   const MeshView& Mesh;
   CellFacets Facets;
   std::vector<Triangle> Triangles;
   std::vector<Tetrahedron> Tetrahedra;
   std::vector<vtkIdType> Points;
+  std::vector<Vector> Normals;
   std::vector<std::pair<vtkIdType, vtkIdType>> Edges;
   std::vector<std::vector<vtkIdType>> Faces;
   vtkSmartPointer<vtkPolygon> Polygon;

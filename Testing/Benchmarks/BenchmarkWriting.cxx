@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What writers have in common: cells made to fit a format, and text. Files are written to the
+// folder for temporary files. Usage: BenchmarkWriting [million cells]
+#include "BenchmarkMeshes.h"
+
+#include "CellMesh/CellConversion.h"
+#include "CellMesh/OutputMesh.h"
+#include "Scan/RealFormat.h"
+#include "Scan/WriteRows.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <utility>
+#include <vector>
+
+using namespace camaron;
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Medians of wall and processor time in seconds.
+std::pair<double, double> Measure(const std::function<void()>& work)
+{
+  constexpr std::size_t Repetitions = 5;
+  std::vector<double> wall, processor;
+  for (std::size_t i = 0; i < Repetitions; ++i)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t clock = std::clock();
+    work();
+    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    processor.push_back(static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
+  }
+  std::sort(wall.begin(), wall.end());
+  std::sort(processor.begin(), processor.end());
+  return { wall[Repetitions / 2], processor[Repetitions / 2] };
+}
+
+//------------------------------------------------------------------------------
+void MeasureConversion(
+  const char* what, vtkUnstructuredGrid* grid, const CellTypeSet& held, SurfaceFaces surface)
+{
+  vtkIdType made = 0;
+  const auto time = Measure(
+    [&]
+    {
+      CellConversion how{ "Foo", held };
+      how.Others = UnsupportedCells::Convert;
+      how.Surface = surface;
+      OutputMesh output;
+      Warnings warnings;
+      ScanError error;
+      ConvertCells(grid, how, "mesh.foo", output, warnings, error);
+      made = output.GetNumberOfCells();
+    });
+  const double cells = static_cast<double>(grid->GetNumberOfCells());
+  std::printf("%-44s %10lld %10lld %9.3f %9.0f\n", what,
+    static_cast<long long>(grid->GetNumberOfCells()), static_cast<long long>(made), time.first,
+    1e9 * time.second / cells);
+}
+
+//------------------------------------------------------------------------------
+void MeasureText(const char* what, const OutputMesh& mesh, const RealFormat& format)
+{
+  const std::string path =
+    (std::filesystem::temp_directory_path() / "camaron-benchmark.txt").string();
+  const auto time = Measure(
+    [&]
+    {
+      OutputFile file(path);
+      WriteRows(file, mesh.GetNumberOfPoints(), Progress(),
+        [&](vtkIdType point, std::string& text)
+        {
+          double x[3];
+          mesh.GetPoint(point, x);
+          format.AppendRow(text, x, 3);
+        });
+      file.Commit();
+    });
+  const double megabytes = 1e-6 * static_cast<double>(std::filesystem::file_size(path));
+  std::filesystem::remove(path);
+  std::printf("%-44s %10.0f %20.3f %9.0f\n", what, megabytes, time.first, megabytes / time.second);
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  const double million = argc > 1 ? std::atof(argv[1]) : 1;
+  const auto count = static_cast<vtkIdType>(1e6 * million);
+  std::printf("threads: %d, backend: %s\n\n", vtkSMPTools::GetEstimatedNumberOfThreads(),
+    vtkSMPTools::GetBackend());
+
+  const auto tetrahedra = MakeTetrahedra(count);
+  const auto polyhedra = MakeTruncatedOctahedra(std::max<vtkIdType>(1, count / 10));
+  std::printf("%-44s %10s %10s %9s %9s\n", "conversion", "cells", "become", "wall s", "ns/cell*");
+  MeasureConversion("tetrahedra, as they are", tetrahedra, { VTK_TETRA }, SurfaceFaces::None);
+  MeasureConversion(
+    "truncated octahedra to tetrahedra", polyhedra, { VTK_TETRA }, SurfaceFaces::None);
+  MeasureConversion("truncated octahedra, triangles of all faces", polyhedra, { VTK_TRIANGLE },
+    SurfaceFaces::Every);
+  MeasureConversion("truncated octahedra, boundary polygons", polyhedra,
+    { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON }, SurfaceFaces::Boundary);
+
+  const OutputMesh mesh(tetrahedra);
+  std::printf("\n%-44s %10s %20s %9s\n", "coordinates as text", "MB", "wall s", "MB/s*");
+  MeasureText("shortest, double", mesh, RealFormat::Shortest());
+  MeasureText("shortest, float", mesh, RealFormat::ShortestFloat());
+  MeasureText("9 digits", mesh, RealFormat::Significant(9));
+  MeasureText("17 digits", mesh, RealFormat::Significant(17));
+  MeasureText("fields of 21 columns", mesh, RealFormat::Field(21, 13, 3));
+  std::printf("\n* of processor time, all threads together\n");
+  return 0;
+}
