@@ -48,3 +48,10 @@ camaron_format(
   DESCRIPTION "TetGen or Triangle mesh"
   READS       "all files, any ids, attributes, regions and markers, elements of second order"
   READER)
+
+camaron_format(
+  NAME        PolygonPLY
+  EXTENSIONS  ply
+  DESCRIPTION "PLY mesh with all its arrays"
+  READS       "ASCII, binary of both byte orders, polygons, strips, edges, polyhedra, all properties"
+  READER)

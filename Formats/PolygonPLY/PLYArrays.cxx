@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PLYArrays.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+
+#include <algorithm>
+#include <set>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Finds the arrays of one element.
+class Planner
+{
+public:
+  Planner(const PLYElement& element, std::vector<bool>& used)
+    : Element(element)
+    , Used(used)
+  {
+  }
+
+  void AddPoints();
+  void AddNormals();
+  void AddColours();
+  void AddTextureCoordinates();
+  void AddVectors(const std::map<std::string, int>& components);
+  void AddScalars();
+  std::vector<PLYArrayPlan> Plans;
+
+private:
+  const PLYProperty& Get(int property) const { return this->Element.Properties[property]; }
+  /// A property that is not used yet; -1 if there is none.
+  int Find(const std::string& name) const
+  {
+    for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
+    {
+      const PLYProperty& property = this->Element.Properties[i];
+      if (!this->Used[i] && !property.IsList && property.Name == name)
+      {
+        return static_cast<int>(i);
+      }
+    }
+    return -1;
+  }
+  /// The properties of these names, or none if one of them is missing.
+  std::vector<int> FindAll(const std::vector<std::string>& names) const
+  {
+    std::vector<int> found;
+    for (const std::string& name : names)
+    {
+      found.push_back(this->Find(name));
+    }
+    const bool all = std::find(found.begin(), found.end(), -1) == found.end();
+    return all ? found : std::vector<int>();
+  }
+  PLYType GetRealType(const std::vector<int>& properties) const
+  {
+    PLYType type = PLYType::Float;
+    for (const int property : properties)
+    {
+      type = property < 0 ? type : camaron::GetRealType(type, this->Get(property).Type);
+    }
+    return type;
+  }
+  bool HaveOneType(const std::vector<int>& properties) const
+  {
+    return std::all_of(properties.begin(), properties.end(),
+      [&](int p) { return this->Get(p).Type == this->Get(properties[0]).Type; });
+  }
+  void Add(PLYArrayPlan::Role kind, const std::string& name, PLYType type,
+    const std::vector<int>& properties, PLYConversion conversion = PLYConversion::Value);
+
+  const PLYElement& Element;
+  std::vector<bool>& Used;
+  std::set<std::string> Names;
+};
+
+//------------------------------------------------------------------------------
+void Planner::Add(PLYArrayPlan::Role kind, const std::string& name, PLYType type,
+  const std::vector<int>& properties, PLYConversion conversion)
+{
+  PLYArrayPlan plan;
+  plan.Kind = kind;
+  plan.Type = type;
+  plan.Conversion = conversion;
+  plan.Properties = properties;
+  plan.Name = name;
+  for (int number = 2; !this->Names.insert(plan.Name).second; ++number)
+  {
+    plan.Name = name + "_" + std::to_string(number);
+  }
+  for (const int property : properties)
+  {
+    if (property >= 0)
+    {
+      this->Used[property] = true;
+    }
+  }
+  this->Plans.push_back(plan);
+}
+
+//------------------------------------------------------------------------------
+void Planner::AddPoints()
+{
+  const std::vector<int> found = { this->Find("x"), this->Find("y"), this->Find("z") };
+  this->Add(PLYArrayPlan::Role::Points, "Points", this->GetRealType(found), found);
+}
+
+//------------------------------------------------------------------------------
+void Planner::AddNormals()
+{
+  const std::vector<int> found = this->FindAll({ "nx", "ny", "nz" });
+  if (!found.empty())
+  {
+    this->Add(PLYArrayPlan::Role::Normals, "Normals", this->GetRealType(found), found);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Planner::AddColours()
+{
+  for (const char* prefix : { "", "diffuse_" })
+  {
+    std::vector<std::string> names = { "red", "green", "blue", "alpha" };
+    for (std::string& name : names)
+    {
+      name = prefix + name;
+    }
+    std::vector<int> found = this->FindAll(names);
+    if (found.empty())
+    {
+      names.pop_back();
+      found = this->FindAll(names);
+    }
+    // Integers of other types may count from 0 to anything.
+    const bool areColours = !found.empty() && this->HaveOneType(found) &&
+      (this->Get(found[0]).Type == PLYType::UInt8 || IsReal(this->Get(found[0]).Type) ||
+        this->Get(found[0]).IsColour);
+    if (areColours)
+    {
+      this->Add(PLYArrayPlan::Role::Scalars, names.size() == 4 ? "RGBA" : "RGB", PLYType::UInt8,
+        found, PLYConversion::Colour);
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Planner::AddTextureCoordinates()
+{
+  const std::vector<std::string> pairs[] = { { "u", "v" }, { "s", "t" },
+    { "texture_u", "texture_v" }, { "texture_s", "texture_t" } };
+  for (const auto& names : pairs)
+  {
+    const std::vector<int> found = this->FindAll(names);
+    if (!found.empty())
+    {
+      this->Add(PLYArrayPlan::Role::TextureCoordinates, "TCoords", this->GetRealType(found), found);
+      return;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Planner::AddVectors(const std::map<std::string, int>& components)
+{
+  for (const auto& entry : components)
+  {
+    if (entry.second > static_cast<int>(this->Element.Properties.size()))
+    {
+      continue;
+    }
+    std::vector<std::string> names;
+    for (int i = 0; i < entry.second; ++i)
+    {
+      names.push_back(entry.first + "_" + std::to_string(i));
+    }
+    const std::vector<int> found = this->FindAll(names);
+    if (!found.empty() && this->HaveOneType(found))
+    {
+      this->Add(PLYArrayPlan::Role::Scalars, entry.first, this->Get(found[0]).Type, found);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Planner::AddScalars()
+{
+  for (std::size_t i = 0; i < this->Element.Properties.size(); ++i)
+  {
+    const PLYProperty& property = this->Element.Properties[i];
+    if (!property.IsList && !this->Used[i])
+    {
+      this->Add(PLYArrayPlan::Role::Scalars, property.Name, property.Type, { static_cast<int>(i) });
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> MakeArray(PLYType type, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(GetVTKType(type)));
+  array->SetNumberOfComponents(components);
+  const vtkIdType size = tuples * components;
+  if (size > 0)
+  {
+    array->SetVoidArray(AllocateLarge(static_cast<std::size_t>(size) * GetSize(type)), size, 0,
+      vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subject,
+  const std::map<std::string, int>& components, std::vector<bool> used)
+{
+  used.resize(element.Properties.size(), false);
+  Planner planner(element, used);
+  if (subject == PLYSubject::Points)
+  {
+    planner.AddPoints();
+    planner.AddTextureCoordinates();
+  }
+  if (subject != PLYSubject::Other)
+  {
+    planner.AddNormals();
+    planner.AddColours();
+  }
+  planner.AddVectors(components);
+  planner.AddScalars();
+  return planner.Plans;
+}
+
+//------------------------------------------------------------------------------
+void PLYArrays::Add(std::vector<PLYArrayPlan>& plans)
+{
+  const auto find = [&](const std::string& name)
+  {
+    return std::find_if(this->Arrays.begin(), this->Arrays.end(),
+      [&](const Entry& entry) { return entry.Plan.Name == name; });
+  };
+  for (PLYArrayPlan& plan : plans)
+  {
+    auto known = find(plan.Name);
+    while (known != this->Arrays.end() &&
+      (known->Plan.Properties.size() != plan.Properties.size() || known->Plan.Kind != plan.Kind ||
+        known->Plan.Conversion != plan.Conversion))
+    {
+      plan.Name += "_";
+      known = find(plan.Name);
+    }
+    if (known == this->Arrays.end())
+    {
+      this->Arrays.push_back({ plan, nullptr });
+    }
+    else if (known->Plan.Type != plan.Type)
+    {
+      known->Plan.Type = GetRealType(known->Plan.Type, plan.Type);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void PLYArrays::Allocate(vtkIdType tuples, bool isCovered)
+{
+  for (Entry& entry : this->Arrays)
+  {
+    const PLYArrayPlan& plan = entry.Plan;
+    const auto components = static_cast<int>(plan.Properties.size());
+    entry.Array = MakeArray(plan.Type, components, tuples);
+    entry.Array->SetName(plan.Name.c_str());
+    const bool isFull = isCovered &&
+      std::find(plan.Properties.begin(), plan.Properties.end(), -1) == plan.Properties.end();
+    if (!isFull)
+    {
+      const bool isMissing = IsReal(plan.Type) && plan.Kind != PLYArrayPlan::Role::Points;
+      entry.Array->Fill(isMissing ? std::numeric_limits<double>::quiet_NaN() : 0);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* PLYArrays::Get(const std::string& name) const
+{
+  for (const Entry& entry : this->Arrays)
+  {
+    if (entry.Plan.Name == name)
+    {
+      return entry.Array;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::vector<PLYColumn> PLYArrays::GetColumns(const std::vector<PLYArrayPlan>& plans) const
+{
+  std::vector<PLYColumn> columns;
+  for (const PLYArrayPlan& plan : plans)
+  {
+    vtkDataArray* const array = this->Get(plan.Name);
+    if (array->GetNumberOfTuples() == 0)
+    {
+      continue;
+    }
+    const int components = array->GetNumberOfComponents();
+    PLYType type = plan.Type;
+    FindType(array->GetDataType(), type);
+    for (int c = 0; c < components; ++c)
+    {
+      if (plan.Properties[c] >= 0)
+      {
+        columns.push_back({ plan.Properties[c], plan.Conversion, type,
+          static_cast<char*>(array->GetVoidPointer(0)) + c * GetSize(type), components });
+      }
+    }
+  }
+  return columns;
+}
+
+//------------------------------------------------------------------------------
+void PLYArrays::MoveTo(vtkDataSetAttributes* attributes)
+{
+  for (Entry& entry : this->Arrays)
+  {
+    switch (entry.Plan.Kind)
+    {
+      case PLYArrayPlan::Role::Normals:
+        attributes->SetNormals(entry.Array);
+        break;
+      case PLYArrayPlan::Role::TextureCoordinates:
+        attributes->SetTCoords(entry.Array);
+        break;
+      case PLYArrayPlan::Role::Scalars:
+        attributes->AddArray(entry.Array);
+        break;
+      default:
+        break;
+    }
+  }
+  this->Arrays.clear();
+}
+
+//------------------------------------------------------------------------------
+void PLYArrays::MoveTo(vtkFieldData* fields, const std::string& prefix)
+{
+  for (Entry& entry : this->Arrays)
+  {
+    entry.Array->SetName((prefix + entry.Plan.Name).c_str());
+    fields->AddArray(entry.Array);
+  }
+  this->Arrays.clear();
+}
+}

@@ -1,0 +1,471 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PLYBinaryRows.h"
+
+#include "PLYColumnWriting.h"
+
+#include <algorithm>
+#include <atomic>
+#include <type_traits>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+PLYBinaryRows::PLYBinaryRows(const PLYElement& element, BinaryScanner& scanner)
+  : PLYRows(element)
+  , Scanner(scanner)
+{
+  this->Parts.emplace_back();
+  for (std::size_t i = 0; i < element.Properties.size(); ++i)
+  {
+    const PLYProperty& property = element.Properties[i];
+    Part& part = this->Parts.back();
+    this->Locations.push_back({ this->Parts.size() - 1, part.Size });
+    if (!property.IsList)
+    {
+      part.Size += GetSize(property.Type);
+      continue;
+    }
+    part.List = static_cast<int>(i);
+    part.CountOffset = part.Size;
+    part.CountType = property.CountType;
+    part.ItemSize = GetSize(property.Type);
+    part.Size += GetSize(property.CountType);
+    this->Parts.emplace_back();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::int64_t PLYBinaryRows::LoadLength(const Part& part, const char* place) const
+{
+  place += part.CountOffset;
+  if (part.CountType == PLYType::UInt8) // nearly always
+  {
+    return static_cast<unsigned char>(*place);
+  }
+  return WithType(part.CountType,
+    [&](auto value) -> std::int64_t
+    {
+      const auto length = camaron::Load<decltype(value)>(place, this->Scanner.IsSwapped());
+      if constexpr (std::is_unsigned<decltype(value)>::value)
+      {
+        return length > static_cast<std::uint64_t>(INT32_MAX) ? INT64_MAX
+                                                              : static_cast<std::int64_t>(length);
+      }
+      return static_cast<std::int64_t>(length);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool PLYBinaryRows::Locate(const Progress& progress)
+{
+  this->Data = this->Scanner.GetPosition();
+  if (this->Scanner.HasFailed())
+  {
+    return false;
+  }
+  const vtkIdType count = this->GetCount();
+  std::ptrdiff_t least = 0; // bytes of a row without anything in its lists
+  for (const Part& part : this->Parts)
+  {
+    least += part.Size;
+  }
+  if (count == 0 || least == 0)
+  {
+    return true;
+  }
+  if (count > this->Scanner.GetBytesLeft() / least)
+  {
+    this->Scanner.FailAt(this->Data, ErrorKind::Truncated,
+      "at least " + std::to_string(count * least) + " bytes of " + std::to_string(count) +
+        " elements " + Quote(this->Element.Name),
+      std::to_string(this->Scanner.GetBytesLeft()));
+    return false;
+  }
+  const bool hasLists = this->Parts.size() > 1;
+  if (!hasLists || (this->GuessLength() && this->HaveGuessedLength(progress)))
+  {
+    this->Stride = hasLists ? this->Stride : least;
+    this->Scanner.SetPosition(this->Data + count * this->Stride);
+    return !progress.IsStopped();
+  }
+  this->Stride = 0;
+  return !progress.IsStopped() && this->FindBlocks(progress);
+}
+
+//------------------------------------------------------------------------------
+// Takes the lists of the first row for as long as those of all rows; false if these would not fit.
+bool PLYBinaryRows::GuessLength()
+{
+  const char* const end = this->Data + this->Scanner.GetBytesLeft();
+  const char* place = this->Data;
+  for (Part& part : this->Parts)
+  {
+    part.Begin = place - this->Data;
+    if (end - place < part.Size)
+    {
+      return false;
+    }
+    const std::int64_t length = part.List < 0 ? 0 : this->LoadLength(part, place);
+    place += part.Size;
+    if (length < 0 || length > INT32_MAX || length * part.ItemSize > end - place)
+    {
+      return false;
+    }
+    part.CommonLength = static_cast<std::int32_t>(length);
+    place += length * part.ItemSize;
+  }
+  this->Stride = place - this->Data;
+  return this->GetCount() <= (end - this->Data) / this->Stride;
+}
+
+//------------------------------------------------------------------------------
+bool PLYBinaryRows::HaveGuessedLength(const Progress& progress) const
+{
+  std::atomic<bool> good{ true };
+  progress.For((this->GetCount() + BlockSize - 1) / BlockSize,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType block = first; block < last && good; ++block)
+      {
+        const vtkIdType begin = block * BlockSize;
+        const vtkIdType end = std::min(begin + BlockSize, this->GetCount());
+        for (const Part& part : this->Parts)
+        {
+          bool same = true;
+          const char* place = this->Data + begin * this->Stride + part.Begin;
+          for (vtkIdType row = begin; part.List >= 0 && row < end; ++row)
+          {
+            same &= this->LoadLength(part, place) == part.CommonLength;
+            place += this->Stride;
+          }
+          if (!same)
+          {
+            good = false;
+          }
+        }
+      }
+    });
+  return good && !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool PLYBinaryRows::FindBlocks(const Progress& progress)
+{
+  const vtkIdType count = this->GetCount();
+  const char* place = this->Data;
+  const char* const end = place + this->Scanner.GetBytesLeft();
+  this->Starts.reserve(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
+  for (vtkIdType row = 0; row < count; ++row)
+  {
+    if (row % BlockSize == 0)
+    {
+      this->Starts.push_back(place);
+      if (!progress.Report(static_cast<double>(row) / count))
+      {
+        return false;
+      }
+    }
+    for (const Part& part : this->Parts)
+    {
+      std::int64_t length = 0;
+      bool good = end - place >= part.Size;
+      if (good && part.List >= 0)
+      {
+        length = this->LoadLength(part, place);
+        good =
+          length >= 0 && length <= (end - place - part.Size) / part.ItemSize && length <= INT32_MAX;
+      }
+      if (!good)
+      {
+        const std::string what = Quote(this->Element.Name) + " " + std::to_string(row);
+        this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+          (part.List >= 0 ? "list " + Quote(this->Element.Properties[part.List].Name) + " of "
+                          : "") +
+            what,
+          length == 0             ? "the end of the file"
+            : length == INT64_MAX ? "a length that no file has"
+                                  : "a length of " + std::to_string(length) + " with " +
+              std::to_string(end - place) + " bytes left");
+        return false;
+      }
+      place += part.Size + length * part.ItemSize;
+    }
+  }
+  this->Scanner.SetPosition(place);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void PLYBinaryRows::Load(vtkIdType block, Block& rows) const
+{
+  rows.First = block * BlockSize;
+  rows.Count = static_cast<int>(std::min(BlockSize, this->GetCount() - rows.First));
+  if (this->HasOneLength())
+  {
+    rows.Begin = this->Data + rows.First * this->Stride;
+    return;
+  }
+  rows.Begin = this->Starts[block];
+  rows.Parts.resize(this->Parts.size() * BlockSize);
+  const char* place = rows.Begin;
+  for (int i = 0; i < rows.Count; ++i)
+  {
+    const char** start = &rows.Parts[i];
+    for (const Part& part : this->Parts)
+    {
+      *start = place;
+      start += BlockSize;
+      place += part.Size + (part.List < 0 ? 0 : this->LoadLength(part, place) * part.ItemSize);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(rows) in parallel.
+template <typename Visit>
+bool PLYBinaryRows::ForEachBlock(const Progress& progress, Visit&& visit) const
+{
+  return progress.For((this->GetCount() + BlockSize - 1) / BlockSize,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Block rows;
+      for (vtkIdType block = first; block < last; ++block)
+      {
+        this->Load(block, rows);
+        visit(static_cast<const Block&>(rows));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+PLYBinaryRows::Places PLYBinaryRows::GetPlaces(const Block& rows, int property) const
+{
+  const Location& at = this->Locations[property];
+  if (this->HasOneLength())
+  {
+    return { rows.Begin + this->Parts[at.Part].Begin + at.Offset, this->Stride, nullptr, 0 };
+  }
+  return { nullptr, 0, rows.Parts.data() + at.Part * BlockSize, at.Offset };
+}
+
+//------------------------------------------------------------------------------
+const char* PLYBinaryRows::GetPlace(vtkIdType row, int property) const
+{
+  Block rows;
+  this->Load(row / BlockSize, rows);
+  const char* found = nullptr;
+  const auto wanted = static_cast<int>(row - rows.First);
+  this->GetPlaces(rows, property)
+    .ForEach(rows.Count,
+      [&](int i, const char* place)
+      {
+        if (i == wanted)
+        {
+          found = place;
+        }
+      });
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool PLYBinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progress)
+{
+  const Part& part = this->Parts[this->Locations[property].Part];
+  if (this->GetCount() == 0)
+  {
+    return true;
+  }
+  if (this->HasOneLength())
+  {
+    sizes.Common = part.CommonLength;
+    sizes.Total = sizes.Common * this->GetCount();
+  }
+  else
+  {
+    sizes.Offsets = Buffer<std::int32_t>(this->GetCount() + 1);
+    if (!this->ForEachBlock(progress,
+          [&](const Block& rows)
+          {
+            std::int32_t* const size = sizes.Offsets.data() + 1 + rows.First;
+            const char* const* starts =
+              rows.Parts.data() + this->Locations[property].Part * BlockSize;
+            for (int i = 0; i < rows.Count; ++i)
+            {
+              size[i] = static_cast<std::int32_t>(this->LoadLength(part, starts[i]));
+            }
+          }))
+    {
+      return false;
+    }
+    sizes.Finish();
+  }
+  if (sizes.Total > INT32_MAX)
+  {
+    this->Scanner.FailAt(this->Data, ErrorKind::Unsupported,
+      "fewer than 2147483648 values in all lists " + Quote(this->Element.Properties[property].Name),
+      std::to_string(sizes.Total));
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+template <typename In>
+bool PLYBinaryRows::ReadIdsAs(int property, const PLYSizes& sizes, const PLYIds& expected,
+  std::int32_t* ids, const Progress& progress)
+{
+  // Unsigned arithmetic checks both ends of the range at once; -1 comes first where it is allowed.
+  using Wide = std::uint64_t;
+  const Wide shift = expected.HasBreaks ? 1 : 0;
+  const auto limit = static_cast<Wide>(expected.Limit) + shift;
+  const bool swap = this->Scanner.IsSwapped();
+  const auto load = [&](const char* place)
+  {
+    const In id = camaron::Load<In>(place, swap);
+    const bool isBreak =
+      std::is_unsigned<In>::value && shift && id == std::numeric_limits<In>::max();
+    return isBreak ? ~Wide(0) : static_cast<Wide>(static_cast<std::int64_t>(id));
+  };
+  const std::ptrdiff_t header = GetSize(this->Element.Properties[property].CountType);
+  std::atomic<vtkIdType> bad{ this->GetCount() };
+  const bool done = this->ForEachBlock(progress,
+    [&](const Block& rows)
+    {
+      if (rows.First >= bad)
+      {
+        return;
+      }
+      std::int32_t* id = ids + sizes.GetOffset(rows.First);
+      bool valid = true;
+      const auto read = [&](int i, const char* place, auto size)
+      {
+        const vtkIdType length = size(i);
+        place += header;
+        for (vtkIdType j = 0; j < length; ++j)
+        {
+          const Wide value = load(place);
+          valid &= value + shift < limit;
+          *id++ = static_cast<std::int32_t>(value);
+          place += sizeof(In);
+        }
+      };
+      const Places places = this->GetPlaces(rows, property);
+      // Lengths known to the compiler make most files faster.
+      switch (sizes.Common)
+      {
+        case 3:
+          places.ForEach(rows.Count,
+            [&](int i, const char* place) { read(i, place, [](int) { return vtkIdType(3); }); });
+          break;
+        case 4:
+          places.ForEach(rows.Count,
+            [&](int i, const char* place) { read(i, place, [](int) { return vtkIdType(4); }); });
+          break;
+        default:
+          places.ForEach(rows.Count,
+            [&](int i, const char* place)
+            { read(i, place, [&](int r) { return sizes.GetSize(rows.First + r); }); });
+      }
+      if (valid)
+      {
+        return;
+      }
+      vtkIdType row = INT64_MAX;
+      places.ForEach(rows.Count,
+        [&](int i, const char* place)
+        {
+          place += header;
+          for (vtkIdType j = sizes.GetSize(rows.First + i); j > 0 && row == INT64_MAX; --j)
+          {
+            row = load(place) + shift < limit ? row : rows.First + i;
+            place += sizeof(In);
+          }
+        });
+      vtkIdType least = bad;
+      while (row < least && !bad.compare_exchange_weak(least, row))
+      {
+      }
+    });
+  if (bad < this->GetCount())
+  {
+    const char* place = this->GetPlace(bad, property) + header;
+    while (load(place) + shift < limit)
+    {
+      place += sizeof(In);
+    }
+    this->Scanner.FailAt(place, ErrorKind::Index,
+      DescribeIds(expected) + " in " + Quote(this->Element.Name) + " " + std::to_string(bad),
+      std::to_string(camaron::Load<In>(place, swap)));
+    return false;
+  }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+bool PLYBinaryRows::ReadIds(int property, const PLYSizes& sizes, const PLYIds& expected,
+  std::int32_t* ids, const Progress& progress)
+{
+  return WithType(this->Element.Properties[property].Type,
+    [&](auto value)
+    {
+      if constexpr (std::is_integral<decltype(value)>::value)
+      {
+        return this->ReadIdsAs<decltype(value)>(property, sizes, expected, ids, progress);
+      }
+      return false; // nobody asks for ids that are real numbers
+    });
+}
+
+//------------------------------------------------------------------------------
+bool PLYBinaryRows::ReadColumns(
+  const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
+{
+  const bool swap = this->Scanner.IsSwapped();
+  return columns.empty() ||
+    this->ForEachBlock(progress,
+      [&](const Block& rows)
+      {
+        std::int32_t tuples[BlockSize];
+        for (int i = 0; !targets.AreRows() && i < rows.Count; ++i)
+        {
+          tuples[i] = static_cast<std::int32_t>(targets.Find(rows.First + i));
+        }
+        for (const PLYColumn& column : columns)
+        {
+          WithConversion(this->Element.Properties[column.Property].Type, column,
+            [&](auto in, auto out, auto convert)
+            {
+              using In = decltype(in);
+              auto* const values = static_cast<decltype(out)*>(column.Values);
+              const Places places = this->GetPlaces(rows, column.Property);
+              const vtkIdType stride = column.Stride;
+              if (targets.AreRows())
+              {
+                auto* const first = values + (targets.First + rows.First) * stride;
+                places.ForEach(rows.Count,
+                  [&](int i, const char* place)
+                  { first[i * stride] = convert(camaron::Load<In>(place, swap)); });
+                return;
+              }
+              places.ForEach(rows.Count,
+                [&](int i, const char* place)
+                {
+                  if (tuples[i] >= 0)
+                  {
+                    values[tuples[i] * stride] = convert(camaron::Load<In>(place, swap));
+                  }
+                });
+            });
+        }
+      });
+}
+
+//------------------------------------------------------------------------------
+bool PLYBinaryRows::FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
+  const std::string& found)
+{
+  this->Scanner.FailAt(this->GetPlace(row, property), kind, expected, found);
+  return false;
+}
+}

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PLYBinaryRows
+ * @brief Rows of a binary PLY file of either byte order, read where they are.
+ *
+ * Rows without lists, or whose lists are all as long as those of the first row, are found by
+ * arithmetic. For others the start of every 1024th is found by one pass over the lengths.
+ */
+#ifndef camaron_PLYBinaryRows_h
+#define camaron_PLYBinaryRows_h
+
+#include "PLYRows.h"
+#include "Scan/BinaryScanner.h"
+
+namespace camaron
+{
+class PLYBinaryRows : public PLYRows
+{
+public:
+  PLYBinaryRows(const PLYElement& element, BinaryScanner& scanner);
+
+  bool Locate(const Progress& progress) override;
+  bool Check(const Progress&) override { return true; } // Locate has done so
+  bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
+  bool ReadIds(int property, const PLYSizes& sizes, const PLYIds& expected, std::int32_t* ids,
+    const Progress& progress) override;
+  bool ReadColumns(const std::vector<PLYColumn>& columns, const PLYTargets& targets,
+    const Progress& progress) override;
+  bool FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
+    const std::string& found) override;
+
+  /// Where a property is in rows one after the other.
+  struct Places
+  {
+    const char* Begin = nullptr; ///< of rows of one length
+    std::ptrdiff_t Stride = 0;
+    const char* const* Parts = nullptr; ///< of other rows
+    std::ptrdiff_t Offset = 0;
+
+    template <typename Visit>
+    void ForEach(int count, Visit&& visit) const
+    {
+      if (this->Parts)
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          visit(i, this->Parts[i] + this->Offset);
+        }
+      }
+      else
+      {
+        for (int i = 0; i < count; ++i)
+        {
+          visit(i, this->Begin + i * this->Stride);
+        }
+      }
+    }
+  };
+
+private:
+  static constexpr vtkIdType BlockSize = 1024;
+
+  /// Properties up to a list and the length of that, whose bytes are of a known number.
+  struct Part
+  {
+    std::ptrdiff_t Size = 0;
+    int List = -1; ///< the property, -1 for the last part
+    std::ptrdiff_t CountOffset = 0;
+    PLYType CountType = PLYType::UInt8;
+    int ItemSize = 0;
+    std::int32_t CommonLength = 0; ///< of rows of one length
+    std::ptrdiff_t Begin = 0;      ///< in rows of one length
+  };
+  /// Where a property is: in which part, and where in it.
+  struct Location
+  {
+    std::size_t Part;
+    std::ptrdiff_t Offset;
+  };
+  /// The rows of a block.
+  struct Block
+  {
+    vtkIdType First = 0;
+    int Count = 0;
+    const char* Begin = nullptr;
+    std::vector<const char*> Parts; ///< of rows that are not of one length, part by part
+  };
+
+  bool HasOneLength() const { return this->Stride > 0; }
+  std::int64_t LoadLength(const Part& part, const char* place) const;
+  bool GuessLength();
+  bool HaveGuessedLength(const Progress& progress) const;
+  bool FindBlocks(const Progress& progress);
+  void Load(vtkIdType block, Block& rows) const;
+  template <typename Visit>
+  bool ForEachBlock(const Progress& progress, Visit&& visit) const;
+  Places GetPlaces(const Block& rows, int property) const;
+  /// The length of the list, or the value, of a property.
+  const char* GetPlace(vtkIdType row, int property) const;
+  template <typename In>
+  bool ReadIdsAs(int property, const PLYSizes& sizes, const PLYIds& expected, std::int32_t* ids,
+    const Progress& progress);
+
+  BinaryScanner& Scanner;
+  std::vector<Part> Parts;
+  std::vector<Location> Locations;
+  const char* Data = nullptr;
+  std::ptrdiff_t Stride = 0;       ///< bytes from row to row if they have one length
+  std::vector<const char*> Starts; ///< of blocks of other rows
+};
+}
+
+#endif

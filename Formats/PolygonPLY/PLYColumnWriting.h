@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PLYColumnWriting.h
+ * @brief From the type of a value in a file to that of the array it goes to.
+ */
+#ifndef camaron_PLYColumnWriting_h
+#define camaron_PLYColumnWriting_h
+
+#include "PLYRows.h"
+
+#include <type_traits> // for the kinds of types
+
+namespace camaron
+{
+/// One of 0 ... 255.
+template <typename In>
+std::uint8_t ToColour(In value)
+{
+  if constexpr (std::is_floating_point<In>::value)
+  {
+    // Written such that nan becomes 0.
+    return value >= In(1) ? 255
+      : value > In(0)     ? static_cast<std::uint8_t>(value * 255 + In(0.5))
+                          : 0;
+  }
+  else
+  {
+    return value < In(0)                        ? 0
+      : static_cast<std::uint64_t>(value) > 255 ? 255
+                                                : static_cast<std::uint8_t>(value);
+  }
+}
+
+/// Calls @a function(in, out, convert) with values of the types of a property and of its column.
+template <typename Function>
+void WithConversion(PLYType type, const PLYColumn& column, Function&& function)
+{
+  WithType(type,
+    [&](auto in)
+    {
+      using In = decltype(in);
+      if (column.Conversion == PLYConversion::Colour)
+      {
+        function(in, std::uint8_t(), [](In value) { return ToColour(value); });
+      }
+      else if (column.Type == type)
+      {
+        function(in, in, [](In value) { return value; });
+      }
+      else if (column.Type == PLYType::Float)
+      {
+        function(in, float(), [](In value) { return static_cast<float>(value); });
+      }
+      else
+      {
+        function(in, double(), [](In value) { return static_cast<double>(value); });
+      }
+    });
+}
+}
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PLYMesh
+ * @brief Makes a grid of the elements of a PLY file.
+ *
+ * First all elements are located, then the cells are read, which tell what points and cells a piece
+ * needs, then everything else straight into the arrays of the grid.
+ */
+#ifndef camaron_PLYMesh_h
+#define camaron_PLYMesh_h
+
+#include "PLYArrays.h"
+#include "PLYCells.h"
+#include "Scan/PieceRequest.h"
+
+#include <functional> // for making rows
+#include <string>     // for names
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+struct FaceMesh;
+
+class PLYMesh
+{
+public:
+  using MakeRows = std::function<std::unique_ptr<PLYRows>(const PLYElement&)>;
+
+  PLYMesh(const std::string& name, const PLYHeader& header, const PieceRequest& request,
+    vtkUnstructuredGrid* grid)
+    : Name(name)
+    , Header(header)
+    , Request(request)
+    , Grid(grid)
+  {
+  }
+
+  /// Starts anew with every call; false with the error in the scanner of the rows or in Error.
+  bool Read(const MakeRows& makeRows, const Progress& progress);
+
+  Warnings Messages;
+  ScanError Error;
+
+private:
+  void AddPart(const PLYElement& element);
+  PLYPart* FindPart(PLYRole role);
+  bool ReadCells(const Progress& progress);
+  bool ReadPolyhedra(const Progress& progress);
+  bool ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress);
+  vtkIdType NumberFaces(
+    const FaceMesh& mesh, const std::vector<PLYPart*>& faceParts, vtkIdType numberOfCells);
+  bool ReadPointArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<PLYArrayPlan>& plans,
+    const PLYTargets& targets, const Progress& progress);
+  bool ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
+    const PLYTargets& targets, PLYArrays& arrays, const Progress& progress);
+  bool ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans, const PLYTargets& targets,
+    PLYArrays& arrays, const Progress& progress);
+  bool ReadOthers(const Progress& progress);
+  void WarnOfLists();
+  void WarnOfCells(const PLYCells& cells);
+
+  std::string Name;
+  const PLYHeader& Header;
+  PieceRequest Request;
+  vtkUnstructuredGrid* Grid;
+  std::vector<PLYPart> Parts;
+};
+}
+
+#endif

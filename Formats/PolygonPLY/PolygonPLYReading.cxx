@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonPLYReading.h"
+
+#include "PLYBinaryRows.h"
+#include "PLYMesh.h"
+#include "PLYTextRows.h"
+#include "Scan/ReadMappedFile.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr char TrailingData[] = "there is more data after the end of the mesh";
+
+//------------------------------------------------------------------------------
+bool ReadBinary(
+  const MappedFile& file, const PLYHeader& header, PLYMesh& mesh, const Progress& progress)
+{
+  const ByteOrder order =
+    header.Encoding == PLYEncoding::BigEndian ? ByteOrder::Big : ByteOrder::Little;
+  BinaryScanner scanner(file.GetName(), file.begin(), file.end(), order);
+  scanner.SetPosition(header.Body);
+  const auto makeRows = [&](const PLYElement& element)
+  { return std::make_unique<PLYBinaryRows>(element, scanner); };
+  if (!mesh.Read(makeRows, progress))
+  {
+    mesh.Error = mesh.Error ? mesh.Error : scanner.GetError();
+    return false;
+  }
+  // Some programs end also a binary file with a line end.
+  if (!std::all_of(scanner.GetPosition(), file.end(), IsSpace))
+  {
+    mesh.Messages.Add(TrailingData);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Rows are one per line, or, if that fails, numbers one after the other that use up the file.
+bool ReadRowsOfText(
+  TextScanner& scanner, const TextLines* lines, PLYMesh& mesh, const Progress& progress)
+{
+  const auto read = [&](TextScanner& rows, RowLayout layout)
+  {
+    const auto makeRows = [&](const PLYElement& element)
+    { return std::make_unique<PLYTextRows>(element, rows, lines, layout); };
+    return mesh.Read(makeRows, progress);
+  };
+  TextScanner rows = scanner;
+  if (read(rows, RowLayout::OneLine))
+  {
+    if (rows.SkipSpace())
+    {
+      mesh.Messages.Add(TrailingData);
+    }
+    return true;
+  }
+  const ScanError error = mesh.Error;
+  TextScanner numbers = scanner;
+  if (!lines && !progress.IsStopped() && read(numbers, RowLayout::Free) && !numbers.SkipSpace())
+  {
+    mesh.Messages.Add("rows are not one per line");
+    return true;
+  }
+  mesh.Error = error;
+  scanner = rows;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool ReadMesh(const MappedFile& file, const PLYHeader& header, PLYMesh& mesh, vtkIdType chunk,
+  const Progress& progress)
+{
+  if (header.Encoding != PLYEncoding::Text)
+  {
+    return ReadBinary(file, header, mesh, progress);
+  }
+  ScanError error;
+  const bool good = ReadText(file, '#', chunk, error, progress,
+    [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+    {
+      scanner.SetPosition(header.Body);
+      return ReadRowsOfText(scanner, lines, mesh, part);
+    });
+  if (!good)
+  {
+    mesh.Error = mesh.Error ? mesh.Error : error;
+  }
+  return good;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsPLY(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  return file.Open(path, error) && IsPLYStart(file.begin(), file.end());
+}
+
+//------------------------------------------------------------------------------
+bool ReadPLY(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  grid->Initialize();
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      TextScanner scanner(file.GetName(), file.begin(), file.end());
+      PLYHeader header;
+      if (!ReadPLYHeader(scanner, header))
+      {
+        error = scanner.GetError();
+        return false;
+      }
+      PLYMesh mesh(file.GetName(), header, request, grid);
+      const bool isRead = ReadMesh(file, header, mesh, chunk, progress);
+      error = isRead ? ScanError() : mesh.Error;
+      if (request.Piece == 0)
+      {
+        warnings = std::move(mesh.Messages);
+      }
+      return isRead;
+    });
+  if (!good)
+  {
+    grid->Initialize();
+  }
+  return good;
+}
+}
