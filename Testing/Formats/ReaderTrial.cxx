@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <array>
 #include <cctype>
 #include <cstdint>
 #include <ctime>
@@ -116,6 +117,19 @@ bool IsEmpty(vtkUnstructuredGrid* grid)
 {
   return grid->GetNumberOfPoints() == 0 && grid->GetNumberOfCells() == 0 &&
     grid->GetPointData()->GetNumberOfArrays() == 0 && grid->GetCellData()->GetNumberOfArrays() == 0;
+}
+
+//------------------------------------------------------------------------------
+// How often each byte occurs: the same for files that differ only in the order of a cell's points or faces.
+// Where a reader turns cells by their volume, those of no volume may be turned to and fro by rounding.
+std::array<std::size_t, 256> CountBytes(const std::string& bytes)
+{
+  std::array<std::size_t, 256> counts{};
+  for (const char byte : bytes)
+  {
+    ++counts[static_cast<unsigned char>(byte)];
+  }
+  return counts;
 }
 
 //------------------------------------------------------------------------------
