@@ -801,7 +801,7 @@ bool LooksLikeMAPDL(const char* begin, const char* end)
       continue;
     }
     const std::string_view name = command.GetField(0);
-    if (name[0] == '*' &&
+    if (!name.empty() && name[0] == '*' &&
       std::find(std::begin(Others), std::end(Others), ToUpperMAPDL(name)) != std::end(Others))
     {
       return false;

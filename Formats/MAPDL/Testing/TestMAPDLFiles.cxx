@@ -212,6 +212,7 @@ TEST(MAPDLFiles, CanReadFile)
   EXPECT_EQ(canRead("! by hand\nn,1\nn,2,1\n"), 1);
   EXPECT_EQ(canRead("N,R5.3,LOC,1,0,0,0,0,0\n"), 1);
   EXPECT_EQ(canRead("*IF,A,EQ,1,THEN\n*ELSE\n*ENDIF\nNBLOCK,6,SOLID\n"), 1);
+  EXPECT_EQ(canRead(", no name\nNBLOCK,6,SOLID\n"), 1);
   std::string late = "/PREP7\n";
   while (late.size() < 300000)
   {
