@@ -55,3 +55,10 @@ camaron_format(
   DESCRIPTION "PLY mesh with all its arrays"
   READS       "ASCII, binary of both byte orders, polygons, strips, edges, polyhedra, all properties"
   READER)
+
+camaron_format(
+  NAME        TS
+  EXTENSIONS  ts
+  DESCRIPTION "Camarón tetrahedra or GOCAD TSurf"
+  READS       "ASCII: tetrahedra of Camarón, TSurf of GOCAD with properties and parts"
+  READER)

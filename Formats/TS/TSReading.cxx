@@ -1,0 +1,277 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TSReading.h"
+
+#include "CellMesh/CellGrid.h"
+#include "Scan/ReadMappedFile.h"
+#include "TSurfReading.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Coordinate[] = "a coordinate of a vertex";
+constexpr char Vertex[] = "a vertex of a tetrahedron";
+constexpr int VertexBytes = 6;      // "0 0 0" and a line end
+constexpr int TetrahedronBytes = 8; // "0 0 0 0" and a line end
+
+//------------------------------------------------------------------------------
+// Says what a file is that is not one of these.
+bool FailAsOtherFormat(TextScanner& scanner)
+{
+  constexpr char Expected[] =
+    "a TS file, which begins with the numbers of vertices and tetrahedra, or with 'GOCAD TSurf'";
+  const char* const text = scanner.GetPosition();
+  constexpr vtkIdType PacketSize = 188; // of MPEG, each begins with a G
+  if (scanner.GetBytesLeft() > PacketSize && text[0] == 'G' && text[PacketSize] == 'G')
+  {
+    scanner.FailAt(text, ErrorKind::NotThisFormat, Expected, "an MPEG transport stream");
+    return false;
+  }
+  scanner.SkipSpace();
+  scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
+  scanner.AddToError(" (programs in TypeScript and translations of Qt have this extension, too)");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// The first line: the numbers of vertices and of tetrahedra, of which there may be fewer.
+struct Header
+{
+  std::int64_t Vertices = 0;
+  std::int64_t Tetrahedra = 0;
+};
+
+//------------------------------------------------------------------------------
+bool ReadHeader(TextScanner& scanner, Header& header)
+{
+  TextScanner attempt = scanner;
+  TextRow row(attempt, RowLayout::OneLine);
+  std::int64_t count;
+  if (!row.ReadInteger(count, "") || !row.ReadInteger(count, ""))
+  {
+    return FailAsOtherFormat(scanner);
+  }
+  const bool good = scanner.ReadCount(header.Vertices, VertexBytes, "the number of vertices") &&
+    scanner.ReadInteger(
+      header.Tetrahedra, 0, INT32_MAX, ErrorKind::Count, "the number of tetrahedra");
+  scanner.SkipLine();
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool ReadVertex(TextRow& row, double* x)
+{
+  return row.ReadReal(x[0], Coordinate) && row.ReadReal(x[1], Coordinate) &&
+    row.ReadReal(x[2], Coordinate);
+}
+
+//------------------------------------------------------------------------------
+// Of tetrahedra.
+class TSReading
+{
+public:
+  TSReading(const PieceRequest& request, vtkUnstructuredGrid* grid)
+    : Request(request)
+    , Grid(grid)
+  {
+  }
+
+  /// Starts anew with every call.
+  bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  Warnings Messages;
+
+private:
+  bool ReadTetrahedra(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool ReadRow(TextRow& row, std::int32_t* points) const;
+  bool ReadAsManyAsThereAre(TextScanner& scanner, const Progress& progress);
+
+  PieceRequest Request;
+  vtkUnstructuredGrid* Grid;
+  Header Counts;
+  CellMesh Mesh;
+};
+
+//------------------------------------------------------------------------------
+bool TSReading::ReadRow(TextRow& row, std::int32_t* points) const
+{
+  const std::int64_t last = this->Counts.Vertices - 1;
+  return row.ReadId(points[0], 0, last, Vertex) && row.ReadId(points[1], 0, last, Vertex) &&
+    row.ReadId(points[2], 0, last, Vertex) && row.ReadId(points[3], 0, last, Vertex);
+}
+
+//------------------------------------------------------------------------------
+// Camarón counts all polyhedra but writes the tetrahedra, and a remark at the end.
+bool TSReading::ReadAsManyAsThereAre(TextScanner& scanner, const Progress& progress)
+{
+  std::vector<std::int32_t> points;
+  const std::int64_t promised = this->Counts.Tetrahedra;
+  std::int64_t read = 0;
+  for (; read < promised && scanner.SkipSpace() && !progress.IsStopped(); ++read)
+  {
+    TextRow row(scanner, RowLayout::OneLine);
+    std::int32_t corners[4];
+    if (!this->ReadRow(row, corners))
+    {
+      return false;
+    }
+    points.insert(points.end(), corners, corners + 4);
+    scanner.SkipLine();
+  }
+  if (read < promised)
+  {
+    this->Messages.Add("the file has " + std::to_string(read) + " tetrahedra, not " +
+      std::to_string(promised) + " as it says; Camarón counts polyhedra that it does not write");
+  }
+  this->Mesh = CellMesh(this->Counts.Vertices, read, VTK_TETRA, 4);
+  std::copy(points.begin(), points.end(), this->Mesh.Connectivity.data());
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool TSReading::ReadTetrahedra(
+  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  const std::int64_t promised = this->Counts.Tetrahedra;
+  if (!lines)
+  {
+    return this->ReadAsManyAsThereAre(scanner, progress);
+  }
+  const TextLines::Section section = lines->Find(scanner.GetPosition(), promised);
+  if (!section)
+  {
+    return false;
+  }
+  this->Mesh = CellMesh(this->Counts.Vertices, promised, VTK_TETRA, 4);
+  scanner.SetPosition(section.End);
+  return VisitRows(*lines, section, scanner.GetComment(), progress,
+    [&](vtkIdType i, vtkIdType, TextRow& row)
+    { return this->ReadRow(row, this->Mesh.Connectivity.data() + 4 * i); });
+}
+
+//------------------------------------------------------------------------------
+bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  this->Grid->Initialize();
+  this->Messages = Warnings();
+  if (!ReadHeader(scanner, this->Counts))
+  {
+    return false;
+  }
+  // The vertices come first, but which of them a piece needs is known from its tetrahedra.
+  TextScanner vertices = scanner;
+  if (!SkipRows(
+        scanner, lines, this->Counts.Vertices, progress.Part(0, 0.1),
+        [](vtkIdType, TextRow& row)
+        {
+          double x[3];
+          return ReadVertex(row, x);
+        },
+        RowLayout::OneLine))
+  {
+    return false;
+  }
+  const char* const verticesEnd = scanner.GetPosition();
+  if (!this->ReadTetrahedra(scanner, lines, progress.Part(0.1, 0.5)))
+  {
+    return false;
+  }
+  if (this->Mesh.NumberOfCells == 0)
+  {
+    this->Mesh = MakeCloud(this->Counts.Vertices);
+  }
+
+  CellPiece piece;
+  if (!piece.Select(this->Mesh, this->Request, progress.Part(0.5, 0.55)))
+  {
+    return false;
+  }
+  Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
+  if (!ReadRows(
+        vertices, lines, this->Counts.Vertices, progress.Part(0.55, 0.95),
+        [&](vtkIdType i, TextRow& row)
+        {
+          double unused[3];
+          const vtkIdType point = piece.FindPoint(i);
+          return ReadVertex(row, point < 0 ? unused : coordinates.data() + 3 * point);
+        },
+        RowLayout::OneLine) ||
+    vertices.GetPosition() != verticesEnd)
+  {
+    return false;
+  }
+
+  const auto points = coordinates.TakeArray<vtkDoubleArray>(3);
+  if (this->Request.Piece == 0)
+  {
+    WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
+    WarnOfRepeatedPoints(
+      this->Mesh, this->Messages, progress.Part(0.97, 1), "tetrahedron", "tetrahedra");
+    if (scanner.SkipSpace())
+    {
+      this->Messages.Add("there is more data after the end of the mesh");
+    }
+  }
+  else
+  {
+    this->Messages = Warnings();
+  }
+  FillGrid(this->Mesh, piece, points, this->Grid);
+  return !progress.IsStopped();
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsTS(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  if (!file.Open(path, error))
+  {
+    return false;
+  }
+  TextScanner scanner("", file.begin(), file.end(), '#');
+  if (IsTSurf(scanner))
+  {
+    return true;
+  }
+  Header header;
+  double x[3];
+  TextRow row(scanner, RowLayout::OneLine);
+  return ReadHeader(scanner, header) && (header.Vertices == 0 || ReadVertex(row, x));
+}
+
+//------------------------------------------------------------------------------
+bool ReadTS(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  Warnings messages;
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      if (IsGOCAD(TextScanner("", file.begin(), file.end(), '#')))
+      {
+        return ReadTSurf(file, request, grid, messages, error, progress, chunk);
+      }
+      TSReading reading(request, grid);
+      const bool isGood = ReadText(file, '#', chunk, error, progress,
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return reading.Read(scanner, lines, part); });
+      messages = std::move(reading.Messages);
+      return isGood;
+    });
+  if (!good)
+  {
+    grid->Initialize();
+    return false;
+  }
+  warnings = std::move(messages);
+  return true;
+}
+}

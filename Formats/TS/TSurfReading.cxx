@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TSurfReading.h"
+
+#include "CellMesh/CellGrid.h"
+#include "TSurfRecords.h"
+#include "TSurfValues.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// A line may end with a lone CR, which is made a LF: every byte stays where it is.
+bool ReplaceLoneReturns(const MappedFile& file, std::string& copy)
+{
+  for (const char* text = file.begin(); text < file.end();)
+  {
+    const void* const found = std::memchr(text, '\r', file.end() - text);
+    const char* const at = found ? static_cast<const char*>(found) : file.end();
+    if (at < file.end() && (at + 1 == file.end() || at[1] != '\n'))
+    {
+      if (copy.empty())
+      {
+        copy.assign(file.begin(), file.end());
+      }
+      copy[at - file.begin()] = '\n';
+    }
+    text = at + (at < file.end());
+  }
+  return !copy.empty();
+}
+
+//------------------------------------------------------------------------------
+// Which object, and which face of it, a triangle belongs to.
+void AddParts(const TSurfRecords& records, const CellPiece& piece, vtkUnstructuredGrid* grid)
+{
+  Buffer<int> parts(piece.GetNumberOfCells()), faces(piece.GetNumberOfCells());
+  ParallelFor(records.GetNumberOfChunks(), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const TSurfRecords::Chunk& chunk = records.GetChunks()[i];
+        vtkIdType triangle = chunk.Triangles, face = chunk.Faces;
+        TSurfRecords::ForEachLine(chunk,
+          [&](TSurfLine what, TextRow&, const char*)
+          {
+            face += what == TSurfLine::Face;
+            if (what == TSurfLine::Triangle)
+            {
+              if (const vtkIdType cell = piece.FindCell(triangle++); cell >= 0)
+              {
+                parts[cell] = static_cast<int>(chunk.Object);
+                // Before the first TFACE there is one as well.
+                faces[cell] = static_cast<int>(std::max<vtkIdType>(face - 1, 0));
+              }
+            }
+            return true;
+          });
+      }
+    });
+  const auto add = [grid](Buffer<int>& values, const char* name)
+  {
+    const auto array = values.TakeArray<vtkIntArray>();
+    array->SetName(name);
+    grid->GetCellData()->AddArray(array);
+  };
+  add(parts, "Part");
+  add(faces, "TFace");
+}
+
+//------------------------------------------------------------------------------
+// What the file says of its objects, one value each.
+void AddTexts(const std::vector<TSurfObject>& objects, std::string TSurfObject::*text,
+  const char* name, vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  bool isEmpty = true;
+  for (const TSurfObject& object : objects)
+  {
+    array->InsertNextValue(object.*text);
+    isEmpty = isEmpty && (object.*text).empty();
+  }
+  if (!isEmpty)
+  {
+    grid->GetFieldData()->AddArray(array);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, const Progress& progress, vtkIdType chunkSize)
+{
+  grid->Initialize();
+  std::vector<TSurfObject> objects;
+  if (!FindObjects(scanner, objects, warnings))
+  {
+    return false;
+  }
+  TSurfRecords records(scanner, objects, chunkSize);
+  CellMesh mesh;
+  if (!records.Read(mesh, warnings, progress.Part(0.1, 0.5)))
+  {
+    return false;
+  }
+  const bool hasTriangles = mesh.NumberOfCells > 0;
+  if (!hasTriangles)
+  {
+    mesh = MakeCloud(mesh.NumberOfPoints);
+  }
+  CellPiece piece;
+  TSurfValues values(scanner, objects);
+  if (!piece.Select(mesh, request, progress.Part(0.5, 0.55)) ||
+    !values.Read(records, piece, progress.Part(0.55, 0.9)))
+  {
+    return false;
+  }
+
+  const vtkSmartPointer<vtkDataArray> points = values.TakePoints();
+  if (request.Piece == 0)
+  {
+    values.Warn(warnings);
+    WarnOfPoints(points, warnings, progress.Part(0.9, 0.95), "vertex", "vertices");
+    WarnOfRepeatedPoints(mesh, warnings, progress.Part(0.95, 1), "triangle", "triangles");
+  }
+  else
+  {
+    warnings = Warnings();
+  }
+  FillGrid(mesh, piece, points, grid);
+  values.AddArrays(grid->GetPointData());
+  if (hasTriangles)
+  {
+    AddParts(records, piece, grid);
+  }
+  AddTexts(objects, &TSurfObject::Name, "PartName", grid);
+  AddTexts(objects, &TSurfObject::ZPositive, "ZPositive", grid);
+  AddTexts(objects, &TSurfObject::AxisUnit, "AxisUnit", grid);
+  return !progress.IsStopped();
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadTSurf(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  std::string copy;
+  const bool isCopy = ReplaceLoneReturns(file, copy);
+  const char* const begin = isCopy ? copy.data() : file.begin();
+  TextScanner scanner(file.GetName(), begin, begin + (file.end() - file.begin()), '#');
+  const bool good = Read(scanner, request, grid, warnings, progress, chunk);
+  error = progress.IsStopped() ? ScanError() : scanner.GetError();
+  return good && !error && !progress.IsStopped();
+}
+}

@@ -1,0 +1,318 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TSurfValues.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr char VertexId[] = "the id of a vertex";
+constexpr char Coordinate[] = "a coordinate of a vertex";
+constexpr char Value[] = "a value of a property";
+constexpr char IdName[] = "OriginalPointId";
+// Arrays that are no properties.
+constexpr std::string_view OwnNames[] = { IdName, "GlobalPointIds", "vtkGhostType" };
+}
+
+//------------------------------------------------------------------------------
+std::size_t TSurfValues::FindArray(const TSurfProperty& property)
+{
+  const auto isTaken = [this](const std::string& name)
+  {
+    const auto* const end = std::end(OwnNames);
+    return std::find(std::begin(OwnNames), end, name) != end ||
+      std::any_of(this->Arrays.begin(), this->Arrays.end(),
+        [&](const Array& array) { return array.Name == name; });
+  };
+  const std::string base = property.Name.empty() ? "Property" : property.Name;
+  std::string name = base;
+  for (int number = 2;; ++number)
+  {
+    const auto same = std::find_if(this->Arrays.begin(), this->Arrays.end(),
+      [&](const Array& array) { return array.Name == name && array.Size == property.Size; });
+    if (same != this->Arrays.end())
+    {
+      return static_cast<std::size_t>(same - this->Arrays.begin());
+    }
+    if (!isTaken(name))
+    {
+      this->Arrays.push_back({ name, property.Size, {} });
+      return this->Arrays.size() - 1;
+    }
+    name = base + "_" + std::to_string(number);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Before there is any memory for them, it is asked whether the file can have so many values.
+bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints)
+{
+  this->ArraysOfObjects.resize(this->Objects.size());
+  for (std::size_t i = 0; i < this->Objects.size(); ++i)
+  {
+    const TSurfObject& object = this->Objects[i];
+    const vtkIdType number = records.GetNumberOfPropertyRecords(i);
+    if (number == 0)
+    {
+      continue; // nothing to be seen of its properties
+    }
+    constexpr int ValueBytes = 2; // "0" and a blank
+    const std::int64_t possible = (object.End - object.Begin) / (number * ValueBytes);
+    if (object.GetNumberOfValues() > possible)
+    {
+      this->Scanner.FailAt(object.Begin, ErrorKind::Count,
+        "properties of at most " + std::to_string(possible) + " values together before this line",
+        std::to_string(object.GetNumberOfValues()));
+      return false;
+    }
+    for (const TSurfProperty& property : object.Properties)
+    {
+      this->ArraysOfObjects[i].push_back(this->FindArray(property));
+    }
+  }
+  // A few vertices with many values, and many without, may be more than a machine holds.
+  constexpr int MaxGrowth = 10;
+  std::int64_t values = 0;
+  for (const Array& array : this->Arrays)
+  {
+    values += array.Size;
+  }
+  const vtkIdType fileSize = this->Scanner.GetEnd() - this->Objects[0].Begin;
+  const vtkIdType points = records.GetChunks().back().Points;
+  constexpr int DoubleBytes = sizeof(double);
+  if (values > 0 && points > MaxGrowth * fileSize / (DoubleBytes * values))
+  {
+    this->Scanner.FailAt(this->Objects[0].Begin, ErrorKind::Unsupported,
+      "properties that more of the vertices have", std::to_string(values) + " values per vertex");
+    return false;
+  }
+  for (Array& array : this->Arrays)
+  {
+    array.Values = Buffer<double>(numberOfPoints * array.Size);
+    std::fill(array.Values.data(), array.Values.data() + array.Values.size(),
+      std::numeric_limits<double>::quiet_NaN());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Calls take(array, component, value) for the values of a row. Anything but a number ends them.
+template <typename Take>
+bool TSurfValues::ReadProperties(TextRow& row, std::size_t object, bool& isShort, Take&& take) const
+{
+  const std::vector<TSurfProperty>& properties = this->Objects[object].Properties;
+  const std::vector<std::size_t>& arrays = this->ArraysOfObjects[object];
+  for (std::size_t p = 0; p < arrays.size(); ++p)
+  {
+    for (int c = 0; c < properties[p].Size; ++c)
+    {
+      constexpr std::string_view Control = "CNXYZ"; // a vertex that stays where it is
+      std::string_view word;
+      if (!row.HasMore())
+      {
+        isShort = true;
+        return true;
+      }
+      double value;
+      if (!row.ReadWord(word, Value) || word == Control)
+      {
+        isShort = true;
+        return true;
+      }
+      const char* const end = word.data() + word.size();
+      if (ParseReal(word.data(), end, value) != end)
+      {
+        return row.FailAt(word.data(), ErrorKind::Syntax, Value);
+      }
+      const bool isNone = properties[p].HasNoData && value == properties[p].NoData;
+      take(arrays[p], c, isNone ? std::numeric_limits<double>::quiet_NaN() : value);
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Any vertex or atom; -1 for a point that the piece does not have.
+bool TSurfValues::ReadVertex(
+  TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, bool& isShort)
+{
+  std::int64_t id;
+  if (!row.ReadInteger(id, VertexId))
+  {
+    return false;
+  }
+  if (what == TSurfLine::Vertex || what == TSurfLine::PropertyVertex)
+  {
+    double x[3];
+    if (!row.ReadReal(x[0], Coordinate) || !row.ReadReal(x[1], Coordinate) ||
+      !row.ReadReal(x[2], Coordinate))
+    {
+      return false;
+    }
+    if (point >= 0)
+    {
+      std::copy(x, x + 3, this->Coordinates.data() + 3 * point);
+    }
+  }
+  else if (!row.ReadInteger(id, VertexId))
+  {
+    return false;
+  }
+  if (what == TSurfLine::Vertex || what == TSurfLine::Atom)
+  {
+    return true;
+  }
+  return this->ReadProperties(row, object, isShort,
+    [this, point](std::size_t array, int component, double value)
+    {
+      if (point >= 0)
+      {
+        Array& to = this->Arrays[array];
+        to.Values[point * to.Size + component] = value;
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+const char* TSurfValues::ReadChunk(
+  const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellPiece& piece)
+{
+  vtkIdType record = chunk.Records, point = chunk.Points, shortRecords = 0;
+  const char* const wrong = TSurfRecords::ForEachLine(chunk,
+    [&](TSurfLine what, TextRow& row, const char*)
+    {
+      if (what == TSurfLine::Triangle || what == TSurfLine::Face)
+      {
+        return true;
+      }
+      // The values of atoms are read later.
+      const bool isAtom = what == TSurfLine::Atom || what == TSurfLine::PropertyAtom;
+      const vtkIdType local = isAtom ? -1 : piece.FindPoint(point);
+      bool isShort = false;
+      if (!this->ReadVertex(row, what, chunk.Object, local, isShort))
+      {
+        return false;
+      }
+      if (local >= 0 && this->Ids.size() > 0)
+      {
+        this->Ids[local] = records.GetId(record);
+      }
+      shortRecords += isShort;
+      point += !isAtom;
+      ++record;
+      return true;
+    });
+  this->Short += shortRecords;
+  return wrong;
+}
+
+//------------------------------------------------------------------------------
+// One by one, as several may be of the same vertex. They give it values that it does not have.
+void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellPiece& piece)
+{
+  for (const TSurfRecords::Chunk& chunk : records.GetChunks())
+  {
+    for (const TSurfRecords::Atom& atom : chunk.Atoms)
+    {
+      const vtkIdType point = piece.FindPoint(records.GetPoint(atom.Record));
+      if (atom.What != TSurfLine::PropertyAtom || point < 0)
+      {
+        continue;
+      }
+      const Line line(atom.Text, this->Scanner.GetEnd());
+      const char* text = line.Begin;
+      ReadKeyword(text, line.End);
+      TextRow row(text, line.End, '#');
+      std::int64_t id;
+      bool isShort = false, isOther = false;
+      row.ReadInteger(id, VertexId);
+      row.ReadInteger(id, VertexId);
+      this->ReadProperties(row, chunk.Object, isShort,
+        [&](std::size_t array, int component, double value)
+        {
+          Array& to = this->Arrays[array];
+          double& present = to.Values[point * to.Size + component];
+          isOther = isOther || (!std::isnan(present) && !std::isnan(value) && present != value);
+          present = std::isnan(present) ? value : present;
+        });
+      this->Conflicts += isOther;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TSurfValues::Read(TSurfRecords& records, const CellPiece& piece, const Progress& progress)
+{
+  const vtkIdType points = piece.GetNumberOfPoints();
+  if (!this->MakeArrays(records, points))
+  {
+    return false;
+  }
+  this->Coordinates = Buffer<double>(3 * points);
+  this->Ids = Buffer<vtkIdType>(records.HasPlainIds() ? 0 : points);
+  std::size_t object = 0;
+  const bool good = records.ForEachChunk(
+    progress, [&](TSurfRecords::Chunk& chunk) { return this->ReadChunk(records, chunk, piece); },
+    [&](TSurfLine what, TextRow& row)
+    {
+      while (
+        object + 1 < this->Objects.size() && row.GetPosition() >= this->Objects[object + 1].Begin)
+      {
+        ++object;
+      }
+      bool isShort;
+      this->ReadVertex(row, what, object, -1, isShort);
+    });
+  if (good)
+  {
+    this->ReadAtoms(records, piece);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+void TSurfValues::Warn(Warnings& warnings) const
+{
+  if (this->Short > 0)
+  {
+    warnings.Add(
+      "vertices with fewer values than there are properties: " + std::to_string(this->Short));
+  }
+  if (this->Conflicts > 0)
+  {
+    warnings.Add("atoms with other values than the vertex they stand for, which keeps its own: " +
+      std::to_string(this->Conflicts));
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> TSurfValues::TakePoints()
+{
+  return this->Coordinates.TakeArray<vtkDoubleArray>(3);
+}
+
+//------------------------------------------------------------------------------
+void TSurfValues::AddArrays(vtkDataSetAttributes* data)
+{
+  for (Array& array : this->Arrays)
+  {
+    const auto values = array.Values.TakeArray<vtkDoubleArray>(array.Size);
+    values->SetName(array.Name.c_str());
+    data->AddArray(values);
+  }
+  if (this->Ids.size() > 0)
+  {
+    const auto ids = this->Ids.TakeArray<vtkIdTypeArray>();
+    ids->SetName(IdName);
+    data->AddArray(ids);
+  }
+}
+}

@@ -1,0 +1,96 @@
+# ranks: 1 2 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""TS files in ParaView: opening, collected files, other files, on any number of ranks."""
+
+import unittest
+
+import camaron_testing
+import numpy
+from camaron import pipeline
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def parse_tetrahedra(path):
+    """Points and ids of a file of Camarón, by a reader of the test's own."""
+    rows = [line.split("#")[0].split() for line in path.read_text().splitlines()]
+    rows = [row for row in rows if row]
+    count = int(rows[0][0])
+    points = [[float(word) for word in row[:3]] for row in rows[1 : 1 + count]]
+    return numpy.array(points), [[int(word) for word in row] for row in rows[1 + count :]]
+
+
+def parse_surface(path):
+    """Points and triangles of a TSurf with one object."""
+    points, triangles, index = [], [], {}
+    for row in (line.split() for line in path.read_text().splitlines()):
+        if row and row[0] in ("VRTX", "PVRTX"):
+            index[row[1]] = len(points)
+            points.append([float(word) for word in row[2:5]])
+        elif row and row[0] == "ATOM":
+            index[row[1]] = index[row[2]]
+        elif row and row[0] == "TRGL":
+            triangles.append(row[1:4])
+    return numpy.array(points), [[index[word] for word in row] for row in triangles]
+
+
+FILES = {"dev_tets_camaron": parse_tetrahedra, "dev_gocad_tsurf": parse_surface}
+
+
+class TestTS(camaron_testing.TestCase):
+    def tearDown(self):
+        for source in reversed(list(simple.GetSources().values())):
+            simple.Delete(source)
+        super().tearDown()
+
+    def test_counts(self):
+        """Points and cells of collected files are those of the file, on any number of ranks."""
+        for name, parse in FILES.items():
+            path = self.data(f"ts/{name}.ts")
+            points, cells = parse(path)
+            owned = simple.RemoveGhostInformation(Input=self.open(path))
+            owned.UpdatePipeline()
+            information = owned.GetDataInformation()
+            self.assertEqual(information.GetNumberOfCells(), len(cells), name)
+            if camaron_testing.rank_count() == 1:  # else ranks share points
+                self.assertEqual(information.GetNumberOfPoints(), len(points), name)
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
+    def test_cells(self):
+        """Places and corners of all cells are those of the file."""
+        for name, parse in FILES.items():
+            path = self.data(f"ts/{name}.ts")
+            points, cells = parse(path)
+            grid = self.fetch(self.open(path))
+            numpy.testing.assert_array_equal(vtk_to_numpy(grid.GetPoints().GetData()), points)
+            connectivity = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+            self.assertEqual(connectivity.reshape(len(cells), -1).tolist(), cells, name)
+
+    def test_no_inverted_tetrahedra(self):
+        """If this fails, corners are in the wrong order: the file's tetrahedra are all positive."""
+        source = self.open(self.data("ts/dev_tets_camaron.ts"))
+        quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
+        volumes = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Volume"))
+        self.assertGreater(volumes.min(), 0)
+
+    def test_other_files(self):
+        """Programs of the extension are refused."""
+        path = self.folder / "program.ts"
+        path.write_text("import { Mesh } from './mesh';\nexport const count = 4;\n")
+        with pipeline.Messages() as messages:
+            source = simple.TSReader(FileNames=[str(path)])
+            source.UpdatePipeline()
+        self.assertEqual(source.GetDataInformation().GetNumberOfCells(), 0)
+        self.assertTrue(any("TypeScript" in text for text in messages.errors), messages.errors)
+
+    def test_texts(self):
+        """What a surface says of itself is in the field data."""
+        source = self.open(self.data("ts/dev_gocad_tsurf.ts"))
+        field = self.fetch(source).GetFieldData()
+        self.assertEqual(field.GetAbstractArray("PartName").GetValue(0), "dev")
+        self.assertEqual(field.GetAbstractArray("ZPositive").GetValue(0), "Depth")
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
