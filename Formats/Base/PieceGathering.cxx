@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <utility>
 #include <vector>
 
 namespace camaron
@@ -52,21 +53,20 @@ public:
   }
   void Send(vtkDataSetAttributes* data)
   {
-    std::vector<vtkDataArray*> arrays;
-    int globalIds = -1;
+    // Each with what it is for, e.g. the normals or the global ids.
+    std::vector<std::pair<vtkDataArray*, int>> arrays;
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       if (vtkDataArray* array = data->GetArray(i))
       {
-        globalIds = array == data->GetGlobalIds() ? static_cast<int>(arrays.size()) : globalIds;
-        arrays.push_back(array);
+        arrays.emplace_back(array, data->IsArrayAnAttribute(i));
       }
     }
     this->Send(static_cast<int>(arrays.size()));
-    this->Send(globalIds);
-    for (vtkDataArray* array : arrays)
+    for (const auto& array : arrays)
     {
-      this->Send(array);
+      this->Send(array.first);
+      this->Send(array.second);
     }
   }
   void Send(vtkUnstructuredGrid* grid)
@@ -113,11 +113,15 @@ public:
   void ReceiveData(vtkDataSetAttributes* data)
   {
     const int size = this->ReceiveNumber();
-    const int globalIds = this->ReceiveNumber();
     for (int i = 0; i < size; ++i)
     {
       const auto array = this->ReceiveArray();
-      i == globalIds ? data->SetGlobalIds(array) : data->AddArray(array);
+      const int attribute = this->ReceiveNumber();
+      const int index = data->AddArray(array);
+      if (attribute >= 0)
+      {
+        data->SetActiveAttribute(index, attribute);
+      }
     }
   }
   vtkSmartPointer<vtkUnstructuredGrid> ReceiveGrid()
