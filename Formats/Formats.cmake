@@ -33,7 +33,9 @@ camaron_format(
   EXTENSIONS  off coff noff cnoff stoff stcoff stnoff stcnoff 4off
   DESCRIPTION "OFF polygon mesh"
   READS       "polygons with every prefix, normals, texture and colours, ASCII and binary"
-  READER)
+  WRITES      "polygons with normals, texture and colours, ASCII and binary"
+  READER
+  WRITER)
 
 camaron_format(
   NAME        MAPDL

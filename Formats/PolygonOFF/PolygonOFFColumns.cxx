@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonOFFColumns.h"
+
+#include "CellMesh/OutputWarnings.h"
+#include "Scan/MappedFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+constexpr int Full = 255;
+constexpr char IndexName[] = "ColorIndex"; // as the reader names it
+
+//------------------------------------------------------------------------------
+bool IsReal(vtkDataArray* array)
+{
+  return array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE;
+}
+
+//------------------------------------------------------------------------------
+bool IsColor(vtkDataArray* array)
+{
+  return array->GetNumberOfComponents() == 3 || array->GetNumberOfComponents() == 4;
+}
+
+//------------------------------------------------------------------------------
+// Arrays that are colours without anybody having said so.
+void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<std::string>& names)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = data->GetArray(i);
+    if (array && array->GetName() &&
+      ((IsColor(array) && array->GetDataType() == VTK_UNSIGNED_CHAR) ||
+        (ofCells && array->GetNumberOfComponents() == 1 &&
+          std::string(array->GetName()) == IndexName)))
+    {
+      names.emplace_back(array->GetName());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string GetName(vtkDataArray* array)
+{
+  return array && array->GetName() ? array->GetName() : "";
+}
+}
+
+//------------------------------------------------------------------------------
+bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::string& path,
+  Warnings& warnings, ScanError& error)
+{
+  vtkPointData* const points = mesh->GetPointData();
+  vtkCellData* const cells = mesh->GetCellData();
+  const auto find = [&](vtkDataSetAttributes* data, const std::string& name, const char* of,
+                      bool mayBeIndex) -> vtkDataArray*
+  {
+    vtkDataArray* const array = name.empty() ? nullptr : data->GetArray(name.c_str());
+    const bool isIndex =
+      array && mayBeIndex && array->GetNumberOfComponents() == 1 && !IsReal(array);
+    if (!name.empty() && !(array && (IsColor(array) || isIndex)))
+    {
+      error = { ErrorKind::Unsupported,
+        GetFileName(path) + ": colours of " + of + " need an array of three or four components" +
+          (mayBeIndex ? ", or of one integer" : "") + ", " +
+          (array ? "but " + name + " has " + std::to_string(array->GetNumberOfComponents())
+                 : "and there is no " + name) };
+    }
+    return array;
+  };
+  this->VertexColors = find(points, options.VertexColors, "vertices", false);
+  if (error)
+  {
+    return false;
+  }
+  this->FaceColors = find(cells, options.FaceColors, "faces", true);
+  if (error)
+  {
+    return false;
+  }
+  if (this->FaceColors && this->FaceColors->GetNumberOfComponents() == 1)
+  {
+    std::swap(this->FaceColors, this->FaceIndices);
+  }
+  if (options.WriteNormals)
+  {
+    this->Normals = points->GetNormals();
+    if (!this->Normals)
+    {
+      warnings.Add("the mesh has no normals of points to write");
+    }
+  }
+  if (options.WriteTexture)
+  {
+    this->Texture = points->GetTCoords();
+    if (!this->Texture)
+    {
+      warnings.Add("the mesh has no texture coordinates to write");
+    }
+  }
+
+  std::vector<std::string> written;
+  for (vtkDataArray* array :
+    { this->Normals, this->Texture, this->VertexColors, this->FaceColors, this->FaceIndices })
+  {
+    if (array)
+    {
+      written.push_back(GetName(array));
+    }
+  }
+  std::vector<std::string> known;
+  for (vtkDataArray* array : { points->GetNormals(), points->GetTCoords() })
+  {
+    if (array)
+    {
+      known.push_back(GetName(array));
+    }
+  }
+  AddColors(points, false, known);
+  AddColors(cells, true, known);
+  std::string unasked;
+  for (const std::string& name : known)
+  {
+    if (std::find(written.begin(), written.end(), name) == written.end())
+    {
+      unasked += (unasked.empty() ? "" : ", ") + name;
+      written.push_back(name);
+    }
+  }
+  if (!unasked.empty())
+  {
+    warnings.Add(
+      "normals, texture coordinates and colours are written if options say so; not written: " +
+      unasked);
+  }
+  WarnOfArrays(mesh, "OFF", warnings, written);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::string OFFColumns::GetKeyword() const
+{
+  return std::string(this->Texture ? "ST" : "") + (this->VertexColors ? "C" : "") +
+    (this->Normals ? "N" : "") + "OFF";
+}
+
+//------------------------------------------------------------------------------
+void GetOFFColor(vtkDataArray* colors, vtkIdType tuple, int bytes[4])
+{
+  const double scale = IsReal(colors) ? Full : 1;
+  const int size = colors->GetNumberOfComponents();
+  for (int c = 0; c < 4; ++c)
+  {
+    const double value = c < size ? std::floor(colors->GetComponent(tuple, c) * scale + 0.5) : Full;
+    bytes[c] = value > 0 ? static_cast<int>(std::min(value, double(Full))) : 0; // nan is 0
+  }
+}
+}
