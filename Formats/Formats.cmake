@@ -42,7 +42,9 @@ camaron_format(
   EXTENSIONS  cdb dat inp
   DESCRIPTION "Ansys Mechanical APDL deck"
   READS       "blocks and commands of nodes, elements, types and components, linear and quadratic"
-  READER)
+  WRITES      "blocks of nodes, elements and components, linear and quadratic"
+  READER
+  WRITER)
 
 camaron_format(
   NAME        TetGen

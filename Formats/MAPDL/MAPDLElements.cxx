@@ -190,6 +190,9 @@ constexpr unsigned char TriangleNodes[] = { 0, 1, 2, 2 };
 constexpr unsigned char QuadraticTriangleNodes[] = { 0, 1, 2, 2, 3, 4, 2, 5 };
 constexpr unsigned char PixelNodes[] = { 0, 1, 3, 2 };
 constexpr unsigned char VoxelNodes[] = { 0, 1, 3, 2, 4, 5, 7, 6 };
+constexpr unsigned char BrickTetraNodes[] = { 0, 1, 2, 2, 3, 3, 3, 3 };
+constexpr unsigned char QuadraticBrickTetraNodes[] = { 0, 1, 2, 2, 3, 3, 3, 3, 4, 5, 2, 6, 3, 3, 3,
+  3, 7, 8, 9, 9 };
 constexpr unsigned char PyramidNodes[] = { 0, 1, 2, 3, 4, 4, 4, 4 };
 constexpr unsigned char QuadraticPyramidNodes[] = { 0, 1, 2, 3, 4, 4, 4, 4, 5, 6, 7, 8, 4, 4, 4, 4,
   9, 10, 11, 12 };
@@ -297,10 +300,11 @@ QuadraticEdges GetQuadraticEdges(unsigned char type)
 }
 
 //------------------------------------------------------------------------------
-MAPDLForm GetMAPDLForm(unsigned char type)
+MAPDLForm GetMAPDLForm(unsigned char type, MAPDLClass elementClass)
 {
   static const auto wedge = TurnWedge(WedgeNodes, VTK_WEDGE);
   static const auto quadraticWedge = TurnWedge(QuadraticWedgeNodes, VTK_QUADRATIC_WEDGE);
+  const bool isBrick = elementClass == MAPDLClass::Solid;
   switch (type)
   {
     case VTK_VERTEX:
@@ -320,9 +324,10 @@ MAPDLForm GetMAPDLForm(unsigned char type)
     case VTK_QUADRATIC_QUAD:
       return { 281, 7, 8, InOrder };
     case VTK_TETRA:
-      return { 285, 8, 4, InOrder };
+      return isBrick ? MAPDLForm{ 185, 10, 8, BrickTetraNodes } : MAPDLForm{ 285, 8, 4, InOrder };
     case VTK_QUADRATIC_TETRA:
-      return { 187, 9, 10, InOrder };
+      return isBrick ? MAPDLForm{ 186, 11, 20, QuadraticBrickTetraNodes }
+                     : MAPDLForm{ 187, 9, 10, InOrder };
     case VTK_PYRAMID:
       return { 185, 10, 8, PyramidNodes };
     case VTK_QUADRATIC_PYRAMID:

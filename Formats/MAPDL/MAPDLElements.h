@@ -72,7 +72,8 @@ struct MAPDLForm
   int NumberOfNodes = 0;
   const unsigned char* Order = nullptr; ///< per node, which point of the cell it is
 };
-MAPDLForm GetMAPDLForm(unsigned char type);
+/// Tetrahedra among solids are degenerate bricks.
+MAPDLForm GetMAPDLForm(unsigned char type, MAPDLClass elementClass = MAPDLClass::Undefined);
 }
 
 #endif

@@ -35,7 +35,7 @@ HELD = {
 #: Files that keep single precision.
 SINGLE = {"visf"}
 #: What to set so that every digit is written.
-OPTIONS = {"M3D": {"Digits": 17}}
+OPTIONS = {"M3D": {"Digits": 17}, "MAPDL": {"Digits": 17}}
 
 
 class TestRoundTrips(camaron_testing.TestCase):

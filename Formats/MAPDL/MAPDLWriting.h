@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file MAPDLWriting.h
+ * @brief Writes decks of Ansys Mechanical APDL in the blocked form of CDWRITE.
+ */
+#ifndef camaron_MAPDLWriting_h
+#define camaron_MAPDLWriting_h
+
+#include "CellMesh/CellConversion.h"
+
+#include <string> // for paths
+
+class vtkDataSet;
+
+namespace camaron
+{
+struct MAPDLWriteOptions
+{
+  /// Takes ids from the arrays NodeId and ElementId if they are there, positive and unique.
+  bool OriginalIds = true;
+  int Digits = 14; ///< of coordinates; 17 keep every double
+  UnsupportedCells Others = UnsupportedCells::Refuse;
+};
+
+/**
+ * Writes a vtkUnstructuredGrid or vtkPolyData: nodes, elements, their types, and a component for
+ * each array of bytes that are 0 or 1. Types and attributes of elements are those of the arrays
+ * that the reader makes (TypeId, ElementType, Material, Real, Section), as far as they fit the
+ * cells.
+ * @return false with the error in @a error, or without one if stopped; the file is as before then
+ */
+bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptions& options,
+  Warnings& warnings, ScanError& error, const Progress& progress = Progress());
+}
+
+#endif
