@@ -85,17 +85,25 @@ void OutputFile::Write(const char* bytes, std::size_t size)
 }
 
 //------------------------------------------------------------------------------
+bool OutputFile::Close()
+{
+  if (!this->HasFailed() && this->File)
+  {
+    const int closed = std::fclose(this->File);
+    this->File = nullptr;
+    if (closed != 0)
+    {
+      this->Fail(errno);
+    }
+  }
+  return !this->HasFailed();
+}
+
+//------------------------------------------------------------------------------
 bool OutputFile::Commit()
 {
-  if (this->HasFailed())
+  if (!this->Close())
   {
-    return false;
-  }
-  const int closed = std::fclose(this->File);
-  this->File = nullptr;
-  if (closed != 0)
-  {
-    this->Fail(errno);
     return false;
   }
   if (!this->Temporary.empty())

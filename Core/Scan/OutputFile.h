@@ -28,7 +28,12 @@ public:
 
   void Write(const char* bytes, std::size_t size);
   void Write(const std::string& bytes) { this->Write(bytes.data(), bytes.size()); }
-  /// Completes the file; false with the reason in GetError().
+  /**
+   * Writes what is still to be written; false with the reason in GetError(). Of several files that
+   * belong together all are closed before any is committed, so that they appear only if all fit.
+   */
+  bool Close();
+  /// Closes and completes the file; false with the reason in GetError().
   bool Commit();
 
   const ScanError& GetError() const { return this->Error; }
