@@ -47,13 +47,6 @@ camaron_format(
   WRITER)
 
 camaron_format(
-  NAME        TetGen
-  EXTENSIONS  ele node face edge neigh poly smesh
-  DESCRIPTION "TetGen or Triangle mesh"
-  READS       "all files, any ids, attributes, regions and markers, elements of second order"
-  READER)
-
-camaron_format(
   NAME        PolygonPLY
   EXTENSIONS  ply
   DESCRIPTION "PLY mesh with all its arrays"
@@ -66,3 +59,12 @@ camaron_format(
   DESCRIPTION "Camarón tetrahedra or GOCAD TSurf"
   READS       "ASCII: tetrahedra of Camarón, TSurf of GOCAD with properties and parts"
   READER)
+
+camaron_format(
+  NAME        TetGen
+  EXTENSIONS  ele node face edge neigh poly smesh
+  DESCRIPTION "TetGen or Triangle mesh"
+  READS       "all files, any ids, attributes, regions and markers, elements of second order"
+  WRITES      "`.node`, `.ele` and `.face` with attributes, regions and markers, elements of second order"
+  READER
+  WRITER)

@@ -1,7 +1,7 @@
 # ranks: 1 2 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""TetGen files in ParaView: opening any of the files, series, errors, on any number of ranks."""
+"""TetGen files in ParaView: opening any of them, saving, series, errors, on any number of ranks."""
 
 from pathlib import Path
 
@@ -73,6 +73,28 @@ class TestTetGen(camaron_testing.TestCase):
         for time in (2, 0, 1):
             source.UpdatePipeline(time)
             self.assertEqual(self.cells(source), 10 + time)
+
+    def test_save_and_open(self):
+        base = self.save("strip", 60)
+        source = self.open(f"{base}.ele")
+        for first in (0, 1):
+            target = self.folder / f"saved{first}.node"
+            simple.SaveData(str(target), source, FirstId=first)
+            # Seams between ranks are gone: as many of everything as in the original.
+            nodes = target.read_text().splitlines()
+            elements = target.with_suffix(".ele").read_text().splitlines()
+            self.assertEqual((nodes[0], elements[0]), ("63 3 1 1", "60 4 1"))
+            self.assertEqual(nodes[1].split(), [str(first), "1", "0", "0", "0", "0"])
+            last = [str(i + first) for i in (59, 59, 60, 61, 62)] + ["2"]
+            self.assertEqual(elements[60].split(), last)
+            again = self.open(target)
+            self.assertEqual(self.cells(again), 60)
+            self.assertIn("Region", again.CellData.keys())
+
+    def test_save_surface(self):
+        target = str(self.folder / "sphere.ele")
+        simple.SaveData(target, simple.Sphere())
+        self.assertEqual(self.cells(self.open(target)), 96)
 
     def test_a_missing_file_is_named(self):
         base = Path(self.save("orphan", 5))
