@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What finite volumes ask of a cell and its neighbours, as OpenFOAM's checkMesh and Fluent define it.
-#include "Criteria/CellNeighborhood.h"
+#include "Criteria/FacetMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,64 +72,13 @@ double WorstOfInnerFacets(const CellNeighborhood& cell, bool largest, Measure&& 
   }
   return worst.Get();
 }
-
-//------------------------------------------------------------------------------
-bool IsZero(const CellNeighborhood& cell, const Facet& facet)
-{
-  const CellGeometry& geometry = cell.GetGeometry();
-  return geometry.GetShapes() & Polygons ? geometry.IsZeroLength(Norm(facet.Area))
-                                         : geometry.IsZeroArea(Norm(facet.Area));
-}
-
-//------------------------------------------------------------------------------
-double GetAngle(const Vector& a, const Vector& b)
-{
-  return std::atan2(Norm(Cross(a, b)), Dot(a, b));
-}
-
-//------------------------------------------------------------------------------
-double GetSkewness(const CellNeighborhood& cell, const Facet& facet)
-{
-  if (IsZero(cell, facet))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const bool isBoundary = facet.Other == Side::Boundary;
-  const Vector way = facet.Center - cell.GetCentroid();
-  Vector line = facet.OtherCentroid - cell.GetCentroid();
-  if (isBoundary)
-  {
-    // As if a mirrored cell lay beyond.
-    const Vector normal = Unit(facet.Area);
-    line = Dot(normal, way) * normal;
-  }
-  const double across = Dot(facet.Area, line);
-  if (cell.GetGeometry().IsZeroLength(std::abs(across) / Norm(facet.Area)))
-  {
-    return Infinity;
-  }
-  const Vector offset = way - (Dot(facet.Area, way) / across) * line;
-  const double distance = Norm(offset);
-  const Vector direction = Unit(offset);
-  double reach = (isBoundary ? 0.4 : 0.2) * Norm(line);
-  cell.ForEachPoint(facet,
-    [&](const Vector& point)
-    { reach = std::max(reach, std::abs(Dot(direction, point - facet.Center))); });
-  return distance / reach;
-}
 }
 
 //------------------------------------------------------------------------------
 double MaxNonOrthogonality(const CellNeighborhood& cell)
 {
-  const double angle = WorstOfInnerFacets(cell, true,
-    [&](const Facet& facet)
-    {
-      const Vector line = facet.OtherCentroid - cell.GetCentroid();
-      return IsZero(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(line))
-        ? Null(NullReason::Degenerate)
-        : GetAngle(line, facet.Area);
-    });
+  const double angle = WorstOfInnerFacets(
+    cell, true, [&](const Facet& facet) { return GetNonOrthogonality(cell, facet); });
   return std::isnan(angle) ? angle : cell.GetGeometry().ToAngleUnit(angle);
 }
 
@@ -141,10 +90,7 @@ double MaxBoundaryNonOrthogonality(const CellNeighborhood& cell)
   {
     if (facet.Other == Side::Boundary)
     {
-      const Vector way = facet.Center - cell.GetCentroid();
-      worst.Add(IsZero(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(way))
-          ? Null(NullReason::Degenerate)
-          : GetAngle(way, facet.Area));
+      worst.Add(GetBoundaryNonOrthogonality(cell, facet));
     }
     else if (facet.Other == Side::Missing)
     {
@@ -163,7 +109,7 @@ double MaxFaceSkewness(const CellNeighborhood& cell)
   {
     if (facet.Other == Side::Cell || facet.Other == Side::Boundary)
     {
-      worst.Add(GetSkewness(cell, facet));
+      worst.Add(GetFaceSkewness(cell, facet));
     }
     else if (facet.Other == Side::Missing)
     {
@@ -176,16 +122,8 @@ double MaxFaceSkewness(const CellNeighborhood& cell)
 //------------------------------------------------------------------------------
 double MinFaceWeight(const CellNeighborhood& cell)
 {
-  return WorstOfInnerFacets(cell, false,
-    [&](const Facet& facet)
-    {
-      const double own = std::abs(Dot(facet.Area, facet.Center - cell.GetCentroid()));
-      const double other = std::abs(Dot(facet.Area, facet.OtherCentroid - facet.Center));
-      const double distance = own + other;
-      return IsZero(cell, facet) || cell.GetGeometry().IsZeroLength(distance / Norm(facet.Area))
-        ? Null(NullReason::Degenerate)
-        : std::min(own, other) / distance;
-    });
+  return WorstOfInnerFacets(
+    cell, false, [&](const Facet& facet) { return GetFaceWeight(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
@@ -195,14 +133,8 @@ double MinVolumeRatio(const CellNeighborhood& cell)
   {
     return cell.GetSize();
   }
-  return WorstOfInnerFacets(cell, false,
-    [&](const Facet& facet)
-    {
-      const double smaller = std::min(cell.GetSize(), facet.OtherSize);
-      return std::isnan(facet.OtherSize) ? facet.OtherSize
-        : smaller <= 0                   ? 0
-                                         : smaller / std::max(cell.GetSize(), facet.OtherSize);
-    });
+  return WorstOfInnerFacets(
+    cell, false, [&](const Facet& facet) { return GetVolumeRatio(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
@@ -219,7 +151,7 @@ double OrthogonalQuality(const CellNeighborhood& cell)
   for (const Facet& facet : cell.GetFacets())
   {
     // A vector of no length makes the quality 0.
-    const Vector normal = IsZero(cell, facet) ? Vector() : Unit(facet.Area);
+    const Vector normal = IsZeroFacet(cell, facet) ? Vector() : Unit(facet.Area);
     worst.Add(Dot(normal, Unit(facet.Center - cell.GetCentroid())));
     if (facet.Other == Side::Cell)
     {

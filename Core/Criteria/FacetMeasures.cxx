@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/FacetMeasures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+using Facet = CellNeighborhood::Facet;
+using Side = CellNeighborhood::Side;
+
+namespace
+{
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+//------------------------------------------------------------------------------
+double GetAngle(const Vector& a, const Vector& b)
+{
+  return std::atan2(Norm(Cross(a, b)), Dot(a, b));
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsZeroFacet(const CellNeighborhood& cell, const Facet& facet)
+{
+  const CellGeometry& geometry = cell.GetGeometry();
+  return geometry.GetShapes() & Polygons ? geometry.IsZeroLength(Norm(facet.Area))
+                                         : geometry.IsZeroArea(Norm(facet.Area));
+}
+
+//------------------------------------------------------------------------------
+double GetNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
+{
+  const Vector line = facet.OtherCentroid - cell.GetCentroid();
+  return IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(line))
+    ? Null(NullReason::Degenerate)
+    : GetAngle(line, facet.Area);
+}
+
+//------------------------------------------------------------------------------
+double GetBoundaryNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
+{
+  const Vector way = facet.Center - cell.GetCentroid();
+  return IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(way))
+    ? Null(NullReason::Degenerate)
+    : GetAngle(way, facet.Area);
+}
+
+//------------------------------------------------------------------------------
+double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
+{
+  if (IsZeroFacet(cell, facet))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const bool isBoundary = facet.Other == Side::Boundary;
+  const Vector way = facet.Center - cell.GetCentroid();
+  Vector line = facet.OtherCentroid - cell.GetCentroid();
+  if (isBoundary)
+  {
+    // As if a mirrored cell lay beyond.
+    const Vector normal = Unit(facet.Area);
+    line = Dot(normal, way) * normal;
+  }
+  const double across = Dot(facet.Area, line);
+  if (cell.GetGeometry().IsZeroLength(std::abs(across) / Norm(facet.Area)))
+  {
+    return Infinity;
+  }
+  const Vector offset = way - (Dot(facet.Area, way) / across) * line;
+  const double distance = Norm(offset);
+  const Vector direction = Unit(offset);
+  double reach = (isBoundary ? 0.4 : 0.2) * Norm(line);
+  cell.ForEachPoint(facet,
+    [&](const Vector& point)
+    { reach = std::max(reach, std::abs(Dot(direction, point - facet.Center))); });
+  return distance / reach;
+}
+
+//------------------------------------------------------------------------------
+double GetFaceWeight(const CellNeighborhood& cell, const Facet& facet)
+{
+  const double own = std::abs(Dot(facet.Area, facet.Center - cell.GetCentroid()));
+  const double other = std::abs(Dot(facet.Area, facet.OtherCentroid - facet.Center));
+  const double distance = own + other;
+  return IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(distance / Norm(facet.Area))
+    ? Null(NullReason::Degenerate)
+    : std::min(own, other) / distance;
+}
+
+//------------------------------------------------------------------------------
+double GetVolumeRatio(const CellNeighborhood& cell, const Facet& facet)
+{
+  if (std::isnan(cell.GetSize()) || std::isnan(facet.OtherSize))
+  {
+    return std::isnan(cell.GetSize()) ? cell.GetSize() : facet.OtherSize;
+  }
+  const double smaller = std::min(cell.GetSize(), facet.OtherSize);
+  return smaller <= 0 ? 0 : smaller / std::max(cell.GetSize(), facet.OtherSize);
+}
+
+//------------------------------------------------------------------------------
+double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
+{
+  const double own = Dot(facet.Area, facet.Center - cell.GetCentroid()) / 3;
+  return facet.Other == Side::Cell
+    ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / 3)
+    : own;
+}
+}

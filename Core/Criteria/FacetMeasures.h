@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FacetMeasures.h
+ * @brief What finite volumes ask of a facet between two cells, or at the boundary.
+ *
+ * Angles are in radian. A null value says why there is none.
+ */
+#ifndef camaron_FacetMeasures_h
+#define camaron_FacetMeasures_h
+
+#include "Criteria/CellNeighborhood.h"
+
+namespace camaron
+{
+/// Whether a facet has no area (of an edge: no length).
+bool IsZeroFacet(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// Angle between the line to the other centroid and the vector area.
+double GetNonOrthogonality(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// Angle between the line to the centre of the facet and the vector area.
+double GetBoundaryNonOrthogonality(
+  const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// Distance of the centre from the line between the centroids, relative to the size of the facet.
+double GetFaceSkewness(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// Smaller share of a cell in the distance of the centroids along the normal.
+double GetFaceWeight(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// Smaller divided by larger size of the two cells.
+double GetVolumeRatio(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// Volume of the smaller one of the pyramids of the facet and the centroids.
+double GetFacePyramidVolume(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+}
+
+#endif
