@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstdint>
@@ -304,8 +305,10 @@ std::string ReaderTrial::FindFaultInStopping(const std::string& path) const
 std::string ReaderTrial::FindFaultInParallel(
   const std::string& path, std::size_t size, const Reading& expected) const
 {
-  const Set<vtkIdType> chunk(TextLines::DefaultChunk, 16); // bytes: a line or two
-  // What many pieces need of their own is nothing in proportion to pieces of the usual size.
+  // Pieces of a line or two, but no more pieces than are good for finding faults. What many pieces need of
+  // their own is nothing in proportion to pieces of the usual size.
+  const Set<vtkIdType> chunk(
+    TextLines::DefaultChunk, std::max<vtkIdType>(16, static_cast<vtkIdType>(size / 1000)));
   const Reading reading = this->Read(path, 64 * size);
   if (!reading.Fault.empty())
   {

@@ -44,8 +44,12 @@ enum Laws
 class ReaderTrial
 {
 public:
-  /// Processor seconds that reading may take.
+  /// Processor seconds that reading may take; sanitizers make it slower.
+#if defined(__SANITIZE_ADDRESS__)
+  static constexpr double MaxSeconds = 50;
+#else
   static constexpr double MaxSeconds = 5;
+#endif
   ///@{
   /// Bytes that reading may have in use: so many times the files', and what small files need anyway.
   static constexpr std::size_t MaxAllocation = 10;
