@@ -58,6 +58,7 @@ camaron_format(
   EXTENSIONS  ts
   DESCRIPTION "Camarón tetrahedra or GOCAD TSurf"
   READS       "ASCII: tetrahedra of Camarón, TSurf of GOCAD with properties and parts"
+<<<<<<< HEAD
   READER)
 
 camaron_format(
@@ -66,5 +67,8 @@ camaron_format(
   DESCRIPTION "TetGen or Triangle mesh"
   READS       "all files, any ids, attributes, regions and markers, elements of second order"
   WRITES      "`.node`, `.ele` and `.face` with attributes, regions and markers, elements of second order"
+=======
+  WRITES      "ASCII: tetrahedra of Camarón, TSurf of GOCAD with properties and parts"
+>>>>>>> 8b5c23d (Formats: write TS files: tetrahedra of Camarón, TSurf of GOCAD)
   READER
   WRITER)

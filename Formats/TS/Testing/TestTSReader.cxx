@@ -89,14 +89,13 @@ vtkDataArray* GetPointArray(const Result& result, const char* name)
 }
 std::string GetText(const Result& result, const char* name, vtkIdType i)
 {
-  auto* array =
-    vtkStringArray::SafeDownCast(result.Grid->GetFieldData()->GetAbstractArray(name));
+  auto* array = vtkStringArray::SafeDownCast(result.Grid->GetFieldData()->GetAbstractArray(name));
   return array ? array->GetValue(i) : "no array";
 }
 std::vector<vtkIdType> GetCorners(const Result& result, vtkIdType cell)
 {
-  return DescribeCell(result.Grid, cell,
-    GetIds(result.Grid->GetPointData(), result.Grid->GetNumberOfPoints()))[0];
+  return DescribeCell(
+    result.Grid, cell, GetIds(result.Grid->GetPointData(), result.Grid->GetNumberOfPoints()))[0];
 }
 }
 
@@ -104,7 +103,8 @@ std::vector<vtkIdType> GetCorners(const Result& result, vtkIdType cell)
 TEST(TSReader, ReadsTetrahedra)
 {
   for (const std::string& text : { "4 1\n" + Corners + "0 1 2 3\n",
-         "\xef\xbb\xbf# c\r\n4 1 and more\r\n\r\n0 0 0\r\n1 0 0 7 8\r\n0 1d0 0\r\n0 0 +1\r\n0 1 2 3 4\r\n#Expo" +
+         "\xef\xbb\xbf# c\r\n4 1 and more\r\n\r\n0 0 0\r\n1 0 0 7 8\r\n0 1d0 0\r\n0 0 +1\r\n0 1 2 "
+         "3 4\r\n#Expo" +
            std::string("rted") })
   {
     const Result result = ReadBytes(text);
@@ -137,14 +137,19 @@ TEST(TSReader, ReadsSurfaces)
 {
   const Result result = ReadBytes(
     "GOCAD TSURF 1.0\nHEADER {\nname: top of salt\n*solid*color:1 0 0\n}\n"
-    "GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\nAXIS_UNIT \"m\" \"m\" \"ft\"\nZPOSITIVE Depth\n"
+    "GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\nAXIS_UNIT \"m\" \"m\" \"ft\"\nZPOSITIVE "
+    "Depth\n"
     "END_ORIGINAL_COORDINATE_SYSTEM\nPROPERTIES a \"u v\" a\nPROP_LEGAL_RANGES **none** **none**\n"
-    "ESIZES 1 3 2\nNO_DATA_VALUES -99999 none -1\nPROPERTY_CLASS_HEADER a {\nkind: depth\nTFACE\n}\n"
+    "ESIZES 1 3 2\nNO_DATA_VALUES -99999 none -1\nPROPERTY_CLASS_HEADER a {\nkind: "
+    "depth\nTFACE\n}\n"
     "TFACE\nVRTX 5 0 0 0 CNXYZ\n  PVRTX 100 1 0 0 2.5 1 2 3 4 5\nPVRTX -7 0 1 0 -99999 1 2 3 4 -1\n"
-    "TRGL 5 100 -7 and more\nTFACE 2\n# a remark\nATOM 101 100\nPATOM 102 5 9 8 7 6 5 4\nATOM 104 103\n"
-    "ATOM 103 101\nPVRTX 6 1 1 0 3 1 2 3 4 5\nTRGL 104 6 102\nBSTONE 5\nBORDER 105 5 100\nSOMETHING else\nEND\n"
+    "TRGL 5 100 -7 and more\nTFACE 2\n# a remark\nATOM 101 100\nPATOM 102 5 9 8 7 6 5 4\nATOM 104 "
+    "103\n"
+    "ATOM 103 101\nPVRTX 6 1 1 0 3 1 2 3 4 5\nTRGL 104 6 102\nBSTONE 5\nBORDER 105 5 "
+    "100\nSOMETHING else\nEND\n"
     "GOCAD PLine 1\nVRTX 1 9 9 9\nSEG 1 1\nEND\n"
-    "GOCAD TSurf 1\nHEADER{name:b}\nPROPERTIES a\nVRTX 1 5 5 5\nPVRTX 2 6 5 5 77\nVRTX 3 5 6 5\nTRGL 3 2 1\nEND\n");
+    "GOCAD TSurf 1\nHEADER{name:b}\nPROPERTIES a\nVRTX 1 5 5 5\nPVRTX 2 6 5 5 77\nVRTX 3 5 6 "
+    "5\nTRGL 3 2 1\nEND\n");
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   ASSERT_EQ(result.Warnings.size(), 1u);
   EXPECT_NE(result.Warnings[0].find("'PLine'"), std::string::npos);
@@ -213,14 +218,15 @@ TEST(TSReader, WarnsOfOddThings)
   EXPECT_NE(tetrahedra.Warnings[0].find("1 vertex"), std::string::npos);
   EXPECT_NE(tetrahedra.Warnings[1].find("1 tetrahedron"), std::string::npos);
   EXPECT_NE(tetrahedra.Warnings[2].find("more data"), std::string::npos);
-  const Result surface = ReadBytes(
-    "GOCAD TSurf 1\nPROPERTIES a b\nVRTX 1 0 0 inf\nPVRTX 2 1 0 0 5\nPVRTX 2 0 1 0 6 7\n"
-    "PATOM 4 2 5 CNXYZ\nTRGL 1 2 2\nEND\nand more\n");
+  const Result surface =
+    ReadBytes("GOCAD TSurf 1\nPROPERTIES a b\nVRTX 1 0 0 inf\nPVRTX 2 1 0 0 5\nPVRTX 2 0 1 0 6 7\n"
+              "PATOM 4 2 5 CNXYZ\nTRGL 1 2 2\nEND\nand more\n");
   ASSERT_TRUE(surface.Errors.empty()) << surface.Errors[0];
   ASSERT_EQ(surface.Warnings.size(), 6u);
   EXPECT_NE(surface.Warnings[0].find("1 surface with more data behind its END"), std::string::npos);
   EXPECT_NE(surface.Warnings[1].find("another one of their surface has: 1"), std::string::npos);
-  EXPECT_NE(surface.Warnings[2].find("fewer values than there are properties: 2"), std::string::npos);
+  EXPECT_NE(
+    surface.Warnings[2].find("fewer values than there are properties: 2"), std::string::npos);
   EXPECT_NE(surface.Warnings[3].find("which keeps its own: 1"), std::string::npos);
   EXPECT_NE(surface.Warnings[4].find("1 vertex"), std::string::npos);
   EXPECT_NE(surface.Warnings[5].find("1 triangle"), std::string::npos);
@@ -240,7 +246,8 @@ TEST(TSReader, RefusesWhatIsWrong)
     const char* Message;
   } cases[] = {
     { "", Code::UnrecognizedFileTypeError, "test.ts:1: expected a TS file" },
-    { "import { A } from './a';\n", Code::UnrecognizedFileTypeError, "found 'import' (programs in Type" },
+    { "import { A } from './a';\n", Code::UnrecognizedFileTypeError,
+      "found 'import' (programs in Type" },
     { "<?xml version='1.0'?>\n<TS>\n", Code::UnrecognizedFileTypeError, "translations of Qt" },
     { mpeg, Code::UnrecognizedFileTypeError, "an MPEG transport stream" },
     { "8\n0 0 0\n", Code::UnrecognizedFileTypeError, "test.ts:1: expected a TS file" },
@@ -260,20 +267,23 @@ TEST(TSReader, RefusesWhatIsWrong)
     { tsurf + "VRTX 1 0 0 0\n", Code::PrematureEndOfFileError, "expected the line END of a TSurf" },
     { tsurf + "VRTX 1 0 0\nEND\n", Code::FileFormatError,
       "test.ts:2: expected a coordinate of a vertex, found the end of the line" },
-    { tsurf + "VRTX x 0 0 0\nEND\n", Code::FileFormatError, "expected the id of a vertex, found 'x'" },
+    { tsurf + "VRTX x 0 0 0\nEND\n", Code::FileFormatError,
+      "expected the id of a vertex, found 'x'" },
     { tsurf + "VRTX 3000000000 0 0 0\nEND\n", Code::FileFormatError, "an id of a vertex below" },
     { tsurf + "VRTX 1 0 0 0\nTRGL 1 1\nEND\n", Code::FileFormatError,
       "test.ts:3: expected the id of a vertex, found the end of the line" },
     { tsurf + "VRTX 1 0 0 0\nTRGL 1 1 1\nTRGL 1 2 3\nEND\n", Code::FileFormatError,
       "test.ts:4: expected the id of a vertex of the surface, found 2" },
-    { tsurf + "VRTX 1 0 0 0\nEND\n" + tsurf + "VRTX 2 0 0 0\nTRGL 2 2 1\nEND\n", Code::FileFormatError,
-      "test.ts:6: expected the id of a vertex of the surface, found 1" },
-    { tsurf + "VRTX 1 0 0 0\nATOM 2 9\nEND\n", Code::FileFormatError, "test.ts:3: expected the id of a" },
+    { tsurf + "VRTX 1 0 0 0\nEND\n" + tsurf + "VRTX 2 0 0 0\nTRGL 2 2 1\nEND\n",
+      Code::FileFormatError, "test.ts:6: expected the id of a vertex of the surface, found 1" },
+    { tsurf + "VRTX 1 0 0 0\nATOM 2 9\nEND\n", Code::FileFormatError,
+      "test.ts:3: expected the id of a" },
     { tsurf + "ATOM 2 3\nATOM 3 2\nEND\n", Code::FileFormatError, "not of itself" },
     { tsurf + "ATOM 2\nEND\n", Code::FileFormatError, "found the end of the line" },
     { tsurf + "PROPERTIES a\nPVRTX 1 0 0 0 x\nEND\n", Code::FileFormatError,
       "test.ts:3: expected a value of a property, found 'x'" },
-    { tsurf + "PROPERTIES a\nESIZES 0\nPVRTX 1 0 0 0 1\nEND\n", Code::FileFormatError, "test.ts:3: " },
+    { tsurf + "PROPERTIES a\nESIZES 0\nPVRTX 1 0 0 0 1\nEND\n", Code::FileFormatError,
+      "test.ts:3: " },
     { tsurf + "PROPERTIES a\nESIZES 20\nPVRTX 1 0 0 0 1\nEND\n", Code::FileFormatError,
       "expected properties of at most" },
   };
@@ -290,9 +300,9 @@ TEST(TSReader, RefusesWhatIsWrong)
 // If this fails, the mesh depends on threads, or on where text is cut for them.
 TEST(TSReader, ThreadsAndChunksChangeNothing)
 {
-  for (const std::string& text : { MakeChain(2000), MakeChain(2000, " # \r\n\r\n"),
-         MakeChain(2000, "\r"), MakeSurfaces(3, 700), MakeSurfaces(300, 5), MakeSurfaces(3, 700, "\r\n"),
-         MakeSurfaces(2, 700, "\r") })
+  for (const std::string& text :
+    { MakeChain(2000), MakeChain(2000, " # \r\n\r\n"), MakeChain(2000, "\r"), MakeSurfaces(3, 700),
+      MakeSurfaces(300, 5), MakeSurfaces(3, 700, "\r\n"), MakeSurfaces(2, 700, "\r") })
   {
     const File file(text, "test.ts");
     vtkNew<vtkUnstructuredGrid> expected;
@@ -305,8 +315,8 @@ TEST(TSReader, ThreadsAndChunksChangeNothing)
       for (const vtkIdType chunk : { 50, 1000, 20000 })
       {
         vtkNew<vtkUnstructuredGrid> grid;
-        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]
-          { ASSERT_TRUE(ReadTS(file.Path, {}, grid, warnings, error, Progress(), chunk)); });
+        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
+          [&] { ASSERT_TRUE(ReadTS(file.Path, {}, grid, warnings, error, Progress(), chunk)); });
         ExpectSameGrid(expected, grid);
       }
     }
@@ -328,8 +338,8 @@ TEST(TSReader, TellsTheFirstError)
     vtkNew<vtkUnstructuredGrid> grid;
     Warnings warnings;
     ScanError error;
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]
-      { EXPECT_FALSE(ReadTS(file.Path, {}, grid, warnings, error, Progress(), 100)); });
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
+      [&] { EXPECT_FALSE(ReadTS(file.Path, {}, grid, warnings, error, Progress(), 100)); });
     messages.insert(error.Message);
   }
   EXPECT_EQ(messages.size(), 1u);

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// TS files that we write: exact bytes, and the same mesh when they are read again.
+#include "FormatTesting.h"
+#include "TestMeshes.h"
+#include "vtkTSReader.h"
+#include "vtkTSWriter.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkStringArray.h"
+
+#include <functional>
+#include <limits>
+#include <sstream>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+struct Written
+{
+  int Success = 0;
+  std::string Bytes;
+  std::vector<std::string> Errors, Warnings;
+};
+
+Written Write(vtkDataObject* mesh, int dialect, int others = vtkTSWriter::REFUSE)
+{
+  const File file("before", "test.ts");
+  Written result;
+  vtkNew<vtkTSWriter> writer;
+  writer->SetFileName(file.Path.c_str());
+  writer->SetInputDataObject(mesh);
+  writer->SetDialect(dialect);
+  writer->SetUnsupportedCells(others);
+  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
+  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
+  result.Success = writer->Write();
+  std::ostringstream bytes;
+  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
+  result.Bytes = bytes.str();
+  return result;
+}
+
+Result Read(const std::string& bytes)
+{
+  return ReadWith<vtkTSReader>(File(bytes, "again.ts").Path);
+}
+
+Grid MakeTetrahedra()
+{
+  return MakeGrid({ { 0, 0, 0.1 }, { 1, 0, 1e-30 }, { 0, 1. / 3, 0 }, { 0, 0, 1 }, { 1, 1, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 4, 2, 3 } } });
+}
+
+Grid MakeTriangles()
+{
+  return MakeGrid({ { 0, 0, 0.1 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
+    { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 2, 1, 3 } } });
+}
+
+void AddCellArray(vtkUnstructuredGrid* grid, const char* name, const std::vector<int>& values)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  for (const int value : values)
+  {
+    array->InsertNextValue(value);
+  }
+  grid->GetCellData()->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(TSWriter, WritesTetrahedra)
+{
+  const Grid grid = MakeTetrahedra();
+  const Written file = Write(grid, vtkTSWriter::CAMARON);
+  ASSERT_TRUE(file.Success);
+  EXPECT_TRUE(file.Warnings.empty());
+  EXPECT_EQ(file.Bytes,
+    "5 2\n0 0 0.1 1.0\n1 0 1e-30 1.0\n0 0.3333333333333333 0 1.0\n0 0 1 1.0\n1 1 1 1.0\n0 1 2 3\n1 "
+    "4 2 3\n");
+  const Result again = Read(file.Bytes);
+  EXPECT_TRUE(HaveSameValues(again.Grid->GetPoints()->GetData(), grid->GetPoints()->GetData()));
+  EXPECT_EQ(Count(again.Grid, VTK_TETRA), 2);
+  AddCellArray(grid, "a", { 1, 2 });
+  EXPECT_EQ(Write(grid, vtkTSWriter::CAMARON).Warnings.size(), 1u);
+  const Grid cloud = MakeGrid({ { 1, 2, 3 } }, { { VTK_VERTEX, { 0 } } });
+  EXPECT_EQ(Write(cloud, vtkTSWriter::CAMARON).Bytes, "1 0\n1 2 3 1.0\n");
+}
+
+//------------------------------------------------------------------------------
+TEST(TSWriter, WritesTriangles)
+{
+  const Grid grid = MakeTriangles();
+  vtkNew<vtkFloatArray> values;
+  values->SetName("two words");
+  values->SetNumberOfComponents(2);
+  for (const float value :
+    { 0.1f, 2.f, std::numeric_limits<float>::quiet_NaN(), 1.f, 5.f, 6.f, 7.f, 8.f })
+  {
+    values->InsertNextValue(value);
+  }
+  grid->GetPointData()->AddArray(values);
+  const Written file = Write(grid, vtkTSWriter::GOCAD);
+  ASSERT_TRUE(file.Success);
+  EXPECT_TRUE(file.Warnings.empty());
+  EXPECT_EQ(file.Bytes,
+    "GOCAD TSurf 1\nHEADER {\nname:surface1\n}\nPROPERTIES \"two words\"\nESIZES 2\nNO_DATA_VALUES "
+    "-99999\n"
+    "TFACE\nPVRTX 1 0 0 0.1 0.1 2\nPVRTX 2 1 0 0 -99999 1\nPVRTX 3 0 1 0 5 6\nPVRTX 4 1 1 0 7 8\n"
+    "TRGL 1 2 3\nTRGL 3 2 4\nEND\n");
+  const Result again = Read(file.Bytes);
+  ASSERT_TRUE(again.Errors.empty()) << again.Errors[0];
+  EXPECT_TRUE(HaveSameValues(again.Grid->GetPoints()->GetData(), grid->GetPoints()->GetData()));
+  EXPECT_TRUE(HaveSameLists(
+    again.Grid->GetCells(), Read(Write(again.Grid, vtkTSWriter::GOCAD).Bytes).Grid->GetCells()));
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a surface that was read and written has lost parts, faces, properties or texts.
+TEST(TSWriter, SurfacesStayAsTheyAre)
+{
+  const Result first =
+    Read("GOCAD TSurf 1\nHEADER {\nname:top of "
+         "salt\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nZPOSITIVE Depth\n"
+         "AXIS_UNIT \"m\" \"m\" \"m\"\nEND_ORIGINAL_COORDINATE_SYSTEM\nPROPERTIES a b\nESIZES 1 "
+         "2\nTFACE\n"
+         "PVRTX 5 0 0 0 1 2 3\nVRTX 6 1 0 0\nVRTX 7 0 1 0\nTRGL 5 6 7\nTFACE\nVRTX 8 1 1 0\nTRGL 6 "
+         "8 7\nVRTX 9 9 9 9\nEND\n"
+         "GOCAD TSurf 1\nHEADER {name:b}\nPROPERTIES a\nTFACE\nVRTX 1 5 5 5\nPVRTX 2 6 5 5 7\nVRTX "
+         "3 5 6 5\n"
+         "TRGL 3 2 1\nEND\n");
+  ASSERT_TRUE(first.Errors.empty()) << first.Errors[0];
+  const Written file = Write(first.Grid, vtkTSWriter::GOCAD);
+  ASSERT_TRUE(file.Success);
+  ASSERT_EQ(file.Warnings.size(), 1u);
+  EXPECT_NE(file.Warnings[0].find("not written: OriginalPointId"), std::string::npos);
+  const Result second = Read(file.Bytes);
+  ASSERT_TRUE(second.Errors.empty()) << second.Errors[0];
+  first.Grid->GetPointData()->RemoveArray("OriginalPointId");
+  second.Grid->GetPointData()->RemoveArray("OriginalPointId");
+  ExpectSameGrid(first.Grid, second.Grid);
+  for (const char* name : { "PartName", "ZPositive", "AxisUnit" })
+  {
+    for (vtkIdType i = 0; i < 2; ++i)
+    {
+      const auto get = [&](const Result& result)
+      {
+        return vtkStringArray::SafeDownCast(result.Grid->GetFieldData()->GetAbstractArray(name))
+          ->GetValue(i);
+      };
+      EXPECT_EQ(get(first), get(second)) << name;
+    }
+  }
+  EXPECT_EQ(Write(second.Grid, vtkTSWriter::GOCAD).Bytes, file.Bytes);
+}
+
+//------------------------------------------------------------------------------
+// Parts that share points or come in turns are one object, and that is said.
+TEST(TSWriter, PartsThatCannotBeWritten)
+{
+  for (const std::vector<int>& parts : { std::vector<int>{ 0, 1 }, { 1, 0 }, { 0, 2 } })
+  {
+    const Grid grid = MakeTriangles();
+    AddCellArray(grid, "Part", parts);
+    AddCellArray(grid, "TFace", { 1, 0 });
+    const Written file = Write(grid, vtkTSWriter::GOCAD);
+    ASSERT_TRUE(file.Success);
+    ASSERT_EQ(file.Warnings.size(), 1u);
+    EXPECT_NE(file.Warnings[0].find("Part, TFace"), std::string::npos);
+    const Result again = Read(file.Bytes);
+    EXPECT_EQ(Count(again.Grid, VTK_TRIANGLE), 2);
+    EXPECT_EQ(again.Grid->GetNumberOfPoints(), 4);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(TSWriter, WhatItCannotHold)
+{
+  const Grid square = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { VTK_QUAD, { 0, 1, 2, 3 } } });
+  for (const int dialect : { vtkTSWriter::CAMARON, vtkTSWriter::GOCAD })
+  {
+    const Written refused = Write(square, dialect);
+    EXPECT_EQ(refused.Success, 0);
+    EXPECT_EQ(refused.Bytes, "before");
+    EXPECT_EQ(refused.Errors.size(), 1u);
+  }
+  const Written cut = Write(square, vtkTSWriter::GOCAD, vtkTSWriter::CONVERT);
+  EXPECT_EQ(Count(Read(cut.Bytes).Grid, VTK_TRIANGLE), 2);
+
+  const Grid box = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+                              { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } },
+    { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
+  EXPECT_EQ(Write(box, vtkTSWriter::CAMARON).Success, 0);
+  const Result tetrahedra = Read(Write(box, vtkTSWriter::CAMARON, vtkTSWriter::CONVERT).Bytes);
+  EXPECT_GE(Count(tetrahedra.Grid, VTK_TETRA), 5);
+  const Written surface = Write(box, vtkTSWriter::GOCAD, vtkTSWriter::CONVERT);
+  EXPECT_EQ(Count(Read(surface.Bytes).Grid, VTK_TRIANGLE), 12);
+}
+
+//------------------------------------------------------------------------------
+TEST(TSWriter, CollectedFilesStayAsTheyAre)
+{
+  const char* folder = std::getenv("CAMARON_SHARED_DATA");
+  if (!folder || !std::filesystem::exists(std::string(folder) + "/ts"))
+  {
+    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ts";
+  }
+  const Result tetrahedra = ReadWith<vtkTSReader>(std::string(folder) + "/ts/dev_tets_camaron.ts");
+  ExpectSameGrid(tetrahedra.Grid, Read(Write(tetrahedra.Grid, vtkTSWriter::CAMARON).Bytes).Grid);
+  const Result surface = ReadWith<vtkTSReader>(std::string(folder) + "/ts/dev_gocad_tsurf.ts");
+  ExpectSameGrid(surface.Grid, Read(Write(surface.Grid, vtkTSWriter::GOCAD).Bytes).Grid);
+}
