@@ -58,8 +58,9 @@ camaron_format(
   EXTENSIONS  ts
   DESCRIPTION "Camarón tetrahedra or GOCAD TSurf"
   READS       "ASCII: tetrahedra of Camarón, TSurf of GOCAD with properties and parts"
-<<<<<<< HEAD
-  READER)
+  WRITES      "ASCII: tetrahedra of Camarón, TSurf of GOCAD with properties and parts"
+  READER
+  WRITER)
 
 camaron_format(
   NAME        TetGen
@@ -67,8 +68,5 @@ camaron_format(
   DESCRIPTION "TetGen or Triangle mesh"
   READS       "all files, any ids, attributes, regions and markers, elements of second order"
   WRITES      "`.node`, `.ele` and `.face` with attributes, regions and markers, elements of second order"
-=======
-  WRITES      "ASCII: tetrahedra of Camarón, TSurf of GOCAD with properties and parts"
->>>>>>> 8b5c23d (Formats: write TS files: tetrahedra of Camarón, TSurf of GOCAD)
   READER
   WRITER)
