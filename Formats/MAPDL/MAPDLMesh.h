@@ -105,6 +105,55 @@ private:
   vtkIdType NumberOfRows = 0; ///< of elements
   vtkIdType ReplacedNodes = 0, ReplacedElements = 0;
 };
+
+//------------------------------------------------------------------------------
+// Calls visit(item, fault) for all items of nodes.
+template <typename Visit>
+bool MAPDLMesh::ForEachNodeItem(const Progress& progress, Visit&& visit)
+{
+  std::vector<MAPDLFault> faults(this->NodeItems.size());
+  const bool finished = progress.For(static_cast<vtkIdType>(this->NodeItems.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        visit(this->NodeItems[i], faults[i]);
+      }
+    });
+  for (const MAPDLFault& fault : faults)
+  {
+    this->Note(fault);
+  }
+  return finished && !this->Fault;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(place in the text, row, element) for the elements of an item until it returns false.
+template <typename Visit>
+bool MAPDLMesh::ForEachElement(
+  const Item& item, bool withNodes, MAPDLFault& fault, Visit&& visit) const
+{
+  const MAPDLElementBlock& block = this->Deck.ElementBlocks[item.Block];
+  if (item.FirstCommand < 0)
+  {
+    const vtkIdType offset = item.FirstRow - block.Extent.Chunks[item.Chunk].FirstRow;
+    return ForEachMAPDLElement(
+      block.Format, [this](std::int64_t type) { return this->Deck.GetMostNodes(type); },
+      block.Extent, item.Chunk, withNodes, fault,
+      [&](const Line& line, vtkIdType row, const MAPDLElement& element)
+      { return visit(line.Begin, offset + row, element); });
+  }
+  for (vtkIdType i = 0; i < item.NumberOfRows; ++i)
+  {
+    const vtkIdType command = item.FirstCommand + i;
+    if (!visit(
+          this->Deck.Elements[command].Place, item.FirstRow + i, this->Deck.GetElement(command)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
 }
 
 #endif

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MAPDLMesh.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+void AddArray(vtkDataSetAttributes* attributes, Buffer<int>&& values, const char* name)
+{
+  const auto array = values.TakeArray<vtkIntArray>();
+  array->SetName(name);
+  attributes->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+Buffer<double> MAPDLMesh::ReadPoints(const CellPiece& piece, const Progress& progress)
+{
+  Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
+  const auto find = [&](vtkIdType row)
+  {
+    const vtkIdType node = this->NodeOfRow.size() > 0 ? this->NodeOfRow[row] : row;
+    return node < 0 ? -1 : piece.FindPoint(node);
+  };
+  // All rows are read, so that what is wrong is wrong for all pieces.
+  if (!this->ForEachNodeItem(progress,
+        [&](const Item& item, MAPDLFault& fault)
+        {
+          const MAPDLNodeBlock& block = this->Deck.NodeBlocks[item.Block];
+          double x[3];
+          vtkIdType row = item.FirstRow;
+          const auto store = [&](const double* from)
+          {
+            const vtkIdType point = find(row++);
+            if (point >= 0)
+            {
+              std::copy(from, from + 3, coordinates.data() + 3 * point);
+            }
+          };
+          for (vtkIdType i = 0; item.FirstCommand >= 0 && i < item.NumberOfRows; ++i)
+          {
+            store(this->Deck.Nodes[item.FirstCommand + i].X);
+          }
+          if (item.FirstCommand < 0)
+          {
+            ForEachMAPDLNode(block.Extent, item.Chunk,
+              [&](const Line& line, vtkIdType)
+              {
+                if (!block.Format.ReadCoordinates(line, x, fault))
+                {
+                  return false;
+                }
+                store(x);
+                return true;
+              });
+          }
+        }))
+  {
+    return {};
+  }
+  for (std::size_t i = 0; i < this->Midpoints.size(); ++i)
+  {
+    const vtkIdType point = piece.FindPoint(this->NodeIds.size() + static_cast<vtkIdType>(i));
+    if (point >= 0) // its cell is in the piece, and with it the ends of the edge
+    {
+      const double* const a = coordinates.data() + 3 * piece.FindPoint(this->Midpoints[i][0]);
+      const double* const b = coordinates.data() + 3 * piece.FindPoint(this->Midpoints[i][1]);
+      for (int c = 0; c < 3; ++c)
+      {
+        coordinates[3 * point + c] = 0.5 * (a[c] + b[c]);
+      }
+    }
+  }
+  return coordinates;
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::AddArrays(
+  const CellPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  Buffer<int> nodeIds(piece.GetNumberOfPoints());
+  for (vtkIdType node = 0;
+       node < this->NodeIds.size() + static_cast<vtkIdType>(this->Midpoints.size()); ++node)
+  {
+    if (const vtkIdType point = piece.FindPoint(node); point >= 0)
+    {
+      nodeIds[point] = node < this->NodeIds.size() ? this->NodeIds[node] : 0;
+    }
+  }
+  AddArray(grid->GetPointData(), std::move(nodeIds), "NodeId");
+
+  const vtkIdType cells = piece.GetNumberOfCells();
+  Buffer<int> ids(cells), materials(cells), numbers(cells), types(cells), reals(cells),
+    sections(cells);
+  const bool finished = progress.For(static_cast<vtkIdType>(this->ElementItems.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        MAPDLFault fault; // there was none when all was read
+        std::int64_t knownType = -1;
+        int number = 0;
+        this->ForEachElement(this->ElementItems[i], false, fault,
+          [&](const char*, vtkIdType row, const MAPDLElement& element)
+          {
+            const vtkIdType cell = this->CellOfRow.size() > 0 ? this->CellOfRow[row] : row;
+            const vtkIdType at = cell < 0 ? -1 : piece.FindCell(cell);
+            if (at < 0)
+            {
+              return true;
+            }
+            if (element.Type != knownType)
+            {
+              knownType = element.Type;
+              const auto found = this->Deck.Types.find(knownType);
+              number = found == this->Deck.Types.end() ? 0 : found->second.Element;
+            }
+            ids[at] = element.Id;
+            materials[at] = element.Material;
+            numbers[at] = number;
+            types[at] = element.Type;
+            reals[at] = element.Real;
+            sections[at] = element.Section;
+            return true;
+          });
+      }
+    });
+  vtkCellData* const data = grid->GetCellData();
+  AddArray(data, std::move(ids), "ElementId");
+  AddArray(data, std::move(materials), "Material");
+  AddArray(data, std::move(numbers), "ElementType");
+  AddArray(data, std::move(types), "TypeId");
+  AddArray(data, std::move(reals), "Real");
+  AddArray(data, std::move(sections), "Section");
+  return finished;
+}
+
+//------------------------------------------------------------------------------
+void MAPDLMesh::Warn(Warnings& warnings) const
+{
+  const auto add = [&warnings](vtkIdType count, const std::string& sentence)
+  {
+    if (count > 0)
+    {
+      warnings.Add(std::to_string(count) + " " + sentence);
+    }
+  };
+  std::map<int, vtkIdType> unknown;
+  vtkIdType undefined = 0, withoutNodes = 0;
+  for (const Outcome& outcome : this->Outcomes)
+  {
+    undefined += outcome.Undefined;
+    withoutNodes += outcome.WithoutNodes;
+    for (const auto& entry : outcome.Unknown)
+    {
+      unknown[entry.first] += entry.second;
+    }
+  }
+  for (const auto& entry : unknown)
+  {
+    add(entry.second,
+      "elements of type " + std::to_string(entry.first) +
+        (this->Options.UnknownAsPoints ? ", which is no cell, are points"
+                                       : ", which is no cell, are left out"));
+  }
+  add(withoutNodes, "elements have no nodes and are left out");
+  add(undefined,
+    "elements of types that the deck does not define; their cells follow from the "
+    "numbers of their nodes");
+  add(this->ReplacedNodes, "nodes are defined again later; the last definition counts");
+  add(this->ReplacedElements, "elements are defined again later; the last definition counts");
+  add(static_cast<vtkIdType>(this->Midpoints.size()),
+    "mid-side nodes are missing; points in the middle of their edges stand for them");
+  add(this->Deck.NumberOfFreeBlocks,
+    "blocks have no format that makes sense; blanks and commas divide their numbers");
+  add(this->Deck.NumberOfUnknownParameters,
+    "commands need a parameter whose value is not known; what they define is left out");
+  add(this->Deck.NumberOfTurnedNodes,
+    "nodes are given in a coordinate system other than the global one, which is not regarded");
+  add(this->Deck.NumberOfSkipped,
+    "commands that define nodes or elements stand in branches or loops (*IF, *DO, *CREATE), which "
+    "are "
+    "skipped");
+  std::string names;
+  for (const std::string& name : this->Deck.IgnoredNames)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  add(this->Deck.NumberOfIgnored, "commands that change the mesh are not executed: " + names);
+}
+}

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MAPDLWalker.h"
+
+namespace camaron
+{
+namespace
+{
+using Value = MAPDLParameters::Value;
+
+// Commands that create, move or delete nodes and elements by rules of the program.
+constexpr const char* MeshCommands[] = { "/INPUT", "AMESH", "CDREAD", "EDELE", "EGEN", "EINTF",
+  "EMODIF", "ENGEN", "ENSYM", "ESURF", "ESYM", "FILL", "LMESH", "NDELE", "NGEN", "NMODIF", "NSCALE",
+  "NSYM", "NUMMRG", "NUMCMP", "SWGEN", "TRANSFER", "VMESH", "VSWEEP" };
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLWalker::Walk()
+{
+  constexpr int LinesPerReport = 4096;
+  int lines = 0;
+  while (this->Text < this->End && !this->Ended)
+  {
+    const Line line(this->Text, this->End);
+    this->LineBegin = line.Begin;
+    this->Text = line.Next;
+    if (++lines == LinesPerReport)
+    {
+      lines = 0;
+      if (!this->Report.Report(this->GetProgress(this->Text)))
+      {
+        return false;
+      }
+    }
+    if (ClassifyMAPDLLine(line) != MAPDLLine::Command)
+    {
+      continue; // data of blocks that have no mesh
+    }
+    for (const char* text = line.Begin; this->Command.Take(text, line.End) && !this->Ended;)
+    {
+      if (!(this->Depth > 0 ? this->ExecuteInBranch() : this->Execute()))
+      {
+        return false;
+      }
+    }
+  }
+  return !this->Report.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+// What happens in branches and loops depends on more than the deck; they hold no mesh as a rule.
+bool MAPDLWalker::ExecuteInBranch()
+{
+  const MAPDLCommand& command = this->Command;
+  if (command.Is("*ENDIF") || command.Is("*ENDDO") || command.Is("*END"))
+  {
+    --this->Depth;
+  }
+  else if (command.Is("*DO") || command.Is("*DOWHILE") || command.Is("*CREATE") ||
+    (command.Is("*IF") &&
+      ToUpperMAPDL(command.GetField(command.GetNumberOfFields() - 1)) == "THEN"))
+  {
+    ++this->Depth;
+  }
+  else if (command.Is("N") || command.Is("E") || command.Is("EN") || command.Is("NBLOCK") ||
+    command.Is("EBLOCK"))
+  {
+    ++this->Deck.NumberOfSkipped;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLWalker::Execute()
+{
+  const MAPDLCommand& command = this->Command;
+  const std::string_view name = command.GetField(0);
+  std::string_view value;
+  if (command.Is("N"))
+  {
+    return this->DefineNode();
+  }
+  if (command.Is("EN") || command.Is("E"))
+  {
+    return this->DefineElement(command.Is("EN"));
+  }
+  if (command.Is("EMORE"))
+  {
+    return !this->ElementIsOpen || this->AddElementNodes(1);
+  }
+  this->ElementIsOpen = false;
+  if (command.Is("NBLOCK"))
+  {
+    return this->ReadNodeBlock();
+  }
+  if (command.Is("EBLOCK"))
+  {
+    return this->ReadElementBlock();
+  }
+  if (command.Is("CMBLOCK"))
+  {
+    this->ReadComponent();
+  }
+  else if (command.Is("ETBLOCK"))
+  {
+    this->ReadTypeBlock();
+  }
+  else if (command.Is("ET"))
+  {
+    this->DefineType();
+  }
+  else if (command.Is("KEYOPT"))
+  {
+    this->DefineKeyOption();
+  }
+  else if (command.Is("TYPE"))
+  {
+    this->SetAttribute(&MAPDLElement::Type);
+  }
+  else if (command.Is("MAT"))
+  {
+    this->SetAttribute(&MAPDLElement::Material);
+  }
+  else if (command.Is("REAL"))
+  {
+    this->SetAttribute(&MAPDLElement::Real);
+  }
+  else if (command.Is("SECNUM"))
+  {
+    this->SetAttribute(&MAPDLElement::Section);
+  }
+  else if (command.Is("*SET"))
+  {
+    this->Parameters.Set(command.GetField(1), command.GetField(2));
+  }
+  else if (name.size() > 1 && name[0] == '*')
+  {
+    if (command.Is("*DO") || command.Is("*DOWHILE") || command.Is("*CREATE") || command.Is("*IF"))
+    {
+      return this->ExecuteInBranch();
+    }
+    if (command.Is("*GET"))
+    {
+      this->Parameters.Set(command.GetField(1), {});
+    }
+  }
+  else if (command.Is("/EOF") || command.Is("/EXIT"))
+  {
+    this->Ended = true;
+  }
+  else if (const std::string_view parameter = command.GetAssignment(value); !parameter.empty())
+  {
+    this->Parameters.Set(parameter, value);
+  }
+  else
+  {
+    for (const char* mesh : MeshCommands)
+    {
+      // The coordinate system of an element does not matter here.
+      if (command.Is(mesh) && ToUpperMAPDL(command.GetField(2)) != "ESYS")
+      {
+        ++this->Deck.NumberOfIgnored;
+        this->Deck.IgnoredNames.insert(mesh);
+      }
+    }
+    if (command.Is("CSYS"))
+    {
+      std::int32_t system = 0;
+      this->ReadField(1, system);
+      this->CoordinateSystem = system;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+Value MAPDLWalker::ReadField(std::size_t i, std::int32_t& value)
+{
+  const Value kind = this->Parameters.Read(this->Command.GetField(i), value);
+  this->Deck.NumberOfUnknownParameters += kind == Value::Unknown;
+  return kind;
+}
+}

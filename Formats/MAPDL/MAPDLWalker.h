@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::MAPDLWalker
+ * @brief Walks through the commands of a deck, and notes what is where.
+ */
+#ifndef camaron_MAPDLWalker_h
+#define camaron_MAPDLWalker_h
+
+#include "MAPDLCommands.h"
+#include "MAPDLDeck.h"
+
+namespace camaron
+{
+class MAPDLWalker
+{
+public:
+  MAPDLWalker(const char* begin, const char* end, vtkIdType chunk, const Progress& progress,
+    MAPDLDeck& deck, MAPDLFault& fault)
+    : Begin(begin)
+    , End(end)
+    , Text(begin)
+    , Chunk(chunk)
+    , Report(progress)
+    , Deck(deck)
+    , Fault(fault)
+  {
+    this->Deck.Attributes.emplace_back();
+  }
+
+  bool Walk();
+
+private:
+  bool Execute();
+  bool ExecuteInBranch();
+  bool ReadNodeBlock();
+  bool ReadElementBlock();
+  void ReadComponent();
+  void ReadTypeBlock();
+  bool DefineNode();
+  bool AddNode(std::int32_t id, std::size_t firstCoordinate);
+  bool DefineElement(bool isNumbered);
+  void AddElement(std::int32_t id);
+  bool AddElementNodes(std::size_t firstField);
+  void DefineType();
+  void DefineKeyOption();
+  void SetAttribute(std::int32_t MAPDLElement::*attribute);
+  std::int32_t GetNextNode();
+  std::int32_t GetNextElement();
+
+  /// Number in a field; 0 if it is blank; counts what is unknown.
+  MAPDLParameters::Value ReadField(std::size_t i, std::int32_t& value);
+  double GetProgress(const char* text) const
+  {
+    return static_cast<double>(text - this->Begin) / static_cast<double>(this->End - this->Begin);
+  }
+  Progress GetRest() const { return this->Report.Part(this->GetProgress(this->Text), 1); }
+  /// Takes the format line of a block, if there is one, for at least @a columns integer columns.
+  MAPDLRowFormat TakeFormat(int integers, int columns);
+  /// Whether a block has its end, or as many rows as it promises.
+  bool IsComplete(const MAPDLExtent& extent) const;
+
+  const char* Begin;
+  const char* End;
+  const char* Text;
+  const char* LineBegin = nullptr;
+  vtkIdType Chunk;
+  Progress Report;
+  MAPDLDeck& Deck;
+  MAPDLFault& Fault;
+  MAPDLCommand Command;
+  MAPDLParameters Parameters;
+  int Depth = 0; ///< of branches and loops that are skipped
+  bool Ended = false;
+  std::int32_t CoordinateSystem = 0;
+  MAPDLElement Current; ///< attributes for E and EN
+  bool AttributesChanged = false;
+  bool ElementIsOpen = false; ///< EMORE may follow
+  int ElementLines = 0;       ///< of nodes of the open element
+  ///@{
+  /// Greatest ids of the first so many blocks, found when a command without an id needs them.
+  std::int32_t GreatestNode = 0, GreatestElement = 0;
+  std::size_t KnownNodeBlocks = 0, KnownElementBlocks = 0;
+  ///@}
+};
+}
+
+#endif
