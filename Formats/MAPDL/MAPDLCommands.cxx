@@ -78,7 +78,9 @@ bool MAPDLCommand::Take(const char*& text, const char* end)
     {
       break;
     }
-    if (*text == ',' && !quoted)
+    // No command has so many fields; what is behind them is not kept.
+    constexpr std::size_t MaxFields = 64;
+    if (*text == ',' && !quoted && this->Fields.size() < MaxFields)
     {
       this->Fields.push_back(TrimMAPDL({ field, static_cast<std::size_t>(text - field) }));
       field = text + 1;

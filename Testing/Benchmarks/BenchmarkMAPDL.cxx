@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Opening and saving decks of Mechanical APDL, in the folder for temporary files, which are in the
+// system's cache. Memory is the peak of the process without mapped files, compared with the grid.
+// Usage: BenchmarkMAPDL [million elements]
+#include "BenchmarkMeshes.h"
+
+#include "MAPDLReading.h"
+#include "MAPDLWriting.h"
+
+#include "vtkCellType.h"
+#include "vtkMinimalStandardRandomSequence.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+using namespace camaron;
+
+namespace
+{
+constexpr double Mega = 1e6;
+
+//------------------------------------------------------------------------------
+// A cube of jittered hexahedra.
+vtkSmartPointer<vtkUnstructuredGrid> MakeHexahedra(vtkIdType numberOfCells)
+{
+  const auto n = static_cast<vtkIdType>(std::cbrt(static_cast<double>(numberOfCells)) + 0.5);
+  const vtkIdType m = n + 1;
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(m * m * m);
+  vtkNew<vtkMinimalStandardRandomSequence> random;
+  const auto next = [&random]
+  {
+    random->Next();
+    return 0.1 * random->GetValue();
+  };
+  for (vtkIdType i = 0; i < m * m * m; ++i)
+  {
+    points->SetPoint(i, i % m + next(), i / m % m + next(), i / (m * m) + next());
+  }
+  grid->SetPoints(points);
+  grid->Allocate(n * n * n);
+  for (vtkIdType i = 0; i < n * n * n; ++i)
+  {
+    const vtkIdType a = i % n + m * (i / n % n) + m * m * (i / (n * n)), b = a + m * m;
+    const vtkIdType ids[] = { a, a + 1, a + m + 1, a + m, b, b + 1, b + m + 1, b + m };
+    grid->InsertNextCell(VTK_HEXAHEDRON, 8, ids);
+  }
+  return grid;
+}
+
+//------------------------------------------------------------------------------
+// Anonymous memory of the process in bytes; 0 where the system does not say.
+double GetMemory()
+{
+  std::ifstream status("/proc/self/status");
+  std::string key;
+  double kilobytes = 0;
+  while (status >> key && key != "RssAnon:")
+  {
+  }
+  status >> kilobytes;
+  return 1024 * kilobytes;
+}
+
+//------------------------------------------------------------------------------
+// Highest memory while something runs, beyond what there was before.
+double MeasurePeak(const std::function<void()>& work)
+{
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
+  const double before = GetMemory();
+  std::atomic<bool> done{ false };
+  double peak = before;
+  std::thread sampler(
+    [&]
+    {
+      while (!done)
+      {
+        peak = std::max(peak, GetMemory());
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+  work();
+  done = true;
+  sampler.join();
+  return peak - before;
+}
+
+//------------------------------------------------------------------------------
+// Runs something a few times and prints the medians.
+void Measure(const char* what, const std::string& path, const std::function<void()>& work)
+{
+  constexpr std::size_t Repetitions = 5;
+  std::vector<double> wall, processor;
+  for (std::size_t i = 0; i < Repetitions; ++i)
+  {
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t clock = std::clock();
+    work();
+    wall.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    processor.push_back(static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC);
+  }
+  std::sort(wall.begin(), wall.end());
+  std::sort(processor.begin(), processor.end());
+  const double megabytes = static_cast<double>(std::filesystem::file_size(path)) / Mega;
+  std::printf("  %-6s %8.1f MB  %7.3f s  %8.1f MB/s  processor %7.3f s, %8.1f MB/s per core\n",
+    what, megabytes, wall[Repetitions / 2], megabytes / wall[Repetitions / 2],
+    processor[Repetitions / 2], megabytes / processor[Repetitions / 2]);
+  std::fflush(stdout);
+}
+
+//------------------------------------------------------------------------------
+void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
+{
+  const std::string path =
+    (std::filesystem::temp_directory_path() / "camaron-benchmark.cdb").string();
+  std::printf("%lld %s\n", static_cast<long long>(mesh->GetNumberOfCells()), kind);
+  Measure("save", path,
+    [&]
+    {
+      Warnings warnings;
+      ScanError error;
+      if (!WriteMAPDL(path, mesh, {}, warnings, error))
+      {
+        std::printf("%s\n", error.Message.c_str());
+        std::exit(1);
+      }
+    });
+  vtkNew<vtkUnstructuredGrid> grid;
+  const auto open = [&]
+  {
+    Warnings warnings;
+    ScanError error;
+    if (!ReadMAPDL(path, {}, {}, grid, warnings, error) ||
+      grid->GetNumberOfCells() != mesh->GetNumberOfCells())
+    {
+      std::printf("%s\n", error.Message.c_str());
+      std::exit(1);
+    }
+  };
+  Measure("open", path, open);
+  grid->Initialize();
+  const double peak = MeasurePeak(open);
+  const double size = 1024. * static_cast<double>(grid->GetActualMemorySize());
+  std::printf("  memory: the grid %.1f MB, peak %.1f MB, %.2f times\n", size / Mega, peak / Mega,
+    peak / size);
+  std::filesystem::remove(path);
+}
+}
+
+//------------------------------------------------------------------------------
+int main(int argc, char* argv[])
+{
+  const auto cells = static_cast<vtkIdType>(Mega * (argc > 1 ? std::atof(argv[1]) : 1));
+  std::printf("%d threads\n", vtkSMPTools::GetEstimatedNumberOfThreads());
+  OpenAndSave("hexahedra", MakeHexahedra(cells));
+  OpenAndSave("tetrahedra, shuffled", MakeTetrahedra(cells));
+  return 0;
+}
