@@ -3,6 +3,7 @@
 // Opening and saving Visf files, beside the same meshes as raw .vtu files in the same run. Files are
 // in the system's cache. Memory is the peak that the process has to itself, without mapped files.
 // Usage: BenchmarkVisf [million tetrahedra [million polyhedra]]
+#include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 
 #include "vtkVisfReader.h"
@@ -10,92 +11,21 @@
 
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
-#include "vtkTimerLog.h"
 #include "vtkXMLUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridWriter.h"
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <functional>
 #include <string>
-#include <thread>
-#include <vector>
 
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
+using camaron::Cost;
+using camaron::Measure;
 
 namespace
 {
 constexpr double Mega = 1e6;
-
-//------------------------------------------------------------------------------
-// Anonymous memory of the process in bytes; 0 where the system does not say.
-double GetMemory()
-{
-  std::ifstream status("/proc/self/status");
-  std::string key;
-  while (status >> key)
-  {
-    if (key == "RssAnon:")
-    {
-      double kilobytes;
-      status >> kilobytes;
-      return 1024 * kilobytes;
-    }
-  }
-  return 0;
-}
-
-//------------------------------------------------------------------------------
-struct Cost
-{
-  double Wall = 0;
-  double Processor = 0;
-  double Peak = 0; // bytes above what was there before
-};
-
-//------------------------------------------------------------------------------
-// Median time of several runs, and the peak of memory in one more, sampled meanwhile.
-Cost Measure(const std::function<void()>& work)
-{
-  constexpr int Repetitions = 5;
-  std::vector<std::pair<double, double>> times;
-  for (int i = 0; i < Repetitions; ++i)
-  {
-    const double start = vtkTimerLog::GetUniversalTime();
-    const std::clock_t processor = std::clock();
-    work();
-    times.emplace_back(vtkTimerLog::GetUniversalTime() - start,
-      static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
-  }
-  std::sort(times.begin(), times.end());
-#if defined(__GLIBC__)
-  malloc_trim(0);
-#endif
-  const double before = GetMemory();
-  std::atomic<bool> done{ false };
-  double peak = before;
-  std::thread sampler(
-    [&]
-    {
-      while (!done)
-      {
-        peak = std::max(peak, GetMemory());
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      }
-    });
-  work();
-  done = true;
-  sampler.join();
-  return { times[Repetitions / 2].first, times[Repetitions / 2].second, peak - before };
-}
 
 //------------------------------------------------------------------------------
 void Print(const char* what, vtkIdType cells, const std::string& path, const Cost& cost)
