@@ -394,8 +394,8 @@ static std::vector<Criterion> MakeCriteria()
       { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Real,
       Cost::Neighbors, NeedsCentroid, NEIGHBORS(OrthogonalQuality) },
     { "CellDeterminant", "Cell determinant",
-      "OpenFOAM's determinant of the inner faces, relative to their mean area; 8 for a cube within a grid, "
-      "0 for a cell without inner faces.",
+      "OpenFOAM's determinant of the inner faces, relative to their mean area; 1 for a cube within a grid "
+      "(8 in some releases of OpenFOAM), 0 for a cell without inner faces.",
       Polyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
       { 0.001, Infinity }, CheckMesh, Cited, Real,
       Cost::Neighbors, NeedsCentroid, NEIGHBORS(CellDeterminant) },

@@ -202,8 +202,10 @@ double CellDeterminant(const CellNeighborhood& cell)
       }
     }
   }
-  return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+  const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
     m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  constexpr double OfCube = 8;
+  return determinant / OfCube;
 }
 }
