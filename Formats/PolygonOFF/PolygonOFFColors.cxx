@@ -19,7 +19,8 @@ namespace
 {
 constexpr vtkIdType Grain = 65536;
 constexpr unsigned char Full = 255;
-constexpr std::uint32_t White = 0xffffffff; // and opaque
+constexpr std::uint32_t Default =
+  0xaaaaaaaa; // red, green, blue and alpha of 2/3, as Geomview has it
 constexpr int NoIndex = -1;
 
 //------------------------------------------------------------------------------
@@ -82,7 +83,7 @@ void OFFColors::Set(vtkIdType i, const OFFColor& color)
   if (color.Count < 3)
   {
     this->Kinds[i] = None;
-    this->Values[i] = White;
+    this->Values[i] = Default;
     return;
   }
   const bool hasAlpha = color.Count == 4;
@@ -122,7 +123,7 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
         for (vtkIdType i = begin; i < end; ++i)
         {
           const unsigned char kind = this->Kinds[i];
-          const std::uint32_t value = kind == Index ? White : this->Values[i];
+          const std::uint32_t value = kind == Index ? Default : this->Values[i];
           unsigned char* const bytes = colors.data() + 4 * i;
           std::memcpy(bytes, &value, sizeof(value));
           const int small = kind == SmallRGB ? 3 : kind == SmallRGBA ? 4 : 0;

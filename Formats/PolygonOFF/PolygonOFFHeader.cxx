@@ -59,6 +59,36 @@ bool IsInteger(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
+// Geomview's files may say first, in braces, how the mesh is drawn.
+bool SkipAppearance(TextScanner& scanner)
+{
+  TextScanner next = scanner;
+  std::string_view word;
+  if (!next.ReadWord(word, "") || !Remove(word, "appearance"))
+  {
+    return false;
+  }
+  int depth = 0;
+  next.SetPosition(word.data());
+  do
+  {
+    if (!next.SkipSpace())
+    {
+      return false;
+    }
+    const char c = *next.GetPosition();
+    depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+    next.SetPosition(next.GetPosition() + 1);
+    if (depth == 0 && c != '}')
+    {
+      return false; // something else than a brace comes first
+    }
+  } while (depth > 0);
+  scanner.SetPosition(next.GetPosition());
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // Whether the number of edges is all that is on the next line.
 bool HasEdgesOnNextLine(TextScanner scanner)
 {
@@ -72,6 +102,11 @@ bool HasEdgesOnNextLine(TextScanner scanner)
 bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header)
 {
   if (!scanner.SkipSpace())
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
+    return false;
+  }
+  if (SkipAppearance(scanner) && !scanner.SkipSpace())
   {
     scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
     return false;

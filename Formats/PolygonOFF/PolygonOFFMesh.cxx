@@ -83,7 +83,7 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
     warnings.Add(vertexCensus.WithMore, "vertex", "vertices",
       "with more numbers than the keyword of the file tells of, which are left out");
     warnings.Add(vertexCensus.WithoutColor, "vertex", "vertices",
-      "without a colour, though the keyword of the file tells of one; they are white");
+      "without a colour, though the keyword of the file tells of one; they are grey");
     warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, left out");
     warnings.Add(faceCensus.OfOneVertex, "face", "faces", "of one vertex, shown as a vertex");
     warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "of two vertices, shown as a line");

@@ -94,7 +94,9 @@ TEST(PolygonOFFReader, HeadersOfAllKinds)
          "OFF8 6 12\n", "\t  OFF8 6 12 # or nah\n", "8 6 12\n", "8 6\n", "\xef\xbb\xbfOFF\n8 6 0\n",
          "# first\n\nOFF # keyword\n\n# counts\n8 6 0 # more\n\n", "OFF\n8 6\n0\n",
          "OFF\n8\n6\n0\n", "OFF\n8 6 -1\n", "OFF\n8 6 99999999999\n", "OFF\r\n8 6 12\r\n",
-         "nOFF 3\n8 6 0\n", "nOFF\n3\n8 6 0\n", "nOFF 3 8 6 0\n", "OFF#8 9 10\n8 6 0\n" })
+         "nOFF 3\n8 6 0\n", "nOFF\n3\n8 6 0\n", "nOFF 3 8 6 0\n", "OFF#8 9 10\n8 6 0\n",
+         "appearance {\n +texturing # }\n texture { file a.pgm }\n}\nOFF\n8 6 0\n",
+         "appearance{}OFF 8 6 0\n" })
   {
     ExpectCube(header + body);
   }
@@ -181,7 +183,7 @@ TEST(PolygonOFFReader, ColorsOfVertices)
   EXPECT_EQ(result.Grid->GetPointData()->GetNumberOfArrays(), 1);
   result = read("COFF", "0 0 0 5 5 5\n1 0 0\n0 1 0 7 7 7 7 7\n");
   EXPECT_EQ(result.Warnings.size(), 2u);
-  EXPECT_EQ(get(result, 1), (Tuple{ 255, 255, 255, 255 }));
+  EXPECT_EQ(get(result, 1), (Tuple{ 170, 170, 170, 170 }));
   EXPECT_EQ(get(result, 2), (Tuple{ 7, 7, 7, 7 }));
 }
 
@@ -195,9 +197,9 @@ TEST(PolygonOFFReader, FacesOfAllKinds)
   ASSERT_EQ(grid->GetNumberOfCells(), 10);
   const int types[] = { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_LINE, VTK_VERTEX, VTK_TRIANGLE,
     VTK_TRIANGLE, VTK_POLYGON, VTK_TRIANGLE, VTK_TRIANGLE };
-  const Tuple white{ 255, 255, 255, 255 };
-  const Tuple colors[] = { white, { 255, 0, 128, 255 }, { 1, 2, 3, 4 }, white, white, white,
-    { 128, 64, 255, 255 }, { 255, 0, 0, 128 }, white, white };
+  const Tuple grey{ 170, 170, 170, 170 };
+  const Tuple colors[] = { grey, { 255, 0, 128, 255 }, { 1, 2, 3, 4 }, grey, grey, grey,
+    { 128, 64, 255, 255 }, { 255, 0, 0, 128 }, grey, grey };
   for (int i = 0; i < 10; ++i)
   {
     EXPECT_EQ(grid->GetCellType(i), types[i]) << i;
@@ -352,8 +354,9 @@ TEST(PolygonOFFReader, KnowsItsFiles)
   EXPECT_EQ(canRead("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "test.OFF"), 1);
   EXPECT_EQ(canRead("3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "test.tri"), 0);
   for (const char* other : { "", " ", "OFF", "OFF the record\n", "OFFICE 1 2\n",
-         "ply\nformat ascii 1.0\n", "SKEL\n8 6\n", "off\n8 6 0\n", "COCOFF\n3 1 0\n", "3 x 0\n",
-         "-3 1 0\n0 0 0\n", "3 1 0\n0 0 y\n", "<?xml version=\"1.0\"?>",
+         "ply\nformat ascii 1.0\n", "SKEL\n8 6\n", "appearance", "appearance {", "appearance { }",
+         "appearance { OFF 8 6 0\n", "appearance OFF 8 6 0\n", "off\n8 6 0\n", "COCOFF\n3 1 0\n",
+         "3 x 0\n", "-3 1 0\n0 0 0\n", "3 1 0\n0 0 y\n", "<?xml version=\"1.0\"?>",
          "\x7f"
          "ELF" })
   {
