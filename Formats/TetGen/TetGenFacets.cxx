@@ -283,7 +283,7 @@ void TetGenFacets::AddFields(vtkFieldData* fields) const
 void TetGenFacets::Warn(Warnings& warnings) const
 {
   warnings.Add(this->WithHoles, "facet", "facets",
-    "with holes, which are not cut out: all polygons are cells of their own");
+    "with holes, whose polygons are cells of their own with nothing cut out");
 }
 
 //------------------------------------------------------------------------------

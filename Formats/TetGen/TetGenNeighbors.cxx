@@ -157,9 +157,9 @@ void TetGenNeighbors::Check(
       apart.Merge(myApart);
     });
   warnings.Add(missing, "element", "elements", "without neighbors in the file");
-  warnings.Add(oneSided, "element", "elements", "that are not among the neighbors of a neighbor");
+  warnings.Add(oneSided, "element", "elements", "not among the neighbors of a neighbor");
   warnings.Add(apart, "element", "elements",
-    "that do not share the side opposite of a corner with the neighbor given for it");
+    "without the neighbor given for a corner at the side opposite of it");
 }
 
 //------------------------------------------------------------------------------

@@ -202,8 +202,9 @@ TEST(TetGenReader, WarnsOfOddThings)
     two.Files["neigh"] = "2 4\n" + rows;
     return two.Files;
   };
-  warning(neighbors("0 1 -1 -1 -1\n1 -1 -1 -1 -1\n"), "neigh", "1 element that are not among");
-  warning(neighbors("0 -1 1 -1 -1\n1 -1 -1 -1 0\n"), "neigh", "1 element that do not share");
+  warning(neighbors("0 1 -1 -1 -1\n1 -1 -1 -1 -1\n"), "neigh", "1 element not among");
+  warning(
+    neighbors("0 -1 1 -1 -1\n1 -1 -1 -1 0\n"), "neigh", "1 element without the neighbor given");
   warning(neighbors("0 -1 -1 -1 -1\n0 -1 -1 -1 -1\n"), "neigh", "1 element without neighbors");
 }
 
