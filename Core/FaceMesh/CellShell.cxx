@@ -28,27 +28,49 @@ std::uint64_t Hash(std::uint64_t key)
 }
 
 //------------------------------------------------------------------------------
-void CellShell::Load(const IdLists& faces, const IdList& cell)
+void CellShell::Clear()
 {
   this->Faces.clear();
   this->Lists.clear();
   this->Begins.assign(1, 0);
-  std::int32_t numberOfCorners = 0;
+}
+
+//------------------------------------------------------------------------------
+void CellShell::Load(const IdLists& faces, const IdList& cell)
+{
+  this->Clear();
   for (std::int32_t f = 0; f < cell.Size; ++f)
   {
     const std::int32_t id = cell[f];
     const IdList face = faces[id];
     if (face.Size > 0)
     {
-      numberOfCorners += face.Size;
-      this->Faces.push_back(id);
-      this->Lists.push_back(face);
-      this->Begins.push_back(numberOfCorners);
+      this->Add(id, face);
     }
   }
-  this->Turned.assign(this->Faces.size(), 0);
+  this->NumberPoints();
+}
 
-  // Point ids become positions in the list of distinct points.
+//------------------------------------------------------------------------------
+void CellShell::Load(const IdList* faces, std::int32_t count)
+{
+  this->Clear();
+  for (std::int32_t f = 0; f < count; ++f)
+  {
+    if (faces[f].Size > 0)
+    {
+      this->Add(f, faces[f]);
+    }
+  }
+  this->NumberPoints();
+}
+
+//------------------------------------------------------------------------------
+// Point ids become positions in the list of distinct points.
+void CellShell::NumberPoints()
+{
+  const std::int32_t numberOfCorners = this->Begins.back();
+  this->Turned.assign(this->Faces.size(), 0);
   this->Corners.resize(numberOfCorners);
   this->Ids.resize(numberOfCorners);
   const int shift = GetTableShift(numberOfCorners);

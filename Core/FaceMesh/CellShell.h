@@ -31,8 +31,12 @@ public:
 
   /// Takes the faces of a cell; faces without points are left out.
   void Load(const IdLists& faces, const IdList& cell);
+  /// The same of faces that are somewhere; ids may count from any number, as long as no volume is asked.
+  void Load(const IdList* faces, std::int32_t count);
   /// Turns the faces; false if the cell is not closed.
   bool Orient();
+  /// Turns one face.
+  void Turn(std::int32_t face) { this->Turned[face] ^= 1; }
 
   /// Distinct points in order of appearance.
   const std::vector<std::int32_t>& GetPoints() const { return this->Ids; }
@@ -66,6 +70,14 @@ public:
   }
 
 private:
+  void Clear();
+  void Add(std::int32_t id, const IdList& face)
+  {
+    this->Faces.push_back(id);
+    this->Lists.push_back(face);
+    this->Begins.push_back(this->Begins.back() + face.Size);
+  }
+  void NumberPoints();
   bool PairEdges();
   template <typename FindOrAdd>
   bool PairEdges(FindOrAdd&& findOrAdd);

@@ -244,7 +244,8 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 //------------------------------------------------------------------------------
 // The same as the general way, for the most frequent cells: a node is where the face opposite to it
 // is not.
-bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces)
+template <typename IsMirrored>
+bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirrored)
 {
   std::int32_t v[4] = { faces[0][0], faces[0][1], faces[0][2], 0 };
   const auto isOld = [&v](std::int32_t id) { return id == v[0] || id == v[1] || id == v[2]; };
@@ -287,7 +288,7 @@ bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces)
     this->Nodes[node] = v[m == 1u ? 0 : m == 2u ? 1 : m == 4u ? 2 : 3];
     this->FaceOf[node] = node;
   }
-  if (this->GetVolume(primitive) < 0)
+  if (isMirrored(primitive))
   {
     std::swap(this->FaceOf[primitive.Mirror[0]], this->FaceOf[primitive.Mirror[1]]);
     std::swap(this->Nodes[primitive.OppositeNode[primitive.Mirror[0]]],
@@ -297,11 +298,12 @@ bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces)
 }
 
 //------------------------------------------------------------------------------
-bool PrimitiveMatcher::Match(unsigned char type, const IdList* faces)
+template <typename IsMirrored>
+bool PrimitiveMatcher::MatchAny(unsigned char type, const IdList* faces, IsMirrored&& isMirrored)
 {
   if (type == VTK_TETRA)
   {
-    return this->MatchTetrahedron(faces);
+    return this->MatchTetrahedron(faces, isMirrored);
   }
   const Primitive& primitive = GetPrimitive(type);
   const int numberOfFaces = primitive.NumberOfFaces;
@@ -365,11 +367,52 @@ bool PrimitiveMatcher::Match(unsigned char type, const IdList* faces)
     }
   }
 
-  if (this->GetVolume(primitive) < 0)
+  if (isMirrored(primitive))
   {
     std::swap(this->FaceOf[primitive.Mirror[0]], this->FaceOf[primitive.Mirror[1]]);
     return this->FindNodes(primitive);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool PrimitiveMatcher::Match(unsigned char type, const IdList* faces)
+{
+  return this->MatchAny(type, faces,
+    [this](const Primitive& primitive) { return this->GetVolume(primitive) < 0; });
+}
+
+//------------------------------------------------------------------------------
+bool PrimitiveMatcher::Match(
+  unsigned char type, const IdList* faces, const FaceDirection* directions)
+{
+  return this->MatchAny(type, faces,
+    [&](const Primitive& primitive) { return this->RunsAgainst(primitive, faces, directions); });
+}
+
+//------------------------------------------------------------------------------
+// Whether the first face of a known direction runs otherwise than VTK's face of the nodes found.
+bool PrimitiveMatcher::RunsAgainst(
+  const Primitive& primitive, const IdList* faces, const FaceDirection* directions) const
+{
+  for (int f = 0; f < primitive.NumberOfFaces; ++f)
+  {
+    const int g = this->FaceOf[f];
+    if (directions[g] == FaceDirection::Unknown)
+    {
+      continue;
+    }
+    const int* p = primitive.Shape->FacePoints + primitive.Shape->FaceOffsets[f];
+    const std::int32_t a = this->Nodes[p[0]], b = this->Nodes[p[1]];
+    const IdList& face = faces[g];
+    std::int32_t i = 0;
+    while (i + 1 < face.Size && face[i] != a)
+    {
+      ++i;
+    }
+    const bool runsAlong = face[i + 1 < face.Size ? i + 1 : 0] == b;
+    return runsAlong != (directions[g] == FaceDirection::Outward);
+  }
+  return false;
 }
 }

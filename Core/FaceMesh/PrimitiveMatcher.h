@@ -8,7 +8,8 @@
  * which they run. Each node is where certain faces meet, so the nodes follow from the order in which
  * the cell lists its faces: a cell that lists them in VTK's order gets VTK's nodes back. As lists of
  * faces do not tell inside from outside, that of the two mirror images is taken whose volume is
- * positive; a cell of no volume stays as it is.
+ * positive; a cell of no volume stays as it is. Where it is known which way the faces run, they decide,
+ * and an inverted cell stays inverted.
  */
 #ifndef camaron_PrimitiveMatcher_h
 #define camaron_PrimitiveMatcher_h
@@ -18,6 +19,14 @@
 namespace camaron
 {
 struct Primitive;
+
+/// Which way a face runs, seen from a cell.
+enum class FaceDirection : unsigned char
+{
+  Outward,
+  Inward,
+  Unknown
+};
 
 class PrimitiveMatcher
 {
@@ -30,6 +39,8 @@ public:
 
   /// Whether the cell of these faces, as many as the type has, is of the guessed type.
   bool Match(unsigned char type, const IdList* faces);
+  /// The same where the first face of a known direction decides; ids may count from any number.
+  bool Match(unsigned char type, const IdList* faces, const FaceDirection* directions);
 
   /// Point ids in VTK's order, after a match.
   const std::int32_t* GetNodes() const { return this->Nodes; }
@@ -37,7 +48,12 @@ public:
   int GetFace(int face) const { return this->FaceOf[face]; }
 
 private:
-  bool MatchTetrahedron(const IdList* faces);
+  template <typename IsMirrored>
+  bool MatchTetrahedron(const IdList* faces, IsMirrored&& isMirrored);
+  template <typename IsMirrored>
+  bool MatchAny(unsigned char type, const IdList* faces, IsMirrored&& isMirrored);
+  bool RunsAgainst(
+    const Primitive& primitive, const IdList* faces, const FaceDirection* directions) const;
   bool CollectVertices(int numberOfFaces, int numberOfNodes, const IdList* faces);
   bool FindNodes(const Primitive& primitive);
   double GetVolume(const Primitive& primitive) const;
