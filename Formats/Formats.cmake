@@ -51,9 +51,7 @@ camaron_format(
   EXTENSIONS  ply
   DESCRIPTION "PLY mesh with all its arrays"
   READS       "ASCII, binary of both byte orders, polygons, strips, edges, polyhedra, all properties"
-  WRITES      "ASCII and binary of both byte orders, surfaces or polyhedra, with all arrays"
-  READER
-  WRITER)
+  READER)
 
 camaron_format(
   NAME        TS
@@ -72,3 +70,10 @@ camaron_format(
   WRITES      "`.node`, `.ele` and `.face` with attributes, regions and markers, elements of second order"
   READER
   WRITER)
+
+camaron_format(
+  NAME        FluentMesh
+  EXTENSIONS  msh cas msh.gz cas.gz
+  DESCRIPTION "Ansys Fluent mesh"
+  READS       "ASCII and binary, 2D and 3D, all cells, hanging nodes, zones, also compressed"
+  READER)

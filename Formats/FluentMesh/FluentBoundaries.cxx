@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentBoundaries.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+#include "vtkTypeInt32Array.h"
+
+#include <algorithm>
+#include <set>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// What Fluent calls the kinds of boundaries.
+std::string GetTypeName(int type)
+{
+  switch (type % FluentBoundary::Nonconformal)
+  {
+    case 2:
+      return "interior";
+    case 3:
+      return "wall";
+    case 4:
+      return "pressure-inlet";
+    case 5:
+      return "pressure-outlet";
+    case 7:
+      return "symmetry";
+    case 8:
+      return "shadow";
+    case 9:
+      return "pressure-far-field";
+    case 10:
+      return "velocity-inlet";
+    case 12:
+      return "periodic";
+    case 14:
+      return "porous-jump";
+    case 20:
+      return "mass-flow-inlet";
+    case 24:
+      return "interface";
+    case 25:
+      return "overset";
+    case 31:
+      return "parent-face";
+    case 36:
+      return "outflow";
+    case 37:
+      return "axis";
+    default:
+      return "unknown";
+  }
+}
+
+//------------------------------------------------------------------------------
+// All zones once: those with a name first, then the others.
+std::vector<FluentZone> ListZones(const FluentFile& file)
+{
+  std::vector<FluentZone> zones;
+  std::set<int> known;
+  for (const FluentZone& zone : file.Zones)
+  {
+    if (known.insert(zone.Id).second)
+    {
+      zones.push_back(zone);
+    }
+  }
+  const auto addUnnamed = [&](const FluentSection& section, const std::string& type)
+  {
+    const int id = static_cast<int>(section.Header[0]);
+    if (known.insert(id).second)
+    {
+      zones.push_back({ id, type, "zone-" + std::to_string(id) });
+    }
+  };
+  for (const FluentSection& section : file.Cells)
+  {
+    addUnnamed(section, "fluid");
+  }
+  for (const FluentSection& section : file.Faces)
+  {
+    addUnnamed(section, GetTypeName(static_cast<int>(section.Header[3])));
+  }
+  return zones;
+}
+
+//------------------------------------------------------------------------------
+// The faces of one zone that a piece owns.
+struct ZoneFaces
+{
+  std::vector<std::int32_t> Nodes; // points of the piece
+  std::vector<std::int32_t> Ends;  // of every face in Nodes
+  std::vector<int> Types;
+};
+
+//------------------------------------------------------------------------------
+void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const FluentCells& cells,
+  const FluentPiece& piece, int dimension, ZoneFaces& zone)
+{
+  for (vtkIdType position = run.Begin; position < run.End; ++position)
+  {
+    const FluentFace face = faces[position];
+    int side = 0;
+    vtkIdType leaf = -1;
+    for (; side < 2 && leaf < 0; ++side)
+    {
+      const std::int32_t id = face.GetCell(side);
+      leaf = id > 0 ? cells.GetLeaf(id) : -1;
+    }
+    const std::int32_t size = face.Nodes.Size;
+    if (leaf < 0 || size == 0 || (!piece.IsWhole() && piece.IsGhostLeaf(leaf)))
+    {
+      continue;
+    }
+    // The normal points into the first cell; edges have it on the left, which is outward already.
+    const bool isReversed = (side == 1) == (dimension == 3);
+    bool isThere = true;
+    const std::size_t before = zone.Nodes.size();
+    for (std::int32_t i = 0; i < size && isThere; ++i)
+    {
+      const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
+      const vtkIdType point = piece.FindPoint(node - 1);
+      isThere = point >= 0; // always, where cells are bounded by this face
+      zone.Nodes.push_back(static_cast<std::int32_t>(point));
+    }
+    if (!isThere)
+    {
+      zone.Nodes.resize(before);
+      continue;
+    }
+    zone.Ends.push_back(static_cast<std::int32_t>(zone.Nodes.size()));
+    zone.Types.push_back(run.BoundaryType);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeSurface(
+  const ZoneFaces& zone, int id, int dimension, vtkPoints* points)
+{
+  std::vector<std::int32_t> used = zone.Nodes;
+  std::sort(used.begin(), used.end());
+  used.erase(std::unique(used.begin(), used.end()), used.end());
+  vtkNew<vtkPoints> own;
+  own->SetDataType(points->GetDataType());
+  own->SetNumberOfPoints(static_cast<vtkIdType>(used.size()));
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    double x[3];
+    points->GetPoint(used[i], x);
+    own->SetPoint(static_cast<vtkIdType>(i), x);
+  }
+  const auto size = static_cast<vtkIdType>(zone.Ends.size());
+  Buffer<vtkTypeInt32> offsets(size + 1), ids(static_cast<vtkIdType>(zone.Nodes.size()));
+  Buffer<int> zones(size), types(size);
+  offsets[0] = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    offsets[i + 1] = zone.Ends[static_cast<std::size_t>(i)];
+    zones[i] = id;
+    types[i] = zone.Types[static_cast<std::size_t>(i)];
+  }
+  for (vtkIdType i = 0; i < ids.size(); ++i)
+  {
+    ids[i] = static_cast<vtkTypeInt32>(
+      std::lower_bound(used.begin(), used.end(), zone.Nodes[static_cast<std::size_t>(i)]) -
+      used.begin());
+  }
+  vtkNew<vtkCellArray> cells;
+  const auto offsetArray = offsets.TakeArray<vtkTypeInt32Array>();
+  const auto idArray = ids.TakeArray<vtkTypeInt32Array>();
+  cells->SetData(offsetArray.Get(), idArray.Get());
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(own);
+  if (dimension == 2)
+  {
+    surface->SetLines(cells);
+  }
+  else
+  {
+    surface->SetPolys(cells);
+  }
+  const auto zoneArray = zones.TakeArray<vtkIntArray>();
+  zoneArray->SetName("Zone");
+  surface->GetCellData()->AddArray(zoneArray);
+  const auto typeArray = types.TakeArray<vtkIntArray>();
+  typeArray->SetName("BoundaryType");
+  surface->GetCellData()->AddArray(typeArray);
+  return surface;
+}
+}
+
+//------------------------------------------------------------------------------
+void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
+{
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("ZoneIds");
+  vtkNew<vtkStringArray> names, types;
+  names->SetName("ZoneNames");
+  types->SetName("ZoneTypes");
+  for (const FluentZone& zone : ListZones(file))
+  {
+    ids->InsertNextValue(zone.Id);
+    names->InsertNextValue(zone.Name);
+    types->InsertNextValue(zone.Type);
+  }
+  fieldData->AddArray(ids);
+  fieldData->AddArray(names);
+  fieldData->AddArray(types);
+}
+
+//------------------------------------------------------------------------------
+void MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
+  const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,
+  vtkMultiBlockDataSet* blocks)
+{
+  const auto isBoundary = [](const FluentFaces::Run& run)
+  {
+    return run.BoundaryType != FluentBoundary::Interior &&
+      run.BoundaryType != FluentBoundary::Parent;
+  };
+  const std::vector<FluentZone> zones = ListZones(file);
+  std::vector<int> ids; // in the order of the file
+  for (const FluentSection& section : file.Faces)
+  {
+    const int id = static_cast<int>(section.Header[0]);
+    if (std::find(ids.begin(), ids.end(), id) == ids.end())
+    {
+      ids.push_back(id);
+    }
+  }
+  unsigned int number = 0;
+  for (const int id : ids)
+  {
+    ZoneFaces collected;
+    bool hasFaces = false;
+    for (const FluentFaces::Run& run : faces.GetRuns())
+    {
+      if (run.Zone != id || !isBoundary(run))
+      {
+        continue;
+      }
+      // Where meshes that do not fit meet, faces may have no nodes at all.
+      hasFaces = hasFaces || run.BoundaryType < FluentBoundary::Nonconformal;
+      Collect(faces, run, cells, piece, file.GetDimension(), collected);
+    }
+    if (!hasFaces && collected.Ends.empty())
+    {
+      continue;
+    }
+    const auto zone = std::find_if(
+      zones.begin(), zones.end(), [id](const FluentZone& candidate) { return candidate.Id == id; });
+    const auto surface = MakeSurface(collected, id, file.GetDimension(), points);
+    vtkNew<vtkStringArray> type;
+    type->SetName("ZoneType");
+    type->InsertNextValue(zone->Type);
+    surface->GetFieldData()->AddArray(type);
+    blocks->SetBlock(number, surface);
+    blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone->Name.c_str());
+    ++number;
+  }
+}
+}

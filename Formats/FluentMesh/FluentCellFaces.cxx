@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentCellFaces.h"
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+vtkIdType FluentFaceTree::FindParent(vtkIdType child) const
+{
+  const auto entry = std::lower_bound(this->Entries.begin(), this->Entries.end(), child,
+    [](const Entry& e, vtkIdType face) { return e.Child < face; });
+  return entry != this->Entries.end() && entry->Child == child ? entry->Parent : -1;
+}
+
+//------------------------------------------------------------------------------
+FluentShape FluentMesh::GetShape(vtkIdType cell) const
+{
+  switch (this->Cells.GetElement(this->Piece.GetLeaf(cell)))
+  {
+    case FluentElement::Triangle:
+      return { VTK_TRIANGLE, 3, 3 };
+    case FluentElement::Quadrilateral:
+      return { VTK_QUAD, 4, 4 };
+    case FluentElement::Tetrahedron:
+      return { VTK_TETRA, 4, 4 };
+    case FluentElement::Hexahedron:
+      return { VTK_HEXAHEDRON, 8, 6 };
+    case FluentElement::Pyramid:
+      return { VTK_PYRAMID, 5, 5 };
+    case FluentElement::Wedge:
+      return { VTK_WEDGE, 6, 5 };
+    case FluentElement::Polyhedron:
+      return { static_cast<unsigned char>(this->Dimension == 2 ? VTK_POLYGON : VTK_POLYHEDRON), 0,
+        0 };
+    default:
+      return FluentShape();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Replaces parts of faces by the faces that were split, if that makes as many as are wanted.
+bool FluentCellFaces::Join(std::size_t wanted)
+{
+  const FluentFaceTree& tree = this->Mesh.Tree;
+  std::vector<vtkIdType> positions, parents;
+  for (const vtkIdType position : this->Positions)
+  {
+    const vtkIdType parent = tree.FindParent(position);
+    if (parent < 0)
+    {
+      positions.push_back(position);
+    }
+    else if (std::find(parents.begin(), parents.end(), parent) == parents.end())
+    {
+      parents.push_back(parent);
+    }
+  }
+  if (positions.size() + parents.size() != wanted)
+  {
+    return false;
+  }
+  // The nodes of a split face are corners of its parts; anything else is not a tree of this cell.
+  std::vector<std::int32_t> nodes;
+  for (const IdList& list : this->Lists)
+  {
+    for (std::int32_t i = 0; i < list.Size; ++i)
+    {
+      nodes.push_back(list[i]);
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  const std::int64_t cell = this->Cell;
+  this->Clear();
+  for (const vtkIdType position : positions)
+  {
+    this->Add(cell, position);
+  }
+  for (const vtkIdType parent : parents)
+  {
+    const FluentFace face = this->Mesh.Faces[parent];
+    for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
+    {
+      if (!std::binary_search(nodes.begin(), nodes.end(), face.Nodes[i]))
+      {
+        return false;
+      }
+    }
+    this->Add(cell, parent);
+    if (face.GetCell(0) != cell && face.GetCell(1) != cell)
+    {
+      this->Directions.back() = FaceDirection::Unknown;
+    }
+  }
+  this->Joined = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentCellFaces::Match(unsigned char type)
+{
+  const std::size_t wanted = type == VTK_TRIANGLE ? 3
+    : type == VTK_QUAD || type == VTK_TETRA       ? 4
+    : type == VTK_HEXAHEDRON                      ? 6
+    : type == VTK_POLYGON                         ? this->Lists.size()
+                                                  : 5;
+  if (this->Lists.size() != wanted && (this->Lists.size() < wanted || !this->Join(wanted)))
+  {
+    return false;
+  }
+  return this->Mesh.Dimension == 2 ? this->MakeRing() : this->MatchVolume(type);
+}
+
+//------------------------------------------------------------------------------
+bool FluentCellFaces::MatchVolume(unsigned char type)
+{
+  std::int32_t triangles = 0, quads = 0;
+  for (const IdList& list : this->Lists)
+  {
+    triangles += list.Size == 3;
+    quads += list.Size == 4;
+  }
+  return PrimitiveMatcher::Guess(static_cast<std::int32_t>(this->Lists.size()), triangles, quads) ==
+    type &&
+    this->Matcher.Match(type, this->Lists.data(), this->Directions.data());
+}
+
+//------------------------------------------------------------------------------
+// The edges one after the other, counterclockwise if the cells are on the sides that the file says.
+bool FluentCellFaces::MakeRing()
+{
+  this->Edges.clear();
+  for (std::size_t i = 0; i < this->Lists.size(); ++i)
+  {
+    const IdList& list = this->Lists[i];
+    if (list.Size != 2)
+    {
+      return false;
+    }
+    // The first cell is on the left.
+    const bool isLeft = this->Directions[i] != FaceDirection::Outward;
+    this->Edges.push_back({ list[isLeft ? 0 : 1], list[isLeft ? 1 : 0],
+      this->Directions[i] != FaceDirection::Unknown });
+  }
+  constexpr std::size_t MaxShort = 16;
+  if (this->Edges.size() > MaxShort)
+  {
+    return this->MakeLongRing();
+  }
+  // Start with an edge of a known direction; others follow it.
+  const auto known = std::find_if(
+    this->Edges.begin(), this->Edges.end(), [](const Edge& edge) { return edge.Directed; });
+  if (this->Edges.size() < 2 || known == this->Edges.end())
+  {
+    return false;
+  }
+  std::rotate(this->Edges.begin(), known, this->Edges.end());
+  this->Ring.assign(1, this->Edges.front().From);
+  for (std::size_t i = 1; i < this->Edges.size(); ++i)
+  {
+    const std::int32_t end = this->Edges[i - 1].To;
+    std::size_t next = i;
+    while (next < this->Edges.size() && this->Edges[next].From != end &&
+      (this->Edges[next].Directed || this->Edges[next].To != end))
+    {
+      ++next;
+    }
+    if (next == this->Edges.size())
+    {
+      return false;
+    }
+    if (this->Edges[next].From != end)
+    {
+      std::swap(this->Edges[next].From, this->Edges[next].To);
+    }
+    std::swap(this->Edges[i], this->Edges[next]);
+    this->Ring.push_back(end);
+  }
+  return this->Edges.back().To == this->Ring.front();
+}
+
+//------------------------------------------------------------------------------
+// The same for polygons of many edges, all of a known direction.
+bool FluentCellFaces::MakeLongRing()
+{
+  this->Ring.assign(1, this->Edges.front().From);
+  std::int32_t node = this->Edges.front().To;
+  std::sort(this->Edges.begin(), this->Edges.end(),
+    [](const Edge& a, const Edge& b) { return a.From < b.From; });
+  for (std::size_t i = 1; i < this->Edges.size(); ++i)
+  {
+    if (node == this->Ring.front())
+    {
+      return false; // closed too early
+    }
+    this->Ring.push_back(node);
+    const auto next = std::lower_bound(this->Edges.begin(), this->Edges.end(), node,
+      [](const Edge& edge, std::int32_t from) { return edge.From < from; });
+    if (next == this->Edges.end() || next->From != node)
+    {
+      return false;
+    }
+    node = next->To;
+  }
+  return node == this->Ring.front();
+}
+
+//------------------------------------------------------------------------------
+void FluentCellFaces::MakeShell()
+{
+  this->Shell.Load(this->Lists.data(), static_cast<std::int32_t>(this->Lists.size()));
+  for (std::size_t i = 0; i < this->Lists.size(); ++i)
+  {
+    if (this->Directions[i] == FaceDirection::Inward)
+    {
+      this->Shell.Turn(static_cast<std::int32_t>(i));
+    }
+  }
+}
+}

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FluentCellFaces
+ * @brief The faces of one cell of a Fluent mesh, and the nodes of the cell that follow from them.
+ *
+ * Holds scratch memory: use one per thread.
+ */
+#ifndef camaron_FluentCellFaces_h
+#define camaron_FluentCellFaces_h
+
+#include "FaceMesh/CellShell.h"
+#include "FaceMesh/PrimitiveMatcher.h"
+#include "FluentPiece.h"
+
+#include "vtkCellType.h" // for the types of cells
+
+#include <algorithm> // for std::sort
+#include <vector>    // for scratch
+
+namespace camaron
+{
+/// The faces into which larger ones were split, for neighbours that were refined.
+struct FluentFaceTree
+{
+  /// Positions of a part and of the face that was split.
+  struct Entry
+  {
+    vtkIdType Child, Parent;
+  };
+  std::vector<Entry> Entries; ///< sorted by the part
+  vtkIdType FindParent(vtkIdType child) const;
+};
+
+/// What a cell is declared to be; no type if that is not known.
+struct FluentShape
+{
+  unsigned char Type = VTK_EMPTY_CELL;
+  int Nodes = 0; ///< 0 if the type leaves it open
+  int Faces = 0;
+};
+
+/// All that is known of a mesh when its cells are made.
+struct FluentMesh
+{
+  const FluentFaces& Faces;
+  const FluentCells& Cells;
+  const FluentPiece& Piece;
+  const FluentFaceTree& Tree;
+  int Dimension;
+
+  FluentShape GetShape(vtkIdType cell) const;
+};
+
+class FluentCellFaces
+{
+public:
+  explicit FluentCellFaces(const FluentMesh& mesh)
+    : Mesh(mesh)
+    , Matcher(PointSource())
+    , Shell(PointSource())
+  {
+  }
+
+  /// Takes the faces at these positions, which are sorted first, of the cell of an id.
+  template <typename Id>
+  void Load(std::int64_t cell, Id* faces, vtkIdType count)
+  {
+    // They were found in ascending order by one thread and put in from behind.
+    std::reverse(faces, faces + count);
+    if (!std::is_sorted(faces, faces + count))
+    {
+      std::sort(faces, faces + count);
+    }
+    this->Clear();
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      this->Add(cell, faces[i]);
+    }
+  }
+
+  ///@{
+  /**
+   * Finds the nodes of a cell of a type other than VTK_POLYHEDRON; false if the faces are not those
+   * of one. With more faces than the type has, those that were split are put together again.
+   */
+  bool Match(unsigned char type);
+  /// Node of VTK's order, as a point of the piece.
+  vtkIdType GetNode(vtkIdType node) const
+  {
+    return this->GetPoint(
+      this->Mesh.Dimension == 2 ? this->Ring[node] : this->Matcher.GetNodes()[node]);
+  }
+  /// Which face is VTK's face number @a face, of 3D cells.
+  int GetFace(int face) const { return this->Matcher.GetFace(face); }
+  /// Whether faces were put together.
+  bool HasJoined() const { return this->Joined; }
+  ///@}
+
+  ///@{
+  /// Takes the faces for those of a polyhedron.
+  void MakeShell();
+  vtkIdType GetNumberOfShellPoints() const
+  {
+    return static_cast<vtkIdType>(this->Shell.GetPoints().size());
+  }
+  vtkIdType GetShellPoint(vtkIdType i) const
+  {
+    return this->GetPoint(this->Shell.GetPoints()[static_cast<std::size_t>(i)]);
+  }
+  std::int32_t GetNumberOfShellFaces() const { return this->Shell.GetNumberOfFaces(); }
+  /// Calls put(point) around a face as it is seen from outside.
+  template <typename Put>
+  void ForEachShellPoint(std::int32_t face, Put&& put) const
+  {
+    this->Shell.ForEachPoint(face, [&](std::int32_t node) { put(this->GetPoint(node)); });
+  }
+  ///@}
+
+private:
+  vtkIdType GetPoint(std::int32_t node) const { return this->Mesh.Piece.GetPoint(node - 1); }
+  void Clear()
+  {
+    this->Positions.clear();
+    this->Lists.clear();
+    this->Directions.clear();
+    this->Joined = false;
+  }
+  void Add(std::int64_t cell, vtkIdType position)
+  {
+    const FluentFace face = this->Mesh.Faces[position];
+    // The right-hand normal points into the first cell. A face listed twice has the cell on both
+    // sides.
+    const bool isSecond = !this->Positions.empty() && this->Positions.back() == position;
+    const bool isFirstCell = face.GetCell(0) == cell && !isSecond;
+    this->Positions.push_back(position);
+    this->Lists.push_back(face.Nodes);
+    this->Directions.push_back(isFirstCell ? FaceDirection::Inward : FaceDirection::Outward);
+    this->Cell = cell;
+  }
+  bool Join(std::size_t wanted);
+  bool MatchVolume(unsigned char type);
+  bool MakeRing();
+  bool MakeLongRing();
+
+  const FluentMesh& Mesh;
+  std::int64_t Cell = 0;
+  std::vector<vtkIdType> Positions;
+  std::vector<IdList> Lists;
+  std::vector<FaceDirection> Directions;
+  bool Joined = false;
+  PrimitiveMatcher Matcher;
+  CellShell Shell;
+  std::vector<std::int32_t> Ring; ///< nodes of a 2D cell
+  struct Edge
+  {
+    std::int32_t From, To;
+    bool Directed;
+  };
+  std::vector<Edge> Edges;
+};
+}
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FluentCells
+ * @brief What a Fluent file declares of its cells: their types and zones, and which are in use.
+ *
+ * Cells that were refined are kept in the file as parents; they, and dead cells, are not part of
+ * the mesh. The others, the leaves, are numbered by position, in the order of their ids.
+ */
+#ifndef camaron_FluentCells_h
+#define camaron_FluentCells_h
+
+#include "FluentFile.h"
+#include "FluentRuns.h"
+
+#include <vector> // for runs
+
+namespace camaron
+{
+/// Types of cells, as files number them.
+enum class FluentElement : unsigned char
+{
+  Unknown = 0, ///< not declared, or of a type of the other dimension
+  Triangle = 1,
+  Tetrahedron = 2,
+  Quadrilateral = 3,
+  Hexahedron = 4,
+  Pyramid = 5,
+  Wedge = 6,
+  Polyhedron = 7 ///< or polygon
+};
+
+class FluentCells
+{
+public:
+  /// Takes the cells of a file; false with the error in it. @a maxCells is the most that there can
+  /// be.
+  bool Load(FluentFile& file, std::int64_t maxCells);
+
+  /// Number of ids.
+  std::int64_t GetCount() const { return this->Count; }
+  vtkIdType GetNumberOfLeaves() const { return this->NumberOfLeaves; }
+  /// Whether there are other cells.
+  bool HasOtherCells() const { return this->NumberOfLeaves != this->Count; }
+  /// Whether the ids of leaves are not consecutive.
+  bool HasGaps() const
+  {
+    return this->NumberOfLeaves > 0 &&
+      this->GetId(this->NumberOfLeaves - 1) != this->NumberOfLeaves;
+  }
+  vtkIdType GetNumberOfUndeclared() const { return this->Undeclared; }
+
+  /// The leaf of an id from 1 to GetCount(), or -1.
+  vtkIdType GetLeaf(std::int64_t id) const
+  {
+    if (!this->HasOtherCells())
+    {
+      return id - 1;
+    }
+    const Run& run = this->Runs[this->ById.Find(id - 1)];
+    return run.Leaf < 0 ? -1 : run.Leaf + (id - 1 - run.Begin);
+  }
+  /// The id of a leaf.
+  std::int64_t GetId(vtkIdType leaf) const
+  {
+    if (!this->HasOtherCells())
+    {
+      return leaf + 1;
+    }
+    const Run& run = this->GetRunOfLeaf(leaf);
+    return run.Begin + (leaf - run.Leaf) + 1;
+  }
+  FluentElement GetElement(vtkIdType leaf) const
+  {
+    const Run& run = this->GetRunOfLeaf(leaf);
+    return run.Elements.empty() ? run.Element
+                                : run.Elements[static_cast<std::size_t>(leaf - run.Leaf)];
+  }
+  int GetZone(vtkIdType leaf) const { return this->GetRunOfLeaf(leaf).Zone; }
+
+private:
+  struct Run
+  {
+    std::int64_t Begin = 0, End = 0; ///< ids less 1
+    vtkIdType Leaf = -1;             ///< of the first
+    int Zone = 0;
+    FluentElement Element = FluentElement::Unknown;
+    std::vector<FluentElement> Elements; ///< if they differ
+  };
+
+  const Run& GetRunOfLeaf(vtkIdType leaf) const
+  {
+    return this->Runs[this->RunOfLeaves[this->ByLeaf.Find(leaf)]];
+  }
+  bool AddRun(FluentFile& file, const FluentSection& section);
+  bool ReadElements(FluentFile& file, const FluentSection& section, Run& run);
+
+  std::vector<Run> Runs;
+  std::vector<std::uint32_t> RunOfLeaves;
+  FluentRuns ById, ByLeaf;
+  std::int64_t Count = 0;
+  vtkIdType NumberOfLeaves = 0;
+  vtkIdType Undeclared = 0;
+};
+}
+
+#endif

@@ -1,0 +1,428 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentFaces.h"
+
+#include "FluentText.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+const char* SkipSpaceFrom(const char* text, const char* end)
+{
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeFace(const FluentFaces::Run& run, std::int64_t row)
+{
+  return "face " + std::to_string(run.FirstId + row);
+}
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::AddRuns(FluentFile& file)
+{
+  std::vector<const FluentSection*> sections;
+  for (const FluentSection& section : file.Faces)
+  {
+    sections.push_back(&section);
+  }
+  std::stable_sort(sections.begin(), sections.end(),
+    [](const FluentSection* a, const FluentSection* b) { return a->Header[1] < b->Header[1]; });
+  std::int64_t lastId = 0;
+  vtkIdType position = 0;
+  for (const FluentSection* section : sections)
+  {
+    const std::int64_t element = section->HeaderSize > 4 ? section->Header[4] : 0;
+    if (section->Header[1] <= lastId)
+    {
+      file.FailAt(section->Place, ErrorKind::Index,
+        "faces after " + std::to_string(lastId) + ", which is in another section",
+        std::to_string(section->Header[1]));
+    }
+    else if (file.DeclaredFaces >= 0 && section->Header[2] > file.DeclaredFaces)
+    {
+      file.FailAt(section->Place, ErrorKind::Index,
+        "faces from 1 to " + std::to_string(file.DeclaredFaces),
+        std::to_string(section->Header[2]));
+    }
+    else if (element < 0 || element > 5 || element == 1)
+    {
+      file.FailAt(section->Place, ErrorKind::Syntax, "a type of faces: 0, 2, 3, 4 or 5",
+        std::to_string(element));
+    }
+    else if (!section->Begin)
+    {
+      file.FailAt(section->Place, ErrorKind::Truncated,
+        std::to_string(section->GetCount()) + " faces in parentheses", "none");
+    }
+    if (file.HasFailed())
+    {
+      return false;
+    }
+    lastId = section->Header[2];
+    Run run;
+    run.Section = section;
+    run.FirstId = section->Header[1];
+    run.Begin = position;
+    run.End = position += section->GetCount();
+    run.Zone = static_cast<int>(section->Header[0]);
+    run.BoundaryType = static_cast<int>(section->Header[3]);
+    run.Size = element == 5 ? 0 : static_cast<std::int32_t>(element);
+    run.Bounds =
+      run.BoundaryType != FluentBoundary::Parent && run.BoundaryType < FluentBoundary::Nonconformal;
+    this->Runs.push_back(std::move(run));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Faces of text, one per line, in parallel; false if they are laid out otherwise or wrong.
+bool FluentFaces::ReadLines(
+  const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress)
+{
+  TextScanner scanner("", file.GetBegin(), run.Section->End);
+  scanner.SetPosition(run.Section->Begin);
+  const TextLines lines(scanner, progress.Part(0, 0.1), chunk);
+  const vtkIdType count = run.End - run.Begin;
+  const TextLines::Section section = lines.Find(run.Section->Begin, count);
+  if (!section || SkipSpaceFrom(section.End, run.Section->End) != run.Section->End)
+  {
+    return false;
+  }
+  std::vector<vtkIdType> first(static_cast<std::size_t>(lines.GetNumberOfPieces(section)) + 1, 0);
+  const bool isList = run.Size == 0;
+  if (isList)
+  {
+    // How many nodes every face has first, so that there is exactly the memory that is needed.
+    const bool good = lines.ForEach(section, progress.Part(0.1, 0.3),
+      [&](vtkIdType piece, vtkIdType, const char* text, const char* end)
+      {
+        std::int64_t size = 0;
+        const char* const begin = text;
+        if (!ParseHex(text, end, size) || size > (end - begin) / 2)
+        {
+          return false;
+        }
+        first[piece + 1] += 3 + size;
+        return true;
+      });
+    if (!good)
+    {
+      return false;
+    }
+    for (std::size_t piece = 1; piece < first.size(); ++piece)
+    {
+      first[piece] += first[piece - 1];
+    }
+  }
+  const vtkIdType row = run.Size + 2;
+  Buffer<std::int32_t> words(isList ? first.back() : row * count);
+  const bool good = lines.ForEach(section, progress.Part(0.3, 1),
+    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+    {
+      std::int64_t value = row;
+      std::int32_t* word = words.data() + (isList ? first[piece] : row * line);
+      if (isList)
+      {
+        text = ParseHex(text, end, value);
+        *word++ = static_cast<std::int32_t>(value);
+        value += 2;
+        first[piece] += value + 1;
+      }
+      for (std::int64_t left = value; left > 0; --left)
+      {
+        text = ParseHex(text, end, value);
+        if (!text || value > INT32_MAX)
+        {
+          return false;
+        }
+        *word++ = static_cast<std::int32_t>(value);
+      }
+      return SkipSpaceFrom(text, end) == end;
+    });
+  if (good)
+  {
+    run.Words = std::move(words);
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Faces of text in any layout.
+bool FluentFaces::ReadWords(FluentFile& file, Run& run)
+{
+  const char* text = run.Section->Begin;
+  const char* const end = run.Section->End;
+  const vtkIdType count = run.End - run.Begin;
+  const bool isList = run.Size == 0;
+  const vtkIdType least = isList ? 3 : run.Size + 2;
+  if (count > (end - text + 1) / (2 * least))
+  {
+    file.FailAt(run.Section->Place, ErrorKind::Truncated,
+      std::to_string(count) + " faces in the section that begins here",
+      std::to_string(end - text) + " characters");
+    return false;
+  }
+  std::vector<std::int32_t> words;
+  words.reserve(static_cast<std::size_t>(least * count));
+  const auto read = [&](std::int64_t row, std::int64_t limit, const char* what)
+  {
+    std::int64_t value = 0;
+    const char* const place = SkipSpaceFrom(text, end);
+    text = ParseHex(place, end, value);
+    if (!text || value > limit)
+    {
+      file.FailAt(place,
+        text             ? ErrorKind::Index
+          : place == end ? ErrorKind::Truncated
+                         : ErrorKind::Syntax,
+        std::string(what) + " of " + DescribeFace(run, row) + ", a hexadecimal number" +
+          (text ? " up to " + std::to_string(limit) : ""));
+      return std::int64_t(-1);
+    }
+    words.push_back(static_cast<std::int32_t>(value));
+    return value;
+  };
+  for (vtkIdType row = 0; row < count; ++row)
+  {
+    std::int64_t size = run.Size;
+    if (isList && (size = read(row, (end - text) / 2, "the number of nodes")) < 0)
+    {
+      return false;
+    }
+    for (std::int64_t i = 0; i < size + 2; ++i)
+    {
+      if (read(row, INT32_MAX, i < size ? "a node" : "a cell") < 0)
+      {
+        return false;
+      }
+    }
+  }
+  text = SkipSpaceFrom(text, end);
+  if (text != end)
+  {
+    file.FailAt(
+      text, ErrorKind::Count, "the end of the section after " + std::to_string(count) + " faces");
+    return false;
+  }
+  run.Words = Buffer<std::int32_t>(static_cast<vtkIdType>(words.size()));
+  std::copy(words.begin(), words.end(), run.Words.data());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress)
+{
+  const bool isLarge = run.Section->End - run.Section->Begin >= 2 * chunk;
+  if (!(isLarge && this->ReadLines(file, run, chunk, progress)) &&
+    (progress.IsStopped() || !this->ReadWords(file, run)))
+  {
+    return false;
+  }
+  run.Data = reinterpret_cast<const char*>(run.Words.data());
+  if (run.Size == 0)
+  {
+    this->FindBlocks(run);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void FluentFaces::FindBlocks(Run& run)
+{
+  const char* place = run.Data;
+  for (vtkIdType i = 0; i < run.End - run.Begin; ++i)
+  {
+    if (i % BlockSize == 0)
+    {
+      run.Blocks.push_back(place);
+    }
+    place += GetStride(camaron::Load<std::int32_t>(place, false)) + 4;
+  }
+}
+
+//------------------------------------------------------------------------------
+void FluentFaces::FindStarts(Run& run, const Progress& progress)
+{
+  const vtkIdType count = run.End - run.Begin;
+  run.Starts = Buffer<std::uint32_t>(count);
+  progress.For(static_cast<vtkIdType>(run.Blocks.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType block = first; block < last; ++block)
+      {
+        const char* const begin = run.Blocks[static_cast<std::size_t>(block)];
+        const char* place = begin;
+        const vtkIdType end = std::min((block + 1) * BlockSize, count);
+        for (vtkIdType i = block * BlockSize; i < end; ++i)
+        {
+          run.Starts[i] = static_cast<std::uint32_t>((place - begin) / 4);
+          place += GetStride(camaron::Load<std::int32_t>(place, run.Swap)) + 4;
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Faces where meshes that do not fit meet lie upon others, which are the faces of the cells.
+void FluentFaces::LeaveOutInterfaces(FluentFile& file)
+{
+  constexpr int InterfaceParents = 61;
+  for (const FluentSection& section : file.InterfaceFaces)
+  {
+    if (section.Index != InterfaceParents || section.HeaderSize < 2)
+    {
+      continue;
+    }
+    for (Run& run : this->Runs)
+    {
+      const std::int64_t lastId = run.FirstId + (run.End - run.Begin) - 1;
+      if (run.FirstId >= section.Header[0] && lastId <= section.Header[1])
+      {
+        run.Bounds = false;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::Load(FluentFile& file, vtkIdType chunk, const Progress& progress)
+{
+  if (!this->AddRuns(file))
+  {
+    return false;
+  }
+  std::int64_t bytes = 0, done = 0;
+  for (const Run& run : this->Runs)
+  {
+    bytes += run.Section->End - run.Section->Begin;
+  }
+  std::vector<vtkIdType> ends;
+  for (Run& run : this->Runs)
+  {
+    const std::int64_t next = done + (run.Section->End - run.Section->Begin);
+    const Progress part = progress.Part(
+      static_cast<double>(done) / (bytes + 1), static_cast<double>(next) / (bytes + 1));
+    done = next;
+    if (run.Section->IsText())
+    {
+      if (!this->ReadText(file, run, chunk, part))
+      {
+        return false;
+      }
+    }
+    else
+    {
+      run.Data = run.Section->Begin;
+      run.Swap = file.IsSwapped();
+      run.Blocks = run.Section->Blocks;
+    }
+    if (run.Size == 0)
+    {
+      this->FindStarts(run, part);
+    }
+    const auto index = static_cast<std::uint32_t>(ends.size());
+    for (vtkIdType begin = run.Begin; begin < run.End; begin += BlockSize)
+    {
+      this->Parts.push_back({ index, begin, std::min(begin + BlockSize, run.End) });
+    }
+    ends.push_back(run.End);
+  }
+  this->Finder.Build(std::move(ends));
+  this->LeaveOutInterfaces(file);
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+// Where in the file a number of a face is.
+const char* FluentFaces::FindInFile(const Run& run, const char* word) const
+{
+  if (!run.Section->IsText())
+  {
+    return word;
+  }
+  const char* text = run.Section->Begin;
+  for (std::ptrdiff_t left = (word - run.Data) / 4; left > 0; --left)
+  {
+    std::int64_t value = 0;
+    const char* const next = ParseHex(text, run.Section->End, value);
+    text = next ? next : text;
+  }
+  return SkipSpaceFrom(text, run.Section->End);
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::Check(
+  FluentFile& file, std::int64_t nodes, std::int64_t cells, const Progress& progress) const
+{
+  std::atomic<vtkIdType> bad{ this->GetCount() };
+  const auto isGood = [=](const FluentFace& face)
+  {
+    bool good = true;
+    for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
+    {
+      good &= static_cast<std::uint32_t>(face.Nodes[i]) - 1 < static_cast<std::uint64_t>(nodes);
+    }
+    for (int side = 0; side < 2; ++side)
+    {
+      good &= static_cast<std::uint32_t>(face.GetCell(side)) <= static_cast<std::uint64_t>(cells);
+    }
+    return good;
+  };
+  const bool finished = this->ForEach(progress,
+    [&](const Run&, vtkIdType position, const FluentFace& face)
+    {
+      if (!isGood(face))
+      {
+        vtkIdType current = bad;
+        while (position < current && !bad.compare_exchange_weak(current, position))
+        {
+        }
+      }
+    });
+  if (bad == this->GetCount())
+  {
+    return finished;
+  }
+  const Run& run = this->GetRun(bad);
+  const FluentFace face = (*this)[bad];
+  for (std::int32_t i = 0; i < face.Nodes.Size + 2; ++i)
+  {
+    const bool isNode = i < face.Nodes.Size;
+    const std::int64_t first = isNode ? 1 : 0, last = isNode ? nodes : cells;
+    if (face.Nodes[i] < first || face.Nodes[i] > last)
+    {
+      file.FailAt(this->FindInFile(run, face.Nodes.Ids + 4 * std::ptrdiff_t(i)), ErrorKind::Index,
+        std::string(isNode ? "a node" : "a cell") + " of " + DescribeFace(run, bad - run.Begin) +
+          " from " + std::to_string(first) + " to " + std::to_string(last),
+        std::to_string(face.Nodes[i]));
+      break;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType FluentFaces::FindId(std::int64_t id) const
+{
+  const auto next = std::upper_bound(this->Runs.begin(), this->Runs.end(), id,
+    [](std::int64_t value, const Run& run) { return value < run.FirstId; });
+  if (next == this->Runs.begin())
+  {
+    return -1;
+  }
+  const Run& run = *(next - 1);
+  const vtkIdType face = run.Begin + (id - run.FirstId);
+  return face < run.End ? face : -1;
+}
+}

@@ -1,0 +1,678 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentFile.h"
+
+#include "FluentText.h"
+#include "Scan/Bytes.h"
+#include "Scan/TextScanner.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+namespace camaron
+{
+namespace
+{
+constexpr int FirstBinaryIndex = 2000, EndBinaryIndex = 4000;
+constexpr std::string_view EndMark = "End of Binary Section";
+
+//------------------------------------------------------------------------------
+// The index without what it says of the encoding.
+int GetPlainIndex(int index)
+{
+  return index >= FirstBinaryIndex && index < EndBinaryIndex ? index % 1000 : index;
+}
+
+//------------------------------------------------------------------------------
+bool DescribesMesh(int plainIndex)
+{
+  switch (plainIndex)
+  {
+    case 10: // nodes
+    case 12: // cells
+    case 13: // faces
+    case 59: // faces that were split, and into which
+    case 61: // faces where meshes that do not fit meet
+    case 62:
+      return true;
+    default:
+      return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* SkipSpaceFrom(const char* text, const char* end)
+{
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+// Reads "(index"; returns where it ends, or nullptr.
+const char* ParseIndex(const char* text, const char* end, int& index)
+{
+  if (text >= end || *text != '(')
+  {
+    return nullptr;
+  }
+  text = SkipSpaceFrom(text + 1, end);
+  constexpr int MaxIndex = 100000;
+  const char* const first = text;
+  for (index = 0; text < end && IsDigit(*text) && index < MaxIndex; ++text)
+  {
+    index = 10 * index + (*text - '0');
+  }
+  const bool ends = text < end && (IsSpace(*text) || *text == '(' || *text == ')' || *text == '"');
+  return text > first && ends ? text : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::IsFluent(const char* begin, const char* end)
+{
+  int index;
+  const char* text = ParseIndex(SkipSpaceFrom(begin, end), end, index);
+  if (!text)
+  {
+    return false;
+  }
+  constexpr int Comments = 1, Dimension = 2, MaxMesh = 100;
+  text = SkipSpaceFrom(text, end);
+  const int plain = GetPlainIndex(index);
+  return index <= Comments ||
+    (index == Dimension && text < end && (*text == '2' || *text == '3')) ||
+    (plain > Dimension && plain < MaxMesh && text < end && *text == '(');
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::FailAt(
+  const char* place, ErrorKind kind, const std::string& expected, const std::string& found)
+{
+  if (this->HasFailed())
+  {
+    return;
+  }
+  // Lines mean nothing behind binary data.
+  const bool isText = !this->FirstBinary || place <= this->FirstBinary;
+  const std::string where = isText ? this->Name + ":" +
+      std::to_string(TextScanner(this->Name, this->Begin, this->End).GetLine(place))
+                                   : this->Name + ": byte " + std::to_string(place - this->Begin);
+  this->Error = { kind, where + ": expected " + expected + ", found " + found };
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::FailAt(const char* place, ErrorKind kind, const std::string& expected)
+{
+  constexpr int MaxLength = 30;
+  place = SkipSpaceFrom(place, this->End);
+  std::string word;
+  for (const char* c = place; c < this->End && !IsSpace(*c); ++c)
+  {
+    if (word.size() == MaxLength)
+    {
+      word += "...";
+      break;
+    }
+    word += *c > ' ' && *c < '\x7f' ? *c : '?';
+    if (*c == ')')
+    {
+      break;
+    }
+  }
+  this->FailAt(place, kind, expected, word.empty() ? "the end of the file" : "'" + word + "'");
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
+{
+  if (!this->HasFailed())
+  {
+    this->Error = { kind, this->Name + ": expected " + expected + ", found " + found };
+  }
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::SkipSpace()
+{
+  this->Position = SkipSpaceFrom(this->Position, this->End);
+}
+
+//------------------------------------------------------------------------------
+// Moves behind the parenthesis that closes as many as are open; false at the end of the file.
+bool FluentFile::SkipGroups(int depth, bool quotes)
+{
+  std::int64_t open = depth;
+  bool quoted = false;
+  for (const char* text = this->Position; text < this->End; ++text)
+  {
+    const char c = *text;
+    if (quoted)
+    {
+      text += c == '\\';
+      quoted = c != '"';
+    }
+    else if (c == '(')
+    {
+      ++open;
+    }
+    else if (c == ')')
+    {
+      if (--open == 0)
+      {
+        this->Position = text + 1;
+        return true;
+      }
+    }
+    else
+    {
+      quoted = quotes && c == '"';
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::SkipRest(int depth, const FluentSection& section)
+{
+  // In the words of a comment, a quotation mark may be an inch.
+  constexpr int Comments = 1;
+  const char* const text = SkipSpaceFrom(this->Position, this->End);
+  const bool isProse =
+    section.Index <= Comments && !(text < this->End && (*text == '"' || *text == '('));
+  if (this->TrustsQuotes && !isProse && this->SkipGroups(depth, true))
+  {
+    return true;
+  }
+  // Elsewhere, a lone one hides all that follows.
+  this->TrustsQuotes = this->TrustsQuotes && isProse;
+  if (this->SkipGroups(depth, false))
+  {
+    return true;
+  }
+  this->FailAt(section.Place, ErrorKind::Truncated,
+    "a parenthesis that closes the section that begins here", "the end of the file");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Returns what follows the end mark of a binary section, or nullptr; before it is a parenthesis if
+// the section has data.
+const char* FluentFile::FindEndMark(const char* place, int index, bool hasData) const
+{
+  const char* text = SkipSpaceFrom(place, this->End);
+  if (text < this->End && *text == ')')
+  {
+    text = SkipSpaceFrom(text + 1, this->End);
+  }
+  else if (hasData)
+  {
+    return nullptr;
+  }
+  if (this->End - text < static_cast<std::ptrdiff_t>(EndMark.size()) ||
+    std::memcmp(text, EndMark.data(), EndMark.size()) != 0)
+  {
+    return nullptr;
+  }
+  text = SkipSpaceFrom(text + EndMark.size(), this->End);
+  std::int64_t number = 0;
+  text = ParseInteger(text, this->End, number);
+  text = text ? SkipSpaceFrom(text, this->End) : nullptr;
+  return text && number == index && text < this->End && *text == ')' ? text + 1 : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::SkipBinary(const FluentSection& section, int index)
+{
+  const std::string_view rest(this->Position, static_cast<std::size_t>(this->End - this->Position));
+  for (std::size_t at = rest.find(EndMark); at != std::string_view::npos;
+       at = rest.find(EndMark, at + EndMark.size()))
+  {
+    if (const char* next = this->FindEndMark(rest.data() + at, index, false))
+    {
+      this->Position = next;
+      return true;
+    }
+  }
+  this->FailAt(section.Place, ErrorKind::Truncated,
+    "'End of Binary Section " + std::to_string(index) + "'", "the end of the file");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Reads "(hexadecimal numbers)".
+bool FluentFile::ReadHeader(FluentSection& section)
+{
+  this->SkipSpace();
+  if (this->Position == this->End || *this->Position != '(')
+  {
+    this->FailAt(this->Position,
+      this->Position == this->End ? ErrorKind::Truncated : ErrorKind::Syntax,
+      "the header of section " + std::to_string(section.Index) + " in parentheses");
+    return false;
+  }
+  const char* text = this->Position + 1;
+  const void* found = std::memchr(text, ')', static_cast<std::size_t>(this->End - text));
+  if (!found)
+  {
+    this->FailAt(this->Position, ErrorKind::Truncated, "a header that ends", "the end of the file");
+    return false;
+  }
+  const char* const end = static_cast<const char*>(found);
+  for (text = SkipSpaceFrom(text, end); text < end; text = SkipSpaceFrom(text, end))
+  {
+    std::int64_t value = 0;
+    const char* const next =
+      section.HeaderSize < FluentSection::MaxHeader ? ParseHex(text, end, value) : nullptr;
+    if (!next || value > INT32_MAX)
+    {
+      this->FailAt(text, next ? ErrorKind::Count : ErrorKind::Syntax,
+        next ? "a number below 80000000" : "a hexadecimal number or the end of the header");
+      return false;
+    }
+    section.Header[section.HeaderSize++] = value;
+    text = next;
+  }
+  this->Position = end + 1;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::ReadDimension()
+{
+  const char* const place = this->Position;
+  std::int64_t value = 0;
+  const char* next = ParseInteger(SkipSpaceFrom(place, this->End), this->End, value);
+  if (!next || (value != 2 && value != 3))
+  {
+    this->FailAt(place, ErrorKind::Syntax, "the dimension of the mesh, 2 or 3");
+    return false;
+  }
+  this->Dimension = static_cast<int>(value);
+  this->Position = next;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// "(60 ...": little endian; any other number, big endian.
+bool FluentFile::ReadConfiguration()
+{
+  this->SkipSpace();
+  if (this->Position < this->End && *this->Position == '(')
+  {
+    constexpr int LittleEndian = 60;
+    std::int64_t value = 0;
+    if (ParseInteger(SkipSpaceFrom(this->Position + 1, this->End), this->End, value))
+    {
+      const ByteOrder order = value == LittleEndian ? ByteOrder::Little : ByteOrder::Big;
+      this->Swap = (order != GetByteOrder()) != this->OtherOrder;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// "(id type name ...". What cannot be understood has no name.
+bool FluentFile::ReadZone(const FluentSection& section)
+{
+  this->SkipSpace();
+  const char* text = this->Position;
+  std::int64_t id = 0;
+  if (text == this->End || *text != '(' ||
+    !(text = ParseInteger(SkipSpaceFrom(text + 1, this->End), this->End, id)) || id < 0 ||
+    id > INT32_MAX)
+  {
+    return true;
+  }
+  const auto readWord = [&]
+  {
+    constexpr std::size_t MaxWord = 1000;
+    text = SkipSpaceFrom(text, this->End);
+    std::string word;
+    const bool quoted = text < this->End && *text == '"';
+    text += quoted;
+    while (text < this->End && word.size() < MaxWord &&
+      (quoted ? *text != '"' : !IsSpace(*text) && *text != '(' && *text != ')'))
+    {
+      word += *text++;
+    }
+    text += quoted && text < this->End;
+    return word;
+  };
+  FluentZone zone;
+  zone.Id = static_cast<int>(id);
+  zone.Type = readWord();
+  zone.Name = readWord();
+  if (!zone.Type.empty())
+  {
+    this->Zones.push_back(std::move(zone));
+  }
+  (void)section;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::CheckRange(const FluentSection& section, const char* what)
+{
+  constexpr int MinHeader = 4;
+  if (section.HeaderSize < MinHeader - 1)
+  {
+    this->FailAt(section.Place, ErrorKind::Syntax,
+      std::string("a header of ") + what + " with a zone, the first and the last index",
+      std::to_string(section.HeaderSize) + " numbers");
+  }
+  else if (section.Header[0] != 0 && (section.Header[1] < 1 || section.GetCount() < 0))
+  {
+    this->FailAt(section.Place, ErrorKind::Count,
+      std::string("the first and the last index of ") + what,
+      std::to_string(section.Header[1]) + " and " + std::to_string(section.Header[2]));
+  }
+  return !this->HasFailed();
+}
+
+//------------------------------------------------------------------------------
+// Finds where lists end that say how many ids they have: faces "n v1 ... vn c0 c1".
+const char* FluentFile::FindLists(FluentSection& section)
+{
+  constexpr int SmallestList = 12;
+  const char* place = section.Begin;
+  const std::int64_t count = section.GetCount();
+  if (count > (this->End - place) / SmallestList)
+  {
+    this->FailAt(section.Place, ErrorKind::Truncated, std::to_string(count) + " faces",
+      std::to_string(this->End - place) + " bytes up to the end of the file");
+    return nullptr;
+  }
+  section.Blocks.reserve(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (i % BlockSize == 0)
+    {
+      section.Blocks.push_back(place);
+    }
+    const std::int64_t left = (this->End - place) / 4;
+    const std::int32_t size = left > 0 ? Load<std::int32_t>(place, this->Swap) : 0;
+    if (left < 3 || size < 0 || size > left - 3)
+    {
+      this->FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+        "the number of nodes of face " + std::to_string(section.Header[1] + i) + " of at most " +
+          std::to_string(left < 3 ? 0 : left - 3),
+        left > 0 ? std::to_string(size) : "the end of the file");
+      return nullptr;
+    }
+    place += 4 * (std::ptrdiff_t(size) + 3);
+    if ((place - section.Blocks.back()) / 4 > INT32_MAX)
+    {
+      this->FailAt(
+        place, ErrorKind::Unsupported, "less than 8 GB for 1024 consecutive faces", "more");
+      return nullptr;
+    }
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+// The body of a binary section whose header was read.
+bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
+{
+  this->SkipSpace();
+  const char* const open = this->Position;
+  const bool hasBody = open < this->End && *open == '(';
+  if (!hasBody)
+  {
+    const char* const next = this->FindEndMark(open, index, false);
+    if (!next)
+    {
+      this->FailAt(open, open == this->End ? ErrorKind::Truncated : ErrorKind::Syntax,
+        "the data of section " + std::to_string(index) + " or its end");
+      return false;
+    }
+    this->Position = next;
+    return true;
+  }
+  // Some writers put a line end between the parenthesis and the data. Data that began later would
+  // end behind the parenthesis that closes it; data that began earlier may end in bytes that look
+  // like blanks.
+  constexpr std::ptrdiff_t LongestGap = 2;
+  std::ptrdiff_t gap = 0;
+  while (gap < LongestGap && open + 1 + gap < this->End &&
+    (open[1 + gap] == '\n' || open[1 + gap] == '\r'))
+  {
+    ++gap;
+  }
+  for (; gap >= 0; --gap)
+  {
+    const ScanError before = this->Error;
+    section.Begin = open + 1 + gap;
+    section.Blocks.clear();
+    const char* const end = this->FindEndOfData(section);
+    const char* const next = end ? this->FindEndMark(end, index, true) : nullptr;
+    if (next)
+    {
+      section.End = end;
+      this->Position = next;
+      return true;
+    }
+    if (end)
+    {
+      const std::ptrdiff_t left = this->End - end;
+      this->FailAt(end,
+        left < static_cast<std::ptrdiff_t>(EndMark.size()) ? ErrorKind::Truncated
+                                                           : ErrorKind::Syntax,
+        "')' and 'End of Binary Section " + std::to_string(index) + "'");
+    }
+    if (gap > 0)
+    {
+      this->Error = before;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Where the binary data of a section ends, or nullptr with an error.
+const char* FluentFile::FindEndOfData(FluentSection& section)
+{
+  const std::int64_t element = section.HeaderSize > 4 ? section.Header[4] : 0;
+  if (section.Index == 13 && (element == 0 || element == 5))
+  {
+    return this->FindLists(section);
+  }
+  std::int64_t bytes = 4 * (element + 2); // of a face
+  if (section.Index == 10)
+  {
+    const bool hasDimension = element == 2 || element == 3;
+    bytes = (hasDimension ? element : this->Dimension == 2 ? 2 : 3) * section.RealSize;
+  }
+  else if (section.Index == 12)
+  {
+    bytes = element == 0 ? 4 : 0;
+  }
+  bytes *= section.GetCount();
+  if (bytes > this->End - section.Begin)
+  {
+    this->FailAt(section.Begin, ErrorKind::Truncated,
+      std::to_string(bytes) + " bytes of the section that begins at byte " +
+        std::to_string(section.Place - this->Begin),
+      std::to_string(this->End - section.Begin) + " up to the end of the file");
+    return nullptr;
+  }
+  return section.Begin + bytes;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::Keep(FluentSection&& section)
+{
+  const bool isDeclaration = section.Header[0] == 0;
+  switch (section.Index)
+  {
+    case 10:
+      this->HasMeshSection = true;
+      if (isDeclaration)
+      {
+        this->DeclaredNodes = section.Header[2];
+        const std::int64_t dimension = section.HeaderSize > 4 ? section.Header[4] : 0;
+        if (this->Dimension == 0 && (dimension == 2 || dimension == 3))
+        {
+          this->Dimension = static_cast<int>(dimension);
+        }
+      }
+      else if (section.GetCount() > 0)
+      {
+        this->Nodes.push_back(std::move(section));
+      }
+      break;
+    case 12:
+      if (isDeclaration)
+      {
+        this->DeclaredCells = section.Header[2];
+      }
+      else if (section.GetCount() > 0)
+      {
+        this->Cells.push_back(std::move(section));
+      }
+      break;
+    case 13:
+      this->HasMeshSection = true;
+      if (isDeclaration)
+      {
+        this->DeclaredFaces = section.Header[2];
+      }
+      else if (section.GetCount() > 0)
+      {
+        this->Faces.push_back(std::move(section));
+      }
+      break;
+    case 59:
+      this->FaceTrees.push_back(std::move(section));
+      break;
+    default:
+      this->InterfaceFaces.push_back(std::move(section));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A section with data of the mesh, from its header on.
+bool FluentFile::ReadMeshSection(FluentSection& section, int index)
+{
+  const bool isRange = section.Index <= 13; // of nodes, cells or faces of a zone
+  if (!this->ReadHeader(section) ||
+    (isRange &&
+      !this->CheckRange(section,
+        section.Index == 10     ? "nodes"
+          : section.Index == 12 ? "cells"
+                                : "faces")))
+  {
+    return false;
+  }
+  if (!section.IsText() && isRange)
+  {
+    if (section.Header[0] != 0 || section.Index == 12)
+    {
+      return this->ReadBinaryBody(section, index) && this->Keep(std::move(section));
+    }
+    return this->SkipBinary(section, index) && this->Keep(std::move(section));
+  }
+  if (!section.IsText())
+  {
+    // The range in the header of 61 says enough; trees in binary files are rare, and without them
+    // cells with hanging nodes are polyhedra.
+    return this->SkipBinary(section, index) && this->Keep(std::move(section));
+  }
+
+  this->SkipSpace();
+  if (this->Position < this->End && *this->Position == '(' && section.Header[0] != 0)
+  {
+    const char* const body = this->Position + 1;
+    const void* end = std::memchr(body, ')', static_cast<std::size_t>(this->End - body));
+    if (!end)
+    {
+      this->FailAt(section.Place, ErrorKind::Truncated,
+        "a parenthesis that closes the section that begins here", "the end of the file");
+      return false;
+    }
+    section.Begin = body;
+    section.End = static_cast<const char*>(end);
+    this->Position = section.End + 1;
+  }
+  return this->SkipRest(1, section) && this->Keep(std::move(section));
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::ReadSection()
+{
+  FluentSection section;
+  section.Place = this->Position;
+  int index = 0;
+  const char* const next = ParseIndex(this->Position, this->End, index);
+  if (!next)
+  {
+    this->FailAt(this->Position,
+      this->HasMeshSection || this->Dimension > 0 ? ErrorKind::Syntax : ErrorKind::NotThisFormat,
+      "a section of a Fluent mesh, which begins with '(' and a number");
+    return false;
+  }
+  this->Position = next;
+  section.Index = GetPlainIndex(index);
+  const bool isBinary = section.Index != index;
+  if (isBinary)
+  {
+    section.RealSize = index < 3000 ? 4 : 8;
+    this->FirstBinary = this->FirstBinary ? this->FirstBinary : section.Place;
+  }
+  if (DescribesMesh(section.Index))
+  {
+    return this->ReadMeshSection(section, index);
+  }
+  if (isBinary)
+  {
+    return this->SkipBinary(section, index);
+  }
+  constexpr int Dimension = 2, Configuration = 4, OldZone = 45, Zone = 39;
+  const bool good = index == Dimension  ? this->ReadDimension()
+    : index == Configuration            ? this->ReadConfiguration()
+    : index == Zone || index == OldZone ? this->ReadZone(section)
+                                        : true;
+  return good && this->SkipRest(1, section);
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::Scan(bool otherOrder, const Progress& progress)
+{
+  this->OtherOrder = otherOrder;
+  this->Swap = (GetByteOrder() != ByteOrder::Little) != otherOrder;
+  this->Position = this->Begin;
+  constexpr char ByteOrderMark[] = "\xef\xbb\xbf";
+  if (this->End - this->Begin >= 3 && std::memcmp(this->Begin, ByteOrderMark, 3) == 0)
+  {
+    this->Position += 3;
+  }
+  for (this->SkipSpace(); this->Position < this->End; this->SkipSpace())
+  {
+    if (!this->ReadSection() ||
+      !progress.Report(static_cast<double>(this->Position - this->Begin) /
+        static_cast<double>(this->End - this->Begin)))
+    {
+      return false;
+    }
+  }
+  if (!this->HasMeshSection && this->Dimension == 0)
+  {
+    this->Fail(ErrorKind::NotThisFormat, "a Fluent mesh",
+      this->Begin == this->End ? "an empty file" : "no nodes or faces");
+    return false;
+  }
+  if (this->Dimension == 0)
+  {
+    // Only faces of two nodes make a mesh of two dimensions.
+    const bool isFlat = std::any_of(this->Faces.begin(), this->Faces.end(),
+      [](const FluentSection& face) { return face.HeaderSize > 4 && face.Header[4] == 2; });
+    this->Dimension = isFlat ? 2 : 3;
+  }
+  return true;
+}
+}

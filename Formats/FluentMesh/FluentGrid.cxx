@@ -1,0 +1,703 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentGrid.h"
+
+#include "Mesh/MeshTopology.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellType.h"
+#include "vtkSMPTools.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkTypeInt64Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <type_traits>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType BlockSize = 1024;
+constexpr vtkIdType Ahead = 8; // cells whose faces are fetched meanwhile
+constexpr vtkIdType MaxInt32 = INT32_MAX;
+
+//------------------------------------------------------------------------------
+// Entries that cells need in the arrays of the grid, or where theirs begin.
+struct Extent
+{
+  vtkIdType Points = 0;
+  vtkIdType Faces = 0;   // of polyhedra
+  vtkIdType Corners = 0; // of these faces
+  vtkIdType AllFaces = 0;
+  Extent& operator+=(const Extent& other)
+  {
+    this->Points += other.Points;
+    this->Faces += other.Faces;
+    this->Corners += other.Corners;
+    this->AllFaces += other.AllFaces;
+    return *this;
+  }
+};
+
+//------------------------------------------------------------------------------
+// The truth about a cell that is not what one expects.
+struct Exception
+{
+  vtkIdType Cell;
+  unsigned char Type;
+  vtkIdType Points;
+};
+
+//------------------------------------------------------------------------------
+template <typename Id>
+using IdArray =
+  typename std::conditional<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>::type;
+
+//------------------------------------------------------------------------------
+template <typename Id>
+vtkSmartPointer<vtkCellArray> MakeCells(Buffer<Id>& offsets, Buffer<Id>& ids)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  const auto offsetArray = offsets.template TakeArray<IdArray<Id>>();
+  const auto idArray = ids.template TakeArray<IdArray<Id>>();
+  cells->SetData(offsetArray.Get(), idArray.Get());
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+int GetNumberOfFaces(unsigned char type)
+{
+  return type == VTK_TRIANGLE               ? 3
+    : type == VTK_QUAD || type == VTK_TETRA ? 4
+    : type == VTK_HEXAHEDRON                ? 6
+                                            : 5;
+}
+
+//------------------------------------------------------------------------------
+// A thread of its own needs no locks.
+bool IsAlone()
+{
+  return vtkSMPTools::GetEstimatedNumberOfThreads() <= 1;
+}
+
+//------------------------------------------------------------------------------
+using Cursor = std::atomic<std::uint32_t>;
+void Add(Cursor& cursor, std::uint32_t value, bool alone)
+{
+  if (alone)
+  {
+    cursor.store(cursor.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);
+  }
+  else
+  {
+    cursor.fetch_add(value, std::memory_order_relaxed);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Returns the new value.
+std::uint32_t TakeOne(Cursor& cursor, bool alone)
+{
+  if (!alone)
+  {
+    return cursor.fetch_sub(1, std::memory_order_relaxed) - 1;
+  }
+  const std::uint32_t value = cursor.load(std::memory_order_relaxed) - 1;
+  cursor.store(value, std::memory_order_relaxed);
+  return value;
+}
+
+//------------------------------------------------------------------------------
+class FluentGridBuilder
+{
+public:
+  FluentGridBuilder(
+    const FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error)
+    : Mesh(mesh)
+    , Count(mesh.Piece.GetNumberOfCells())
+    , Grid(grid)
+    , Messages(warnings)
+    , Error(error)
+  {
+  }
+
+  bool Build(const Progress& progress)
+  {
+    if (!this->CountFaces(progress.Part(0, 0.2)))
+    {
+      return false;
+    }
+    if (this->FitsInPlace())
+    {
+      if (!this->BuildInPlace(progress.Part(0.2, 1)))
+      {
+        return false;
+      }
+      if (this->Found.empty())
+      {
+        return true;
+      }
+      // A cell is not what it is declared to be; now in the way that can hold anything.
+      this->Found.clear();
+      if (!this->CountFaces(progress.Part(0.99, 1)))
+      {
+        return false;
+      }
+    }
+    return this->BuildFromLists(progress.Part(0.2, 1));
+  }
+
+private:
+  bool CountFaces(const Progress& progress);
+  bool FitsInPlace() const;
+  bool BuildInPlace(const Progress& progress);
+  bool BuildFromLists(const Progress& progress);
+  bool FillLists(const Progress& progress)
+  {
+    const Extent& total = this->Blocks.back();
+    return std::max({ total.Points, total.Corners, this->Count }) > MaxInt32
+      ? this->FillListsAs<vtkTypeInt64>(progress)
+      : this->FillListsAs<vtkTypeInt32>(progress);
+  }
+  bool MakeLists(const Progress& progress);
+  unsigned char Expect(vtkIdType cell, Extent& size) const;
+  bool Measure(const Progress& progress);
+  template <typename Id>
+  bool FillListsAs(const Progress& progress);
+  void HandOverFaces();
+  void Warn();
+
+  /// Calls visit(cell, face) for the cells of the piece on both sides of all faces, in parallel.
+  template <typename Visit>
+  bool ForEachUse(const Progress& progress, Visit&& visit) const
+  {
+    const FluentMesh& mesh = this->Mesh;
+    return mesh.Faces.ForEach(progress,
+      [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
+      {
+        if (!run.Bounds || face.Nodes.Size == 0)
+        {
+          return;
+        }
+        for (int side = 0; side < 2; ++side)
+        {
+          const std::int32_t id = face.GetCell(side);
+          const vtkIdType leaf = id > 0 ? mesh.Cells.GetLeaf(id) : -1;
+          const vtkIdType cell = leaf >= 0 ? mesh.Piece.FindLeaf(leaf) : -1;
+          if (cell >= 0)
+          {
+            visit(cell, position);
+          }
+        }
+      });
+  }
+  /// Calls visit(scratch, block, begin, end) for blocks of cells in parallel.
+  template <typename Visit>
+  bool ForBlocks(const Progress& progress, Visit&& visit) const
+  {
+    return progress.For(this->GetNumberOfBlocks(),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        FluentCellFaces scratch(this->Mesh);
+        for (vtkIdType block = first; block < last; ++block)
+        {
+          visit(scratch, block, block * BlockSize, std::min((block + 1) * BlockSize, this->Count));
+        }
+      });
+  }
+  vtkIdType GetNumberOfBlocks() const { return (this->Count + BlockSize - 1) / BlockSize; }
+  std::int64_t GetId(vtkIdType cell) const
+  {
+    return this->Mesh.Cells.GetId(this->Mesh.Piece.GetLeaf(cell));
+  }
+  Index* GetList(vtkIdType cell) { return this->Lists.data() + this->Cursors[cell]; }
+  vtkIdType GetListSize(vtkIdType cell) const
+  {
+    return vtkIdType(this->Cursors[cell + 1]) - vtkIdType(this->Cursors[cell]);
+  }
+  template <typename Id>
+  void PrefetchFaces(const Id* faces, vtkIdType count) const
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      this->Mesh.Faces.Prefetch(faces[i]);
+    }
+  }
+  void AddExceptions(const std::vector<Exception>& more)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Found.insert(this->Found.end(), more.begin(), more.end());
+  }
+
+  const FluentMesh& Mesh;
+  vtkIdType Count;
+  vtkUnstructuredGrid* Grid;
+  Warnings& Messages;
+  ScanError& Error;
+  std::mutex Mutex;
+  std::vector<Cursor>
+    Cursors; ///< faces of every cell, then where the next of them goes, then the first
+  std::vector<Index> Lists; ///< faces of all cells, if they are not kept in place
+  Buffer<unsigned char> Types;
+  Buffer<std::uint32_t> Points;      ///< number of points of every cell
+  std::vector<Extent> Blocks;        ///< where blocks of cells begin
+  std::vector<Exception> Exceptions; ///< known ones, ascending
+  std::vector<Exception> Found;      ///< what came to light
+  std::atomic<vtkIdType> NumberOfJoined{ 0 };
+};
+
+//------------------------------------------------------------------------------
+bool FluentGridBuilder::CountFaces(const Progress& progress)
+{
+  this->Cursors = std::vector<Cursor>(static_cast<std::size_t>(this->Count) + 1);
+  const bool alone = IsAlone();
+  return this->ForEachUse(
+    progress, [this, alone](vtkIdType cell, vtkIdType) { Add(this->Cursors[cell], 1, alone); });
+}
+
+//------------------------------------------------------------------------------
+// Whether all cells have the faces of the types declared. Types have at least as many nodes as
+// faces, so that the faces can wait where the nodes will be.
+bool FluentGridBuilder::FitsInPlace() const
+{
+  std::atomic<bool> fits{ true };
+  std::atomic<vtkIdType> nodes{ 0 };
+  ParallelFor(this->Count, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType sum = 0;
+      for (vtkIdType cell = begin; cell < end && fits; ++cell)
+      {
+        const FluentShape shape = this->Mesh.GetShape(cell);
+        sum += shape.Nodes;
+        if (shape.Faces == 0 || this->Cursors[cell] != static_cast<std::uint32_t>(shape.Faces))
+        {
+          fits = false;
+        }
+      }
+      nodes += sum;
+    });
+  return fits && nodes <= MaxInt32;
+}
+
+//------------------------------------------------------------------------------
+bool FluentGridBuilder::BuildInPlace(const Progress& progress)
+{
+  using Id = vtkTypeInt32;
+  this->Types = Buffer<unsigned char>(this->Count);
+  Buffer<Id> offsets(this->Count + 1);
+  const vtkIdType total = ParallelScan(
+    this->Count, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType sum = 0;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const FluentShape shape = this->Mesh.GetShape(cell);
+        this->Types[cell] = shape.Type;
+        offsets[cell] = static_cast<Id>(sum);
+        sum += shape.Nodes;
+      }
+      return sum;
+    },
+    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        offsets[cell] += static_cast<Id>(before);
+        Add(this->Cursors[cell], static_cast<std::uint32_t>(offsets[cell]), true);
+      }
+    });
+  offsets[this->Count] = static_cast<Id>(total);
+  Buffer<Id> ids(total);
+  const bool alone = IsAlone();
+  const bool filled = this->ForEachUse(progress.Part(0, 0.4),
+    [&](vtkIdType cell, vtkIdType face)
+    { ids[TakeOne(this->Cursors[cell], alone)] = static_cast<Id>(face); });
+  this->Cursors = std::vector<Cursor>();
+  const bool finished = filled &&
+    this->ForBlocks(progress.Part(0.4, 1),
+      [&](FluentCellFaces& faces, vtkIdType, vtkIdType begin, vtkIdType end)
+      {
+        std::vector<Exception> exceptions;
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          // No further than this block: others may have nodes already.
+          if (cell + Ahead < end)
+          {
+            constexpr vtkIdType LeastFaces = 3;
+            this->PrefetchFaces(ids.data() + offsets[cell + Ahead], LeastFaces);
+          }
+          const unsigned char type = this->Types[cell];
+          const vtkIdType size = offsets[cell + 1] - offsets[cell];
+          Id* const place = ids.data() + offsets[cell];
+          faces.Load(this->GetId(cell), place, GetNumberOfFaces(type));
+          if (!faces.Match(type))
+          {
+            exceptions.push_back({ cell, type, 0 });
+            continue;
+          }
+          for (vtkIdType node = 0; node < size; ++node)
+          {
+            place[node] = static_cast<Id>(faces.GetNode(node));
+          }
+        }
+        this->AddExceptions(exceptions);
+      });
+  if (finished && this->Found.empty())
+  {
+    const auto cells = MakeCells(offsets, ids);
+    this->Grid->SetCells(this->Types.TakeArray<vtkUnsignedCharArray>(), cells);
+  }
+  return finished;
+}
+
+//------------------------------------------------------------------------------
+bool FluentGridBuilder::MakeLists(const Progress& progress)
+{
+  const vtkIdType total = ParallelScan(
+    this->Count, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      vtkIdType sum = 0;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        sum += this->Cursors[cell];
+      }
+      return sum;
+    },
+    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        before += this->Cursors[cell];
+        this->Cursors[cell] = static_cast<std::uint32_t>(before);
+      }
+    });
+  this->Cursors[this->Count] = static_cast<std::uint32_t>(total);
+  this->Lists.resize(static_cast<std::size_t>(total));
+  const bool alone = IsAlone();
+  return this->ForEachUse(progress,
+    [&](vtkIdType cell, vtkIdType face)
+    { this->Lists[TakeOne(this->Cursors[cell], alone)] = static_cast<Index>(face); });
+}
+
+//------------------------------------------------------------------------------
+// What a cell becomes, if all is well with it: a polyhedron is expected to be closed and without
+// handles (Euler: points - edges + faces = 2).
+unsigned char FluentGridBuilder::Expect(vtkIdType cell, Extent& size) const
+{
+  const vtkIdType count = this->GetListSize(cell);
+  if (count == 0)
+  {
+    return VTK_EMPTY_CELL;
+  }
+  std::int32_t triangles = 0, quads = 0;
+  vtkIdType corners = 0;
+  const Index* const faces = this->Lists.data() + this->Cursors[cell];
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const std::int32_t nodes = this->Mesh.Faces[faces[i]].Nodes.Size;
+    triangles += nodes == 3;
+    quads += nodes == 4;
+    corners += nodes;
+  }
+  size.AllFaces = count;
+  size.Corners = corners;
+  FluentShape shape = this->Mesh.GetShape(cell);
+  const bool isFlat = this->Mesh.Dimension == 2;
+  const bool canJoin = !this->Mesh.Tree.Entries.empty() && count > shape.Faces;
+  if (shape.Faces > 0 && shape.Faces != count && !canJoin)
+  {
+    shape = { static_cast<unsigned char>(isFlat ? VTK_POLYGON : VTK_POLYHEDRON), 0, 0 };
+  }
+  if (isFlat)
+  {
+    size.Points = shape.Nodes > 0 ? shape.Nodes : count;
+    return shape.Type != VTK_EMPTY_CELL ? shape.Type
+      : count == 3                      ? VTK_TRIANGLE
+      : count == 4                      ? VTK_QUAD
+                                        : VTK_POLYGON;
+  }
+  const unsigned char type = shape.Type != VTK_EMPTY_CELL
+    ? shape.Type
+    : PrimitiveMatcher::Guess(static_cast<std::int32_t>(count), triangles, quads);
+  size.Points = type == VTK_POLYHEDRON ? std::max<vtkIdType>(1, corners / 2 - count + 2)
+                                       : PrimitiveMatcher::GetNumberOfNodes(type);
+  return type;
+}
+
+//------------------------------------------------------------------------------
+bool FluentGridBuilder::Measure(const Progress& progress)
+{
+  this->Types = Buffer<unsigned char>(this->Count);
+  this->Points = Buffer<std::uint32_t>(this->Count);
+  this->Blocks.assign(static_cast<std::size_t>(this->GetNumberOfBlocks()) + 1, Extent());
+  std::atomic<bool> isTooLarge{ false };
+  const bool finished = progress.For(this->GetNumberOfBlocks(),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      auto exception = std::lower_bound(this->Exceptions.begin(), this->Exceptions.end(),
+        first * BlockSize, [](const Exception& e, vtkIdType cell) { return e.Cell < cell; });
+      for (vtkIdType block = first; block < last; ++block)
+      {
+        Extent sum;
+        const vtkIdType end = std::min((block + 1) * BlockSize, this->Count);
+        for (vtkIdType cell = block * BlockSize; cell < end; ++cell)
+        {
+          Extent size;
+          this->Types[cell] = this->Expect(cell, size);
+          if (exception != this->Exceptions.end() && exception->Cell == cell)
+          {
+            this->Types[cell] = exception->Type;
+            size.Points = exception->Points;
+            ++exception;
+          }
+          if (this->Types[cell] == VTK_POLYHEDRON)
+          {
+            size.Faces = size.AllFaces;
+          }
+          else
+          {
+            size.Corners = 0;
+          }
+          if (std::max(size.Points, size.Corners) > MaxInt32)
+          {
+            isTooLarge = true;
+          }
+          this->Points[cell] = static_cast<std::uint32_t>(size.Points);
+          sum += size;
+        }
+        this->Blocks[block + 1] = sum;
+      }
+    });
+  for (std::size_t block = 1; block < this->Blocks.size(); ++block)
+  {
+    this->Blocks[block] += this->Blocks[block - 1];
+  }
+  if (isTooLarge)
+  {
+    this->Error = { ErrorKind::Unsupported,
+      "expected cells with fewer than 2147483648 corners, found a larger one" };
+    return false;
+  }
+  return finished;
+}
+
+//------------------------------------------------------------------------------
+template <typename Id>
+bool FluentGridBuilder::FillListsAs(const Progress& progress)
+{
+  const Extent& total = this->Blocks.back();
+  const bool polyhedra = total.Faces > 0;
+  Buffer<Id> offsets(this->Count + 1), ids(total.Points), locationOffsets, locations, faceOffsets,
+    faceIds;
+  offsets[this->Count] = static_cast<Id>(total.Points);
+  if (polyhedra)
+  {
+    locationOffsets = Buffer<Id>(this->Count + 1);
+    locationOffsets[this->Count] = static_cast<Id>(total.Faces);
+    locations = Buffer<Id>(total.Faces);
+    faceOffsets = Buffer<Id>(total.Faces + 1);
+    faceOffsets[total.Faces] = static_cast<Id>(total.Corners);
+    faceIds = Buffer<Id>(total.Corners);
+  }
+  const bool finished = this->ForBlocks(progress,
+    [&](FluentCellFaces& faces, vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Exception> exceptions;
+      std::vector<Index> order;
+      vtkIdType joined = 0;
+      Id point = static_cast<Id>(this->Blocks[block].Points);
+      Id face = static_cast<Id>(this->Blocks[block].Faces);
+      Id corner = static_cast<Id>(this->Blocks[block].Corners);
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const unsigned char type = this->Types[cell];
+        const vtkIdType size = this->Points[cell];
+        if (cell + Ahead < end)
+        {
+          this->PrefetchFaces(this->GetList(cell + Ahead), this->GetListSize(cell + Ahead));
+        }
+        offsets[cell] = point;
+        if (polyhedra)
+        {
+          locationOffsets[cell] = face;
+        }
+        Index* const list = this->GetList(cell);
+        const vtkIdType count = this->GetListSize(cell);
+        if (type == VTK_EMPTY_CELL)
+        {
+          continue;
+        }
+        faces.Load(this->GetId(cell), list, count);
+        if (type != VTK_POLYHEDRON && faces.Match(type))
+        {
+          for (vtkIdType node = 0; node < size; ++node)
+          {
+            ids[point++] = static_cast<Id>(faces.GetNode(node));
+          }
+          joined += faces.HasJoined();
+          if (this->Mesh.Dimension == 3 && !faces.HasJoined())
+          {
+            order.assign(list, list + count);
+            for (int f = 0; f < static_cast<int>(count); ++f)
+            {
+              list[f] = order[static_cast<std::size_t>(faces.GetFace(f))];
+            }
+          }
+          continue;
+        }
+        if (this->Mesh.Dimension == 2)
+        {
+          faces.Load(this->GetId(cell), list, count);
+          const bool isPolygon = type != VTK_POLYGON && faces.Match(VTK_POLYGON);
+          exceptions.push_back(
+            { cell, static_cast<unsigned char>(isPolygon ? VTK_POLYGON : VTK_EMPTY_CELL),
+              isPolygon ? count : 0 });
+          point += static_cast<Id>(size);
+          continue;
+        }
+        if (type != VTK_POLYHEDRON)
+        {
+          faces.Load(this->GetId(cell), list, count);
+        }
+        faces.MakeShell();
+        if (type != VTK_POLYHEDRON || faces.GetNumberOfShellPoints() != size)
+        {
+          exceptions.push_back({ cell, VTK_POLYHEDRON, faces.GetNumberOfShellPoints() });
+          point += static_cast<Id>(size);
+          if (type == VTK_POLYHEDRON)
+          {
+            face += static_cast<Id>(count);
+            for (vtkIdType i = 0; i < count; ++i)
+            {
+              corner += static_cast<Id>(this->Mesh.Faces[list[i]].Nodes.Size);
+            }
+          }
+          continue;
+        }
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          ids[point++] = static_cast<Id>(faces.GetShellPoint(i));
+        }
+        for (std::int32_t f = 0; f < faces.GetNumberOfShellFaces(); ++f)
+        {
+          locations[face] = face;
+          faceOffsets[face++] = corner;
+          faces.ForEachShellPoint(
+            f, [&](vtkIdType id) { faceIds[corner++] = static_cast<Id>(id); });
+        }
+      }
+      this->NumberOfJoined += joined;
+      this->AddExceptions(exceptions);
+    });
+  if (!finished || !this->Found.empty())
+  {
+    return finished;
+  }
+  const auto cells = MakeCells(offsets, ids);
+  const auto types = this->Types.TakeArray<vtkUnsignedCharArray>();
+  if (polyhedra)
+  {
+    const auto faceCells = MakeCells(faceOffsets, faceIds);
+    const auto locationCells = MakeCells(locationOffsets, locations);
+    this->Grid->SetPolyhedralCells(types, cells, locationCells, faceCells);
+  }
+  else
+  {
+    this->Grid->SetCells(types, cells);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentGridBuilder::BuildFromLists(const Progress& progress)
+{
+  if (!this->MakeLists(progress.Part(0, 0.2)) || !this->Measure(progress.Part(0.2, 0.3)) ||
+    !this->FillLists(progress.Part(0.3, 0.9)))
+  {
+    return false;
+  }
+  if (!this->Found.empty())
+  {
+    // Some cells are not what was expected; now that they are known, once more.
+    std::sort(this->Found.begin(), this->Found.end(),
+      [](const Exception& a, const Exception& b) { return a.Cell < b.Cell; });
+    this->Exceptions = std::move(this->Found);
+    this->Found.clear();
+    this->NumberOfJoined = 0;
+    if (!this->Measure(progress.Part(0.9, 0.91)) || !this->FillLists(progress.Part(0.91, 1)))
+    {
+      return false;
+    }
+  }
+  this->Warn();
+  this->HandOverFaces();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Faces that were found to be the same need not be found again; worth its memory only for
+// polyhedra.
+void FluentGridBuilder::HandOverFaces()
+{
+  constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // of FacetTable
+  const Extent& total = this->Blocks.back();
+  if (total.Faces == 0 || total.AllFaces > MaxUses || this->NumberOfJoined > 0)
+  {
+    return;
+  }
+  vtkIdType count = this->Mesh.Faces.GetCount();
+  if (!this->Mesh.Piece.IsWhole())
+  {
+    IdSet used(count);
+    for (const Index face : this->Lists)
+    {
+      used.Add(face);
+    }
+    count = used.Number();
+    for (Index& face : this->Lists)
+    {
+      face = static_cast<Index>(used.GetNumber(face));
+    }
+  }
+  MeshTopology::Provide(this->Grid, std::move(this->Lists), static_cast<Index>(count));
+}
+
+//------------------------------------------------------------------------------
+void FluentGridBuilder::Warn()
+{
+  Tally empty, broken, other;
+  const vtkUnsignedCharArray* const types = this->Grid->GetCellTypesArray();
+  for (vtkIdType cell = 0; cell < this->Count; ++cell)
+  {
+    const unsigned char type = types->GetValue(cell);
+    const FluentShape shape = this->Mesh.GetShape(cell);
+    if (type == VTK_EMPTY_CELL)
+    {
+      (this->GetListSize(cell) == 0 ? empty : broken).Add(this->GetId(cell));
+    }
+    else if (shape.Faces > 0 && type != shape.Type)
+    {
+      other.Add(this->GetId(cell));
+    }
+  }
+  this->Messages.Add(empty, "cell", "cells", "without faces");
+  this->Messages.Add(broken, "cell", "cells", "whose edges make no ring, left empty");
+  this->Messages.Add(
+    other, "cell", "cells", "whose faces are not those of the declared type, read as polyhedra");
+}
+}
+
+//------------------------------------------------------------------------------
+bool BuildFluentCells(const FluentMesh& mesh, vtkUnstructuredGrid* grid, Warnings& warnings,
+  ScanError& error, const Progress& progress)
+{
+  return FluentGridBuilder(mesh, grid, warnings, error).Build(progress);
+}
+}

@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentMeshReading.h"
+
+#include "CellMesh/CellGrid.h"
+#include "FluentBoundaries.h"
+#include "FluentGrid.h"
+#include "FluentNodes.h"
+#include "FluentText.h"
+#include "Inflation.h"
+#include "Scan/PieceArrays.h"
+#include "Scan/ReadMappedFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+bool BeginsWith(const char* begin, const char* end, std::string_view text)
+{
+  return end - begin >= static_cast<std::ptrdiff_t>(text.size()) &&
+    std::memcmp(begin, text.data(), text.size()) == 0;
+}
+
+//------------------------------------------------------------------------------
+// Files of other formats that have the same extensions; an empty string for none of them.
+std::string RecogniseOther(const char* begin, const char* end)
+{
+  constexpr std::string_view HDF5("\x89HDF\r\n\x1a\n", 8);
+  if (BeginsWith(begin, end, HDF5))
+  {
+    return "a Common Fluids Format file (HDF5), which ParaView's FLUENT CFF reader opens if it is "
+           "named .cas.h5";
+  }
+  const char* text = begin;
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  if (BeginsWith(text, end, "$MeshFormat") || BeginsWith(text, end, "$NOD") ||
+    BeginsWith(text, end, "$Comments"))
+  {
+    return "a Gmsh file, which the reader of ParaView's GmshIO plugin opens";
+  }
+  return std::string();
+}
+
+//------------------------------------------------------------------------------
+// Reads a mesh from memory, once.
+class FluentMeshReading
+{
+public:
+  FluentMeshReading(const std::string& name, const char* begin, const char* end,
+    const PieceRequest& request, vtkIdType chunk)
+    : File(name, begin, end)
+    , Request(request)
+    , Chunk(chunk)
+  {
+  }
+
+  bool Read(bool otherOrder, vtkUnstructuredGrid* grid, vtkMultiBlockDataSet* boundaries,
+    Warnings& warnings, const Progress& progress);
+
+  const FluentFile& GetFile() const { return this->File; }
+  const ScanError& GetError() const { return this->Error ? this->Error : this->File.GetError(); }
+
+private:
+  bool ReadTree();
+  void AddArrays(vtkUnstructuredGrid* grid) const;
+  void AddIds(vtkUnstructuredGrid* grid) const;
+
+  FluentFile File;
+  const PieceRequest& Request;
+  vtkIdType Chunk;
+  FluentFaces Faces;
+  FluentCells Cells;
+  FluentPiece Piece;
+  FluentFaceTree Tree;
+  ScanError Error;
+};
+
+//------------------------------------------------------------------------------
+// Split faces: "(59 (first last parents children) (n child1 ... childn ...))".
+bool FluentMeshReading::ReadTree()
+{
+  for (const FluentSection& section : this->File.FaceTrees)
+  {
+    if (!section.IsText() || !section.Begin || section.HeaderSize < 2)
+    {
+      continue;
+    }
+    const char* text = section.Begin;
+    const auto read = [&](std::int64_t& value, const char* what)
+    {
+      const char* const place = text;
+      text = ParseHex(text, section.End, value);
+      if (!text)
+      {
+        this->File.FailAt(place, ErrorKind::Syntax, std::string(what) + ", a hexadecimal number");
+      }
+      return text != nullptr;
+    };
+    for (std::int64_t id = section.Header[0]; id <= section.Header[1]; ++id)
+    {
+      std::int64_t count = 0, child = 0;
+      const vtkIdType parent = this->Faces.FindId(id);
+      if (!read(count, "the number of parts of a face"))
+      {
+        return false;
+      }
+      for (; count > 0; --count)
+      {
+        const char* const place = text;
+        if (!read(child, "a part of a face"))
+        {
+          return false;
+        }
+        const vtkIdType position = this->Faces.FindId(child);
+        if (position < 0 || parent < 0)
+        {
+          this->File.FailAt(place, ErrorKind::Index,
+            parent < 0 ? "parts of a face that is there" : "a face that is there",
+            std::to_string(parent < 0 ? id : child));
+          return false;
+        }
+        this->Tree.Entries.push_back({ position, parent });
+      }
+    }
+  }
+  std::stable_sort(this->Tree.Entries.begin(), this->Tree.Entries.end(),
+    [](const FluentFaceTree::Entry& a, const FluentFaceTree::Entry& b)
+    { return a.Child < b.Child; });
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, const Progress& progress)
+{
+  if (!this->File.Scan(otherOrder, progress.Part(0, 0.1)))
+  {
+    return false;
+  }
+  const vtkIdType nodes = CountFluentNodes(this->File);
+  if (nodes < 0 || !this->Faces.Load(this->File, this->Chunk, progress.Part(0.1, 0.4)))
+  {
+    return false;
+  }
+  if (this->File.DeclaredFaces > this->Faces.GetCount() && this->Faces.GetCount() > 0)
+  {
+    this->File.Fail(ErrorKind::Truncated,
+      std::to_string(this->File.DeclaredFaces) + " faces, as declared",
+      std::to_string(this->Faces.GetCount()));
+    return false;
+  }
+  if (this->Faces.GetCount() == 0 || nodes == 0)
+  {
+    this->File.Fail(
+      ErrorKind::Unsupported, "a mesh with nodes and faces", nodes == 0 ? "no nodes" : "no faces");
+    return false;
+  }
+  constexpr std::int64_t MaxCellsPerFace = 4; // two, and as many that were refined
+  if (!this->Cells.Load(this->File, MaxCellsPerFace * this->Faces.GetCount()) ||
+    !this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.4, 0.45)))
+  {
+    return false;
+  }
+  if (this->Cells.GetNumberOfLeaves() == 0)
+  {
+    this->File.Fail(
+      ErrorKind::Unsupported, "a mesh with cells", "faces that belong to no cell (a surface)");
+    return false;
+  }
+  if (!this->ReadTree() ||
+    !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.45, 0.5)))
+  {
+    return false;
+  }
+  const auto coordinates =
+    ReadFluentNodes(this->File, this->Piece, this->Chunk, progress.Part(0.5, 0.6));
+  if (!coordinates)
+  {
+    return false;
+  }
+  const FluentMesh mesh{ this->Faces, this->Cells, this->Piece, this->Tree,
+    this->File.GetDimension() };
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  grid->SetPoints(points);
+  if (!BuildFluentCells(mesh, grid, warnings, this->Error, progress.Part(0.6, 1)))
+  {
+    if (this->Error)
+    {
+      this->Error.Message = this->File.GetName() + ": " + this->Error.Message;
+    }
+    return false;
+  }
+  this->AddArrays(grid);
+  this->AddIds(grid);
+  if (boundaries)
+  {
+    MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries);
+  }
+  if (this->Request.Piece == 0)
+  {
+    WarnOfPoints(coordinates, warnings, Progress(), "node", "nodes");
+    if (this->Cells.GetNumberOfUndeclared() > 0)
+    {
+      warnings.Add(std::to_string(this->Cells.GetNumberOfUndeclared()) +
+        " cells are in no section of cells, so that their type and zone are not known");
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void FluentMeshReading::AddArrays(vtkUnstructuredGrid* grid) const
+{
+  const vtkIdType size = this->Piece.GetNumberOfCells();
+  Buffer<int> zones(size);
+  const bool hasGaps = this->Cells.HasGaps();
+  Buffer<vtkIdType> ids(hasGaps ? size : 0);
+  constexpr vtkIdType Grain = 65536;
+  ParallelFor(size, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const vtkIdType leaf = this->Piece.GetLeaf(cell);
+        zones[cell] = this->Cells.GetZone(leaf);
+        if (hasGaps)
+        {
+          ids[cell] = this->Cells.GetId(leaf);
+        }
+      }
+    });
+  const auto zoneArray = zones.TakeArray<vtkIntArray>();
+  zoneArray->SetName("Zone");
+  grid->GetCellData()->AddArray(zoneArray);
+  if (hasGaps)
+  {
+    const auto idArray = ids.TakeArray<vtkIdTypeArray>();
+    idArray->SetName("OriginalCellId");
+    grid->GetCellData()->AddArray(idArray);
+  }
+  AddFluentZones(this->File, grid->GetFieldData());
+}
+
+//------------------------------------------------------------------------------
+// Where points and cells of a piece are in the whole, and which of them are ghosts.
+void FluentMeshReading::AddIds(vtkUnstructuredGrid* grid) const
+{
+  if (this->Piece.IsWhole())
+  {
+    return;
+  }
+  const auto add = [this](const IdSet& members, vtkDataSetAttributes* attributes, const char* name,
+                     unsigned char flag, auto&& isGhost)
+  {
+    const std::vector<std::int32_t> ids = members.GetMembers();
+    Buffer<vtkIdType> values(static_cast<vtkIdType>(ids.size()));
+    std::copy(ids.begin(), ids.end(), values.data());
+    SetGlobalIds(attributes, std::move(values), name);
+    if (this->Piece.HasGhosts())
+    {
+      Buffer<unsigned char> flags(static_cast<vtkIdType>(ids.size()));
+      std::transform(ids.begin(), ids.end(), flags.data(),
+        [&](std::int32_t id) { return isGhost(id) ? flag : static_cast<unsigned char>(0); });
+      SetGhosts(attributes, std::move(flags));
+    }
+  };
+  add(this->Piece.GetPoints(), grid->GetPointData(), "GlobalPointIds",
+    vtkDataSetAttributes::DUPLICATEPOINT,
+    [this](vtkIdType id) { return this->Piece.IsGhostPoint(id); });
+  add(this->Piece.GetLeaves(), grid->GetCellData(), "GlobalCellIds",
+    vtkDataSetAttributes::DUPLICATECELL,
+    [this](vtkIdType id) { return this->Piece.IsGhostLeaf(id); });
+}
+
+//------------------------------------------------------------------------------
+bool ReadContent(const std::string& name, const char* begin, const char* end,
+  const PieceRequest& request, vtkIdType chunk, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  const std::string other = RecogniseOther(begin, end);
+  if (!other.empty())
+  {
+    error = { ErrorKind::NotThisFormat, name + ": expected a Fluent mesh, found " + other };
+    return false;
+  }
+  FluentMeshReading reading(name, begin, end, request, chunk);
+  if (reading.Read(false, grid, boundaries, warnings, progress))
+  {
+    return true;
+  }
+  error = reading.GetError();
+  const bool isAboutNumbers = error.Kind == ErrorKind::Index || error.Kind == ErrorKind::Count ||
+    error.Kind == ErrorKind::Truncated || error.Kind == ErrorKind::Syntax;
+  if (progress.IsStopped() || !isAboutNumbers || !reading.GetFile().HasBinarySections())
+  {
+    return false;
+  }
+  // Some writers are wrong about the order of bytes.
+  FluentMeshReading again(name, begin, end, request, chunk);
+  Warnings others;
+  grid->Initialize();
+  if (again.Read(true, grid, boundaries, others, progress))
+  {
+    error = ScanError();
+    warnings = others;
+    warnings.Add("the binary data is in another byte order than the file says");
+    return true;
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsFluentMesh(const std::string& path)
+{
+  bool good = false;
+  ScanError error;
+  ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      constexpr std::ptrdiff_t Enough = 65536;
+      const char* begin = file.begin();
+      const char* end = begin + std::min<std::ptrdiff_t>(file.end() - begin, Enough);
+      Inflation inflation;
+      if (Inflation::IsCompressed(begin, end))
+      {
+        if (!inflation.Inflate(file, error, Progress(), Enough))
+        {
+          return false;
+        }
+        begin = inflation.begin();
+        end = inflation.end();
+      }
+      good = FluentFile::IsFluent(begin, end);
+      return good;
+    });
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
+  vtkIdType chunk)
+{
+  const auto clear = [&]
+  {
+    grid->Initialize();
+    if (boundaries)
+    {
+      boundaries->Initialize();
+    }
+  };
+  clear();
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      const char* begin = file.begin();
+      const char* end = file.end();
+      Inflation inflation;
+      const bool isCompressed = Inflation::IsCompressed(begin, end);
+      if (isCompressed)
+      {
+        if (!inflation.Inflate(file, error, progress.Part(0, 0.5)))
+        {
+          return false;
+        }
+        begin = inflation.begin();
+        end = inflation.end();
+      }
+      return ReadContent(file.GetName(), begin, end, request, chunk, grid, boundaries, warnings,
+        error, progress.Part(isCompressed ? 0.5 : 0, 1));
+    });
+  if (!good)
+  {
+    clear();
+  }
+  return good;
+}
+}

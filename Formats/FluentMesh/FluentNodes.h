@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FluentNodes.h
+ * @brief Reads the coordinates of a Fluent file.
+ */
+#ifndef camaron_FluentNodes_h
+#define camaron_FluentNodes_h
+
+#include "FluentPiece.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkDataArray;
+
+namespace camaron
+{
+/// Number of nodes after a check that the sections define every one of them; -1 with the error in
+/// @a file.
+vtkIdType CountFluentNodes(FluentFile& file);
+
+/**
+ * Coordinates of the points of a piece: float if all of them are so in a binary file, else double.
+ * nullptr with the error in @a file, or if stopped.
+ */
+vtkSmartPointer<vtkDataArray> ReadFluentNodes(
+  FluentFile& file, const FluentPiece& piece, vtkIdType chunk, const Progress& progress);
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FluentText.h
+ * @brief Hexadecimal numbers as Fluent's files have them: either case, no prefix.
+ */
+#ifndef camaron_FluentText_h
+#define camaron_FluentText_h
+
+#include "Scan/Number.h"
+
+#include <array> // for the table of digits
+
+namespace camaron
+{
+namespace detail
+{
+constexpr std::array<signed char, 256> MakeHexDigits()
+{
+  std::array<signed char, 256> digits{};
+  for (int c = 0; c < 256; ++c)
+  {
+    digits[c] = static_cast<signed char>(c >= '0' && c <= '9' ? c - '0'
+        : c >= 'a' && c <= 'f'                                ? c - 'a' + 10
+        : c >= 'A' && c <= 'F'                                ? c - 'A' + 10
+                                                              : -1);
+  }
+  return digits;
+}
+inline constexpr std::array<signed char, 256> HexDigits = MakeHexDigits();
+}
+
+/**
+ * Reads a number after white space; returns where it ends, or nullptr if there is none, if
+ * something else follows it directly, or if it exceeds 63 bits.
+ */
+inline const char* ParseHex(const char* text, const char* end, std::int64_t& value)
+{
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  const char* const first = text;
+  std::uint64_t number = 0;
+  for (; text < end; ++text)
+  {
+    const int digit = detail::HexDigits[static_cast<unsigned char>(*text)];
+    if (digit < 0)
+    {
+      break;
+    }
+    if (number >> 59)
+    {
+      return nullptr;
+    }
+    number = number << 4 | static_cast<unsigned int>(digit);
+  }
+  if (text == first || (text < end && !IsSpace(*text)))
+  {
+    return nullptr;
+  }
+  value = static_cast<std::int64_t>(number);
+  return text;
+}
+}
+
+#endif

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the reader does with Fluent files that are damaged, cut off or something else altogether.
+#include "FluentMeshSamples.h"
+#include "vtkFluentMeshReader.h"
+
+#include "vtkErrorCode.h"
+
+#include <chrono>
+#include <random>
+#include <sstream>
+
+#if defined(__linux__)
+#include <sys/resource.h>
+#endif
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+constexpr double MaxSeconds = 5;
+
+//------------------------------------------------------------------------------
+Result ReadBytes(const std::string& bytes)
+{
+  return ReadWith<vtkFluentMeshReader>(File(bytes, "test.msh").Path);
+}
+
+//------------------------------------------------------------------------------
+// Whether bytes are read; if not, properly refused, and soon.
+bool ReadsOrRefuses(const std::string& bytes)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const Result result = ReadBytes(bytes);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(took.count(), MaxSeconds);
+  EXPECT_TRUE(result.Errors.empty() || result.IsProperError());
+  return result.Errors.empty();
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> MakeSamples()
+{
+  FluentSample polyhedra = MakeMixed(2);
+  for (FluentSample::Cell& cell : polyhedra.Cells)
+  {
+    cell.Element = 7;
+  }
+  std::vector<std::string> samples;
+  for (const FluentSample& mesh : { MakeMixed(1), polyhedra, MakeFlat(6) })
+  {
+    for (const FluentEncoding& how : GetEncodings())
+    {
+      samples.push_back(Encode(mesh, how));
+    }
+  }
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+void ExpectError(const std::string& bytes, unsigned long code, const std::string& message)
+{
+  const Result result = ReadBytes(bytes);
+  ASSERT_TRUE(result.IsProperError()) << message;
+  EXPECT_EQ(result.ErrorCode, code) << result.Errors[0];
+  EXPECT_NE(result.Errors[0].find(message), std::string::npos) << result.Errors[0];
+}
+
+//------------------------------------------------------------------------------
+std::string Replace(std::string text, const std::string& old, const std::string& other)
+{
+  EXPECT_NE(text.find(old), std::string::npos) << old;
+  return text.replace(text.find(old), old.size(), other);
+}
+
+// Keeps a faulty reader from taking all memory of the machine.
+const struct MemoryLimit
+{
+  MemoryLimit()
+  {
+#if defined(__linux__) && !defined(__SANITIZE_ADDRESS__)
+    constexpr rlim_t Limit = rlim_t(8) << 30;
+    const rlimit limit = { Limit, Limit };
+    setrlimit(RLIMIT_AS, &limit);
+#endif
+  }
+} limit;
+
+const std::string Tetrahedron = "(2 3)\n(10 (0 1 4 0 3))\n(12 (0 1 1 0))\n(13 (0 1 4 0))\n"
+                                "(10 (1 1 4 1 3)(\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n))\n"
+                                "(12 (2 1 1 1 2))\n(13 (3 1 4 3 3)(\n1 2 3 1 0\n1 4 2 1 0\n"
+                                "2 4 3 1 0\n3 4 1 1 0\n))\n";
+}
+
+//------------------------------------------------------------------------------
+// If this fails, errors do not say where they are or what they are.
+TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
+{
+  const auto unknown = vtkErrorCode::UnrecognizedFileTypeError;
+  const auto format = vtkErrorCode::FileFormatError;
+  const auto premature = vtkErrorCode::PrematureEndOfFileError;
+  ASSERT_TRUE(ReadBytes(Tetrahedron).Errors.empty());
+  const auto change = [](const std::string& old, const std::string& other)
+  { return Replace(Tetrahedron, old, other); };
+
+  ExpectError("", unknown, "test.msh: expected a Fluent mesh, found an empty file");
+  ExpectError("solid x\n", unknown, "test.msh:1: expected a section of a Fluent mesh");
+  ExpectError("\x89HDF\r\n\x1a\n0123", unknown, "ParaView's FLUENT CFF reader");
+  ExpectError("$MeshFormat\n2.2 0 8\n", unknown, "Gmsh");
+  ExpectError("(0 \"only a comment\")\n", unknown, "no nodes or faces");
+  ExpectError("(2 4)\n", format, "test.msh:1: expected the dimension of the mesh, 2 or 3");
+  ExpectError("(2 3)\n(10 (0 1 4 0))\n", premature, "4 nodes, as declared, found 0");
+  ExpectError("(2 3)\n(10 (1 1 1 1)(1 2 3))\n", vtkErrorCode::FileFormatError, "found no faces");
+  ExpectError(Tetrahedron + "(45 (1 x", premature,
+    "test.msh:18: expected a parenthesis that closes the section that begins here");
+  ExpectError(Tetrahedron + "x", format, "test.msh:18: expected a section");
+  ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 z 1 3)"), format,
+    "test.msh:5: expected a hexadecimal number or the end of the header, found 'z'");
+  ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 2 4 1 3)"), format,
+    "test.msh:5: expected the nodes from 1 on, found 2");
+  ExpectError(
+    change("(10 (1 1 4 1 3)", "(10 (1 1 5 1 3)"), premature, "test.msh:5: expected 15 coordinates");
+  ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 3 1 3)"), premature, "4 nodes, as declared");
+  ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 ffffffffff 1 3)"), format, "below 80000000");
+  ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 7fffffff 1 3)"), premature,
+    "test.msh:5: expected 6442450941 coordinates");
+  ExpectError(change("0 1 0\n0 0 1", "0 y 0\n0 0 1"), format,
+    "test.msh:8: expected a coordinate of node 3, found 'y'");
+  ExpectError(
+    change("0 0 1\n))", "0 0\n))"), premature, "test.msh:10: expected a coordinate of node 4");
+  ExpectError(change("0 0 1\n))", "0 0 1 7\n))"), format,
+    "test.msh:9: expected the end of the section after 4 nodes, found '7'");
+  ExpectError(
+    change("(13 (3 1 4 3 3)", "(13 (3 1 4 3 7)"), format, "a type of faces: 0, 2, 3, 4 or 5");
+  ExpectError(change("(13 (3 1 4 3 3)", "(13 (3 1 5 3 3)"), format, "faces from 1 to 4, found 5");
+  ExpectError(change("(13 (3 1 4 3 3)", "(13 (3 1 3 3 3)"), format,
+    "test.msh:16: expected the end of the section after 3 faces, found '3'");
+  ExpectError(change("(13 (0 1 4 0))", "(13 (0 1 7fffffff 0))"), premature,
+    "2147483647 faces, as declared, found 4");
+  ExpectError(Replace(change("(13 (0 1 4 0))", ""), "(13 (3 1 4 3 3)", "(13 (3 1 7fffffff 3 3)"),
+    premature, "expected 2147483647 faces in the section that begins here");
+  ExpectError(change("2 4 3 1 0", "2 4 5 1 0"), format,
+    "test.msh:15: expected a node of face 3 from 1 to 4, found 5");
+  ExpectError(change("2 4 3 1 0", "2 4 0 1 0"), format, "a node of face 3 from 1 to 4, found 0");
+  ExpectError(change("2 4 3 1 0", "2 4 3 1 2"), format,
+    "test.msh:15: expected a cell of face 3 from 0 to 1, found 2");
+  ExpectError(change("2 4 3 1 0", "2 4 3 -1 0"), format, "test.msh:15: expected a cell of face 3");
+  ExpectError(change("2 4 3 1 0", "2 4 3 1 g"), format, "found 'g'");
+  ExpectError(change("2 4 3 1 0", "2 4 ffffffff 1 0"), format, "up to 2147483647");
+  ExpectError(change("(12 (0 1 1 0))", "(12 (0 1 7fffffff 0))"), format, "at most 16 cells");
+  ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 1 1 8)"), format, "a type of cells from 0 to 7");
+  ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 1 1 0)(9)"), format,
+    "expected the type of cell 1 from 0 to 7");
+  ExpectError(change("(12 (2 1 1 1 2)", "(12 (2 1 2 1 2)"), format, "cells from 1 to 1, found 2");
+  ExpectError(
+    change("(12 (2 1 1 1 2)", "(12 (2 1 1 0 2)"), vtkErrorCode::FileFormatError, "no cell");
+  ExpectError(Tetrahedron + "(59 (1 1 3 3)(1 9))", format, "a face that is there, found 9");
+  ExpectError(
+    Tetrahedron + "(59 (9 9 3 3)(1 1))", format, "parts of a face that is there, found 9");
+  ExpectError(Tetrahedron + "(59 (1 1 3 3)(3 1 1))", format, "a part of a face");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, wrong words of a binary file are followed, or reported at the wrong place.
+TEST(FluentMeshDamage, WrongWordsInBinary)
+{
+  FluentSample mesh;
+  for (int i = 0; i < 4; ++i)
+  {
+    mesh.AddPoint(i == 1, i == 2, i == 3);
+  }
+  mesh.AddVTKCell(2, VTK_TETRA, { 0, 1, 2, 3 });
+  FluentEncoding how;
+  how.RealSize = 8;
+  for (const bool uniform : { false, true })
+  {
+    how.Uniform = uniform;
+    const std::string bytes = Encode(mesh, how);
+    ASSERT_TRUE(ReadBytes(bytes).Errors.empty());
+    const std::size_t faces = bytes.find("(3013 (4");
+    const std::size_t words = bytes.find("(", bytes.find("\n", faces)) + 1;
+    const auto set = [&](std::size_t word, std::int32_t value)
+    {
+      std::string changed = bytes;
+      Store(&changed[words + 4 * word], value, false);
+      return changed;
+    };
+    const std::size_t node = uniform ? 0 : 1;
+    ExpectError(set(node, 5), vtkErrorCode::FileFormatError,
+      "test.msh: byte " + std::to_string(words + 4 * node) +
+        ": expected a node of face 1 from 1 to 4, found 5");
+    ExpectError(
+      set(node + 4, 2), vtkErrorCode::FileFormatError, "a cell of face 1 from 0 to 1, found 2");
+    ExpectError(set(node + 3, -1), vtkErrorCode::FileFormatError, "found -1");
+    if (!uniform)
+    {
+      ExpectError(set(0, -3), vtkErrorCode::FileFormatError, "the number of nodes of face 1");
+      ExpectError(set(0, INT32_MAX), vtkErrorCode::PrematureEndOfFileError, "found 2147483647");
+    }
+    ExpectError(Replace(bytes, "End of Binary Section   3013", "End of Something Else"),
+      vtkErrorCode::FileFormatError, "'End of Binary Section 3013'");
+    ExpectError(Replace(bytes, "(3010 (1 1 4 1 3)", "(3010 (1 1 fffff 1 3)"),
+      vtkErrorCode::PrematureEndOfFileError, "25165800 bytes of the section that begins at byte");
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a file that was cut off crashes or hangs the reader, or shows half a mesh as
+// whole.
+TEST(FluentMeshDamage, CutOffAnywhere)
+{
+  const std::string names = "(45 (2 fluid";
+  for (const std::string& bytes : MakeSamples())
+  {
+    const Result whole = ReadBytes(bytes);
+    ASSERT_TRUE(whole.Errors.empty()) << whole.Errors[0];
+    const std::size_t zones = bytes.find(names);
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + size / 40)
+    {
+      const Result result = ReadBytes(bytes.substr(0, size));
+      if (result.Errors.empty())
+      {
+        // Names of zones may be missing between two sections; the mesh may not.
+        EXPECT_GE(size + 1, zones) << bytes.substr(0, 60);
+        ExpectSameGrid(whole.Grid, result.Grid);
+      }
+      else
+      {
+        EXPECT_TRUE(result.IsProperError()) << size;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, some damage crashes the reader. Damaged files may still be good meshes.
+TEST(FluentMeshDamage, RandomDamage)
+{
+  const char* rounds = std::getenv("CAMARON_FUZZ_ROUNDS"); // for longer runs by hand
+  const int numberOfRounds = rounds ? std::atoi(rounds) : 150;
+  std::mt19937 random(8);
+  int errors = 0;
+  for (const std::string& bytes : MakeSamples())
+  {
+    for (int i = 0; i < numberOfRounds; ++i)
+    {
+      std::string damaged = bytes;
+      for (int flips = 1 + i % 4; flips > 0; --flips)
+      {
+        damaged[random() % damaged.size()] ^= static_cast<char>(1 << random() % 8);
+      }
+      if (i % 5 == 0)
+      {
+        damaged.erase(random() % damaged.size(), 1 + random() % 9);
+      }
+      errors += !ReadsOrRefuses(damaged);
+    }
+  }
+  EXPECT_GT(errors, numberOfRounds);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, damage to real files crashes the reader.
+TEST(FluentMeshDamage, CollectedFiles)
+{
+  const char* folder = std::getenv("CAMARON_SHARED_DATA");
+  if (!folder || !std::filesystem::exists(std::string(folder) + "/ansys_fluent"))
+  {
+    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_fluent";
+  }
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry :
+    std::filesystem::directory_iterator(std::string(folder) + "/ansys_fluent"))
+  {
+    constexpr std::uintmax_t Small = 1000000; // so that the test takes seconds
+    if (entry.file_size() < Small)
+    {
+      paths.push_back(entry.path());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  std::mt19937 random(9);
+  const int flips = 2000 / static_cast<int>(paths.size()) + 1;
+  for (const std::filesystem::path& path : paths)
+  {
+    std::ostringstream stream;
+    stream << std::ifstream(path, std::ios::binary).rdbuf();
+    const std::string bytes = stream.str();
+    EXPECT_TRUE(ReadsOrRefuses(bytes)) << path;
+    for (int i = 0; i < 200; ++i)
+    {
+      ReadsOrRefuses(bytes.substr(0, random() % bytes.size()));
+    }
+    for (int i = 0; i < flips; ++i)
+    {
+      std::string damaged = bytes;
+      damaged[random() % damaged.size()] ^= static_cast<char>(1 << random() % 8);
+      ReadsOrRefuses(damaged);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(FluentMeshDamage, NoFile)
+{
+  const File file("(2 3)\n", "test.msh");
+  for (const std::string& path : { file.Path + ".missing", file.GetFolder().string() })
+  {
+    const Result result = ReadWith<vtkFluentMeshReader>(path);
+    EXPECT_TRUE(result.IsProperError());
+    EXPECT_EQ(result.ErrorCode, static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
+  }
+}
