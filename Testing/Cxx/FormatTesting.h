@@ -130,7 +130,8 @@ inline ::testing::AssertionResult HaveSameValues(vtkDataArray* a, vtkDataArray* 
                                          << b->GetNumberOfValues();
   }
   // Bit by bit, as nan is not equal to itself.
-  if (std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
+  if (a->GetNumberOfValues() > 0 &&
+    std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
         static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) != 0)
   {
     return ::testing::AssertionFailure() << "values differ";
