@@ -51,7 +51,9 @@ camaron_format(
   EXTENSIONS  ply
   DESCRIPTION "PLY mesh with all its arrays"
   READS       "ASCII, binary of both byte orders, polygons, strips, edges, polyhedra, all properties"
-  READER)
+  WRITES      "ASCII and binary of both byte orders, surfaces or polyhedra, with all arrays"
+  READER
+  WRITER)
 
 camaron_format(
   NAME        TS

@@ -8,40 +8,10 @@
 #define camaron_PLYCells_h
 
 #include "CellMesh/CellMesh.h"
-#include "PLYRows.h"
+#include "PLYParts.h"
 
 namespace camaron
 {
-/// What an element becomes, if any.
-enum class PLYRole
-{
-  None,
-  Points,
-  Faces,    ///< lists of vertices
-  Strips,   ///< lists of vertices, of which every three in a row are a triangle
-  Edges,    ///< two vertices
-  Polyhedra ///< lists of faces
-};
-
-/// An element with its role.
-struct PLYPart
-{
-  PLYRole Role = PLYRole::None;
-  std::unique_ptr<PLYRows> Rows;
-  std::vector<bool> Used;   ///< properties that tell what the element is
-  int List = -1;            ///< of vertices or faces
-  int Ends[2] = { -1, -1 }; ///< of edges
-
-  ///@{
-  /// Of cells: the first one, how many, and which cell a row is where these are not one after the
-  /// other.
-  vtkIdType FirstCell = 0;
-  vtkIdType NumberOfCells = 0;
-  Buffer<std::int32_t> Items;
-  ///@}
-  Buffer<std::int32_t> RowOfCell; ///< of strips
-};
-
 class PLYCells
 {
 public:

@@ -19,44 +19,6 @@ namespace
 constexpr char Vertex[] = "vertex";
 
 //------------------------------------------------------------------------------
-// The list of integers by one of these names, or else the only list of integers.
-int FindList(const PLYElement& element, std::initializer_list<const char*> names)
-{
-  const int named = element.Find(names, true);
-  if (named >= 0)
-  {
-    return IsReal(element.Properties[named].Type) ? -1 : named;
-  }
-  int found = -1;
-  for (std::size_t i = 0; i < element.Properties.size(); ++i)
-  {
-    if (element.Properties[i].IsList && !IsReal(element.Properties[i].Type))
-    {
-      if (found >= 0)
-      {
-        return -1;
-      }
-      found = static_cast<int>(i);
-    }
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
-// Camarón writes edges as five integers, of which the header tells nothing.
-void CompleteEdges(PLYElement& element)
-{
-  for (const char* name : { "vertex1", "vertex2", "red", "green", "blue" })
-  {
-    PLYProperty property;
-    property.Name = name;
-    property.Type = PLYType::Int32;
-    property.IsColour = name[0] != 'v';
-    element.Properties.push_back(property);
-  }
-}
-
-//------------------------------------------------------------------------------
 std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
 {
   const PLYSubject subject = part.Role == PLYRole::Points ? PLYSubject::Points
@@ -78,48 +40,6 @@ Buffer<std::int32_t> FindPlaces(vtkDataSetAttributes* attributes, vtkIdType numb
   }
   return places;
 }
-}
-
-//------------------------------------------------------------------------------
-void PLYMesh::AddPart(const PLYElement& element)
-{
-  PLYPart part;
-  const std::string& name = element.Name;
-  std::vector<int> used;
-  if (name == Vertex && !this->FindPart(PLYRole::Points))
-  {
-    part.Role = PLYRole::Points;
-  }
-  else if (name == "face" || name == "tristrips")
-  {
-    part.List = FindList(element, { "vertex_indices", "vertex_index" });
-    part.Role = part.List < 0 ? PLYRole::None : name == "face" ? PLYRole::Faces : PLYRole::Strips;
-  }
-  else if (name == "edge")
-  {
-    part.Ends[0] = element.Find({ "vertex1", "v1" }, false);
-    part.Ends[1] = element.Find({ "vertex2", "v2" }, false);
-    const bool hasEnds = part.Ends[0] >= 0 && part.Ends[1] >= 0;
-    part.List = hasEnds ? -1 : FindList(element, { "vertex_indices", "vertex_index" });
-    part.Role = hasEnds || part.List >= 0 ? PLYRole::Edges : PLYRole::None;
-    used = hasEnds ? std::vector<int>{ part.Ends[0], part.Ends[1] } : std::vector<int>();
-  }
-  else if (name == "cell" || name == "polyhedron")
-  {
-    part.List = element.Find({ "face_indices", "face_index" }, true);
-    part.List = part.List >= 0 && IsReal(element.Properties[part.List].Type) ? -1 : part.List;
-    part.Role = part.List >= 0 ? PLYRole::Polyhedra : PLYRole::None;
-  }
-  if (part.List >= 0)
-  {
-    used.push_back(part.List);
-  }
-  part.Used.resize(element.Properties.size(), false);
-  for (const int property : used)
-  {
-    part.Used[property] = true;
-  }
-  this->Parts.push_back(std::move(part));
 }
 
 //------------------------------------------------------------------------------
@@ -513,11 +433,8 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
   }
   for (PLYElement element : this->Header.Elements)
   {
-    if (element.Name == "edge" && element.Properties.empty())
-    {
-      CompleteEdges(element);
-    }
-    this->AddPart(element);
+    CompleteElement(element);
+    this->Parts.push_back(MakePart(element, this->FindPart(PLYRole::Points) != nullptr));
     this->Parts.back().Rows = makeRows(element);
     if (!this->Parts.back().Rows->Locate(progress.Part(0, 0.2)))
     {

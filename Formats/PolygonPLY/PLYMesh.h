@@ -44,7 +44,6 @@ public:
   ScanError Error;
 
 private:
-  void AddPart(const PLYElement& element);
   PLYPart* FindPart(PLYRole role);
   bool ReadCells(const Progress& progress);
   bool ReadPolyhedra(const Progress& progress);

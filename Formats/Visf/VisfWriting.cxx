@@ -3,8 +3,7 @@
 #include "VisfWriting.h"
 
 #include "CellMesh/OutputWarnings.h"
-#include "Mesh/CellFacets.h"
-#include "Mesh/MeshTopology.h"
+#include "FaceMesh/SharedFaces.h"
 #include "Scan/Buffer.h"
 #include "Scan/Bytes.h"
 #include "Scan/MappedFile.h"
@@ -14,8 +13,6 @@
 #include "vtkDataSet.h"
 
 #include <algorithm>
-#include <map>
-#include <mutex>
 #include <new>
 #include <stdexcept>
 
@@ -26,38 +23,14 @@ namespace
 constexpr vtkIdType ChunkSize = 4096;
 
 //------------------------------------------------------------------------------
-// Lists in the form of the file, n id1 ... idn, with the word at which every chunk of lists begins.
-struct WordLists
-{
-  vtkIdType Count = 0;
-  Buffer<std::int32_t> Words;
-  std::vector<vtkIdType> Starts;
-  vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Starts.size()) - 1; }
-};
-
-//------------------------------------------------------------------------------
-// What a cell of VTK is to Visf.
-enum class Role
-{
-  Polyhedron,
-  Polygon,
-  Strip,
-  None
-};
-
-//------------------------------------------------------------------------------
-// The polygons and polyhedra of a mesh, and how they are numbered.
-class VisfLists
+// The polygons and polyhedra of a mesh, or just its points.
+class VisfLists : public SharedFaces
 {
 public:
   VisfLists(vtkDataSet* mesh, Warnings& warnings)
-    : Topology(mesh)
-    , Mesh(this->Topology.GetMesh())
-    , Faces(this->Topology.GetFaces())
-    , Shapes(&GetCellShape(0))
+    : SharedFaces(mesh, GetUsualRoles())
   {
-    this->Classify(warnings);
-    if (!this->Cloud)
+    if (!this->IsCloud(warnings))
     {
       this->Build();
     }
@@ -67,82 +40,32 @@ public:
   {
     return this->Polyhedra.Count > 0 ? 2 : this->Polygons.Count > 0 ? 1 : 0;
   }
-  const MeshView& GetMesh() const { return this->Mesh; }
-
-  WordLists Polygons;
-  WordLists Polyhedra;
 
 private:
-  Role GetRole(vtkIdType cell) const;
-  void Classify(Warnings& warnings);
-  bool IsClosed(vtkIdType cell) const;
-  void ShareFacet(Index facet);
-  void FindExtraUses();
-  void Build();
-  struct Scratch
-  {
-    CellFacets Facets;
-    std::vector<vtkIdType> Polygon;
-  };
-  template <typename Visit>
-  void ForEachPolygon(Scratch& scratch, vtkIdType cell, Visit&& visit) const;
-  std::int32_t GetPolygon(vtkIdType cell, Index local, Index facet) const;
-
-  MeshTopology Topology;
-  const MeshView& Mesh;
-  const FacetTable& Faces;
-  const CellShape* Shapes;
-  bool Cloud = true;
-  std::vector<std::int32_t> PolygonOfFacet;
-  // A use of a facet by a cell, as the cell and its local number.
-  using Use = std::pair<vtkIdType, Index>;
-  // Of a use that does not share the first polygon of its facet.
-  struct ExtraUse
-  {
-    Use Start; // the use whose polygon it has; it may be its own
-    std::int32_t Polygon;
-  };
-  std::map<Use, ExtraUse> ExtraUses;
+  bool IsCloud(Warnings& warnings) const;
 };
 
 //------------------------------------------------------------------------------
-Role VisfLists::GetRole(vtkIdType cell) const
+bool VisfLists::IsCloud(Warnings& warnings) const
 {
-  const unsigned char type = this->Mesh.GetCellType(cell);
-  const CellShape& shape = this->Shapes[type];
-  switch (shape.Dimension)
-  {
-    case 3:
-      return type == VTK_POLYHEDRON || shape.NumberOfFaces > 0 ? Role::Polyhedron : Role::None;
-    case 2:
-      return type == VTK_TRIANGLE_STRIP ? Role::Strip : Role::Polygon;
-    case 1:
-    case 0:
-      return type == VTK_LINE || type == VTK_VERTEX ? Role::Polygon : Role::None;
-    default:
-      return type == VTK_EMPTY_CELL ? Role::Polyhedron : Role::None;
-  }
-}
-
-//------------------------------------------------------------------------------
-void VisfLists::Classify(Warnings& warnings)
-{
+  const MeshView& mesh = this->GetMesh();
+  bool isCloud = true;
   Tally higherOrder, small, others;
   vtkIdType corners = 0;
-  for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
-    const CellShape& shape = this->Shapes[this->Mesh.GetCellType(cell)];
-    const Role role = this->GetRole(cell);
-    corners += this->Cloud ? this->Mesh.GetCellPoints(cell).Size : 0;
-    if (shape.IsHigherOrder && role != Role::None)
+    const CellShape& shape = GetCellShape(mesh.GetCellType(cell));
+    const FaceRole role = this->GetRole(cell);
+    corners += isCloud ? mesh.GetCellPoints(cell).Size : 0;
+    if (shape.IsHigherOrder && role != FaceRole::None)
     {
       higherOrder.Add(cell);
     }
     if (shape.Dimension != 0)
     {
-      this->Cloud = false;
+      isCloud = false;
     }
-    if (role == Role::None)
+    if (role == FaceRole::None)
     {
       others.Add(cell);
     }
@@ -152,315 +75,15 @@ void VisfLists::Classify(Warnings& warnings)
     }
   }
   // Every point of a cloud is read as a cell.
-  const bool coversPoints = this->Mesh.GetNumberOfCells() == 0 || corners == this->Mesh.GetNumberOfPoints();
-  this->Cloud = this->Cloud && coversPoints;
-  if (this->Cloud)
+  const bool coversPoints = mesh.GetNumberOfCells() == 0 || corners == mesh.GetNumberOfPoints();
+  if (isCloud && coversPoints)
   {
-    return;
+    return true;
   }
   warnings.Add(higherOrder, "cell", "cells", "of higher order, written by the corners");
   warnings.Add(small, "cell", "cells", "of one or two points, written as polygons with so many vertices");
   warnings.Add(others, "cell", "cells", "of types that Visf cannot hold, left out");
-}
-
-//------------------------------------------------------------------------------
-// Whether every edge belongs to two faces; what the reader can turn by itself.
-bool VisfLists::IsClosed(vtkIdType cell) const
-{
-  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
-  CellFacets(this->Mesh)
-    .ForEach(cell,
-      [&edges](const vtkIdType* points, vtkIdType size, vtkIdType)
-      {
-        for (vtkIdType i = 0; i < size; ++i)
-        {
-          const vtkIdType a = points[i], b = points[i + 1 < size ? i + 1 : 0];
-          if (a != b)
-          {
-            edges.emplace_back(std::min(a, b), std::max(a, b));
-          }
-        }
-      });
-  std::sort(edges.begin(), edges.end());
-  bool closed = edges.size() % 2 == 0;
-  for (std::size_t i = 0; closed && i < edges.size(); i += 2)
-  {
-    closed = edges[i] == edges[i + 1] && (i == 0 || edges[i] != edges[i - 1]);
-  }
-  return closed;
-}
-
-//------------------------------------------------------------------------------
-// Visf allows a polygon two polyhedra, and it can face outward for both only if these run around it in
-// opposite directions. Readers turn closed cells as need be; others need polygons of their own.
-void VisfLists::ShareFacet(Index facet)
-{
-  std::vector<Index> cells;
-  this->Faces.GetCells(facet, cells);
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  const Use none(-1, -1);
-  Use first = none;
-  Use waiting = none; // has a polygon that another use may share
-  bool waitingIsReversed = false;
-  for (const Index cell : cells)
-  {
-    const FacetTable::Range facets = this->Faces.GetCellFacets(cell);
-    for (Index local = 0; local < facets.size(); ++local)
-    {
-      if (facets[local].Facet() != facet)
-      {
-        continue;
-      }
-      const Use use(cell, local);
-      const bool isReversed = facets[local].IsReversed();
-      if (waiting != none &&
-        (isReversed != waitingIsReversed || (this->IsClosed(cell) && this->IsClosed(waiting.first))))
-      {
-        if (waiting != first)
-        {
-          this->ExtraUses[use] = { waiting, -1 };
-        }
-        waiting = none;
-        continue;
-      }
-      if (first == none)
-      {
-        first = use;
-      }
-      else
-      {
-        this->ExtraUses[use] = { use, -1 };
-      }
-      waiting = use;
-      waitingIsReversed = isReversed;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void VisfLists::FindExtraUses()
-{
-  std::vector<Index> facets;
-  std::mutex mutex;
-  Progress().For(this->Mesh.GetNumberOfCells(),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<Index> found;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        for (const CellFacet use : this->Faces.GetCellFacets(cell))
-        {
-          const FacetTable::CellPair cells = this->Faces.GetCells(use.Facet());
-          if (cells.Second >= 0 && !use.IsReversed() &&
-            (cells.First != cell || cells.Second == cell ||
-              this->Faces.GetNumberOfCells(use.Facet()) > 2))
-          {
-            found.push_back(use.Facet());
-          }
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      facets.insert(facets.end(), found.begin(), found.end());
-    });
-  std::sort(facets.begin(), facets.end());
-  facets.erase(std::unique(facets.begin(), facets.end()), facets.end());
-  for (const Index facet : facets)
-  {
-    this->ShareFacet(facet);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Calls visit(points, size, local) for the polygons that a cell is the first to have; local is the
-// number of a face of a 3D cell.
-template <typename Visit>
-void VisfLists::ForEachPolygon(Scratch& scratch, vtkIdType cell, Visit&& visit) const
-{
-  switch (this->GetRole(cell))
-  {
-    case Role::Polyhedron:
-    {
-      if (this->Mesh.GetCellType(cell) == VTK_EMPTY_CELL)
-      {
-        return;
-      }
-      const FacetTable::Range cellFacets = this->Faces.GetCellFacets(cell);
-      scratch.Facets.ForEach(cell,
-        [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-        {
-          const Index facet = cellFacets[static_cast<Index>(local)].Facet();
-          bool first = this->Faces.GetCells(facet).First == cell;
-          for (Index earlier = 0; first && earlier < local; ++earlier)
-          {
-            first = cellFacets[earlier].Facet() != facet;
-          }
-          if (!first && !this->ExtraUses.empty())
-          {
-            const Use use(cell, static_cast<Index>(local));
-            const auto extra = this->ExtraUses.find(use);
-            first = extra != this->ExtraUses.end() && extra->second.Start == use;
-          }
-          if (first)
-          {
-            visit(points, size, local);
-          }
-        });
-      return;
-    }
-    case Role::Strip:
-    {
-      const IndexRange points = this->Mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i + 2 < points.Size; ++i)
-      {
-        const vtkIdType triangle[3] = { points[i], points[i + 1 + i % 2], points[i + 2 - i % 2] };
-        visit(triangle, vtkIdType(3), vtkIdType(-1));
-      }
-      return;
-    }
-    case Role::Polygon:
-      scratch.Facets.GetPolygon(cell, scratch.Polygon);
-      visit(scratch.Polygon.data(), static_cast<vtkIdType>(scratch.Polygon.size()), vtkIdType(-1));
-      return;
-    default:
-      return;
-  }
-}
-
-//------------------------------------------------------------------------------
-std::int32_t VisfLists::GetPolygon(vtkIdType cell, Index local, Index facet) const
-{
-  if (!this->ExtraUses.empty())
-  {
-    const auto extra = this->ExtraUses.find(Use(cell, local));
-    if (extra != this->ExtraUses.end())
-    {
-      return extra->second.Polygon;
-    }
-  }
-  return this->PolygonOfFacet[facet];
-}
-
-//------------------------------------------------------------------------------
-void VisfLists::Build()
-{
-  this->FindExtraUses();
-  const vtkIdType numberOfCells = this->Mesh.GetNumberOfCells();
-  const vtkIdType numberOfChunks = (numberOfCells + ChunkSize - 1) / ChunkSize;
-  struct Sizes
-  {
-    vtkIdType Polygons = 0, PolygonWords = 0, Polyhedra = 0, PolyhedronWords = 0;
-  };
-  std::vector<Sizes> sizes(static_cast<std::size_t>(numberOfChunks) + 1);
-  const auto forChunks = [&](auto&& visit)
-  {
-    Progress().For(numberOfChunks,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        Scratch scratch{ CellFacets(this->Mesh), {} };
-        for (vtkIdType chunk = first; chunk < last; ++chunk)
-        {
-          visit(scratch, chunk, chunk * ChunkSize, std::min((chunk + 1) * ChunkSize, numberOfCells));
-        }
-      });
-  };
-  forChunks(
-    [&](Scratch& scratch, vtkIdType chunk, vtkIdType begin, vtkIdType end)
-    {
-      Sizes sum;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        this->ForEachPolygon(scratch, cell,
-          [&sum](const vtkIdType*, vtkIdType size, vtkIdType)
-          {
-            ++sum.Polygons;
-            sum.PolygonWords += 1 + size;
-          });
-        if (this->GetRole(cell) == Role::Polyhedron)
-        {
-          ++sum.Polyhedra;
-          sum.PolyhedronWords += 1 + this->Faces.GetCellFacets(cell).size();
-        }
-      }
-      sizes[chunk + 1] = sum;
-    });
-  for (vtkIdType chunk = 1; chunk <= numberOfChunks; ++chunk)
-  {
-    sizes[chunk].Polygons += sizes[chunk - 1].Polygons;
-    sizes[chunk].PolygonWords += sizes[chunk - 1].PolygonWords;
-    sizes[chunk].Polyhedra += sizes[chunk - 1].Polyhedra;
-    sizes[chunk].PolyhedronWords += sizes[chunk - 1].PolyhedronWords;
-  }
-  const Sizes& total = sizes.back();
-  if (std::max(total.Polygons, this->Mesh.GetNumberOfPoints()) > INT32_MAX)
-  {
-    throw std::length_error("more polygons or vertices than Visf can number");
-  }
-  this->Polygons.Count = total.Polygons;
-  this->Polygons.Words = Buffer<std::int32_t>(total.PolygonWords);
-  this->Polyhedra.Count = total.Polyhedra;
-  this->Polyhedra.Words = Buffer<std::int32_t>(total.PolyhedronWords);
-  for (const Sizes& size : sizes)
-  {
-    this->Polygons.Starts.push_back(size.PolygonWords);
-    this->Polyhedra.Starts.push_back(size.PolyhedronWords);
-  }
-
-  this->PolygonOfFacet.resize(static_cast<std::size_t>(this->Faces.GetNumberOfFacets()));
-  forChunks(
-    [&](Scratch& scratch, vtkIdType chunk, vtkIdType begin, vtkIdType end)
-    {
-      auto polygon = static_cast<std::int32_t>(sizes[chunk].Polygons);
-      std::int32_t* word = this->Polygons.Words.data() + sizes[chunk].PolygonWords;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        this->ForEachPolygon(scratch, cell,
-          [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-          {
-            *word++ = static_cast<std::int32_t>(size);
-            for (vtkIdType i = 0; i < size; ++i)
-            {
-              *word++ = static_cast<std::int32_t>(points[i]);
-            }
-            if (local >= 0)
-            {
-              const auto extra = this->ExtraUses.find(Use(cell, static_cast<Index>(local)));
-              if (extra != this->ExtraUses.end())
-              {
-                extra->second.Polygon = polygon; // every entry has one writer
-              }
-              else
-              {
-                const Index facet =
-                  this->Faces.GetCellFacets(cell)[static_cast<Index>(local)].Facet();
-                this->PolygonOfFacet[facet] = polygon;
-              }
-            }
-            ++polygon;
-          });
-      }
-    });
-  for (auto& entry : this->ExtraUses)
-  {
-    entry.second.Polygon = this->ExtraUses[entry.second.Start].Polygon;
-  }
-
-  forChunks(
-    [&](Scratch&, vtkIdType chunk, vtkIdType begin, vtkIdType end)
-    {
-      std::int32_t* word = this->Polyhedra.Words.data() + sizes[chunk].PolyhedronWords;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        if (this->GetRole(cell) == Role::Polyhedron)
-        {
-          const FacetTable::Range facets = this->Faces.GetCellFacets(cell);
-          *word++ = facets.size();
-          for (Index local = 0; local < facets.size(); ++local)
-          {
-            *word++ = this->GetPolygon(cell, local, facets[local].Facet());
-          }
-        }
-      }
-    });
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PLYColumns.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+template <typename In, typename Out>
+void AppendAs(const PLYEncoder& encoder, std::string& bytes, const void* values, vtkIdType index)
+{
+  constexpr Out missing =
+    std::numeric_limits<Out>::has_quiet_NaN ? std::numeric_limits<Out>::quiet_NaN() : Out(0);
+  encoder.Append(
+    bytes, index < 0 ? missing : static_cast<Out>(static_cast<const In*>(values)[index]));
+}
+
+//------------------------------------------------------------------------------
+std::string GetArrayName(vtkAbstractArray* array)
+{
+  return array->GetName() ? array->GetName() : "";
+}
+
+//------------------------------------------------------------------------------
+// A word without blanks; letters of other scripts stay.
+std::string MakeWord(const std::string& name)
+{
+  std::string word = name;
+  for (char& c : word)
+  {
+    c = static_cast<unsigned char>(c) <= ' ' || c == '\x7f' ? '_' : c;
+  }
+  return word.empty() ? "array" : word;
+}
+
+//------------------------------------------------------------------------------
+bool IsColour(vtkDataArray* array)
+{
+  return array && array->GetDataType() == VTK_UNSIGNED_CHAR &&
+    (array->GetNumberOfComponents() == 3 || array->GetNumberOfComponents() == 4);
+}
+
+//------------------------------------------------------------------------------
+// The array that is written as colours: the one that the reader would make of them, or the active
+// one.
+vtkDataArray* FindColours(vtkDataSetAttributes* attributes)
+{
+  for (const char* name : { "RGBA", "RGB" })
+  {
+    vtkDataArray* const array = attributes->GetArray(name);
+    if (IsColour(array) && array->GetNumberOfComponents() == (name[3] == 'A' ? 4 : 3))
+    {
+      return array;
+    }
+  }
+  return IsColour(attributes->GetScalars()) ? attributes->GetScalars() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* FindReal(vtkDataArray* active, vtkDataArray* named, int components)
+{
+  for (vtkDataArray* array : { active, named })
+  {
+    if (array && array->GetNumberOfComponents() == components &&
+      (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE))
+    {
+      return array;
+    }
+  }
+  return nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> reserved,
+  std::vector<std::string>& written, Warnings& warnings)
+  : Messages(&warnings)
+  , Names(std::move(reserved))
+{
+  vtkDataArray* const normals =
+    FindReal(attributes->GetNormals(), attributes->GetArray("Normals"), 3);
+  vtkDataArray* const textures =
+    FindReal(attributes->GetTCoords(), attributes->GetArray("TCoords"), 2);
+  vtkDataArray* const colours = FindColours(attributes);
+  if (normals)
+  {
+    this->Add(normals, { "nx", "ny", "nz" });
+  }
+  if (colours)
+  {
+    std::vector<std::string> names = { "red", "green", "blue", "alpha" };
+    names.resize(static_cast<std::size_t>(colours->GetNumberOfComponents()));
+    this->Add(colours, names);
+  }
+  if (textures)
+  {
+    this->Add(textures, { "s", "t" });
+  }
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* const array = attributes->GetArray(i);
+    PLYType type;
+    if (!array || array == attributes->GetGlobalIds() ||
+      GetArrayName(array) == vtkDataSetAttributes::GhostArrayName() ||
+      !FindType(array->GetDataType(), type) || array->GetNumberOfComponents() == 0)
+    {
+      continue;
+    }
+    if (array != normals && array != textures && array != colours)
+    {
+      this->AddOther(array);
+    }
+    written.push_back(GetArrayName(array));
+  }
+  this->Messages = nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Other programs know no integers of 64 bits in PLY files.
+PLYType PLYColumns::ChooseType(vtkDataArray* array, PLYType type)
+{
+  if (type != PLYType::Int64 && type != PLYType::UInt64)
+  {
+    return type;
+  }
+  double least = 0, greatest = 0;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    double range[2];
+    array->GetRange(range, c);
+    least = std::min(least, range[0]);
+    greatest = std::max(greatest, range[1]);
+  }
+  if (array->GetNumberOfTuples() == 0 || (least >= INT32_MIN && greatest <= INT32_MAX))
+  {
+    return PLYType::Int32;
+  }
+  if (least >= 0 && greatest <= UINT32_MAX)
+  {
+    return PLYType::UInt32;
+  }
+  constexpr double Exact = 9007199254740992.; // 2^53, of double
+  if (least < -Exact || greatest > Exact)
+  {
+    this->Messages->Add("the array " + GetArrayName(array) +
+      " has integers that PLY files cannot hold; they are rounded to double");
+  }
+  return PLYType::Double;
+}
+
+//------------------------------------------------------------------------------
+void PLYColumns::Add(vtkDataArray* array, const std::vector<std::string>& names)
+{
+  vtkSmartPointer<vtkDataArray> values = array;
+  if (!array->HasStandardMemoryLayout())
+  {
+    values.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
+    values->DeepCopy(array);
+  }
+  this->Arrays.push_back(values);
+  PLYType type;
+  FindType(array->GetDataType(), type);
+  const PLYType fileType = this->ChooseType(array, type);
+  const AppendFunction append = WithType(type,
+    [&](auto in) -> AppendFunction
+    {
+      using In = decltype(in);
+      return fileType == type         ? &AppendAs<In, In>
+        : fileType == PLYType::Int32  ? &AppendAs<In, std::int32_t>
+        : fileType == PLYType::UInt32 ? &AppendAs<In, std::uint32_t>
+                                      : &AppendAs<In, double>;
+    });
+  for (std::size_t c = 0; c < names.size(); ++c)
+  {
+    this->Names.insert(names[c]);
+    this->Columns.push_back({ names[c], fileType, append,
+      array->GetNumberOfTuples() > 0 ? values->GetVoidPointer(0) : nullptr,
+      array->GetNumberOfComponents(), static_cast<int>(c) });
+  }
+}
+
+//------------------------------------------------------------------------------
+void PLYColumns::AddOther(vtkDataArray* array)
+{
+  const int components = array->GetNumberOfComponents();
+  std::string base = MakeWord(GetArrayName(array));
+  std::vector<std::string> names;
+  const auto areFree = [&]
+  {
+    names.clear();
+    for (int c = 0; c < components; ++c)
+    {
+      names.push_back(components > 1 ? base + "_" + std::to_string(c) : base);
+    }
+    return std::none_of(names.begin(), names.end(),
+      [&](const std::string& name) { return this->Names.count(name) > 0; });
+  };
+  while (!areFree())
+  {
+    base += "_";
+  }
+  if (components > 1)
+  {
+    this->Comments += "comment components " + base + " " + std::to_string(components) + "\n";
+  }
+  this->Add(array, names);
+}
+
+//------------------------------------------------------------------------------
+std::string PLYColumns::GetProperties() const
+{
+  std::string text;
+  for (const Column& column : this->Columns)
+  {
+    text += std::string("property ") + GetName(column.Type) + " " + column.Name + "\n";
+  }
+  return text;
+}
+}
