@@ -154,6 +154,8 @@ def options(writer: Any) -> dict[str, Option]:
             continue
         choices = [_word(choice) for choice in getattr(prop, "Available", None) or [] if choice]
         value = prop.GetData() if choices else writer.GetPropertyValue(key)
+        if smproperty.FindDomain("vtkSMArrayListDomain"):
+            choices, value = [], "none"  # which there are depends on the mesh
         if not isinstance(value, (str, int, float)):
             continue  # lists of arrays, other proxies
         if smproperty.FindDomain("vtkSMBooleanDomain"):

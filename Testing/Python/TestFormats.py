@@ -82,7 +82,7 @@ class TestFormats(camaron_testing.TestCase):
             writer = formats.make_writer(f["writer"])
             self.assertTrue(formats.options(writer), f["writer"])
             for option in formats.options(writer).values():
-                for choice in option.choices or [option.default]:
+                for choice in option.choices:
                     formats.set_option(writer, option.flag, choice)
                     self.assertEqual(
                         formats.options(writer)[formats.plain(option.key)].default, choice

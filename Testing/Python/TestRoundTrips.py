@@ -23,8 +23,8 @@ HELD = {
     "m2d": {"triangles", "quads", "cloud"},
     "mvm": VOLUMES | {"inverted", "triangles", "quads", "cloud"},
     "tri": {"triangles", "cloud"},
-    "ts": {"tetrahedra", "inverted"},
-    "ele": {"tetrahedra", "inverted", "triangles", "quadratic_tetrahedra"},
+    "ts": {"tetrahedra", "inverted", "cloud"},
+    "ele": {"tetrahedra", "inverted", "triangles", "quadratic_tetrahedra", "cloud"},
     "node": {"tetrahedra", "inverted", "triangles", "quadratic_tetrahedra", "cloud"},
     "msh": VOLUMES | {"polyhedra", "plane"},
     "cdb": VOLUMES
@@ -34,6 +34,8 @@ HELD = {
 }
 #: Files that keep single precision.
 SINGLE = {"visf"}
+#: Encodings that do, of files that do not otherwise.
+SINGLE_ENCODINGS = {("off", "binary")}
 #: What to set so that every digit is written.
 OPTIONS = {"M3D": {"Digits": 17}, "MAPDL": {"Digits": 17}}
 
@@ -43,9 +45,9 @@ class TestRoundTrips(camaron_testing.TestCase):
         super().setUp()
         self.sources = []
 
-    def save(self, source, path, notes=None):
+    def save(self, source, path, notes=None, **options):
         """By ParaView's own SaveData, whose errors are those of the writer."""
-        options = OPTIONS.get(formats.own_writer(path)[: -len("Writer")], {})
+        options = options or OPTIONS.get(formats.own_writer(path)[: -len("Writer")], {})
         with pipeline.Messages() as messages:
             try:
                 simple.SaveData(str(path), source, **options)
@@ -56,13 +58,13 @@ class TestRoundTrips(camaron_testing.TestCase):
         return not messages.errors
 
     def kinds(self):
-        """Extensions of files that the plugin reads and writes."""
-        return [
-            extension
-            for f in formats.own_formats()
-            for extension in f["extensions"]
-            if f["reader"] and formats.own_writer(f"x.{extension}")
-        ]
+        """Extensions of files that the plugin reads and writes; one of those that mean the same."""
+        found = []
+        for f in formats.own_formats():
+            if f["reader"] and f["writer"]:
+                known = [extension for extension in f["extensions"] if extension in HELD]
+                found += known or f["extensions"][:1]
+        return found
 
     def source(self, mesh):
         """A source of a mesh of the gallery, and the mesh."""
@@ -135,6 +137,28 @@ class TestRoundTrips(camaron_testing.TestCase):
             while self.sources:
                 self.forget()
         self.assertGreater(pairs, 20)
+
+    def test_encodings(self):
+        """Text and binary of either byte order say the same, to the precision of the file."""
+        seen = set()
+        for kind in self.kinds():
+            name = formats.own_writer(f"x.{kind}")
+            encoding = formats.options(formats.make_writer(name)).get("encoding")
+            for choice in encoding.choices if encoding else ():
+                seen.add((kind, choice))
+                prop = formats.make_writer(name).GetProperty("Encoding")
+                (value,) = (v for v in prop.Available if formats.plain(v) == formats.plain(choice))
+                for mesh in sorted(HELD.get(kind, ())):
+                    with self.subTest(kind=kind, encoding=choice, mesh=mesh):
+                        source, original = self.source(mesh)
+                        path = self.folder / f"{mesh}-{choice}.{kind}"
+                        self.assertTrue(self.save(source, path, Encoding=value))
+                        found = self.fetch(self.load(path))
+                        is_single = kind in SINGLE or (kind, choice) in SINGLE_ENCODINGS
+                        self.assertIsNone(self.differences(original, found, is_single))
+                    while self.sources:
+                        self.forget()
+        self.assertIn(("visf", "binary-big-endian"), seen)
 
     def test_exact_repetition(self):
         """A file that was written, read and written again is the same file, byte by byte."""
