@@ -30,14 +30,14 @@ HELD = {
     "cdb": VOLUMES
     | {"inverted", "triangles", "quads", "quadratic_tetrahedra", "quadratic_mixed", "cloud"},
     "off": SURFACES | {"cloud"},
-    "ply": SURFACES | {"cloud"},
+    "ply": VOLUMES | SURFACES | {"polyhedra", "cloud"},
 }
 #: Files that keep single precision.
 SINGLE = {"visf"}
 #: Encodings that do, of files that do not otherwise.
 SINGLE_ENCODINGS = {("off", "binary")}
-#: What to set so that every digit is written.
-OPTIONS = {"M3D": {"Digits": 17}, "MAPDL": {"Digits": 17}}
+#: What to set so that every digit, and every cell, is written.
+OPTIONS = {"M3D": {"Digits": 17}, "MAPDL": {"Digits": 17}, "PolygonPLY": {"WriteCells": 1}}
 
 
 class TestRoundTrips(camaron_testing.TestCase):
@@ -152,7 +152,8 @@ class TestRoundTrips(camaron_testing.TestCase):
                     with self.subTest(kind=kind, encoding=choice, mesh=mesh):
                         source, original = self.source(mesh)
                         path = self.folder / f"{mesh}-{choice}.{kind}"
-                        self.assertTrue(self.save(source, path, Encoding=value))
+                        options = OPTIONS.get(name[: -len("Writer")], {})
+                        self.assertTrue(self.save(source, path, Encoding=value, **options))
                         found = self.fetch(self.load(path))
                         is_single = kind in SINGLE or (kind, choice) in SINGLE_ENCODINGS
                         self.assertIsNone(self.differences(original, found, is_single))
