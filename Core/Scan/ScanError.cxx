@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/ScanError.h"
 
+#include "Scan/Number.h"
+
 #include "vtkErrorCode.h"
 
 namespace camaron
@@ -29,6 +31,27 @@ unsigned long GetVTKErrorCode(ErrorKind kind)
     default:
       return vtkErrorCode::FileFormatError;
   }
+}
+
+//------------------------------------------------------------------------------
+std::string QuoteWord(std::string_view word)
+{
+  constexpr std::size_t MaxLength = 30;
+  std::string quoted;
+  for (const char letter : word)
+  {
+    if (IsSpace(letter))
+    {
+      break;
+    }
+    if (quoted.size() == MaxLength)
+    {
+      quoted += "...";
+      break;
+    }
+    quoted += letter > ' ' && letter < '\x7f' ? letter : '?';
+  }
+  return "'" + quoted + "'";
 }
 
 //------------------------------------------------------------------------------

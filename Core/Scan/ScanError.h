@@ -9,8 +9,9 @@
 
 #include "vtkType.h" // for vtkIdType
 
-#include <string> // for messages
-#include <vector> // for warnings
+#include <string>      // for messages
+#include <string_view> // for words
+#include <vector>      // for warnings
 
 namespace camaron
 {
@@ -40,6 +41,9 @@ struct ScanError
 
 /// VTK's error code (vtkErrorCode) that comes nearest to the kind.
 unsigned long GetVTKErrorCode(ErrorKind kind);
+
+/// A word of a file as messages quote it: up to its first white space, short and printable.
+std::string QuoteWord(std::string_view word);
 
 /// How often something was seen, and where first; merging does not depend on the order.
 struct Tally

@@ -24,24 +24,6 @@ const char* Parse(const char* text, const char* end, double& value)
 {
   return ParseReal(text, end, value);
 }
-
-//------------------------------------------------------------------------------
-// The word at a position as messages quote it: short and printable.
-std::string Quote(const char* text, const char* end)
-{
-  constexpr int MaxLength = 30;
-  std::string word;
-  for (; text < end && !IsSpace(*text); ++text)
-  {
-    if (word.size() == MaxLength)
-    {
-      word += "...";
-      break;
-    }
-    word += *text > ' ' && *text < '\x7f' ? *text : '?';
-  }
-  return "'" + word + "'";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -223,8 +205,8 @@ bool TextScanner::ReadCount(std::int64_t& value, int bytes, const char* what)
 //------------------------------------------------------------------------------
 void TextScanner::FailAt(const char* position, ErrorKind kind, const std::string& expected)
 {
-  this->FailAt(position, kind, expected,
-    position >= this->End ? "the end of the file" : Quote(position, this->End));
+  const std::string_view rest(position, static_cast<std::size_t>(this->End - position));
+  this->FailAt(position, kind, expected, rest.empty() ? "the end of the file" : QuoteWord(rest));
 }
 
 //------------------------------------------------------------------------------

@@ -296,12 +296,7 @@ bool HeaderReading::Read()
 //------------------------------------------------------------------------------
 std::string Quote(const std::string& name)
 {
-  std::string text = "'";
-  for (const char c : name)
-  {
-    text += c > ' ' && c < '\x7f' ? c : '?';
-  }
-  return text + "'";
+  return QuoteWord(name);
 }
 
 //------------------------------------------------------------------------------

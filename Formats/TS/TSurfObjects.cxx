@@ -326,14 +326,14 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
   if (objects.empty())
   {
     scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported, "an object of type TSurf",
-      "only '" + otherType + "'");
+      "only " + QuoteWord(otherType));
     return false;
   }
   warnings.Add(behind, "surface", "surfaces", "with more data behind its END");
   if (others > 0)
   {
     warnings.Add("objects of other types than TSurf that are not read: " + std::to_string(others) +
-      ", the first is of type '" + otherType + "'");
+      ", the first is of type " + QuoteWord(otherType));
   }
   return true;
 }

@@ -264,6 +264,7 @@ TEST(TSReader, RefusesWhatIsWrong)
     { "4 2\n" + Corners + "0 1 2 3\n0 1 2", Code::PrematureEndOfFileError,
       "test.ts:7: expected a vertex of a tetrahedron, found the end of the file" },
     { "GOCAD VSet 1\nVRTX 1 0 0 0\nEND\n", Code::FileFormatError, "only 'VSet'" },
+    { "GOCAD V\x01Set 1\nVRTX 1 0 0 0\nEND\n", Code::FileFormatError, "only 'V?Set'" },
     { tsurf + "VRTX 1 0 0 0\n", Code::PrematureEndOfFileError, "expected the line END of a TSurf" },
     { tsurf + "VRTX 1 0 0\nEND\n", Code::FileFormatError,
       "test.ts:2: expected a coordinate of a vertex, found the end of the line" },
