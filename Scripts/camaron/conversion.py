@@ -49,8 +49,8 @@ def convert(
         notes = list(opened.warnings)
         if opened.time and opened.time["steps"] > 1 and not _writes_all_steps(options):
             notes.append(
-                f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0, was taken"
-                f" (time {opened.time['value']:g})."
+                f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0,"
+                f" was taken (time {opened.time['value']:g})."
             )
         proxy = _suitable(made, target, notes)
         write(proxy, target, options, notes)

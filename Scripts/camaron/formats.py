@@ -37,7 +37,7 @@ class Format:
 
 @dataclass
 class Option:
-    """A property of a writer as people see it: a name for the command line, choices, the default."""
+    """A property of a writer as people see it: name on the command line, choices, default."""
 
     key: str
     flag: str
@@ -163,7 +163,8 @@ def options(writer: Any) -> dict[str, Option]:
         documentation = smproperty.GetDocumentation()
         text = " ".join((documentation.GetDescription() or "").split()) if documentation else ""
         flag = _word(smproperty.GetXMLLabel() or key)
-        found[plain(key)] = Option(key, flag, choices, _word(value) if choices else str(value), text)
+        default = _word(value) if choices else str(value)
+        found[plain(key)] = Option(key, flag, choices, default, text)
     return found
 
 

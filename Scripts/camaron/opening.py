@@ -25,9 +25,9 @@ def make_reader(path: Path, notes: list[str]) -> Any:
     """A reader for the file, not updated yet.
 
     Where the plugin and ParaView both know a kind of files, the plugin's own reader is taken if the
-    content is what it reads, else ParaView's. If nobody takes a file of a kind that the plugin knows,
-    it goes to the plugin's reader all the same, whose error says what is wrong with it. Adds to
-    `notes` if another format than the name says is read.
+    content is what it reads, else ParaView's. If nobody takes a file of a kind that the plugin
+    knows, it goes to the plugin's reader all the same, whose error says what is wrong with it. Adds
+    to `notes` if another format than the name says is read.
     """
     if path.is_file() and path.stat().st_size == 0 and path.suffix not in EMPTY_FILES:
         raise NotReadable("the file is empty")

@@ -103,7 +103,7 @@ class TestConvert(camaron_testing.TestCase):
         self.assertEqual(target.read_text(), "old")
 
     def test_refused_cells(self):
-        """What a format cannot hold is an error unless the user says what to do; nothing is silent."""
+        """What a format cannot hold is an error unless the user says what to do."""
         source, target = self.mesh(), self.folder / "two.tri"
         quads = camaron_testing.write_vtk(self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3))])
         self.assertIn("boundary", " ".join(convert(source, target)))

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """From every format to every other and back: the same points, cells, order and orientation.
 
-A format holds a mesh if what is read back is what was written. For the files named in HELD this must be
-so; of others the test finds out by itself.
+A format holds a mesh if what is read back is what was written. For the files named in HELD this
+must be so; of others the test finds out by itself.
 """
 
 

@@ -108,7 +108,8 @@ def shape(grid, cell):
 
     item = grid.GetCell(cell)
     if item.GetCellDimension() < 2:
-        return (item.GetCellType(), tuple(item.GetPointId(i) for i in range(item.GetNumberOfPoints())))
+        ids = tuple(item.GetPointId(i) for i in range(item.GetNumberOfPoints()))
+        return item.GetCellType(), ids
     middles = []
     if not item.IsLinear():
         for i in range(item.GetNumberOfEdges()):
@@ -178,7 +179,8 @@ def mixed():
     cells += [(VTK_WEDGE, [c[i] for i in ids]) for ids in ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))]
     c = cubes[2]
     points.append(tuple(numpy.mean([points[i] for i in c], axis=0)))
-    for quad in ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)):
+    sides = [(i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i in range(4)]
+    for quad in ((0, 3, 2, 1), (4, 5, 6, 7), *sides):
         cells.append((VTK_PYRAMID, [c[i] for i in quad] + [len(points) - 1]))
     c = cubes[1]
     points.append(warp(1.6, 0.4, 2.1))
