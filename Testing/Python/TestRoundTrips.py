@@ -79,6 +79,8 @@ class TestRoundTrips(camaron_testing.TestCase):
         """As the command opens it, which prefers the plugin's readers."""
         opened = pipeline.open_mesh(path)
         self.sources.append(opened.source)
+        own = formats.own_readers(path)
+        self.assertTrue(not own or opened.source.SMProxy.GetXMLName() in own, "another's reader")
         return opened.source
 
     def forget(self):
