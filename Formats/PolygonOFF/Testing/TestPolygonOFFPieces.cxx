@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// OFF files read by several threads, and in pieces by several processes.
+#include "PolygonOFFReading.h"
+#include "PolygonOFFSamples.h"
+
+#include "vtkSMPTools.h"
+
+using namespace camaron;
+using namespace camaron::testing;
+
+//------------------------------------------------------------------------------
+// If this fails, the mesh depends on threads, or on where text is cut for them.
+TEST(PolygonOFFPieces, ThreadsAndChunksChangeNothing)
+{
+  Sample colored;
+  colored.Keyword = "STCNOFF";
+  colored.HasTexture = colored.HasColors = colored.HasNormals = true;
+  std::string late = Sample().GetText(2000); // the last face has a colour, or another size
+  std::string wrapped = late;
+  wrapped[wrapped.rfind(' ')] = '\n';
+  for (const std::string& text : { Sample().GetText(2000), colored.GetText(2000),
+         MakeMixedText(200), MakeMixedText(200, "\r\n\r\n# x\r\n"), MakeMixedText(200, "\r"),
+         late.insert(late.size() - 1, " 1 2 3"), wrapped, colored.GetBinary(20000) })
+  {
+    const File file(text, "test.off");
+    vtkNew<vtkUnstructuredGrid> expected;
+    Warnings warnings;
+    ScanError error;
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(1),
+      [&]
+      { ASSERT_TRUE(ReadPolygonOFF(file.Path, {}, expected, warnings, error)) << error.Message; });
+    EXPECT_GE(expected->GetNumberOfCells(), 2000);
+    for (const int threads : { 1, 2, 3 })
+    {
+      for (const vtkIdType chunk : { 50, 1000, 20000 })
+      {
+        vtkNew<vtkUnstructuredGrid> grid;
+        Warnings again;
+        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
+          [&]
+          { ASSERT_TRUE(ReadPolygonOFF(file.Path, {}, grid, again, error, Progress(), chunk)); });
+        ExpectSameGrid(expected, grid);
+        EXPECT_EQ(again.GetSentences(), warnings.GetSentences());
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, ranks together do not have the mesh, or colours depend on what else a rank has.
+TEST(PolygonOFFPieces, PiecesMakeTheWhole)
+{
+  Sample colored;
+  colored.Keyword = "STCNOFF";
+  colored.HasTexture = colored.HasColors = colored.HasNormals = true;
+  const std::string unequal =
+    "COFF\n6 2 0\n0 0 0 1 0 0\n1 0 0 0 1 0\n0 1 0 0 1 0\n0 0 1 8 8 8\n1 0 1 8 8 8\n"
+    "0 1 1 8 8 8\n3 0 1 2 1 1 1\n3 3 4 5 0.5 0 0\n";
+  const vtkIdType usual = TextLines::DefaultChunk;
+  for (const std::string& text : { colored.GetText(100), colored.GetBinary(100), MakeMixedText(3),
+         unequal, std::string("OFF\n2 0 0\n0 0 0\n1 0 0\n") })
+  {
+    const File file(text, "test.off");
+    for (const vtkIdType chunk : { usual, vtkIdType(64) })
+    {
+      TextLines::DefaultChunk = chunk;
+      ExpectPiecesMakeTheWhole<vtkPolygonOFFReader>(file.Path, 3, 0);
+      ExpectPiecesMakeTheWhole<vtkPolygonOFFReader>(file.Path, 3, 2);
+      ExpectPiecesMakeTheWhole<vtkPolygonOFFReader>(file.Path, 120, 1);
+    }
+  }
+  TextLines::DefaultChunk = usual;
+}
