@@ -3,8 +3,7 @@
 #include "M3DReading.h"
 
 #include "CellMesh/CellGrid.h"
-#include "CellMesh/CellRows.h"
-#include "M3DElements.h"
+#include "M3DElementRows.h"
 #include "M3DSections.h"
 #include "Scan/ReadMappedFile.h"
 
@@ -22,9 +21,6 @@ namespace camaron
 {
 namespace
 {
-constexpr char Node[] = "a node of an element";
-constexpr char Element[] = "an element (T, P, R, H, t or q)";
-constexpr char MVMElement[] = "an element (T, P, R, H or Q)";
 constexpr int NodeBytes = 8;    // "1 0 0 0" and a line end
 constexpr int MVMNodeBytes = 6; // without a code
 constexpr int ElementBytes = 8; // "t 0 1 2" and a line end
@@ -70,8 +66,6 @@ public:
 
 private:
   bool ReadCounts(TextScanner& scanner);
-  const ElementKind* ReadKind(TextRow& row) const;
-  const ElementKind* ReadElement(TextRow& row, std::int32_t* nodes) const;
   bool ReadElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   bool ReadNodes(
     TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
@@ -99,58 +93,6 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The letter of an element, perhaps with the number of its nodes.
-const ElementKind* M3DReading::ReadKind(TextRow& row) const
-{
-  const char* const what = this->Dialect == M3DDialect::MVM ? MVMElement : Element;
-  std::string_view word;
-  if (!row.ReadWord(word, what))
-  {
-    return nullptr;
-  }
-  const ElementKind* kind = FindElementKind(word[0], this->Dialect);
-  if (!kind)
-  {
-    row.FailAt(word.data(), ErrorKind::Syntax, what);
-    return nullptr;
-  }
-  if (word.size() > 1 && IsDigit(word[1]))
-  {
-    std::int64_t number = 0;
-    ParseInteger(word.data() + 1, word.data() + word.size(), number);
-    if (number != kind->NumberOfNodes)
-    {
-      row.FailAt(word.data(), ErrorKind::Unsupported,
-        std::string("an element of type ") + kind->Letter + " with " +
-          std::to_string(kind->NumberOfNodes) + " nodes");
-      return nullptr;
-    }
-  }
-  return kind;
-}
-
-//------------------------------------------------------------------------------
-// In the order of the file.
-const ElementKind* M3DReading::ReadElement(TextRow& row, std::int32_t* nodes) const
-{
-  const ElementKind* kind = this->ReadKind(row);
-  for (int i = 0; kind && i < kind->NumberOfNodes; ++i)
-  {
-    // In MVM files triangles have the letter of tetrahedra, and nothing follows them.
-    if (i == 3 && kind->Letter == 'T' && this->Dialect == M3DDialect::MVM && !row.HasMore())
-    {
-      static const ElementKind triangle = { 'T', VTK_TRIANGLE, 3 };
-      return &triangle;
-    }
-    if (!row.ReadId(nodes[i], 0, this->NumberOfNodes - 1, Node))
-    {
-      return nullptr;
-    }
-  }
-  return kind;
-}
-
-//------------------------------------------------------------------------------
 bool M3DReading::ReadElements(
   TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
@@ -160,31 +102,8 @@ bool M3DReading::ReadElements(
     this->Mesh = MakeCloud(this->NumberOfNodes);
     return true;
   }
-  this->Mesh = CellMesh();
-  this->Mesh.NumberOfPoints = this->NumberOfNodes;
-  return ReadCells(
-    scanner, lines, this->NumberOfElements, this->Mesh, progress,
-    [this](vtkIdType, TextRow& row, CellSink& sink)
-    {
-      std::int32_t nodes[MaxElementNodes];
-      const ElementKind* const kind = this->ReadElement(row, nodes);
-      if (!kind)
-      {
-        return false;
-      }
-      sink.BeginCell(kind->Type);
-      const int* const order = kind->GetOrder();
-      for (int i = 0; i < kind->NumberOfNodes; ++i)
-      {
-        sink.AddPoint(nodes[order[i]]);
-      }
-      if (this->Dialect != M3DDialect::MVM)
-      {
-        this->Found->Add(row);
-      }
-      return true;
-    },
-    this->Layout);
+  const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
+  return rows.Read(scanner, lines, this->NumberOfElements, this->Mesh, *this->Found, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -252,6 +171,7 @@ bool M3DReading::ReadCodes(
 bool M3DReading::ReadMaterials(
   TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
 {
+  const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
   Buffer<double> materials(MaterialSize * piece.GetNumberOfCells());
   const bool good = ReadRows(
     scanner, lines, this->NumberOfElements, progress,
@@ -261,7 +181,7 @@ bool M3DReading::ReadMaterials(
       double unused[MaterialSize];
       const vtkIdType cell = piece.FindCell(i);
       double* const values = cell < 0 ? unused : materials.data() + MaterialSize * cell;
-      bool isGood = this->ReadElement(row, nodes) != nullptr;
+      bool isGood = rows.ReadElement(row, nodes) != nullptr;
       for (int c = 0; c < MaterialSize && isGood; ++c)
       {
         isGood = row.ReadReal(values[c], "the material of an element");

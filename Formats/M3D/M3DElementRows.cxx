@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "M3DElementRows.h"
+
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Node[] = "a node of an element";
+constexpr char Element[] = "an element (T, P, R, H, t or q)";
+constexpr char MVMElement[] = "an element (T, P, R, H or Q)";
+
+//------------------------------------------------------------------------------
+// The nodes of consecutive elements; each in memory that threads do not share.
+struct alignas(64) NodeCount
+{
+  vtkIdType Before = 0; // in other pieces
+  vtkIdType Size = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+// The letter of an element, perhaps with the number of its nodes.
+const ElementKind* M3DElementRows::ReadKind(TextRow& row) const
+{
+  const char* const what = this->Dialect == M3DDialect::MVM ? MVMElement : Element;
+  std::string_view word;
+  if (!row.ReadWord(word, what))
+  {
+    return nullptr;
+  }
+  const ElementKind* kind = FindElementKind(word[0], this->Dialect);
+  if (!kind)
+  {
+    row.FailAt(word.data(), ErrorKind::Syntax, what);
+    return nullptr;
+  }
+  if (word.size() > 1 && IsDigit(word[1]))
+  {
+    std::int64_t number = 0;
+    ParseInteger(word.data() + 1, word.data() + word.size(), number);
+    if (number != kind->NumberOfNodes)
+    {
+      row.FailAt(word.data(), ErrorKind::Unsupported,
+        std::string("an element of type ") + kind->Letter + " with " +
+          std::to_string(kind->NumberOfNodes) + " nodes");
+      return nullptr;
+    }
+  }
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+const ElementKind* M3DElementRows::ReadElement(TextRow& row, std::int32_t* nodes) const
+{
+  const ElementKind* kind = this->ReadKind(row);
+  for (int i = 0; kind && i < kind->NumberOfNodes; ++i)
+  {
+    // In MVM files triangles have the letter of tetrahedra, and nothing follows them.
+    if (i == 3 && kind->Letter == 'T' && this->Dialect == M3DDialect::MVM && !row.HasMore())
+    {
+      static const ElementKind triangle = { 'T', VTK_TRIANGLE, 3 };
+      return &triangle;
+    }
+    if (!row.ReadId(nodes[i], 0, this->NumberOfNodes - 1, Node))
+    {
+      return nullptr;
+    }
+  }
+  return kind;
+}
+
+//------------------------------------------------------------------------------
+// Of a line the letter is enough, but in MVM files.
+const ElementKind* M3DElementRows::ReadSize(TextRow& row) const
+{
+  std::int32_t unused[MaxElementNodes];
+  return this->Dialect == M3DDialect::MVM ? this->ReadElement(row, unused) : this->ReadKind(row);
+}
+
+//------------------------------------------------------------------------------
+bool M3DElementRows::ReadCell(TextRow& row, std::int32_t* points, MaterialTally& materials) const
+{
+  std::int32_t nodes[MaxElementNodes];
+  const ElementKind* const kind = this->ReadElement(row, nodes);
+  if (!kind)
+  {
+    return false;
+  }
+  const int* const order = kind->GetOrder();
+  for (int i = 0; i < kind->NumberOfNodes; ++i)
+  {
+    points[i] = nodes[order[i]];
+  }
+  if (this->Dialect != M3DDialect::MVM)
+  {
+    materials.Add(row);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool M3DElementRows::ReadInParallel(const TextLines& lines, const TextLines::Section& section,
+  char comment, CellMesh& mesh, MaterialTally& materials, const Progress& progress) const
+{
+  std::vector<NodeCount> counts(static_cast<std::size_t>(lines.GetNumberOfPieces(section)));
+  if (!VisitRows(lines, section, comment, progress.Part(0, 0.2),
+        [&](vtkIdType i, vtkIdType piece, TextRow& row)
+        {
+          const ElementKind* const kind = this->ReadSize(row);
+          if (kind)
+          {
+            mesh.Types[i] = kind->Type;
+            mesh.Offsets[i] = static_cast<std::int32_t>(counts[piece].Size);
+            counts[piece].Size += kind->NumberOfNodes;
+          }
+          return kind != nullptr;
+        }))
+  {
+    return false;
+  }
+  vtkIdType sum = 0;
+  for (NodeCount& count : counts)
+  {
+    count.Before = sum;
+    sum += count.Size;
+  }
+  if (sum > INT32_MAX)
+  {
+    return false; // said by the other way
+  }
+  mesh.Offsets[mesh.NumberOfCells] = static_cast<std::int32_t>(sum);
+  mesh.Connectivity = Buffer<std::int32_t>(sum);
+  return VisitRows(lines, section, comment, progress.Part(0.2, 1),
+    [&](vtkIdType i, vtkIdType piece, TextRow& row)
+    {
+      mesh.Offsets[i] += static_cast<std::int32_t>(counts[piece].Before);
+      return this->ReadCell(row, mesh.Connectivity.data() + mesh.Offsets[i], materials);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool M3DElementRows::ReadOneByOne(
+  TextScanner& scanner, CellMesh& mesh, MaterialTally& materials, const Progress& progress) const
+{
+  std::int64_t sum = 0;
+  TextScanner sizes = scanner;
+  const bool good = ReadRows(
+    scanner, nullptr, mesh.NumberOfCells, progress.Part(0, 0.5),
+    [&](vtkIdType i, TextRow& row)
+    {
+      std::int32_t unused[MaxElementNodes];
+      const ElementKind* const kind = this->ReadElement(row, unused);
+      if (kind)
+      {
+        mesh.Types[i] = kind->Type;
+        mesh.Offsets[i] = static_cast<std::int32_t>(sum);
+        sum += kind->NumberOfNodes;
+      }
+      return kind &&
+        (sum <= INT32_MAX ||
+          row.FailAt(row.GetPosition(), ErrorKind::Unsupported,
+            "fewer than 2147483648 nodes of all elements together"));
+    },
+    this->Layout);
+  if (!good)
+  {
+    return false;
+  }
+  mesh.Offsets[mesh.NumberOfCells] = static_cast<std::int32_t>(sum);
+  mesh.Connectivity = Buffer<std::int32_t>(sum);
+  return ReadRows(
+    sizes, nullptr, mesh.NumberOfCells, progress.Part(0.5, 1),
+    [&](vtkIdType i, TextRow& row)
+    { return this->ReadCell(row, mesh.Connectivity.data() + mesh.Offsets[i], materials); },
+    this->Layout);
+}
+
+//------------------------------------------------------------------------------
+bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+  CellMesh& mesh, MaterialTally& materials, const Progress& progress) const
+{
+  mesh = CellMesh();
+  mesh.NumberOfPoints = this->NumberOfNodes;
+  mesh.NumberOfCells = count;
+  mesh.Types = Buffer<unsigned char>(count);
+  mesh.Offsets = Buffer<std::int32_t>(count + 1);
+  if (!lines)
+  {
+    return this->ReadOneByOne(scanner, mesh, materials, progress);
+  }
+  const TextLines::Section section = lines->Find(scanner.GetPosition(), count);
+  if (!section ||
+    !this->ReadInParallel(*lines, section, scanner.GetComment(), mesh, materials, progress))
+  {
+    return false; // the text is read once more without lines
+  }
+  scanner.SetPosition(section.End);
+  return true;
+}
+}

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::M3DElementRows
+ * @brief Reads the rows of elements of M3D, M2D and MVM files.
+ */
+#ifndef camaron_M3DElementRows_h
+#define camaron_M3DElementRows_h
+
+#include "CellMesh/CellMesh.h"
+#include "M3DElements.h"
+#include "Scan/TextRows.h"
+
+namespace camaron
+{
+class M3DElementRows
+{
+public:
+  M3DElementRows(M3DDialect dialect, vtkIdType numberOfNodes, RowLayout layout)
+    : Dialect(dialect)
+    , NumberOfNodes(numberOfNodes)
+    , Layout(layout)
+  {
+  }
+
+  /// Reads a row up to its material, with nodes in the order of the file; nullptr if it is wrong.
+  const ElementKind* ReadElement(TextRow& row, std::int32_t* nodes) const;
+
+  /**
+   * Sets the points and cells of @a mesh, and tells @a materials what follows them. The letters are
+   * read first, so that there is one copy of all nodes only. False with the error in the scanner,
+   * or if stopped.
+   */
+  bool Read(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
+    MaterialTally& materials, const Progress& progress) const;
+
+private:
+  const ElementKind* ReadKind(TextRow& row) const;
+  const ElementKind* ReadSize(TextRow& row) const;
+  bool ReadCell(TextRow& row, std::int32_t* points, MaterialTally& materials) const;
+  bool ReadInParallel(const TextLines& lines, const TextLines::Section& section, char comment,
+    CellMesh& mesh, MaterialTally& materials, const Progress& progress) const;
+  bool ReadOneByOne(
+    TextScanner& scanner, CellMesh& mesh, MaterialTally& materials, const Progress& progress) const;
+
+  M3DDialect Dialect;
+  vtkIdType NumberOfNodes;
+  RowLayout Layout;
+};
+}
+
+#endif
