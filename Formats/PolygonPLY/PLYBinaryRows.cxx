@@ -150,47 +150,94 @@ bool PLYBinaryRows::HaveGuessedLength(const Progress& progress) const
 }
 
 //------------------------------------------------------------------------------
+// Moves behind a row and adds up the lengths of its lists; false with the error in the scanner.
+bool PLYBinaryRows::PassRow(vtkIdType row, const char*& place, const char* end, std::int64_t& sum)
+{
+  for (const Part& part : this->Parts)
+  {
+    std::int64_t length = 0;
+    bool good = end - place >= part.Size;
+    if (good && part.List >= 0)
+    {
+      length = this->LoadLength(part, place);
+      good =
+        length >= 0 && length <= (end - place - part.Size) / part.ItemSize && length <= INT32_MAX;
+    }
+    if (!good)
+    {
+      const std::string what = Quote(this->Element.Name) + " " + std::to_string(row);
+      this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+        (part.List >= 0 ? "list " + Quote(this->Element.Properties[part.List].Name) + " of " : "") +
+          what,
+        length == 0             ? "the end of the file"
+          : length == INT64_MAX ? "a length that no file has"
+                                : "a length of " + std::to_string(length) + " with " +
+            std::to_string(end - place) + " bytes left");
+      return false;
+    }
+    place += part.Size + length * part.ItemSize;
+    sum += length;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// One row tells where the next one is, so this cannot be done in parallel; of rows with one list,
+// as most are, the lengths are kept.
 bool PLYBinaryRows::FindBlocks(const Progress& progress)
 {
   const vtkIdType count = this->GetCount();
   const char* place = this->Data;
   const char* const end = place + this->Scanner.GetBytesLeft();
   this->Starts.reserve(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
-  for (vtkIdType row = 0; row < count; ++row)
+  const Part& list = this->Parts.front();
+  const bool hasOneList = this->Parts.size() == 2;
+  const bool isShort = hasOneList && list.CountType == PLYType::UInt8;
+  const std::ptrdiff_t fixed = list.Size + this->Parts.back().Size;
+  constexpr int MaxShort = 255;
+  const std::ptrdiff_t greatest = fixed + MaxShort * list.ItemSize;
+  std::int64_t sum = 0;
+  if (hasOneList)
   {
-    if (row % BlockSize == 0)
+    this->Offsets = Buffer<std::int32_t>(count + 1);
+    this->Offsets[0] = 0;
+  }
+  for (vtkIdType first = 0; first < count; first += BlockSize)
+  {
+    this->Starts.push_back(place);
+    const vtkIdType last = std::min(first + BlockSize, count);
+    if (isShort && (end - place) / greatest >= BlockSize)
     {
-      this->Starts.push_back(place);
-      if (!progress.Report(static_cast<double>(row) / count))
+      for (vtkIdType row = first; row < last; ++row)
       {
-        return false;
+        const auto length = static_cast<unsigned char>(place[list.CountOffset]);
+        place += fixed + static_cast<std::ptrdiff_t>(length) * list.ItemSize;
+        sum += length;
+        this->Offsets[row + 1] = static_cast<std::int32_t>(sum);
       }
     }
-    for (const Part& part : this->Parts)
+    else
     {
-      std::int64_t length = 0;
-      bool good = end - place >= part.Size;
-      if (good && part.List >= 0)
+      for (vtkIdType row = first; row < last; ++row)
       {
-        length = this->LoadLength(part, place);
-        good =
-          length >= 0 && length <= (end - place - part.Size) / part.ItemSize && length <= INT32_MAX;
+        if (!this->PassRow(row, place, end, sum))
+        {
+          return false;
+        }
+        if (hasOneList)
+        {
+          this->Offsets[row + 1] = static_cast<std::int32_t>(sum);
+        }
       }
-      if (!good)
-      {
-        const std::string what = Quote(this->Element.Name) + " " + std::to_string(row);
-        this->Scanner.FailAt(place, length < 0 ? ErrorKind::Count : ErrorKind::Truncated,
-          (part.List >= 0 ? "list " + Quote(this->Element.Properties[part.List].Name) + " of "
-                          : "") +
-            what,
-          length == 0             ? "the end of the file"
-            : length == INT64_MAX ? "a length that no file has"
-                                  : "a length of " + std::to_string(length) + " with " +
-              std::to_string(end - place) + " bytes left");
-        return false;
-      }
-      place += part.Size + length * part.ItemSize;
     }
+    if (!progress.Report(static_cast<double>(last) / count))
+    {
+      return false;
+    }
+  }
+  if (sum > INT32_MAX)
+  {
+    this->Offsets = Buffer<std::int32_t>();
   }
   this->Scanner.SetPosition(place);
   return true;
@@ -280,6 +327,11 @@ bool PLYBinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& pro
   {
     sizes.Common = part.CommonLength;
     sizes.Total = sizes.Common * this->GetCount();
+  }
+  else if (this->Offsets.size() > 0)
+  {
+    sizes.Offsets = std::move(this->Offsets);
+    sizes.Total = sizes.Offsets[this->GetCount()];
   }
   else
   {

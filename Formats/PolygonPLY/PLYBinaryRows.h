@@ -91,6 +91,7 @@ private:
   std::int64_t LoadLength(const Part& part, const char* place) const;
   bool GuessLength();
   bool HaveGuessedLength(const Progress& progress) const;
+  bool PassRow(vtkIdType row, const char*& place, const char* end, std::int64_t& sum);
   bool FindBlocks(const Progress& progress);
   void Load(vtkIdType block, Block& rows) const;
   template <typename Visit>
@@ -108,6 +109,8 @@ private:
   const char* Data = nullptr;
   std::ptrdiff_t Stride = 0;       ///< bytes from row to row if they have one length
   std::vector<const char*> Starts; ///< of blocks of other rows
+  Buffer<std::int32_t>
+    Offsets; ///< of the lists of other rows, if they have one; taken by the first who asks
 };
 }
 

@@ -259,6 +259,8 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
       part.Items[row] = extent.Sizes.GetSize(row) > 0 ? cell++ : -1;
     }
   }
+  // The lists of a part alone are those of the mesh.
+  const bool takesOffsets = mesh.Offsets.size() == 0;
   ParallelFor(isStrips ? part.NumberOfCells : part.Rows->GetCount(), Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -274,9 +276,16 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
         const bool isLongEdge = part.Role == PLYRole::Edges && size > 2;
         mesh.Types[cell] =
           isLongEdge ? static_cast<unsigned char>(VTK_POLY_LINE) : GetPolygonType(size);
-        mesh.Offsets[cell] = static_cast<std::int32_t>(firstId + offset);
+        if (!takesOffsets)
+        {
+          mesh.Offsets[cell] = static_cast<std::int32_t>(firstId + offset);
+        }
       }
     });
+  if (takesOffsets)
+  {
+    mesh.Offsets = std::move(extent.Sizes.Offsets);
+  }
   return true;
 }
 
@@ -326,8 +335,13 @@ bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints
   else if (numberOfCells > 0)
   {
     mesh.Types = Buffer<unsigned char>(numberOfCells);
-    mesh.Offsets = Buffer<std::int32_t>(numberOfCells + 1);
-    mesh.Offsets[numberOfCells] = static_cast<std::int32_t>(numberOfIds);
+    const bool isAlone = parts.size() == 1 && extents[0].Strips.size() == 0 &&
+      extents[0].Sizes.Offsets.size() == numberOfCells + 1;
+    if (!isAlone)
+    {
+      mesh.Offsets = Buffer<std::int32_t>(numberOfCells + 1);
+      mesh.Offsets[numberOfCells] = static_cast<std::int32_t>(numberOfIds);
+    }
   }
   vtkIdType firstId = 0;
   for (std::size_t i = 0; i < parts.size(); ++i)

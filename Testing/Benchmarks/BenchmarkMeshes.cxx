@@ -145,6 +145,62 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(vtkIdType numberOfCells)
 }
 
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> MakeSurface(vtkIdType numberOfCells, bool isMixed)
+{
+  // Squares of two triangles; of a mixed sheet two in three stay whole.
+  const double perSquare = isMixed ? 4. / 3 : 2;
+  const int n =
+    std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(numberOfCells) / perSquare))));
+  std::mt19937 random(3);
+  std::uniform_real_distribution<float> jitter(-0.2f, 0.2f);
+  std::vector<Coordinates> coordinates;
+  for (int j = 0; j <= n; ++j)
+  {
+    for (int i = 0; i <= n; ++i)
+    {
+      const auto x = static_cast<float>(i), y = static_cast<float>(j);
+      coordinates.push_back({ { x + jitter(random), y + jitter(random),
+        10 * std::sin(x / 100) * std::cos(y / 130) + jitter(random) } });
+    }
+  }
+  std::vector<std::vector<std::int32_t>> cells;
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const std::int32_t a = i + j * (n + 1), b = a + 1, c = b + n + 1, d = a + n + 1;
+      if (isMixed && (i + j) % 3 != 0)
+      {
+        cells.push_back({ a, b, c, d });
+      }
+      else
+      {
+        cells.push_back({ a, b, c });
+        cells.push_back({ a, c, d });
+      }
+    }
+  }
+  constexpr std::size_t window = 4096; // what is near in space stays roughly near in memory
+  for (std::size_t first = 0; first < cells.size(); first += window)
+  {
+    std::shuffle(
+      cells.begin() + first, cells.begin() + std::min(first + window, cells.size()), random);
+  }
+  std::vector<std::int32_t> offsets(1, 0), values;
+  vtkNew<vtkUnsignedCharArray> types;
+  for (const auto& cell : cells)
+  {
+    values.insert(values.end(), cell.begin(), cell.end());
+    offsets.push_back(static_cast<std::int32_t>(values.size()));
+    types->InsertNextValue(cell.size() == 3 ? VTK_TRIANGLE : VTK_QUAD);
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(MakePoints(coordinates));
+  grid->SetCells(types, MakeCellArray(offsets, values));
+  return grid;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> MakeTruncatedOctahedra(vtkIdType numberOfCells)
 {
   // Cells around the points of a lattice with period 4 and around the centres of its cubes.
