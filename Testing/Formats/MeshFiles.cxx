@@ -76,6 +76,19 @@ std::size_t GetTotalSize(const MeshFiles& files)
 }
 
 //------------------------------------------------------------------------------
+std::size_t GetInflatedSize(const MeshFiles& files)
+{
+  constexpr std::size_t MostInflation = 100; // what readers accept
+  std::size_t size = 0;
+  for (const MeshFile& file : files)
+  {
+    const bool isCompressed = file.Bytes.compare(0, 2, "\x1f\x8b") == 0;
+    size += file.Bytes.size() * (isCompressed ? MostInflation : 1);
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
 std::string Pack(const MeshFiles& files, const FormatUnderTest& format)
 {
   if (files.size() == 1 && files[0].Extension == format.Extensions[0])

@@ -39,6 +39,8 @@ struct MeshFile
 using MeshFiles = std::vector<MeshFile>;
 
 std::size_t GetTotalSize(const MeshFiles& files);
+/// The most that files can be when they are inflated, for readers that take gzip: 100 times as much.
+std::size_t GetInflatedSize(const MeshFiles& files);
 
 std::string Pack(const MeshFiles& files, const FormatUnderTest& format);
 /// Only extensions of the format make a new file; of several files with the same one the first counts.

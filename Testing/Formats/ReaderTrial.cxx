@@ -250,7 +250,7 @@ Reading ReaderTrial::Try(const MeshFiles& files, int laws)
 {
   this->Input.Clear();
   const std::string path = this->Input.Write(files);
-  const std::size_t size = GetTotalSize(files);
+  const std::size_t size = GetInflatedSize(files);
   Reading reading = this->Read(path, size);
   if (reading.Fault.empty() && (laws & Parallel))
   {
