@@ -78,4 +78,6 @@ camaron_format(
   EXTENSIONS  msh cas msh.gz cas.gz
   DESCRIPTION "Ansys Fluent mesh"
   READS       "ASCII and binary, 2D and 3D, all cells, hanging nodes, zones, also compressed"
-  READER)
+  WRITES      "ASCII and binary of both precisions, 2D and 3D, all cells, zones"
+  READER
+  WRITER)

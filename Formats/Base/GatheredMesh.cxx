@@ -11,6 +11,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetAttributesFieldList.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -395,6 +396,24 @@ void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid) const
     data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   }
 }
+
+//------------------------------------------------------------------------------
+// Of arrays of the same name, those of the first piece.
+void MergeFieldData(const std::vector<vtkDataSet*>& pieces, vtkFieldData* merged)
+{
+  for (vtkDataSet* piece : pieces)
+  {
+    vtkFieldData* const data = piece->GetFieldData();
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* const array = data->GetAbstractArray(i);
+      if (array->GetName() && !merged->HasArray(array->GetName()))
+      {
+        merged->AddArray(array);
+      }
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -407,6 +426,8 @@ bool HasSeams(vtkDataSet* mesh)
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> MergePieces(const std::vector<vtkDataSet*>& pieces)
 {
-  return PieceMerger(pieces).Merge();
+  const auto merged = PieceMerger(pieces).Merge();
+  MergeFieldData(pieces, merged->GetFieldData());
+  return merged;
 }
 }

@@ -243,6 +243,22 @@ class TestFluentMesh(camaron_testing.TestCase):
             boundaries.UpdatePipeline(time)
             self.assertEqual(boundaries.GetDataInformation().GetBounds()[1], 1 + time)
 
+    def test_writes_both_outputs(self):
+        """Group Datasets of both outputs keeps the boundaries, on any number of ranks."""
+        reader = self.read(self.sample())
+        group = simple.GroupDatasets(Input=[reader, simple.OutputPort(reader, 1)])
+        path = self.folder / "both.cas"
+        with pipeline.Messages() as messages:
+            simple.SaveData(str(path), group, Encoding="Binary Double")
+        self.assertEqual(messages.errors, [])
+        copy = self.read(path)
+        self.assertEqual(copy.GetDataInformation().GetNumberOfCells(), 2)
+        boundaries = simple.OutputPort(copy, 1)
+        boundaries.UpdatePipeline()
+        hierarchy = boundaries.GetDataInformation().GetHierarchy()
+        names = [hierarchy.GetNodeName(i) for i in hierarchy.GetChildNodes(hierarchy.GetRootNode())]
+        self.assertEqual(names, ["side", "inlet"])
+
 
 if __name__ == "__main__":
     camaron_testing.main()

@@ -27,44 +27,6 @@ Result ReadBytes(const std::string& bytes, const std::string& name = "test.msh")
 }
 
 //------------------------------------------------------------------------------
-// Volume of a 3D cell by its faces, positive if they run outward; area of a 2D one, positive if it
-// is counterclockwise.
-double GetMeasure(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  const MeshView mesh(grid);
-  double sum = 0;
-  const auto getPoint = [&](vtkIdType id)
-  {
-    std::array<double, 3> x;
-    mesh.GetPoint(id, x.data());
-    return x;
-  };
-  const IndexRange points = mesh.GetCellPoints(cell);
-  if (GetCellShape(mesh.GetCellType(cell)).Dimension == 2)
-  {
-    for (vtkIdType i = 0; i < points.Size; ++i)
-    {
-      const auto a = getPoint(points[i]), b = getPoint(points[(i + 1) % points.Size]);
-      sum += (a[0] * b[1] - a[1] * b[0]) / 2;
-    }
-    return sum;
-  }
-  CellFacets(mesh).ForEach(cell,
-    [&](const vtkIdType* ids, vtkIdType size, vtkIdType)
-    {
-      const auto a = getPoint(ids[0]);
-      for (vtkIdType i = 1; i + 1 < size; ++i)
-      {
-        const auto b = getPoint(ids[i]), c = getPoint(ids[i + 1]);
-        sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                 a[2] * (b[0] * c[1] - b[1] * c[0])) /
-          6;
-      }
-    });
-  return sum;
-}
-
-//------------------------------------------------------------------------------
 // The nodes of a cell, and for 2D cells and polyhedra the way around, as sets that can be compared.
 std::vector<vtkIdType> GetSortedPoints(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
@@ -76,48 +38,6 @@ std::vector<vtkIdType> GetSortedPoints(vtkUnstructuredGrid* grid, vtkIdType cell
   }
   std::sort(ids.begin(), ids.end());
   return ids;
-}
-
-//------------------------------------------------------------------------------
-// The faces of a sample's cell as it sees them, outward, each from its smallest node.
-using FaceSet = std::set<std::vector<vtkIdType>>;
-void Normalise(std::vector<vtkIdType>& face)
-{
-  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
-}
-FaceSet GetFaces(const FluentSample& mesh, int cell)
-{
-  FaceSet faces;
-  for (const FluentSample::Face& face : mesh.Faces)
-  {
-    for (int side = 0; side < 2; ++side)
-    {
-      if (face.Cells[side] == cell && !face.Nodes.empty())
-      {
-        std::vector<vtkIdType> nodes(face.Nodes.begin(), face.Nodes.end());
-        if (side == 0)
-        {
-          std::reverse(nodes.begin(), nodes.end());
-        }
-        Normalise(nodes);
-        faces.insert(nodes);
-      }
-    }
-  }
-  return faces;
-}
-FaceSet GetFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  FaceSet faces;
-  const MeshView mesh(grid);
-  CellFacets(mesh).ForEach(cell,
-    [&](const vtkIdType* points, vtkIdType size, vtkIdType)
-    {
-      std::vector<vtkIdType> face(points, points + size);
-      Normalise(face);
-      faces.insert(face);
-    });
-  return faces;
 }
 
 //------------------------------------------------------------------------------
@@ -171,7 +91,7 @@ TEST(FluentMeshReader, ReadsEveryEncoding)
     {
       const FluentSample::Cell& expected = mesh.Cells[static_cast<std::size_t>(cell)];
       EXPECT_EQ(grid->GetCellType(cell), TypesOf3D.at(expected.Element)) << cell;
-      EXPECT_EQ(GetFaces(grid, cell), GetFaces(mesh, static_cast<int>(cell))) << cell;
+      EXPECT_EQ(GetFaceSet(grid, cell), GetFaceSet(mesh, static_cast<int>(cell))) << cell;
       EXPECT_GT(GetMeasure(grid, cell), 0.05) << cell;
       EXPECT_EQ(zones->GetTuple1(cell), expected.Zone);
     }
@@ -231,7 +151,7 @@ TEST(FluentMeshReader, TheDeclaredTypeDecides)
       {
         EXPECT_EQ(result.Grid->GetCellType(cell),
           TypesOf3D.at(element == 7 ? 7 : original.Cells[static_cast<std::size_t>(cell)].Element));
-        EXPECT_EQ(GetFaces(result.Grid, cell), GetFaces(mesh, static_cast<int>(cell)));
+        EXPECT_EQ(GetFaceSet(result.Grid, cell), GetFaceSet(mesh, static_cast<int>(cell)));
       }
     }
   }
@@ -250,7 +170,7 @@ TEST(FluentMeshReader, TheDeclaredTypeDecides)
     EXPECT_EQ(result.Grid->GetCellType(cell),
       cell < 2 ? VTK_POLYHEDRON
                : TypesOf3D.at(original.Cells[static_cast<std::size_t>(cell)].Element));
-    EXPECT_EQ(GetFaces(result.Grid, cell), GetFaces(mesh, static_cast<int>(cell)));
+    EXPECT_EQ(GetFaceSet(result.Grid, cell), GetFaceSet(mesh, static_cast<int>(cell)));
   }
 }
 
@@ -381,7 +301,7 @@ TEST(FluentMeshReader, ReadsHangingNodes)
   const Result polyhedron = ReadBytes(MakeHanging(true, 7));
   ASSERT_TRUE(polyhedron.Errors.empty());
   EXPECT_EQ(polyhedron.Grid->GetCellType(0), VTK_POLYHEDRON);
-  EXPECT_EQ(GetFaces(polyhedron.Grid, 0).size(), 9u);
+  EXPECT_EQ(GetFaceSet(polyhedron.Grid, 0).size(), 9u);
 
   // Parents among the others: ids of cells have a gap.
   std::string bytes = MakeHanging(true, 4);

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FluentOutput
+ * @brief The faces, cells and zones of a mesh as a Fluent file lists them.
+ *
+ * Faces are numbered with those between cells first, then zone by zone, and there by their cells;
+ * each starts at its smallest node. So the file does not depend on which of the possible orders of
+ * its nodes a cell has. Cells of a lower dimension that are faces of others say in which zone these
+ * are, and are not cells of the file; their points may be copies of those of the others, as when
+ * blocks were merged.
+ */
+#ifndef camaron_FluentOutput_h
+#define camaron_FluentOutput_h
+
+#include "FluentFile.h"
+#include "Mesh/CellFacets.h"
+#include "Mesh/MeshTopology.h"
+
+#include <map>    // for zones
+#include <vector> // for faces
+
+namespace camaron
+{
+class FluentOutput
+{
+public:
+  /// @a mesh must stay alive; @a dimension is that of its cells in the file.
+  FluentOutput(vtkDataSet* mesh, int dimension);
+
+  /// Finds all; false with the reason in @a reason where faces have more than two cells, or if
+  /// stopped.
+  bool Build(Warnings& warnings, std::string& reason, const Progress& progress);
+
+  const MeshView& GetMesh() const { return this->Mesh; }
+  int GetDimension() const { return this->Dimension; }
+
+  ///@{
+  /// Points and cells of the file, as those of the mesh, from 0.
+  vtkIdType GetNumberOfPoints() const
+  {
+    return this->AllPoints ? this->Mesh.GetNumberOfPoints()
+                           : static_cast<vtkIdType>(this->Points.size());
+  }
+  vtkIdType GetMeshPoint(vtkIdType point) const
+  {
+    return this->AllPoints ? point : this->Points[static_cast<std::size_t>(point)];
+  }
+  vtkIdType GetFilePoint(vtkIdType point) const
+  {
+    return this->AllPoints ? point : this->FilePoints[static_cast<std::size_t>(point)];
+  }
+  vtkIdType GetNumberOfCells() const
+  {
+    return this->AllCells ? this->Mesh.GetNumberOfCells()
+                          : static_cast<vtkIdType>(this->Cells.size());
+  }
+  vtkIdType GetMeshCell(vtkIdType cell) const
+  {
+    return this->AllCells ? cell : this->Cells[static_cast<std::size_t>(cell)];
+  }
+  ///@}
+  /// Fluent's number of the type of a cell of the file.
+  int GetElement(vtkIdType cell) const;
+
+  struct Face
+  {
+    Index Facet;
+    std::int32_t Cells[2]; ///< of the file, -1 for none; the normal points into the first
+    std::int32_t Size;
+    std::int32_t Least; ///< smallest node
+  };
+  /// Consecutive cells or faces of a zone.
+  struct Section
+  {
+    int Zone = 0;
+    int Type = 0; ///< of boundary
+    vtkIdType Begin = 0, End = 0;
+    int Element = 0; ///< 0 if they differ
+  };
+  const std::vector<Face>& GetFaces() const { return this->Faces; }
+  const std::vector<Section>& GetFaceSections() const { return this->FaceSections; }
+  const std::vector<Section>& GetCellSections() const { return this->CellSections; }
+  const std::vector<FluentZone>& GetZones() const { return this->Zones; }
+
+  /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten.
+  void GetNodes(const Face& face, std::vector<vtkIdType>& nodes) const;
+
+private:
+  void FindCells();
+  void MergeCopies();
+  bool FindFaces(Warnings& warnings, std::string& reason, const Progress& progress);
+  void SortFacesOfCells();
+  void SortFaces();
+  void FindCellSections(Warnings& warnings);
+  void FindMarks(Warnings& warnings);
+  FluentZone MakeZone(const std::string& type, int least) const;
+  int GetFreeZone(int least) const;
+  int GetZone(vtkIdType cell) const;
+  FluentZone Describe(int zone, const std::string& type) const;
+
+  vtkDataSet* DataSet;
+  int Dimension;
+  MeshTopology Topology;
+  const MeshView& Mesh;
+  const FacetTable& Facets;
+  const CellShape* Shapes;
+  bool AllCells = true, AllPoints = true;
+  std::vector<std::int32_t> Cells, FileCells; ///< of the mesh in the file, and the reverse
+  std::vector<std::int32_t> Marks;            ///< cells of the mesh that are faces of others
+  std::vector<std::int32_t> Points, FilePoints;
+  std::map<vtkIdType, vtkIdType> Originals; ///< of points that are copies
+  std::vector<Face> Faces;
+  std::map<Index, int> MarkedZones; ///< zones of facets
+  std::map<int, int> MarkedTypes;   ///< types of boundary of these zones
+  std::vector<Section> FaceSections, CellSections;
+  std::vector<FluentZone> Zones, KnownZones;
+  vtkDataArray* ZoneArray = nullptr;
+};
+}
+
+#endif

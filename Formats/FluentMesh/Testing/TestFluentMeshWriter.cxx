@@ -1,0 +1,357 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Fluent files that we write: exact bytes, and the same mesh when they are read again.
+#include "FluentMeshSamples.h"
+#include "TestMeshes.h"
+#include "vtkFluentMeshReader.h"
+#include "vtkFluentMeshWriter.h"
+
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkIntArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkStringArray.h"
+
+#include <functional>
+#include <sstream>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+struct Written
+{
+  int Success = 0;
+  std::string Bytes;
+  std::vector<std::string> Errors, Warnings;
+};
+
+Written Write(vtkDataObject* mesh, const std::function<void(vtkFluentMeshWriter*)>& configure = {})
+{
+  const File file("before", "test.msh");
+  Written result;
+  vtkNew<vtkFluentMeshWriter> writer;
+  writer->SetFileName(file.Path.c_str());
+  writer->SetInputDataObject(mesh);
+  if (configure)
+  {
+    configure(writer);
+  }
+  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
+  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
+  result.Success = writer->Write();
+  std::ostringstream bytes;
+  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
+  result.Bytes = bytes.str();
+  return result;
+}
+
+Written WriteAs(vtkDataObject* mesh, int encoding)
+{
+  return Write(mesh, [encoding](vtkFluentMeshWriter* writer) { writer->SetEncoding(encoding); });
+}
+
+Result Read(const std::string& bytes)
+{
+  return ReadWith<vtkFluentMeshReader>(File(bytes, "test.msh").Path);
+}
+
+//------------------------------------------------------------------------------
+// Same points (to the precision), types and faces as they run.
+void ExpectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool single = false)
+{
+  ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
+  ASSERT_EQ(a->GetNumberOfCells(), b->GetNumberOfCells());
+  for (vtkIdType i = 0; i < a->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < 3; ++c)
+    {
+      const double x = a->GetPoint(i)[c];
+      const double y = b->GetPoint(i)[c];
+      EXPECT_TRUE(single ? static_cast<float>(x) == static_cast<float>(y) : x == y) << i;
+    }
+  }
+  for (vtkIdType cell = 0; cell < a->GetNumberOfCells(); ++cell)
+  {
+    EXPECT_EQ(a->GetCellType(cell), b->GetCellType(cell)) << cell;
+    EXPECT_EQ(GetFaceSet(a, cell), GetFaceSet(b, cell)) << cell;
+  }
+}
+
+void AddZones(vtkUnstructuredGrid* grid, const std::vector<int>& zones)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName("Zone");
+  for (const int zone : zones)
+  {
+    array->InsertNextValue(zone);
+  }
+  grid->GetCellData()->AddArray(array);
+}
+}
+
+//------------------------------------------------------------------------------
+TEST(FluentMeshWriter, WritesText)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0.1 }, { 1, 1, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 4, 2, 3 } } });
+  const Written written = Write(grid);
+  EXPECT_EQ(written.Success, 1);
+  EXPECT_TRUE(written.Warnings.empty());
+  EXPECT_EQ(written.Bytes,
+    "(0 \"Camaron\")\n(2 3)\n(10 (0 1 5 0 3))\n(12 (0 1 2 0))\n(13 (0 1 7 0))\n"
+    "(10 (1 1 5 1 3)(\n0 0 0\n1 0 0\n0 1 0\n0 0 0.1\n1 1 1\n))\n"
+    "(12 (2 1 2 1 2))\n"
+    "(13 (3 1 1 2 3)(\n2 4 3 1 2\n))\n"
+    "(13 (4 2 7 3 3)(\n1 2 3 1 0\n1 3 4 1 0\n1 4 2 1 0\n2 4 5 2 0\n2 5 3 2 0\n3 5 4 2 0\n))\n"
+    "(45 (2 fluid fluid-2)())\n(45 (3 interior interior-3)())\n(45 (4 wall wall-4)())\n");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, binary sections are not what Fluent, or any reader, looks for.
+TEST(FluentMeshWriter, WritesBinary)
+{
+  const Grid grid = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 0.1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  for (const int encoding :
+    { vtkFluentMeshWriter::BINARY_SINGLE, vtkFluentMeshWriter::BINARY_DOUBLE })
+  {
+    const bool single = encoding == vtkFluentMeshWriter::BINARY_SINGLE;
+    const std::string base = single ? "20" : "30";
+    const Written written = WriteAs(grid, encoding);
+    ASSERT_EQ(written.Success, 1);
+    EXPECT_EQ(written.Warnings.size(), single ? 1u : 0u); // 0.1 is rounded
+    EXPECT_NE(written.Bytes.find("(4 (60 "), std::string::npos);
+    const std::string nodes = "(" + base + "10 (1 1 4 1 3)\n(";
+    const std::size_t begin = written.Bytes.find(nodes);
+    ASSERT_NE(begin, std::string::npos);
+    const std::string end = ")\nEnd of Binary Section   " + base + "10)\n";
+    EXPECT_EQ(written.Bytes.find(end, begin), begin + nodes.size() + (single ? 48 : 96));
+    EXPECT_NE(
+      written.Bytes.find("(" + base + "12 (2 1 1 1 2)\nEnd of Binary Section   " + base + "12)\n"),
+      std::string::npos);
+    ExpectSameCells(grid, Read(written.Bytes).Grid, single);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a mesh that was read does not come back from a file of ours, in some encoding.
+TEST(FluentMeshWriter, RoundTrips)
+{
+  FluentSample polyhedra = MakeMixed(3);
+  for (FluentSample::Cell& cell : polyhedra.Cells)
+  {
+    cell.Element = 7;
+  }
+  FluentSample inverted = MakeMixed(2);
+  for (auto& point : inverted.Points)
+  {
+    point[2] = -point[2];
+  }
+  for (const FluentSample& mesh : { MakeMixed(3), polyhedra, inverted, MakeFlat(8) })
+  {
+    const Result first = Read(Encode(mesh));
+    ASSERT_TRUE(first.Errors.empty());
+    for (int encoding = 0; encoding < 3; ++encoding)
+    {
+      const Written written = WriteAs(first.Grid, encoding);
+      ASSERT_EQ(written.Success, 1);
+      const Result second = Read(written.Bytes);
+      ASSERT_TRUE(second.Errors.empty()) << second.Errors[0];
+      EXPECT_TRUE(second.Warnings.empty());
+      const bool isSplit = mesh.Cells.size() > 1 && mesh.Cells[1].Zone != mesh.Cells[0].Zone;
+      EXPECT_TRUE(!written.Warnings.empty() || !isSplit);
+      ExpectSameCells(first.Grid, second.Grid, encoding == vtkFluentMeshWriter::BINARY_SINGLE);
+      EXPECT_TRUE(HaveSameValues(
+        first.Grid->GetCellData()->GetArray("Zone"), second.Grid->GetCellData()->GetArray("Zone")));
+      // And the file does not depend on the order of nodes, nor on threads.
+      if (encoding != vtkFluentMeshWriter::BINARY_SINGLE)
+      {
+        Written again;
+        vtkSMPTools::LocalScope(vtkSMPTools::Config(3, "STDThread", false),
+          [&] { again = WriteAs(second.Grid, encoding); });
+        EXPECT_EQ(again.Bytes, written.Bytes);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, zones of cells or boundaries get lost between reading and writing.
+TEST(FluentMeshWriter, KeepsZonesOfMergedBlocks)
+{
+  for (FluentSample mesh : { MakeMixed(2), MakeFlat(5) })
+  {
+    mesh.BoundaryTypes[11] = 10;
+    for (FluentSample::Cell& cell : mesh.Cells)
+    {
+      cell.Zone = 2;
+    }
+    int inlets = 0;
+    for (FluentSample::Face& face : mesh.Faces)
+    {
+      face.Zone = face.Cells[1] < 0 && inlets < 3 ? 11 : 0;
+      inlets += face.Zone == 11;
+    }
+    const std::string names = "(45 (11 velocity-inlet inlet)())\n";
+    const File file(Encode(mesh) + names, "test.msh");
+    vtkNew<vtkFluentMeshReader> reader;
+    reader->SetFileName(file.Path.c_str());
+    reader->Update();
+    vtkNew<vtkMultiBlockDataSet> both;
+    both->SetBlock(0, reader->GetOutputDataObject(0));
+    both->SetBlock(1, reader->GetOutputDataObject(1));
+    const Written written = Write(both);
+    ASSERT_EQ(written.Success, 1);
+    EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
+    const File copy(written.Bytes, "copy.msh");
+    vtkNew<vtkFluentMeshReader> second;
+    second->SetFileName(copy.Path.c_str());
+    second->Update();
+    ExpectSameCells(reader->GetOutput(), second->GetOutput());
+    auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(second->GetOutputDataObject(1));
+    ASSERT_EQ(blocks->GetNumberOfBlocks(), 2u);
+    std::map<std::string, vtkIdType> sizes;
+    for (unsigned int i = 0; i < 2; ++i)
+    {
+      auto* const surface = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
+      const std::string name = blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
+      sizes[name] = surface->GetNumberOfCells();
+      EXPECT_EQ(
+        surface->GetCellData()->GetArray("BoundaryType")->GetTuple1(0), name == "inlet" ? 10 : 3);
+    }
+    EXPECT_EQ(sizes["inlet"], 3);
+    EXPECT_GT(sizes["skin"], 3);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, cells of lower dimensions are written as cells, or vanish without a word.
+TEST(FluentMeshWriter, CellsOfLowerDimensionsAreMarks)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 5, 5, 5 } },
+    { { VTK_TRIANGLE, { 2, 0, 1 } }, { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } },
+      { VTK_LINE, { 0, 1 } } });
+  AddZones(grid, { 7, 5, 7, 7 });
+  const Written written = Write(grid);
+  ASSERT_EQ(written.Success, 1);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("1 cell of a lower dimension"), std::string::npos)
+    << written.Warnings[0];
+  EXPECT_NE(written.Bytes.find("(12 (5 1 1 1 2))"), std::string::npos);
+  EXPECT_NE(written.Bytes.find("(13 (7 4 4 3 3)(\n1 2 3 1 0\n))"), std::string::npos)
+    << written.Bytes;
+  EXPECT_EQ(Read(written.Bytes).Grid->GetNumberOfCells(), 1);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, meshes that Fluent cannot hold are written as something else.
+TEST(FluentMeshWriter, RefusesWhatItCannotHold)
+{
+  const auto refuse = [](vtkDataObject* mesh, const std::string& message)
+  {
+    const Written written = Write(mesh);
+    EXPECT_EQ(written.Success, 0);
+    EXPECT_EQ(written.Bytes, "before") << "the file that was there must stay";
+    ASSERT_EQ(written.Errors.size(), 1u);
+    EXPECT_NE(written.Errors[0].find(message), std::string::npos) << written.Errors[0];
+  };
+  refuse(MakeGrid({ { 0, 0, 0 } }, { { VTK_VERTEX, { 0 } } }), "two or three dimensions");
+  refuse(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0.5 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }),
+    "in a plane of constant z");
+  refuse(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 1, 1, 1 } },
+           { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } },
+             { VTK_TETRA, { 0, 1, 2, 5 } } }),
+    "at most two cells, found 1 of more");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, cells of types that Fluent does not know are not written as what they are.
+TEST(FluentMeshWriter, WritesOtherTypes)
+{
+  const Written prism = Write(MakeStandardCell(VTK_PENTAGONAL_PRISM));
+  ASSERT_EQ(prism.Success, 1);
+  const Result polyhedron = Read(prism.Bytes);
+  ASSERT_TRUE(polyhedron.Errors.empty());
+  EXPECT_EQ(polyhedron.Grid->GetCellType(0), VTK_POLYHEDRON);
+  EXPECT_GT(GetMeasure(polyhedron.Grid, 0), 0);
+  const Written voxel = Write(MakeStandardCell(VTK_VOXEL));
+  ASSERT_EQ(voxel.Success, 1);
+  const Result hexahedron = Read(voxel.Bytes);
+  EXPECT_EQ(hexahedron.Grid->GetCellType(0), VTK_HEXAHEDRON);
+  EXPECT_GT(GetMeasure(hexahedron.Grid, 0), 0);
+  const Written quadratic =
+    Write(MakeGrid({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 2, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+      { { VTK_QUADRATIC_TRIANGLE, { 0, 1, 2, 3, 4, 5 } } }));
+  ASSERT_EQ(quadratic.Success, 1);
+  EXPECT_EQ(quadratic.Warnings.size(), 1u);
+  EXPECT_EQ(Read(quadratic.Bytes).Grid->GetNumberOfPoints(), 3);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, cells that run around a common face in the same direction come back turned.
+TEST(FluentMeshWriter, KeepsCellsThatDisagree)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } } });
+  const Written written = Write(grid);
+  ASSERT_EQ(written.Success, 1);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("1 face around which"), std::string::npos);
+  ExpectSameCells(grid, Read(written.Bytes).Grid);
+}
+
+//------------------------------------------------------------------------------
+TEST(FluentMeshWriter, OtherPlanesAndNames)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 3 }, { 1, 0, 3 }, { 0, 1, 3 }, { 1, 1, 3 } },
+    { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 1, 3, 2 } } });
+  AddZones(grid, { 8, 0 });
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("ZoneIds");
+  ids->InsertNextValue(8);
+  vtkNew<vtkStringArray> names;
+  names->SetName("ZoneNames");
+  names->InsertNextValue("hot (air)");
+  grid->GetFieldData()->AddArray(ids);
+  grid->GetFieldData()->AddArray(names);
+  const Written written = Write(grid);
+  ASSERT_EQ(written.Success, 1);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("another plane than z = 0"), std::string::npos);
+  EXPECT_NE(written.Bytes.find("(45 (8 fluid hot--air-)())"), std::string::npos) << written.Bytes;
+  EXPECT_NE(written.Bytes.find("(12 (2 2 2 1 1))"), std::string::npos) << written.Bytes;
+  const Result result = Read(written.Bytes);
+  ASSERT_TRUE(result.Errors.empty());
+  EXPECT_GT(GetMeasure(result.Grid, 1), 0);
+}
+
+//------------------------------------------------------------------------------
+TEST(FluentMeshWriter, CollectedFilesRoundTrip)
+{
+  const char* folder = std::getenv("CAMARON_SHARED_DATA");
+  if (!folder || !std::filesystem::exists(std::string(folder) + "/ansys_fluent"))
+  {
+    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_fluent";
+  }
+  for (const auto& entry :
+    std::filesystem::directory_iterator(std::string(folder) + "/ansys_fluent"))
+  {
+    const Result first = ReadWith<vtkFluentMeshReader>(entry.path().string());
+    ASSERT_TRUE(first.Errors.empty()) << entry.path();
+    for (const int encoding : { vtkFluentMeshWriter::ASCII, vtkFluentMeshWriter::BINARY_DOUBLE })
+    {
+      const Written written = WriteAs(first.Grid, encoding);
+      ASSERT_EQ(written.Success, 1) << entry.path();
+      const Result second = Read(written.Bytes);
+      ASSERT_TRUE(second.Errors.empty()) << entry.path() << second.Errors[0];
+      // Text has the digits that single precision needs, if that is what the points are of.
+      ExpectSameCells(
+        first.Grid, second.Grid, first.Grid->GetPoints()->GetDataType() == VTK_FLOAT);
+    }
+  }
+}
