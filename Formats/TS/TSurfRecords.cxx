@@ -29,14 +29,23 @@ bool HasProperties(TSurfLine what)
 // Ids of objects may be negative as well.
 bool ReadAnyId(TextRow& row, std::int32_t& id)
 {
+  const char* position = row.GetPosition();
   std::int64_t value;
   if (!row.ReadInteger(value, VertexId))
   {
     return false;
   }
   id = static_cast<std::int32_t>(value);
-  return id == value ||
-    row.FailAt(row.GetPosition(), ErrorKind::Index, "an id of a vertex below 2147483648");
+  if (id == value)
+  {
+    return true;
+  }
+  // An error quotes the word that begins here, so not what follows the number.
+  while (IsSpace(*position))
+  {
+    ++position;
+  }
+  return row.FailAt(position, ErrorKind::Index, "an id of a vertex below 2147483648");
 }
 }
 
