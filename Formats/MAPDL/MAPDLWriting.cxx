@@ -102,15 +102,19 @@ struct Component
 };
 
 //------------------------------------------------------------------------------
-// What stands for a name in a deck, where some characters would end it.
+// What stands for a name in a deck, which has to begin with a letter and where other characters
+// would end it.
 std::string MakeName(const char* name)
 {
   std::string safe = ToUpperMAPDL(TrimMAPDL(name));
   for (char& c : safe)
   {
-    const bool isBad = c == ',' || c == '!' || c == '$' || c == '\'' || c == '=' ||
-      static_cast<unsigned char>(c) < ' ';
-    c = isBad ? '_' : c;
+    const bool isGood = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
+    c = isGood ? c : '_';
+  }
+  if (!safe.empty() && safe.front() >= '0' && safe.front() <= '9')
+  {
+    safe.insert(0, 1, 'C');
   }
   return safe;
 }

@@ -222,6 +222,7 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
   AddArray<vtkIntArray>(grid->GetCellData(), "Real", { 7, -2147483647 });
   AddArray<vtkUnsignedCharArray>(grid->GetPointData(), "Many", { 0, 1, 2, 3, 4, 5, 6, 7, 8 });
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "a,b!$", { 0, 1 });
+  AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "1 x\"\xc3\xa9", { 0, 1 });
   const Written written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 3u);
   EXPECT_NE(written.Warnings[0].find("Many, TypeId, ElementType, Material"), std::string::npos)
@@ -239,6 +240,7 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
   EXPECT_EQ(GetValue(result.Grid, "Real", 0), 7);
   EXPECT_EQ(GetValue(result.Grid, "Real", 1), 1);
   EXPECT_EQ(GetValue(result.Grid, "A_B__", 1), 1);
+  EXPECT_EQ(GetValue(result.Grid, "C1_X___", 1), 1);
 }
 
 //------------------------------------------------------------------------------
