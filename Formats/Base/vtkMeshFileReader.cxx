@@ -63,6 +63,13 @@ int vtkMeshFileReader::RequestData(
   camaron::ScanError error;
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ReadMesh(this->FileName, request, output, warnings, error, progress);
+  if (progress.IsStopped())
+  {
+    // Whatever was tried in vain before, in another dialect perhaps, is not why there is no mesh.
+    error = camaron::ScanError();
+    warnings = camaron::Warnings();
+    output->Initialize();
+  }
   const std::string name = camaron::GetFileName(this->FileName);
   for (const std::string& sentence : warnings.GetSentences())
   {

@@ -403,10 +403,11 @@ std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
     {
       return "what was written: " + (after.Fault.empty() ? Quote(after.Errors[0]) : after.Fault);
     }
-    // Points without cells are a cloud, and in many formats so is every file of points alone.
-    const bool isCloud = before.Grid->GetNumberOfCells() == 0 &&
-      after.Grid->GetNumberOfCells() == after.Grid->GetNumberOfPoints();
-    if (warnings.empty() && !isCloud &&
+    if (before.Grid->GetNumberOfCells() == 0)
+    {
+      return {}; // points alone are a cloud in many formats, and read as cells
+    }
+    if (warnings.empty() &&
       (after.Grid->GetNumberOfPoints() != before.Grid->GetNumberOfPoints() ||
         after.Grid->GetNumberOfCells() != before.Grid->GetNumberOfCells()))
     {
