@@ -360,6 +360,35 @@ void PieceMerger::MergePoints(vtkUnstructuredGrid* grid) const
 }
 
 //------------------------------------------------------------------------------
+// A FieldList sorts arrays by name; files have them in the order of the mesh.
+void RestoreOrder(vtkDataSetAttributes* data, vtkDataSetAttributes* model)
+{
+  std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, int>> arrays;
+  for (int i = 0; i < model->GetNumberOfArrays(); ++i)
+  {
+    const char* const name = model->GetAbstractArray(i)->GetName();
+    int index = -1;
+    vtkAbstractArray* const array = name ? data->GetAbstractArray(name, index) : nullptr;
+    if (array)
+    {
+      arrays.emplace_back(array, data->IsArrayAnAttribute(index));
+    }
+  }
+  for (const auto& array : arrays)
+  {
+    data->RemoveArray(array.first->GetName());
+  }
+  for (const auto& array : arrays)
+  {
+    const int index = data->AddArray(array.first);
+    if (array.second >= 0)
+    {
+      data->SetActiveAttribute(index, array.second);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid) const
 {
   vtkDataSetAttributes::FieldList pointFields, cellFields;
@@ -394,6 +423,11 @@ void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid) const
          static_cast<vtkDataSetAttributes*>(cells) })
   {
     data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  }
+  if (!this->Pieces.empty())
+  {
+    RestoreOrder(points, this->Pieces.front().Mesh->GetPointData());
+    RestoreOrder(cells, this->Pieces.front().Mesh->GetCellData());
   }
 }
 

@@ -92,6 +92,14 @@ void Unite(std::vector<Range>& ranges)
 }
 
 //------------------------------------------------------------------------------
+// Whether an id that stands alone is none of the deck; ranges may have gaps.
+bool HasUndefined(const std::vector<Range>& ranges, const IdMap& map)
+{
+  return std::any_of(ranges.begin(), ranges.end(),
+    [&](const Range& range) { return range.First == range.Last && map.Find(range.First) < 0; });
+}
+
+//------------------------------------------------------------------------------
 // Sets flags[index(position)] of the members.
 template <typename GetIndex>
 void Mark(const std::vector<Range>& ranges, const IdMap& map, const Buffer<std::int32_t>& ids,
@@ -186,7 +194,7 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   constexpr std::size_t LeastBound = std::size_t(1) << 26;
   const std::size_t bound = std::max(LeastBound, 8 * textSize);
   std::size_t bytes = 0;
-  vtkIdType leftOut = 0;
+  vtkIdType leftOut = 0, undefined = 0;
   for (vtkIdType i = 0; i < size && progress.Report(0.5 + 0.5 * i / size); ++i)
   {
     const MAPDLComponent& component = deck.Components[i];
@@ -200,6 +208,7 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
     }
     Buffer<unsigned char> flags(ofNodes ? piece.GetNumberOfPoints() : piece.GetNumberOfCells());
     std::fill(flags.data(), flags.data() + flags.size(), static_cast<unsigned char>(0));
+    undefined += HasUndefined(ranges[i], ofNodes ? mesh.GetNodes() : elements);
     if (ofNodes)
     {
       Mark(ranges[i], mesh.GetNodes(), mesh.GetNodeIds(), flags.data(),
@@ -231,6 +240,11 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   if (wrongCounts > 0)
   {
     warnings.Add(std::to_string(wrongCounts) + " components have fewer members than they say");
+  }
+  if (undefined > 0)
+  {
+    warnings.Add(
+      std::to_string(undefined) + " components name nodes or elements that the deck does not define");
   }
   if (leftOut > 0)
   {

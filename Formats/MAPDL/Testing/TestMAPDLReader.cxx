@@ -425,6 +425,15 @@ TEST(MAPDLReader, Components)
 }
 
 //------------------------------------------------------------------------------
+TEST(MAPDLReader, WarnsOfMembersThatAreNotThere)
+{
+  const Result result = ReadDeck(MakeNodes(1, 9) + "CMBLOCK,BAD,NODE,1\n(8i10)\n        99\n");
+  ASSERT_TRUE(result.Errors.empty());
+  ASSERT_EQ(result.Warnings.size(), 1u);
+  EXPECT_NE(result.Warnings[0].find("1 components name nodes"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, text that only looks like commands is executed, or what is not executed goes
 // unsaid.
 TEST(MAPDLReader, SkipsWhatIsNoMesh)
