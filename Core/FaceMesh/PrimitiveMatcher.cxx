@@ -386,8 +386,101 @@ bool PrimitiveMatcher::Match(unsigned char type, const IdList* faces)
 bool PrimitiveMatcher::Match(
   unsigned char type, const IdList* faces, const FaceDirection* directions)
 {
+  if (type == VTK_HEXAHEDRON && this->MatchHexahedron(faces, directions))
+  {
+    return true;
+  }
   return this->MatchAny(type, faces,
     [&](const Primitive& primitive) { return this->RunsAgainst(primitive, faces, directions); });
+}
+
+//------------------------------------------------------------------------------
+// The usual case of a frequent type in short: six quadrilaterals that run around eight points, all
+// consistently. The first is the bottom; its edges lead to the sides, and these to the top.
+bool PrimitiveMatcher::MatchHexahedron(const IdList* faces, const FaceDirection* directions)
+{
+  std::int32_t corners[6][4]; // as the faces run outward
+  for (int f = 0; f < 6; ++f)
+  {
+    if (directions[f] == FaceDirection::Unknown)
+    {
+      return false;
+    }
+    const bool turn = directions[f] == FaceDirection::Inward;
+    corners[f][0] = faces[f][0];
+    corners[f][1] = faces[f][turn ? 3 : 1];
+    corners[f][2] = faces[f][2];
+    corners[f][3] = faces[f][turn ? 1 : 3];
+  }
+  // VTK's faces at the edges 0-1, 1-2, 2-3 and 3-0 of the bottom, the bottom itself and the top.
+  constexpr int Sides[4] = { 2, 1, 3, 0 };
+  constexpr int Bottom = 4, Top = 5;
+  std::int32_t* const low = this->Nodes;
+  std::int32_t* const high = this->Nodes + 4;
+  low[0] = corners[0][0];
+  low[1] = corners[0][3];
+  low[2] = corners[0][2];
+  low[3] = corners[0][1];
+  this->FaceOf[Bottom] = 0;
+  int left = 0; // the face that no edge led to
+  for (int f = 1; f < 6; ++f)
+  {
+    left += f;
+  }
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    const std::int32_t a = low[edge], b = low[(edge + 1) & 3];
+    int side = 1, at = 0;
+    for (; side < 6; ++side)
+    {
+      const std::int32_t* c = corners[side];
+      at = c[0] == a ? 0 : c[1] == a ? 1 : c[2] == a ? 2 : 3;
+      if (c[at] == a && c[(at + 1) & 3] == b)
+      {
+        break;
+      }
+    }
+    if (side == 6)
+    {
+      return false;
+    }
+    this->FaceOf[Sides[edge]] = side;
+    left -= side;
+    const std::int32_t afterB = corners[side][(at + 2) & 3], beforeA = corners[side][(at + 3) & 3];
+    if (edge == 0)
+    {
+      high[0] = beforeA;
+      high[1] = afterB;
+    }
+    else if (high[edge] != beforeA || (edge == 3 && high[0] != afterB))
+    {
+      return false;
+    }
+    else if (edge < 3)
+    {
+      high[edge + 1] = afterB;
+    }
+  }
+  if (left < 1 || left > 5)
+  {
+    return false;
+  }
+  const std::int32_t* top = corners[left];
+  const int at = top[0] == high[0] ? 0 : top[1] == high[0] ? 1 : top[2] == high[0] ? 2 : 3;
+  bool good = true;
+  for (int i = 0; i < 4; ++i)
+  {
+    good &= top[(at + i) & 3] == high[i];
+  }
+  for (int i = 0; i < 8; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      good &= this->Nodes[i] != this->Nodes[j];
+    }
+  }
+  this->FaceOf[Top] = left;
+  return good;
 }
 
 //------------------------------------------------------------------------------

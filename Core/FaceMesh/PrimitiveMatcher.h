@@ -52,6 +52,7 @@ private:
   bool MatchTetrahedron(const IdList* faces, IsMirrored&& isMirrored);
   template <typename IsMirrored>
   bool MatchAny(unsigned char type, const IdList* faces, IsMirrored&& isMirrored);
+  bool MatchHexahedron(const IdList* faces, const FaceDirection* directions);
   bool RunsAgainst(
     const Primitive& primitive, const IdList* faces, const FaceDirection* directions) const;
   bool CollectVertices(int numberOfFaces, int numberOfNodes, const IdList* faces);
