@@ -16,6 +16,7 @@
 #include "vtkTypeInt32Array.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace camaron
@@ -222,54 +223,60 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
 }
 
 //------------------------------------------------------------------------------
-void MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
+bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,
   vtkMultiBlockDataSet* blocks)
 {
-  const auto isBoundary = [](const FluentFaces::Run& run)
+  std::map<int, std::vector<const FluentFaces::Run*>> runs; // by zone
+  for (const FluentFaces::Run& run : faces.GetRuns())
   {
-    return run.BoundaryType != FluentBoundary::Interior &&
-      run.BoundaryType != FluentBoundary::Parent;
-  };
-  const std::vector<FluentZone> zones = ListZones(file);
-  std::vector<int> ids; // in the order of the file
-  for (const FluentSection& section : file.Faces)
-  {
-    const int id = static_cast<int>(section.Header[0]);
-    if (std::find(ids.begin(), ids.end(), id) == ids.end())
+    if (run.BoundaryType != FluentBoundary::Interior && run.BoundaryType != FluentBoundary::Parent)
     {
-      ids.push_back(id);
+      runs[run.Zone].push_back(&run);
     }
   }
-  unsigned int number = 0;
-  for (const int id : ids)
+  constexpr std::size_t MaxZones = 10000;
+  if (runs.size() > MaxZones)
   {
+    return false;
+  }
+  std::map<int, FluentZone> zones;
+  for (const FluentZone& zone : ListZones(file))
+  {
+    zones[zone.Id] = zone;
+  }
+  unsigned int number = 0;
+  for (const FluentSection& section : file.Faces) // in their order
+  {
+    const int id = static_cast<int>(section.Header[0]);
+    const auto found = runs.find(id);
+    if (found == runs.end())
+    {
+      continue;
+    }
     ZoneFaces collected;
     bool hasFaces = false;
-    for (const FluentFaces::Run& run : faces.GetRuns())
+    for (const FluentFaces::Run* run : found->second)
     {
-      if (run.Zone != id || !isBoundary(run))
-      {
-        continue;
-      }
       // Where meshes that do not fit meet, faces may have no nodes at all.
-      hasFaces = hasFaces || run.BoundaryType < FluentBoundary::Nonconformal;
-      Collect(faces, run, cells, piece, file.GetDimension(), collected);
+      hasFaces = hasFaces || run->BoundaryType < FluentBoundary::Nonconformal;
+      Collect(faces, *run, cells, piece, file.GetDimension(), collected);
     }
+    runs.erase(found);
     if (!hasFaces && collected.Ends.empty())
     {
       continue;
     }
-    const auto zone = std::find_if(
-      zones.begin(), zones.end(), [id](const FluentZone& candidate) { return candidate.Id == id; });
+    const FluentZone& zone = zones[id];
     const auto surface = MakeSurface(collected, id, file.GetDimension(), points);
     vtkNew<vtkStringArray> type;
     type->SetName("ZoneType");
-    type->InsertNextValue(zone->Type);
+    type->InsertNextValue(zone.Type);
     surface->GetFieldData()->AddArray(type);
     blocks->SetBlock(number, surface);
-    blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone->Name.c_str());
+    blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone.Name.c_str());
     ++number;
   }
+  return true;
 }
 }

@@ -23,8 +23,9 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
  * parents of split faces. Faces run outward of their (first) cell. They have the cell arrays "Zone"
  * and "BoundaryType", the number that Fluent gives to the kind of boundary.
  * @param points those of the piece
+ * @return false if there are more zones than anybody can want
  */
-void MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
+bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   const FluentCells& cells, const FluentPiece& piece, vtkPoints* points,
   vtkMultiBlockDataSet* blocks);
 }

@@ -5,6 +5,35 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
+void FluentFaceTree::Build()
+{
+  std::stable_sort(this->Entries.begin(), this->Entries.end(),
+    [](const Entry& a, const Entry& b) { return a.Child < b.Child; });
+  std::vector<vtkIdType> parents;
+  for (const Entry& entry : this->Entries)
+  {
+    parents.push_back(entry.Parent);
+  }
+  std::sort(parents.begin(), parents.end());
+  for (const vtkIdType parent : parents)
+  {
+    if (this->Parents.empty() || this->Parents.back().first != parent)
+    {
+      this->Parents.emplace_back(parent, 0);
+    }
+    ++this->Parents.back().second;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType FluentFaceTree::GetNumberOfParts(vtkIdType parent) const
+{
+  const auto found = std::lower_bound(
+    this->Parents.begin(), this->Parents.end(), std::make_pair(parent, vtkIdType(0)));
+  return found != this->Parents.end() && found->first == parent ? found->second : 0;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType FluentFaceTree::FindParent(vtkIdType child) const
 {
   const auto entry = std::lower_bound(this->Entries.begin(), this->Entries.end(), child,
@@ -38,24 +67,62 @@ FluentShape FluentMesh::GetShape(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
+// Replaces all parts of a face by the face that was split. A face some of whose parts belong to
+// other cells is a face of a parent of the cell; its parts stay.
+bool FluentCellFaces::JoinOnce(std::vector<vtkIdType>& faces) const
+{
+  const FluentFaceTree& tree = this->Mesh.Tree;
+  std::vector<std::pair<vtkIdType, vtkIdType>> found; // parent and part
+  for (const vtkIdType face : faces)
+  {
+    const vtkIdType parent = tree.FindParent(face);
+    if (parent >= 0)
+    {
+      found.emplace_back(parent, face);
+    }
+  }
+  std::sort(found.begin(), found.end());
+  bool isChanged = false;
+  for (auto begin = found.begin(); begin != found.end();)
+  {
+    auto end = begin;
+    while (end != found.end() && end->first == begin->first)
+    {
+      ++end;
+    }
+    if (end - begin == tree.GetNumberOfParts(begin->first))
+    {
+      for (auto part = begin; part != end; ++part)
+      {
+        faces.erase(std::remove(faces.begin(), faces.end(), part->second), faces.end());
+      }
+      faces.push_back(begin->first);
+      isChanged = true;
+    }
+    begin = end;
+  }
+  return isChanged;
+}
+
+//------------------------------------------------------------------------------
 // Replaces parts of faces by the faces that were split, if that makes as many as are wanted.
 bool FluentCellFaces::Join(std::size_t wanted)
 {
-  const FluentFaceTree& tree = this->Mesh.Tree;
-  std::vector<vtkIdType> positions, parents;
-  for (const vtkIdType position : this->Positions)
+  constexpr std::size_t MaxFaces = 256; // more are no cell beside refined ones
+  if (this->Positions.size() > MaxFaces)
   {
-    const vtkIdType parent = tree.FindParent(position);
-    if (parent < 0)
+    return false;
+  }
+  std::vector<vtkIdType> joined = this->Positions;
+  while (joined.size() > wanted)
+  {
+    const std::size_t before = joined.size();
+    if (!this->JoinOnce(joined) || joined.size() >= before)
     {
-      positions.push_back(position);
-    }
-    else if (std::find(parents.begin(), parents.end(), parent) == parents.end())
-    {
-      parents.push_back(parent);
+      return false;
     }
   }
-  if (positions.size() + parents.size() != wanted)
+  if (joined.size() != wanted)
   {
     return false;
   }
@@ -71,13 +138,9 @@ bool FluentCellFaces::Join(std::size_t wanted)
   std::sort(nodes.begin(), nodes.end());
   const std::int64_t cell = this->Cell;
   this->Clear();
-  for (const vtkIdType position : positions)
+  for (const vtkIdType position : joined)
   {
-    this->Add(cell, position);
-  }
-  for (const vtkIdType parent : parents)
-  {
-    const FluentFace face = this->Mesh.Faces[parent];
+    const FluentFace face = this->Mesh.Faces[position];
     for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
     {
       if (!std::binary_search(nodes.begin(), nodes.end(), face.Nodes[i]))
@@ -85,7 +148,7 @@ bool FluentCellFaces::Join(std::size_t wanted)
         return false;
       }
     }
-    this->Add(cell, parent);
+    this->Add(cell, position);
     if (face.GetCell(0) != cell && face.GetCell(1) != cell)
     {
       this->Directions.back() = FaceDirection::Unknown;

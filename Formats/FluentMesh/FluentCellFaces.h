@@ -16,6 +16,7 @@
 #include "vtkCellType.h" // for the types of cells
 
 #include <algorithm> // for std::sort
+#include <utility>   // for pairs
 #include <vector>    // for scratch
 
 namespace camaron
@@ -28,8 +29,13 @@ struct FluentFaceTree
   {
     vtkIdType Child, Parent;
   };
-  std::vector<Entry> Entries; ///< sorted by the part
+  std::vector<Entry> Entries;                           ///< sorted by the part
+  std::vector<std::pair<vtkIdType, vtkIdType>> Parents; ///< with the number of their parts, sorted
+
+  /// Sorts what was put into Entries.
+  void Build();
   vtkIdType FindParent(vtkIdType child) const;
+  vtkIdType GetNumberOfParts(vtkIdType parent) const;
 };
 
 /// What a cell is declared to be; no type if that is not known.
@@ -138,6 +144,7 @@ private:
     this->Directions.push_back(isFirstCell ? FaceDirection::Inward : FaceDirection::Outward);
     this->Cell = cell;
   }
+  bool JoinOnce(std::vector<vtkIdType>& faces) const;
   bool Join(std::size_t wanted);
   bool MatchVolume(unsigned char type);
   bool MakeRing();

@@ -278,20 +278,25 @@ void FluentFaces::FindStarts(Run& run, const Progress& progress)
 void FluentFaces::LeaveOutInterfaces(FluentFile& file)
 {
   constexpr int InterfaceParents = 61;
+  std::vector<std::int64_t> changes(this->Runs.size() + 1, 0); // of how many sections name a run
   for (const FluentSection& section : file.InterfaceFaces)
   {
     if (section.Index != InterfaceParents || section.HeaderSize < 2)
     {
       continue;
     }
-    for (Run& run : this->Runs)
-    {
-      const std::int64_t lastId = run.FirstId + (run.End - run.Begin) - 1;
-      if (run.FirstId >= section.Header[0] && lastId <= section.Header[1])
-      {
-        run.Bounds = false;
-      }
-    }
+    const auto first = std::lower_bound(this->Runs.begin(), this->Runs.end(), section.Header[0],
+      [](const Run& run, std::int64_t id) { return run.FirstId < id; });
+    const auto last = std::upper_bound(first, this->Runs.end(), section.Header[1],
+      [](std::int64_t id, const Run& run) { return id < run.FirstId + (run.End - run.Begin) - 1; });
+    ++changes[static_cast<std::size_t>(first - this->Runs.begin())];
+    --changes[static_cast<std::size_t>(last - this->Runs.begin())];
+  }
+  std::int64_t sections = 0;
+  for (std::size_t run = 0; run < this->Runs.size(); ++run)
+  {
+    sections += changes[run];
+    this->Runs[run].Bounds = this->Runs[run].Bounds && sections == 0;
   }
 }
 

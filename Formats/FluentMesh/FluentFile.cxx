@@ -415,6 +415,27 @@ const char* FluentFile::FindLists(FluentSection& section)
 }
 
 //------------------------------------------------------------------------------
+// The same for the parts of split faces: "n child1 ... childn".
+const char* FluentFile::FindParts(const FluentSection& section)
+{
+  const char* place = section.Begin;
+  for (std::int64_t face = section.Header[0]; face <= section.Header[1]; ++face)
+  {
+    const std::int64_t left = (this->End - place) / 4;
+    const std::int32_t size = left > 0 ? Load<std::int32_t>(place, this->Swap) : 0;
+    if (left < 1 || size < 0 || size > left - 1)
+    {
+      this->FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+        "the number of parts of face " + std::to_string(face),
+        left > 0 ? std::to_string(size) : "the end of the file");
+      return nullptr;
+    }
+    place += 4 * (std::ptrdiff_t(size) + 1);
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
 // The body of a binary section whose header was read.
 bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
 {
@@ -480,6 +501,10 @@ const char* FluentFile::FindEndOfData(FluentSection& section)
   if (section.Index == 13 && (element == 0 || element == 5))
   {
     return this->FindLists(section);
+  }
+  if (section.Index == 59)
+  {
+    return this->FindParts(section);
   }
   std::int64_t bytes = 4 * (element + 2); // of a face
   if (section.Index == 10)
@@ -579,9 +604,10 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
   }
   if (!section.IsText())
   {
-    // The range in the header of 61 says enough; trees in binary files are rare, and without them
-    // cells with hanging nodes are polyhedra.
-    return this->SkipBinary(section, index) && this->Keep(std::move(section));
+    // The range in the header of 61 says enough.
+    const bool isTree = section.Index == 59 && section.HeaderSize > 1;
+    return (isTree ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index)) &&
+      this->Keep(std::move(section));
   }
 
   this->SkipSpace();

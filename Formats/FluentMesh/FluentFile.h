@@ -106,6 +106,7 @@ private:
   bool ReadBinaryBody(FluentSection& section, int index);
   const char* FindEndOfData(FluentSection& section);
   const char* FindLists(FluentSection& section);
+  const char* FindParts(const FluentSection& section);
   const char* FindEndMark(const char* place, int index, bool hasData) const;
   bool ReadDimension();
   bool ReadConfiguration();

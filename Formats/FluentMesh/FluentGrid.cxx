@@ -329,8 +329,8 @@ bool FluentGridBuilder::BuildInPlace(const Progress& progress)
           // No further than this block: others may have nodes already.
           if (cell + Ahead < end)
           {
-            constexpr vtkIdType LeastFaces = 3;
-            this->PrefetchFaces(ids.data() + offsets[cell + Ahead], LeastFaces);
+            this->PrefetchFaces(
+              ids.data() + offsets[cell + Ahead], GetNumberOfFaces(this->Types[cell + Ahead]));
           }
           const unsigned char type = this->Types[cell];
           const vtkIdType size = offsets[cell + 1] - offsets[cell];

@@ -100,13 +100,19 @@ bool FluentMeshReading::ReadTree()
 {
   for (const FluentSection& section : this->File.FaceTrees)
   {
-    if (!section.IsText() || !section.Begin || section.HeaderSize < 2)
+    if (!section.Begin || section.HeaderSize < 2)
     {
       continue;
     }
     const char* text = section.Begin;
     const auto read = [&](std::int64_t& value, const char* what)
     {
+      if (!section.IsText())
+      {
+        value = Load<std::int32_t>(text, this->File.IsSwapped()); // known to fit
+        text += 4;
+        return true;
+      }
       const char* const place = text;
       text = ParseHex(text, section.End, value);
       if (!text)
@@ -142,9 +148,7 @@ bool FluentMeshReading::ReadTree()
       }
     }
   }
-  std::stable_sort(this->Tree.Entries.begin(), this->Tree.Entries.end(),
-    [](const FluentFaceTree::Entry& a, const FluentFaceTree::Entry& b)
-    { return a.Child < b.Child; });
+  this->Tree.Build();
   return true;
 }
 
@@ -212,9 +216,11 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   }
   this->AddArrays(grid);
   this->AddIds(grid);
-  if (boundaries)
+  if (boundaries &&
+    !MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries) &&
+    this->Request.Piece == 0)
   {
-    MakeFluentBoundaries(this->File, this->Faces, this->Cells, this->Piece, points, boundaries);
+    warnings.Add("there are too many zones of faces to show the boundaries by zone");
   }
   if (this->Request.Piece == 0)
   {

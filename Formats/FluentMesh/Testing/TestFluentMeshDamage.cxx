@@ -234,6 +234,37 @@ TEST(FluentMeshDamage, CutOffAnywhere)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, time or memory grow faster than the file where it has very many small sections.
+TEST(FluentMeshDamage, ManySections)
+{
+  constexpr int Count = 30000;
+  std::string text = "(2 3)\n(10 (1 1 4 1 3)(0 0 0 1 0 0 0 1 0 0 0 1))\n";
+  std::string quotes = Tetrahedron;
+  for (int i = 1; i <= Count; ++i)
+  {
+    std::string id;
+    AppendHex(id, static_cast<std::uint64_t>(i));
+    text += "(13 (" + id + " " + id + " " + id + " 3 3)(1 2 3 1 0))(61 (1 ffff)())(12 (" + id +
+      " " + id + " " + id + " 1 7))";
+    quotes += "(37 (a \" b))(0 3\" x)";
+  }
+  EXPECT_TRUE(ReadsOrRefuses(text));
+  EXPECT_TRUE(ReadsOrRefuses(quotes + "(37 (\"))"));
+  // A cell of very many faces, which are all parts of others.
+  std::string cell = "(2 3)\n(10 (1 1 4 1 3)(0 0 0 1 0 0 0 1 0 0 0 1))\n(12 (2 1 1 1 4))", faces,
+              tree;
+  for (int i = 1; i <= Count; ++i)
+  {
+    faces += "1 2 3 1 0\n";
+    tree += "1 ";
+    AppendHex(tree, static_cast<std::uint64_t>(i));
+    tree += "\n";
+  }
+  EXPECT_TRUE(ReadsOrRefuses(cell + "(13 (3 1 7530 3 3)(" + faces + "))(13 (4 7531 ea60 1f 3)(" +
+    faces + "))(59 (7531 ea60 4 3)(" + tree + "))"));
+}
+
+//------------------------------------------------------------------------------
 // If this fails, some damage crashes the reader. Damaged files may still be good meshes.
 TEST(FluentMeshDamage, RandomDamage)
 {

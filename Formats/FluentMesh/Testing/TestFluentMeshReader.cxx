@@ -220,7 +220,7 @@ namespace
 {
 // A cube beside four slabs that were refined; the face between is split. Without parents, it has
 // nine faces.
-std::string MakeHanging(bool withTree, int element)
+std::string MakeHanging(bool withTree, int element, const FluentEncoding& how = {})
 {
   FluentSample mesh;
   std::vector<int> cube;
@@ -267,11 +267,23 @@ std::string MakeHanging(bool withTree, int element)
     mesh.Cells.push_back({ 4, 9 });
     mesh.BoundaryTypes[8] = 31;
     mesh.Faces.push_back({ { cube[1], cube[5], cube[6], cube[2] }, { 0, 5 }, 8 });
-    bytes = Encode(mesh);
-    const std::string parent = "(12 (9 6 6 1 4))", inactive = "(12 (9 6 6 20 4))";
+    bytes = Encode(mesh, how);
+    const std::string parent = "12 (9 6 6 1 4)", inactive = "12 (9 6 6 20 4)";
     bytes.replace(bytes.find(parent), parent.size(), inactive);
     std::string last;
     AppendHex(last, mesh.Faces.size());
+    if (how.RealSize > 0)
+    {
+      const auto face = static_cast<int>(mesh.Faces.size());
+      FluentWords words(bytes, how);
+      words.Open(59, { face, face, 8, 3 });
+      for (const int word : { 4, 1, 2, 3, 4 })
+      {
+        words.Integer(word, false);
+      }
+      words.Close();
+      return bytes;
+    }
     return bytes + "(59 (" + last + " " + last +
       " 8 3)(\n4 1 2 3 4\n))\n(58 (6 6 9 2)(\n4 2 3 4 5\n))\n";
   }
@@ -290,6 +302,13 @@ TEST(FluentMeshReader, ReadsHangingNodes)
   EXPECT_EQ(joined.Grid->GetNumberOfCells(), 5);
   EXPECT_NEAR(GetMeasure(joined.Grid, 0), 1, 1e-12);
   EXPECT_EQ(joined.Grid->GetCellData()->GetArray("OriginalCellId"), nullptr);
+
+  for (const FluentEncoding& how : GetEncodings())
+  {
+    const Result encoded = ReadBytes(MakeHanging(true, 4, how));
+    ASSERT_TRUE(encoded.Errors.empty()) << encoded.Errors[0];
+    EXPECT_EQ(Count(encoded.Grid, VTK_HEXAHEDRON), 5);
+  }
 
   const Result open = ReadBytes(MakeHanging(false, 4));
   ASSERT_TRUE(open.Errors.empty()) << open.Errors[0];

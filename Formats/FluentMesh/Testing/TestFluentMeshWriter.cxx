@@ -350,8 +350,7 @@ TEST(FluentMeshWriter, CollectedFilesRoundTrip)
       const Result second = Read(written.Bytes);
       ASSERT_TRUE(second.Errors.empty()) << entry.path() << second.Errors[0];
       // Text has the digits that single precision needs, if that is what the points are of.
-      ExpectSameCells(
-        first.Grid, second.Grid, first.Grid->GetPoints()->GetDataType() == VTK_FLOAT);
+      ExpectSameCells(first.Grid, second.Grid, first.Grid->GetPoints()->GetDataType() == VTK_FLOAT);
     }
   }
 }
