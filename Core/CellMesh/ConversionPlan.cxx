@@ -98,7 +98,9 @@ ConversionStep ConversionPlan::Choose(unsigned char type) const
   const CellShape& shape = GetCellShape(type);
   if (shape.Dimension == 3 && this->How.Surface != SurfaceFaces::None)
   {
-    return MakeStep(Kind::Surface);
+    ConversionStep surface = MakeStep(Kind::Surface);
+    surface.LosesNodes = shape.IsHigherOrder;
+    return surface;
   }
   if (this->Has(type))
   {
