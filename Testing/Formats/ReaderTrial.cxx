@@ -134,6 +134,20 @@ std::array<std::size_t, 256> CountBytes(const std::string& bytes)
 }
 
 //------------------------------------------------------------------------------
+std::string DescribeDifference(const std::string& before, const std::string& after)
+{
+  std::size_t at = 0;
+  while (at < before.size() && at < after.size() && before[at] == after[at])
+  {
+    ++at;
+  }
+  const auto quote = [at](const std::string& bytes) { return Quote(bytes.substr(at, 30)); };
+  return " of " + std::to_string(after.size()) + " instead of " + std::to_string(before.size()) +
+    " bytes: " + (at < after.size() ? quote(after) : "its end") + " instead of " +
+    (at < before.size() ? quote(before) : "its end") + " at byte " + std::to_string(at);
+}
+
+//------------------------------------------------------------------------------
 vtkIdType CountOwnCells(vtkUnstructuredGrid* grid)
 {
   vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
@@ -390,9 +404,11 @@ std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
     {
       for (std::size_t i = 0; i < files.size(); ++i)
       {
-        if (i >= written.size() || files[i].Bytes != written[i].Bytes)
+        const std::string again = i < written.size() ? written[i].Bytes : std::string();
+        if (CountBytes(files[i].Bytes) != CountBytes(again))
         {
-          return "what was written, read and written again is another ." + files[i].Extension;
+          return "what was written, read and written again is another ." + files[i].Extension +
+            DescribeDifference(files[i].Bytes, again);
         }
       }
       return {};
