@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentBoundaries.h"
 
+#include "Scan/PieceArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
@@ -10,6 +12,7 @@
 #include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -148,8 +151,8 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeSurface(
-  const ZoneFaces& zone, int id, int dimension, vtkPoints* points)
+vtkSmartPointer<vtkPolyData> MakeSurface(const ZoneFaces& zone, int id, int dimension,
+  vtkPoints* points, const std::vector<std::int32_t>& globalIds)
 {
   std::vector<std::int32_t> used = zone.Nodes;
   std::sort(used.begin(), used.end());
@@ -185,6 +188,14 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
   cells->SetData(offsetArray.Get(), idArray.Get());
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(own);
+  if (!globalIds.empty())
+  {
+    // Those of the mesh, so that pieces of both can be put together.
+    Buffer<vtkIdType> ownIds(static_cast<vtkIdType>(used.size()));
+    std::transform(used.begin(), used.end(), ownIds.data(),
+      [&](std::int32_t point) { return globalIds[static_cast<std::size_t>(point)]; });
+    SetGlobalIds(surface->GetPointData(), std::move(ownIds), "GlobalPointIds");
+  }
   if (dimension == 2)
   {
     surface->SetLines(cells);
@@ -245,6 +256,8 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   {
     zones[zone.Id] = zone;
   }
+  const std::vector<std::int32_t> globalIds =
+    piece.IsWhole() ? std::vector<std::int32_t>() : piece.GetPoints().GetMembers();
   unsigned int number = 0;
   for (const FluentSection& section : file.Faces) // in their order
   {
@@ -268,7 +281,7 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
       continue;
     }
     const FluentZone& zone = zones[id];
-    const auto surface = MakeSurface(collected, id, file.GetDimension(), points);
+    const auto surface = MakeSurface(collected, id, file.GetDimension(), points, globalIds);
     vtkNew<vtkStringArray> type;
     type->SetName("ZoneType");
     type->InsertNextValue(zone.Type);

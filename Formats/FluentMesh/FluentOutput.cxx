@@ -49,6 +49,28 @@ std::string Clean(std::string name)
 }
 
 //------------------------------------------------------------------------------
+// Turns a ring so that it is the least of all that it can be turned to.
+void StartAtLeast(std::vector<vtkIdType>& ring)
+{
+  const auto least = std::min_element(ring.begin(), ring.end());
+  const vtkIdType node = *least;
+  std::rotate(ring.begin(), least, ring.end());
+  // A node may be there more than once.
+  const std::vector<vtkIdType> first =
+    std::count(ring.begin(), ring.end(), node) > 1 ? ring : std::vector<vtkIdType>();
+  for (std::size_t start = 1; start < first.size(); ++start)
+  {
+    if (first[start] == node)
+    {
+      std::vector<vtkIdType> turned = first;
+      std::rotate(
+        turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+      ring = std::min(ring, turned);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<FluentZone> ReadZones(vtkFieldData* data)
 {
   std::vector<FluentZone> zones;
@@ -239,7 +261,7 @@ void FluentOutput::GetNodes(const Face& face, std::vector<vtkIdType>& nodes) con
     // Outward of the first cell, into which the normal has to point.
     this->Topology.GetFacePoints(face.Facet, nodes);
     std::reverse(nodes.begin(), nodes.end());
-    std::rotate(nodes.begin(), std::min_element(nodes.begin(), nodes.end()), nodes.end());
+    StartAtLeast(nodes);
     return;
   }
   const IndexRange points = this->Mesh.GetCellPoints(this->Facets.GetCells(face.Facet).First);

@@ -252,12 +252,15 @@ class TestFluentMesh(camaron_testing.TestCase):
             simple.SaveData(str(path), group, Encoding="Binary Double")
         self.assertEqual(messages.errors, [])
         copy = self.read(path)
-        self.assertEqual(copy.GetDataInformation().GetNumberOfCells(), 2)
+        owned = simple.RemoveGhostInformation(Input=copy)
+        owned.UpdatePipeline()
+        self.assertEqual(owned.GetDataInformation().GetNumberOfCells(), 2)
         boundaries = simple.OutputPort(copy, 1)
         boundaries.UpdatePipeline()
         hierarchy = boundaries.GetDataInformation().GetHierarchy()
         names = [hierarchy.GetNodeName(i) for i in hierarchy.GetChildNodes(hierarchy.GetRootNode())]
         self.assertEqual(names, ["side", "inlet"])
+        self.assertEqual(boundaries.GetDataInformation().GetNumberOfCells(), 6)
 
 
 if __name__ == "__main__":

@@ -306,6 +306,24 @@ TEST(FluentMeshWriter, KeepsCellsThatDisagree)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a face that has a node twice is written differently each time.
+TEST(FluentMeshWriter, RepeatedNodes)
+{
+  FluentSample mesh = MakeMixed(1);
+  mesh.Cells[0].Element = 7;
+  for (FluentSample::Face& face : mesh.Faces)
+  {
+    if (face.Cells[0] == 0 && face.Cells[1] < 0 && face.Nodes.size() == 4)
+    {
+      face.Nodes[3] = face.Nodes[1] = 0;
+    }
+  }
+  const Written first = Write(Read(Encode(mesh)).Grid);
+  ASSERT_EQ(first.Success, 1);
+  EXPECT_EQ(Write(Read(first.Bytes).Grid).Bytes, first.Bytes);
+}
+
+//------------------------------------------------------------------------------
 TEST(FluentMeshWriter, OtherPlanesAndNames)
 {
   const Grid grid = MakeGrid({ { 0, 0, 3 }, { 1, 0, 3 }, { 0, 1, 3 }, { 1, 1, 3 } },
