@@ -35,7 +35,7 @@ HELD = {
 #: Files that keep single precision.
 SINGLE = {"visf"}
 #: Encodings that do, of files that do not otherwise.
-SINGLE_ENCODINGS = {("off", "binary")}
+SINGLE_ENCODINGS = {("off", "binary"), ("msh", "binary-single"), ("cas", "binary-single")}
 #: What to set so that every digit, and every cell, is written.
 OPTIONS = {"M3D": {"Digits": 17}, "MAPDL": {"Digits": 17}, "PolygonPLY": {"WriteCells": 1}}
 
