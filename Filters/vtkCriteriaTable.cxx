@@ -103,6 +103,10 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
   auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
   auto* source = AddColumn<vtkStringArray>(table, "AcceptableSource");
   auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
+  auto* family = AddColumn<vtkStringArray>(table, "Family");
+  auto* formula = AddColumn<vtkStringArray>(table, "Formula");
+  auto* degenerate = AddColumn<vtkStringArray>(table, "Degenerate");
+  auto* agreement = AddColumn<vtkStringArray>(table, "Agreement");
   for (const camaron::Criterion& criterion : criteria)
   {
     name->InsertNextValue(criterion.Name);
@@ -119,6 +123,10 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
     high->InsertNextValue(criterion.Acceptable[1]);
     source->InsertNextValue(criterion.AcceptableSource);
     isHint->InsertNextValue(criterion.AcceptableIsHint ? 1 : 0);
+    family->InsertNextValue(criterion.Family);
+    formula->InsertNextValue(criterion.Notes.Formula);
+    degenerate->InsertNextValue(criterion.Notes.Degenerate);
+    agreement->InsertNextValue(criterion.Notes.Agreement);
   }
 }
 

@@ -8,7 +8,8 @@
  * 0. criteria, in the order in which people see them: "Name", "Label", "Description", "Unit" ("deg",
  *    "sr" or empty), "Dimension" ("Length", "Area", "Volume" or empty), "AppliesTo", "RangeLow",
  *    "RangeHigh", "Ideal" (NaN if none), "Better" ("Smaller", "Neither" or "Bigger"), "AcceptableLow",
- *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint";
+ *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint", "Family", and for
+ *    the documentation "Formula", "Degenerate" and "Agreement";
  * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh".
  */
 #ifndef vtkCriteriaTable_h

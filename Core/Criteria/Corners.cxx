@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/CellGeometry.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,5 +68,20 @@ double CornerScaledJacobian(const CellGeometry& cell)
     smallest = std::min(smallest, -Dot(Cross(next, previous), GetDirection(cell, *edges[2], point)));
   }
   return smallest;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> CornerCriteria()
+{
+  // clang-format off
+  return {
+    { "CornerScaledJacobian", "Corner scaled Jacobian",
+      "Smallest determinant of the unit vectors along the three edges at a vertex; 1 for right angles, "
+      "negative for an inverted corner. Null for cells with a vertex of more edges.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      { Positive, Infinity }, "not inverted; 0.5 for hexahedra in the Verdict manual, rev. A", Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume | NeedsSolidAngle, CAMARON_CELLS(CornerScaledJacobian) },
+  };
+  // clang-format on
 }
 }

@@ -97,6 +97,14 @@ double Null(NullReason reason);
 /// The reason of a null value; Degenerate for a NaN made elsewhere.
 NullReason GetNullReason(double value);
 
+/// What the documentation says of a criterion beyond its description; Markdown on one line each.
+struct CriterionNotes
+{
+  const char* Formula = "";    ///< definition with its symbols
+  const char* Degenerate = ""; ///< answers for collapsed, flat, inverted and open elements
+  const char* Agreement = "";  ///< which programs compute the same, and which something else by that name
+};
+
 /// One row of the table of criteria. Text ends up in tooltips, tables and documentation.
 struct Criterion
 {
@@ -123,8 +131,11 @@ struct Criterion
    */
   void (*CellFunction)(const CellGeometry* cells, int numberOfCells, double* values);
   void (*MeshFunction)(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values);
-  double (*NeighborFunction)(const CellNeighborhood& cell) = nullptr;
+  double (*NeighborFunction)(const CellNeighborhood& cell);
   ///@}
+
+  CriterionNotes Notes;
+  const char* Family = ""; ///< heading under which it is listed, from the list of families
 
   bool HasAcceptableRange() const { return this->AcceptableSource[0] != '\0'; }
   /// "deg", "rad", "sr" or "" (lengths, areas and volumes are in the units of the mesh).

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A cell cut at its centroid: into the pyramids over its faces, and into the tetrahedra of the centroid,
 // the centre of a face and an edge of that face.
-#include "Criteria/CellGeometry.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,5 +104,41 @@ double MinTetQuality(const CellGeometry& cell)
         (12 * std::abs(volume));
       return volume / (RegularVolume * radius * radius * radius);
     });
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> DecompositionCriteria()
+{
+  // clang-format off
+  return {
+    { "MinFacePyramidVolume", "Smallest face pyramid", "Volume of the smallest pyramid of a face and the centroid of the cell.",
+      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
+      { Positive, Infinity }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidVolume) },
+    { "MinFacePyramidRatio", "Smallest face pyramid, relative",
+      "Volume of the smallest pyramid of a face and the centroid, times the number of faces, divided by "
+      "the volume of the cell; 1 if all are equal.",
+      Polyhedra, Unit::None, { -Infinity, 1 }, 1, Better::Bigger,
+      { Positive, Infinity }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidRatio) },
+    { "MinTetVolume", "Smallest tetrahedron of the decomposition",
+      "Volume of the smallest tetrahedron of the centroid, the centre of a face and an edge of it.",
+      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
+      { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetVolume) },
+    { "MinTetMeanRatio", "Smallest mean ratio of the decomposition",
+      "Mean ratio of the worst tetrahedron of the centroid, the centre of a face and an edge of it; above "
+      "0 where the cell is star-shaped about its centroid. Not 1 for the cube.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetMeanRatio) },
+    { "MinTetQuality", "Smallest OpenFOAM tetrahedron quality",
+      "Volume divided by that of the regular tetrahedron with the same circumsphere, of the worst "
+      "tetrahedron of the centroid, the centre of a face and an edge of it.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Real,
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetQuality) },
+  };
+  // clang-format on
 }
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The faces of a cell: how flat they are, and how they close it.
-#include "Criteria/CellGeometry.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -138,5 +138,42 @@ double CellConcavity(const CellGeometry& cell)
     return Null(NullReason::Degenerate);
   }
   return cell.IsZeroLength(std::abs(largest)) ? 0 : largest / diameter;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> FaceCriteria()
+{
+  // clang-format off
+  return {
+    { "MinFaceFlatness", "Smallest face flatness",
+      "Length of the vector area of a face divided by the area of its triangles about the centre, the "
+      "smallest of all faces; 1 is planar.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 0.8, Infinity }, CheckMesh, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceFlatness) },
+    { "MaxWarpage", "Largest warpage",
+      "Largest distance of a vertex from the mean plane of its face divided by the largest distance from "
+      "the centre of that face.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
+      { -Infinity, 0.1 }, "planarity limit of VTK's Validate Cells", Cited, Real,
+      Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxWarpage) },
+    { "MaxFaceConcavity", "Largest face concavity",
+      "How far the largest interior angle of a face exceeds 180 degrees; 0 for convex faces.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, 80 }, "OpenFOAM's maxConcave; checkMesh reports from 10", Cited, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceConcavity) },
+    { "CellConcavity", "Cell concavity",
+      "Largest distance of the centre of a face outside the plane of a neighbouring face, divided by the "
+      "diameter; not above 0 where the cell is convex.",
+      Polyhedra, Unit::None, { -1, 1 }, None, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity) },
+    { "Openness", "Openness",
+      "Largest component of the sum of the face vectors relative to the sum of the sizes of that "
+      "component; 0 where the faces close the cell.",
+      Polyhedra, Unit::None, { 0, 1 }, 0, Better::Smaller,
+      { -Infinity, 1e-6 }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Openness) },
+  };
+  // clang-format on
 }
 }

@@ -1,17 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What finite volumes ask of a cell and its neighbours, as OpenFOAM's checkMesh and Fluent define it.
+#include "Criteria/CriterionRows.h"
 #include "Criteria/FacetMeasures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
 using Facet = CellNeighborhood::Facet;
 using Side = CellNeighborhood::Side;
 
@@ -207,5 +206,58 @@ double CellDeterminant(const CellNeighborhood& cell)
     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   constexpr double OfCube = 8;
   return determinant / OfCube;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> FiniteVolumeCriteria()
+{
+  // clang-format off
+  return {
+    { "MaxNonOrthogonality", "Largest non-orthogonality",
+      "Largest angle between the line to the centroid of a neighbour and the normal of the face between; "
+      "above 90 the centroids are on the wrong sides.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, 65 }, "OpenFOAM's maxNonOrtho; checkMesh reports from 70", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxNonOrthogonality) },
+    { "MaxBoundaryNonOrthogonality", "Largest non-orthogonality at the boundary",
+      "Largest angle between the line to the centre of a boundary face and the normal of that face.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxBoundaryNonOrthogonality) },
+    { "MaxFaceSkewness", "Largest face skewness",
+      "Largest distance of the centre of a face from where the line to the neighbour crosses it, relative "
+      "to the size of the face in that direction; at the boundary as if the cell were mirrored.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
+      { -Infinity, 4 }, "OpenFOAM checkMesh for inner faces; 20 at the boundary", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxFaceSkewness) },
+    { "MinFaceWeight", "Smallest face weight",
+      "Smaller distance of a face from the two centroids, along its normal, divided by the sum of both.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
+      { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinFaceWeight) },
+    { "MinVolumeRatio", "Smallest volume ratio",
+      "Smaller divided by larger volume (area) of the cell and a neighbour, the worst of all neighbours.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinVolumeRatio) },
+    { "CellVolumeRatio", "Size growth",
+      "Larger divided by smaller volume (area) of the cell and a neighbour, the worst of all neighbours.",
+      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
+      { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellVolumeRatio) },
+    { "OrthogonalQuality", "Orthogonal quality",
+      "Smallest cosine of the angles between the normal of a face and the lines from the centroid to the "
+      "centre of the face and to the centroid of the neighbour, as in Fluent.",
+      PolygonsAndPolyhedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
+      { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(OrthogonalQuality) },
+    { "CellDeterminant", "Cell determinant",
+      "OpenFOAM's determinant of the inner faces, relative to their mean area; 1 for a cube within a grid "
+      "(8 in some releases of OpenFOAM), 0 for a cell without inner faces.",
+      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
+      { 0.001, Infinity }, CheckMesh, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellDeterminant) },
+  };
+  // clang-format on
 }
 }

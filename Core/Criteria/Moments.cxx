@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How much a cell is stretched, from the second moments of its points and of its face vectors.
-#include "Criteria/CellGeometry.h"
-
+#include "Criteria/CriterionRows.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -85,5 +84,24 @@ double CellIsotropy(const CellGeometry& cell)
   return cell.IsZeroArea(std::sqrt(trace))
     ? Null(NullReason::Degenerate)
     : std::max(0.0, 27 * moments.GetDeterminant() / (trace * trace * trace));
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> MomentCriteria()
+{
+  // clang-format off
+  return {
+    { "PrincipalAspectRatio", "Principal aspect ratio",
+      "Shortest divided by longest principal axis of the vertices (square root of the ratio of the "
+      "eigenvalues of their second moments; of a polygon in its plane).",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(PrincipalAspectRatio) },
+    { "CellIsotropy", "Cell isotropy",
+      "27 det T / (tr T)^3, T being the sum of the products of the face vectors with themselves; 1 for "
+      "the cube and all regular polyhedra, 0 for a flat cell.",
+      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(CellIsotropy) },
+  };
+  // clang-format on
 }
 }

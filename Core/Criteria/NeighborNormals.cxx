@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/MeshContext.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Pi = 3.141592653589793238462643383279502884;
-
 //------------------------------------------------------------------------------
 // Calls visit(angle) for every polygon that shares an edge with a polygon cell. Two polygons agree when
 // they run along the edge in opposite directions; where they do not, one of them counts as flipped.
@@ -91,5 +89,24 @@ void MaxNeighborNormalAngle(
 {
   NeighborNormalAngle(
     mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> NeighborNormalCriteria()
+{
+  // clang-format off
+  return {
+    { "MinNeighborNormalAngle", "Smallest angle to a neighbour",
+      "Smallest angle between the normals of the polygon and of those that share an edge with it; 0 is "
+      "flat.",
+      Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle) },
+    { "MaxNeighborNormalAngle", "Largest angle to a neighbour",
+      "Largest angle between the normals of the polygon and of those that share an edge with it; 0 is "
+      "flat.",
+      Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MaxNeighborNormalAngle) },
+  };
+  // clang-format on
 }
 }

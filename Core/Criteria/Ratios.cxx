@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/CellGeometry.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,11 +8,6 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr double Pi = 3.141592653589793238462643383279502884;
-}
-
 //------------------------------------------------------------------------------
 double EdgeLengthRatio(const CellGeometry& cell)
 {
@@ -129,5 +124,50 @@ double CellAspectRatio(const CellGeometry& cell)
     return std::numeric_limits<double>::infinity();
   }
   return std::max(largest / smallest, (sum.X + sum.Y + sum.Z) / (6 * std::cbrt(volume * volume)));
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> RatioCriteria()
+{
+  // clang-format off
+  return {
+    { "EdgeLengthRatio", "Edge length ratio", "Shortest edge divided by longest edge.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1.0 / 3, Infinity }, "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
+      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(EdgeLengthRatio) },
+    { "EdgeRatio", "Edge ratio", "Longest edge divided by shortest edge; infinite if an edge is collapsed.",
+      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
+      { -Infinity, 3 }, "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals",
+      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(EdgeRatio) },
+    { "EdgeDiameterRatio", "Edge to diameter", "Shortest edge divided by the largest distance of two vertices.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(EdgeDiameterRatio) },
+    { "MinPointDistanceRatio", "Closest vertices",
+      "Smallest distance of two vertices divided by the largest.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS(MinPointDistanceRatio) },
+    { "IsoperimetricQuotient", "Isoperimetric quotient",
+      "Compactness: 4 pi area / perimeter^2 of a polygon, 36 pi volume^2 / surface area^3 of a "
+      "polyhedron; 1 for circle and ball, 0.5236 for the cube.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(IsoperimetricQuotient) },
+    { "Sphericity", "Sphericity",
+      "Wadell's sphericity: surface of the ball of the same volume divided by the surface area; cube 0.806.",
+      Polyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Sphericity) },
+    { "VolumeEdgeRatio", "Volume to edges", "Volume divided by the cube of the root mean square of the edge lengths; cube 1.",
+      Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(VolumeEdgeRatio) },
+    { "CellAspectRatio", "Cell aspect ratio",
+      "OpenFOAM's aspect ratio from the face areas seen along the axes; depends on the axes, so that a "
+      "rotated box has another value.",
+      Polyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
+      { -Infinity, 1000 }, CheckMesh, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(CellAspectRatio) },
+  };
+  // clang-format on
 }
 }

@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/CellGeometry.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double SquareRootOf3Over8 = 0.61237243569579452; // of the regular tetrahedron
+constexpr double SquareRootOf1Over3 = 0.57735026918962573; // of the equilateral triangle
+constexpr double SquareRootOf2 = 1.4142135623730951;
+
 constexpr double RegularVolume = 0.5132002392796673; // 8 sqrt(3) / 27, of circumradius 1
 
 //------------------------------------------------------------------------------
@@ -137,5 +139,47 @@ double TetQualityFoam(const CellGeometry& cell)
   }
   const double circumradius = CircumradiusTimes12Volumes(cell) / (12 * std::abs(volume));
   return volume / (RegularVolume * circumradius * circumradius * circumradius);
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> SimplexCriteria()
+{
+  // clang-format off
+  return {
+    { "TriangleRadiusRatio", "Triangle radius ratio", "Twice the inradius divided by the circumradius.",
+      Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1.0 / 3, Infinity }, VerdictManual, Cited, Real,
+      Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(TriangleRadiusRatio) },
+    { "BhatiaLawrence", "Bhatia-Lawrence measure",
+      "4 sqrt(3) area / sum of squared edge lengths, the mean ratio of a triangle.",
+      Triangles, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 0.25, Infinity }, "Verdict manual, rev. A, shape of triangles", Cited, Real,
+      Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(BhatiaLawrence) },
+    { "TriangleRadiusEdgeRatio", "Triangle radius-edge ratio", "Circumradius divided by the shortest edge.",
+      Triangles, Unit::None, { SquareRootOf1Over3, Infinity }, SquareRootOf1Over3, Better::Smaller,
+      { -Infinity, SquareRootOf2 }, "Ruppert's bound, smallest angle above 20.7 degrees", Cited, Real,
+      Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(TriangleRadiusEdgeRatio) },
+    { "TetRadiusEdgeRatio", "Tetrahedron radius-edge ratio",
+      "Circumradius divided by the shortest edge. Does not see slivers: read it together with the "
+      "smallest dihedral angle.",
+      Tetrahedra, Unit::None, { SquareRootOf3Over8, Infinity }, SquareRootOf3Over8, Better::Smaller,
+      { -Infinity, 2 }, "TetGen's default bound", Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(TetRadiusEdgeRatio) },
+    { "TetRadiusRatio", "Tetrahedron radius ratio", "Three times the inradius divided by the circumradius.",
+      Tetrahedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1.0 / 3, Infinity }, VerdictManual, Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(TetRadiusRatio) },
+    { "TetMeanRatio", "Tetrahedron mean ratio",
+      "12 (3 volume)^(2/3) / sum of squared edge lengths, negative when inverted.",
+      Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
+      { 0.3, Infinity }, "Verdict manual, rev. A, shape of tetrahedra", Cited, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(TetMeanRatio) },
+    { "TetQualityFoam", "OpenFOAM's tetrahedron quality",
+      "Volume divided by that of the regular tetrahedron with the same circumsphere.",
+      Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
+      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Real,
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(TetQualityFoam) },
+  };
+  // clang-format on
 }
 }

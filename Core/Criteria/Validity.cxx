@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/CellGeometry.h"
 #include "Criteria/CellIntersections.h"
 #include "Criteria/CellStatusBits.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +18,9 @@ double FaceOrientationStatus(const CellGeometry& cell);
 
 namespace
 {
+constexpr unsigned NeedsAll =
+  NeedsEdges | NeedsFaces | NeedsVolume | NeedsCorners | NeedsDihedral | NeedsSolidAngle | NeedsCentroid;
+
 constexpr double OpennessLimit = 1e-6;
 constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 
@@ -162,5 +165,36 @@ double IsWatertight(const CellGeometry& cell)
 double IsValid(const CellGeometry& cell)
 {
   return (static_cast<unsigned>(CellStatus(cell)) & Defects) == 0;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> ValidityCriteria()
+{
+  // clang-format off
+  return {
+    { "CellStatus", "Cell status",
+      "Sum of what is wrong: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 a face that "
+      "comes to a point twice, 16 not convex, 32 faces not outward, 64 faces not planar, 128 degenerate "
+      "faces, 256 coincident points, 4096 open edge, 8192 edge of several faces, 16384 pinched vertex, "
+      "32768 inverted or no volume, 65536 edge of no length, 262144 coordinates that are not finite, "
+      "524288 face vectors that do not cancel. The first nine as in VTK's Validate Cells.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
+      { -Infinity, 0 }, "nothing wrong", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus) },
+    { "FaceOrientationStatus", "Orientation of faces",
+      "0 if all faces point outward, 1 inward, 2 some of both, 3 they cannot be made to agree.",
+      Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
+      { -Infinity, 0 }, "outward", Cited, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus) },
+    { "IsConvex", "Convex", "1 if neither faces nor edges bend inward (within ConvexityTolerance), else 0.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex) },
+    { "IsWatertight", "Watertight", "1 if every edge of the cell has at least two faces, else 0.",
+      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1, Infinity }, "closed", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight) },
+    { "IsValid", "Valid",
+      "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex, else 0.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { 1, Infinity }, "valid", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid) },
+  };
+  // clang-format on
 }
 }

@@ -1,25 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/Verdict.h"
-
+// The measures of Verdict, of VTK's copy of it, as criteria. They are evaluated for all cells of their shapes,
+// those of general type included, by their corners.
 #include "CellMesh/WedgeOrder.h"
-#include "Criteria/CellGeometry.h"
+#include "Criteria/CriterionRows.h"
 #include "Criteria/SimpleShapes.h"
 
 #include "vtk_verdict.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace camaron
 {
 namespace
 {
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr double None = std::numeric_limits<double>::quiet_NaN();
-constexpr double Positive = std::numeric_limits<double>::min();
 constexpr double VerdictInfinity = 1e30;
 constexpr double RadianPerDegree = 0.017453292519943295;
 constexpr int NumberOfShapes = 6;
@@ -306,7 +302,7 @@ Criterion MakeCriterion(
     { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
     { measure.Acceptable[0], measure.Acceptable[1] },
     hasRange ? "Verdict manual, rev. A, of the most lenient shape" : "", true, false, Cost::Edges,
-    NeedsEdges | NeedsFaces | NeedsVolume, function, nullptr };
+    NeedsEdges | NeedsFaces | NeedsVolume, function, nullptr, nullptr };
   return criterion;
 }
 
@@ -319,7 +315,7 @@ std::vector<Criterion> MakeCriteria(std::index_sequence<Indices...>)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Criterion> GetVerdictCriteria()
+std::vector<Criterion> VerdictCriteria()
 {
   return MakeCriteria(std::make_index_sequence<NumberOfMeasures>());
 }

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The list of all criteria. Each family has its functions and their rows in a .cxx of its own.
+#include "Criteria/Criterion.h"
+
+namespace camaron
+{
+std::vector<Criterion> SizeCriteria();
+std::vector<Criterion> AngleCriteria();
+std::vector<Criterion> NeighborNormalCriteria();
+std::vector<Criterion> RatioCriteria();
+std::vector<Criterion> MomentCriteria();
+std::vector<Criterion> CornerCriteria();
+std::vector<Criterion> SimplexCriteria();
+std::vector<Criterion> FaceCriteria();
+std::vector<Criterion> DecompositionCriteria();
+std::vector<Criterion> ValidityCriteria();
+std::vector<Criterion> FiniteVolumeCriteria();
+std::vector<Criterion> VerdictCriteria();
+
+namespace
+{
+struct Family
+{
+  const char* Title;
+  std::vector<Criterion> (*GetCriteria)();
+};
+
+// In the order in which people see them.
+constexpr Family Families[] = {
+  { "Size and counts", SizeCriteria },
+  { "Angles", AngleCriteria },
+  { "Angles", NeighborNormalCriteria },
+  { "Ratios of any polygon or polyhedron", RatioCriteria },
+  { "Ratios of any polygon or polyhedron", MomentCriteria },
+  { "Ratios of any polygon or polyhedron", CornerCriteria },
+  { "Triangles and tetrahedra", SimplexCriteria },
+  { "Faces of a cell", FaceCriteria },
+  { "Decomposition into tetrahedra", DecompositionCriteria },
+  { "Validity", ValidityCriteria },
+  { "Finite volumes", FiniteVolumeCriteria },
+  { "Verdict", VerdictCriteria },
+};
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> ListCriteria()
+{
+  std::vector<Criterion> criteria;
+  for (const Family& family : Families)
+  {
+    for (Criterion criterion : family.GetCriteria())
+    {
+      criterion.Family = family.Title;
+      criteria.push_back(criterion);
+    }
+  }
+  return criteria;
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Criterion>& GetCriteria()
+{
+  static const std::vector<Criterion> criteria = ListCriteria();
+  return criteria;
+}
+
+//------------------------------------------------------------------------------
+const Criterion* FindCriterion(std::string_view name)
+{
+  for (const Criterion& criterion : GetCriteria())
+  {
+    if (name == criterion.Name)
+    {
+      return &criterion;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string Criterion::UnitLabel(AngleUnit angles) const
+{
+  switch (this->Unit)
+  {
+    case Unit::Angle:
+      return angles == AngleUnit::Degrees ? "deg" : "rad";
+    case Unit::SolidAngle:
+      return "sr";
+    default:
+      return "";
+  }
+}
+}

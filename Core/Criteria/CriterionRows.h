@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CriterionRows.h
+ * @brief What the rows of criteria are written with; for the .cxx files that hold some.
+ */
+#ifndef camaron_CriterionRows_h
+#define camaron_CriterionRows_h
+
+#include "Criteria/CellGeometry.h"
+#include "Criteria/CellNeighborhood.h"
+#include "Criteria/Criterion.h"
+#include "Criteria/MeshContext.h"
+
+#include <limits> // for infinity
+
+namespace camaron
+{
+constexpr double Pi = 3.141592653589793238462643383279502884;
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double None = std::numeric_limits<double>::quiet_NaN();
+constexpr double Positive = std::numeric_limits<double>::min(); // smallest value that is above zero
+
+constexpr const char* VerdictManual = "Verdict manual, rev. A";
+constexpr const char* CheckMesh = "OpenFOAM checkMesh";
+constexpr const char* NoRange = "";
+constexpr bool Hint = true;
+constexpr bool Cited = false;
+constexpr bool Integer = true;
+constexpr bool Real = false;
+
+// Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range, its
+// source, hint or cited, integer or real; cost, needs, function; notes for the documentation.
+
+// Calls `double Function(const CellGeometry&)` for a block of cells. A direct call per cell.
+#define CAMARON_CELLS(Function)                                                                    \
+  [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
+  {                                                                                                \
+    for (int i = 0; i < numberOfCells; ++i)                                                        \
+    {                                                                                              \
+      values[i] = Function(cells[i]);                                                              \
+    }                                                                                              \
+  },                                                                                               \
+    nullptr, nullptr
+// The same for a function with neighbours, which has the loop itself.
+#define CAMARON_MESH(Function) nullptr, Function, nullptr
+// The same for a function of a cell and the cells at its facets.
+#define CAMARON_NEIGHBORS(Function) nullptr, nullptr, Function
+}
+
+#endif
