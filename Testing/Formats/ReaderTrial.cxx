@@ -276,7 +276,7 @@ Reading ReaderTrial::Try(const MeshFiles& files, int laws)
   }
   if (reading.Fault.empty() && reading.Errors.empty() && (laws & Writing))
   {
-    reading.Fault = this->FindFaultInWriting(reading, (laws & Repeating) != 0);
+    reading.Fault = this->FindFaultInWriting(reading);
   }
   if (reading.Fault.empty() && reading.Errors.empty() && (laws & Stopping))
   {
@@ -364,7 +364,7 @@ std::string ReaderTrial::FindFaultInPieces(
 }
 
 //------------------------------------------------------------------------------
-std::string ReaderTrial::FindFaultInWriting(const Reading& reading, bool isRepeated) const
+std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
 {
   // Writers may change what they are given (precision, order), but then once and for all.
   Reading before = reading;
@@ -402,7 +402,7 @@ std::string ReaderTrial::FindFaultInWriting(const Reading& reading, bool isRepea
     const MeshFiles written = LoadMeshFiles(path, GetFormat());
     if (round > 0)
     {
-      for (std::size_t i = 0; isRepeated && i < files.size(); ++i)
+      for (std::size_t i = 0; i < files.size(); ++i)
       {
         const std::string again = i < written.size() ? written[i].Bytes : std::string();
         if (CountBytes(files[i].Bytes) != CountBytes(again))

@@ -38,8 +38,7 @@ enum Laws
   Pieces = 2,   ///< the pieces of ranks are good, and have all cells together
   Writing = 4,  ///< what the writer makes of the mesh is read as the same mesh
   Stopping = 8, ///< progress goes one way, and a reader that is stopped gives nothing and is silent
-  AllLaws = 15,
-  Repeating = 16 ///< with Writing, of healthy files only: written again, the file is the same
+  AllLaws = 15
 };
 
 class ReaderTrial
@@ -74,7 +73,7 @@ private:
     const std::string& path, std::size_t size, const Reading& expected) const;
   std::string FindFaultInPieces(
     const std::string& path, std::size_t size, const Reading& whole) const;
-  std::string FindFaultInWriting(const Reading& reading, bool isRepeated) const;
+  std::string FindFaultInWriting(const Reading& reading) const;
   std::string FindFaultInStopping(const std::string& path) const;
 
   Folder Input;
