@@ -49,6 +49,11 @@ public:
   bool ReadReal(double& value, const char* what) { return this->Read(value, what); }
   bool ReadReal(float& value, const char* what) { return this->Read(value, what); }
   bool ReadInteger(std::int64_t& value, const char* what) { return this->Read(value, what); }
+  /// Reads three numbers.
+  bool ReadPoint(double* x, const char* what)
+  {
+    return this->Read(x[0], what) && this->Read(x[1], what) && this->Read(x[2], what);
+  }
   /// Reads an id in [first, last], less @a first.
   bool ReadId(std::int32_t& index, std::int64_t first, std::int64_t last, const char* what)
   {

@@ -36,16 +36,14 @@ struct NodeRow
 //------------------------------------------------------------------------------
 bool ReadNode(TextRow& row, M3DDialect dialect, NodeRow& node)
 {
-  const auto readVector = [&row](double* x, const char* what)
-  { return row.ReadReal(x[0], what) && row.ReadReal(x[1], what) && row.ReadReal(x[2], what); };
   if (dialect != M3DDialect::MVM &&
     (!row.ReadInteger(node.Code, "the code of a node") || node.Code != static_cast<int>(node.Code)))
   {
     return row.FailAt(row.GetPosition(), ErrorKind::Syntax, "a code of a node below 2147483648");
   }
-  return readVector(node.Position, "a coordinate of a node") &&
+  return row.ReadPoint(node.Position, "a coordinate of a node") &&
     ((node.Code != 2 && node.Code != 3) ||
-      readVector(node.Projection, "the projection of a node of code 2 or 3"));
+      row.ReadPoint(node.Projection, "the projection of a node of code 2 or 3"));
 }
 
 //------------------------------------------------------------------------------

@@ -189,9 +189,7 @@ bool OFFTextReading::ReadVertices(TextScanner& scanner, const TextLines* lines,
     {
       return this->ReadVertex(row, text, point, vertices, seen);
     }
-    double* const x = vertices->Coordinates.data() + 3 * point;
-    if (!text.ReadReal(x[0], Coordinate) || !text.ReadReal(x[1], Coordinate) ||
-      !text.ReadReal(x[2], Coordinate))
+    if (!text.ReadPoint(vertices->Coordinates.data() + 3 * point, Coordinate))
     {
       return false;
     }

@@ -3,10 +3,10 @@
 #include "TRIReading.h"
 
 #include "CellMesh/CellGrid.h"
+#include "CellMesh/PointRows.h"
 #include "Scan/ReadMappedFile.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -64,13 +64,6 @@ bool ReadHeader(TextScanner& scanner, Header& header)
   }
   scanner.SkipLine();
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool ReadVertex(TextRow& row, double* x)
-{
-  return row.ReadReal(x[0], Coordinate) && row.ReadReal(x[1], Coordinate) &&
-    row.ReadReal(x[2], Coordinate);
 }
 
 //------------------------------------------------------------------------------
@@ -214,19 +207,9 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   }
   const bool isCart3D = this->Counts.IsCart3D();
   // The vertices come first, but which of them a piece needs is known from its triangles.
-  TextScanner vertices = scanner;
-  if (!SkipRows(scanner, lines, this->Counts.Vertices, progress.Part(0, 0.1),
-        [](vtkIdType, TextRow& row)
-        {
-          double x[3];
-          return ReadVertex(row, x);
-        },
-        RowLayout::OneLine))
-  {
-    return false;
-  }
-  const char* const verticesEnd = scanner.GetPosition();
-  if (!this->ReadTriangles(scanner, lines, progress.Part(0.1, 0.4)) ||
+  PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
+  if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
+    !this->ReadTriangles(scanner, lines, progress.Part(0.1, 0.4)) ||
     (isCart3D && !this->ReadComponents(scanner, lines, progress.Part(0.4, 0.5))))
   {
     return false;
@@ -237,21 +220,12 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   {
     return false;
   }
-  Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
-  if (!ReadRows(vertices, lines, this->Counts.Vertices, progress.Part(0.55, 0.95),
-        [&](vtkIdType i, TextRow& row)
-        {
-          double unused[3];
-          const vtkIdType point = piece.FindPoint(i);
-          return ReadVertex(row, point < 0 ? unused : coordinates.data() + 3 * point);
-        },
-        RowLayout::OneLine) ||
-    vertices.GetPosition() != verticesEnd)
+  const auto points = vertices.Read(piece, progress.Part(0.55, 0.95));
+  if (!points)
   {
     return false;
   }
 
-  const auto points = coordinates.TakeArray<vtkDoubleArray>(3);
   if (this->Request.Piece == 0)
   {
     WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
@@ -295,7 +269,7 @@ bool IsTRI(const std::string& path)
   Header header;
   double x[3];
   TextRow row(scanner);
-  return ReadHeader(scanner, header) && (header.Vertices == 0 || ReadVertex(row, x));
+  return ReadHeader(scanner, header) && (header.Vertices == 0 || row.ReadPoint(x, Coordinate));
 }
 
 //------------------------------------------------------------------------------

@@ -3,10 +3,10 @@
 #include "TSReading.h"
 
 #include "CellMesh/CellGrid.h"
+#include "CellMesh/PointRows.h"
 #include "Scan/ReadMappedFile.h"
 #include "TSurfReading.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -63,13 +63,6 @@ bool ReadHeader(TextScanner& scanner, Header& header)
       header.Tetrahedra, 0, INT32_MAX, ErrorKind::Count, "the number of tetrahedra");
   scanner.SkipLine();
   return good;
-}
-
-//------------------------------------------------------------------------------
-bool ReadVertex(TextRow& row, double* x)
-{
-  return row.ReadReal(x[0], Coordinate) && row.ReadReal(x[1], Coordinate) &&
-    row.ReadReal(x[2], Coordinate);
 }
 
 //------------------------------------------------------------------------------
@@ -165,20 +158,9 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
     return false;
   }
   // The vertices come first, but which of them a piece needs is known from its tetrahedra.
-  TextScanner vertices = scanner;
-  if (!SkipRows(
-        scanner, lines, this->Counts.Vertices, progress.Part(0, 0.1),
-        [](vtkIdType, TextRow& row)
-        {
-          double x[3];
-          return ReadVertex(row, x);
-        },
-        RowLayout::OneLine))
-  {
-    return false;
-  }
-  const char* const verticesEnd = scanner.GetPosition();
-  if (!this->ReadTetrahedra(scanner, lines, progress.Part(0.1, 0.5)))
+  PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
+  if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
+    !this->ReadTetrahedra(scanner, lines, progress.Part(0.1, 0.5)))
   {
     return false;
   }
@@ -192,22 +174,12 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
   {
     return false;
   }
-  Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
-  if (!ReadRows(
-        vertices, lines, this->Counts.Vertices, progress.Part(0.55, 0.95),
-        [&](vtkIdType i, TextRow& row)
-        {
-          double unused[3];
-          const vtkIdType point = piece.FindPoint(i);
-          return ReadVertex(row, point < 0 ? unused : coordinates.data() + 3 * point);
-        },
-        RowLayout::OneLine) ||
-    vertices.GetPosition() != verticesEnd)
+  const auto points = vertices.Read(piece, progress.Part(0.55, 0.95));
+  if (!points)
   {
     return false;
   }
 
-  const auto points = coordinates.TakeArray<vtkDoubleArray>(3);
   if (this->Request.Piece == 0)
   {
     WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
@@ -244,7 +216,7 @@ bool IsTS(const std::string& path)
   Header header;
   double x[3];
   TextRow row(scanner, RowLayout::OneLine);
-  return ReadHeader(scanner, header) && (header.Vertices == 0 || ReadVertex(row, x));
+  return ReadHeader(scanner, header) && (header.Vertices == 0 || row.ReadPoint(x, Coordinate));
 }
 
 //------------------------------------------------------------------------------

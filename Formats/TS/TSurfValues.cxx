@@ -152,8 +152,7 @@ bool TSurfValues::ReadVertex(
   if (what == TSurfLine::Vertex || what == TSurfLine::PropertyVertex)
   {
     double x[3];
-    if (!row.ReadReal(x[0], Coordinate) || !row.ReadReal(x[1], Coordinate) ||
-      !row.ReadReal(x[2], Coordinate))
+    if (!row.ReadPoint(x, Coordinate))
     {
       return false;
     }

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PointRows
+ * @brief Coordinates of points in text, one point per line, that come before the cells.
+ *
+ * Which points a piece needs is known from the cells: the rows are skipped first and read later.
+ */
+#ifndef camaron_PointRows_h
+#define camaron_PointRows_h
+
+#include "CellMesh/CellPiece.h"
+#include "Scan/TextRows.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkDataArray;
+
+namespace camaron
+{
+class PointRows
+{
+public:
+  /**
+   * @param scanner where the rows begin
+   * @param lines of the text if it is large enough to read it in parallel, else nullptr
+   * @param what a number is, for errors, e.g. "a coordinate of a vertex"
+   */
+  PointRows(const TextScanner& scanner, const TextLines* lines, vtkIdType count, const char* what)
+    : Start(scanner)
+    , Lines(lines)
+    , Count(count)
+    , What(what)
+  {
+  }
+
+  /// Moves a scanner behind the rows; false with the error in it, or if stopped.
+  bool Skip(TextScanner& scanner, const Progress& progress);
+
+  /**
+   * Coordinates of the points of a piece, in its order. None if stopped, or if rows are wrong that were
+   * skipped as lines.
+   */
+  vtkSmartPointer<vtkDataArray> Read(const CellPiece& piece, const Progress& progress) const;
+
+private:
+  TextScanner Start;
+  const TextLines* Lines;
+  vtkIdType Count;
+  const char* What;
+  const char* End = nullptr; ///< of the rows that were skipped
+};
+}
+
+#endif
