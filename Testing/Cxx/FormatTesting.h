@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FormatTesting.h
- * @brief What the tests of formats share: files, readers with their messages, comparing grids.
+ * @brief What the tests of formats share: files, readers and writers with their messages, comparing
+ * grids.
  */
 #ifndef camaron_FormatTesting_h
 #define camaron_FormatTesting_h
@@ -27,8 +28,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <random>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -118,6 +121,55 @@ template <typename Reader>
 Result ReadWith(const std::string& path, int piece = 0, int pieces = 1, int ghostLevels = 0)
 {
   return ReadWith<Reader>(path, piece, pieces, ghostLevels, [](Reader*) {});
+}
+
+//------------------------------------------------------------------------------
+/// What writing a mesh gives.
+struct Written
+{
+  int Success = 0;
+  unsigned long ErrorCode = 0;
+  std::vector<std::string> Errors;
+  std::vector<std::string> Warnings;
+  std::string Bytes; ///< of the file, from WriteWith
+};
+
+inline std::string GetBytes(const std::string& path)
+{
+  std::ostringstream bytes;
+  bytes << std::ifstream(path, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+/// What a writer of class @a Writer says when it writes a mesh; @a configure sets its options.
+template <typename Writer>
+Written WriteTo(const std::string& path, vtkDataObject* mesh,
+  const std::function<void(Writer*)>& configure = {})
+{
+  Written written;
+  vtkNew<Writer> writer;
+  writer->SetFileName(path.c_str());
+  writer->SetInputDataObject(mesh);
+  if (configure)
+  {
+    configure(writer);
+  }
+  Observe(writer, vtkCommand::ErrorEvent, written.Errors);
+  Observe(writer, vtkCommand::WarningEvent, written.Warnings);
+  written.Success = writer->Write();
+  written.ErrorCode = writer->GetErrorCode();
+  return written;
+}
+
+/// The same with the bytes of the file, which are "before" if it is not written.
+template <typename Writer>
+Written WriteWith(vtkDataObject* mesh, const std::string& name,
+  const std::function<void(Writer*)>& configure = {})
+{
+  const File file("before", name);
+  Written written = WriteTo<Writer>(file.Path, mesh, configure);
+  written.Bytes = GetBytes(file.Path);
+  return written;
 }
 
 //------------------------------------------------------------------------------

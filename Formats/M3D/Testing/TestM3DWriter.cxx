@@ -10,41 +10,16 @@
 #include "vtkFieldData.h"
 #include "vtkSMPTools.h"
 
-#include <functional>
-#include <sstream>
-
 using namespace camaron;
 using namespace camaron::testing;
 
 namespace
 {
 //------------------------------------------------------------------------------
-struct Written
-{
-  int Success = 0;
-  std::string Bytes;
-  std::vector<std::string> Errors, Warnings;
-};
-
 Written Write(vtkDataObject* mesh, const std::string& name,
   const std::function<void(vtkM3DWriter*)>& configure = {})
 {
-  const File file("before", name);
-  Written result;
-  vtkNew<vtkM3DWriter> writer;
-  writer->SetFileName(file.Path.c_str());
-  writer->SetInputDataObject(mesh);
-  if (configure)
-  {
-    configure(writer);
-  }
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  result.Success = writer->Write();
-  std::ostringstream bytes;
-  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
-  result.Bytes = bytes.str();
-  return result;
+  return WriteWith<vtkM3DWriter>(mesh, name, configure);
 }
 
 const Points Corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
@@ -236,9 +211,7 @@ TEST(M3DWriter, CollectedFilesStayAsTheyAre)
   for (const char* name : { "mesher_roi_cortex", "mesher_roi_cyl50" })
   {
     const std::string path = std::string(folder) + "/m3d/" + name + ".m3d";
-    std::ostringstream expected;
-    expected << std::ifstream(path, std::ios::binary).rdbuf();
     const Result result = ReadWith<vtkM3DReader>(path);
-    EXPECT_TRUE(Write(result.Grid, "test.m3d").Bytes == expected.str()) << name;
+    EXPECT_TRUE(Write(result.Grid, "test.m3d").Bytes == GetBytes(path)) << name;
   }
 }

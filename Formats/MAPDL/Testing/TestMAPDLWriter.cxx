@@ -12,40 +12,15 @@
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
-#include <functional>
-#include <sstream>
-
 using namespace camaron;
 using namespace camaron::testing;
 
 namespace
 {
 //------------------------------------------------------------------------------
-struct Written
-{
-  int Success = 0;
-  std::string Bytes;
-  std::vector<std::string> Errors, Warnings;
-};
-
 Written Write(vtkDataObject* mesh, const std::function<void(vtkMAPDLWriter*)>& configure = {})
 {
-  const File file("before", "test.cdb");
-  Written result;
-  vtkNew<vtkMAPDLWriter> writer;
-  writer->SetFileName(file.Path.c_str());
-  writer->SetInputDataObject(mesh);
-  if (configure)
-  {
-    configure(writer);
-  }
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  result.Success = writer->Write();
-  std::ostringstream bytes;
-  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
-  result.Bytes = bytes.str();
-  return result;
+  return WriteWith<vtkMAPDLWriter>(mesh, "test.cdb", configure);
 }
 
 Written WriteAll(vtkDataObject* mesh)

@@ -11,41 +11,15 @@
 #include "vtkIntArray.h"
 #include "vtkSMPTools.h"
 
-#include <sstream>
-
 using namespace camaron;
 using namespace camaron::testing;
 
 namespace
 {
 //------------------------------------------------------------------------------
-struct Written
-{
-  int Success = 0;
-  unsigned long ErrorCode = 0;
-  std::string Bytes;
-  std::vector<std::string> Errors, Warnings;
-};
-
 Written Write(vtkDataObject* mesh, const std::function<void(vtkPolygonOFFWriter*)>& configure = {})
 {
-  const File file("before", "test.off");
-  Written result;
-  vtkNew<vtkPolygonOFFWriter> writer;
-  writer->SetFileName(file.Path.c_str());
-  writer->SetInputDataObject(mesh);
-  if (configure)
-  {
-    configure(writer);
-  }
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  result.Success = writer->Write();
-  result.ErrorCode = writer->GetErrorCode();
-  std::ostringstream bytes;
-  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
-  result.Bytes = bytes.str();
-  return result;
+  return WriteWith<vtkPolygonOFFWriter>(mesh, "test.off", configure);
 }
 
 void WriteBinary(vtkPolygonOFFWriter* writer)

@@ -19,7 +19,6 @@
 #include "vtkUnsignedShortArray.h"
 
 #include <cmath>
-#include <sstream>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -27,36 +26,19 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-struct Written
+Written Write(vtkDataObject* mesh, const std::function<void(vtkPolygonPLYWriter*)>& configure = {})
 {
-  int Success = 0;
-  std::string Bytes;
-  std::vector<std::string> Errors, Warnings;
+  return WriteWith<vtkPolygonPLYWriter>(mesh, "test.ply", configure);
+}
 
-  Result Read() const { return ReadWith<vtkPolygonPLYReader>(File(this->Bytes, "again.ply").Path); }
-  bool Has(const std::string& text) const { return this->Bytes.find(text) != std::string::npos; }
-};
-
-using Configure = std::function<void(vtkPolygonPLYWriter*)>;
-
-Written Write(vtkDataObject* mesh, const Configure& configure = {})
+Result Read(const Written& written)
 {
-  const File file("before", "test.ply");
-  Written result;
-  vtkNew<vtkPolygonPLYWriter> writer;
-  writer->SetFileName(file.Path.c_str());
-  writer->SetInputDataObject(mesh);
-  if (configure)
-  {
-    configure(writer);
-  }
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  result.Success = writer->Write();
-  std::ostringstream bytes;
-  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
-  result.Bytes = bytes.str();
-  return result;
+  return ReadWith<vtkPolygonPLYReader>(File(written.Bytes, "again.ply").Path);
+}
+
+bool Has(const Written& written, const std::string& text)
+{
+  return written.Bytes.find(text) != std::string::npos;
 }
 
 Written WriteText(vtkDataObject* mesh)
@@ -118,7 +100,7 @@ TEST(PolygonPLYWriter, WritesTheUsualHeader)
     "element face 3\nproperty list uchar int vertex_indices\nend_header\n"
     "0 0 0.1\n1 0 1e-30\n1 1 0\n0.5 2 0\n0 1 0\n3 0 1 2\n4 0 2 3 4\n5 4 3 2 1 0\n");
   const Written binary = Write(grid);
-  EXPECT_TRUE(binary.Has("format binary_little_endian 1.0\n"));
+  EXPECT_TRUE(Has(binary, "format binary_little_endian 1.0\n"));
   const std::size_t body = binary.Bytes.find("end_header\n") + 11;
   EXPECT_EQ(binary.Bytes.size() - body, 5u * 12 + 3 + 12 * 4);
   EXPECT_EQ(binary.Bytes.substr(body + 60, 5), std::string("\3\0\0\0\0", 5));
@@ -132,18 +114,18 @@ TEST(PolygonPLYWriter, TypesOfCoordinates)
   for (const int encoding : Encodings)
   {
     const Written written = Write(grid, [&](vtkPolygonPLYWriter* w) { w->SetEncoding(encoding); });
-    EXPECT_TRUE(written.Has("property double x\n"));
-    EXPECT_EQ(written.Read().Grid->GetPoint(0)[2], 0.1);
+    EXPECT_TRUE(Has(written, "property double x\n"));
+    EXPECT_EQ(Read(written).Grid->GetPoint(0)[2], 0.1);
     const Written rounded = Write(grid,
       [&](vtkPolygonPLYWriter* w)
       {
         w->SetEncoding(encoding);
         w->SetCoordinates(vtkPolygonPLYWriter::FLOAT);
       });
-    EXPECT_TRUE(rounded.Has("property float x\n"));
+    EXPECT_TRUE(Has(rounded, "property float x\n"));
     ASSERT_EQ(rounded.Warnings.size(), 1u);
     EXPECT_NE(rounded.Warnings[0].find("2 points rounded"), std::string::npos);
-    EXPECT_EQ(rounded.Read().Grid->GetPoint(0)[2], static_cast<double>(0.1f));
+    EXPECT_EQ(Read(rounded).Grid->GetPoint(0)[2], static_cast<double>(0.1f));
   }
 }
 
@@ -173,9 +155,9 @@ TEST(PolygonPLYWriter, ArraysComeBack)
     const Written written = Write(grid, [&](vtkPolygonPLYWriter* w) { w->SetEncoding(encoding); });
     ASSERT_TRUE(written.Success);
     EXPECT_TRUE(written.Warnings.empty());
-    EXPECT_TRUE(written.Has("property float nx\n") && written.Has("property uchar alpha\n") &&
-      written.Has("property double s\n") && written.Has("property ushort d_2\n"));
-    const Result again = written.Read();
+    EXPECT_TRUE(Has(written, "property float nx\n") && Has(written, "property uchar alpha\n") &&
+      Has(written, "property double s\n") && Has(written, "property ushort d_2\n"));
+    const Result again = Read(written);
     ASSERT_TRUE(again.Errors.empty()) << again.Errors[0];
     EXPECT_TRUE(again.Warnings.empty());
     ExpectSameArrays(grid->GetPointData(), again.Grid->GetPointData());
@@ -211,12 +193,12 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
       "property int small\n", "property uint large\n", "property double larger\n",
       "property double largest\n", "property int vertex_indices_\n", "comment components v 2\n" })
   {
-    EXPECT_TRUE(written.Has(line)) << line << written.Bytes;
+    EXPECT_TRUE(Has(written, line)) << line << written.Bytes;
   }
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("largest"), std::string::npos);
   EXPECT_NE(written.Warnings[1].find("not written: words"), std::string::npos);
-  const Result again = written.Read();
+  const Result again = Read(written);
   ASSERT_TRUE(again.Errors.empty());
   EXPECT_EQ(again.Grid->GetPointData()->GetArray("larger")->GetTuple1(4), -4e15);
   EXPECT_EQ(again.Grid->GetPoint(1)[0], 1);
@@ -234,9 +216,9 @@ TEST(PolygonPLYWriter, LinesBecomeEdges)
   {
     AddArray<vtkIntArray>(grid->GetCellData(), "Quality", 1, grid->GetNumberOfCells(), 5);
   }
-  const Result first = WriteText(before).Read();
+  const Result first = Read(WriteText(before));
   ExpectSameGrid(Narrow(before), first.Grid);
-  const Result last = WriteText(after).Read();
+  const Result last = Read(WriteText(after));
   ASSERT_EQ(last.Grid->GetNumberOfCells(), 3);
   EXPECT_EQ(last.Grid->GetCellType(0), VTK_TRIANGLE);
   EXPECT_EQ(DescribeCell(last.Grid, 2, { 0, 1, 2 })[0], (std::vector<vtkIdType>{ VTK_LINE, 1, 0 }));
@@ -244,7 +226,7 @@ TEST(PolygonPLYWriter, LinesBecomeEdges)
   const Written mixed = WriteText(between);
   ASSERT_EQ(mixed.Warnings.size(), 1u);
   EXPECT_NE(mixed.Warnings[0].find("another order"), std::string::npos);
-  const Result reordered = mixed.Read();
+  const Result reordered = Read(mixed);
   EXPECT_EQ(reordered.Grid->GetCellType(1), VTK_TRIANGLE);
   EXPECT_EQ(reordered.Grid->GetCellData()->GetArray("Quality")->GetTuple1(2), 5);
 }
@@ -255,16 +237,16 @@ TEST(PolygonPLYWriter, Clouds)
   Grid cloud =
     MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
   const Written points = WriteText(cloud);
-  EXPECT_FALSE(points.Has("element face"));
-  ExpectSameGrid(Narrow(cloud), points.Read().Grid);
+  EXPECT_FALSE(Has(points, "element face"));
+  ExpectSameGrid(Narrow(cloud), Read(points).Grid);
   AddArray<vtkIntArray>(
     cloud->GetCellData(), "Mass", 1, 2, 5); // vertices have no cells to carry this
   const Written faces = WriteText(cloud);
-  EXPECT_TRUE(faces.Has("element face 2"));
-  ExpectSameGrid(Narrow(cloud), faces.Read().Grid);
+  EXPECT_TRUE(Has(faces, "element face 2"));
+  ExpectSameGrid(Narrow(cloud), Read(faces).Grid);
   const Written none = WriteText(MakeGrid({}, {}));
   ASSERT_TRUE(none.Success);
-  EXPECT_TRUE(none.Read().Errors.empty());
+  EXPECT_TRUE(Read(none).Errors.empty());
 }
 
 //------------------------------------------------------------------------------
@@ -282,9 +264,9 @@ TEST(PolygonPLYWriter, LongLists)
   for (const int encoding : Encodings)
   {
     const Written written = Write(grid, [&](vtkPolygonPLYWriter* w) { w->SetEncoding(encoding); });
-    EXPECT_TRUE(written.Has("property list int int vertex_indices\n"));
+    EXPECT_TRUE(Has(written, "property list int int vertex_indices\n"));
     EXPECT_EQ(written.Warnings.size(), 1u);
-    ExpectSameGrid(Narrow(grid), written.Read().Grid);
+    ExpectSameGrid(Narrow(grid), Read(written).Grid);
   }
 }
 
@@ -294,13 +276,13 @@ TEST(PolygonPLYWriter, SurfacesOfVolumes)
 {
   Grid grid = MakeHexahedra(2, 1, 1, false);
   AddArray<vtkIntArray>(grid->GetCellData(), "Zone", 1, 2, 7);
-  const Result boundary = Write(grid).Read();
+  const Result boundary = Read(Write(grid));
   EXPECT_EQ(Count(boundary.Grid, VTK_QUAD), 10);
   EXPECT_EQ(boundary.Grid->GetCellData()->GetArray("Zone")->GetTuple1(0), 0);
   EXPECT_EQ(boundary.Grid->GetCellData()->GetArray("Zone")->GetTuple1(9), 7);
   const Written every =
     Write(grid, [](vtkPolygonPLYWriter* w) { w->SetFacesOfVolumes(vtkPolygonPLYWriter::EVERY); });
-  EXPECT_EQ(Count(every.Read().Grid, VTK_QUAD), 11);
+  EXPECT_EQ(Count(Read(every).Grid, VTK_QUAD), 11);
   EXPECT_EQ(every.Warnings.size(), 1u);
 }
 
@@ -324,8 +306,8 @@ TEST(PolygonPLYWriter, CellsComeBack)
       };
       const Written once = Write(grid, configure);
       ASSERT_TRUE(once.Success);
-      EXPECT_TRUE(once.Has("property list uchar int face_indices\n"));
-      const Result read = once.Read();
+      EXPECT_TRUE(Has(once, "property list uchar int face_indices\n"));
+      const Result read = Read(once);
       ASSERT_TRUE(read.Errors.empty()) << read.Errors[0];
       ASSERT_EQ(read.Grid->GetNumberOfCells(), grid->GetNumberOfCells());
       std::vector<vtkIdType> ids;
@@ -347,7 +329,7 @@ TEST(PolygonPLYWriter, CellsComeBack)
         grid->GetPointData()->GetArray("Id"), read.Grid->GetPointData()->GetArray("Id")));
       // What was read once is written as the same bytes for ever.
       const Written twice = Write(read.Grid, configure);
-      ExpectSameGrid(read.Grid, twice.Read().Grid);
+      ExpectSameGrid(read.Grid, Read(twice).Grid);
     }
   }
 }
@@ -362,8 +344,8 @@ TEST(PolygonPLYWriter, WhatItCannotHold)
   const Written corners = WriteText(quadratic);
   ASSERT_TRUE(corners.Success);
   EXPECT_EQ(corners.Warnings.size(), 1u);
-  EXPECT_EQ(Count(corners.Read().Grid, VTK_TRIANGLE), 1);
-  EXPECT_EQ(corners.Read().Grid->GetNumberOfPoints(), 3);
+  EXPECT_EQ(Count(Read(corners).Grid, VTK_TRIANGLE), 1);
+  EXPECT_EQ(Read(corners).Grid->GetNumberOfPoints(), 3);
 
   const Grid empty = MakeGrid({ { 0, 0, 0 } }, { { VTK_EMPTY_CELL, {} }, { VTK_VERTEX, { 0 } } });
   const Written refused = Write(empty);

@@ -8,39 +8,15 @@
 
 #include "vtkIntArray.h"
 
-#include <sstream>
-
 using namespace camaron;
 using namespace camaron::testing;
 
 namespace
 {
 //------------------------------------------------------------------------------
-struct Written
-{
-  int Success = 0;
-  std::string Bytes;
-  std::vector<std::string> Errors, Warnings;
-};
-
 Written Write(vtkDataObject* mesh, const std::function<void(vtkTRIWriter*)>& configure = {})
 {
-  const File file("before", "test.tri");
-  Written result;
-  vtkNew<vtkTRIWriter> writer;
-  writer->SetFileName(file.Path.c_str());
-  writer->SetInputDataObject(mesh);
-  if (configure)
-  {
-    configure(writer);
-  }
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  result.Success = writer->Write();
-  std::ostringstream bytes;
-  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
-  result.Bytes = bytes.str();
-  return result;
+  return WriteWith<vtkTRIWriter>(mesh, "test.tri", configure);
 }
 
 Grid MakeTriangles()

@@ -12,9 +12,7 @@
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
 
-#include <functional>
 #include <limits>
-#include <sstream>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -22,29 +20,14 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-struct Written
-{
-  int Success = 0;
-  std::string Bytes;
-  std::vector<std::string> Errors, Warnings;
-};
-
 Written Write(vtkDataObject* mesh, int dialect, int others = vtkTSWriter::REFUSE)
 {
-  const File file("before", "test.ts");
-  Written result;
-  vtkNew<vtkTSWriter> writer;
-  writer->SetFileName(file.Path.c_str());
-  writer->SetInputDataObject(mesh);
-  writer->SetDialect(dialect);
-  writer->SetUnsupportedCells(others);
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  result.Success = writer->Write();
-  std::ostringstream bytes;
-  bytes << std::ifstream(file.Path, std::ios::binary).rdbuf();
-  result.Bytes = bytes.str();
-  return result;
+  return WriteWith<vtkTSWriter>(mesh, "test.ts",
+    [=](vtkTSWriter* writer)
+    {
+      writer->SetDialect(dialect);
+      writer->SetUnsupportedCells(others);
+    });
 }
 
 Result Read(const std::string& bytes)

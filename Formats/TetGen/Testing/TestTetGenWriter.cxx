@@ -11,9 +11,6 @@
 #include "vtkIntArray.h"
 #include "vtkSMPTools.h"
 
-#include <functional>
-#include <sstream>
-
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -26,12 +23,9 @@ using Configure = std::function<void(vtkTetGenWriter*)>;
 
 //------------------------------------------------------------------------------
 /// What is in a folder of its own after a mesh was written there.
-struct Written
+struct WrittenFiles : Written
 {
-  int Success = 0;
-  unsigned long ErrorCode = 0;
   std::map<std::string, std::string> Files; ///< by extension
-  std::vector<std::string> Errors, Warnings;
 
   Result Read(const std::string& extension) const
   {
@@ -39,7 +33,7 @@ struct Written
   }
 };
 
-Written Write(vtkDataObject* mesh, const Configure& configure = {},
+WrittenFiles Write(vtkDataObject* mesh, const Configure& configure = {},
   const std::map<std::string, std::string>& before = {}, const std::string& name = "part.1.ele")
 {
   const fs::path folder = File::GetFolder() / "written";
@@ -48,24 +42,11 @@ Written Write(vtkDataObject* mesh, const Configure& configure = {},
   {
     std::ofstream(folder / ("part.1." + file.first), std::ios::binary) << file.second;
   }
-  Written result;
-  vtkNew<vtkTetGenWriter> writer;
-  writer->SetFileName((folder / name).string().c_str());
-  writer->SetInputDataObject(mesh);
-  if (configure)
-  {
-    configure(writer);
-  }
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  result.Success = writer->Write();
-  result.ErrorCode = writer->GetErrorCode();
+  WrittenFiles result{ WriteTo<vtkTetGenWriter>((folder / name).string(), mesh, configure), {} };
   for (const auto& file : fs::directory_iterator(folder))
   {
-    std::ostringstream bytes;
-    bytes << std::ifstream(file.path(), std::ios::binary).rdbuf();
     const std::string extension = file.path().extension().string();
-    result.Files[extension.empty() ? "" : extension.substr(1)] = bytes.str();
+    result.Files[extension.empty() ? "" : extension.substr(1)] = GetBytes(file.path().string());
   }
   fs::remove_all(folder);
   return result;
@@ -118,7 +99,7 @@ TEST(TetGenWriter, WritesNodesAndElements)
 {
   for (const char* name : { "part.1.ele", "part.1.node" })
   {
-    const Written zero = Write(MakeTwoTetrahedra(), {}, {}, name);
+    const WrittenFiles zero = Write(MakeTwoTetrahedra(), {}, {}, name);
     ASSERT_TRUE(zero.Success);
     EXPECT_TRUE(zero.Warnings.empty()) << zero.Warnings[0];
     EXPECT_EQ(zero.Files.size(), 2u);
@@ -126,7 +107,7 @@ TEST(TetGenWriter, WritesNodesAndElements)
       zero.Files.at("node"), "5 3 0 0\n0 0 0 0\n1 1 0 0.1\n2 0 1 1e-30\n3 0 0 1\n4 1 1 1\n");
     EXPECT_EQ(zero.Files.at("ele"), "2 4 0\n0 0 1 2 3\n1 1 2 3 4\n");
   }
-  const Written one = Write(MakeTwoTetrahedra(), [](vtkTetGenWriter* w) { w->SetFirstId(1); });
+  const WrittenFiles one = Write(MakeTwoTetrahedra(), [](vtkTetGenWriter* w) { w->SetFirstId(1); });
   EXPECT_EQ(one.Files.at("node"), "5 3 0 0\n1 0 0 0\n2 1 0 0.1\n3 0 1 1e-30\n4 0 0 1\n5 1 1 1\n");
   EXPECT_EQ(one.Files.at("ele"), "2 4 0\n1 1 2 3 4\n2 2 3 4 5\n");
   ExpectSameMesh(MakeTwoTetrahedra(), Write(MakeTwoTetrahedra()).Read("ele"));
@@ -143,13 +124,13 @@ TEST(TetGenWriter, WritesAttributesAndMarkers)
   AddArray<vtkIntArray>(grid->GetPointData(), "BoundaryMarker", { 1, -2, 0, 7, 2147483647 });
   AddArray<vtkDoubleArray>(grid->GetCellData(), "attr_1", { 0.25, 0.75 });
   AddArray<vtkIntArray>(grid->GetCellData(), "Region", { 1000000, -20 });
-  const Written written = Write(grid);
+  const WrittenFiles written = Write(grid);
   ASSERT_TRUE(written.Success);
   EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
   EXPECT_EQ(written.Files.at("ele"), "2 4 2\n0 0 1 2 3 1000000 0.25\n1 1 2 3 4 -20 0.75\n");
   ExpectSameMesh(grid, written.Read("ele"));
 
-  const Written plain = Write(grid, [](vtkTetGenWriter* w) { w->WriteArraysOff(); });
+  const WrittenFiles plain = Write(grid, [](vtkTetGenWriter* w) { w->WriteArraysOff(); });
   EXPECT_TRUE(plain.Warnings.empty());
   EXPECT_EQ(plain.Files.at("ele"), "2 4 0\n0 0 1 2 3\n1 1 2 3 4\n");
   EXPECT_EQ(plain.Files.at("node").substr(0, 8), "5 3 0 0\n");
@@ -163,7 +144,7 @@ TEST(TetGenWriter, SaysWhatIsLost)
   AddArray<vtkFloatArray>(grid->GetPointData(), "Pressure", { 0.1, 2, 3, 4, 5 });
   AddArray<vtkDoubleArray>(grid->GetCellData(), "Flow", { 1, 2, 3, 4, 5, 6 }, 3);
   AddArray<vtkDoubleArray>(grid->GetPointData(), "BoundaryMarker", { 0.5, 0, 0, 0, 0 });
-  const Written written = Write(grid);
+  const WrittenFiles written = Write(grid);
   ASSERT_TRUE(written.Success);
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("not written: Flow"), std::string::npos)
@@ -173,7 +154,7 @@ TEST(TetGenWriter, SaysWhatIsLost)
     << written.Warnings[1];
   EXPECT_NE(written.Files.at("node").find("\n0 0 0 0 0.1 0.5\n"), std::string::npos);
 
-  const Written old = Write(MakeTwoTetrahedra(), {}, { { "neigh", "old" }, { "face", "old" } });
+  const WrittenFiles old = Write(MakeTwoTetrahedra(), {}, { { "neigh", "old" }, { "face", "old" } });
   ASSERT_EQ(old.Warnings.size(), 1u);
   EXPECT_NE(old.Warnings[0].find("part.1.face, part.1.neigh"), std::string::npos);
   EXPECT_EQ(old.Files.at("neigh"), "old");
@@ -182,7 +163,7 @@ TEST(TetGenWriter, SaysWhatIsLost)
 //------------------------------------------------------------------------------
 TEST(TetGenWriter, TrianglesBesideTetrahedraAreFaces)
 {
-  const Written written = Write(MakeTetrahedraWithTriangles());
+  const WrittenFiles written = Write(MakeTetrahedraWithTriangles());
   ASSERT_TRUE(written.Success) << written.Errors[0];
   EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
   EXPECT_EQ(written.Files.at("ele"), "2 4 1\n0 0 1 2 3 10\n1 1 2 3 4 20\n");
@@ -192,7 +173,7 @@ TEST(TetGenWriter, TrianglesBesideTetrahedraAreFaces)
   EXPECT_EQ(GetValues(faces.Grid->GetCellData(), "BoundaryMarker"), (Values{ 5, -6 }));
   EXPECT_EQ(Count(written.Read("ele").Grid, VTK_TETRA), 2);
 
-  const Written boundary =
+  const WrittenFiles boundary =
     Write(MakeTwoTetrahedra(), [](vtkTetGenWriter* w) { w->WriteBoundaryFacesOn(); });
   const Result sides = boundary.Read("face");
   ASSERT_TRUE(sides.Errors.empty());
@@ -212,13 +193,13 @@ TEST(TetGenWriter, TrianglesInTwoOrThreeDimensions)
 {
   const Grid flat =
     MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_TRIANGLE, { 2, 1, 0 } } });
-  const Written two = Write(flat);
+  const WrittenFiles two = Write(flat);
   EXPECT_EQ(two.Files.at("node"), "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n");
   EXPECT_EQ(two.Files.at("ele"), "1 3 0\n0 2 1 0\n");
   ExpectSameMesh(flat, two.Read("node"));
   const Grid raised =
     MakeGrid({ { 0, 0, 2 }, { 1, 0, 2 }, { 0, 1, 2 } }, { { VTK_TRIANGLE, { 2, 1, 0 } } });
-  const Written three = Write(raised);
+  const WrittenFiles three = Write(raised);
   EXPECT_EQ(three.Files.at("node"), "3 3 0 0\n0 0 0 2\n1 1 0 2\n2 0 1 2\n");
   ExpectSameMesh(raised, three.Read("ele"));
 }
@@ -241,7 +222,7 @@ TEST(TetGenWriter, SecondOrder)
   const Ids ten{ 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 }, six{ 0, 1, 2, 4, 5, 6 };
   const Grid solid =
     MakeGrid(points, { { VTK_QUADRATIC_TETRA, ten }, { VTK_QUADRATIC_TRIANGLE, six } });
-  const Written written = Write(solid);
+  const WrittenFiles written = Write(solid);
   ASSERT_TRUE(written.Success) << written.Errors[0];
   // File positions 4 to 9 are the edges 23 03 01 12 13 02, of triangles those opposite of 0 1 2.
   EXPECT_EQ(written.Files.at("ele"), "1 10 0\n0 0 1 2 3 9 7 4 5 8 6\n");
@@ -254,7 +235,7 @@ TEST(TetGenWriter, SecondOrder)
   // Beside others they lose these nodes.
   const Grid both =
     MakeGrid(points, { { VTK_QUADRATIC_TETRA, ten }, { VTK_TETRA, { 0, 1, 2, 9 } } });
-  const Written linear = Write(both);
+  const WrittenFiles linear = Write(both);
   ASSERT_TRUE(linear.Success);
   EXPECT_FALSE(linear.Warnings.empty());
   EXPECT_EQ(Count(linear.Read("ele").Grid, VTK_TETRA), 2);
@@ -265,13 +246,13 @@ TEST(TetGenWriter, PointsWithoutElements)
 {
   const Grid cloud =
     MakeGrid({ { 1, 2, 3 }, { 4, 5, 6 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
-  const Written written = Write(cloud);
+  const WrittenFiles written = Write(cloud);
   ASSERT_TRUE(written.Success) << written.Errors[0];
   EXPECT_EQ(written.Files.at("node"), "2 3 0 0\n0 1 2 3\n1 4 5 6\n");
   EXPECT_EQ(written.Files.at("ele"), "0 4 0\n"); // not one of an earlier mesh
   ExpectSameMesh(cloud, written.Read("ele"));
   ExpectSameMesh(cloud, written.Read("node"));
-  const Written empty = Write(MakeGrid({}, {}));
+  const WrittenFiles empty = Write(MakeGrid({}, {}));
   EXPECT_EQ(empty.Files.at("node"), "0 3 0 0\n");
   EXPECT_TRUE(empty.Read("ele").Errors.empty());
 }
@@ -283,21 +264,21 @@ TEST(TetGenWriter, WhatItCannotHold)
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
     { { VTK_PYRAMID, { 0, 1, 2, 3, 4 } }, { VTK_TETRA, { 4, 2, 0, 3 } } });
   const std::map<std::string, std::string> before{ { "node", "old" }, { "ele", "old" } };
-  const Written refused = Write(grid, {}, before);
+  const WrittenFiles refused = Write(grid, {}, before);
   EXPECT_EQ(refused.Success, 0);
   EXPECT_EQ(refused.Files, before);
   ASSERT_EQ(refused.Errors.size(), 1u);
-  const Written converted = Write(
+  const WrittenFiles converted = Write(
     grid, [](vtkTetGenWriter* w) { w->SetUnsupportedCells(vtkTetGenWriter::CONVERT); }, before);
   ASSERT_TRUE(converted.Success);
   EXPECT_EQ(Count(converted.Read("ele").Grid, VTK_TETRA), 3);
-  const Written skipped =
+  const WrittenFiles skipped =
     Write(grid, [](vtkTetGenWriter* w) { w->SetUnsupportedCells(vtkTetGenWriter::SKIP); });
   ASSERT_TRUE(skipped.Success);
   EXPECT_FALSE(skipped.Warnings.empty());
   EXPECT_EQ(skipped.Read("ele").Grid->GetNumberOfCells(), 1);
 
-  const Written wrongName = Write(MakeTwoTetrahedra(), {}, {}, "part.1.poly");
+  const WrittenFiles wrongName = Write(MakeTwoTetrahedra(), {}, {}, "part.1.poly");
   EXPECT_EQ(wrongName.Success, 0);
   EXPECT_TRUE(wrongName.Files.empty());
   ASSERT_EQ(wrongName.Errors.size(), 1u);
@@ -311,7 +292,7 @@ TEST(TetGenWriter, AllFilesOrNone)
 {
   const fs::path folder = File::GetFolder() / "written" / "part.1.ele";
   fs::create_directories(folder); // where the elements shall be
-  const Written written = Write(MakeTwoTetrahedra(), {}, { { "node", "old" } });
+  const WrittenFiles written = Write(MakeTwoTetrahedra(), {}, { { "node", "old" } });
   EXPECT_EQ(written.Success, 0);
   ASSERT_EQ(written.Errors.size(), 1u);
   EXPECT_NE(written.Errors[0].find("part.1.ele"), std::string::npos);
@@ -324,7 +305,7 @@ TEST(TetGenWriter, ThreadsChangeNothing)
 {
   const Mesh mesh(MakeStrip(20000));
   const Grid grid = mesh.Read("ele").Grid;
-  const Written expected = Write(grid);
+  const WrittenFiles expected = Write(grid);
   ASSERT_TRUE(expected.Success);
   for (const int threads : { 1, 2, 3 })
   {

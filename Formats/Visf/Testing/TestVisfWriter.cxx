@@ -27,37 +27,15 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-struct Written
-{
-  int Success = 0;
-  unsigned long ErrorCode = 0;
-  std::vector<std::string> Errors;
-  std::vector<std::string> Warnings;
-};
-
 Written WriteFile(const std::string& path, vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII,
   bool neighbors = false)
 {
-  Written result;
-  vtkNew<vtkVisfWriter> writer;
-  Observe(writer, vtkCommand::ErrorEvent, result.Errors);
-  Observe(writer, vtkCommand::WarningEvent, result.Warnings);
-  writer->SetInputDataObject(mesh);
-  writer->SetFileName(path.c_str());
-  writer->SetEncoding(encoding);
-  writer->SetWriteNeighbors(neighbors);
-  result.Success = writer->Write();
-  result.ErrorCode = writer->GetErrorCode();
-  return result;
-}
-
-//------------------------------------------------------------------------------
-std::string GetBytes(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << stream.rdbuf();
-  return bytes.str();
+  return WriteTo<vtkVisfWriter>(path, mesh,
+    [=](vtkVisfWriter* writer)
+    {
+      writer->SetEncoding(encoding);
+      writer->SetWriteNeighbors(neighbors);
+    });
 }
 
 //------------------------------------------------------------------------------
