@@ -61,6 +61,8 @@ public:
 
   /// Reads files; the result has the first fault that was found.
   Reading Try(const MeshFiles& files, int laws = NoFurtherLaws);
+  /// Reads what is no file at all.
+  Reading TryWithoutFile(const std::string& path) const { return this->Read(path, 0); }
 
   /// The files of the last trial lie here, for as long as the object lives.
   const Folder& GetFolder() const { return this->Input; }

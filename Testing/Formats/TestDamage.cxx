@@ -7,6 +7,9 @@
 #include "ReaderTrial.h"
 
 #include "Scan/ScanError.h"
+#include "vtkMeshFileReader.h"
+
+#include "vtkErrorCode.h"
 
 #include <gtest/gtest.h>
 
@@ -201,6 +204,30 @@ TEST(Damage, MalformedFiles)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, missing files, folders and unset names are not told from empty meshes.
+TEST(Damage, NoFile)
+{
+  const ReaderTrial trial;
+  const Folder parent;
+  const std::string missing = (parent.GetPath() / "missing.").string() + GetFormat().Extensions[0];
+  const std::string folder = (parent.GetPath() / "folder.").string() + GetFormat().Extensions[0];
+  std::filesystem::create_directory(folder);
+  for (const std::string& path : { missing, folder })
+  {
+    const Reading reading = trial.TryWithoutFile(path);
+    EXPECT_EQ(reading.Fault, "");
+    EXPECT_EQ(reading.ErrorCode, static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
+    EXPECT_EQ(MakeReader()->CanReadFile(path.c_str()), 0);
+  }
+  EXPECT_EQ(MakeReader()->CanReadFile(nullptr), 0);
+  const vtkSmartPointer<vtkMeshFileReader> reader = MakeReader();
+  vtkObject::GlobalWarningDisplayOff();
+  reader->Update();
+  vtkObject::GlobalWarningDisplayOn();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a file that was cut off crashes or hangs the reader, costs memory out of all
 // proportion, or shows half a mesh that filters fall over.
 TEST(Damage, CutOffAnywhere)
@@ -243,10 +270,11 @@ TEST(Damage, CutOffAnywhere)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the same happens to a file some of whose bytes are wrong.
+// If this fails, the same happens to a file some of whose bytes are wrong or missing.
 TEST(Damage, WrongBytes)
 {
   constexpr int NumberOfTrials = 2000;
+  constexpr int MaxErased = 9; // bytes at once
   constexpr char Text[] = "0123456789-+.eE \n\r\t#/(){},:|ax";
   Trials trials;
   std::mt19937 random(2);
@@ -263,7 +291,7 @@ TEST(Damage, WrongBytes)
     const Sample& sample = *samples[random() % samples.size()];
     MeshFiles files = sample.Files;
     std::string description = sample.Name;
-    for (int changes = 1 + trial % 3; changes > 0; --changes)
+    for (int changes = 1 + trial % 3; changes > 0 && GetTotalSize(files) > 0; --changes)
     {
       std::size_t at = random() % GetTotalSize(files), file = 0;
       for (; at >= files[file].Bytes.size(); ++file)
@@ -271,7 +299,8 @@ TEST(Damage, WrongBytes)
         at -= files[file].Bytes.size();
       }
       char& byte = files[file].Bytes[at];
-      switch (random() % 3)
+      description += ", byte " + std::to_string(at) + " of ." + files[file].Extension;
+      switch (random() % 4)
       {
         case 0:
           byte = static_cast<char>(byte ^ 1 << random() % 8);
@@ -279,11 +308,15 @@ TEST(Damage, WrongBytes)
         case 1:
           byte = static_cast<char>(random());
           break;
-        default:
+        case 2:
           byte = Text[random() % (sizeof(Text) - 1)];
+          break;
+        default:
+          files[file].Bytes.erase(at, 1 + random() % MaxErased);
+          description += " and some after it are missing";
+          continue;
       }
-      description += ", byte " + std::to_string(at) + " of ." + files[file].Extension + " is " +
-        std::to_string(static_cast<unsigned char>(byte));
+      description += " is " + std::to_string(static_cast<unsigned char>(byte));
     }
     trials.Try(files, description, ChooseLaws(sample, trial));
   }

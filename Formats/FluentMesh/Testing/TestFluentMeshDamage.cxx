@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader does with Fluent files that are damaged, cut off or something else altogether.
+// What the reader says of Fluent files that are damaged, cut off or something else altogether.
 #include "FluentMeshSamples.h"
 #include "vtkFluentMeshReader.h"
 
 #include "vtkErrorCode.h"
 
 #include <chrono>
-#include <random>
-#include <sstream>
 
 #if defined(__linux__)
 #include <sys/resource.h>
@@ -19,8 +17,6 @@ using namespace camaron::testing;
 
 namespace
 {
-constexpr double MaxSeconds = 5;
-
 //------------------------------------------------------------------------------
 Result ReadBytes(const std::string& bytes)
 {
@@ -28,15 +24,11 @@ Result ReadBytes(const std::string& bytes)
 }
 
 //------------------------------------------------------------------------------
-// Whether bytes are read; if not, properly refused, and soon.
-bool ReadsOrRefuses(const std::string& bytes)
+void ExpectToReadSoon(const std::string& bytes)
 {
   const auto start = std::chrono::steady_clock::now();
-  const Result result = ReadBytes(bytes);
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(took.count(), MaxSeconds);
-  EXPECT_TRUE(result.Errors.empty() || result.IsProperError());
-  return result.Errors.empty();
+  EXPECT_TRUE(ReadBytes(bytes).Errors.empty());
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 //------------------------------------------------------------------------------
@@ -206,8 +198,7 @@ TEST(FluentMeshDamage, WrongWordsInBinary)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a file that was cut off crashes or hangs the reader, or shows half a mesh as
-// whole.
+// If this fails, half a mesh of a file that was cut off is shown as whole.
 TEST(FluentMeshDamage, CutOffAnywhere)
 {
   const std::string names = "(45 (2 fluid";
@@ -248,8 +239,8 @@ TEST(FluentMeshDamage, ManySections)
       " " + id + " " + id + " 1 7))";
     quotes += "(37 (a \" b))(0 3\" x)";
   }
-  EXPECT_TRUE(ReadsOrRefuses(text));
-  EXPECT_TRUE(ReadsOrRefuses(quotes + "(37 (\"))"));
+  ExpectToReadSoon(text);
+  ExpectToReadSoon(quotes + "(37 (\"))");
   // A cell of very many faces, which are all parts of others.
   std::string cell = "(2 3)\n(10 (1 1 4 1 3)(0 0 0 1 0 0 0 1 0 0 0 1))\n(12 (2 1 1 1 4))", faces,
               tree;
@@ -260,86 +251,6 @@ TEST(FluentMeshDamage, ManySections)
     AppendHex(tree, static_cast<std::uint64_t>(i));
     tree += "\n";
   }
-  EXPECT_TRUE(ReadsOrRefuses(cell + "(13 (3 1 7530 3 3)(" + faces + "))(13 (4 7531 ea60 1f 3)(" +
-    faces + "))(59 (7531 ea60 4 3)(" + tree + "))"));
-}
-
-//------------------------------------------------------------------------------
-// If this fails, some damage crashes the reader. Damaged files may still be good meshes.
-TEST(FluentMeshDamage, RandomDamage)
-{
-  const char* rounds = std::getenv("CAMARON_FUZZ_ROUNDS"); // for longer runs by hand
-  const int numberOfRounds = rounds ? std::atoi(rounds) : 150;
-  std::mt19937 random(8);
-  int errors = 0;
-  for (const std::string& bytes : MakeSamples())
-  {
-    for (int i = 0; i < numberOfRounds; ++i)
-    {
-      std::string damaged = bytes;
-      for (int flips = 1 + i % 4; flips > 0; --flips)
-      {
-        damaged[random() % damaged.size()] ^= static_cast<char>(1 << random() % 8);
-      }
-      if (i % 5 == 0)
-      {
-        damaged.erase(random() % damaged.size(), 1 + random() % 9);
-      }
-      errors += !ReadsOrRefuses(damaged);
-    }
-  }
-  EXPECT_GT(errors, numberOfRounds);
-}
-
-//------------------------------------------------------------------------------
-// If this fails, damage to real files crashes the reader.
-TEST(FluentMeshDamage, CollectedFiles)
-{
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/ansys_fluent"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_fluent";
-  }
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry :
-    std::filesystem::directory_iterator(std::string(folder) + "/ansys_fluent"))
-  {
-    constexpr std::uintmax_t Small = 1000000; // so that the test takes seconds
-    if (entry.file_size() < Small)
-    {
-      paths.push_back(entry.path());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  std::mt19937 random(9);
-  const int flips = 2000 / static_cast<int>(paths.size()) + 1;
-  for (const std::filesystem::path& path : paths)
-  {
-    std::ostringstream stream;
-    stream << std::ifstream(path, std::ios::binary).rdbuf();
-    const std::string bytes = stream.str();
-    EXPECT_TRUE(ReadsOrRefuses(bytes)) << path;
-    for (int i = 0; i < 200; ++i)
-    {
-      ReadsOrRefuses(bytes.substr(0, random() % bytes.size()));
-    }
-    for (int i = 0; i < flips; ++i)
-    {
-      std::string damaged = bytes;
-      damaged[random() % damaged.size()] ^= static_cast<char>(1 << random() % 8);
-      ReadsOrRefuses(damaged);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(FluentMeshDamage, NoFile)
-{
-  const File file("(2 3)\n", "test.msh");
-  for (const std::string& path : { file.Path + ".missing", file.GetFolder().string() })
-  {
-    const Result result = ReadWith<vtkFluentMeshReader>(path);
-    EXPECT_TRUE(result.IsProperError());
-    EXPECT_EQ(result.ErrorCode, static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
-  }
+  ExpectToReadSoon(cell + "(13 (3 1 7530 3 3)(" + faces + "))(13 (4 7531 ea60 1f 3)(" + faces +
+    "))(59 (7531 ea60 4 3)(" + tree + "))");
 }

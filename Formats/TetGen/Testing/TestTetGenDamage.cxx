@@ -163,23 +163,6 @@ TEST(TetGenDamage, LargeFilesToo)
 }
 
 //------------------------------------------------------------------------------
-TEST(TetGenDamage, NoFile)
-{
-  const Mesh mesh({ { "node", Node }, { "ele", Ele } });
-  vtkNew<vtkTetGenReader> reader;
-  const std::string folder = File::GetFolder().string() + "/folder.ele";
-  std::filesystem::create_directory(folder);
-  for (const std::string& path : { mesh.GetPath("neigh"), mesh.GetPath("face"), folder })
-  {
-    const Result result = ReadWith<vtkTetGenReader>(path);
-    EXPECT_TRUE(result.IsProperError());
-    EXPECT_EQ(result.ErrorCode, static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
-    EXPECT_EQ(reader->CanReadFile(path.c_str()), 0);
-  }
-  std::filesystem::remove(folder);
-}
-
-//------------------------------------------------------------------------------
 // If this fails, files of other programs with these extensions are claimed, or ours are not.
 TEST(TetGenDamage, CanReadFile)
 {
