@@ -191,6 +191,7 @@ int vtkElementQuality::RequestData(
     {
       options.Ghosts = ghosts->GetPointer(0);
     }
+    options.GlobalIds = triangulated->GetCellData()->GetGlobalIds();
     const camaron::MeshTopology topology(camaron::AsMesh(triangulated));
     for (const std::string& name : this->GetChosenCriteria())
     {

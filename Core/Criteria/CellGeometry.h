@@ -23,6 +23,8 @@
 
 #include <vector> // for the parts
 
+class vtkDataArray;
+
 namespace camaron
 {
 struct EvaluationOptions
@@ -41,6 +43,8 @@ struct EvaluationOptions
   double PlanarityTolerance = 0.1;
   /// Of every cell whether it is a ghost, not 0; or none.
   const unsigned char* Ghosts = nullptr;
+  /// Ids by which cells are known in all pieces; without them it is their place in the mesh.
+  vtkDataArray* GlobalIds = nullptr;
 };
 
 class CellGeometry

@@ -15,6 +15,7 @@ std::vector<Criterion> SimplexCriteria();
 std::vector<Criterion> FaceCriteria();
 std::vector<Criterion> DecompositionCriteria();
 std::vector<Criterion> ValidityCriteria();
+std::vector<Criterion> ConnectivityCriteria();
 std::vector<Criterion> FiniteVolumeCriteria();
 std::vector<Criterion> VerdictCriteria();
 
@@ -38,6 +39,7 @@ constexpr Family Families[] = {
   { "Faces of a cell", FaceCriteria },
   { "Decomposition into tetrahedra", DecompositionCriteria },
   { "Validity", ValidityCriteria },
+  { "Place in the mesh", ConnectivityCriteria },
   { "Finite volumes", FiniteVolumeCriteria },
   { "Verdict", VerdictCriteria },
 };

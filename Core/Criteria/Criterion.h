@@ -17,7 +17,7 @@ namespace camaron
 {
 class CellGeometry;
 class CellNeighborhood;
-struct MeshContext;
+class MeshContext;
 
 /// Which end of its range is good.
 enum class Better

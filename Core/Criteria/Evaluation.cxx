@@ -137,30 +137,6 @@ private:
   CellCenters Centers;
   CellNeighborhood Neighborhood;
 };
-
-//------------------------------------------------------------------------------
-std::vector<Vector> GetCellVectors(const MeshView& mesh, const EvaluationOptions& options)
-{
-  std::vector<Vector> vectors(mesh.GetNumberOfCells());
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      CellGeometry cell;
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        cell.Load(mesh, id, options);
-        if ((cell.GetShapes() & Polygons) && cell.GetTopology().GetNumberOfFaces() > 0)
-        {
-          cell.Compute(NeedsFaces);
-          if (cell.IsFinite() && !cell.IsZeroArea(cell.GetFaceArea(0)))
-          {
-            vectors[id] = cell.GetFaceVector(0);
-          }
-        }
-      }
-    });
-  return vectors;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -207,8 +183,11 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& options,
   }
   if (!ofMesh.empty())
   {
-    const MeshContext context = { topology, options, GetCellVectors(mesh, options) };
-    topology.GetSurfaceEdges();
+    const MeshContext context(topology, options);
+    for (const CriterionValues& row : ofMesh)
+    {
+      row.Criterion->MeshFunction(context, 0, 0, row.Values);
+    }
     return inSlabs(
       [&](vtkIdType begin, vtkIdType end)
       {

@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * @file MeshContext.h
+ * @class camaron::MeshContext
  * @brief What a criterion with neighbours reads.
+ *
+ * Tables are made when they are first asked for. A criterion that is asked for no cells at all gets its tables and
+ * does nothing else, so that they are made with all threads.
  */
 #ifndef camaron_MeshContext_h
 #define camaron_MeshContext_h
@@ -10,16 +13,32 @@
 #include "Criteria/CellGeometry.h"
 #include "Mesh/MeshTopology.h"
 
-#include <vector> // for the normals
+#include <mutex>  // for std::once_flag
+#include <vector> // for the tables
 
 namespace camaron
 {
-struct MeshContext
+class MeshContext
 {
+public:
+  MeshContext(const MeshTopology& topology, const EvaluationOptions& options)
+    : Topology(topology)
+    , Options(options)
+  {
+  }
+
   const MeshTopology& Topology;
   const EvaluationOptions& Options;
+
   /// Vector areas of the 2D cells; zero for other cells.
-  std::vector<Vector> CellVectors;
+  const std::vector<Vector>& GetCellVectors() const;
+  /// Of every cell the lowest id of all cells with the same points, or -1 if it is the only one.
+  const std::vector<double>& GetDuplicateIds() const;
+
+private:
+  mutable std::once_flag CellVectorsOnce, DuplicateIdsOnce;
+  mutable std::vector<Vector> CellVectors;
+  mutable std::vector<double> DuplicateIds;
 };
 }
 

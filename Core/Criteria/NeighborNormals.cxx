@@ -13,10 +13,10 @@ namespace
 // Calls visit(angle) for every polygon that shares an edge with a polygon cell. Two polygons agree when
 // they run along the edge in opposite directions; where they do not, one of them counts as flipped.
 template <typename Visitor>
-void ForEachNeighborAngle(const MeshContext& mesh, const FacetTable& edges, vtkIdType cell,
+void ForEachNeighborAngle(const std::vector<Vector>& vectors, const FacetTable& edges, vtkIdType cell,
   std::vector<Index>& cells, bool& hasNeighbor, Visitor&& visit)
 {
-  const Vector& own = mesh.CellVectors[cell];
+  const Vector& own = vectors[cell];
   for (const CellFacet edge : edges.GetCellFacets(cell))
   {
     if (edges.IsBoundary(edge.Facet()))
@@ -39,7 +39,7 @@ void ForEachNeighborAngle(const MeshContext& mesh, const FacetTable& edges, vtkI
           reversed = theirs.IsReversed();
         }
       }
-      const Vector& other = mesh.CellVectors[neighbor];
+      const Vector& other = vectors[neighbor];
       const double sign = reversed != edge.IsReversed() ? 1 : -1;
       if (Norm2(own) > 0 && Norm2(other) > 0)
       {
@@ -55,6 +55,7 @@ void NeighborNormalAngle(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, Choose&& choose)
 {
   const FacetTable& edges = mesh.Topology.GetSurfaceEdges();
+  const std::vector<Vector>& vectors = mesh.GetCellVectors();
   const double factor = mesh.Options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
   std::vector<Index> cells;
   for (vtkIdType cell = begin; cell < end; ++cell)
@@ -66,7 +67,7 @@ void NeighborNormalAngle(
     }
     bool hasNeighbor = false;
     double chosen = -1;
-    ForEachNeighborAngle(mesh, edges, cell, cells, hasNeighbor,
+    ForEachNeighborAngle(vectors, edges, cell, cells, hasNeighbor,
       [&](double angle) { chosen = chosen < 0 ? angle : choose(chosen, angle); });
     values[cell - begin] = chosen >= 0 ? factor * chosen
                                        : Null(hasNeighbor ? NullReason::Degenerate

@@ -3,6 +3,7 @@
 #include "Mesh/MeshTopology.h"
 
 #include "Mesh/CellFacets.h"
+#include "Mesh/CellRegions.h"
 #include "Mesh/FacetTableBuilder.h"
 #include "Parallel.h"
 #include "vtkCamaronCompat.h"
@@ -181,10 +182,12 @@ struct Key
 //------------------------------------------------------------------------------
 struct MeshTopology::Tables
 {
-  std::once_flag FacesOnce, SurfaceEdgesOnce, EdgesOnce, PointCellsOnce;
+  std::once_flag FacesOnce, SurfaceEdgesOnce, EdgesOnce, PointCellsOnce, CellRegionsOnce,
+    PointRegionsOnce;
   FacetTable Faces, SurfaceEdges;
   EdgeList Edges;
   camaron::PointCells PointCells;
+  std::vector<Index> CellRegions, PointRegionCounts;
   std::vector<Index> GivenFaces; // until Faces is built
   Index NumberOfGivenFaces = 0;
 };
@@ -311,6 +314,22 @@ const PointCells& MeshTopology::GetPointCells() const
   std::call_once(this->Shared->PointCellsOnce,
     [&] { this->Shared->PointCells = FindPointCells(this->Mesh); });
   return this->Shared->PointCells;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Index>& MeshTopology::GetCellRegions() const
+{
+  std::call_once(this->Shared->CellRegionsOnce,
+    [&] { this->Shared->CellRegions = FindCellRegions(*this); });
+  return this->Shared->CellRegions;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Index>& MeshTopology::GetPointRegionCounts() const
+{
+  std::call_once(this->Shared->PointRegionsOnce,
+    [&] { this->Shared->PointRegionCounts = CountPointRegions(*this); });
+  return this->Shared->PointRegionCounts;
 }
 
 //------------------------------------------------------------------------------

@@ -59,6 +59,10 @@ public:
   /// Edges of all 2D and 3D cells.
   const EdgeList& GetEdges() const;
   const PointCells& GetPointCells() const;
+  /// See FindCellRegions.
+  const std::vector<Index>& GetCellRegions() const;
+  /// See CountPointRegions.
+  const std::vector<Index>& GetPointRegionCounts() const;
 
   /**
    * Points of a face as its owner runs around it (outward for a healthy cell); @a points is

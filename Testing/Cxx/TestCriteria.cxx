@@ -3,107 +3,17 @@
 // Values of the criteria against tables that an independent program computed from closed forms, against
 // themselves under what must not change them, and on degenerate cells.
 #include "Criteria/CellStatusBits.h"
-#include "Criteria/Evaluation.h"
 
+#include "CriteriaTesting.h"
 #include "ReferenceShapes.h"
-#include "TestMeshes.h"
 
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <map>
 #include <random>
-#include <string>
 
 using namespace camaron;
 using namespace camaron::testing;
-
-namespace
-{
-constexpr double Infinity = std::numeric_limits<double>::infinity();
-const double Pi = std::acos(-1.0);
-
-using Values = std::map<std::string, std::vector<double>>;
-
-//------------------------------------------------------------------------------
-Values EvaluateAll(vtkDataSet* mesh, const EvaluationOptions& options = {})
-{
-  Values values;
-  std::vector<CriterionValues> rows;
-  for (const Criterion& criterion : GetCriteria())
-  {
-    auto& array = values[criterion.Name];
-    array.resize(mesh->GetNumberOfCells());
-    rows.push_back({ &criterion, array.data() });
-  }
-  EXPECT_TRUE(Evaluate(MeshTopology(mesh), options, rows, [](double) { return true; }));
-  return values;
-}
-
-//------------------------------------------------------------------------------
-void ExpectNear(double expected, double value, double relative, const std::string& what)
-{
-  if (std::isnan(expected) || std::isinf(expected))
-  {
-    EXPECT_TRUE(std::isnan(expected) ? std::isnan(value) : expected == value)
-      << what << ": " << value << " instead of " << expected;
-    return;
-  }
-  EXPECT_NEAR(expected, value, relative * std::max(1.0, std::abs(expected))) << what;
-}
-
-//------------------------------------------------------------------------------
-void ExpectSame(const Values& a, const Values& b, double relative, const std::string& what,
-  const std::vector<std::string>& except = {})
-{
-  for (const auto& row : a)
-  {
-    if (std::find(except.begin(), except.end(), row.first) != except.end())
-    {
-      continue;
-    }
-    const auto& other = b.at(row.first);
-    ASSERT_EQ(row.second.size(), other.size());
-    for (std::size_t i = 0; i < other.size(); ++i)
-    {
-      ExpectNear(row.second[i], other[i], relative, what + ' ' + row.first);
-      EXPECT_EQ(GetNullReason(row.second[i]), GetNullReason(other[i])) << what << row.first;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-Grid Transform(vtkUnstructuredGrid* grid, const std::function<Point(const Point&)>& map)
-{
-  auto result = Grid::New();
-  result->DeepCopy(grid);
-  for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-  {
-    Point p;
-    grid->GetPoint(i, p.data());
-    result->GetPoints()->SetPoint(i, map(p).data());
-  }
-  return result;
-}
-
-//------------------------------------------------------------------------------
-Grid MakePolygon(const Points& points)
-{
-  std::vector<vtkIdType> ids(points.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    ids[i] = static_cast<vtkIdType>(i);
-  }
-  const int size = static_cast<int>(points.size());
-  return MakeGrid(
-    points, { { size == 3 ? VTK_TRIANGLE : size == 4 ? VTK_QUAD : VTK_POLYGON, ids } });
-}
-}
 
 // The published table of polyhedra, to all digits it prints; every shape as a polyhedron and, where
 // there is one, as a cell of a standard type.

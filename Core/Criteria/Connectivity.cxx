@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Where a cell is in the mesh, and whether it is there twice.
+#include "Criteria/CriterionRows.h"
+#include "Mesh/CellFacets.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Calls getValue(cell, facets of the mesh of that cell) for the 2D and 3D cells.
+template <typename GetValue>
+void ForFacetCells(
+  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, GetValue&& getValue)
+{
+  const FacetTable &faces = mesh.Topology.GetFaces(), &edges = mesh.Topology.GetSurfaceEdges();
+  const CellFacets facets(mesh.Topology.GetMesh());
+  for (vtkIdType cell = begin; cell < end; ++cell)
+  {
+    const int dimension = facets.GetDimension(cell);
+    values[cell - begin] = dimension == 3 ? getValue(cell, faces)
+      : dimension == 2                    ? getValue(cell, edges)
+                                          : Null(NullReason::NotApplicable);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+void RegionId(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+{
+  const std::vector<Index>& regions = mesh.Topology.GetCellRegions();
+  ForFacetCells(mesh, begin, end, values,
+    [&](vtkIdType cell, const FacetTable&)
+    {
+      // A polyhedron without faces hangs together with nothing.
+      return regions[cell] >= 0 ? double(regions[cell]) : Null(NullReason::InvalidTopology);
+    });
+}
+
+//------------------------------------------------------------------------------
+void IsBoundary(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+{
+  const EvaluationOptions& options = mesh.Options;
+  ForFacetCells(mesh, begin, end, values,
+    [&](vtkIdType cell, const FacetTable& table)
+    {
+      const FacetTable::Range uses = table.GetCellFacets(cell);
+      const bool isAlone = std::any_of(uses.begin(), uses.end(),
+        [&](CellFacet use) { return table.IsBoundary(use.Facet()); });
+      const bool mayHaveMore =
+        options.IsPieceWithoutGhosts || (options.Ghosts && options.Ghosts[cell]);
+      return isAlone && mayHaveMore ? Null(NullReason::MissingGhosts) : double(isAlone);
+    });
+}
+
+//------------------------------------------------------------------------------
+void DuplicateCell(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+{
+  const std::vector<double>& ids = mesh.GetDuplicateIds();
+  ForFacetCells(
+    mesh, begin, end, values, [&](vtkIdType cell, const FacetTable&) { return ids[cell]; });
+}
+
+//------------------------------------------------------------------------------
+void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+{
+  const std::vector<Index>& counts = mesh.Topology.GetPointRegionCounts();
+  const MeshView& view = mesh.Topology.GetMesh();
+  ForFacetCells(mesh, begin, end, values,
+    [&](vtkIdType cell, const FacetTable&)
+    {
+      Index largest = 0;
+      const IndexRange points = view.GetCellPoints(cell);
+      for (vtkIdType i = 0; i < points.Size; ++i)
+      {
+        largest = std::max(largest, counts[points[i]]);
+      }
+      return double(largest);
+    });
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> ConnectivityCriteria()
+{
+  // clang-format off
+  return {
+    { "RegionId", "Region",
+      "Number of the part of the mesh that the cell hangs together with over faces (polygons: over edges); "
+      "parts are numbered from 0 in the order of their first cells. Parts that touch in points or edges only "
+      "are different ones.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(RegionId),
+      { "component of the graph of the cells and their common facets",
+        "null (3) for a polyhedron without faces",
+        "ParaView's Connectivity connects over common points, and counts in another order" } },
+    { "PointRegionCount", "Groups of cells at a point",
+      "Largest number of groups of cells that meet at a point of the cell without a common face (polygons: edge) "
+      "at it; more than 1 where the mesh is pinched.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 1, Better::Smaller,
+      { -Infinity, 1 }, "no pinched points", Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(PointRegionCount),
+      { "max over the points of the cell of the components of the graph of the cells around the point and "
+        "their common facets with that point",
+        "0 for a polyhedron without faces",
+        "OpenFOAM's checkMesh calls such points multiply connected, at the boundary only" } },
+    { "DuplicateCell", "Cell with the same points",
+      "Lowest id of all cells that have exactly the points of this cell, if there is another one; else -1. The id "
+      "is the global one if there are global ids.",
+      PolygonsAndPolyhedra, Unit::None, { -1, Infinity }, -1, Better::Neither,
+      { -Infinity, -1 }, "no cell twice", Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(DuplicateCell),
+      { "min over the cells of the same dimension with the same set of point ids",
+        "cells are compared by ids of points: those between points that coincide are not found, see DuplicatePoint "
+        "of Mesh Elements",
+        "ParaView's Clean to Grid merges points, not cells" } },
+    { "IsBoundary", "At the boundary",
+      "1 if a face (of polygons an edge) of the cell has no other cell, else 0.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(IsBoundary),
+      { "", "null (5) where the cell beyond may be in another piece", "" } },
+  };
+  // clang-format on
+}
+}

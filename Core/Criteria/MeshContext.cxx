@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/MeshContext.h"
+
+#include "Mesh/DuplicateCells.h"
+#include "Parallel.h"
+
+#include "vtkDataArray.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1024;
+
+//------------------------------------------------------------------------------
+std::vector<Vector> ComputeCellVectors(const MeshView& mesh, const EvaluationOptions& options)
+{
+  std::vector<Vector> vectors(mesh.GetNumberOfCells());
+  ParallelFor(mesh.GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        cell.Load(mesh, id, options);
+        if ((cell.GetShapes() & Polygons) && cell.GetTopology().GetNumberOfFaces() > 0)
+        {
+          cell.Compute(NeedsFaces);
+          if (cell.IsFinite() && !cell.IsZeroArea(cell.GetFaceArea(0)))
+          {
+            vectors[id] = cell.GetFaceVector(0);
+          }
+        }
+      }
+    });
+  return vectors;
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Vector>& MeshContext::GetCellVectors() const
+{
+  std::call_once(this->CellVectorsOnce,
+    [this] { this->CellVectors = ComputeCellVectors(this->Topology.GetMesh(), this->Options); });
+  return this->CellVectors;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<double>& MeshContext::GetDuplicateIds() const
+{
+  std::call_once(this->DuplicateIdsOnce,
+    [this]
+    {
+      const MeshView& mesh = this->Topology.GetMesh();
+      vtkDataArray* ids = this->Options.GlobalIds;
+      const auto getId = [=](Index cell) { return ids ? ids->GetComponent(cell, 0) : double(cell); };
+      this->DuplicateIds.assign(static_cast<std::size_t>(mesh.GetNumberOfCells()), -1);
+      for (const std::vector<Index>& group : FindDuplicateCells(mesh))
+      {
+        double lowest = getId(group[0]);
+        for (const Index cell : group)
+        {
+          lowest = std::min(lowest, getId(cell));
+        }
+        for (const Index cell : group)
+        {
+          this->DuplicateIds[cell] = lowest;
+        }
+      }
+    });
+  return this->DuplicateIds;
+}
+}

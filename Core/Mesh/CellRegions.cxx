@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/CellRegions.h"
+
+#include "Mesh/CellFacets.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Sets of numbers that grow together. Each is known by its smallest member.
+class DisjointSets
+{
+public:
+  explicit DisjointSets(std::size_t size)
+    : Parents(size, -1)
+  {
+  }
+  bool Contains(vtkIdType item) const { return this->Parents[item] >= 0; }
+  void Insert(vtkIdType item)
+  {
+    if (!this->Contains(item))
+    {
+      this->Parents[item] = item;
+    }
+  }
+  vtkIdType Find(vtkIdType item)
+  {
+    while (this->Parents[item] != item)
+    {
+      this->Parents[item] = this->Parents[this->Parents[item]];
+      item = this->Parents[item];
+    }
+    return item;
+  }
+  /// Both must have been inserted.
+  void Join(vtkIdType a, vtkIdType b)
+  {
+    a = this->Find(a);
+    b = this->Find(b);
+    this->Parents[std::max(a, b)] = std::min(a, b);
+  }
+
+private:
+  std::vector<vtkIdType> Parents;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> FindCellRegions(const MeshTopology& topology)
+{
+  const vtkIdType numberOfCells = topology.GetMesh().GetNumberOfCells();
+  DisjointSets sets(static_cast<std::size_t>(numberOfCells));
+  std::vector<Index> cells;
+  for (const FacetTable* table : { &topology.GetFaces(), &topology.GetSurfaceEdges() })
+  {
+    for (Index facet = 0; facet < table->GetNumberOfFacets(); ++facet)
+    {
+      table->GetCells(facet, cells);
+      for (const Index cell : cells)
+      {
+        sets.Insert(cell);
+        sets.Join(cell, cells[0]);
+      }
+    }
+  }
+  std::vector<Index> regions(static_cast<std::size_t>(numberOfCells), -1);
+  Index count = 0;
+  for (vtkIdType cell = 0; cell < numberOfCells; ++cell)
+  {
+    if (sets.Contains(cell))
+    {
+      const vtkIdType first = sets.Find(cell);
+      regions[cell] = first == cell ? count++ : regions[first];
+    }
+  }
+  return regions;
+}
+
+//------------------------------------------------------------------------------
+// The sets are of uses of points by cells, numbered as the topology lists the cells of points.
+std::vector<Index> CountPointRegions(const MeshTopology& topology)
+{
+  const MeshView& mesh = topology.GetMesh();
+  const PointCells& around = topology.GetPointCells();
+  const auto findUse = [&](vtkIdType point, Index cell)
+  {
+    const auto begin = around.Cells.begin();
+    const auto first = begin + around.Offsets[point], last = begin + around.Offsets[point + 1];
+    return std::lower_bound(first, last, cell) - begin;
+  };
+  DisjointSets sets(around.Cells.size());
+  CellFacets facets(mesh);
+  std::vector<Index> cells;
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const int dimension = facets.GetDimension(cell);
+    if (dimension < 2)
+    {
+      continue;
+    }
+    const FacetTable& table = dimension == 3 ? topology.GetFaces() : topology.GetSurfaceEdges();
+    const FacetTable::Range uses = table.GetCellFacets(cell);
+    facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+      {
+        const Index facet = uses[static_cast<Index>(local)].Facet();
+        table.GetCells(facet, cells);
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          const vtkIdType own = findUse(points[i], static_cast<Index>(cell));
+          sets.Insert(own);
+          for (const Index other : cells)
+          {
+            const vtkIdType theirs = findUse(points[i], other);
+            sets.Insert(theirs);
+            sets.Join(own, theirs);
+          }
+        }
+      });
+  }
+  std::vector<Index> counts(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  {
+    for (vtkIdType use = around.Offsets[point]; use < around.Offsets[point + 1]; ++use)
+    {
+      counts[point] += sets.Contains(use) && sets.Find(use) == use;
+    }
+  }
+  return counts;
+}
+}

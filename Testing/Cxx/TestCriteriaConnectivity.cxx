@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What cells have to do with each other: parts of a mesh, pinched points, cells that are there twice.
+#include "CriteriaTesting.h"
+
+#include "vtkIdTypeArray.h"
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Those cubes of a block of unit cubes whose places are listed, with the points of the whole block.
+Grid MakeCubes(int size, const std::vector<std::array<int, 3>>& places, bool asPolyhedra)
+{
+  const Grid block = MakeHexahedra(size, size, size, false);
+  Cells cells;
+  for (const auto& place : places)
+  {
+    vtkNew<vtkIdList> ids;
+    block->GetCellPoints(place[0] + size * (place[1] + vtkIdType(size) * place[2]), ids);
+    cells.push_back({ VTK_HEXAHEDRON, { ids->begin(), ids->end() } });
+  }
+  auto grid = MakeGrid({}, cells);
+  grid->SetPoints(block->GetPoints());
+  return asPolyhedra ? ToPolyhedra(grid) : grid;
+}
+
+// Those squares of a plane whose places are listed.
+Grid MakeSquares(int size, const std::vector<std::array<int, 2>>& places)
+{
+  Points points;
+  for (int i = 0; i <= size; ++i)
+  {
+    for (int j = 0; j <= size; ++j)
+    {
+      points.push_back({ double(j), double(i), 0 });
+    }
+  }
+  Cells cells;
+  for (const auto& place : places)
+  {
+    const vtkIdType a = place[0] + (size + 1) * place[1], b = a + size + 1;
+    cells.push_back({ VTK_QUAD, { a, a + 1, b + 1, b } });
+  }
+  return MakeGrid(points, cells);
+}
+}
+
+//------------------------------------------------------------------------------
+// Over faces the mesh hangs together; over an edge or a point it does not.
+TEST(CriteriaConnectivity, Regions)
+{
+  for (const bool asPolyhedra : { false, true })
+  {
+    // Two cubes side by side, one over an edge, one over a point of that one, one beside the first.
+    const Values values = EvaluateAll(MakeCubes(
+      3, { { { 0, 0, 0 } }, { { 1, 1, 0 } }, { { 2, 2, 1 } }, { { 0, 0, 1 } }, { { 2, 1, 0 } } }, asPolyhedra));
+    EXPECT_EQ(values.at("RegionId"), (std::vector<double>{ 0, 1, 2, 0, 1 }));
+    EXPECT_EQ(values.at("PointRegionCount"), std::vector<double>(5, 2));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Polygons hang together over edges; a point can be pinched although there is a way around.
+TEST(CriteriaConnectivity, PinchedWithinARegion)
+{
+  Values values = EvaluateAll(MakeSquares(4,
+    { { { 1, 1 } }, { { 1, 0 } }, { { 2, 0 } }, { { 3, 0 } }, { { 3, 1 } }, { { 3, 2 } }, { { 2, 2 } } }));
+  EXPECT_EQ(values["RegionId"], std::vector<double>(7, 0));
+  EXPECT_EQ(values["PointRegionCount"], (std::vector<double>{ 2, 1, 1, 1, 1, 1, 2 }));
+  values = EvaluateAll(MakeSquares(2, { { { 0, 0 } }, { { 1, 1 } }, { { 1, 0 } } }));
+  EXPECT_EQ(values["RegionId"], std::vector<double>(3, 0));
+  EXPECT_EQ(values["PointRegionCount"], std::vector<double>(3, 1));
+}
+
+//------------------------------------------------------------------------------
+// A shell on a solid is a region of its own; points and lines are none.
+TEST(CriteriaConnectivity, MixedDimensions)
+{
+  const Values values = EvaluateAll(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_LINE, { 0, 1 } }, { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TETRA, { 0, 1, 2, 3 } } }));
+  for (const char* name : { "RegionId", "PointRegionCount", "DuplicateCell", "IsBoundary" })
+  {
+    EXPECT_EQ(GetNullReason(values.at(name)[0]), NullReason::NotApplicable) << name;
+  }
+  EXPECT_EQ(values.at("RegionId")[1], 0);
+  EXPECT_EQ(values.at("RegionId")[2], 1);
+}
+
+//------------------------------------------------------------------------------
+// The same points in another order or as another type are the same cell; a flat cell of the same points and
+// cells that share all points but one are not.
+TEST(CriteriaConnectivity, Duplicates)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 1 }, { 0, 0, 2 } };
+  const Grid grid = MakeGrid(points,
+    { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } },
+      { VTK_TETRA, { 3, 1, 0, 2 } }, { VTK_POLYGON, { 3, 2, 1, 0 } }, { VTK_TETRA, { 2, 1, 0, 3 } } });
+  EXPECT_EQ(EvaluateAll(grid).at("DuplicateCell"), (std::vector<double>{ 0, 1, -1, 1, 0, 1 }));
+
+  vtkNew<vtkIdTypeArray> ids;
+  for (const vtkIdType id : { 70, 60, 50, 40, 30, 80 })
+  {
+    ids->InsertNextValue(id);
+  }
+  EvaluationOptions options;
+  options.GlobalIds = ids;
+  EXPECT_EQ(
+    EvaluateAll(grid, options).at("DuplicateCell"), (std::vector<double>{ 30, 40, -1, 40, 30, 40 }));
+
+  // As many copies as there are cells must not take all day.
+  const std::size_t many = 300000;
+  const Grid copies = MakeGrid(points, Cells(many, { VTK_TETRA, { 0, 1, 2, 3 } }));
+  std::vector<double> values(many);
+  Evaluate(MeshTopology(copies), {}, { { FindCriterion("DuplicateCell"), values.data() } },
+    [](double) { return true; });
+  EXPECT_EQ(values, std::vector<double>(many, 0));
+}
+
+//------------------------------------------------------------------------------
+// Every cell of a block of cubes but the innermost; what lies beyond a ghost or a piece is not known.
+TEST(CriteriaConnectivity, Boundary)
+{
+  const Grid block = MakeHexahedra(3, 3, 3, false);
+  std::vector<double> expected(27, 1);
+  expected[13] = 0;
+  EXPECT_EQ(EvaluateAll(block).at("IsBoundary"), expected);
+  std::vector<unsigned char> ghosts(27, 0);
+  ghosts[0] = 1;
+  EvaluationOptions options;
+  options.Ghosts = ghosts.data();
+  EXPECT_EQ(GetNullReason(EvaluateAll(block, options).at("IsBoundary")[0]), NullReason::MissingGhosts);
+  EXPECT_EQ(EvaluateAll(block, options).at("IsBoundary")[1], 1);
+  options = EvaluationOptions();
+  options.IsPieceWithoutGhosts = true;
+  const Values values = EvaluateAll(block, options);
+  EXPECT_EQ(GetNullReason(values.at("IsBoundary")[1]), NullReason::MissingGhosts);
+  EXPECT_EQ(values.at("IsBoundary")[13], 0);
+}
