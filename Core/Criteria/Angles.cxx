@@ -101,49 +101,99 @@ std::vector<Criterion> AngleCriteria()
       "Smallest interior angle of the polygon; ideal is 180 (k - 2) / k for k corners.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle) },
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle),
+      { "θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − pᵢ) × (pᵢ₋₁ "
+        "− pᵢ)) · S < 0; the value is min θᵢ",
+        "Corners beside a collapsed edge use the next point that lies elsewhere. A collinear triangle "
+        "has 0; null (degenerate) for fewer than three places and for larger polygons without an "
+        "area.",
+        "Verdict's for triangles and convex quadrilaterals (`VerdictMinAngle`). Camarón and "
+        "camaron-web do not see reflex corners, or only in large meshes." } },
     { "MaxInteriorAngle", "Largest interior angle",
       "Largest interior angle of the polygon, above 180 at a reflex corner.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle) },
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle),
+      { "max θᵢ, with θᵢ as for `MinInteriorAngle`",
+        "A collinear triangle has 180; null (degenerate) for fewer than three places and for larger "
+        "polygons without an area.",
+        "Verdict's for triangles and convex quadrilaterals (`VerdictMaxAngle`). Camarón answers 360 "
+        "for a degenerate polygon, although its unit is the radian." } },
     { "MinFaceAngle", "Smallest face angle", "Smallest interior angle of all faces of the cell.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle) },
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle),
+      { "min over all faces of θᵢ, as for `MinInteriorAngle`",
+        "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
+        "has a value.",
+        "Gmsh, Verdict and Fluent look at standard cells only." } },
     { "MaxFaceAngle", "Largest face angle",
       "Largest interior angle of all faces of the cell, above 180 at a reflex corner.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle) },
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle),
+      { "max over all faces of θᵢ, as for `MinInteriorAngle`",
+        "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
+        "has a value.",
+        "Gmsh, Verdict and Fluent look at standard cells only." } },
     { "MinDihedralAngle", "Smallest dihedral angle",
       "Smallest interior angle between two faces of the cell at their common edge; regular tetrahedron "
       "70.53, hexahedron 90.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 20, Infinity }, "common practice; 40 for tetrahedra in the Verdict manual", Hint, Real,
-      Cost::Edges, NeedsDihedral, CAMARON_CELLS(MinDihedralAngle) },
+      Cost::Edges, NeedsDihedral, CAMARON_CELLS(MinDihedralAngle),
+      { "at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − atan2(e · (n₁ "
+        "× n₂), n₁ · n₂); the value is min θ",
+        "A flat tetrahedron has 0. Edges of collapsed faces are passed over; null (degenerate) when "
+        "none is left, null (invalid topology) where an edge has one face or more than two. Inside "
+        "out or not makes no difference.",
+        "TetGen's dihedral angles. Verdict's smallest angle of a tetrahedron takes some angles for "
+        "their supplements, depending on the order of the nodes (`VerdictMinAngle`, 24° off in a "
+        "healthy cell). Camarón calls the angle between the normals of two polygons dihedral: see "
+        "`MaxNeighborNormalAngle`." } },
     { "MaxDihedralAngle", "Largest dihedral angle",
       "Largest interior angle between two faces of the cell at their common edge; above 180 the cell is "
       "not convex.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 165 }, "common practice", Hint, Real,
-      Cost::Edges, NeedsDihedral, CAMARON_CELLS(MaxDihedralAngle) },
+      Cost::Edges, NeedsDihedral, CAMARON_CELLS(MaxDihedralAngle),
+      { "max θ, with θ as for `MinDihedralAngle`",
+        "A flat tetrahedron has 180. Null as `MinDihedralAngle`.",
+        "TetGen's dihedral angles. Above 180° where a cell is not convex, which Camarón's cannot be." } },
     { "MinSolidAngle", "Smallest solid angle",
       "Smallest solid angle of the cell at one of its vertices; cube 1.5708, regular tetrahedron 0.5513.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Bigger,
       { 0.1, Infinity }, "common practice for tetrahedra", Hint, Real,
-      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS(MinSolidAngle) },
+      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS(MinSolidAngle),
+      { "area of the unit sphere that the cell covers as seen from a vertex; the spherical polygon of "
+        "its edges is cut into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b · c + c "
+        "· a); the value is the smallest of the vertices",
+        "0 for a flat cell; ends of a collapsed edge count as one vertex. Null (degenerate) for a "
+        "cell in one point, null (invalid topology) for an open cell or where faces meet at a vertex "
+        "in more than one group.",
+        "Of a tetrahedron Σ Ω = 2 Σ θ − 4π, with TetGen's dihedral angles. Camarón gives the share of "
+        "the sphere and is wrong beyond 90°; camaron-web has no answer where more than three edges "
+        "meet." } },
     { "MaxSolidAngle", "Largest solid angle",
       "Largest solid angle of the cell at one of its vertices; a full sphere is 12.566.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS(MaxSolidAngle) },
+      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS(MaxSolidAngle),
+      { "the largest of the angles Ω of `MinSolidAngle`",
+        "As `MinSolidAngle`.",
+        "As `MinSolidAngle`." } },
     { "EquiangleSkewness", "Equiangle skewness",
       "Largest relative deviation of an interior angle from that of the regular polygon, over all faces; "
       "above 1 at reflex corners.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 0.9 }, "common finite-volume practice", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(EquiangleSkewness) },
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(EquiangleSkewness),
+      { "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face of k "
+        "corners; the largest of the faces",
+        "1 for a collinear triangle, above 1 at reflex corners. Null (degenerate) when no face has an "
+        "angle.",
+        "Verdict's for triangles, quadrilaterals, pyramids, wedges and hexahedra; of tetrahedra it "
+        "differs (`VerdictEquiangleSkew`, 0.07 in a healthy cell). Fluent's by definition." } },
   };
   // clang-format on
 }

@@ -94,8 +94,8 @@ std::vector<Criterion> ConnectivityCriteria()
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(RegionId),
       { "component of the graph of the cells and their common facets",
-        "null (3) for a polyhedron without faces",
-        "ParaView's Connectivity connects over common points, and counts in another order" } },
+        "Null (invalid topology) for a polyhedron without faces.",
+        "ParaView's Connectivity connects over common points, and counts in another order." } },
     { "PointRegionCount", "Groups of cells at a point",
       "Largest number of groups of cells that meet at a point of the cell without a common face (polygons: edge) "
       "at it; more than 1 where the mesh is pinched.",
@@ -103,22 +103,24 @@ std::vector<Criterion> ConnectivityCriteria()
       { -Infinity, 1 }, "no pinched points", Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(PointRegionCount),
       { "max over the points of the cell of the components of the graph of the cells around the point and "
         "their common facets with that point",
-        "0 for a polyhedron without faces",
-        "OpenFOAM's checkMesh calls such points multiply connected, at the boundary only" } },
+        "0 for a polyhedron without faces.",
+        "OpenFOAM's checkMesh calls such points multiply connected, at the boundary only." } },
     { "DuplicateCell", "Cell with the same points",
       "Lowest id of all cells that have exactly the points of this cell, if there is another one; else -1. The id "
       "is the global one if there are global ids.",
       PolygonsAndPolyhedra, Unit::None, { -1, Infinity }, -1, Better::Neither,
       { -Infinity, -1 }, "no cell twice", Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(DuplicateCell),
       { "min over the cells of the same dimension with the same set of point ids",
-        "cells are compared by ids of points: those between points that coincide are not found, see DuplicatePoint "
-        "of Mesh Elements",
-        "ParaView's Clean to Grid merges points, not cells" } },
+        "Cells are compared by ids of points: those between points that coincide are not found, see DuplicatePoint "
+        "of Mesh Elements.",
+        "ParaView's Clean to Grid merges points, not cells." } },
     { "IsBoundary", "At the boundary",
       "1 if a face (of polygons an edge) of the cell has no other cell, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(IsBoundary),
-      { "", "null (5) where the cell beyond may be in another piece", "" } },
+      { "1 if a facet of the cell is a facet of no other cell",
+        "Null (piece not known) where the cell beyond may be in another piece.",
+        "checkMesh's boundary faces are listed in a file; here they follow from the cells." } },
   };
   // clang-format on
 }

@@ -114,30 +114,51 @@ std::vector<Criterion> DecompositionCriteria()
     { "MinFacePyramidVolume", "Smallest face pyramid", "Volume of the smallest pyramid of a face and the centroid of the cell.",
       Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { Positive, Infinity }, CheckMesh, Cited, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidVolume) },
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidVolume),
+      { "min over the faces of ⅓ S_f · (c_f − C)",
+        "0 for a flat cell, negative for an inverted one or where C lies outside a face; null "
+        "(invalid topology) for an open one.",
+        "checkMesh counts the faces whose pyramid, of either cell, is not positive." } },
     { "MinFacePyramidRatio", "Smallest face pyramid, relative",
       "Volume of the smallest pyramid of a face and the centroid, times the number of faces, divided by "
       "the volume of the cell; 1 if all are equal.",
       Polyhedra, Unit::None, { -Infinity, 1 }, 1, Better::Bigger,
       { Positive, Infinity }, CheckMesh, Cited, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidRatio) },
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidRatio),
+      { "`MinFacePyramidVolume` × number of faces / |V|",
+        "Negative for an inverted cell; null (degenerate) for a flat one, null (invalid topology) for "
+        "an open one.",
+        "No other program here reports it." } },
     { "MinTetVolume", "Smallest tetrahedron of the decomposition",
       "Volume of the smallest tetrahedron of the centroid, the centre of a face and an edge of it.",
       Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetVolume) },
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetVolume),
+      { "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6",
+        "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
+        "topology) for an open one.",
+        "OpenFOAM cuts faces at a vertex of its choice instead of their centre when it has to." } },
     { "MinTetMeanRatio", "Smallest mean ratio of the decomposition",
       "Mean ratio of the worst tetrahedron of the centroid, the centre of a face and an edge of it; above "
       "0 where the cell is star-shaped about its centroid. Not 1 for the cube.",
       Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetMeanRatio) },
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetMeanRatio),
+      { "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁)",
+        "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
+        "topology) for an open one.",
+        "No other program here reports it." } },
     { "MinTetQuality", "Smallest OpenFOAM tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere, of the worst "
       "tetrahedron of the centroid, the centre of a face and an edge of it.",
       Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Real,
-      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetQuality) },
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetQuality),
+      { "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁)",
+        "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
+        "topology) for an open one.",
+        "What OpenFOAM's minTetQuality bounds, but for the vertex of a face at which OpenFOAM cuts "
+        "it." } },
   };
   // clang-format on
 }

@@ -149,30 +149,52 @@ std::vector<Criterion> FaceCriteria()
       "Length of the vector area of a face divided by the area of its triangles about the centre, the "
       "smallest of all faces; 1 is planar.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 0.8, Infinity }, CheckMesh, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceFlatness) },
+      { 0.8, Infinity }, CheckMesh, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceFlatness),
+      { "min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; the "
+        "smallest of the faces",
+        "1 for triangles. Collapsed faces are passed over; null (degenerate) when no face has an "
+        "area.",
+        "checkMesh's face flatness, except of planar faces that are not convex, which OpenFOAM calls "
+        "warped." } },
     { "MaxWarpage", "Largest warpage",
       "Largest distance of a vertex from the mean plane of its face divided by the largest distance from "
       "the centre of that face.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 0.1 }, "planarity limit of VTK's Validate Cells", Cited, Real,
-      Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxWarpage) },
+      Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxWarpage),
+      { "max |n · (pᵢ − c)| / max |pᵢ − c| of a face; the largest of the faces",
+        "0 for triangles. Collapsed faces are passed over; null (degenerate) when no face has an "
+        "area.",
+        "The measure by which VTK's Validate Cells (from 9.6) calls faces non-planar. Verdict's "
+        "warpage is about normals of opposite corners and another thing." } },
     { "MaxFaceConcavity", "Largest face concavity",
       "How far the largest interior angle of a face exceeds 180 degrees; 0 for convex faces.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, 80 }, "OpenFOAM's maxConcave; checkMesh reports from 10", Cited, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceConcavity) },
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceConcavity),
+      { "max(0, θmax − 180°) with θmax as for `MaxInteriorAngle`; the largest of the faces",
+        "0 for a collinear triangle. Faces without an angle are passed over; null (degenerate) when "
+        "none has one.",
+        "The angle that OpenFOAM's maxConcave bounds." } },
     { "CellConcavity", "Cell concavity",
       "Largest distance of the centre of a face outside the plane of a neighbouring face, divided by the "
       "diameter; not above 0 where the cell is convex.",
       Polyhedra, Unit::None, { -1, 1 }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity) },
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity),
+      { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge",
+        "0 for a flat cell; null (degenerate) when no face has an area, null (invalid topology) for "
+        "an open cell. Inside out or not makes no difference.",
+        "No other program here reports it; Validate Cells of VTK answers yes or no." } },
     { "Openness", "Openness",
       "Largest component of the sum of the face vectors relative to the sum of the sizes of that "
       "component; 0 where the faces close the cell.",
       Polyhedra, Unit::None, { 0, 1 }, 0, Better::Smaller,
       { -Infinity, 1e-6 }, CheckMesh, Cited, Real,
-      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Openness) },
+      Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Openness),
+      { "max over x, y, z of |Σ S_f,i| / Σ |S_f,i|",
+        "1 for a cube without one face; null (degenerate) when no face has an area.",
+        "checkMesh's \"cell openness\", which it prints for the worst cell." } },
   };
   // clang-format on
 }

@@ -218,45 +218,81 @@ std::vector<Criterion> FiniteVolumeCriteria()
       "above 90 the centroids are on the wrong sides.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, 65 }, "OpenFOAM's maxNonOrtho; checkMesh reports from 70", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxNonOrthogonality) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxNonOrthogonality),
+      { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbour N; the "
+        "largest of the inner faces",
+        "Null (no neighbour) for a cell without neighbours. Collapsed faces and centroids in the same "
+        "place are passed over; null (degenerate) when nothing is left.",
+        "checkMesh's for planar faces, to the digits it prints. Fluent reports the cosine: see "
+        "`OrthogonalQuality`." } },
     { "MaxBoundaryNonOrthogonality", "Largest non-orthogonality at the boundary",
       "Largest angle between the line to the centre of a boundary face and the normal of that face.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxBoundaryNonOrthogonality) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxBoundaryNonOrthogonality),
+      { "∠(c_f − P, S); the largest of the boundary faces",
+        "90 for a flat tetrahedron, 180 for an inverted cell. Null (no neighbour) for a cell without "
+        "boundary faces, null (degenerate) when all are collapsed.",
+        "checkMesh does not look at boundary faces." } },
     { "MaxFaceSkewness", "Largest face skewness",
       "Largest distance of the centre of a face from where the line to the neighbour crosses it, relative "
       "to the size of the face in that direction; at the boundary as if the cell were mirrored.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 4 }, "OpenFOAM checkMesh for inner faces; 20 at the boundary", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxFaceSkewness) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxFaceSkewness),
+      { "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| over "
+        "the points of the face); at the boundary d = n (n · w) and 0.4 instead of 0.2; the largest "
+        "of the faces",
+        "Infinite where d lies in the plane of the face, as for a flat cell; collapsed faces are "
+        "passed over, null (degenerate) when all are. Inverted or not makes no difference.",
+        "checkMesh's for planar faces, to the digits it prints. Fluent, Gmsh and Verdict mean other "
+        "things by skewness." } },
     { "MinFaceWeight", "Smallest face weight",
       "Smaller distance of a face from the two centroids, along its normal, divided by the sum of both.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
       { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinFaceWeight) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinFaceWeight),
+      { "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the smallest of the inner "
+        "faces",
+        "As `MaxNonOrthogonality`; 0 where a centroid lies in the plane of the face.",
+        "checkMesh's \"face interpolation weight\" for planar faces, to the digits it prints." } },
     { "MinVolumeRatio", "Smallest volume ratio",
       "Smaller divided by larger volume (area) of the cell and a neighbour, the worst of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinVolumeRatio) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinVolumeRatio),
+      { "min(V_P, V_N) / max(V_P, V_N); the smallest of the neighbours",
+        "0 where one of the two is flat or inverted; null (no neighbour) without neighbours, null "
+        "(invalid topology) for an open cell.",
+        "checkMesh's \"face volume ratio\", to the digits it prints." } },
     { "CellVolumeRatio", "Size growth",
       "Larger divided by smaller volume (area) of the cell and a neighbour, the worst of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
       { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellVolumeRatio) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellVolumeRatio),
+      { "1 / MinVolumeRatio",
+        "Infinite where a neighbour or the cell is flat or inverted; else null as `MinVolumeRatio`.",
+        "Growth rates of Fluent and others are along layers, and often of lengths." } },
     { "OrthogonalQuality", "Orthogonal quality",
       "Smallest cosine of the angles between the normal of a face and the lines from the centroid to the "
       "centre of the face and to the centroid of the neighbour, as in Fluent.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(OrthogonalQuality) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(OrthogonalQuality),
+      { "min over the faces of n · ŵ and, for inner faces, n · d̂, with w = c_f − P and d = N − P",
+        "0 where a face is collapsed or a centroid lies on a face, −1 for an inverted cell.",
+        "Fluent's definition for polyhedra and hexahedra; of tetrahedra, wedges and pyramids Fluent "
+        "also takes 1 minus the skewness into the minimum." } },
     { "CellDeterminant", "Cell determinant",
       "OpenFOAM's determinant of the inner faces, relative to their mean area; 1 for a cube within a grid "
       "(8 in some releases of OpenFOAM), 0 for a cell without inner faces.",
       Polyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
       { 0.001, Infinity }, CheckMesh, Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellDeterminant) },
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellDeterminant),
+      { "det Σ (S/ā)(S/ā)ᵀ / 8 over the inner faces, ā being their mean area",
+        "0 for a cell without inner faces, and for a flat one.",
+        "checkMesh of OpenFOAM v1912 prints the same smallest value; releases that do not divide by 8 "
+        "score a cube 8, although their dictionaries say 1." } },
   };
   // clang-format on
 }

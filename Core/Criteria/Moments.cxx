@@ -95,12 +95,21 @@ std::vector<Criterion> MomentCriteria()
       "Shortest divided by longest principal axis of the vertices (square root of the ratio of the "
       "eigenvalues of their second moments; of a polygon in its plane).",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(PrincipalAspectRatio) },
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(PrincipalAspectRatio),
+      { "√(λmin/λmax) of Σ (pᵢ − p̄)(pᵢ − p̄)ᵀ with p̄ the mean of the vertices; of a polygon in its "
+        "plane",
+        "0 for a flat cell or a collinear polygon, null (degenerate) for a cell in one point.",
+        "No other program here reports it." } },
     { "CellIsotropy", "Cell isotropy",
       "27 det T / (tr T)^3, T being the sum of the products of the face vectors with themselves; 1 for "
       "the cube and all regular polyhedra, 0 for a flat cell.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(CellIsotropy) },
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(CellIsotropy),
+      { "27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces",
+        "0 for a flat cell, null (degenerate) when no face has an area. An open cell has a value; "
+        "inside out or not makes no difference.",
+        "OpenFOAM's cell determinant has the same matrix of the inner faces, but divided by their "
+        "mean area: see `CellDeterminant`." } },
   };
   // clang-format on
 }

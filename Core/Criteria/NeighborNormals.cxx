@@ -101,12 +101,21 @@ std::vector<Criterion> NeighborNormalCriteria()
       "Smallest angle between the normals of the polygon and of those that share an edge with it; 0 is "
       "flat.",
       Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle) },
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle),
+      { "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S, the sign "
+        "making both run along the edge in opposite directions",
+        "Null (no neighbour) without neighbours, null (degenerate) when the polygon or all its "
+        "neighbours are collapsed. An edge of more than two polygons counts with each.",
+        "Camarón's \"dihedral angle\" of polygons, without its dependence on which way the normals "
+        "point." } },
     { "MaxNeighborNormalAngle", "Largest angle to a neighbour",
       "Largest angle between the normals of the polygon and of those that share an edge with it; 0 is "
       "flat.",
       Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MaxNeighborNormalAngle) },
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MaxNeighborNormalAngle),
+      { "the largest of the angles of `MinNeighborNormalAngle`",
+        "As `MinNeighborNormalAngle`.",
+        "As `MinNeighborNormalAngle`." } },
   };
   // clang-format on
 }

@@ -179,21 +179,40 @@ std::vector<Criterion> ValidityCriteria()
       "32768 inverted or no volume, 65536 edge of no length, 262144 coordinates that are not finite, "
       "524288 face vectors that do not cancel. The first nine as in VTK's Validate Cells.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
-      { -Infinity, 0 }, "nothing wrong", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus) },
+      { -Infinity, 0 }, "nothing wrong", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
+      { "sum of bits, each of one test of the cell",
+        "Has a value for every polygon and polyhedron; of one with coordinates that are not finite "
+        "only that bit.",
+        "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6; the tests are "
+        "ours, as VTK's answers for warped and thin cells are not reliable." } },
     { "FaceOrientationStatus", "Orientation of faces",
       "0 if all faces point outward, 1 inward, 2 some of both, 3 they cannot be made to agree.",
       Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
-      { -Infinity, 0 }, "outward", Cited, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus) },
+      { -Infinity, 0 }, "outward", Cited, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus),
+      { "0 outward, 1 inward, 2 mixed, 3 not orientable",
+        "Null (invalid topology) for an open cell. A standard cell in wrong order has 1, a flat one "
+        "0.",
+        "VTK's Validate Cells has one bit for 1 to 3." } },
     { "IsConvex", "Convex", "1 if neither faces nor edges bend inward (within ConvexityTolerance), else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex) },
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
+      { "1 if CellStatus has none of 16, 4096, 8192 and 262144",
+        "1 for flat and collapsed cells, 0 for open ones.",
+        "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },
     { "IsWatertight", "Watertight", "1 if every edge of the cell has at least two faces, else 0.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "closed", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight) },
+      { 1, Infinity }, "closed", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight),
+      { "1 if CellStatus has none of 4096 and 262144",
+        "1 for flat and collapsed cells; 0 where an edge has one face.",
+        "No other program here reports it per cell." } },
     { "IsValid", "Valid",
       "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "valid", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid) },
+      { 1, Infinity }, "valid", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid),
+      { "1 if CellStatus has at most 16, 32 and 64",
+        "0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces all point "
+        "inward, as it can be turned.",
+        "No other program here reports it per cell." } },
   };
   // clang-format on
 }

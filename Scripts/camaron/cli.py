@@ -368,10 +368,12 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
         presets = [[name, ", ".join(p["rules"])] for name, p in tables.known_presets().items()]
         print("\n" + "\n".join(text.table(["preset", "criteria"], presets, left=2)))
         return 0
+    notes = tables.known_notes()
     for name in options.names:
         c = known[tables.lookup(name, list(known), "criterion")]
         print(f"{c['name']}: {c['label']}, of {c['applies_to']}\n  {c['description']}")
         if c["acceptable_source"]:
             limits = _ascii(text.interval(*c["acceptable"], c["unit"]))
             print(f"  acceptable {limits} ({c['acceptable_source']})")
+        print(f"  {notes[c['name']]['formula']}\n  Degenerate cells: {notes[c['name']]['degenerate']}")
     return 0

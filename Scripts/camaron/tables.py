@@ -51,6 +51,16 @@ def known_criteria() -> dict[str, dict[str, Any]]:
         simple.Delete(table)
 
 
+def known_notes() -> dict[str, dict[str, str]]:
+    """What the documentation says of every criterion: family, formula, degenerate, agreement."""
+    table = simple.CriteriaTable()
+    try:
+        keys = ("Family", "Formula", "Degenerate", "Agreement")
+        return {row["Name"]: {key.lower(): row[key] for key in keys} for row in fetch(table, 0)}
+    finally:
+        simple.Delete(table)
+
+
 def known_presets() -> dict[str, dict[str, Any]]:
     """Description of every preset and its rules: acceptable [low, high] by the criterion's name."""
     table = simple.CriteriaTable()

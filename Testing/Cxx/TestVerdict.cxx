@@ -201,3 +201,116 @@ TEST(Verdict, PitfallsAreMended)
   EXPECT_NEAR(EvaluateOne(square, "VerdictMaxAngle"), 90, 1e-9);
   EXPECT_NEAR(EvaluateOne(square, "VerdictMaxAngle", radians), std::acos(0.0), 1e-12);
 }
+
+//------------------------------------------------------------------------------
+namespace
+{
+// Regular cells of edge length 1.
+Grid MakeRegularCell(int type)
+{
+  const double height = std::sqrt(3.0) / 2;
+  const Points triangle = { { 0, 0, 0 }, { 1, 0, 0 }, { 0.5, height, 0 } };
+  switch (type)
+  {
+    case VTK_TRIANGLE:
+      return MakeGrid(triangle, { { VTK_TRIANGLE, { 0, 1, 2 } } });
+    case VTK_TETRA:
+      return MakeGrid({ triangle[0], triangle[1], triangle[2], { 0.5, height / 3, std::sqrt(2.0 / 3) } },
+        { { VTK_TETRA, { 0, 1, 2, 3 } } });
+    default:
+      return MakeCell(type); // the unit square and cube
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a perfect cell is called bad: the registry and VTK mean opposite things by a measure.
+TEST(Verdict, IdealIsThatOfRegularCells)
+{
+  const std::pair<int, unsigned> shapes[] = { { VTK_TRIANGLE, Triangles }, { VTK_QUAD, Quadrilaterals },
+    { VTK_TETRA, Tetrahedra }, { VTK_HEXAHEDRON, Hexahedra } };
+  for (const Criterion& criterion : GetCriteria())
+  {
+    for (const auto& shape : shapes)
+    {
+      const bool isVerdict = std::string_view(criterion.Name).substr(0, 7) == "Verdict";
+      if (isVerdict && (criterion.AppliesTo & shape.second) && std::isfinite(criterion.Ideal))
+      {
+        EXPECT_NEAR(EvaluateOne(MakeRegularCell(shape.first), criterion.Name), criterion.Ideal, 1e-6)
+          << criterion.Name << " of type " << shape.first;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// What the documentation says of our criteria and Verdict's. If this fails, it is wrong.
+TEST(Verdict, AgreesWithOurCriteria)
+{
+  struct Pair
+  {
+    int Type;
+    const char* Ours;
+    const char* Verdicts;
+    double (*Expected)(double);
+  };
+  const auto same = [](double x) { return x; };
+  const auto inverse = [](double x) { return 1 / x; };
+  const auto complement = [](double x) { return 1 - x; };
+  const Pair pairs[] = {
+    { VTK_TRIANGLE, "Area", "VerdictArea", same },
+    { VTK_QUAD, "Area", "VerdictArea", same },
+    { VTK_TETRA, "Volume", "VerdictVolume", same },
+    { VTK_PYRAMID, "Volume", "VerdictVolume", same },
+    { VTK_WEDGE, "Volume", "VerdictVolume", same },
+    { VTK_HEXAHEDRON, "Volume", "VerdictVolume", same },
+    { VTK_TRIANGLE, "EdgeRatio", "VerdictEdgeRatio", same },
+    { VTK_QUAD, "EdgeRatio", "VerdictEdgeRatio", same },
+    { VTK_TETRA, "EdgeRatio", "VerdictEdgeRatio", same },
+    { VTK_WEDGE, "EdgeLengthRatio", "VerdictEdgeRatio", inverse },
+    { VTK_TRIANGLE, "MinInteriorAngle", "VerdictMinAngle", same },
+    { VTK_QUAD, "MinInteriorAngle", "VerdictMinAngle", same },
+    { VTK_TRIANGLE, "MaxInteriorAngle", "VerdictMaxAngle", same },
+    { VTK_QUAD, "MaxInteriorAngle", "VerdictMaxAngle", same },
+    { VTK_TRIANGLE, "EquiangleSkewness", "VerdictEquiangleSkew", same },
+    { VTK_QUAD, "EquiangleSkewness", "VerdictEquiangleSkew", same },
+    { VTK_PYRAMID, "EquiangleSkewness", "VerdictEquiangleSkew", same },
+    { VTK_WEDGE, "EquiangleSkewness", "VerdictEquiangleSkew", same },
+    { VTK_HEXAHEDRON, "EquiangleSkewness", "VerdictEquiangleSkew", same },
+    { VTK_TRIANGLE, "TriangleRadiusRatio", "VerdictRadiusRatio", inverse },
+    { VTK_TRIANGLE, "TriangleRadiusRatio", "VerdictNormalizedInradius", same },
+    { VTK_TRIANGLE, "BhatiaLawrence", "VerdictShape", same },
+    { VTK_TRIANGLE, "BhatiaLawrence", "VerdictAspectFrobenius", inverse },
+    { VTK_TRIANGLE, "BhatiaLawrence", "VerdictCondition", inverse },
+    { VTK_TETRA, "TetRadiusRatio", "VerdictRadiusRatio", inverse },
+    { VTK_TETRA, "TetMeanRatio", "VerdictShape", same },
+    { VTK_TETRA, "TetQualityFoam", "VerdictEquivolumeSkew", complement },
+    { VTK_TETRA, "VolumeEdgeRatio", "VerdictAspectGamma",
+      [](double gamma) { return 1 / (6 * std::sqrt(2.0) * gamma); } },
+    { VTK_HEXAHEDRON, "CornerScaledJacobian", "VerdictScaledJacobian", same },
+  };
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> noise(-0.15, 0.15);
+  for (const Pair& pair : pairs)
+  {
+    for (int round = 0; round < 20; ++round)
+    {
+      const Grid grid = MakeCell(pair.Type);
+      const bool isFlat = pair.Type == VTK_TRIANGLE || pair.Type == VTK_QUAD;
+      for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+      {
+        double x[3];
+        grid->GetPoint(i, x);
+        grid->GetPoints()->SetPoint(
+          i, x[0] + noise(random), x[1] + noise(random), x[2] + (isFlat ? 0 : noise(random)));
+      }
+      const double ours = EvaluateOne(grid, pair.Ours);
+      EXPECT_NEAR(ours, pair.Expected(EvaluateOne(grid, pair.Verdicts)), 1e-9 * std::abs(ours))
+        << pair.Ours << " of type " << pair.Type;
+    }
+  }
+  // VTK has no function for this one.
+  const Grid tetrahedron = MakeCell(VTK_TETRA);
+  EXPECT_NEAR(EvaluateOne(tetrahedron, "VerdictInradius"),
+    3 * EvaluateOne(tetrahedron, "Volume") / EvaluateOne(tetrahedron, "SurfaceArea"), 1e-12);
+}

@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What people read about proxies and properties in ParaView: nothing is left without a word."""
 
+import importlib.util
 import re
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
+from camaron import tables
 from paraview import simple
 
 XMLS = ("Filters/*.xml", "Formats/*/*.xml")
@@ -49,15 +51,45 @@ class TestDocumentation(camaron_testing.TestCase):
                     label = re.sub(r"[^A-Za-z0-9_]", "", item.get("label"))
                     self.assertEqual(label, item.get("name"), file)
 
-    def test_criteria_in_the_documentation(self):
-        """The page of the criteria has a section row for each, with its unit."""
-        page = (camaron_testing.ROOT / "Documentation" / "criteria.md").read_text()
-        table = self.fetch(simple.CriteriaTable())
-        names, units = table.GetColumnByName("Name"), table.GetColumnByName("Unit")
-        self.assertGreater(table.GetNumberOfRows(), 20)
-        for row in range(table.GetNumberOfRows()):
-            name, unit = names.GetValue(row), units.GetValue(row)
-            self.assertRegex(page, rf"\| `{name}` \|.*\| {unit or '-'} \|")
+    def test_every_criterion_is_explained(self):
+        """A row of the registry without its formula would leave a hole in the documentation."""
+        notes = tables.known_notes()
+        self.assertGreater(len(notes), 20)
+        for name, note in notes.items():
+            for key, words in note.items():
+                self.assertTrue(words, f"{key} of {name}")
+
+    def test_pages_are_those_of_the_registry(self):
+        """Pages and pictures are made anew and compared, answers for degenerate cells too."""
+        folder = camaron_testing.ROOT / "Documentation"
+        path = folder / "make_criteria.py"
+        specification = importlib.util.spec_from_file_location("make_criteria", path)
+        make_criteria = importlib.util.module_from_spec(specification)
+        specification.loader.exec_module(make_criteria)
+        expected = make_criteria.files()
+        for path, page in expected.items():
+            self.assertEqual((folder / path).read_text("utf-8"), page, f"{path}: run make_criteria.py")
+        for part in ("criteria", "images/criteria"):
+            for path in (folder / part).iterdir():
+                self.assertIn(path.relative_to(folder).as_posix(), expected)
+
+    def test_lists_agree(self):
+        """Registry, XML, properties and the Python package have the same names."""
+        criteria, presets = list(tables.known_criteria()), list(tables.known_presets())
+        self.assertEqual(list(tables.known_notes()), criteria)
+        self.assertEqual(list(simple.ElementQuality().GetProperty("Criteria").Available), criteria)
+        found = 0
+        for file, _, proxy in self.proxies():
+            for item in proxy.findall("StringVectorProperty[@name='Preset']"):
+                names = [entry.get("value") for entry in item.iter("String")]
+                self.assertEqual(names[1:], presets, file)
+                found += 1
+        self.assertEqual(found, 3)
+        listed = camaron_testing.run_command("criteria").stdout
+        rows = [line.split()[0] for line in listed.splitlines() if line]
+        self.assertEqual(rows[1 : len(criteria) + 1], criteria)
+        for preset in presets:
+            self.assertIn(f"\n{preset} ", listed)
 
 
 if __name__ == "__main__":
