@@ -114,40 +114,40 @@ struct ZoneFaces
 void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const FluentCells& cells,
   const FluentPiece& piece, int dimension, ZoneFaces& zone)
 {
-  for (vtkIdType position = run.Begin; position < run.End; ++position)
-  {
-    const FluentFace face = faces[position];
-    int side = 0;
-    vtkIdType leaf = -1;
-    for (; side < 2 && leaf < 0; ++side)
+  FluentFaces::ForEachOf(run, run.Begin, run.End,
+    [&](vtkIdType, const FluentFace& face)
     {
-      const std::int32_t id = face.GetCell(side);
-      leaf = id > 0 ? cells.GetLeaf(id) : -1;
-    }
-    const std::int32_t size = face.Nodes.Size;
-    if (leaf < 0 || size == 0 || (!piece.IsWhole() && piece.IsGhostLeaf(leaf)))
-    {
-      continue;
-    }
-    // The normal points into the first cell; edges have it on the left, which is outward already.
-    const bool isReversed = (side == 1) == (dimension == 3);
-    bool isThere = true;
-    const std::size_t before = zone.Nodes.size();
-    for (std::int32_t i = 0; i < size && isThere; ++i)
-    {
-      const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
-      const vtkIdType point = piece.FindPoint(node - 1);
-      isThere = point >= 0; // always, where cells are bounded by this face
-      zone.Nodes.push_back(static_cast<std::int32_t>(point));
-    }
-    if (!isThere)
-    {
-      zone.Nodes.resize(before);
-      continue;
-    }
-    zone.Ends.push_back(static_cast<std::int32_t>(zone.Nodes.size()));
-    zone.Types.push_back(run.BoundaryType);
-  }
+      int side = 0;
+      vtkIdType leaf = -1;
+      for (; side < 2 && leaf < 0; ++side)
+      {
+        const std::int32_t id = face.GetCell(side);
+        leaf = id > 0 ? cells.GetLeaf(id) : -1;
+      }
+      const std::int32_t size = face.Nodes.Size;
+      if (leaf < 0 || size == 0 || (!piece.IsWhole() && piece.IsGhostLeaf(leaf)))
+      {
+        return;
+      }
+      // The normal points into the first cell; edges have it on the left, which is outward already.
+      const bool isReversed = (side == 1) == (dimension == 3);
+      bool isThere = true;
+      const std::size_t before = zone.Nodes.size();
+      for (std::int32_t i = 0; i < size && isThere; ++i)
+      {
+        const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
+        const vtkIdType point = piece.FindPoint(node - 1);
+        isThere = point >= 0; // always, where cells are bounded by this face
+        zone.Nodes.push_back(static_cast<std::int32_t>(point));
+      }
+      if (!isThere)
+      {
+        zone.Nodes.resize(before);
+        return;
+      }
+      zone.Ends.push_back(static_cast<std::int32_t>(zone.Nodes.size()));
+      zone.Types.push_back(run.BoundaryType);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -241,7 +241,7 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   std::map<int, std::vector<const FluentFaces::Run*>> runs; // by zone
   for (const FluentFaces::Run& run : faces.GetRuns())
   {
-    if (run.BoundaryType != FluentBoundary::Interior && run.BoundaryType != FluentBoundary::Parent)
+    if (run.IsOfBoundary())
     {
       runs[run.Zone].push_back(&run);
     }

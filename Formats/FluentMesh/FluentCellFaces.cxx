@@ -44,26 +44,15 @@ vtkIdType FluentFaceTree::FindParent(vtkIdType child) const
 //------------------------------------------------------------------------------
 FluentShape FluentMesh::GetShape(vtkIdType cell) const
 {
-  switch (this->Cells.GetElement(this->Piece.GetLeaf(cell)))
+  static constexpr FluentShape Shapes[] = { {}, { VTK_TRIANGLE, 3, 3 }, { VTK_TETRA, 4, 4 },
+    { VTK_QUAD, 4, 4 }, { VTK_HEXAHEDRON, 8, 6 }, { VTK_PYRAMID, 5, 5 }, { VTK_WEDGE, 6, 5 } };
+  const FluentElement element = this->Cells.GetElement(this->Piece.GetLeaf(cell));
+  if (element == FluentElement::Polyhedron)
   {
-    case FluentElement::Triangle:
-      return { VTK_TRIANGLE, 3, 3 };
-    case FluentElement::Quadrilateral:
-      return { VTK_QUAD, 4, 4 };
-    case FluentElement::Tetrahedron:
-      return { VTK_TETRA, 4, 4 };
-    case FluentElement::Hexahedron:
-      return { VTK_HEXAHEDRON, 8, 6 };
-    case FluentElement::Pyramid:
-      return { VTK_PYRAMID, 5, 5 };
-    case FluentElement::Wedge:
-      return { VTK_WEDGE, 6, 5 };
-    case FluentElement::Polyhedron:
-      return { static_cast<unsigned char>(this->Dimension == 2 ? VTK_POLYGON : VTK_POLYHEDRON), 0,
-        0 };
-    default:
-      return FluentShape();
+    return { static_cast<unsigned char>(this->Dimension == 2 ? VTK_POLYGON : VTK_POLYHEDRON), 0,
+      0 };
   }
+  return Shapes[static_cast<std::size_t>(element)];
 }
 
 //------------------------------------------------------------------------------

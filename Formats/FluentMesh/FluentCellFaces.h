@@ -12,6 +12,7 @@
 #include "FaceMesh/CellShell.h"
 #include "FaceMesh/PrimitiveMatcher.h"
 #include "FluentPiece.h"
+#include "Mesh/FacetTable.h" // for Index
 
 #include "vtkCellType.h" // for the types of cells
 
@@ -55,6 +56,12 @@ struct FluentMesh
   const FluentFaceTree& Tree;
   int Dimension;
 
+  /// The cell of the piece of an id of the file, 0 to the number of ids; -1 if it is not in it.
+  vtkIdType FindCell(std::int32_t id) const
+  {
+    const vtkIdType leaf = id > 0 ? this->Cells.GetLeaf(id) : -1;
+    return leaf >= 0 ? this->Piece.FindLeaf(leaf) : -1;
+  }
   FluentShape GetShape(vtkIdType cell) const;
 };
 
@@ -69,8 +76,7 @@ public:
   }
 
   /// Takes the faces at these positions, which are sorted first, of the cell of an id.
-  template <typename Id>
-  void Load(std::int64_t cell, Id* faces, vtkIdType count)
+  void Load(std::int64_t cell, Index* faces, vtkIdType count)
   {
     // They were found in ascending order by one thread and put in from behind.
     std::reverse(faces, faces + count);

@@ -12,16 +12,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-const char* SkipSpaceFrom(const char* text, const char* end)
-{
-  while (text < end && IsSpace(*text))
-  {
-    ++text;
-  }
-  return text;
-}
-
-//------------------------------------------------------------------------------
 std::string DescribeFace(const FluentFaces::Run& run, std::int64_t row)
 {
   return "face " + std::to_string(run.FirstId + row);
@@ -80,7 +70,33 @@ bool FluentFaces::AddRuns(FluentFile& file)
     run.Size = element == 5 ? 0 : static_cast<std::int32_t>(element);
     run.Bounds =
       run.BoundaryType != FluentBoundary::Parent && run.BoundaryType < FluentBoundary::Nonconformal;
+    if (section->IsText() && !this->CheckSize(file, run))
+    {
+      return false;
+    }
+    if (!section->IsText())
+    {
+      run.Data = section->Begin;
+      run.Swap = file.IsSwapped();
+      run.Blocks = section->Blocks;
+    }
     this->Runs.push_back(std::move(run));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether as many faces fit into the text.
+bool FluentFaces::CheckSize(FluentFile& file, const Run& run) const
+{
+  const std::ptrdiff_t size = run.Section->End - run.Section->Begin;
+  const vtkIdType count = run.End - run.Begin, numbers = run.Size == 0 ? 3 : run.Size + 2;
+  if (count > (size + 1) / (2 * numbers))
+  {
+    file.FailAt(run.Section->Place, ErrorKind::Truncated,
+      std::to_string(count) + " faces in the section that begins here",
+      std::to_string(size) + " characters");
+    return false;
   }
   return true;
 }
@@ -165,16 +181,8 @@ bool FluentFaces::ReadWords(FluentFile& file, Run& run)
   const char* const end = run.Section->End;
   const vtkIdType count = run.End - run.Begin;
   const bool isList = run.Size == 0;
-  const vtkIdType least = isList ? 3 : run.Size + 2;
-  if (count > (end - text + 1) / (2 * least))
-  {
-    file.FailAt(run.Section->Place, ErrorKind::Truncated,
-      std::to_string(count) + " faces in the section that begins here",
-      std::to_string(end - text) + " characters");
-    return false;
-  }
   std::vector<std::int32_t> words;
-  words.reserve(static_cast<std::size_t>(least * count));
+  words.reserve(static_cast<std::size_t>((isList ? 3 : run.Size + 2) * count));
   const auto read = [&](std::int64_t row, std::int64_t limit, const char* what)
   {
     std::int64_t value = 0;
@@ -301,41 +309,15 @@ void FluentFaces::LeaveOutInterfaces(FluentFile& file)
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaces::Load(FluentFile& file, vtkIdType chunk, const Progress& progress)
+bool FluentFaces::Open(FluentFile& file)
 {
   if (!this->AddRuns(file))
   {
     return false;
   }
-  std::int64_t bytes = 0, done = 0;
+  std::vector<vtkIdType> ends;
   for (const Run& run : this->Runs)
   {
-    bytes += run.Section->End - run.Section->Begin;
-  }
-  std::vector<vtkIdType> ends;
-  for (Run& run : this->Runs)
-  {
-    const std::int64_t next = done + (run.Section->End - run.Section->Begin);
-    const Progress part = progress.Part(
-      static_cast<double>(done) / (bytes + 1), static_cast<double>(next) / (bytes + 1));
-    done = next;
-    if (run.Section->IsText())
-    {
-      if (!this->ReadText(file, run, chunk, part))
-      {
-        return false;
-      }
-    }
-    else
-    {
-      run.Data = run.Section->Begin;
-      run.Swap = file.IsSwapped();
-      run.Blocks = run.Section->Blocks;
-    }
-    if (run.Size == 0)
-    {
-      this->FindStarts(run, part);
-    }
     const auto index = static_cast<std::uint32_t>(ends.size());
     for (vtkIdType begin = run.Begin; begin < run.End; begin += BlockSize)
     {
@@ -345,7 +327,63 @@ bool FluentFaces::Load(FluentFile& file, vtkIdType chunk, const Progress& progre
   }
   this->Finder.Build(std::move(ends));
   this->LeaveOutInterfaces(file);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+template <typename IsWanted>
+bool FluentFaces::Keep(
+  FluentFile& file, vtkIdType chunk, const Progress& progress, IsWanted&& isWanted)
+{
+  for (Run& run : this->Runs)
+  {
+    const auto count = static_cast<double>(this->GetCount());
+    const Progress part =
+      progress.Part(static_cast<double>(run.Begin) / count, static_cast<double>(run.End) / count);
+    if (!run.Data && isWanted(run) && !this->ReadText(file, run, chunk, part))
+    {
+      return false;
+    }
+  }
   return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::KeepBoundaries(FluentFile& file, vtkIdType chunk, const Progress& progress)
+{
+  return this->Keep(file, chunk, progress, [](const Run& run) { return run.IsOfBoundary(); });
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::KeepAll(FluentFile& file, vtkIdType chunk, const Progress& progress)
+{
+  if (!this->Keep(file, chunk, progress, [](const Run&) { return true; }))
+  {
+    return false;
+  }
+  for (Run& run : this->Runs)
+  {
+    if (run.Size == 0)
+    {
+      this->FindStarts(run, progress);
+    }
+  }
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+void FluentFaces::KeepBoundariesOnly()
+{
+  for (Run& run : this->Runs)
+  {
+    run.Starts = Buffer<std::uint32_t>();
+    if (run.Section->IsText() && !run.IsOfBoundary())
+    {
+      run.Data = nullptr;
+      run.Words = Buffer<std::int32_t>();
+      run.Blocks.clear();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,10 @@
  * @class camaron::FluentFaces
  * @brief All faces of a Fluent file: their nodes, and the cells on both sides.
  *
- * Binary faces stay where they are in the file; those of text are kept as a binary file would have
- * them. Faces are numbered by position, in the order of their ids.
+ * Binary faces stay where they are in the file; those of text are kept, where they have to be, as a
+ * binary file would have them. Faces are numbered by position, in the order of their ids.
+ *
+ * @sa FluentFaceBatches, which visits all faces without keeping them
  */
 #ifndef camaron_FluentFaces_h
 #define camaron_FluentFaces_h
@@ -47,15 +49,33 @@ public:
     std::int32_t Size = 0; ///< nodes of every face, 0 if they say so themselves
     bool Bounds = true;    ///< whether these are faces of cells of the mesh
     const FluentSection* Section = nullptr;
-    const char* Data = nullptr;
+    const char* Data = nullptr; ///< if accessible
     bool Swap = false;
     std::vector<const char*> Blocks; ///< where every 1024th begins if they are of any size
     Buffer<std::uint32_t> Starts;    ///< of each of these, words from the start of its block
     Buffer<std::int32_t> Words;      ///< of text
+
+    bool IsOfBoundary() const
+    {
+      return this->BoundaryType != FluentBoundary::Interior &&
+        this->BoundaryType != FluentBoundary::Parent;
+    }
   };
 
-  /// Takes the faces of a file, which must stay alive; false with the error in it, or if stopped.
-  bool Load(FluentFile& file, vtkIdType chunk, const Progress& progress);
+  /// Takes what the headers say of the faces of a file, which must stay alive; false with the error
+  /// in it.
+  bool Open(FluentFile& file);
+
+  ///@{
+  /**
+   * Make faces accessible: all of them, or those of boundaries, for ForEachOf only. False with the
+   * error in the file, or if stopped.
+   */
+  bool KeepAll(FluentFile& file, vtkIdType chunk, const Progress& progress);
+  bool KeepBoundaries(FluentFile& file, vtkIdType chunk, const Progress& progress);
+  ///@}
+  /// Gives the memory of all faces but those of boundaries back.
+  void KeepBoundariesOnly();
 
   /// Checks all ids of nodes (1 to @a nodes) and cells (0 to @a cells); false with the error in the
   /// file.
@@ -83,21 +103,29 @@ public:
         {
           const Part& part = this->Parts[i];
           const Run& run = this->Runs[part.Run];
-          const char* place = run.Size > 0
-            ? run.Data + (part.Begin - run.Begin) * GetStride(run.Size)
-            : run.Blocks[static_cast<std::size_t>((part.Begin - run.Begin) / BlockSize)];
-          for (vtkIdType face = part.Begin; face < part.End; ++face)
-          {
-            const FluentFace record = Read(run, place);
-            visit(run, face, record);
-            place = record.Nodes.Ids + GetStride(record.Nodes.Size);
-          }
+          ForEachOf(run, part.Begin, part.End,
+            [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); });
         }
       });
   }
+  /// Calls visit(position, face) for faces of a run from @a begin, which is the first of a block.
+  template <typename Visit>
+  static void ForEachOf(const Run& run, vtkIdType begin, vtkIdType end, Visit&& visit)
+  {
+    const char* place = run.Size > 0
+      ? run.Data + (begin - run.Begin) * GetStride(run.Size)
+      : run.Blocks[static_cast<std::size_t>((begin - run.Begin) / BlockSize)];
+    for (vtkIdType face = begin; face < end; ++face)
+    {
+      const FluentFace record = Read(run, place);
+      visit(face, record);
+      place = record.Nodes.Ids + GetStride(record.Nodes.Size);
+    }
+  }
+
+  static constexpr vtkIdType BlockSize = FluentFile::BlockSize; ///< faces per block of a run
 
 private:
-  static constexpr vtkIdType BlockSize = FluentFile::BlockSize;
   struct Part
   {
     std::uint32_t Run;
@@ -122,6 +150,9 @@ private:
 
   const char* FindInFile(const Run& run, const char* word) const;
   bool AddRuns(FluentFile& file);
+  bool CheckSize(FluentFile& file, const Run& run) const;
+  template <typename IsWanted>
+  bool Keep(FluentFile& file, vtkIdType chunk, const Progress& progress, IsWanted&& isWanted);
   bool ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
   bool ReadLines(const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
   bool ReadWords(FluentFile& file, Run& run);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentGrid.h"
 
+#include "FluentCellLists.h"
 #include "Mesh/MeshTopology.h"
 
 #include "vtkCellArray.h"
@@ -69,49 +70,6 @@ vtkSmartPointer<vtkCellArray> MakeCells(Buffer<Id>& offsets, Buffer<Id>& ids)
 }
 
 //------------------------------------------------------------------------------
-int GetNumberOfFaces(unsigned char type)
-{
-  return type == VTK_TRIANGLE               ? 3
-    : type == VTK_QUAD || type == VTK_TETRA ? 4
-    : type == VTK_HEXAHEDRON                ? 6
-                                            : 5;
-}
-
-//------------------------------------------------------------------------------
-// A thread of its own needs no locks.
-bool IsAlone()
-{
-  return vtkSMPTools::GetEstimatedNumberOfThreads() <= 1;
-}
-
-//------------------------------------------------------------------------------
-using Cursor = std::atomic<std::uint32_t>;
-void Add(Cursor& cursor, std::uint32_t value, bool alone)
-{
-  if (alone)
-  {
-    cursor.store(cursor.load(std::memory_order_relaxed) + value, std::memory_order_relaxed);
-  }
-  else
-  {
-    cursor.fetch_add(value, std::memory_order_relaxed);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Returns the new value.
-std::uint32_t TakeOne(Cursor& cursor, bool alone)
-{
-  if (!alone)
-  {
-    return cursor.fetch_sub(1, std::memory_order_relaxed) - 1;
-  }
-  const std::uint32_t value = cursor.load(std::memory_order_relaxed) - 1;
-  cursor.store(value, std::memory_order_relaxed);
-  return value;
-}
-
-//------------------------------------------------------------------------------
 class FluentGridBuilder
 {
 public:
@@ -125,37 +83,9 @@ public:
   {
   }
 
-  bool Build(const Progress& progress)
-  {
-    if (!this->CountFaces(progress.Part(0, 0.2)))
-    {
-      return false;
-    }
-    if (this->FitsInPlace())
-    {
-      if (!this->BuildInPlace(progress.Part(0.2, 1)))
-      {
-        return false;
-      }
-      if (this->Found.empty())
-      {
-        return true;
-      }
-      // A cell is not what it is declared to be; now in the way that can hold anything.
-      this->Found.clear();
-      if (!this->CountFaces(progress.Part(0.99, 1)))
-      {
-        return false;
-      }
-    }
-    return this->BuildFromLists(progress.Part(0.2, 1));
-  }
+  bool Build(const Progress& progress);
 
 private:
-  bool CountFaces(const Progress& progress);
-  bool FitsInPlace() const;
-  bool BuildInPlace(const Progress& progress);
-  bool BuildFromLists(const Progress& progress);
   bool FillLists(const Progress& progress)
   {
     const Extent& total = this->Blocks.back();
@@ -163,7 +93,6 @@ private:
       ? this->FillListsAs<vtkTypeInt64>(progress)
       : this->FillListsAs<vtkTypeInt32>(progress);
   }
-  bool MakeLists(const Progress& progress);
   unsigned char Expect(vtkIdType cell, Extent& size) const;
   bool Measure(const Progress& progress);
   template <typename Id>
@@ -171,30 +100,6 @@ private:
   void HandOverFaces();
   void Warn();
 
-  /// Calls visit(cell, face) for the cells of the piece on both sides of all faces, in parallel.
-  template <typename Visit>
-  bool ForEachUse(const Progress& progress, Visit&& visit) const
-  {
-    const FluentMesh& mesh = this->Mesh;
-    return mesh.Faces.ForEach(progress,
-      [&](const FluentFaces::Run& run, vtkIdType position, const FluentFace& face)
-      {
-        if (!run.Bounds || face.Nodes.Size == 0)
-        {
-          return;
-        }
-        for (int side = 0; side < 2; ++side)
-        {
-          const std::int32_t id = face.GetCell(side);
-          const vtkIdType leaf = id > 0 ? mesh.Cells.GetLeaf(id) : -1;
-          const vtkIdType cell = leaf >= 0 ? mesh.Piece.FindLeaf(leaf) : -1;
-          if (cell >= 0)
-          {
-            visit(cell, position);
-          }
-        }
-      });
-  }
   /// Calls visit(scratch, block, begin, end) for blocks of cells in parallel.
   template <typename Visit>
   bool ForBlocks(const Progress& progress, Visit&& visit) const
@@ -214,13 +119,7 @@ private:
   {
     return this->Mesh.Cells.GetId(this->Mesh.Piece.GetLeaf(cell));
   }
-  Index* GetList(vtkIdType cell) { return this->Lists.data() + this->Cursors[cell]; }
-  vtkIdType GetListSize(vtkIdType cell) const
-  {
-    return vtkIdType(this->Cursors[cell + 1]) - vtkIdType(this->Cursors[cell]);
-  }
-  template <typename Id>
-  void PrefetchFaces(const Id* faces, vtkIdType count) const
+  void PrefetchFaces(const Index* faces, vtkIdType count) const
   {
     for (vtkIdType i = 0; i < count; ++i)
     {
@@ -239,9 +138,7 @@ private:
   Warnings& Messages;
   ScanError& Error;
   std::mutex Mutex;
-  std::vector<Cursor>
-    Cursors; ///< faces of every cell, then where the next of them goes, then the first
-  std::vector<Index> Lists; ///< faces of all cells, if they are not kept in place
+  FluentCellLists Lists;
   Buffer<unsigned char> Types;
   Buffer<std::uint32_t> Points;      ///< number of points of every cell
   std::vector<Extent> Blocks;        ///< where blocks of cells begin
@@ -251,154 +148,18 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool FluentGridBuilder::CountFaces(const Progress& progress)
-{
-  this->Cursors = std::vector<Cursor>(static_cast<std::size_t>(this->Count) + 1);
-  const bool alone = IsAlone();
-  return this->ForEachUse(
-    progress, [this, alone](vtkIdType cell, vtkIdType) { Add(this->Cursors[cell], 1, alone); });
-}
-
-//------------------------------------------------------------------------------
-// Whether all cells have the faces of the types declared. Types have at least as many nodes as
-// faces, so that the faces can wait where the nodes will be.
-bool FluentGridBuilder::FitsInPlace() const
-{
-  std::atomic<bool> fits{ true };
-  std::atomic<vtkIdType> nodes{ 0 };
-  ParallelFor(this->Count, BlockSize,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkIdType sum = 0;
-      for (vtkIdType cell = begin; cell < end && fits; ++cell)
-      {
-        const FluentShape shape = this->Mesh.GetShape(cell);
-        sum += shape.Nodes;
-        if (shape.Faces == 0 || this->Cursors[cell] != static_cast<std::uint32_t>(shape.Faces))
-        {
-          fits = false;
-        }
-      }
-      nodes += sum;
-    });
-  return fits && nodes <= MaxInt32;
-}
-
-//------------------------------------------------------------------------------
-bool FluentGridBuilder::BuildInPlace(const Progress& progress)
-{
-  using Id = vtkTypeInt32;
-  this->Types = Buffer<unsigned char>(this->Count);
-  Buffer<Id> offsets(this->Count + 1);
-  const vtkIdType total = ParallelScan(
-    this->Count, BlockSize,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkIdType sum = 0;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const FluentShape shape = this->Mesh.GetShape(cell);
-        this->Types[cell] = shape.Type;
-        offsets[cell] = static_cast<Id>(sum);
-        sum += shape.Nodes;
-      }
-      return sum;
-    },
-    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        offsets[cell] += static_cast<Id>(before);
-        Add(this->Cursors[cell], static_cast<std::uint32_t>(offsets[cell]), true);
-      }
-    });
-  offsets[this->Count] = static_cast<Id>(total);
-  Buffer<Id> ids(total);
-  const bool alone = IsAlone();
-  const bool filled = this->ForEachUse(progress.Part(0, 0.4),
-    [&](vtkIdType cell, vtkIdType face)
-    { ids[TakeOne(this->Cursors[cell], alone)] = static_cast<Id>(face); });
-  this->Cursors = std::vector<Cursor>();
-  const bool finished = filled &&
-    this->ForBlocks(progress.Part(0.4, 1),
-      [&](FluentCellFaces& faces, vtkIdType, vtkIdType begin, vtkIdType end)
-      {
-        std::vector<Exception> exceptions;
-        for (vtkIdType cell = begin; cell < end; ++cell)
-        {
-          // No further than this block: others may have nodes already.
-          if (cell + Ahead < end)
-          {
-            this->PrefetchFaces(
-              ids.data() + offsets[cell + Ahead], GetNumberOfFaces(this->Types[cell + Ahead]));
-          }
-          const unsigned char type = this->Types[cell];
-          const vtkIdType size = offsets[cell + 1] - offsets[cell];
-          Id* const place = ids.data() + offsets[cell];
-          faces.Load(this->GetId(cell), place, GetNumberOfFaces(type));
-          if (!faces.Match(type))
-          {
-            exceptions.push_back({ cell, type, 0 });
-            continue;
-          }
-          for (vtkIdType node = 0; node < size; ++node)
-          {
-            place[node] = static_cast<Id>(faces.GetNode(node));
-          }
-        }
-        this->AddExceptions(exceptions);
-      });
-  if (finished && this->Found.empty())
-  {
-    const auto cells = MakeCells(offsets, ids);
-    this->Grid->SetCells(this->Types.TakeArray<vtkUnsignedCharArray>(), cells);
-  }
-  return finished;
-}
-
-//------------------------------------------------------------------------------
-bool FluentGridBuilder::MakeLists(const Progress& progress)
-{
-  const vtkIdType total = ParallelScan(
-    this->Count, BlockSize,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      vtkIdType sum = 0;
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        sum += this->Cursors[cell];
-      }
-      return sum;
-    },
-    [&](vtkIdType begin, vtkIdType end, vtkIdType before)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        before += this->Cursors[cell];
-        this->Cursors[cell] = static_cast<std::uint32_t>(before);
-      }
-    });
-  this->Cursors[this->Count] = static_cast<std::uint32_t>(total);
-  this->Lists.resize(static_cast<std::size_t>(total));
-  const bool alone = IsAlone();
-  return this->ForEachUse(progress,
-    [&](vtkIdType cell, vtkIdType face)
-    { this->Lists[TakeOne(this->Cursors[cell], alone)] = static_cast<Index>(face); });
-}
-
-//------------------------------------------------------------------------------
 // What a cell becomes, if all is well with it: a polyhedron is expected to be closed and without
 // handles (Euler: points - edges + faces = 2).
 unsigned char FluentGridBuilder::Expect(vtkIdType cell, Extent& size) const
 {
-  const vtkIdType count = this->GetListSize(cell);
+  const vtkIdType count = this->Lists.GetSize(cell);
   if (count == 0)
   {
     return VTK_EMPTY_CELL;
   }
   std::int32_t triangles = 0, quads = 0;
   vtkIdType corners = 0;
-  const Index* const faces = this->Lists.data() + this->Cursors[cell];
+  const Index* const faces = this->Lists.Get(cell);
   for (vtkIdType i = 0; i < count; ++i)
   {
     const std::int32_t nodes = this->Mesh.Faces[faces[i]].Nodes.Size;
@@ -521,15 +282,15 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
         const vtkIdType size = this->Points[cell];
         if (cell + Ahead < end)
         {
-          this->PrefetchFaces(this->GetList(cell + Ahead), this->GetListSize(cell + Ahead));
+          this->PrefetchFaces(this->Lists.Get(cell + Ahead), this->Lists.GetSize(cell + Ahead));
         }
         offsets[cell] = point;
         if (polyhedra)
         {
           locationOffsets[cell] = face;
         }
-        Index* const list = this->GetList(cell);
-        const vtkIdType count = this->GetListSize(cell);
+        Index* const list = this->Lists.Get(cell);
+        const vtkIdType count = this->Lists.GetSize(cell);
         if (type == VTK_EMPTY_CELL)
         {
           continue;
@@ -616,10 +377,10 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool FluentGridBuilder::BuildFromLists(const Progress& progress)
+bool FluentGridBuilder::Build(const Progress& progress)
 {
-  if (!this->MakeLists(progress.Part(0, 0.2)) || !this->Measure(progress.Part(0.2, 0.3)) ||
-    !this->FillLists(progress.Part(0.3, 0.9)))
+  if (!this->Lists.Find(this->Mesh, progress.Part(0, 0.4)) ||
+    !this->Measure(progress.Part(0.4, 0.5)) || !this->FillLists(progress.Part(0.5, 0.9)))
   {
     return false;
   }
@@ -653,20 +414,21 @@ void FluentGridBuilder::HandOverFaces()
     return;
   }
   vtkIdType count = this->Mesh.Faces.GetCount();
+  std::vector<Index> lists = this->Lists.Take();
   if (!this->Mesh.Piece.IsWhole())
   {
     IdSet used(count);
-    for (const Index face : this->Lists)
+    for (const Index face : lists)
     {
       used.Add(face);
     }
     count = used.Number();
-    for (Index& face : this->Lists)
+    for (Index& face : lists)
     {
       face = static_cast<Index>(used.GetNumber(face));
     }
   }
-  MeshTopology::Provide(this->Grid, std::move(this->Lists), static_cast<Index>(count));
+  MeshTopology::Provide(this->Grid, std::move(lists), static_cast<Index>(count));
 }
 
 //------------------------------------------------------------------------------
@@ -680,7 +442,7 @@ void FluentGridBuilder::Warn()
     const FluentShape shape = this->Mesh.GetShape(cell);
     if (type == VTK_EMPTY_CELL)
     {
-      (this->GetListSize(cell) == 0 ? empty : broken).Add(this->GetId(cell));
+      (this->Lists.GetSize(cell) == 0 ? empty : broken).Add(this->GetId(cell));
     }
     else if (shape.Faces > 0 && type != shape.Type)
     {

@@ -6,6 +6,7 @@
 #include "FluentBoundaries.h"
 #include "FluentGrid.h"
 #include "FluentNodes.h"
+#include "FluentStandardCells.h"
 #include "FluentText.h"
 #include "Inflation.h"
 #include "Scan/PieceArrays.h"
@@ -80,7 +81,10 @@ public:
   const ScanError& GetError() const { return this->Error ? this->Error : this->File.GetError(); }
 
 private:
+  bool KeepFaces(vtkIdType nodes, const Progress& progress);
   bool ReadTree();
+  bool ReadCells(
+    vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
   void AddArrays(vtkUnstructuredGrid* grid) const;
   void AddIds(vtkUnstructuredGrid* grid) const;
 
@@ -153,6 +157,67 @@ bool FluentMeshReading::ReadTree()
 }
 
 //------------------------------------------------------------------------------
+// Makes all faces accessible.
+bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
+{
+  if (!this->Faces.KeepAll(this->File, this->Chunk, progress.Part(0, 0.8)) ||
+    !this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.8, 1)))
+  {
+    return false;
+  }
+  if (this->Cells.GetNumberOfLeaves() == 0)
+  {
+    this->File.Fail(
+      ErrorKind::Unsupported, "a mesh with cells", "faces that belong to no cell (a surface)");
+    return false;
+  }
+  return this->ReadTree();
+}
+
+//------------------------------------------------------------------------------
+// Cells of standard types, as most meshes have, need not have all faces in memory.
+bool FluentMeshReading::ReadCells(
+  vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
+{
+  const bool isWhole = this->Request.NumberOfPieces <= 1;
+  const auto keep = [&](const Progress& part)
+  {
+    return isWhole ? this->Faces.KeepBoundaries(this->File, this->Chunk, part)
+                   : this->KeepFaces(nodes, part);
+  };
+  if (!keep(progress.Part(0, 0.2)) ||
+    !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.2, 0.3)))
+  {
+    return false;
+  }
+  const FluentMesh mesh{ this->Faces, this->Cells, this->Piece, this->Tree,
+    this->File.GetDimension() };
+  if (this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0)
+  {
+    FluentStandardCells cells(mesh);
+    FluentFaceBatches batches(this->File, mesh, nodes, this->Chunk);
+    if (cells.Place() && cells.Build(batches, grid, progress.Part(0.3, 1)))
+    {
+      return true;
+    }
+    if (progress.IsStopped())
+    {
+      return false;
+    }
+  }
+  if (isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5)))
+  {
+    return false;
+  }
+  const bool good = BuildFluentCells(mesh, grid, warnings, this->Error, progress.Part(0.5, 1));
+  if (this->Error)
+  {
+    this->Error.Message = this->File.GetName() + ": " + this->Error.Message;
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
 bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, const Progress& progress)
 {
@@ -161,15 +226,8 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
     return false;
   }
   const vtkIdType nodes = CountFluentNodes(this->File);
-  if (nodes < 0 || !this->Faces.Load(this->File, this->Chunk, progress.Part(0.1, 0.4)))
+  if (nodes < 0 || !this->Faces.Open(this->File))
   {
-    return false;
-  }
-  if (this->File.DeclaredFaces > this->Faces.GetCount() && this->Faces.GetCount() > 0)
-  {
-    this->File.Fail(ErrorKind::Truncated,
-      std::to_string(this->File.DeclaredFaces) + " faces, as declared",
-      std::to_string(this->Faces.GetCount()));
     return false;
   }
   if (this->Faces.GetCount() == 0 || nodes == 0)
@@ -180,40 +238,27 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   }
   constexpr std::int64_t MaxCellsPerFace = 4; // two, and as many that were refined
   if (!this->Cells.Load(this->File, MaxCellsPerFace * this->Faces.GetCount()) ||
-    !this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.4, 0.45)))
+    !this->ReadCells(nodes, grid, warnings, progress.Part(0.1, 0.8)))
   {
     return false;
   }
-  if (this->Cells.GetNumberOfLeaves() == 0)
+  if (this->File.DeclaredFaces > this->Faces.GetCount())
   {
-    this->File.Fail(
-      ErrorKind::Unsupported, "a mesh with cells", "faces that belong to no cell (a surface)");
+    this->File.Fail(ErrorKind::Truncated,
+      std::to_string(this->File.DeclaredFaces) + " faces, as declared",
+      std::to_string(this->Faces.GetCount()));
     return false;
   }
-  if (!this->ReadTree() ||
-    !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.45, 0.5)))
-  {
-    return false;
-  }
+  this->Faces.KeepBoundariesOnly();
   const auto coordinates =
-    ReadFluentNodes(this->File, this->Piece, this->Chunk, progress.Part(0.5, 0.6));
+    ReadFluentNodes(this->File, this->Piece, this->Chunk, progress.Part(0.8, 1));
   if (!coordinates)
   {
     return false;
   }
-  const FluentMesh mesh{ this->Faces, this->Cells, this->Piece, this->Tree,
-    this->File.GetDimension() };
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   grid->SetPoints(points);
-  if (!BuildFluentCells(mesh, grid, warnings, this->Error, progress.Part(0.6, 1)))
-  {
-    if (this->Error)
-    {
-      this->Error.Message = this->File.GetName() + ": " + this->Error.Message;
-    }
-    return false;
-  }
   this->AddArrays(grid);
   this->AddIds(grid);
   if (boundaries &&

@@ -36,6 +36,10 @@ public:
 
   std::uint32_t Find(vtkIdType position) const
   {
+    if (this->Ends.size() == 1)
+    {
+      return 0;
+    }
     std::uint32_t run = this->Firsts[static_cast<std::size_t>(position / BlockSize)];
     while (this->Ends[run] <= position)
     {

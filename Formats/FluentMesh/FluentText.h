@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FluentText.h
- * @brief Hexadecimal numbers as Fluent's files have them: either case, no prefix.
+ * @brief White space and hexadecimal numbers as Fluent's files have them: either case, no prefix.
  */
 #ifndef camaron_FluentText_h
 #define camaron_FluentText_h
@@ -30,16 +30,23 @@ constexpr std::array<signed char, 256> MakeHexDigits()
 inline constexpr std::array<signed char, 256> HexDigits = MakeHexDigits();
 }
 
+/// The first character that is no white space, or the end.
+inline const char* SkipSpaceFrom(const char* text, const char* end)
+{
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  return text;
+}
+
 /**
  * Reads a number after white space; returns where it ends, or nullptr if there is none, if
  * something else follows it directly, or if it exceeds 63 bits.
  */
 inline const char* ParseHex(const char* text, const char* end, std::int64_t& value)
 {
-  while (text < end && IsSpace(*text))
-  {
-    ++text;
-  }
+  text = SkipSpaceFrom(text, end);
   const char* const first = text;
   std::uint64_t number = 0;
   for (; text < end; ++text)

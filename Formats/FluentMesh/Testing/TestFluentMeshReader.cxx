@@ -16,6 +16,8 @@
 #include "vtkStringArray.h"
 #include "vtk_zlib.h"
 
+#include <random>
+
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -56,6 +58,32 @@ std::string Gzip(const std::string& bytes)
   packed.resize(stream.total_out);
   deflateEnd(&stream);
   return packed;
+}
+
+//------------------------------------------------------------------------------
+// A cube of hexahedra.
+FluentSample MakeHexahedra(int size)
+{
+  FluentSample mesh;
+  const auto point = [size](int i, int j, int k) { return i + (size + 1) * (j + (size + 1) * k); };
+  for (int p = 0; p < (size + 1) * (size + 1) * (size + 1); ++p)
+  {
+    mesh.AddPoint(p % (size + 1), p / (size + 1) % (size + 1), p / ((size + 1) * (size + 1)));
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    for (int j = 0; j < size; ++j)
+    {
+      for (int k = 0; k < size; ++k)
+      {
+        mesh.AddVTKCell(4, VTK_HEXAHEDRON,
+          { point(i, j, k), point(i + 1, j, k), point(i + 1, j + 1, k), point(i, j + 1, k),
+            point(i, j, k + 1), point(i + 1, j, k + 1), point(i + 1, j + 1, k + 1),
+            point(i, j + 1, k + 1) });
+      }
+    }
+  }
+  return mesh;
 }
 
 const std::map<int, int> TypesOf3D = { { 2, VTK_TETRA }, { 4, VTK_HEXAHEDRON }, { 5, VTK_PYRAMID },
@@ -589,6 +617,46 @@ TEST(FluentMeshReader, ThreadsAndChunksChangeNothing)
             });
           ExpectSameGrid(expected, grid);
         }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, the nodes of cells of standard types, which are made while the faces are read, are
+// not those that all faces of a cell together lead to: the same file with a tree of split faces,
+// even if none is, is read in the other way. Faces come in any order, start anywhere, run either
+// way.
+TEST(FluentMeshReader, BothWaysFindTheSameNodes)
+{
+  std::mt19937 random(5);
+  const std::string tree = "(59 (1 1 3 3)(0))\n";
+  for (FluentSample mesh : { MakeMixed(40), MakeFlat(2), MakeHexahedra(4) })
+  {
+    for (int round = 0; round < 20; ++round)
+    {
+      std::shuffle(mesh.Faces.begin(), mesh.Faces.end(), random);
+      for (FluentSample::Face& face : mesh.Faces)
+      {
+        face.Zone = 9; // one section
+        std::rotate(face.Nodes.begin(),
+          face.Nodes.begin() + (mesh.Dimension == 3 ? random() % face.Nodes.size() : 0),
+          face.Nodes.end());
+        if (random() % 2)
+        {
+          std::reverse(face.Nodes.begin(), face.Nodes.end());
+          std::swap(face.Cells[0], face.Cells[1]);
+        }
+      }
+      for (const int size : { 0, 4 })
+      {
+        FluentEncoding how;
+        how.RealSize = size;
+        const std::string bytes = Encode(mesh, how);
+        const Result standard = ReadBytes(bytes), general = ReadBytes(bytes + tree);
+        ASSERT_TRUE(standard.Errors.empty() && general.Errors.empty());
+        ExpectSameGrid(standard.Grid, general.Grid);
+        EXPECT_TRUE(standard.Warnings.empty());
       }
     }
   }

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FluentStandardCells
+ * @brief Makes cells of declared types, none of them polyhedra, in one pass over the faces.
+ *
+ * Faces come in the order of their ids, and each adds what it says to the nodes of the cells on its
+ * sides, so that no faces have to be kept but those of incomplete pyramids and wedges. Nodes are in
+ * the order in which FluentCellFaces finds them. A mesh that has a cell whose faces are not those
+ * of its type, or do not run as neighbours do, has to be made by BuildFluentCells.
+ */
+#ifndef camaron_FluentStandardCells_h
+#define camaron_FluentStandardCells_h
+
+#include "FluentCellFaces.h"
+#include "FluentFaceBatches.h"
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+class FluentStandardCells
+{
+public:
+  explicit FluentStandardCells(const FluentMesh& mesh)
+    : Mesh(mesh)
+    , Count(mesh.Piece.GetNumberOfCells())
+  {
+  }
+
+  /// Finds the place of every cell; false if some are of no such type.
+  bool Place();
+  /// Makes the cells; false if some are not as they are declared, the batches cannot be visited, or
+  /// if stopped. The grid gets them only if all is well.
+  bool Build(FluentFaceBatches& batches, vtkUnstructuredGrid* grid, const Progress& progress);
+
+private:
+  using Id = vtkTypeInt32;
+  class Share;
+
+  const FluentMesh& Mesh;
+  vtkIdType Count;
+  Buffer<unsigned char> Types;
+  Buffer<Id> Offsets;
+  Buffer<Id> Nodes; ///< ids of the file until a cell is complete, then points
+};
+}
+
+#endif
