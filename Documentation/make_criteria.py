@@ -34,7 +34,7 @@ Made from the registry by `Documentation/make_criteria.py`; do not edit.
 
 Lengths, areas and volumes are in the units of the mesh, angles in degrees unless chosen otherwise,
 solid angles in steradian. *Better* says which end is good. An acceptable range marked *hint* is
-common practice, not a verdict.
+common practice, not a verdict. Ranges of your own come from a [file](inspect.md#ranges).
 
 A value is **null** (NaN) where the criterion has no meaning for the shape or is undefined, and
 **infinite** where it grows without bound: an infinite value is bad, not absent. *Write Null Mask*

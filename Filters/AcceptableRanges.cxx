@@ -2,24 +2,83 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "AcceptableRanges.h"
 
-#include "Criteria/Criterion.h"
+#include "Criteria/RangesFile.h"
+#include "Scan/MappedFile.h"
 
 #include "vtkMath.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 namespace camaron
 {
-//------------------------------------------------------------------------------
-bool IsRangesName(const std::string& name)
+namespace
 {
-  return name == GetDefaultRangesName() || FindPreset(name);
+constexpr std::size_t MaxFileSize = 1 << 20; // what is larger is another file
+
+//------------------------------------------------------------------------------
+// The text of a small file after a zero byte, or the reason why there is none.
+std::vector<char> ReadSmallFile(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  if (file.Open(path, error) && file.size() > MaxFileSize)
+  {
+    error = { ErrorKind::NotThisFormat, file.GetName() + ": too large for a file of ranges" };
+  }
+  if (error)
+  {
+    return { error.Message.begin(), error.Message.end() };
+  }
+  std::vector<char> bytes(1, '\0');
+  bytes.insert(bytes.end(), file.begin(), file.end());
+  return bytes;
+}
 }
 
 //------------------------------------------------------------------------------
-std::optional<ValueRange> FindAcceptableRange(
-  const std::string& name, const std::string& ranges, const std::string& unit)
+std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer)
+{
+  std::vector<std::size_t> sizes;
+  const std::vector<char> bytes = reducer.Gather(
+    reducer.GetProcess() == 0 ? ReadSmallFile(path) : std::vector<char>(), sizes);
+  if (bytes.empty() || bytes[0] != '\0')
+  {
+    throw std::runtime_error(std::string(bytes.begin(), bytes.end()));
+  }
+  ScanError error;
+  std::vector<Preset::Rule> rules =
+    ParseRanges(GetFileName(path), bytes.data() + 1, bytes.data() + bytes.size(), error);
+  if (error)
+  {
+    throw std::runtime_error(error.Message);
+  }
+  return rules;
+}
+
+//------------------------------------------------------------------------------
+AcceptableRanges::AcceptableRanges(
+  const std::string& name, const std::string& file, Reducer& reducer)
+{
+  const Preset* preset = FindPreset(name);
+  if (!preset && name != GetDefaultRangesName())
+  {
+    throw std::invalid_argument("there is no preset named '" + name + "'");
+  }
+  if (!file.empty())
+  {
+    this->Rules = ReadRangesFile(file, reducer);
+  }
+  if (preset)
+  {
+    this->Rules.insert(this->Rules.end(), preset->Rules.begin(), preset->Rules.end());
+  }
+}
+
+//------------------------------------------------------------------------------
+std::optional<ValueRange> AcceptableRanges::Find(
+  const std::string& name, const std::string& unit) const
 {
   const Criterion* criterion = FindCriterion(name);
   if (!criterion)
@@ -31,15 +90,11 @@ std::optional<ValueRange> FindAcceptableRange(
   {
     range = { criterion->Acceptable[0], criterion->Acceptable[1] };
   }
-  if (const Preset* preset = FindPreset(ranges))
+  const auto rule = std::find_if(this->Rules.begin(), this->Rules.end(),
+    [&](const Preset::Rule& candidate) { return name == candidate.Criterion; });
+  if (rule != this->Rules.end())
   {
-    for (const Preset::Rule& rule : preset->Rules)
-    {
-      if (name == rule.Criterion)
-      {
-        range = { rule.Acceptable[0], rule.Acceptable[1] };
-      }
-    }
+    range = { rule->Acceptable[0], rule->Acceptable[1] };
   }
   if (std::isinf(range.Low) && std::isinf(range.High))
   {

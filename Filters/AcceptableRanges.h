@@ -7,11 +7,14 @@
 #ifndef camaron_AcceptableRanges_h
 #define camaron_AcceptableRanges_h
 
+#include "Criteria/Criterion.h"
+#include "Statistics/Reducer.h"
 #include "Statistics/Summary.h"
 #include "Statistics/Worst.h"
 
 #include <optional> // for what may be unknown
 #include <string>   // for names
+#include <vector>   // for rules
 
 namespace camaron
 {
@@ -21,15 +24,26 @@ inline const char* GetDefaultRangesName()
   return "Default ranges";
 }
 
-/// True for GetDefaultRangesName() and the presets.
-bool IsRangesName(const std::string& name);
+/// Ranges in which values of criteria are acceptable.
+class AcceptableRanges
+{
+public:
+  /**
+   * Those of a file of the user (RangesFile.h; none if the path is empty), else of the preset, else of
+   * the table of criteria. Throws std::invalid_argument for an unknown preset and std::runtime_error for
+   * a file that cannot be read, on all processes alike: process 0 reads it for all.
+   */
+  AcceptableRanges(const std::string& preset, const std::string& file, Reducer& reducer);
 
-/**
- * Range in which values of the criterion are acceptable: the one of the preset @a ranges, or else
- * that of the table of criteria. @a unit is that of the values: angles may be in "rad".
- */
-std::optional<ValueRange> FindAcceptableRange(
-  const std::string& criterion, const std::string& ranges, const std::string& unit);
+  /// The range of a criterion, if there is one. @a unit is that of the values: angles may be in "rad".
+  std::optional<ValueRange> Find(const std::string& criterion, const std::string& unit) const;
+
+private:
+  std::vector<Preset::Rule> Rules; // in the order in which they count
+};
+
+/// The rules of a file of ranges; collective, throws std::runtime_error as above.
+std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer);
 
 /// Where the bad values of the criterion are, if it has a direction.
 std::optional<WorstEnd> FindWorstEnd(const std::string& criterion);

@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCriteriaTable.h"
 
-#include "Criteria/Criterion.h"
+#include "AcceptableRanges.h"
+#include "ControllerReducer.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
-#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <exception>
 #include <string>
 
 vtkStandardNewMacro(vtkCriteriaTable);
@@ -131,6 +132,20 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
 }
 
 //------------------------------------------------------------------------------
+void ListRanges(vtkTable* table, const std::vector<camaron::Preset::Rule>& rules)
+{
+  auto* criterion = AddColumn<vtkStringArray>(table, "Criterion");
+  auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
+  auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
+  for (const camaron::Preset::Rule& rule : rules)
+  {
+    criterion->InsertNextValue(rule.Criterion);
+    low->InsertNextValue(rule.Acceptable[0]);
+    high->InsertNextValue(rule.Acceptable[1]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
 {
   auto* name = AddColumn<vtkStringArray>(table, "Preset");
@@ -156,18 +171,40 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
 vtkCriteriaTable::vtkCriteriaTable()
 {
   this->SetNumberOfInputPorts(0);
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+void vtkCriteriaTable::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "RangesFile: " << this->RangesFile << '\n';
 }
 
 //------------------------------------------------------------------------------
 int vtkCriteriaTable::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  auto* controller = vtkMultiProcessController::GetGlobalController();
-  const bool isRoot = !controller || controller->GetLocalProcessId() == 0;
+  camaron::ControllerReducer reducer;
+  const bool isRoot = reducer.GetProcess() == 0;
   vtkTable* criteria = vtkTable::GetData(outputVector, 0);
   vtkTable* rules = vtkTable::GetData(outputVector, 1);
   ListCriteria(criteria, isRoot ? camaron::GetCriteria() : std::vector<camaron::Criterion>());
   ListRules(rules, isRoot ? camaron::GetPresets() : std::vector<camaron::Preset>());
+  std::vector<camaron::Preset::Rule> ranges;
+  if (!this->RangesFile.empty())
+  {
+    try
+    {
+      ranges = camaron::ReadRangesFile(this->RangesFile, reducer);
+    }
+    catch (const std::exception& error)
+    {
+      vtkErrorMacro("" << error.what() << '.');
+      return 0;
+    }
+  }
+  ListRanges(vtkTable::GetData(outputVector, 2),
+    isRoot ? ranges : std::vector<camaron::Preset::Rule>());
   return 1;
 }

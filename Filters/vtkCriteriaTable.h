@@ -10,18 +10,28 @@
  *    "RangeHigh", "Ideal" (NaN if none), "Better" ("Smaller", "Neither" or "Bigger"), "AcceptableLow",
  *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint", "Family", and for
  *    the documentation "Formula", "Degenerate" and "Agreement";
- * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh".
+ * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh";
+ * 2. ranges of a file: "Criterion", "AcceptableLow", "AcceptableHigh".
  */
 #ifndef vtkCriteriaTable_h
 #define vtkCriteriaTable_h
 
 #include "vtkTableAlgorithm.h"
 
+#include <string> // for the file
+
 class vtkCriteriaTable : public vtkTableAlgorithm
 {
 public:
   static vtkCriteriaTable* New();
   vtkTypeMacro(vtkCriteriaTable, vtkTableAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /// File of acceptable ranges (Core/Criteria/RangesFile.h) to list. Default: empty, none.
+  vtkSetStdStringFromCharMacro(RangesFile);
+  vtkGetCharFromStdStringMacro(RangesFile);
+  ///@}
 
 protected:
   vtkCriteriaTable();
@@ -32,6 +42,8 @@ protected:
 private:
   vtkCriteriaTable(const vtkCriteriaTable&) = delete;
   void operator=(const vtkCriteriaTable&) = delete;
+
+  std::string RangesFile;
 };
 
 #endif

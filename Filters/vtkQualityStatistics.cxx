@@ -199,6 +199,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
     os << ' ' << name;
   }
   os << '\n' << indent << "Preset: " << this->Preset << '\n';
+  os << indent << "RangesFile: " << this->RangesFile << '\n';
   os << indent << "GroupBy: " << this->GroupBy << '\n';
   os << indent << "Quantiles (%):";
   for (const double percent : this->Quantiles)
@@ -289,10 +290,6 @@ int vtkQualityStatistics::RequestData(
   // process.
   try
   {
-    if (!camaron::IsRangesName(this->Preset))
-    {
-      throw std::invalid_argument("there is no preset named '" + this->Preset + "'");
-    }
     camaron::BinSettings settings;
     settings.NumberOfBins = this->NumberOfBins;
     settings.Scale = ToBinScale(this->HistogramScale);
@@ -305,6 +302,7 @@ int vtkQualityStatistics::RequestData(
     }
 
     camaron::ControllerReducer reducer;
+    const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
     const bool isRoot = reducer.GetProcess() == 0;
     const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
     camaron::Grouping groups(this->GroupBy, blocks, reducer);
@@ -320,7 +318,7 @@ int vtkQualityStatistics::RequestData(
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {
       const StatisticsArray& array = arrays[a];
-      const auto acceptable = camaron::FindAcceptableRange(array.Name, this->Preset, array.Unit);
+      const auto acceptable = ranges.Find(array.Name, array.Unit);
       const auto worstEnd = camaron::FindWorstEnd(array.Name, this->WorstValues);
       settings.OfIntegers = array.OfIntegers;
       settings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);

@@ -57,6 +57,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * File of acceptable ranges of the user (Core/Criteria/RangesFile.h), which come before those of
+   * the preset. Default: empty, none.
+   */
+  void SetRangesFile(const char* path) { this->SetText(this->RangesFile, path); }
+  const char* GetRangesFile() const { return this->RangesFile.c_str(); }
+  ///@}
+
+  ///@{
   /// Rows per group of cells besides the one of all: "None" (default), "Cell type" or "Block".
   void SetGroupBy(const char* choice) { this->SetText(this->GroupBy, choice); }
   const char* GetGroupBy() const { return this->GroupBy.c_str(); }
@@ -126,6 +135,7 @@ private:
 
   std::vector<std::string> Arrays;
   std::string Preset;
+  std::string RangesFile;
   std::string GroupBy = "None";
   std::vector<double> Quantiles = { 0, 1, 5, 25, 50, 75, 95, 99, 100 };
   int NumberOfBins = 50;

@@ -88,6 +88,7 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Side: " << this->GetSide() << '\n';
   os << indent << "Range: " << this->GetRange() << '\n';
   os << indent << "Preset: " << this->GetPreset() << '\n';
+  os << indent << "RangesFile: " << this->GetRangesFile() << '\n';
   os << indent << "LowerLimit: " << this->GetLowerLimit() << '\n';
   os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
   os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
@@ -142,6 +143,7 @@ CAMARON_TEXT_PROPERTY(Array)
 CAMARON_TEXT_PROPERTY(Side)
 CAMARON_TEXT_PROPERTY(Range)
 CAMARON_TEXT_PROPERTY(Preset)
+CAMARON_TEXT_PROPERTY(RangesFile)
 CAMARON_TEXT_PROPERTY(LowerLimit)
 CAMARON_TEXT_PROPERTY(UpperLimit)
 CAMARON_TEXT_PROPERTY(WorstValues)

@@ -95,6 +95,20 @@ public:
   ///@}
 
   ///@{
+  /**
+   * File of acceptable ranges of the user (Core/Criteria/RangesFile.h), which come before those of
+   * the preset. Default: empty, none.
+   */
+  ///@{
+  /**
+   * By criterion: file of acceptable ranges of the user (Core/Criteria/RangesFile.h), which come before those of
+   * the preset. Default: empty, none.
+   */
+  void SetRangesFile(const char* path);
+  const char* GetRangesFile() const;
+  ///@}
+
+  ///@{
   /// By criterion: ends of a custom range as text, in the unit of the array. Default: empty, no
   /// end.
   void SetLowerLimit(const char* number);

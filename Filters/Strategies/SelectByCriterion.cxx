@@ -73,12 +73,8 @@ ValueRange FindRange(
   {
     throw std::invalid_argument("Range is Acceptable or Custom, not '" + parameters.Range + "'");
   }
-  if (!IsRangesName(parameters.Preset))
-  {
-    throw std::invalid_argument("there is no preset named '" + parameters.Preset + "'");
-  }
-  const auto range = FindAcceptableRange(
-    parameters.Array, parameters.Preset, FindUnit(parameters.Array, blocks, reducer));
+  const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, reducer);
+  const auto range = ranges.Find(parameters.Array, FindUnit(parameters.Array, blocks, reducer));
   if (!range)
   {
     throw std::invalid_argument("no acceptable range is known for '" + parameters.Array +

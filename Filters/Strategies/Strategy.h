@@ -28,6 +28,7 @@ struct SelectionParameters
   std::string Side = "Outside";
   std::string Range = "Acceptable";
   std::string Preset = "Default ranges";
+  std::string RangesFile;
   std::string LowerLimit;
   std::string UpperLimit;
   int NumberOfWorst = 10;

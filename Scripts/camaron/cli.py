@@ -21,7 +21,8 @@ cell array for each criterion.
 
   camaron inspect part.visf
   camaron inspect part.visf --preset 'FEM tetrahedra' -o part-quality
-  camaron inspect part.visf --criteria Volume,MinDihedralAngle --ranks 4"""
+  camaron inspect part.visf --criteria Volume,MinDihedralAngle --ranks 4
+  camaron inspect part.visf --ranges solver.txt"""
 
 CONVERT_HELP = """\
 Writes a mesh in another format, which the name of the target tells. Further options are those of
@@ -54,6 +55,11 @@ def _parser() -> argparse.ArgumentParser:
     which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
     which.add_argument(
         "--criteria", metavar="A,B", help="names of criteria, or all; default: those of the preset General"
+    )
+    inspect.add_argument(
+        "--ranges",
+        metavar="FILE",
+        help="acceptable ranges of your own, lines of: criterion lowest highest",
     )
     inspect.add_argument(
         "--worst",
@@ -178,6 +184,7 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
                 folder,
                 preset=options.preset,
                 criteria=options.criteria.split(",") if options.criteria else None,
+                ranges=options.ranges,
                 worst=options.worst,
                 bins=options.bins,
                 time=options.time,

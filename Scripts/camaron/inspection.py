@@ -30,6 +30,7 @@ def inspect(
     *,
     preset: Optional[str] = None,
     criteria: Optional[Iterable[str]] = None,
+    ranges: Optional[os.PathLike | str] = None,
     worst: int = 10,
     bins: int = 50,
     time: str = "last",
@@ -39,7 +40,9 @@ def inspect(
 
     The mesh is any file that ParaView can open. `directory` is made if needed; by default it is
     NAME-report in the current folder. Criteria are those of the preset, or the given ones, or
-    those of the preset General; of the latter, and of ["all"], what has a meaning for the mesh. `worst` is the length of the lists of worst cells,
+    those of the preset General; of the latter, and of ["all"], what has a meaning for the mesh.
+    `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are evaluated
+    besides those of a preset. `worst` is the length of the lists of worst cells,
     `bins` the number of bins of the histograms, `time` the step of a series: "first", "last" or its
     number.
 
@@ -56,6 +59,7 @@ def inspect(
         raise ValueError("a preset and criteria exclude each other")
     criteria = None if criteria is None else list(criteria)
     pipeline.load_plugin()
+    limits = tables.known_ranges(ranges) if ranges is not None else {}
     opened = pipeline.open_mesh(mesh, time)
     made = [opened.source]
     try:
@@ -63,9 +67,11 @@ def inspect(
         surface = simple.MeshSurface(Input=quality)
         statistics = simple.QualityStatistics(Input=quality, NumberOfWorst=worst, NumberOfBins=bins)
         made += [quality, surface, statistics]
-        preset = choose_criteria(quality, preset, criteria)
+        preset = choose_criteria(quality, preset, criteria, limits)
         if preset:
             statistics.Preset = preset
+        if ranges is not None:
+            statistics.RangesFile = str(ranges)
         with pipeline.Messages() as messages:
             rows = tables.read(statistics, preset)
             described = facts.describe(mesh, opened, surface)
@@ -82,6 +88,7 @@ def inspect(
             },
             "mesh": described,
             "preset": preset,
+            "ranges": None if ranges is None else str(ranges),
             "criteria": rows,
             "worst_criterion": first and first["name"],
             "notes": opened.warnings + messages.warnings + facts.notes(opened),
@@ -110,9 +117,14 @@ def inspect(
 
 
 def choose_criteria(
-    quality: Any, preset: Optional[str], criteria: Optional[Iterable[str]]
+    quality: Any,
+    preset: Optional[str],
+    criteria: Optional[Iterable[str]],
+    more: Iterable[str] = (),
 ) -> Optional[str]:
     """Sets the criteria to evaluate, returns the name of the preset as it is written.
+
+    `more` are evaluated besides those of a preset, not besides criteria that were named.
 
     ValueError tells the name that comes closest to a wrong one.
     """
@@ -120,12 +132,16 @@ def choose_criteria(
     if preset is not None:
         presets = list(quality.GetProperty("Preset").Available)[1:]
         quality.Preset = preset = tables.lookup(preset, presets, "preset")
+        if more:  # a preset has room for its own criteria only
+            quality.Preset = quality.GetProperty("Preset").Available[0]
+            quality.Criteria = [*dict.fromkeys([*tables.known_presets()[preset]["rules"], *more])]
     elif criteria == [ALL]:
         quality.Criteria = known
     elif criteria is not None:
         quality.Criteria = [tables.lookup(name.strip(), known, "criterion") for name in criteria]
     else:
-        quality.Criteria = [*tables.known_presets()[GENERAL]["rules"], *NOT_REPORTED]
+        general = tables.known_presets()[GENERAL]["rules"]
+        quality.Criteria = [*dict.fromkeys([*general, *more, *NOT_REPORTED])]
     return preset
 
 

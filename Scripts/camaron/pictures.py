@@ -284,6 +284,7 @@ def _take_worst(summary, quality, surface, camera, criterion, path: Path) -> Pic
     else:
         selected.Strategy = "By criterion"
         selected.Preset = summary["preset"] or selected.Preset
+        selected.RangesFile = summary["ranges"] or ""
         title = "Cells outside the acceptable range."
     cells = simple.Threshold(Input=selected, Scalars=["CELLS", "Selected"])
     cells.ThresholdMethod = "Above Upper Threshold"

@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import difflib
 import math
+import os
 from typing import Any, Optional, Sequence
 
 from paraview import servermanager, simple
 
-from . import text
+from . import pipeline, text
 
 QUANTILES = (0, 1, 5, 25, 50, 75, 95, 99, 100)
 
@@ -77,6 +78,25 @@ def known_presets() -> dict[str, dict[str, Any]]:
         simple.Delete(table)
 
 
+def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
+    """Acceptable [low, high] by the criterion's name from a file of ranges.
+
+    RuntimeError tells file and line of what is wrong in it.
+    """
+    table = simple.CriteriaTable(RangesFile=str(path))
+    try:
+        with pipeline.Messages() as messages:
+            rows = fetch(table, 2)
+        if messages.errors:
+            raise RuntimeError(messages.errors[0].rstrip("."))
+        return {
+            row["Criterion"]: [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
+            for row in rows
+        }
+    finally:
+        simple.Delete(table)
+
+
 def _finite(value: float) -> Optional[float]:
     """None for NaN and infinite numbers: unknown, or no limit."""
     return float(value) if math.isfinite(value) else None
@@ -90,11 +110,17 @@ def _number(value: float) -> Optional[float]:
 def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
     """All of Quality Statistics: one dictionary for each criterion, in the registry's order."""
     known = known_criteria()
-    rules = known_presets()[preset] if preset else {"description": "", "rules": {}}
+    sources = {}  # of the ranges that do not come from the table of criteria
+    if preset:
+        described = known_presets()[preset]
+        sources.update(dict.fromkeys(described["rules"], described["description"]))
+    if statistics.RangesFile:
+        name = os.path.basename(statistics.RangesFile)
+        sources.update(dict.fromkeys(known_ranges(statistics.RangesFile), name))
     criteria = {}
     for row in fetch(statistics, 0):
         if row["Group"] == "All" and row["Criterion"] in known:
-            criteria[row["Criterion"]] = _criterion(row, known[row["Criterion"]], rules)
+            criteria[row["Criterion"]] = _criterion(row, known[row["Criterion"]], sources)
     for row in fetch(statistics, 1):
         histogram = criteria[row["Criterion"]]["histogram"]
         histogram["underflow"], histogram["overflow"] = row["Underflow"], row["Overflow"]
@@ -118,17 +144,18 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
     return [criteria[name] for name in known if name in criteria]
 
 
-def _criterion(row: dict[str, Any], known: dict[str, Any], rules: dict[str, Any]) -> dict[str, Any]:
+def _criterion(
+    row: dict[str, Any], known: dict[str, Any], sources: dict[str, str]
+) -> dict[str, Any]:
     """One row of the statistics, joined with what the registry knows."""
-    chosen = known["name"] in rules["rules"]
-    source = rules["description"] if chosen else known["acceptable_source"]
+    source = sources.get(known["name"], known["acceptable_source"])
     limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
     return {
         **known,
         "unit": row["Unit"],
         "acceptable": limits,
         "acceptable_source": source if limits != [None, None] else "",
-        "acceptable_is_hint": known["acceptable_is_hint"] and not chosen,
+        "acceptable_is_hint": known["acceptable_is_hint"] and known["name"] not in sources,
         "count": row["Count"],
         "applicable": row["ApplicableCount"],
         "null": row["NullCount"],

@@ -255,6 +255,40 @@ class TestInspect(camaron_testing.TestCase):
             limits["MaxNonOrthogonality"], [None, 70.0], "the preset's limit, not the default of 65"
         )
 
+    def test_ranges(self):
+        """Ranges of a file come before those of the preset; its criteria are evaluated, too."""
+        path = self.folder / "solver.txt"
+        path.write_text("# ours\nMinSolidAngle 1.5 *\nMaxNonOrthogonality - 33\nVolume * *\n")
+        for preset in (None, "Finite volume"):
+            summary = self.inspect(BALL, preset=preset, ranges=path)
+            criteria = {c["name"]: c for c in summary["criteria"]}
+            self.assertEqual(summary["ranges"], str(path))
+            self.assertEqual(criteria["MaxNonOrthogonality"]["acceptable"], [None, 33])
+            self.assertEqual(criteria["MaxNonOrthogonality"]["acceptable_source"], "solver.txt")
+            angle = criteria["MinSolidAngle"]
+            self.assertEqual((angle["acceptable"], angle["acceptable_is_hint"]), ([1.5, None], False))
+            quality = simple.ElementQuality(Input=self.open(BALL), Criteria=["MinSolidAngle"])
+            angles = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("MinSolidAngle"))
+            self.assertEqual(angle["below"], int((angles < 1.5).sum()))
+            self.assertGreater(angle["below"], 0)
+            self.assertEqual(criteria["Volume"]["acceptable"], [None, None])
+            self.assertEqual(criteria["MinVolumeRatio"]["acceptable"], [0.01, None])
+        named = self.inspect(BALL, criteria=["Volume"], ranges=path)
+        self.assertEqual([c["name"] for c in named["criteria"]], ["Volume"])
+
+    def test_wrong_ranges(self):
+        """The command says file, line and what was meant, and writes nothing."""
+        path = self.folder / "solver.txt"
+        path.write_text("Volume 0 *\nMinSolidAngel 0.5 *\n")
+        folder = self.folder / "none"
+        run = camaron_testing.run_command("inspect", BALL, "--ranges", path, "-o", folder)
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual(len(run.stderr.splitlines()), 1, run.stderr)
+        self.assertRegex(run.stderr, r"solver\.txt:2: .*MinSolidAngel.*did you mean MinSolidAngle")
+        self.assertFalse(folder.exists())
+        with self.assertRaisesRegex(RuntimeError, "nowhere"):
+            self.inspect(BALL, ranges=self.folder / "nowhere")
+
     def test_errors(self):
         with self.assertRaisesRegex(ValueError, "MinDihedral: did you mean MinDihedralAngle"):
             self.inspect(BALL, criteria=["MinDihedral"])

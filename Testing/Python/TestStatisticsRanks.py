@@ -12,7 +12,8 @@ from pathlib import Path
 
 import camaron_testing
 import mesh_parts
-from paraview import simple
+from camaron import pipeline, tables
+from paraview import servermanager, simple
 from paraview.servermanager import OutputPort
 
 ARRAYS = list(mesh_parts.make_values(1))
@@ -30,6 +31,7 @@ CRITERIA = [
 ]
 EXAMPLES = ("flange.visf", "voronoi-ball.visf")
 PORTS = ("statistics", "histogram", "worst")
+RANK = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
 
 
 def save_tables(source, folder, **properties):
@@ -156,6 +158,28 @@ class TestRanks(camaron_testing.TestCase):
                         "IdSpace", None
                     )  # only pieces have global ids, which then are the indices
                 self.assertEqual(tables[table], expected[table], f"{table} of {name}")
+
+    def test_ranges_file(self):
+        """Only rank 0 has the file; all ranks count by it, and all stop where it is wrong."""
+        if RANK == 0:
+            (self.folder / "mine.txt").write_text("Volume * 0.001\n")
+            (self.folder / "wrong.txt").write_text("Volume low high\n")
+        quality = evaluate_example("voronoi-ball.visf")
+        counts = []
+        for name in ("", "mine.txt"):
+            path = str(self.folder / name) if name else ""
+            statistics = simple.QualityStatistics(Input=quality, Arrays=["Volume"], RangesFile=path)
+            row = {r["Criterion"]: r for r in tables.fetch(statistics)}["Volume"]
+            counts.append((row["AcceptableHigh"], row["AboveCount"]))
+        self.assertEqual(counts[0][1], 0)
+        self.assertEqual(counts[1][0], 0.001)
+        self.assertGreater(counts[1][1], 0)
+        with pipeline.Messages() as messages:
+            statistics = simple.QualityStatistics(
+                Input=quality, Arrays=["Volume"], RangesFile=str(self.folder / "wrong.txt")
+            )
+            statistics.UpdatePipeline()
+        self.assertRegex(" ".join(messages.errors), "wrong.txt:1: expected the lower limit")
 
     def test_complete_on_rank_0(self):
         """Other ranks have the columns but no rows: appended by Fetch there is each row once."""
