@@ -15,6 +15,7 @@
 #define camaron_CellGeometry_h
 
 #include "Criteria/AngleRange.h"
+#include "Criteria/CellKernel.h"
 #include "Criteria/Criterion.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/CellTopology.h"
@@ -37,6 +38,8 @@ struct EvaluationOptions
   /// The mesh is one of several pieces without ghost cells: a cell without a neighbour may have one in
   /// another piece.
   bool IsPieceWithoutGhosts = false;
+  /// Whether CellStatus tells of cells without a kernel; set by Evaluate where IsStarShaped is asked for.
+  bool ChecksStarShape = false;
   /// How far an angle may exceed 180 degrees in a convex cell, in degrees.
   double ConvexityTolerance = 1e-4;
   /// Largest warpage of a planar face.
@@ -93,6 +96,8 @@ public:
     return volume <= this->GetBoxScale().Volume && volume <= this->GetScale(this->GetDiameter()).Volume;
   }
   ///@}
+  /// Length up to which nothing can be told apart; not smaller than what IsZeroLength takes for zero.
+  double GetZeroLength() const { return this->GetBoxScale().Length; }
   /// Largest distance of two points.
   double GetDiameter() const;
 
@@ -135,6 +140,9 @@ public:
   double GetMinSolidAngle() const { return Twice(this->HalfSolidAngles.GetMin()); }
   double GetMaxSolidAngle() const { return Twice(this->HalfSolidAngles.GetMax()); }
   ///@}
+
+  /// With NeedsFaces and NeedsVolume: kernel and balls of this cell, which computes what it is asked for.
+  CellKernel& GetKernel() const { return this->Kernel; }
 
   /// Radian to the unit that the user chose.
   double ToAngleUnit(double radian) const { return this->AngleFactor * radian; }
@@ -205,6 +213,7 @@ private:
   mutable Scale BoxScale = { -1, -1, -1 };
   mutable double Diameter = -1;    // not computed yet
   mutable double SurfaceArea = -1; // not computed yet
+  mutable CellKernel Kernel;
 
   Vector Origin;
   int NumberOfPoints = 0;

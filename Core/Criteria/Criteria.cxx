@@ -14,6 +14,8 @@ std::vector<Criterion> CornerCriteria();
 std::vector<Criterion> SimplexCriteria();
 std::vector<Criterion> FaceCriteria();
 std::vector<Criterion> DecompositionCriteria();
+std::vector<Criterion> KernelCriteria();
+std::vector<Criterion> VemCriteria();
 std::vector<Criterion> ValidityCriteria();
 std::vector<Criterion> ConnectivityCriteria();
 std::vector<Criterion> FiniteVolumeCriteria();
@@ -38,6 +40,8 @@ constexpr Family Families[] = {
   { "Triangles and tetrahedra", SimplexCriteria },
   { "Faces of a cell", FaceCriteria },
   { "Decomposition into tetrahedra", DecompositionCriteria },
+  { "Kernel and balls", KernelCriteria },
+  { "Virtual elements", VemCriteria },
   { "Validity", ValidityCriteria },
   { "Place in the mesh", ConnectivityCriteria },
   { "Finite volumes", FiniteVolumeCriteria },

@@ -112,7 +112,7 @@ struct Criterion
   const char* Label;       ///< for people
   const char* Description; ///< one sentence: definition, then remarks
   unsigned AppliesTo;      ///< Shapes
-  camaron::Unit Unit;
+  enum camaron::Unit Unit; // there is a function of that name, too
   double Range[2]; ///< smallest and largest possible value; angles in degrees
   double Ideal;    ///< value of the perfect cell; NaN if there is none or it depends on the shape
   camaron::Better Better;

@@ -140,10 +140,13 @@ private:
 }
 
 //------------------------------------------------------------------------------
-bool Evaluate(const MeshTopology& topology, const EvaluationOptions& options,
+bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOptions,
   const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress)
 {
   const MeshView& mesh = topology.GetMesh();
+  EvaluationOptions options = givenOptions;
+  options.ChecksStarShape = std::any_of(criteria.begin(), criteria.end(),
+    [](const CriterionValues& row) { return row.Criterion == FindCriterion("IsStarShaped"); });
   std::vector<CriterionValues> ofCells, ofMesh, ofNeighbors;
   for (const CriterionValues& row : criteria)
   {

@@ -83,7 +83,11 @@ const std::vector<Preset>& GetPresets()
       { { "EdgeLengthRatio", { -Infinity, Infinity } },
         { "IsoperimetricQuotient", { -Infinity, Infinity } },
         { "EquiangleSkewness", { -Infinity, 0.9 } },
-        { "MaxDihedralAngle", { -Infinity, 180 } } } },
+        { "MaxDihedralAngle", { -Infinity, 180 } },
+        { "KernelRatio", { Positive, Infinity } },
+        { "ShapeRegularity", { -Infinity, Infinity } },
+        { "VemQuality", { -Infinity, Infinity } },
+        { "PolyhedronQuality", { -Infinity, Infinity } } } },
   };
   // clang-format on
   return presets;

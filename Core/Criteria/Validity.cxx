@@ -15,6 +15,7 @@ double MaxWarpage(const CellGeometry& cell);
 double MinPointDistanceRatio(const CellGeometry& cell);
 double Openness(const CellGeometry& cell);
 double FaceOrientationStatus(const CellGeometry& cell);
+double IsStarShaped(const CellGeometry& cell);
 
 namespace
 {
@@ -133,7 +134,8 @@ double CellStatus(const CellGeometry& cell)
   unsigned status = CheckFaces(cell) |
     Flag(cell.GetNumberOfPoints() > 1 && MinPointDistanceRatio(cell) == 0, CoincidentPoints) |
     Flag(cell.HasRepeatedPoints(), CoincidentPoints) |
-    Flag(cell.IsZeroLength(cell.GetMinEdgeLength()), ZeroLengthEdge);
+    Flag(cell.IsZeroLength(cell.GetMinEdgeLength()), ZeroLengthEdge) |
+    Flag(cell.GetOptions().ChecksStarShape && IsStarShaped(cell) == 0, NotStarShaped);
   if (cell.GetShapes() & Polygons)
   {
     status |= Flag(cell.GetNumberOfPoints() < 3, WrongNumberOfPoints);
@@ -176,8 +178,9 @@ std::vector<Criterion> ValidityCriteria()
       "Sum of what is wrong: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 a face that "
       "comes to a point twice, 16 not convex, 32 faces not outward, 64 faces not planar, 128 degenerate "
       "faces, 256 coincident points, 4096 open edge, 8192 edge of several faces, 16384 pinched vertex, "
-      "32768 inverted or no volume, 65536 edge of no length, 262144 coordinates that are not finite, "
-      "524288 face vectors that do not cancel. The first nine as in VTK's Validate Cells.",
+      "32768 inverted or no volume, 65536 edge of no length, 131072 not star-shaped (only where IsStarShaped is "
+      "evaluated, too), 262144 coordinates that are not finite, 524288 face vectors that do not cancel. The first "
+      "nine as in VTK's Validate Cells.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
       { -Infinity, 0 }, "nothing wrong", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
       { "sum of bits, each of one test of the cell",

@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Criteria/CellKernel.h"
+
+#include "Criteria/CellGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+/// Half-spaces times points above which it is not worthwhile to find out first that a cell is convex.
+constexpr double MaxConvexityChecks = 1e6;
+constexpr int NumberOfReports = 100;
+
+//------------------------------------------------------------------------------
+bool ContainAll(
+  const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size, double tolerance)
+{
+  for (const HalfSpace& halfSpace : halfSpaces)
+  {
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      if (halfSpace.GetDistance(points[i]) > tolerance)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Extend(Vector& low, Vector& high, const Vector& point)
+{
+  low = { std::min(low.X, point.X), std::min(low.Y, point.Y), std::min(low.Z, point.Z) };
+  high = { std::max(high.X, point.X), std::max(high.Y, point.Y), std::max(high.Z, point.Z) };
+}
+
+//------------------------------------------------------------------------------
+// Half-spaces of a cell that cuts through itself may meet outside of it.
+void AddBox(const Vector& low, const Vector& high, int dimension, std::vector<HalfSpace>& halfSpaces)
+{
+  const Vector axes[] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  for (int axis = 0; axis < dimension; ++axis)
+  {
+    halfSpaces.push_back({ axes[axis], Dot(axes[axis], high) });
+    halfSpaces.push_back({ -axes[axis], -Dot(axes[axis], low) });
+  }
+}
+
+//------------------------------------------------------------------------------
+Ball GetBallAround(const Vector& low, const Vector& high)
+{
+  return { 0.5 * (low + high), 0.5 * Norm(high - low) };
+}
+}
+
+//------------------------------------------------------------------------------
+void CellKernel::Clear()
+{
+  this->IsPrepared = this->HasRatio = this->HasInscribedRadius = this->HasEnclosingRadius = false;
+}
+
+//------------------------------------------------------------------------------
+// Half-planes and convexity of a face that has an area.
+void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) const
+{
+  const int* points = cell.GetTopology().GetFace(face);
+  const int size = cell.GetTopology().GetFaceSize(face);
+  const Vector normal = Unit(cell.GetFaceVector(face));
+  const Vector away = std::abs(normal.X) < 0.5 ? Vector{ 1, 0, 0 } : Vector{ 0, 1, 0 };
+  sheet.Center = cell.GetFaceCenter(face);
+  sheet.U = Unit(Cross(away, normal));
+  sheet.V = Cross(normal, sheet.U);
+  sheet.Low = sheet.High = {};
+  sheet.Corners.clear();
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector offset = cell.GetPoint(points[i]) - sheet.Center;
+    sheet.Corners.push_back({ Dot(offset, sheet.U), Dot(offset, sheet.V), 0 });
+    Extend(sheet.Low, sheet.High, sheet.Corners.back());
+  }
+  sheet.HalfPlanes.clear();
+  Vector previous = sheet.Corners.back();
+  for (const Vector& corner : sheet.Corners)
+  {
+    const Vector edge = corner - previous;
+    const double length = Norm(edge);
+    if (length > cell.GetZeroLength())
+    {
+      const Vector outward = { edge.Y / length, -edge.X / length, 0 };
+      sheet.HalfPlanes.push_back({ outward, Dot(outward, 0.5 * (corner + previous)) });
+    }
+    previous = corner;
+  }
+  AddBox(sheet.Low, sheet.High, 2, sheet.HalfPlanes);
+  sheet.IsConvex = ContainAll(
+    sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
+}
+
+//------------------------------------------------------------------------------
+// Leaves the kernel of a face in Clipped; returns its area.
+double CellKernel::ClipSheet(const CellGeometry& cell, const Sheet& sheet)
+{
+  this->Clipped.SetBox(sheet.Low, sheet.High);
+  for (const HalfSpace& halfPlane : sheet.HalfPlanes)
+  {
+    this->Clipped.Clip(halfPlane, cell.GetZeroLength());
+  }
+  return this->Clipped.GetArea();
+}
+
+//------------------------------------------------------------------------------
+void CellKernel::FindHalfSpaces(const CellGeometry& cell)
+{
+  this->HalfSpaces.clear();
+  const double sign = cell.GetVolume() < 0 ? -1 : 1;
+  for (int face = 0; face < cell.GetTopology().GetNumberOfFaces(); ++face)
+  {
+    this->AddHalfSpaces(cell, face, sign);
+  }
+  AddBox(this->Low, this->High, 3, this->HalfSpaces);
+}
+
+//------------------------------------------------------------------------------
+void CellKernel::AddHalfSpaces(const CellGeometry& cell, int face, double sign)
+{
+  const int* points = cell.GetTopology().GetFace(face);
+  const int size = cell.GetTopology().GetFaceSize(face);
+  const Vector& center = cell.GetFaceCenter(face);
+  const double zeroArea = cell.GetZeroLength() * Norm(this->High - this->Low);
+  const Vector normal = sign * Unit(cell.GetFaceVector(face));
+  const HalfSpace plane = { normal, Dot(normal, center) };
+  const bool isPlanar = std::all_of(points, points + size,
+    [&](int p) { return std::abs(plane.GetDistance(cell.GetPoint(p))) <= cell.GetZeroLength(); });
+  if (isPlanar)
+  {
+    if (cell.GetFaceArea(face) > zeroArea)
+    {
+      this->HalfSpaces.push_back(plane);
+    }
+    return;
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector a = cell.GetPoint(points[i]) - center;
+    const Vector b = cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - center;
+    const Vector triangle = Cross(a, b);
+    const double area = Norm(triangle);
+    if (area > zeroArea)
+    {
+      const Vector outward = (sign / area) * triangle;
+      this->HalfSpaces.push_back({ outward, Dot(outward, center) });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellKernel::Prepare(const CellGeometry& cell)
+{
+  if (this->IsPrepared)
+  {
+    return;
+  }
+  this->IsPrepared = true;
+  Ball ball;
+  if (cell.GetShapes() & Polygons)
+  {
+    this->FindSheet(cell, 0, this->Polygon);
+    this->Convex = this->Polygon.IsConvex;
+    ball = FindLargestBall(
+      this->Polygon.HalfPlanes, 2, GetBallAround(this->Polygon.Low, this->Polygon.High));
+  }
+  else
+  {
+    this->Low = this->High = {}; // the first point is the origin
+    const std::size_t numberOfPoints = cell.GetNumberOfPoints();
+    for (int i = 0; i < cell.GetNumberOfPoints(); ++i)
+    {
+      Extend(this->Low, this->High, cell.GetPoint(i));
+    }
+    this->FindHalfSpaces(cell);
+    this->Convex = static_cast<double>(numberOfPoints) * this->HalfSpaces.size() <= MaxConvexityChecks &&
+      ContainAll(this->HalfSpaces, &cell.GetPoint(0), numberOfPoints, cell.GetZeroLength());
+    ball = FindLargestBall(this->HalfSpaces, 3, GetBallAround(this->Low, this->High));
+  }
+  this->Radius = ball.Radius > cell.GetZeroLength() ? ball.Radius : 0;
+}
+
+//------------------------------------------------------------------------------
+double CellKernel::GetRadius(const CellGeometry& cell)
+{
+  this->Prepare(cell);
+  return this->Radius;
+}
+
+//------------------------------------------------------------------------------
+bool CellKernel::IsConvex(const CellGeometry& cell)
+{
+  this->Prepare(cell);
+  return this->Convex;
+}
+
+//------------------------------------------------------------------------------
+double CellKernel::GetRatio(const CellGeometry& cell)
+{
+  this->Prepare(cell);
+  if (this->Radius == 0)
+  {
+    return 0;
+  }
+  if (this->Convex)
+  {
+    return 1;
+  }
+  if (!this->HasRatio)
+  {
+    this->HasRatio = true;
+    if (cell.GetShapes() & Polygons)
+    {
+      this->Ratio = this->ClipSheet(cell, this->Polygon) / cell.GetPolygonArea();
+    }
+    else
+    {
+      this->MakePolyhedron(cell, [](double) { return true; });
+      this->Ratio = this->Polyhedron.GetVolume() / std::abs(cell.GetVolume());
+    }
+    this->Ratio = std::min(1.0, this->Ratio);
+  }
+  return this->Ratio;
+}
+
+//------------------------------------------------------------------------------
+bool CellKernel::MakePolyhedron(
+  const CellGeometry& cell, const std::function<bool(double)>& goesOn)
+{
+  this->Prepare(cell);
+  if (this->Radius == 0)
+  {
+    this->Polyhedron.Clear();
+    return true;
+  }
+  this->Polyhedron.SetBox(this->Low, this->High);
+  const std::size_t size = this->HalfSpaces.size(), part = size / NumberOfReports + 1;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    if (i % part == 0 && !goesOn(static_cast<double>(i) / size))
+    {
+      return false;
+    }
+    this->Polyhedron.Clip(this->HalfSpaces[i], cell.GetZeroLength());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void CellKernel::MakePolygon(const CellGeometry& cell, std::vector<Vector>& corners)
+{
+  this->Prepare(cell);
+  corners.clear();
+  if (this->Radius == 0)
+  {
+    return;
+  }
+  const Sheet& sheet = this->Polygon;
+  this->ClipSheet(cell, sheet);
+  for (const Vector& point : this->Clipped.GetPoints())
+  {
+    corners.push_back(sheet.Center + point.X * sheet.U + point.Y * sheet.V);
+  }
+}
+
+//------------------------------------------------------------------------------
+double CellKernel::GetInscribedRadius(const CellGeometry& polygon)
+{
+  this->Prepare(polygon);
+  if (this->Convex)
+  {
+    return this->Radius;
+  }
+  if (!this->HasInscribedRadius)
+  {
+    this->HasInscribedRadius = true;
+    this->InscribedRadius = this->Circle.Find(this->Polygon.Corners).Radius;
+  }
+  return this->InscribedRadius;
+}
+
+//------------------------------------------------------------------------------
+double CellKernel::GetEnclosingRadius(const CellGeometry& cell)
+{
+  if (!this->HasEnclosingRadius)
+  {
+    this->HasEnclosingRadius = true;
+    this->Points.clear();
+    for (int i = 0; i < cell.GetNumberOfPoints(); ++i)
+    {
+      this->Points.push_back(cell.GetPoint(i));
+    }
+    this->EnclosingRadius = FindSmallestBall(this->Points).Radius;
+  }
+  return this->EnclosingRadius;
+}
+
+//------------------------------------------------------------------------------
+double CellKernel::GetFaceRatio(const CellGeometry& cell, int face)
+{
+  if (cell.IsZeroArea(cell.GetFaceArea(face)))
+  {
+    return 0;
+  }
+  if (cell.GetTopology().GetFaceSize(face) == 3)
+  {
+    return 1;
+  }
+  this->FindSheet(cell, face, this->Face);
+  return this->Face.IsConvex
+    ? 1
+    : std::min(1.0, this->ClipSheet(cell, this->Face) / cell.GetFaceArea(face));
+}
+}

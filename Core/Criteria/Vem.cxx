@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How far a cell is from violating what virtual element methods assume of meshes.
+#include "Criteria/CellKernel.h"
+#include "Criteria/CriterionRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+double KernelRatio(const CellGeometry& cell);
+
+namespace
+{
+struct FaceLengths
+{
+  double ShortestEdge, Diameter;
+};
+
+//------------------------------------------------------------------------------
+FaceLengths GetFaceLengths(const CellGeometry& cell, int face)
+{
+  const int* points = cell.GetTopology().GetFace(face);
+  const int size = cell.GetTopology().GetFaceSize(face);
+  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector& point = cell.GetPoint(points[i]);
+    shortest = std::min(shortest, Norm2(cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - point));
+    for (int j = 0; j < i; ++j)
+    {
+      longest = std::max(longest, Norm2(cell.GetPoint(points[j]) - point));
+    }
+  }
+  return { std::sqrt(shortest), std::sqrt(longest) };
+}
+
+//------------------------------------------------------------------------------
+double Combine(double kernels, double lengths, double counts)
+{
+  return std::sqrt(0.5 * kernels * (lengths + counts));
+}
+}
+
+//------------------------------------------------------------------------------
+double VemRho1(const CellGeometry& cell)
+{
+  return KernelRatio(cell);
+}
+
+//------------------------------------------------------------------------------
+double VemRho2(const CellGeometry& cell)
+{
+  if (cell.IsZeroLength(cell.GetDiameter()))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double size = std::sqrt(cell.GetPolygonArea());
+  return std::min(size, cell.GetMinEdgeLength()) / std::max(size, cell.GetDiameter());
+}
+
+//------------------------------------------------------------------------------
+double VemRho3(const CellGeometry& cell)
+{
+  const std::size_t edges = cell.GetTopology().Edges.size();
+  return edges < 3 ? Null(NullReason::InvalidTopology) : 3.0 / edges;
+}
+
+//------------------------------------------------------------------------------
+double VemQuality(const CellGeometry& cell)
+{
+  const double kernels = VemRho1(cell);
+  return std::isnan(kernels) ? kernels : Combine(kernels, VemRho2(cell), VemRho3(cell));
+}
+
+//------------------------------------------------------------------------------
+double PolyhedronRho1(const CellGeometry& cell)
+{
+  const double ratio = KernelRatio(cell);
+  if (std::isnan(ratio))
+  {
+    return ratio;
+  }
+  double product = 1;
+  for (int face = 0; face < cell.GetTopology().GetNumberOfFaces(); ++face)
+  {
+    product *= cell.GetKernel().GetFaceRatio(cell, face);
+  }
+  return 0.5 * (ratio + product);
+}
+
+//------------------------------------------------------------------------------
+double PolyhedronRho2(const CellGeometry& cell)
+{
+  if (std::isnan(cell.GetVolume()))
+  {
+    return cell.GetVolume();
+  }
+  if (cell.IsZeroLength(cell.GetDiameter()))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const int numberOfFaces = cell.GetTopology().GetNumberOfFaces();
+  double smallestFace = std::numeric_limits<double>::infinity(), sum = 0;
+  for (int face = 0; face < numberOfFaces; ++face)
+  {
+    const FaceLengths lengths = GetFaceLengths(cell, face);
+    smallestFace = std::min(smallestFace, lengths.Diameter);
+    if (!cell.IsZeroLength(lengths.Diameter))
+    {
+      const double size = std::sqrt(cell.GetFaceArea(face));
+      sum += std::min(size, lengths.ShortestEdge) / std::max(size, lengths.Diameter);
+    }
+  }
+  const double size = std::cbrt(std::abs(cell.GetVolume()));
+  return 0.5 *
+    (std::min(size, smallestFace) / std::max(size, cell.GetDiameter()) + sum / numberOfFaces);
+}
+
+//------------------------------------------------------------------------------
+double PolyhedronRho3(const CellGeometry& cell)
+{
+  if (std::isnan(cell.GetVolume()))
+  {
+    return cell.GetVolume();
+  }
+  const int numberOfFaces = cell.GetTopology().GetNumberOfFaces();
+  double sum = 4;
+  for (int face = 0; face < numberOfFaces; ++face)
+  {
+    sum += 3.0 / cell.GetTopology().GetFaceSize(face);
+  }
+  return 0.5 * sum / numberOfFaces;
+}
+
+//------------------------------------------------------------------------------
+double PolyhedronQuality(const CellGeometry& cell)
+{
+  const double kernels = PolyhedronRho1(cell);
+  return std::isnan(kernels) ? kernels
+                             : Combine(kernels, PolyhedronRho2(cell), PolyhedronRho3(cell));
+}
+
+//------------------------------------------------------------------------------
+std::vector<Criterion> VemCriteria()
+{
+  constexpr unsigned needs = NeedsFaces | NeedsVolume;
+  // clang-format off
+  return {
+    { "VemRho1", "VEM: kernel", "Area of the kernel of a polygon divided by its area: KernelRatio.",
+      Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(VemRho1),
+      { "ρ₁ = |K| / |E|", "As KernelRatio.",
+        "Sorgente et al. 2022, The role of mesh quality and mesh quality indicators in the virtual element method." } },
+    { "VemRho2", "VEM: lengths",
+      "Smaller one of shortest edge and root of the area of a polygon, divided by the larger one of diameter and root of "
+      "the area.",
+      Polygons, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges | NeedsFaces, CAMARON_CELLS(VemRho2),
+      { "ρ₂ = min(√A, l_min) / max(√A, h)", "0 for a collapsed edge or a flat polygon; NaN (2) if all points coincide.",
+        "After Sorgente et al. 2022, whose full text was not at hand to compare." } },
+    { "VemRho3", "VEM: edges", "3 divided by the number of edges of a polygon.",
+      Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS(VemRho3),
+      { "ρ₃ = 3 / number of edges", "NaN (3) with less than three edges.",
+        "After Sorgente et al. 2022, whose full text was not at hand to compare." } },
+    { "VemQuality", "VEM: quality", "What the kernel, the lengths and the number of edges of a polygon say together; 1 is good.",
+      Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, NeedsEdges | needs, CAMARON_CELLS(VemQuality),
+      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2). That of a mesh is the root of the mean of the squares.",
+        "0 without a kernel; NaN as VemRho1.",
+        "After Sorgente et al. 2022, whose full text was not at hand to compare; without a term for sequences of edges "
+        "of very different lengths." } },
+    { "PolyhedronRho1", "Polyhedron: kernels",
+      "Mean of the kernel ratio of a polyhedron and the product of those of its faces, each in its plane.",
+      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(PolyhedronRho1),
+      { "½ (|K| / |P| + Π_f |K_f| / |f|)", "A face without an area counts as 0; else as KernelRatio.",
+        "Has a name of our own: meant as ρ₁ of Sorgente et al. 2022, Polyhedral mesh quality indicator for the virtual "
+        "element method, but the form could not be compared with that paper." } },
+    { "PolyhedronRho2", "Polyhedron: lengths",
+      "How far the root of the volume, faces and edges of a polyhedron are from its diameter and that of its faces.",
+      Polyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, needs, CAMARON_CELLS(PolyhedronRho2),
+      { "½ (min(∛V, min_f h_f) / max(∛V, h) + mean_f min(√A_f, l_min,f) / max(√A_f, h_f)), h: diameters, l: edges",
+        "Collapsed edges and faces count as 0; NaN (2) if all points coincide, NaN (3) for open cells.",
+        "As for PolyhedronRho1." } },
+    { "PolyhedronRho3", "Polyhedron: faces and edges",
+      "Mean of 4 divided by the number of faces of a polyhedron, and of 3 divided by the number of edges of a face.",
+      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Edges, needs, CAMARON_CELLS(PolyhedronRho3),
+      { "½ (4 / k + mean_f 3 / edges of f) for k faces", "NaN (3) for open cells.",
+        "As for PolyhedronRho1." } },
+    { "PolyhedronQuality", "Polyhedron: quality", "What PolyhedronRho1 to 3 say together; 1 is good.",
+      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(PolyhedronQuality),
+      { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. That of a mesh is the root of the mean of the squares.",
+        "0 without kernels of cell and faces; NaN as PolyhedronRho1.", "As for PolyhedronRho1." } },
+  };
+  // clang-format on
+}
+}

@@ -1,0 +1,757 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Kernels and balls of cells against the published tables, against trying everything, and on cells that
+// are not what they should be.
+#include "Criteria/CellStatusBits.h"
+#include "Criteria/Evaluation.h"
+#include "Geometry/Ball.h"
+#include "Geometry/ConvexPolyhedron.h"
+#include "Geometry/LargestCircle.h"
+
+#include "ReferenceShapes.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+const double Pi = std::acos(-1.0);
+
+const std::vector<std::string> Names = { "KernelRatio", "IsStarShaped", "KernelInradiusRatio",
+  "ShapeRegularity", "InradiusCircumradiusRatio", "NormalizedRadiusRatio", "VemRho1", "VemRho2",
+  "VemRho3", "VemQuality", "PolyhedronRho1", "PolyhedronRho2", "PolyhedronRho3", "PolyhedronQuality" };
+
+using Values = std::map<std::string, std::vector<double>>;
+
+//------------------------------------------------------------------------------
+Values EvaluateNames(vtkDataSet* mesh, const std::vector<std::string>& names = Names)
+{
+  Values values;
+  std::vector<CriterionValues> rows;
+  for (const std::string& name : names)
+  {
+    values[name].resize(mesh->GetNumberOfCells());
+    rows.push_back({ FindCriterion(name), values[name].data() });
+  }
+  EXPECT_TRUE(Evaluate(MeshTopology(mesh), {}, rows, [](double) { return true; }));
+  return values;
+}
+
+//------------------------------------------------------------------------------
+double Get(vtkDataSet* mesh, const std::string& name)
+{
+  return EvaluateNames(mesh, { name })[name][0];
+}
+
+//------------------------------------------------------------------------------
+Grid MakePolygon(const Points& points)
+{
+  std::vector<vtkIdType> ids(points.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    ids[i] = static_cast<vtkIdType>(i);
+  }
+  return MakeGrid(points, { { VTK_POLYGON, ids } });
+}
+
+//------------------------------------------------------------------------------
+const Points LHexagon = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };
+
+//------------------------------------------------------------------------------
+// A ball of 32 triangles with random radii: star-shaped about the origin, unless its corners are also
+// moved to the sides.
+struct SpikyBall
+{
+  Points Corners;
+  Faces Triangles;
+
+  SpikyBall(std::mt19937& random, double smallest, double shift = 0)
+  {
+    std::uniform_real_distribution<double> radius(smallest, 1), side(-shift, shift);
+    std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> middles;
+    this->Corners = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
+    const auto middle = [&](vtkIdType a, vtkIdType b)
+    {
+      const auto found =
+        middles.emplace(std::minmax(a, b), static_cast<vtkIdType>(this->Corners.size()));
+      if (found.second)
+      {
+        Point p;
+        for (int k = 0; k < 3; ++k)
+        {
+          p[k] = (this->Corners[a][k] + this->Corners[b][k]) * std::sqrt(0.5);
+        }
+        this->Corners.push_back(p);
+      }
+      return found.first->second;
+    };
+    for (int i = 0; i < 8; ++i)
+    {
+      vtkIdType a = i & 1, b = 2 + (i >> 1 & 1), c = 4 + (i >> 2);
+      if ((i & 1) ^ (i >> 1 & 1) ^ (i >> 2))
+      {
+        std::swap(a, b);
+      }
+      const vtkIdType ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      for (const auto& triangle :
+        Faces{ { a, ab, ca }, { ab, b, bc }, { ca, bc, c }, { ab, bc, ca } })
+      {
+        this->Triangles.push_back(triangle);
+      }
+    }
+    for (Point& p : this->Corners)
+    {
+      const double r = radius(random);
+      p = { r * p[0] + side(random), r * p[1] + side(random), r * p[2] + side(random) };
+    }
+  }
+
+  std::vector<HalfSpace> GetHalfSpaces() const
+  {
+    std::vector<HalfSpace> result;
+    for (const auto& t : this->Triangles)
+    {
+      const auto at = [&](int i) -> Vector
+      { return { this->Corners[t[i]][0], this->Corners[t[i]][1], this->Corners[t[i]][2] }; };
+      const Vector normal = Unit(Cross(at(1) - at(0), at(2) - at(0)));
+      result.push_back({ normal, Dot(normal, at(0)) });
+    }
+    return result;
+  }
+};
+
+//------------------------------------------------------------------------------
+// Cramer's rule.
+bool Intersect(const HalfSpace& a, const HalfSpace& b, const HalfSpace& c, Vector& point)
+{
+  const double volume = Dot(a.Normal, Cross(b.Normal, c.Normal));
+  if (std::abs(volume) < 1e-9)
+  {
+    return false;
+  }
+  point = (1 / volume) *
+    (a.Offset * Cross(b.Normal, c.Normal) + b.Offset * Cross(c.Normal, a.Normal) +
+      c.Offset * Cross(a.Normal, b.Normal));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// All corners that three planes make within the others.
+Points FindCorners(const std::vector<HalfSpace>& halfSpaces)
+{
+  Points corners;
+  const std::size_t n = halfSpaces.size();
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      for (std::size_t k = 0; k < j; ++k)
+      {
+        Vector p;
+        if (!Intersect(halfSpaces[i], halfSpaces[j], halfSpaces[k], p) ||
+          std::any_of(halfSpaces.begin(), halfSpaces.end(),
+            [&](const HalfSpace& h) { return h.GetDistance(p) > 1e-9; }) ||
+          std::any_of(corners.begin(), corners.end(),
+            [&](const Point& q) { return Norm(p - Vector{ q[0], q[1], q[2] }) < 1e-8; }))
+        {
+          continue;
+        }
+        corners.push_back({ p.X, p.Y, p.Z });
+      }
+    }
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+// Volume of the polyhedron with these corners, as pyramids from the origin over its faces.
+double GetVolume(const std::vector<HalfSpace>& halfSpaces, const Points& corners)
+{
+  double sum = 0;
+  for (const HalfSpace& h : halfSpaces)
+  {
+    std::vector<Vector> face;
+    Vector mean;
+    for (const Point& corner : corners)
+    {
+      const Vector p = { corner[0], corner[1], corner[2] };
+      if (std::abs(h.GetDistance(p)) < 1e-8)
+      {
+        face.push_back(p);
+        mean += p;
+      }
+    }
+    if (face.size() < 3)
+    {
+      continue;
+    }
+    mean = (1.0 / face.size()) * mean;
+    const Vector u = Unit(face[0] - mean), v = Cross(h.Normal, u);
+    const auto angle = [&](const Vector& p) { return std::atan2(Dot(p - mean, v), Dot(p - mean, u)); };
+    std::sort(face.begin(), face.end(),
+      [&](const Vector& p, const Vector& q) { return angle(p) < angle(q); });
+    for (std::size_t i = 0; i < face.size(); ++i)
+    {
+      sum += h.Offset * Norm(Cross(face[i] - mean, face[(i + 1) % face.size()] - mean)) / 6;
+    }
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+// Distance from the boundary of a polygon, negative outside: winding angle and all edges.
+double GetClearance(const std::vector<Vector>& polygon, const Vector& p)
+{
+  double angle = 0, nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Vector a = polygon[i] - p, b = polygon[(i + 1) % polygon.size()] - p, e = b - a;
+    angle += std::atan2(Cross(a, b).Z, Dot(a, b));
+    const double t = std::min(1.0, std::max(0.0, -Dot(a, e) / Norm2(e)));
+    nearest = std::min(nearest, Norm(a + t * e));
+  }
+  return std::abs(angle) > Pi ? nearest : -nearest;
+}
+}
+
+// The published tables of polyhedra.
+TEST(Kernel, ReferencePolyhedra)
+{
+  // InradiusCircumradiusRatio, KernelRatio, and the three measures and the quality of virtual elements.
+  const std::map<std::string, std::vector<double>> table = {
+    { "unit cube", { 0.5773502692, 1, 1, 0.6422285252, 0.7083333333, 0.8217547866 } },
+    { "regular tetrahedron", { 0.3333333333, 1, 1, 0.5741587327, 1, 0.8871749356 } },
+    { "right-corner tetrahedron", { 0.2588190451, 1, 1, 0.4643225549, 1, 0.8556642317 } },
+    { "square pyramid", { 0.3660254038, 1, 1, 0.5523205969, 0.875, 0.8447841727 } },
+    { "right triangular prism", { 0.377964473, 1, 1, 0.6112177341, 0.825, 0.847413044 } },
+    { "regular octahedron", { 0.5773502692, 1, 1, 0.6041791073, 0.75, 0.8228545155 } },
+    { "regular dodecahedron", { 0.7946544723, 1, 1, 0.597692129, 0.4666666667, 0.7295062699 } },
+    { "truncated octahedron", { 0.7745966692, 1, 1, 0.5179868223, 0.4464285714, 0.6944117632 } },
+    { "sheared hex", { 0.2886751346, 1, 1, 0.4927359195, 0.7083333333, 0.7749416923 } },
+    { "box", { 0.2182178902, 1, 1, 0.4077116929, 0.7083333333, 0.7470090449 } },
+    { "flat sliver", { 0.009997500737, 1, 1, 0.3093065513, 1, 0.8091064674 } },
+    { "hexagonal prism", { 0.4472135955, 1, 1, 0.6350639348, 0.59375, 0.7838411621 } },
+    { "L-prism", { 1.0 / 3, 1.0 / 3, 0.2222222222, 0.512574829, 0.59375, 0.3506065901 } },
+    { "warped hex", { 0.4850712501, 0.9258751032, 0.9629375516, 0.5770294986, 0.7083333333, 0.7866778687 } },
+  };
+  const char* names[] = { "InradiusCircumradiusRatio", "KernelRatio", "PolyhedronRho1",
+    "PolyhedronRho2", "PolyhedronRho3", "PolyhedronQuality" };
+  for (const auto& row : table)
+  {
+    const ReferenceShape& shape = FindReferenceShape(row.first);
+    for (vtkUnstructuredGrid* grid : { shape.Standard.Get(), shape.Polyhedron.Get() })
+    {
+      if (grid)
+      {
+        Values values = EvaluateNames(grid);
+        for (int i = 0; i < 6; ++i)
+        {
+          EXPECT_NEAR(values[names[i]][0], row.second[i], 1e-9) << row.first << ' ' << names[i];
+        }
+        EXPECT_EQ(values["IsStarShaped"][0], 1) << row.first;
+        if (row.second[1] == 1)
+        {
+          EXPECT_EQ(values["KernelRatio"][0], 1) << row.first; // not nearly
+        }
+      }
+    }
+  }
+  // Half a cube's edge; the L-prism's ball lies in the cube at its corner, of diameter 3.
+  const Grid cube = FindReferenceShape("unit cube").Standard;
+  EXPECT_NEAR(Get(cube, "KernelInradiusRatio"), 0.5 / std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR(Get(cube, "ShapeRegularity"), 1 / std::sqrt(3.0), 1e-12);
+  const Grid prism = FindReferenceShape("L-prism").Polyhedron;
+  EXPECT_NEAR(Get(prism, "KernelInradiusRatio"), 1.0 / 6, 1e-12);
+  EXPECT_NEAR(Get(prism, "ShapeRegularity"), 1.0 / 3, 1e-12);
+}
+
+// The published table of polygons.
+TEST(Kernel, ReferencePolygons)
+{
+  const double h = std::sqrt(3.0) / 2;
+  const struct
+  {
+    const char* Name;
+    Points Polygon;
+    double RadiusRatio, KernelRatio;
+  } rows[] = {
+    { "square", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, 0.7071067812, 1 },
+    { "rectangle", { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 0, 1, 0 } }, 0.4472135955, 1 },
+    { "rhombus", { { 0, 0, 0 }, { 1, 0, 0 }, { 1.5, h, 0 }, { .5, h, 0 } }, 0.5, 1 },
+    { "pentagon", MakeRegularPolygon(5, 0), 0.8090169944, 1 },
+    { "hexagon", MakeRegularPolygon(6, 0), 0.8660254038, 1 },
+    { "equilateral", { { 0, 0, 0 }, { 1, 0, 0 }, { .5, h, 0 } }, 0.5, 1 },
+    { "right isosceles", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, 0.4142135624, 1 },
+    { "3-4-5", { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 } }, 0.4, 1 },
+    // By hand: the circle about (r, r) touches the reflex corner; that around has the diagonal.
+    { "L hexagon", LHexagon, std::sqrt(2.0) - 1, 1.0 / 3 },
+    // By an independent program, from all triples of edges in the plane along the vector area. (The
+    // published table has 0.6655837944, which axes give that are not perpendicular.)
+    { "warped quad", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, .5 }, { 0, 1, 0 } }, 0.684938162840, 1 },
+  };
+  for (const auto& row : rows)
+  {
+    const Grid grid = MakePolygon(row.Polygon);
+    EXPECT_NEAR(Get(grid, "InradiusCircumradiusRatio"), row.RadiusRatio, 1e-9) << row.Name;
+    EXPECT_NEAR(Get(grid, "KernelRatio"), row.KernelRatio, 1e-9) << row.Name;
+    EXPECT_EQ(Get(grid, "VemRho1"), Get(grid, "KernelRatio")) << row.Name;
+  }
+  for (int n = 3; n < 12; ++n)
+  {
+    EXPECT_NEAR(Get(MakePolygon(MakeRegularPolygon(n, 0)), "NormalizedRadiusRatio"), 1, 1e-12) << n;
+  }
+  // By hand: a square has sides and root of the area 1, diameter root of 2.
+  Values square = EvaluateNames(MakePolygon(rows[0].Polygon));
+  EXPECT_NEAR(square["VemRho2"][0], std::sqrt(0.5), 1e-12);
+  EXPECT_NEAR(square["VemRho3"][0], 0.75, 1e-12);
+  EXPECT_NEAR(square["VemQuality"][0], std::sqrt((std::sqrt(0.5) + 0.75) / 2), 1e-12);
+  Values hexagon = EvaluateNames(MakePolygon(LHexagon));
+  EXPECT_NEAR(hexagon["VemRho2"][0], 1 / std::sqrt(8.0), 1e-12);
+  EXPECT_NEAR(
+    hexagon["VemQuality"][0], std::sqrt((1 / std::sqrt(8.0) + 0.5) / 6), 1e-12);
+  EXPECT_NEAR(hexagon["KernelInradiusRatio"][0], 0.5 / std::sqrt(8.0), 1e-12);
+}
+
+// Random cells that are not convex against the corners that all triples of planes make,
+// against the balls that all quadruples of planes make.
+TEST(Kernel, TryEverything)
+{
+  std::mt19937 random(3);
+  int empty = 0, full = 0;
+  for (int trial = 0; trial < 90; ++trial)
+  {
+    const SpikyBall ball(random, trial % 2 ? 0.3 : 0.55, trial % 3 ? 0 : 0.3);
+    const Grid grid = MakePolyhedron(ball.Corners, ball.Triangles);
+    const double volume = Get(grid, "Volume"), ratio = Get(grid, "KernelRatio");
+    const std::vector<HalfSpace> halfSpaces = ball.GetHalfSpaces();
+    const Points corners = FindCorners(halfSpaces);
+    if (corners.size() < 4)
+    {
+      EXPECT_EQ(ratio, 0) << trial;
+      EXPECT_EQ(Get(grid, "IsStarShaped"), 0) << trial;
+      EXPECT_EQ(GetNullReason(Get(grid, "InradiusCircumradiusRatio")), NullReason::NotApplicable);
+      ++empty;
+      continue;
+    }
+    full += ratio < 1;
+    EXPECT_NEAR(ratio, GetVolume(halfSpaces, corners) / volume, 1e-8) << trial;
+    EXPECT_EQ(Get(grid, "IsStarShaped"), 1) << trial;
+    if (trial >= 10)
+    {
+      continue;
+    }
+    // The largest ball touches four planes (random ones are never parallel).
+    double largest = 0;
+    const std::size_t n = halfSpaces.size();
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        for (std::size_t k = 0; k < j; ++k)
+        {
+          for (std::size_t l = 0; l < k; ++l)
+          {
+            // Less the fourth: planes through points as far from it as from each of the others.
+            HalfSpace bisectors[3] = { halfSpaces[i], halfSpaces[j], halfSpaces[k] };
+            for (HalfSpace& bisector : bisectors)
+            {
+              bisector.Normal = bisector.Normal - halfSpaces[l].Normal;
+              bisector.Offset -= halfSpaces[l].Offset;
+            }
+            Vector center;
+            if (!Intersect(bisectors[0], bisectors[1], bisectors[2], center))
+            {
+              continue;
+            }
+            const double radius = -halfSpaces[l].GetDistance(center);
+            if (radius > largest &&
+              std::all_of(halfSpaces.begin(), halfSpaces.end(),
+                [&](const HalfSpace& h) { return h.GetDistance(center) <= -radius + 1e-10; }))
+            {
+              largest = radius;
+            }
+          }
+        }
+      }
+    }
+    EXPECT_NEAR(Get(grid, "KernelInradiusRatio") * Get(grid, "Diameter"), largest, 1e-8) << trial;
+  }
+  EXPECT_GT(empty, 5);
+  EXPECT_GT(full, 20);
+}
+
+// The smallest ball is that through two, three or four points that holds the rest.
+TEST(Kernel, SmallestBall)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    const int n = 2 + trial % 8;
+    const bool isFlat = trial % 3 == 0;
+    std::vector<Vector> points;
+    for (int i = 0; i < n; ++i)
+    {
+      points.push_back({ coordinate(random), coordinate(random), isFlat ? 0 : coordinate(random) });
+    }
+    points.push_back(points[0]); // twice
+    double best = std::numeric_limits<double>::infinity();
+    const auto consider = [&](const Vector& center, double radius)
+    {
+      if (radius < best &&
+        std::all_of(points.begin(), points.end(),
+          [&](const Vector& p) { return Norm(p - center) <= radius + 1e-9; }))
+      {
+        best = radius;
+      }
+    };
+    // Centres as far from p as from q lie in a plane; so do those level with three points.
+    const auto level = [](const Vector& p, const Vector& q) -> HalfSpace
+    { return { q - p, 0.5 * (Norm2(q) - Norm2(p)) }; };
+    for (int i = 0; i < n; ++i)
+    {
+      for (int j = 0; j < i; ++j)
+      {
+        const Vector& p = points[i];
+        const HalfSpace pq = level(p, points[j]);
+        consider(0.5 * (p + points[j]), 0.5 * Norm(p - points[j]));
+        for (int k = 0; k < j; ++k)
+        {
+          const HalfSpace pr = level(p, points[k]);
+          const Vector normal = Cross(pq.Normal, pr.Normal);
+          Vector center;
+          if (Intersect(pq, pr, { normal, Dot(normal, p) }, center))
+          {
+            consider(center, Norm(center - p));
+          }
+          for (int l = 0; l < k; ++l)
+          {
+            if (Intersect(pq, pr, level(p, points[l]), center))
+            {
+              consider(center, Norm(center - p));
+            }
+          }
+        }
+      }
+    }
+    EXPECT_NEAR(FindSmallestBall(points).Radius, best, 1e-8) << trial;
+  }
+  std::vector<Vector> none;
+  EXPECT_EQ(FindSmallestBall(none).Radius, 0);
+}
+
+// The largest circle lies inside and no place that a fine search finds has a larger one; also where many
+// circles are equally large, or nearly.
+TEST(Kernel, LargestCircle)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> radius(0.2, 1);
+  std::vector<std::vector<Vector>> polygons;
+  for (int trial = 0; trial < 25; ++trial)
+  {
+    polygons.emplace_back();
+    const int n = 5 + trial;
+    for (int i = 0; i < n; ++i)
+    {
+      const double r = radius(random), angle = 2 * Pi * i / n;
+      polygons.back().push_back({ 3 * r * std::cos(angle), r * std::sin(angle), 0 });
+    }
+  }
+  polygons.push_back({ { 0, 0, 0 }, { 9, 0, 0 }, { 9, 5, 0 }, { 8, 5, 0 }, { 8, 1, 0 }, { 1, 1, 0 },
+    { 1, 5, 0 }, { 0, 5, 0 } }); // a corridor with two corners
+  for (const double taper : { 1e-3, 1e-6, 1e-9 })
+  {
+    polygons.push_back({ { 0, 0, 0 }, { 9, 0, 0 }, { 9, 1 - taper, 0 }, { 4, 1, 0 }, { 4, .9, 0 },
+      { 3.9, .9, 0 }, { 3.9, 1 + taper, 0 }, { 0, 1 + taper, 0 } });
+  }
+  std::vector<Vector> comb = { { 0, -1, 0 }, { 40, -1, 0 } };
+  for (int i = 20; i-- > 0;)
+  {
+    comb.insert(comb.end(),
+      { { 2.0 * i + 2, 5, 0 }, { 2.0 * i + 1, 5, 0 }, { 2.0 * i + 1, 0, 0 }, { 2.0 * i, 0, 0 } });
+  }
+  polygons.push_back(comb);
+
+  LargestCircle search;
+  for (std::size_t trial = 0; trial < polygons.size(); ++trial)
+  {
+    const std::vector<Vector>& polygon = polygons[trial];
+    Vector low = polygon[0], high = low;
+    for (const Vector& p : polygon)
+    {
+      low = { std::min(low.X, p.X), std::min(low.Y, p.Y), 0 };
+      high = { std::max(high.X, p.X), std::max(high.Y, p.Y), 0 };
+    }
+    const double size = Norm(high - low);
+    const Ball found = search.Find(polygon);
+    EXPECT_NEAR(GetClearance(polygon, found.Center), found.Radius, 1e-12 * size) << trial;
+    Vector best = found.Center;
+    double largest = 0;
+    for (int i = 1; i < 150; ++i)
+    {
+      for (int j = 1; j < 150; ++j)
+      {
+        const Vector p = { low.X + i * (high.X - low.X) / 150, low.Y + j * (high.Y - low.Y) / 150, 0 };
+        const double clearance = GetClearance(polygon, p);
+        if (clearance > largest)
+        {
+          largest = clearance;
+          best = p;
+        }
+      }
+    }
+    for (double step = size / 150; step > 1e-8 * size;)
+    {
+      const Vector center = best;
+      for (int direction = 0; direction < 16; ++direction)
+      {
+        const double angle = Pi / 8 * direction;
+        const Vector p = center + Vector{ step * std::cos(angle), step * std::sin(angle), 0 };
+        const double clearance = GetClearance(polygon, p);
+        if (clearance > largest)
+        {
+          largest = clearance;
+          best = p;
+        }
+      }
+      step = best.X == center.X && best.Y == center.Y ? step / 2 : step;
+    }
+    EXPECT_GE(found.Radius, largest - 1e-6 * size) << trial;
+  }
+  // The corridor's corners are wider: a circle about (r, r) that touches (1, 1).
+  EXPECT_NEAR(search.Find(polygons[25]).Radius, 2 - std::sqrt(2.0), 1e-6);
+  EXPECT_EQ(search.Find({}).Radius, 0);
+}
+
+// Half-spaces cut a polyhedron in two that together have its volume, through corners and along edges
+// and faces, too; the surface stays closed.
+TEST(Kernel, ClippedParts)
+{
+  std::mt19937 random(11);
+  std::uniform_int_distribution<int> small(-2, 2);
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    ConvexPolyhedron polyhedron;
+    polyhedron.SetBox({ -2, -2, -2 }, { 2, 2, 2 });
+    EXPECT_EQ(polyhedron.GetVolume(), 64);
+    for (int cut = 0; cut < 12; ++cut)
+    {
+      const Vector direction = { double(small(random)), double(small(random)), double(small(random)) };
+      if (Norm2(direction) == 0)
+      {
+        continue;
+      }
+      HalfSpace halfSpace = { Unit(direction), small(random) / Norm(direction) };
+      ConvexPolyhedron other = polyhedron;
+      const double volume = polyhedron.GetVolume();
+      other.Clip({ -halfSpace.Normal, -halfSpace.Offset }, 1e-12);
+      polyhedron.Clip(halfSpace, 1e-12);
+      EXPECT_NEAR(polyhedron.GetVolume() + other.GetVolume(), volume, 1e-11) << trial;
+      std::map<std::pair<int, int>, int> edges;
+      for (int f = 0; f < polyhedron.GetNumberOfFaces(); ++f)
+      {
+        const int size = polyhedron.GetFaceSize(f);
+        EXPECT_GE(size, 3);
+        for (int i = 0; i < size; ++i)
+        {
+          const int a = polyhedron.GetFace(f)[i], b = polyhedron.GetFace(f)[(i + 1) % size];
+          ++edges[{ a, b }];
+          --edges[{ b, a }];
+        }
+      }
+      for (const auto& edge : edges)
+      {
+        EXPECT_EQ(edge.second, 0) << trial;
+      }
+      // Euler.
+      if (!polyhedron.IsEmpty())
+      {
+        EXPECT_EQ(static_cast<int>(polyhedron.GetPoints().size()) - static_cast<int>(edges.size()) / 2 +
+            polyhedron.GetNumberOfFaces(),
+          2);
+      }
+    }
+  }
+}
+
+// Turned, moved far away and scaled, cells that are not convex keep their values.
+TEST(Kernel, Invariance)
+{
+  std::mt19937 random(13);
+  std::vector<std::pair<Points, Faces>> cells;
+  for (int i = 0; i < 5; ++i)
+  {
+    const SpikyBall ball(random, 0.55);
+    cells.emplace_back(ball.Corners, ball.Triangles);
+  }
+  cells.emplace_back(LHexagon, Faces());
+  Points star;
+  for (int i = 0; i < 10; ++i)
+  {
+    const double r = i % 2 ? 0.5 : 1, angle = Pi / 5 * i;
+    star.push_back({ r * std::cos(angle), r * std::sin(angle), 0 });
+  }
+  cells.emplace_back(star, Faces());
+  const double c = std::cos(0.7), s = std::sin(0.7);
+  const struct
+  {
+    std::function<Point(const Point&)> Map;
+    double Tolerance;
+  } changes[] = {
+    { [=](const Point& p)
+      {
+        const Point q = { c * p[0] - s * p[1], s * p[0] + c * p[1], p[2] };
+        return Point{ q[0], c * q[1] - s * q[2], s * q[1] + c * q[2] };
+      },
+      1e-9 },
+    { [](const Point& p) { return Point{ p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 }; }, 1e-7 },
+    { [](const Point& p) { return Point{ 1e-6 * p[0], 1e-6 * p[1], 1e-6 * p[2] }; }, 1e-9 },
+    { [](const Point& p) { return Point{ 1e9 * p[0], 1e9 * p[1], 1e9 * p[2] }; }, 1e-9 },
+  };
+  for (const auto& cell : cells)
+  {
+    const auto make = [&](const Points& points)
+    { return cell.second.empty() ? MakePolygon(points) : MakePolyhedron(points, cell.second); };
+    Values expected = EvaluateNames(make(cell.first));
+    EXPECT_GT(expected["KernelRatio"][0], 0);
+    EXPECT_LT(expected["KernelRatio"][0], 1);
+    for (const auto& change : changes)
+    {
+      Points points;
+      std::transform(cell.first.begin(), cell.first.end(), std::back_inserter(points), change.Map);
+      Values values = EvaluateNames(make(points));
+      for (const std::string& name : Names)
+      {
+        if (!std::isnan(expected[name][0]))
+        {
+          EXPECT_NEAR(values[name][0], expected[name][0], change.Tolerance) << name;
+        }
+      }
+    }
+  }
+}
+
+// Cells that are flat, collapsed, open or without coordinates: a value or a reason for having none.
+TEST(Kernel, Degenerate)
+{
+  const auto reason = [](const Grid& grid, const char* name)
+  { return GetNullReason(Get(grid, name)); };
+  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Grid line = MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } });
+  for (const Grid& grid : { flat, line })
+  {
+    EXPECT_EQ(reason(grid, "KernelRatio"), NullReason::Degenerate);
+    EXPECT_EQ(reason(grid, "IsStarShaped"), NullReason::Degenerate);
+    EXPECT_EQ(Get(grid, "InradiusCircumradiusRatio"), 0);
+    EXPECT_EQ(Get(grid, "ShapeRegularity"), 0);
+    EXPECT_EQ(Get(grid, "KernelInradiusRatio"), 0);
+  }
+  const Grid point = MakeGrid(Points(8), { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } });
+  for (const char* name : { "KernelRatio", "InradiusCircumradiusRatio", "PolyhedronRho2" })
+  {
+    EXPECT_EQ(reason(point, name), NullReason::Degenerate) << name;
+  }
+  const ReferenceShape& cube = FindReferenceShape("unit cube");
+  Faces faces = GetFaces(cube.Polyhedron, 0);
+  faces.pop_back();
+  const Grid open = MakePolyhedra(cube.Polyhedron->GetPoints(), { faces });
+  for (const std::string& name : Names)
+  {
+    if (FindCriterion(name)->AppliesTo & Polyhedra)
+    {
+      EXPECT_EQ(reason(open, name.c_str()), NullReason::InvalidTopology) << name;
+    }
+  }
+  // A collapsed edge changes neither kernel nor balls.
+  const Grid collapsed = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { .5, .5, 1 }, { .5, .5, 1 } },
+    { { VTK_WEDGE, { 0, 4, 3, 1, 5, 2 } } });
+  EXPECT_EQ(Get(collapsed, "KernelRatio"), 1);
+  EXPECT_EQ(Get(collapsed, "PolyhedronRho2") > 0, true);
+  // Inverted: as the cell turned inside out.
+  const Grid inverted = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 2, 1, 3 } } });
+  EXPECT_EQ(Get(inverted, "KernelRatio"), 1);
+  EXPECT_NEAR(Get(inverted, "InradiusCircumradiusRatio"), 0.2588190451, 1e-9);
+  // Bow tie: no area.
+  EXPECT_EQ(reason(MakePolygon({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }), "KernelRatio"),
+    NullReason::Degenerate);
+}
+
+// CellStatus tells of cells without a kernel if IsStarShaped is evaluated, too, and not otherwise.
+TEST(Kernel, CellStatus)
+{
+  // A U of three boxes.
+  const Points u = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 2, 3, 0 }, { 2, 1, 0 }, { 1, 1, 0 },
+    { 1, 3, 0 }, { 0, 3, 0 } };
+  const Grid grid = MakePolygon(u);
+  EXPECT_EQ(Get(grid, "KernelRatio"), 0);
+  Values both = EvaluateNames(grid, { "CellStatus", "IsStarShaped" });
+  EXPECT_EQ(both["IsStarShaped"][0], 0);
+  EXPECT_EQ(both["CellStatus"][0], Nonconvex | NotStarShaped);
+  EXPECT_EQ(Get(grid, "CellStatus"), Nonconvex);
+  both = EvaluateNames(MakePolygon(LHexagon), { "CellStatus", "IsStarShaped" });
+  EXPECT_EQ(both["CellStatus"][0], Nonconvex);
+}
+
+// A hundred thousand cells of points thrown anywhere: every value lies in its range or has a reason.
+TEST(Kernel, Soup)
+{
+  std::mt19937 random(17);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::uniform_int_distribution<int> coarse(-1, 1);
+  Points points;
+  Cells cells;
+  const int types[] = { VTK_HEXAHEDRON, VTK_POLYGON, VTK_TETRA, VTK_WEDGE, VTK_QUAD };
+  const int sizes[] = { 8, 9, 4, 6, 4 };
+  for (int cell = 0; cell < 100000; ++cell)
+  {
+    const int kind = cell % 5;
+    cells.push_back({ types[kind], {} });
+    for (int i = 0; i < sizes[kind]; ++i)
+    {
+      cells.back().second.push_back(static_cast<vtkIdType>(points.size()));
+      const auto any = [&] { return cell % 3 ? coordinate(random) : double(coarse(random)); };
+      points.push_back({ any(), any(), any() });
+    }
+  }
+  points[1000] = { NaN, 0, 0 };
+  const Grid grid = MakeGrid(points, cells);
+  Values values = EvaluateNames(grid);
+  for (const auto& row : values)
+  {
+    const Criterion* criterion = FindCriterion(row.first);
+    for (std::size_t i = 0; i < row.second.size(); ++i)
+    {
+      const double value = row.second[i];
+      if (std::isnan(value))
+      {
+        ASSERT_NE(GetNullReason(value), NullReason::Value) << row.first << ' ' << i;
+        continue;
+      }
+      ASSERT_GE(value, criterion->Range[0]) << row.first << ' ' << i;
+      ASSERT_LE(value, criterion->Range[1] + 1e-9) << row.first << ' ' << i;
+    }
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    if (!std::isnan(values["KernelRatio"][i]))
+    {
+      ASSERT_EQ(values["KernelRatio"][i] > 0, values["IsStarShaped"][i] == 1) << i;
+    }
+  }
+}
