@@ -1,0 +1,397 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Elements/KernelCells.h"
+
+#include "Criteria/CellKernel.h"
+#include "Mesh/CellShape.h"
+#include "Parallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Chunk = 256; // cells
+constexpr vtkIdType NumberOfReports = 100;
+constexpr unsigned KernelNeeds = NeedsFaces | NeedsVolume;
+constexpr unsigned char NotOurs =
+  vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+
+/// Kernels of a range of cells, each with points of its own.
+struct KernelPart
+{
+  std::vector<vtkIdType> Sources, Without; // cells with and without a kernel
+  std::vector<double> Ratios;
+  std::vector<double> Points;
+  std::vector<unsigned char> Types;
+  std::vector<vtkIdType> PointCounts, FaceCounts; // of every kernel; a polygon has no faces
+  std::vector<vtkIdType> FaceSizes, FacePoints;   // ids of a kernel's points, from 0
+
+  void AddPoint(const Vector& point)
+  {
+    this->Points.insert(this->Points.end(), { point.X, point.Y, point.Z });
+  }
+  void AddPolygon(const std::vector<Vector>& corners, const Vector& origin)
+  {
+    for (const Vector& corner : corners)
+    {
+      this->AddPoint(origin + corner);
+    }
+    this->Types.push_back(VTK_POLYGON);
+    this->PointCounts.push_back(static_cast<vtkIdType>(corners.size()));
+    this->FaceCounts.push_back(0);
+  }
+  void AddPolyhedron(const ConvexPolyhedron& polyhedron, const Vector& origin)
+  {
+    for (const Vector& point : polyhedron.GetPoints())
+    {
+      this->AddPoint(origin + point);
+    }
+    for (int f = 0; f < polyhedron.GetNumberOfFaces(); ++f)
+    {
+      const int* face = polyhedron.GetFace(f);
+      this->FaceSizes.push_back(polyhedron.GetFaceSize(f));
+      this->FacePoints.insert(this->FacePoints.end(), face, face + polyhedron.GetFaceSize(f));
+    }
+    this->Types.push_back(VTK_POLYHEDRON);
+    this->PointCounts.push_back(static_cast<vtkIdType>(polyhedron.GetPoints().size()));
+    this->FaceCounts.push_back(polyhedron.GetNumberOfFaces());
+  }
+};
+
+//------------------------------------------------------------------------------
+// Lists of ids for a vtkCellArray.
+class IdLists
+{
+public:
+  IdLists() { this->Offsets->InsertNextValue(0); }
+  void Add(vtkIdType id) { this->Values->InsertNextValue(id); }
+  void End() { this->Offsets->InsertNextValue(this->Values->GetNumberOfValues()); }
+  vtkIdType GetNumberOfLists() const { return this->Offsets->GetNumberOfValues() - 1; }
+  vtkSmartPointer<vtkCellArray> MakeCells() const
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    cells->SetData(this->Offsets.Get(), this->Values.Get());
+    return cells;
+  }
+
+private:
+  vtkNew<vtkIdTypeArray> Offsets, Values;
+};
+
+//------------------------------------------------------------------------------
+void FillGrid(const std::vector<KernelPart>& parts, vtkUnstructuredGrid* grid)
+{
+  IdLists cells, faces, facesOfCells;
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> ratios;
+  ratios->SetName("KernelRatio");
+  bool hasFaces = false;
+  for (const KernelPart& part : parts)
+  {
+    for (std::size_t i = 0; i < part.Points.size(); i += 3)
+    {
+      points->InsertNextPoint(part.Points.data() + i);
+    }
+    hasFaces = hasFaces || !part.FaceSizes.empty();
+  }
+  vtkIdType firstPoint = 0;
+  for (const KernelPart& part : parts)
+  {
+    std::size_t face = 0;
+    const vtkIdType* facePoint = part.FacePoints.data();
+    for (std::size_t cell = 0; cell < part.Types.size(); ++cell)
+    {
+      types->InsertNextValue(part.Types[cell]);
+      ratios->InsertNextValue(part.Ratios[cell]);
+      for (vtkIdType i = 0; i < part.PointCounts[cell]; ++i)
+      {
+        cells.Add(firstPoint + i);
+      }
+      cells.End();
+      for (vtkIdType f = 0; f < part.FaceCounts[cell]; ++f, ++face)
+      {
+        for (vtkIdType i = 0; i < part.FaceSizes[face]; ++i)
+        {
+          faces.Add(firstPoint + *facePoint++);
+        }
+        facesOfCells.Add(faces.GetNumberOfLists());
+        faces.End();
+      }
+      facesOfCells.End();
+      firstPoint += part.PointCounts[cell];
+    }
+  }
+  grid->SetPoints(points);
+  if (hasFaces)
+  {
+    grid->SetPolyhedralCells(
+      types, cells.MakeCells(), facesOfCells.MakeCells(), faces.MakeCells());
+  }
+  else
+  {
+    grid->SetCells(types, cells.MakeCells());
+  }
+  grid->GetCellData()->AddArray(ratios);
+}
+
+//------------------------------------------------------------------------------
+void AddKernel(const MeshView& mesh, vtkIdType id, const EvaluationOptions& options,
+  CellGeometry& cell, std::vector<Vector>& corners, KernelPart& part)
+{
+  cell.Load(mesh, id, options);
+  if (!(cell.GetShapes() & PolygonsAndPolyhedra))
+  {
+    return;
+  }
+  cell.Compute(KernelNeeds);
+  const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
+  const bool isSolid = cell.IsFinite() &&
+    (isPolygon ? !cell.IsZeroArea(cell.GetPolygonArea())
+               : !std::isnan(cell.GetVolume()) && !cell.IsZeroVolume(cell.GetVolume()));
+  CellKernel& kernel = cell.GetKernel();
+  if (!isSolid || kernel.GetRadius(cell) == 0)
+  {
+    part.Without.push_back(id);
+    return;
+  }
+  part.Sources.push_back(id);
+  part.Ratios.push_back(kernel.GetRatio(cell));
+  if (isPolygon)
+  {
+    kernel.MakePolygon(cell, corners);
+    part.AddPolygon(corners, cell.GetOrigin());
+  }
+  else
+  {
+    kernel.MakePolyhedron(cell, [](double) { return true; });
+    part.AddPolyhedron(kernel.GetPolyhedron(), cell.GetOrigin());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Global ids of some cells, or their own.
+vtkSmartPointer<vtkIdTypeArray> MakeIds(
+  vtkDataSet* mesh, const std::vector<vtkIdType>& cells, const char* name)
+{
+  vtkDataArray* globalIds = mesh->GetCellData()->GetGlobalIds();
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->SetName(name);
+  ids->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    ids->SetValue(static_cast<vtkIdType>(i),
+      globalIds ? static_cast<vtkIdType>(globalIds->GetTuple1(cells[i])) : cells[i]);
+  }
+  return ids;
+}
+
+//------------------------------------------------------------------------------
+bool IsOurs(vtkUnsignedCharArray* ghosts, vtkIdType cell)
+{
+  return !ghosts || (ghosts->GetValue(cell) & NotOurs) == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+bool MakeKernelCells(vtkDataSet* mesh, const EvaluationOptions& options, vtkDataArray* chosen,
+  const std::function<bool(double)>& goesOn, vtkUnstructuredGrid* kernels)
+{
+  const MeshView view(mesh);
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  const vtkIdType numberOfCells = view.GetNumberOfCells();
+  const vtkIdType numberOfParts = (numberOfCells + Chunk - 1) / Chunk;
+  const vtkIdType slab = numberOfParts / NumberOfReports + 1;
+  std::vector<KernelPart> parts(numberOfParts);
+  for (vtkIdType first = 0; first < numberOfParts; first += slab)
+  {
+    if (!goesOn(static_cast<double>(first) / numberOfParts))
+    {
+      return false;
+    }
+    ParallelFor(std::min(slab, numberOfParts - first), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        CellGeometry cell;
+        std::vector<Vector> corners;
+        for (vtkIdType id = (first + begin) * Chunk;
+             id < std::min(numberOfCells, (first + end) * Chunk); ++id)
+        {
+          if (IsOurs(ghosts, id) && (!chosen || chosen->GetComponent(id, 0) != 0))
+          {
+            AddKernel(view, id, options, cell, corners, parts[id / Chunk]);
+          }
+        }
+      });
+  }
+
+  FillGrid(parts, kernels);
+  std::vector<vtkIdType> sources, without;
+  for (const KernelPart& part : parts)
+  {
+    sources.insert(sources.end(), part.Sources.begin(), part.Sources.end());
+    without.insert(without.end(), part.Without.begin(), part.Without.end());
+  }
+  vtkCellData* data = kernels->GetCellData();
+  const vtkSmartPointer<vtkDataArray> ratios = data->GetArray("KernelRatio");
+  data->Initialize();
+  data->CopyGlobalIdsOff();
+  data->CopyFieldOff(vtkDataSetAttributes::GhostArrayName());
+  data->CopyAllocate(mesh->GetCellData(), static_cast<vtkIdType>(sources.size()));
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(static_cast<vtkIdType>(sources.size()));
+  std::copy(sources.begin(), sources.end(), ids->begin());
+  data->CopyData(mesh->GetCellData(), ids, vtkIdType(0));
+  data->AddArray(MakeIds(mesh, sources, "SourceCell"));
+  data->AddArray(ratios);
+  kernels->GetFieldData()->PassData(mesh->GetFieldData());
+  kernels->GetFieldData()->AddArray(MakeIds(mesh, without, "CellsWithoutKernel"));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+SurfacePolygons TakePolygons(vtkDataSet* mesh)
+{
+  const MeshView view(mesh);
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  SurfacePolygons polygons;
+  for (vtkIdType cell = 0; cell < view.GetNumberOfCells(); ++cell)
+  {
+    const unsigned char type = view.GetCellType(cell);
+    const CellShape& shape = GetCellShape(type);
+    if (shape.Dimension != 2 || !IsOurs(ghosts, cell))
+    {
+      continue;
+    }
+    const IndexRange points = view.GetCellPoints(cell);
+    const vtkIdType size = shape.NumberOfCorners ? shape.NumberOfCorners
+      : type == VTK_QUADRATIC_POLYGON            ? points.Size / 2
+                                                 : points.Size;
+    polygons.Sizes.push_back(size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      double x[3];
+      view.GetPoint(points[type == VTK_PIXEL && i > 1 ? 5 - i : i], x);
+      polygons.Corners.insert(polygons.Corners.end(), x, x + 3);
+    }
+  }
+  return polygons;
+}
+
+namespace
+{
+//------------------------------------------------------------------------------
+// One polyhedron with the polygons for faces. Points and faces are sorted, and faces start at their first
+// point, so that the order in which polygons come does not matter to the last bit.
+vtkSmartPointer<vtkUnstructuredGrid> MakePolyhedron(const SurfacePolygons& polygons)
+{
+  using Place = std::array<double, 3>;
+  const std::size_t numberOfCorners = polygons.Corners.size() / 3;
+  std::vector<Place> corners(numberOfCorners);
+  for (std::size_t i = 0; i < numberOfCorners; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[i][k] = polygons.Corners[3 * i + k] + 0.0; // no negative zeros
+    }
+  }
+  std::vector<Place> places(corners);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+
+  std::vector<std::vector<vtkIdType>> faces;
+  std::size_t corner = 0;
+  for (const vtkIdType size : polygons.Sizes)
+  {
+    std::vector<vtkIdType> face;
+    for (vtkIdType i = 0; i < size; ++i, ++corner)
+    {
+      face.push_back(
+        std::lower_bound(places.begin(), places.end(), corners[corner]) - places.begin());
+    }
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end());
+
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  IdLists cells, faceLists, facesOfCells;
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    points->InsertNextPoint(places[i].data());
+    cells.Add(static_cast<vtkIdType>(i));
+  }
+  cells.End();
+  for (const auto& face : faces)
+  {
+    facesOfCells.Add(faceLists.GetNumberOfLists());
+    for (const vtkIdType point : face)
+    {
+      faceLists.Add(point);
+    }
+    faceLists.End();
+  }
+  facesOfCells.End();
+  vtkNew<vtkUnsignedCharArray> types;
+  types->InsertNextValue(VTK_POLYHEDRON);
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  grid->SetPolyhedralCells(
+    types, cells.MakeCells(), facesOfCells.MakeCells(), faceLists.MakeCells());
+  return grid;
+}
+}
+
+//------------------------------------------------------------------------------
+SurfaceKernel MakeSurfaceKernel(const SurfacePolygons& polygons, const EvaluationOptions& options,
+  const std::function<bool(double)>& goesOn, vtkUnstructuredGrid* kernel)
+{
+  if (!std::all_of(polygons.Corners.begin(), polygons.Corners.end(),
+        [](double x) { return std::isfinite(x); }))
+  {
+    return SurfaceKernel::NotFinite;
+  }
+  const vtkSmartPointer<vtkUnstructuredGrid> grid = MakePolyhedron(polygons);
+  CellGeometry cell;
+  cell.Load(MeshView(grid), 0, options);
+  cell.Compute(KernelNeeds);
+  if (std::isnan(cell.GetVolume()) || cell.IsZeroVolume(cell.GetVolume()))
+  {
+    return SurfaceKernel::NotClosed;
+  }
+  if (!cell.GetKernel().MakePolyhedron(cell, goesOn))
+  {
+    return SurfaceKernel::Stopped;
+  }
+  const ConvexPolyhedron& polyhedron = cell.GetKernel().GetPolyhedron();
+  if (polyhedron.IsEmpty())
+  {
+    return SurfaceKernel::Empty;
+  }
+  std::vector<KernelPart> parts(1);
+  parts[0].AddPolyhedron(polyhedron, cell.GetOrigin());
+  parts[0].Ratios.push_back(
+    std::min(1.0, polyhedron.GetVolume() / std::abs(cell.GetVolume())));
+  FillGrid(parts, kernel);
+  return SurfaceKernel::Found;
+}
+}

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshKernel.h"
+
+#include "ControllerReducer.h"
+#include "ElementBlocks.h"
+#include "Elements/KernelCells.h"
+#include "MeshInput.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkMeshKernel);
+
+namespace
+{
+const std::string AllCells = "All cells";
+
+//------------------------------------------------------------------------------
+// The values of all processes one after the other, on the first process.
+template <typename Value>
+std::vector<Value> Gather(const std::vector<Value>& own)
+{
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() == 1)
+  {
+    return own;
+  }
+  const int numberOfProcesses = controller->GetNumberOfProcesses();
+  const auto ownLength = static_cast<vtkIdType>(own.size());
+  std::vector<vtkIdType> lengths(numberOfProcesses), offsets(numberOfProcesses);
+  controller->AllGather(&ownLength, lengths.data(), 1);
+  std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
+  const bool isFirst = controller->GetLocalProcessId() == 0;
+  std::vector<Value> all(isFirst ? offsets.back() + lengths.back() : 0);
+  controller->GatherV(
+    own.data(), all.data(), ownLength, lengths.data(), offsets.data(), 0);
+  return all;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> GetMesh(const camaron::ElementBlock& block)
+{
+  return camaron::AsMesh(camaron::WithoutStrips(block.Data));
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshKernel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "KernelOf: " << this->KernelOf << '\n';
+  os << indent << "ChosenBy: " << this->ChosenBy << '\n';
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshKernel::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshKernel::GoesOn(double done)
+{
+  this->UpdateProgress(done);
+  return !this->CheckAbort();
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshKernel::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  try
+  {
+    camaron::ControllerReducer reducer;
+    const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
+    std::int64_t hasOthers = std::any_of(blocks.Get().begin(), blocks.Get().end(),
+      [](const camaron::ElementBlock& block) { return !vtkPolyData::SafeDownCast(block.Data); });
+    reducer.Max(&hasOthers, 1);
+    if (this->KernelOf == WHOLE_SURFACE || (this->KernelOf == AUTOMATIC && !hasOthers))
+    {
+      using camaron::SurfaceKernel;
+      const auto found = static_cast<SurfaceKernel>(this->MakeOfSurface(blocks, output));
+      const bool isFirst = reducer.GetProcess() == 0;
+      const bool isError = found == SurfaceKernel::NotClosed || found == SurfaceKernel::NotFinite;
+      if (!isError || this->KernelOf == WHOLE_SURFACE)
+      {
+        if (isError && isFirst)
+        {
+          vtkErrorMacro("The surface has no kernel: "
+            << (found == SurfaceKernel::NotFinite
+                   ? "a coordinate is not a finite number."
+                   : "its polygons do not enclose a volume. Of a mesh of 3D cells take its Mesh "
+                     "Surface first, or the kernel of each cell."));
+        }
+        if (found == SurfaceKernel::Empty && isFirst)
+        {
+          vtkWarningMacro("The kernel is empty: no point sees all of the surface.");
+        }
+        return isError && isFirst ? 0 : 1;
+      }
+    }
+    this->MakeOfCells(blocks, output);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("The kernel cannot be made: " << error.what() << '.');
+    output->Initialize();
+    return 0;
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// Returns a camaron::SurfaceKernel, the same on all processes.
+int vtkMeshKernel::MakeOfSurface(const camaron::ElementBlocks& blocks, vtkUnstructuredGrid* output)
+{
+  camaron::SurfacePolygons polygons;
+  for (const camaron::ElementBlock& block : blocks.Get())
+  {
+    const camaron::SurfacePolygons own = camaron::TakePolygons(GetMesh(block));
+    polygons.Sizes.insert(polygons.Sizes.end(), own.Sizes.begin(), own.Sizes.end());
+    polygons.Corners.insert(polygons.Corners.end(), own.Corners.begin(), own.Corners.end());
+  }
+  polygons.Sizes = Gather(polygons.Sizes);
+  polygons.Corners = Gather(polygons.Corners);
+  auto* controller = vtkMultiProcessController::GetGlobalController();
+  int found = 0;
+  if (!controller || controller->GetLocalProcessId() == 0)
+  {
+    found = static_cast<int>(camaron::MakeSurfaceKernel(
+      polygons, {}, [this](double done) { return this->GoesOn(done); }, output));
+  }
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    controller->Broadcast(&found, 1, 0);
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstructuredGrid* output)
+{
+  const bool isChosen = !this->ChosenBy.empty() && this->ChosenBy != AllCells;
+  vtkNew<vtkAppendFilter> append;
+  vtkNew<vtkIdTypeArray> without;
+  without->SetName("CellsWithoutKernel");
+  std::int64_t arrays = 0, cells = 0;
+  const double numberOfBlocks = static_cast<double>(blocks.Get().size());
+  double blocksDone = 0;
+  bool isStopped = false;
+  vtkNew<vtkUnstructuredGrid> kernels;
+  for (const camaron::ElementBlock& block : blocks.Get())
+  {
+    const vtkSmartPointer<vtkDataSet> mesh = GetMesh(block);
+    cells += mesh->GetNumberOfCells();
+    vtkDataArray* chosen =
+      isChosen ? mesh->GetCellData()->GetArray(this->ChosenBy.c_str()) : nullptr;
+    arrays += chosen != nullptr;
+    if (!isStopped && (chosen || !isChosen))
+    {
+      vtkNew<vtkUnstructuredGrid> part;
+      isStopped = !camaron::MakeKernelCells(mesh, {}, chosen,
+        [&](double done) { return this->GoesOn((blocksDone + done) / numberOfBlocks); }, part);
+      if (auto* ids = vtkIdTypeArray::SafeDownCast(
+            part->GetFieldData()->GetAbstractArray(without->GetName())))
+      {
+        without->InsertTuples(without->GetNumberOfTuples(), ids->GetNumberOfTuples(), 0, ids);
+      }
+      append->AddInputData(part);
+      kernels->ShallowCopy(part);
+    }
+    ++blocksDone;
+  }
+  camaron::ControllerReducer reducer;
+  std::int64_t sums[] = { arrays, cells, without->GetNumberOfTuples() };
+  reducer.Sum(sums, 3);
+  if (isChosen && sums[0] == 0 && sums[1] > 0)
+  {
+    throw std::runtime_error("there is no cell array " + this->ChosenBy);
+  }
+  if (isStopped)
+  {
+    return;
+  }
+  if (append->GetNumberOfInputConnections(0) > 1)
+  {
+    append->Update();
+    kernels->ShallowCopy(append->GetOutput());
+  }
+  output->ShallowCopy(kernels);
+  output->GetFieldData()->AddArray(without);
+  if (sums[2] > 0 && reducer.GetProcess() == 0)
+  {
+    vtkWarningMacro(<< sums[2]
+                    << " cells have no kernel: they are not star-shaped, not closed or without volume or "
+                       "area. The field array CellsWithoutKernel tells which.");
+  }
+}
