@@ -2,18 +2,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElementQuality.h"
 
+#include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
 #include "MeshInput.h"
 #include "Parallel.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <exception>
@@ -23,6 +29,23 @@ vtkStandardNewMacro(vtkElementQuality);
 namespace
 {
 constexpr vtkIdType Grain = 65536;
+
+//------------------------------------------------------------------------------
+// Length of the lists of points of all cells.
+double CountCorners(vtkDataSet* data)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    return static_cast<double>(grid->GetCells()->GetNumberOfConnectivityIds());
+  }
+  if (auto* surface = vtkPolyData::SafeDownCast(data))
+  {
+    return static_cast<double>(surface->GetPolys()->GetNumberOfConnectivityIds() +
+      surface->GetStrips()->GetNumberOfConnectivityIds());
+  }
+  constexpr double ofBox = 8;
+  return ofBox * static_cast<double>(data->GetNumberOfCells());
+}
 
 //------------------------------------------------------------------------------
 // Why each value is null, read from the values.
@@ -139,6 +162,42 @@ std::vector<std::string> vtkElementQuality::GetChosenCriteria()
     }
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+double vtkElementQuality::GetNumberOfCorners()
+{
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  double corners = 0;
+  for (vtkDataSet* data : vtkCompositeDataSet::GetDataSets<vtkDataSet>(input))
+  {
+    corners += CountCorners(data);
+  }
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::GetNumberOfThreads()
+{
+  int threads = 1;
+  camaron::WithThreads([&] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  return threads;
+}
+
+//------------------------------------------------------------------------------
+double vtkElementQuality::GetEstimatedSeconds()
+{
+  std::vector<const camaron::Criterion*> criteria;
+  for (const std::string& name : this->GetChosenCriteria())
+  {
+    if (const camaron::Criterion* criterion = camaron::FindCriterion(name))
+    {
+      criteria.push_back(criterion);
+    }
+  }
+  return camaron::EstimateSeconds(
+    criteria, this->GetNumberOfCorners(), this->GetNumberOfThreads());
 }
 
 //------------------------------------------------------------------------------

@@ -111,6 +111,18 @@ public:
   vtkGetMacro(PlanarityTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Of the input that is there now, on this process: how many points the lists of its cells have, and
+   * how many threads would work on them. 0 before the input has run.
+   */
+  double GetNumberOfCorners();
+  int GetNumberOfThreads();
+  ///@}
+
+  /// About how many seconds the chosen criteria will take for the input that is there now.
+  double GetEstimatedSeconds();
+
   vtkMTimeType GetMTime() override;
 
 protected:

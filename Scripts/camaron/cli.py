@@ -189,6 +189,7 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
                 bins=options.bins,
                 time=options.time,
                 with_pictures=not options.no_pictures,
+                say=lambda words: print(f"camaron: {mesh}: {words}", file=sys.stderr, flush=True),
             )
         except (RuntimeError, OSError) as error:
             print(f"camaron: {error}", file=sys.stderr)

@@ -11,17 +11,19 @@ import math
 import os
 import shutil
 from pathlib import Path
-from typing import Any, Iterable, Optional
+from typing import Any, Callable, Iterable, Optional
 
 from paraview import simple
 
-from . import conversion, facts, pictures, pipeline, ranking, report, tables
+from . import conversion, facts, pictures, pipeline, ranking, report, tables, text
 from .files import Staging, same_file
 
 #: Evaluated for the facts about the mesh, and no quality.
 NOT_REPORTED = ("CellTypeId",)
 #: Preset whose criteria are evaluated unless asked otherwise, and the word for all there are.
 GENERAL, ALL = "General", "all"
+#: Seconds from which on people should know how long it will take.
+LONG = 10.0
 
 
 def inspect(
@@ -35,6 +37,7 @@ def inspect(
     bins: int = 50,
     time: str = "last",
     with_pictures: bool = True,
+    say: Callable[[str], None] = lambda words: None,
 ) -> dict[str, Any]:
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
@@ -44,7 +47,7 @@ def inspect(
     `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are evaluated
     besides those of a preset. `worst` is the length of the lists of worst cells,
     `bins` the number of bins of the histograms, `time` the step of a series: "first", "last" or its
-    number.
+    number. `say` is called with a sentence about how long it will take when that is long.
 
     Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that
     does not exist and RuntimeError for a file that cannot be read or written.
@@ -72,6 +75,7 @@ def inspect(
             statistics.Preset = preset
         if ranges is not None:
             statistics.RangesFile = str(ranges)
+        _announce(quality, say)
         with pipeline.Messages() as messages:
             rows = tables.read(statistics, preset)
             described = facts.describe(mesh, opened, surface)
@@ -143,6 +147,18 @@ def choose_criteria(
         general = tables.known_presets()[GENERAL]["rules"]
         quality.Criteria = [*dict.fromkeys([*general, *more, *NOT_REPORTED])]
     return preset
+
+
+def _announce(quality: Any, say: Callable[[str], None]) -> None:
+    """Says how long the evaluation will take, if that is long."""
+    quality.UpdatePropertyInformation()
+    seconds = quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
+    if seconds >= LONG:
+        cells = pipeline.data_information(quality.Input).GetNumberOfCells()
+        say(
+            f"the criteria take about {text.duration(seconds)}"
+            f" for {text.plural(cells, 'cell', ',')}"
+        )
 
 
 def _earlier_mesh(directory: Path) -> list[Path]:

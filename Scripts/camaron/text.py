@@ -100,6 +100,17 @@ def memory(size: Optional[int]) -> str:
     return f"{size} B"
 
 
+def duration(seconds: float) -> str:
+    """A time of which the first digit or two are known.
+
+    >>> duration(0.2), duration(41.7), duration(200), duration(9000)
+    ('1 s', '42 s', '3 min', '2.5 h')
+    """
+    if seconds < 100:
+        return f"{max(1, round(seconds))} s"
+    return f"{seconds / 60:.0f} min" if seconds < 6000 else f"{seconds / 3600:.2g} h"
+
+
 def plural(amount: int, noun: str, separator: str = "") -> str:
     """
     >>> plural(1, "cell"), plural(1200, "cell", ",")

@@ -205,6 +205,40 @@ void OnPolyhedra(vtkIdType size)
   Print("polyhedra: all " + std::to_string(AllOfCells.size()) + " criteria", cells,
     Measure([&] { EvaluateOn(grid, AllOfCells); }));
 }
+
+//------------------------------------------------------------------------------
+// What the constants of Core/Criteria/CostEstimate.cxx are taken from: processor time for each corner of a
+// cell, of one criterion of a class and of each that is added.
+void OnClasses(const char* mesh, vtkUnstructuredGrid* grid)
+{
+  const double corners = static_cast<double>(grid->GetCells()->GetNumberOfConnectivityIds());
+  const std::pair<camaron::Cost, const char*> classes[] = { { camaron::Cost::Faces, "faces" },
+    { camaron::Cost::Edges, "edges" }, { camaron::Cost::Neighbors, "neighbours" },
+    { camaron::Cost::Iterative, "iterative" } };
+  for (const auto& [cost, name] : classes)
+  {
+    std::vector<std::string> names;
+    double one = 0;
+    for (const camaron::Criterion& criterion : camaron::GetCriteria())
+    {
+      const bool isDefined = (criterion.AppliesTo & (camaron::Polyhedra | camaron::Tetrahedra)) != 0;
+      if (criterion.Cost == cost && isDefined)
+      {
+        names.push_back(criterion.Name);
+        one += Measure([&] { Touch(grid), EvaluateOn(grid, { criterion.Name }); }, 1).Processor;
+      }
+    }
+    if (!names.empty())
+    {
+      const double number = static_cast<double>(names.size());
+      const double all = Measure([&] { Touch(grid), EvaluateOn(grid, names); }, 1).Processor;
+      const double added = number > 1 ? (all - one / number) / (number - 1) : 0;
+      std::printf("%s, class %-10s %3.0f criteria: %7.1f ns/corner for one, %6.1f for another\n", mesh,
+        name, number, 1e9 * one / number / corners, 1e9 * added / corners);
+      std::fflush(stdout);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -219,6 +253,8 @@ int main(int argc, char* argv[])
         vtkSMPTools::GetEstimatedNumberOfThreads(), Repetitions);
       OnTetrahedra(static_cast<vtkIdType>(1e6 * tetrahedra));
       OnPolyhedra(static_cast<vtkIdType>(1e6 * polyhedra));
+      OnClasses("tetrahedra", camaron::MakeTetrahedra(static_cast<vtkIdType>(1e5 * tetrahedra)));
+      OnClasses("polyhedra", camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(1e5 * polyhedra)));
     });
   return 0;
 }

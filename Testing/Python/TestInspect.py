@@ -6,11 +6,12 @@ import base64
 import csv
 import json
 import re
+import unittest.mock
 from html.parser import HTMLParser
 
 import camaron_testing
 import numpy
-from camaron import convert, inspect
+from camaron import convert, inspect, inspection
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -275,6 +276,24 @@ class TestInspect(camaron_testing.TestCase):
             self.assertEqual(criteria["MinVolumeRatio"]["acceptable"], [0.01, None])
         named = self.inspect(BALL, criteria=["Volume"], ranges=path)
         self.assertEqual([c["name"] for c in named["criteria"]], ["Volume"])
+
+    def test_long_work_is_announced(self):
+        """A line says how long it takes where that is long, and nothing where it is not."""
+        said = []
+        self.inspect(BALL, criteria=["Volume"], say=said.append)
+        self.assertEqual(said, [])
+        quality = simple.ElementQuality(Input=self.open(BALL))
+        estimates = []
+        for criteria in (["Volume"], ["Volume", "MinSolidAngle"], ["all"]):
+            inspection.choose_criteria(quality, None, criteria)
+            quality.UpdatePropertyInformation()
+            estimates.append(quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0))
+        self.assertGreater(estimates[0], 0)
+        self.assertLess(estimates[0], estimates[1])
+        self.assertLess(estimates[1], estimates[2])
+        with unittest.mock.patch.object(inspection, "LONG", estimates[0] / 2):
+            self.inspect(BALL, criteria=["Volume"], say=said.append)
+        self.assertEqual(said, ["the criteria take about 1 s for 800 cells"])
 
     def test_wrong_ranges(self):
         """The command says file, line and what was meant, and writes nothing."""
