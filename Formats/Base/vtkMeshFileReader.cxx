@@ -5,11 +5,53 @@
 #include "FaceMesh/FaceMesh.h"
 #include "Scan/MappedFile.h"
 
+#include "vtkCommunicator.h"
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
+
+namespace
+{
+//------------------------------------------------------------------------------
+// All processes, if each of them reads its own piece now.
+vtkMultiProcessController* FindProcesses(const camaron::PieceRequest& request)
+{
+  vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
+  return request.NumberOfPieces > 1 && all &&
+      all->GetNumberOfProcesses() == request.NumberOfPieces &&
+      all->GetLocalProcessId() == request.Piece
+    ? all
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// If any process has failed all have, for the reason of the first that did, which may be none.
+void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron::ScanError& error)
+{
+  const int none = processes->GetNumberOfProcesses();
+  const int mine = hasFailed ? processes->GetLocalProcessId() : none;
+  int first = none;
+  processes->AllReduce(&mine, &first, 1, vtkCommunicator::MIN_OP);
+  hasFailed = first < none;
+  if (!hasFailed)
+  {
+    return;
+  }
+  vtkMultiProcessStream stream;
+  stream << static_cast<int>(error.Kind) << error.Message;
+  processes->Broadcast(stream, first);
+  if (first != mine)
+  {
+    int kind;
+    stream >> kind >> error.Message;
+    error.Kind = static_cast<camaron::ErrorKind>(kind);
+  }
+}
+}
 
 //------------------------------------------------------------------------------
 vtkMeshFileReader::vtkMeshFileReader()
@@ -67,23 +109,31 @@ int vtkMeshFileReader::RequestData(
   {
     // Whatever was tried in vain before, in another dialect perhaps, is not why there is no mesh.
     error = camaron::ScanError();
-    warnings = camaron::Warnings();
-    output->Initialize();
   }
-  const std::string name = camaron::GetFileName(this->FileName);
-  for (const std::string& sentence : warnings.GetSentences())
+  bool hasFailed = error || progress.IsStopped();
+  vtkMultiProcessController* const processes = FindProcesses(request);
+  if (processes)
   {
-    if (!error)
+    ShareFailure(processes, hasFailed, error);
+  }
+  if (!hasFailed)
+  {
+    const std::string name = camaron::GetFileName(this->FileName);
+    for (const std::string& sentence : warnings.GetSentences())
     {
       vtkWarningMacro(<< name << ": " << sentence);
     }
+    return 1;
   }
-  if (error)
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  if (error && (!processes || request.Piece == 0))
   {
     vtkErrorMacro(<< error.Message);
-    this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
-    output->Initialize();
   }
+  this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
   return 1;
 }
 

@@ -9,6 +9,9 @@
  * the output is empty, one message was given and GetErrorCode() tells the kind (vtkErrorCode). The
  * request counts as answered then, so that the pipeline neither adds a message of its own nor reads
  * the file again before something changes.
+ *
+ * Where every process of the global controller reads the piece of its number, all fail if one does, and
+ * process 0 gives the message of the first.
  */
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h

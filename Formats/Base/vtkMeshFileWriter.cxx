@@ -12,6 +12,7 @@
 #include "vtkErrorCode.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMetaReader.h"
 #include "vtkMultiProcessController.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -29,6 +30,25 @@ std::string AddNumber(const std::string& path, int number)
   const std::size_t dot = path.find_last_of('.');
   const std::size_t at = dot == std::string::npos || dot < name ? path.size() : dot;
   return path.substr(0, at) + "_" + std::to_string(number) + path.substr(at);
+}
+
+//------------------------------------------------------------------------------
+// The error code of an algorithm that the input comes from, as far as any has one.
+unsigned long FindErrorUpstream(vtkAlgorithm* algorithm)
+{
+  unsigned long code = vtkErrorCode::NoError;
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < algorithm->GetNumberOfInputConnections(port) && !code; ++i)
+    {
+      vtkAlgorithm* const input = algorithm->GetInputAlgorithm(port, i);
+      auto* const series = vtkMetaReader::SafeDownCast(input);
+      code = series && series->GetReader() ? series->GetReader()->GetErrorCode()
+                                           : input->GetErrorCode();
+      code = code ? code : FindErrorUpstream(input);
+    }
+  }
+  return code;
 }
 }
 
@@ -149,6 +169,16 @@ void vtkMeshFileWriter::WriteTo(const std::string& path, vtkDataSet* mesh)
     });
   camaron::Warnings warnings;
   camaron::ScanError error;
+  const std::string name = camaron::GetFileName(path);
+  if (mesh->GetNumberOfPoints() == 0 && mesh->GetNumberOfCells() == 0)
+  {
+    if (const unsigned long code = FindErrorUpstream(this))
+    {
+      vtkErrorMacro(<< name << " is not written: there is no mesh, as its source has failed.");
+      this->SetErrorCode(code);
+      return;
+    }
+  }
   if (!this->WriteMesh(path, mesh, warnings, error, progress) && !error)
   {
     this->SetErrorCode(vtkErrorCode::UserError); // stopped
@@ -159,7 +189,6 @@ void vtkMeshFileWriter::WriteTo(const std::string& path, vtkDataSet* mesh)
     this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
     return;
   }
-  const std::string name = camaron::GetFileName(path);
   for (const std::string& sentence : warnings.GetSentences())
   {
     vtkWarningMacro(<< name << ": " << sentence);

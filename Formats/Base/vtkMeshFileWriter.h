@@ -9,7 +9,8 @@
  * time steps, progress and abort, warnings and errors. A file appears under its name only when it is
  * complete; after an error or an abort one that was there before is as it was. Write() returns 1, or 0
  * after an error, with GetErrorCode() telling the kind (vtkErrorCode). What the format cannot hold is
- * left out with one warning per kind.
+ * left out with one warning per kind. An empty mesh is written, unless it is empty because something
+ * upstream has failed, such as a reader.
  *
  * In parallel every process asks for its piece, and the first one gathers all and writes one file. Ghost
  * and hidden cells are left out, points of the same global id and place are merged and sorted by it. All processes

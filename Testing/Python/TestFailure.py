@@ -1,0 +1,74 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that cannot be read: one error of all ranks, and nothing is written of them."""
+
+import shutil
+import subprocess
+
+from paraview import simple
+
+import camaron_testing
+
+#: What every rank runs: it opens the file that is meant for it, writes it again, and says what it has.
+SCRIPT = """
+import os, sys
+from camaron import pipeline
+pipeline.load_plugin()
+from paraview import simple
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+*paths, target = sys.argv[1:]
+source = simple.VisfReader(FileNames=[paths[rank % len(paths)]])
+source.UpdatePipeline()
+reader = source.GetClientSideObject()
+cells = reader.GetOutputDataObject(0).GetNumberOfCells()
+simple.SaveData(target, source)
+os.write(1, f"rank {rank}: {cells} cells, code {reader.GetReader().GetErrorCode()}\\n".encode())
+"""
+FILE_NOT_OPENED, TRUNCATED = 20002, 20004  # of vtkErrorCode
+
+
+class TestFailure(camaron_testing.TestCase):
+    def run_ranks(self, *paths):
+        """Standard error, and what each of two ranks says; `paths` are taken in turn."""
+        mpiexec, pvbatch = shutil.which("mpiexec"), shutil.which("pvbatch")
+        if not mpiexec or not pvbatch:
+            self.skipTest("no mpiexec or pvbatch")
+        script = self.folder / "script.py"
+        script.write_text(SCRIPT)
+        command = [mpiexec, "-n", "2", pvbatch, "--sym", str(script)]
+        target = self.folder / "target.visf"
+        run = subprocess.run(
+            [*command, *map(str, paths), str(target)], capture_output=True, text=True, timeout=200
+        )
+        self.assertFalse(target.exists(), run.stderr)
+        return run.stderr, sorted(line for line in run.stdout.splitlines() if line[:5] == "rank ")
+
+    def test_one_error_of_all_ranks(self):
+        """Every rank reads the file and fails; people want to know once."""
+        bad = self.folder / "bad.visf"
+        bad.write_text("2 1\n3\n0 0 0\n1 0 0\n")
+        errors, outcome = self.run_ranks(bad)
+        self.assertEqual(errors.count("bad.visf:2: expected at least 18 bytes"), 1, errors)
+        self.assertEqual(errors.count("target.visf is not written"), 1, errors)
+        self.assertEqual(outcome, [f"rank {i}: 0 cells, code {TRUNCATED}" for i in range(2)])
+
+    def test_one_rank_fails(self):
+        """Half a mesh is no mesh: the other gives up what it has."""
+        good = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+        errors, outcome = self.run_ranks(good, self.folder / "missing.visf")
+        self.assertEqual(errors.count("missing.visf"), 1, errors)
+        self.assertEqual(outcome, [f"rank {i}: 0 cells, code {FILE_NOT_OPENED}" for i in range(2)])
+
+    def test_empty_meshes_are_written(self):
+        """A mesh that is empty for no error is a mesh."""
+        source = self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
+        nothing = simple.Clip(Input=source, ClipType="Plane", Invert=0)
+        nothing.ClipType.Origin = [1000, 0, 0]
+        target = self.folder / "empty.visf"
+        simple.SaveData(str(target), nothing)
+        self.assertEqual(target.read_text(), "2 0\n0\n")
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
