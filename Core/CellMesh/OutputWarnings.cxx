@@ -4,6 +4,8 @@
 
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
+#include "Scan/MappedFile.h"
+#include "Scan/Number.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 namespace camaron
@@ -46,33 +49,53 @@ void WarnOfArrays(
 }
 
 //------------------------------------------------------------------------------
-void WarnOfRounding(vtkDataSet* mesh, Warnings& warnings)
+bool CheckSinglePrecision(
+  vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error)
 {
   const MeshView view(mesh);
   if (view.HasFloatPoints())
   {
-    return;
+    return true;
   }
   constexpr vtkIdType ChunkSize = 1 << 16;
-  Tally rounded;
+  constexpr double Greatest = std::numeric_limits<float>::max();
+  const auto isTooLarge = [](double v) { return std::isfinite(v) && std::fabs(v) > Greatest; };
+  Tally rounded, tooLarge;
   std::mutex mutex;
   ParallelFor(view.GetNumberOfPoints(), ChunkSize,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const auto isExact = [](double v) { return std::isnan(v) || static_cast<float>(v) == v; };
-      Tally found;
+      const auto isExact = [](double v) { return !std::isfinite(v) || static_cast<float>(v) == v; };
+      Tally roundedHere, tooLargeHere;
       for (vtkIdType id = begin; id < end; ++id)
       {
         double x[3];
         view.GetPoint(id, x);
-        if (!isExact(x[0]) || !isExact(x[1]) || !isExact(x[2]))
+        if (std::any_of(x, x + 3, isTooLarge))
         {
-          found.Add(id);
+          tooLargeHere.Add(id);
+        }
+        else if (!isExact(x[0]) || !isExact(x[1]) || !isExact(x[2]))
+        {
+          roundedHere.Add(id);
         }
       }
       const std::lock_guard<std::mutex> lock(mutex);
-      rounded.Merge(found);
+      rounded.Merge(roundedHere);
+      tooLarge.Merge(tooLargeHere);
     });
+  if (tooLarge.Count > 0)
+  {
+    double x[3];
+    view.GetPoint(tooLarge.First, x);
+    std::string found;
+    AppendNumber(found, *std::find_if(x, x + 3, isTooLarge));
+    error = { ErrorKind::Unsupported,
+      GetFileName(path) + ": expected coordinates up to 3.4e38, as they are written in single " +
+        "precision, found " + found + " of point " + std::to_string(tooLarge.First) };
+    return false;
+  }
   warnings.Add(rounded, "point", "points", "rounded to single precision");
+  return true;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file OutputWarnings.h
- * @brief Says what of a mesh is lost when it is written.
+ * @brief Says what of a mesh is lost when it is written, or would be.
  */
 #ifndef camaron_OutputWarnings_h
 #define camaron_OutputWarnings_h
@@ -25,8 +25,14 @@ namespace camaron
 void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
   const std::vector<std::string>& written = {});
 
-/// Warns of points whose coordinates are not the same as float; @a mesh as for MeshView.
-void WarnOfRounding(vtkDataSet* mesh, Warnings& warnings);
+/**
+ * Warns of points whose coordinates are not the same in single precision. False with the error if one
+ * is beyond its range.
+ * @param mesh as for MeshView
+ * @param path of the file, for the error
+ */
+bool CheckSinglePrecision(
+  vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error);
 }
 
 #endif

@@ -375,9 +375,9 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
     warnings.Add("the mesh is in another plane than z = 0; z is not written");
   }
   WarnOfArrays(mesh, "Fluent mesh", warnings, { "Zone", "BoundaryType" });
-  if (encoding == FluentEncoding::Single)
+  if (encoding == FluentEncoding::Single && !CheckSinglePrecision(mesh, path, warnings, error))
   {
-    WarnOfRounding(mesh, warnings);
+    return false;
   }
   return Writing(file, output, encoding).Write(progress.Part(0.5, 1));
 }

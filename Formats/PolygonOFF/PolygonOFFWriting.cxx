@@ -255,6 +255,10 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
       GetFileName(path) + ": binary OFF files hold fewer than 2147483648 vertices and faces" };
     return false;
   }
+  if (isBinary && !CheckSinglePrecision(mesh, path, warnings, error))
+  {
+    return false;
+  }
   if (!isCloud)
   {
     WarnOfShortFaces(output, warnings);
@@ -266,7 +270,6 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
   bool good = false;
   if (isBinary)
   {
-    WarnOfRounding(mesh, warnings);
     std::string bytes = columns.GetKeyword() + " BINARY\n";
     BinarySink sink(bytes, formats);
     sink.AddInteger(points);

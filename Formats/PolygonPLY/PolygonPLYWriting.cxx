@@ -392,9 +392,10 @@ bool Writing::Write(const std::string& path, ScanError& error, const Progress& p
     throw std::length_error("more vertices or cells than PLY files can number");
   }
   this->IsDouble = !this->Output.HasFloatPoints() && !this->Options.FloatCoordinates;
-  if (!this->Output.HasFloatPoints() && this->Options.FloatCoordinates)
+  if (this->Options.FloatCoordinates &&
+    !CheckSinglePrecision(this->Mesh, path, this->Messages, error))
   {
-    WarnOfRounding(this->Mesh, this->Messages);
+    return false;
   }
   this->SortCells();
   if (this->Options.Cells)

@@ -260,13 +260,12 @@ private:
 };
 
 //------------------------------------------------------------------------------
-bool Write(OutputFile& file, vtkDataSet* mesh, VisfEncoding encoding, bool neighbors,
-  Warnings& warnings, const Progress& progress)
+bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, VisfEncoding encoding,
+  bool neighbors, Warnings& warnings, ScanError& error, const Progress& progress)
 {
   const VisfLists lists(mesh, warnings);
   WarnOfArrays(mesh, "Visf", warnings);
-  WarnOfRounding(mesh, warnings);
-  if (!progress.Report(0.3))
+  if (!CheckSinglePrecision(mesh, path, warnings, error) || !progress.Report(0.3))
   {
     return false;
   }
@@ -306,8 +305,9 @@ bool WriteVisf(const std::string& path, vtkDataSet* mesh, VisfEncoding encoding,
       OutputFile file(path);
       try
       {
-        good = !file.HasFailed() && Write(file, mesh, encoding, neighbors, warnings, progress);
-        error = file.GetError();
+        good = !file.HasFailed() &&
+          Write(file, path, mesh, encoding, neighbors, warnings, error, progress);
+        error = error ? error : file.GetError();
       }
       catch (const std::bad_alloc&)
       {

@@ -100,6 +100,9 @@ TEST(FluentMeshWriter, WritesBinary)
     const Written written = WriteAs(grid, encoding);
     ASSERT_EQ(written.Success, 1);
     EXPECT_EQ(written.Warnings.size(), single ? 1u : 0u); // 0.1 is rounded
+    const Grid large = MakeGrid({ { 0, 0, 0 }, { 1e300, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } } });
+    EXPECT_EQ(WriteAs(large, encoding).Success, single ? 0 : 1);
     EXPECT_NE(written.Bytes.find("(4 (60 "), std::string::npos);
     const std::string nodes = "(" + base + "10 (1 1 4 1 3)\n(";
     const std::size_t begin = written.Bytes.find(nodes);

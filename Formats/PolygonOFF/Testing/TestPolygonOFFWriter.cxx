@@ -106,6 +106,9 @@ TEST(PolygonOFFWriter, ExactBytes)
   words << 3 << 1 << 0 << 0.f << 0.f << 0.f << 1.f << 0.f << 0.f << 0.f << 0.5f << 0.f;
   words << 3 << 0 << 1 << 2 << 0;
   EXPECT_EQ(Write(triangle, WriteBinary).Bytes, "OFF BINARY\n" + words.Bytes);
+  triangle->GetPoints()->SetPoint(1, 1e300, 0, 0);
+  EXPECT_EQ(Write(triangle, WriteBinary).Bytes, "before");
+  EXPECT_TRUE(Write(triangle).Success);
 }
 
 //------------------------------------------------------------------------------

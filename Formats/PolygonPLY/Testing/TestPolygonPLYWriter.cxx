@@ -116,16 +116,19 @@ TEST(PolygonPLYWriter, TypesOfCoordinates)
     const Written written = Write(grid, [&](vtkPolygonPLYWriter* w) { w->SetEncoding(encoding); });
     EXPECT_TRUE(Has(written, "property double x\n"));
     EXPECT_EQ(Read(written).Grid->GetPoint(0)[2], 0.1);
-    const Written rounded = Write(grid,
-      [&](vtkPolygonPLYWriter* w)
-      {
-        w->SetEncoding(encoding);
-        w->SetCoordinates(vtkPolygonPLYWriter::FLOAT);
-      });
+    const auto round = [&](vtkPolygonPLYWriter* w)
+    {
+      w->SetEncoding(encoding);
+      w->SetCoordinates(vtkPolygonPLYWriter::FLOAT);
+    };
+    const Written rounded = Write(grid, round);
     EXPECT_TRUE(Has(rounded, "property float x\n"));
     ASSERT_EQ(rounded.Warnings.size(), 1u);
     EXPECT_NE(rounded.Warnings[0].find("2 points rounded"), std::string::npos);
     EXPECT_EQ(Read(rounded).Grid->GetPoint(0)[2], static_cast<double>(0.1f));
+    const Grid large = MakePolygons();
+    large->GetPoints()->SetPoint(1, 0, -1e300, 0);
+    EXPECT_EQ(Write(large, round).Bytes, "before");
   }
 }
 

@@ -304,6 +304,15 @@ TEST(VisfWriter, SaysWhatIsLost)
   EXPECT_NE(written.Warnings[0].find("not written: Pressure"), std::string::npos);
   EXPECT_NE(written.Warnings[1].find("1 point rounded to single precision: point 2"),
     std::string::npos);
+
+  grid->GetPoints()->SetPoint(1, 0, -1e300, 0);
+  const Written refused = WriteFile((File::GetFolder() / "refused.visf").string(), grid);
+  EXPECT_EQ(refused.Success, 0);
+  ASSERT_EQ(refused.Errors.size(), 1u);
+  EXPECT_NE(refused.Errors[0].find("refused.visf: expected coordinates up to 3.4e38"),
+    std::string::npos);
+  EXPECT_NE(refused.Errors[0].find("found -1e+300 of point 1"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(File::GetFolder() / "refused.visf"));
 }
 
 //------------------------------------------------------------------------------
