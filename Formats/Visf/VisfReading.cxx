@@ -77,6 +77,7 @@ struct Content
   int Type = -1;
   bool HasFlag = true;
   bool HasTrailingData = false;
+  std::string WrongFlag; // what was made of it
   IdLists::Expectation Faces, Cells;
   ScanError Error;
 };
@@ -325,9 +326,8 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       {
         return true;
       }
-      std::int64_t flag = -1;
-      const bool flagIsValid =
-        TextScanner(flagless).ReadInteger(flag, 0, 1, ErrorKind::Syntax, "a flag");
+      std::int64_t flag = 0;
+      const bool mayBeCount = TextScanner(flagless).ReadInteger(flag, "") && flag != 0 && flag != 1;
       Content other;
       this->Expect(other, points, faces);
       const bool otherIsGood =
@@ -335,7 +335,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       // Neighbours cut off after the first few look like a polyhedron of too few polygons.
       const bool otherFits = otherIsGood && !other.HasTrailingData &&
         other.Cells.Empty.Count + other.Cells.Short.Count == 0;
-      if (flagIsValid && !otherFits)
+      if (!mayBeCount && !otherFits)
       {
         return !scanner.HasFailed();
       }
@@ -344,6 +344,13 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       content.Cells = other.Cells;
       content.HasTrailingData = other.HasTrailingData;
       scanner = flagless;
+      if (!otherIsGood || content.HasTrailingData)
+      {
+        content.WrongFlag = "the " + std::to_string(flag) +
+          " after the polygons is taken for the number of polyhedra, as it is no flag for "
+          "neighbours, 0 or 1";
+        scanner.AddToError(" (" + content.WrongFlag + ")");
+      }
       return otherIsGood;
     }
     return this->ReadTextTail(scanner, lines.get(), false, content, progress.Part(0.7, 1));
@@ -450,6 +457,10 @@ void Warn(const Content& content, const Progress& progress, Warnings& warnings)
   if (content.HasTrailingData)
   {
     warnings.Add("there is more data after the end of the mesh");
+  }
+  if (!content.WrongFlag.empty())
+  {
+    warnings.Add(content.WrongFlag);
   }
 }
 }

@@ -5,6 +5,8 @@
 
 #include "vtkErrorCode.h"
 
+#include <algorithm>
+
 #if defined(__linux__)
 #include <sys/resource.h>
 #endif
@@ -109,6 +111,15 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
     "test.visf:10: expected a polygon id from 0 to 0, found 1");
   ExpectError(points + "0 1 0\r\n1\r\n3 0 1 2\r\n1\r\n", Code::PrematureEndOfFileError,
     "test.visf:10: expected the size of a list of neighbours");
+  // A wrong flag may be the number of polyhedra of a file without one.
+  const std::string surface = points + "0 1 0\r\n1\r\n3 0 1 2\r\n";
+  ExpectError(surface + "2\r\n1\r\n1 1\r\n", Code::FileFormatError,
+    "found 1 (the 2 after the polygons is taken for the number of polyhedra, as it is no flag");
+  ExpectError(surface + "x\r\n", Code::FileFormatError,
+    "test.visf:9: expected the flag for neighbours, found 'x'");
+  const Result odd = ReadBytes(surface + "2\r\n1 0\r\n1 0\r\n7\r\n");
+  EXPECT_TRUE(std::any_of(odd.Warnings.begin(), odd.Warnings.end(), [](const std::string& warning)
+    { return warning.find("the 2 after the polygons") != std::string::npos; }));
 }
 
 //------------------------------------------------------------------------------
