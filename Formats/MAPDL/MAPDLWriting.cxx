@@ -102,27 +102,32 @@ struct Component
 };
 
 //------------------------------------------------------------------------------
-// What stands for a name in a deck, which has to begin with a letter and where other characters
-// would end it.
-std::string MakeName(const char* name)
+// A name that the manual allows (Ansys, Mechanical APDL Command Reference, CM), made as Ansys
+// Mechanical makes them of the names of its selections. Beyond the manual, decks of Ansys's own
+// programs have `-`, and `_` at the beginning.
+std::string MakeName(const std::string& upper)
 {
-  std::string safe = ToUpperMAPDL(TrimMAPDL(name));
-  for (char& c : safe)
+  constexpr std::size_t MaxLength = 240;
+  std::string name = upper;
+  const auto isLetter = [](char c) { return c >= 'A' && c <= 'Z'; };
+  for (char& c : name)
   {
-    const bool isGood = (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-';
-    c = isGood ? c : '_';
+    c = isLetter(c) || IsDigit(c) || c == '.' || c == '-' ? c : '_';
   }
-  if (!safe.empty() && safe.front() >= '0' && safe.front() <= '9')
+  const bool isReserved = name == "ALL" || name == "STAT" || name == "DEFA";
+  if (!name.empty() && (isReserved || (!isLetter(name[0]) && upper[0] != '_')))
   {
-    safe.insert(0, 1, 'C');
+    name.insert(0, "C_");
   }
-  return safe;
+  return name.substr(0, MaxLength);
 }
 
 //------------------------------------------------------------------------------
-std::vector<Component> FindComponents(vtkDataSet* mesh, std::vector<std::string>& written)
+std::vector<Component> FindComponents(
+  vtkDataSet* mesh, std::vector<std::string>& written, Warnings& warnings)
 {
   std::vector<Component> components;
+  std::string changes;
   for (const bool ofNodes : { true, false })
   {
     std::set<std::string> names;
@@ -137,7 +142,8 @@ std::vector<Component> FindComponents(vtkDataSet* mesh, std::vector<std::string>
         continue;
       }
       const unsigned char* const flags = array->GetPointer(0);
-      const std::string name = MakeName(array->GetName());
+      const std::string upper = ToUpperMAPDL(TrimMAPDL(array->GetName()));
+      const std::string name = MakeName(upper);
       if (!name.empty() &&
         std::all_of(
           flags, flags + array->GetNumberOfValues(), [](unsigned char f) { return f < 2; }) &&
@@ -145,8 +151,16 @@ std::vector<Component> FindComponents(vtkDataSet* mesh, std::vector<std::string>
       {
         components.push_back({ name, ofNodes, flags });
         written.push_back(array->GetName());
+        if (name != upper)
+        {
+          changes += (changes.empty() ? "" : ", ") + written.back() + " to " + name;
+        }
       }
     }
+  }
+  if (!changes.empty())
+  {
+    warnings.Add("names of components are changed to what decks can have: " + changes);
   }
   return components;
 }
@@ -385,7 +399,7 @@ bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptio
     return false;
   }
   std::vector<std::string> written;
-  const std::vector<Component> components = FindComponents(mesh, written);
+  const std::vector<Component> components = FindComponents(mesh, written, warnings);
   const DeckWriter writer(mesh, output, options);
   writer.Warn(mesh, std::move(written), warnings);
   OutputFile file(path);

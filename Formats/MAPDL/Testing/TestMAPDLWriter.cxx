@@ -198,12 +198,17 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
   AddArray<vtkUnsignedCharArray>(grid->GetPointData(), "Many", { 0, 1, 2, 3, 4, 5, 6, 7, 8 });
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "a,b!$", { 0, 1 });
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "1 x\"\xc3\xa9", { 0, 1 });
+  AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "All", { 0, 1 });
+  AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "_Good.1", { 0, 1 });
   const Written written = WriteAll(grid);
-  ASSERT_EQ(written.Warnings.size(), 3u);
-  EXPECT_NE(written.Warnings[0].find("Many, TypeId, ElementType, Material"), std::string::npos)
+  ASSERT_EQ(written.Warnings.size(), 4u);
+  EXPECT_NE(written.Warnings[0].find(": a,b!$ to A_B__, 1 x\"\xc3\xa9 to C_1_X___, All to C_ALL\n"),
+    std::string::npos)
     << written.Warnings[0];
-  EXPECT_NE(written.Warnings[1].find("NodeId"), std::string::npos);
-  EXPECT_NE(written.Warnings[2].find("ElementId"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("Many, TypeId, ElementType, Material"), std::string::npos)
+    << written.Warnings[1];
+  EXPECT_NE(written.Warnings[2].find("NodeId"), std::string::npos);
+  EXPECT_NE(written.Warnings[3].find("ElementId"), std::string::npos);
   const Result result = ReadDeck(written.Bytes);
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   EXPECT_EQ(result.Grid->GetCellType(0), VTK_TETRA);
@@ -215,7 +220,9 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
   EXPECT_EQ(GetValue(result.Grid, "Real", 0), 7);
   EXPECT_EQ(GetValue(result.Grid, "Real", 1), 1);
   EXPECT_EQ(GetValue(result.Grid, "A_B__", 1), 1);
-  EXPECT_EQ(GetValue(result.Grid, "C1_X___", 1), 1);
+  EXPECT_EQ(GetValue(result.Grid, "C_1_X___", 1), 1);
+  EXPECT_EQ(GetValue(result.Grid, "C_ALL", 1), 1);
+  EXPECT_EQ(GetValue(result.Grid, "_GOOD.1", 1), 1);
 }
 
 //------------------------------------------------------------------------------
