@@ -1,0 +1,97 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""All criteria on the collected meshes of other programs: every null value has a reason that holds."""
+
+import camaron_testing
+import numpy
+from camaron import pipeline, tables
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
+
+PATTERNS = ("ansys_fluent/*.cas", "ansys_fluent/*.msh", "m3d/*.m3d", "ansys_cdb/*.cdb", "ansys_cdb/*.dat")
+#: Reasons, as the mask writes them.
+VALUE, NOT_APPLICABLE, DEGENERATE, INVALID, NO_NEIGHBOR, MISSING, HIGHER_ORDER = range(7)
+#: Bits of CellStatus that explain a quotient 0/0, and those that explain a cell without inside and outside.
+COLLAPSED = 0x001 | 0x080 | 0x100 | 0x8000 | 0x10000 | 0x40000
+OPEN = 0x001 | 0x1000 | 0x2000 | 0x4000
+
+
+def blocks(data):
+    if isinstance(data, vtkDataSet):
+        return [data]
+    items = []
+    if isinstance(data, vtkCompositeDataSet):
+        iterator = data.NewIterator()
+        while not iterator.IsDoneWithTraversal():
+            items.append(iterator.GetCurrentDataObject())
+            iterator.GoToNextItem()
+    return items
+
+
+class TestRealMeshes(camaron_testing.TestCase):
+    def check(self, data, criteria):
+        """Counts of values and nulls, after each null was explained."""
+        values = lambda name: vtk_to_numpy(data.GetCellData().GetArray(name))
+        status = values("CellStatus")
+        known = ~numpy.isnan(status)
+        status = numpy.where(known, status, 0).astype(int)
+        at_boundary = values("IsBoundary") == 1
+        found = nulls = 0
+        for name, criterion in criteria.items():
+            array, mask = values(name), values(f"{name}_Null")
+            is_null = numpy.isnan(array)
+            found += int((~is_null).sum())
+            nulls += int(is_null.sum())
+            self.assertTrue(numpy.isin(mask[~is_null], (VALUE, HIGHER_ORDER)).all(), name)
+            unexplained = is_null & (mask != NOT_APPLICABLE)
+            unexplained &= ~((mask == DEGENERATE) & (status & COLLAPSED != 0))
+            unexplained &= ~((mask == INVALID) & (status & OPEN != 0))
+            no_neighbor = (mask == NO_NEIGHBOR) & at_boundary
+            if name == "MaxBoundaryNonOrthogonality":
+                no_neighbor = (mask == NO_NEIGHBOR) & ~at_boundary
+            unexplained &= ~no_neighbor
+            cells = numpy.flatnonzero(unexplained)
+            self.assertEqual(
+                len(cells), 0, f"{name} of cells {cells[:5]}: {mask[cells[:5]]}, {status[cells[:5]]}"
+            )
+            # What has a meaning for every polygon and polyhedron has one for every cell with a status.
+            if criterion["applies_to"] == "polygons and polyhedra":
+                self.assertFalse((known & (mask == NOT_APPLICABLE)).any(), name)
+            low, high = criterion["range"]
+            slack = 1e-9
+            healthy = ~is_null & (status & (COLLAPSED | OPEN) == 0)
+            if low is not None and not name.startswith("Verdict"):
+                self.assertTrue((array[healthy] >= low - slack * (1 + abs(low))).all(), name)
+            if high is not None and not name.startswith("Verdict"):
+                self.assertTrue((array[healthy] <= high + slack * (1 + abs(high))).all(), name)
+        return found, nulls
+
+    def test_every_null_is_explained(self):
+        if camaron_testing.DATA is None:
+            self.skipTest("there is no CAMARON_SHARED_DATA")
+        paths = sorted(path for pattern in PATTERNS for path in camaron_testing.DATA.glob(pattern))
+        self.assertGreater(len(paths), 10)
+        criteria = tables.known_criteria()
+        checked = 0
+        for path in paths:
+            with self.subTest(path.name):
+                source = pipeline.open_mesh(path).source
+                quality = simple.ElementQuality(
+                    Input=source, Criteria=list(criteria), WriteNullMask=1
+                )
+                with pipeline.Messages() as messages:
+                    data = servermanager.Fetch(quality)
+                self.assertEqual(messages.errors, [])
+                for block in blocks(data):
+                    if block.GetNumberOfCells():
+                        found, nulls = self.check(block, criteria)
+                        self.assertGreater(found, block.GetNumberOfCells())
+                        checked += 1
+                simple.Delete(quality)
+                simple.Delete(source)
+        self.assertGreater(checked, 10)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
