@@ -152,7 +152,7 @@ std::vector<Criterion> DecompositionCriteria()
       "Volume divided by that of the regular tetrahedron with the same circumsphere, of the worst "
       "tetrahedron of the centroid, the centre of a face and an edge of it.",
       Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
-      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Real,
+      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Cited, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetQuality),
       { "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁)",
         "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "

@@ -43,7 +43,8 @@ const std::vector<Preset>& GetPresets()
         "BhatiaLawrence", "TetRadiusEdgeRatio", "TetRadiusRatio", "TetMeanRatio", "MinFaceFlatness",
         "MinTetMeanRatio", "CellStatus", "MaxNonOrthogonality", "MaxFaceSkewness", "MinVolumeRatio",
         "OrthogonalQuality" }) },
-    { "FEM tetrahedra", "Finite elements on tetrahedra; ranges of the Verdict manual, rev. A, and TetGen.",
+    { "FEM tetrahedra", "Finite elements on tetrahedra; ranges of the Verdict manual, rev. A, for "
+      "tetrahedra; TetGen's default bound of the radius-edge ratio; 165 degrees are common practice.",
       { { "Volume", { Positive, Infinity } },
         { "MinDihedralAngle", { 40, Infinity } },
         { "MaxDihedralAngle", { -Infinity, 165 } },
@@ -52,14 +53,15 @@ const std::vector<Preset>& GetPresets()
         { "TetMeanRatio", { 0.3, Infinity } },
         { "EdgeLengthRatio", { 1.0 / 3, Infinity } } } },
     { "FEM hexahedra", "Finite elements on hexahedra; ranges of the Verdict manual, rev. A, for "
-      "quadrilaterals and hexahedra.",
+      "hexahedra (scaled Jacobian) and their quadrilaterals (angles, edges).",
       { { "Volume", { Positive, Infinity } },
         { "MinFaceAngle", { 45, Infinity } },
         { "MaxFaceAngle", { -Infinity, 135 } },
         { "EdgeLengthRatio", { 1 / 1.3, Infinity } },
-        { "EquiangleSkewness", { -Infinity, 0.5 } } } },
-    { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh and of its "
-      "meshQualityDict.",
+        { "EquiangleSkewness", { -Infinity, 0.5 } },
+        { "CornerScaledJacobian", { 0.5, Infinity } } } },
+    { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh (non-orthogonality "
+      "from 70 degrees, aspect ratio, flatness, openness) and of its meshQualityDict (the others).",
       { { "Volume", { Positive, Infinity } },
         { "MaxNonOrthogonality", { -Infinity, 70 } },
         { "MaxFaceSkewness", { -Infinity, 4 } },
@@ -69,6 +71,7 @@ const std::vector<Preset>& GetPresets()
         { "MinVolumeRatio", { 0.01, Infinity } },
         { "MinFaceFlatness", { 0.8, Infinity } },
         { "MaxFaceConcavity", { -Infinity, 80 } },
+        { "MinTetQuality", { 1e-15, Infinity } },
         { "CellDeterminant", { 0.001, Infinity } },
         { "Openness", { -Infinity, 1e-6 } } } },
     { "Surface", "Polygonal surfaces; ranges of the Verdict manual, rev. A, for triangles.",

@@ -201,7 +201,7 @@ std::vector<Criterion> SimplexCriteria()
     { "TetQualityFoam", "OpenFOAM's tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere.",
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
-      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Real,
+      { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Cited, Real,
       Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(TetQualityFoam),
       { "V / (8√3/27 · R³) with R as for `TetRadiusEdgeRatio`",
         "0 for a flat tetrahedron, negative for an inverted one, null (degenerate) for one in one "

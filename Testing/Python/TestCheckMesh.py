@@ -7,10 +7,13 @@ import re
 import shutil
 import subprocess
 import sys
+import unittest
+from pathlib import Path
 
 import camaron_testing
 import mesh_parts
 import numpy
+from camaron import tables
 from camaron_testing import EXAMPLES
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import VTK_WEDGE
@@ -40,6 +43,17 @@ PRINTED = {
     "MinFaceFlatness": (min, r"Face flatness \(1 = flat, 0 = butterfly\) : min = "),
     "Volume": (min, r"Min volume = "),
 }
+
+#: Entries of OpenFOAM's dictionary of limits by criterion.
+LIMITS = {
+    "MaxFaceSkewness": "maxInternalSkewness",
+    "MaxFaceConcavity": "maxConcave",
+    "MinTetQuality": "minTetQuality",
+    "MinFaceWeight": "minFaceWeight",
+    "MinVolumeRatio": "minVolRatio",
+    "CellDeterminant": "minDeterminant",
+}
+DICTIONARY = Path("/usr/share/openfoam/etc/caseDicts/meshQualityDict")
 
 
 def write_case(folder, faces):
@@ -106,6 +120,19 @@ class TestCheckMesh(camaron_testing.TestCase):
         total = float(re.search(r"Total volume = ([-+.0-9e]+?)\.\s", printed).group(1))
         self.assertAlmostEqual(values["Volume"].sum() / total, 1.0, delta=tolerance)
         self.assertLess(values["Openness"].max(), 1e-6)
+
+    @unittest.skipUnless(DICTIONARY.exists(), "OpenFOAM's dictionaries are elsewhere")
+    def test_limits_are_openfoams(self):
+        """The preset and the registry have the limits of the dictionary that comes with OpenFOAM."""
+        entries = dict(re.findall(r"^(\w+)\s+(\S+);", DICTIONARY.read_text(), re.MULTILINE))
+        rules = tables.known_presets()["Finite volume"]["rules"]
+        known = tables.known_criteria()
+        for name, entry in LIMITS.items():
+            limit = float(entries[entry])
+            self.assertIn(limit, rules[name], name)
+            self.assertIn(limit, known[name]["acceptable"], name)
+        limit = float(entries["maxNonOrtho"])
+        self.assertIn(limit, known["MaxNonOrthogonality"]["acceptable"])
 
     def test_voronoi(self):
         self.compare(simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf")), 1e-4)
