@@ -98,6 +98,16 @@ std::vector<FluentZone> ListZones(const FluentFile& file)
   {
     addUnnamed(section, GetTypeName(static_cast<int>(section.Header[3])));
   }
+  std::map<int, int> types;
+  for (const FluentSection& section : file.Faces)
+  {
+    types.emplace(static_cast<int>(section.Header[0]), static_cast<int>(section.Header[3]));
+  }
+  for (FluentZone& zone : zones)
+  {
+    const auto type = types.find(zone.Id);
+    zone.BoundaryType = type != types.end() ? type->second : 0;
+  }
   return zones;
 }
 
@@ -217,8 +227,9 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const ZoneFaces& zone, int id, int dime
 //------------------------------------------------------------------------------
 void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
 {
-  vtkNew<vtkIntArray> ids;
+  vtkNew<vtkIntArray> ids, boundaryTypes;
   ids->SetName("ZoneIds");
+  boundaryTypes->SetName("ZoneBoundaryTypes");
   vtkNew<vtkStringArray> names, types;
   names->SetName("ZoneNames");
   types->SetName("ZoneTypes");
@@ -227,10 +238,12 @@ void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData)
     ids->InsertNextValue(zone.Id);
     names->InsertNextValue(zone.Name);
     types->InsertNextValue(zone.Type);
+    boundaryTypes->InsertNextValue(zone.BoundaryType);
   }
   fieldData->AddArray(ids);
   fieldData->AddArray(names);
   fieldData->AddArray(types);
+  fieldData->AddArray(boundaryTypes);
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,8 @@ class vtkPoints;
 
 namespace camaron
 {
-/// Adds the zones of the file as "ZoneIds", "ZoneNames" and "ZoneTypes".
+/// Adds the zones of the file as "ZoneIds", "ZoneNames", "ZoneTypes" and "ZoneBoundaryTypes", the
+/// numbers of kinds of boundaries.
 void AddFluentZones(const FluentFile& file, vtkFieldData* fieldData);
 
 /**

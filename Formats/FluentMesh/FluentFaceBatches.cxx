@@ -144,8 +144,8 @@ bool FluentFaceBatches::VisitKept(const Run& run, const VisitBatch& visit)
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaceBatches::ForEach(
-  const Progress& progress, const std::function<bool(const Face*, vtkIdType)>& visit)
+bool FluentFaceBatches::ForEach(const Progress& progress,
+  const std::function<bool(const FluentFaces::Run&, const Face*, vtkIdType)>& visit)
 {
   const vtkIdType size = this->Mesh.Faces.GetCount();
   this->Batch = Buffer<Face>(std::min(size, BatchSize));
@@ -153,7 +153,7 @@ bool FluentFaceBatches::ForEach(
   {
     const auto visitBatch = [&](vtkIdType begin, vtkIdType end)
     {
-      return (!run.Bounds || visit(this->Batch.data(), end - begin)) &&
+      return (!run.Bounds || visit(run, this->Batch.data(), end - begin)) &&
         progress.Report(static_cast<double>(end) / static_cast<double>(size));
     };
     if (!(run.Data ? this->VisitKept(run, visitBatch) : this->VisitText(run, visitBatch)))

@@ -42,10 +42,11 @@ public:
   }
 
   /**
-   * Calls visit(faces, count) for all faces that bound cells, until it returns false. False if it
-   * did, if some faces are larger or wrong or laid out otherwise, or if stopped.
+   * Calls visit(run, faces, count) for all faces that bound cells, until it returns false. False if
+   * it did, if some faces are larger or wrong or laid out otherwise, or if stopped.
    */
-  bool ForEach(const Progress& progress, const std::function<bool(const Face*, vtkIdType)>& visit);
+  bool ForEach(const Progress& progress,
+    const std::function<bool(const FluentFaces::Run&, const Face*, vtkIdType)>& visit);
 
 private:
   using Run = FluentFaces::Run;

@@ -42,6 +42,7 @@ struct FluentZone
 {
   int Id = 0;
   std::string Type, Name;
+  int BoundaryType = 0; ///< number of the kind of boundary; 0 for zones of cells
 };
 
 class FluentFile

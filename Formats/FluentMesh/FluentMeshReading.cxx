@@ -95,6 +95,7 @@ private:
   FluentCells Cells;
   FluentPiece Piece;
   FluentFaceTree Tree;
+  FluentInteriorZones Interior;
   ScanError Error;
 };
 
@@ -171,6 +172,7 @@ bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
       ErrorKind::Unsupported, "a mesh with cells", "faces that belong to no cell (a surface)");
     return false;
   }
+  this->Interior.AddAll(this->Faces, this->Cells);
   return this->ReadTree();
 }
 
@@ -196,7 +198,7 @@ bool FluentMeshReading::ReadCells(
   {
     FluentStandardCells cells(mesh);
     FluentFaceBatches batches(this->File, mesh, nodes, this->Chunk);
-    if (cells.Place() && cells.Build(batches, grid, progress.Part(0.3, 1)))
+    if (cells.Place() && cells.Build(batches, this->Interior, grid, progress.Part(0.3, 1)))
     {
       return true;
     }
@@ -236,6 +238,7 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
       ErrorKind::Unsupported, "a mesh with nodes and faces", nodes == 0 ? "no nodes" : "no faces");
     return false;
   }
+  this->Interior.Find(this->Faces);
   constexpr std::int64_t MaxCellsPerFace = 4; // two, and as many that were refined
   if (!this->Cells.Load(this->File, MaxCellsPerFace * this->Faces.GetCount()) ||
     !this->ReadCells(nodes, grid, warnings, progress.Part(0.1, 0.8)))
@@ -310,6 +313,7 @@ void FluentMeshReading::AddArrays(vtkUnstructuredGrid* grid) const
     grid->GetCellData()->AddArray(idArray);
   }
   AddFluentZones(this->File, grid->GetFieldData());
+  this->Interior.AddTo(grid->GetFieldData());
 }
 
 //------------------------------------------------------------------------------

@@ -3,50 +3,18 @@
 #include "FluentOutput.h"
 
 #include "FluentCells.h"
-#include "FluentFaces.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkFieldData.h"
-#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <array>
 #include <mutex>
-#include <set>
 
 namespace camaron
 {
 namespace
 {
 constexpr vtkIdType Grain = 4096;
-constexpr int FirstZone = 2; // as most writers count, after an interior zone 1
-
-//------------------------------------------------------------------------------
-// Fluent's number of a kind of boundary; 0 for what is none.
-int GetBoundaryType(const std::string& name)
-{
-  static const std::map<std::string, int> types = { { "interior", 2 }, { "wall", 3 },
-    { "pressure-inlet", 4 }, { "inlet-vent", 4 }, { "intake-fan", 4 }, { "pressure-outlet", 5 },
-    { "exhaust-fan", 5 }, { "outlet-vent", 5 }, { "symmetry", 7 }, { "shadow", 8 },
-    { "pressure-far-field", 9 }, { "velocity-inlet", 10 }, { "periodic", 12 }, { "fan", 14 },
-    { "porous-jump", 14 }, { "radiator", 14 }, { "mass-flow-inlet", 20 }, { "interface", 24 },
-    { "overset", 25 }, { "outflow", 36 }, { "axis", 37 } };
-  const auto type = types.find(name);
-  return type != types.end() ? type->second : 0;
-}
-
-//------------------------------------------------------------------------------
-// A name without what ends one in a file.
-std::string Clean(std::string name)
-{
-  for (char& c : name)
-  {
-    c = c <= ' ' || c == '(' || c == ')' || c == '"' || c == '\x7f' ? '-' : c;
-  }
-  return name;
-}
 
 //------------------------------------------------------------------------------
 // Turns a ring so that it is the least of all that it can be turned to.
@@ -69,41 +37,6 @@ void StartAtLeast(std::vector<vtkIdType>& ring)
     }
   }
 }
-
-//------------------------------------------------------------------------------
-std::vector<FluentZone> ReadZones(vtkFieldData* data)
-{
-  std::vector<FluentZone> zones;
-  vtkDataArray* const ids = data->GetArray("ZoneIds");
-  auto* const names = vtkStringArray::SafeDownCast(data->GetAbstractArray("ZoneNames"));
-  auto* const types = vtkStringArray::SafeDownCast(data->GetAbstractArray("ZoneTypes"));
-  if (!ids || ids->GetNumberOfComponents() != 1)
-  {
-    return zones;
-  }
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-  {
-    FluentZone zone;
-    const double id = ids->GetTuple1(i);
-    if (id < 1 || id > INT32_MAX)
-    {
-      continue;
-    }
-    zone.Id = static_cast<int>(id);
-    zone.Name = names && i < names->GetNumberOfValues() ? Clean(names->GetValue(i)) : std::string();
-    zone.Type = types && i < types->GetNumberOfValues() ? Clean(types->GetValue(i)) : std::string();
-    zones.push_back(zone);
-  }
-  return zones;
-}
-
-//------------------------------------------------------------------------------
-// A single number per cell; nullptr for anything else.
-vtkDataArray* GetCellNumbers(vtkDataSet* mesh, const char* name)
-{
-  vtkDataArray* const array = mesh->GetCellData()->GetArray(name);
-  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -114,9 +47,8 @@ FluentOutput::FluentOutput(vtkDataSet* mesh, int dimension)
   , Mesh(this->Topology.GetMesh())
   , Facets(dimension == 3 ? this->Topology.GetFaces() : this->Topology.GetSurfaceEdges())
   , Shapes(&GetCellShape(0))
-  , KnownZones(ReadZones(mesh->GetFieldData()))
-  , ZoneArray(GetCellNumbers(mesh, "Zone"))
 {
+  this->ReadZones();
 }
 
 //------------------------------------------------------------------------------
@@ -139,14 +71,6 @@ int FluentOutput::GetElement(vtkIdType cell) const
     default:
       return static_cast<int>(FluentElement::Polyhedron);
   }
-}
-
-//------------------------------------------------------------------------------
-// The zone of a cell of the mesh; 0 if it has none.
-int FluentOutput::GetZone(vtkIdType cell) const
-{
-  const double zone = this->ZoneArray ? this->ZoneArray->GetTuple1(cell) : 0;
-  return zone >= 1 && zone <= INT32_MAX ? static_cast<int>(zone) : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -363,242 +287,6 @@ void FluentOutput::SortFacesOfCells()
 }
 
 //------------------------------------------------------------------------------
-// Finds the facets that cells of a lower dimension are.
-void FluentOutput::FindMarks(Warnings& warnings)
-{
-  if (this->Marks.empty())
-  {
-    return;
-  }
-  const auto getPoint = [this](vtkIdType point)
-  {
-    const auto original = this->Originals.find(point);
-    return original != this->Originals.end() ? original->second : point;
-  };
-  std::vector<std::vector<vtkIdType>> wanted;
-  std::vector<bool> isOfMark(static_cast<std::size_t>(this->Mesh.GetNumberOfPoints()), false);
-  for (const std::int32_t mark : this->Marks)
-  {
-    const IndexRange points = this->Mesh.GetCellPoints(mark);
-    wanted.emplace_back();
-    for (vtkIdType i = 0; i < points.Size; ++i)
-    {
-      const vtkIdType point = getPoint(points[i]);
-      wanted.back().push_back(point);
-      isOfMark[static_cast<std::size_t>(point)] = true;
-    }
-    std::sort(wanted.back().begin(), wanted.back().end());
-  }
-
-  std::vector<std::pair<std::vector<vtkIdType>, Index>> facets;
-  std::vector<vtkIdType> nodes;
-  for (const Face& face : this->Faces)
-  {
-    this->GetNodes(face, nodes);
-    if (std::all_of(nodes.begin(), nodes.end(),
-          [&](vtkIdType node) { return isOfMark[static_cast<std::size_t>(node)]; }))
-    {
-      std::sort(nodes.begin(), nodes.end());
-      facets.emplace_back(nodes, face.Facet);
-    }
-  }
-  std::sort(facets.begin(), facets.end());
-
-  vtkDataArray* const types = GetCellNumbers(this->DataSet, "BoundaryType");
-  Tally lost;
-  for (std::size_t i = 0; i < wanted.size(); ++i)
-  {
-    const auto facet =
-      std::lower_bound(facets.begin(), facets.end(), std::make_pair(wanted[i], Index(-1)));
-    if (facet == facets.end() || facet->first != wanted[i])
-    {
-      lost.Add(this->Marks[i]);
-      continue;
-    }
-    const int zone = this->GetZone(this->Marks[i]);
-    if (zone > 0)
-    {
-      this->MarkedZones.emplace(facet->second, zone);
-      const double type = types ? types->GetTuple1(this->Marks[i]) : 0;
-      constexpr double MaxType = 100;
-      this->MarkedTypes.emplace(zone, type >= 1 && type < MaxType ? static_cast<int>(type) : 0);
-    }
-  }
-  warnings.Add(
-    lost, "cell", "cells", "of a lower dimension, which are no faces of others, left out");
-}
-
-//------------------------------------------------------------------------------
-int FluentOutput::GetFreeZone(int least) const
-{
-  std::set<int> taken;
-  for (const FluentZone& zone : this->KnownZones)
-  {
-    taken.insert(zone.Id);
-  }
-  for (const FluentZone& zone : this->Zones)
-  {
-    taken.insert(zone.Id);
-  }
-  for (const auto& marked : this->MarkedTypes)
-  {
-    taken.insert(marked.first);
-  }
-  while (taken.count(least))
-  {
-    ++least;
-  }
-  return least;
-}
-
-//------------------------------------------------------------------------------
-// A zone for faces that are in none: the only known one of this type, or a new one.
-FluentZone FluentOutput::MakeZone(const std::string& type, int least) const
-{
-  const FluentZone* only = nullptr;
-  int count = 0;
-  for (const FluentZone& zone : this->KnownZones)
-  {
-    const int boundary = GetBoundaryType(zone.Type);
-    const bool isInterior = boundary == FluentBoundary::Interior;
-    if (boundary > 0 && isInterior == (type == "interior"))
-    {
-      ++count;
-      only = zone.Type == type ? &zone : nullptr;
-    }
-  }
-  const bool isFree = count == 1 && only && !this->MarkedTypes.count(only->Id) &&
-    std::none_of(this->Zones.begin(), this->Zones.end(),
-      [&](const FluentZone& zone) { return zone.Id == only->Id; });
-  return this->Describe(isFree ? only->Id : this->GetFreeZone(least), type);
-}
-
-//------------------------------------------------------------------------------
-FluentZone FluentOutput::Describe(int zone, const std::string& type) const
-{
-  const auto known = std::find_if(this->KnownZones.begin(), this->KnownZones.end(),
-    [zone](const FluentZone& candidate) { return candidate.Id == zone; });
-  FluentZone result;
-  result.Id = zone;
-  result.Type = known != this->KnownZones.end() && !known->Type.empty() ? known->Type : type;
-  result.Name = known != this->KnownZones.end() && !known->Name.empty()
-    ? known->Name
-    : result.Type + "-" + std::to_string(zone);
-  return result;
-}
-
-//------------------------------------------------------------------------------
-// Cells stay in their order; consecutive ones of the same zone make a section.
-void FluentOutput::FindCellSections(Warnings& warnings)
-{
-  std::map<int, int> parts;
-  const vtkIdType size = this->GetNumberOfCells();
-  for (vtkIdType begin = 0; begin < size;)
-  {
-    Section section;
-    section.Zone = this->GetZone(this->GetMeshCell(begin));
-    section.Element = this->GetElement(begin);
-    section.Begin = begin;
-    vtkIdType end = begin;
-    for (; end < size && this->GetZone(this->GetMeshCell(end)) == section.Zone; ++end)
-    {
-      section.Element = this->GetElement(end) == section.Element ? section.Element : 0;
-    }
-    section.End = end;
-    ++parts[section.Zone];
-    this->CellSections.push_back(section);
-    begin = end;
-  }
-  for (const auto& part : parts)
-  {
-    if (part.first > 0)
-    {
-      this->Zones.push_back(this->Describe(part.first, "fluid"));
-    }
-  }
-  if (parts.count(0))
-  {
-    const int zone = this->GetFreeZone(FirstZone);
-    this->Zones.push_back(this->Describe(zone, "fluid"));
-    for (Section& section : this->CellSections)
-    {
-      section.Zone = section.Zone > 0 ? section.Zone : zone;
-    }
-  }
-  const auto split = std::count_if(parts.begin(), parts.end(),
-    [](const std::pair<const int, int>& part) { return part.second > 1; });
-  if (split > 0)
-  {
-    warnings.Add(std::to_string(split) +
-      (split == 1 ? " zone whose cells do" : " zones whose cells do") +
-      " not follow each other, written as several sections");
-  }
-}
-
-//------------------------------------------------------------------------------
-// Faces between cells first, then the others by zone.
-void FluentOutput::SortFaces()
-{
-  constexpr int Inside = -2, Outside = -1; // of no zone
-  const auto getKey = [this](const Face& face)
-  {
-    const auto marked = this->MarkedZones.find(face.Facet);
-    return marked != this->MarkedZones.end() ? marked->second
-      : face.Cells[1] >= 0                   ? Inside
-                                             : Outside;
-  };
-  if (this->MarkedZones.empty())
-  {
-    std::stable_partition(
-      this->Faces.begin(), this->Faces.end(), [](const Face& face) { return face.Cells[1] >= 0; });
-  }
-  else
-  {
-    std::stable_sort(this->Faces.begin(), this->Faces.end(),
-      [&](const Face& a, const Face& b) { return getKey(a) < getKey(b); });
-  }
-  const auto size = static_cast<vtkIdType>(this->Faces.size());
-  for (vtkIdType begin = 0; begin < size;)
-  {
-    const int key = getKey(this->Faces[static_cast<std::size_t>(begin)]);
-    Section section;
-    section.Begin = begin;
-    bool same = true, large = false, hasInside = false;
-    const std::int32_t faceSize = this->Faces[static_cast<std::size_t>(begin)].Size;
-    vtkIdType end = begin;
-    for (; end < size && getKey(this->Faces[static_cast<std::size_t>(end)]) == key; ++end)
-    {
-      const Face& face = this->Faces[static_cast<std::size_t>(end)];
-      constexpr std::int32_t LargestSized = 4;
-      same = same && face.Size == faceSize;
-      large = large || face.Size > LargestSized;
-      hasInside = hasInside || face.Cells[1] >= 0;
-    }
-    section.End = end;
-    constexpr int Polygons = 5;
-    section.Element = large ? Polygons : same && faceSize > 1 ? faceSize : 0;
-    FluentZone zone;
-    if (key > 0)
-    {
-      const int type = this->MarkedTypes[key];
-      zone = this->Describe(key, hasInside ? "interior" : "wall");
-      section.Type = type > 0 ? type : GetBoundaryType(zone.Type);
-    }
-    else
-    {
-      zone = this->MakeZone(key == Inside ? "interior" : "wall", FirstZone + 1);
-    }
-    section.Type = section.Type > 0 ? section.Type
-      : hasInside                   ? FluentBoundary::Interior
-                                    : FluentBoundary::Wall;
-    section.Zone = zone.Id;
-    this->Zones.push_back(zone);
-    this->FaceSections.push_back(section);
-    begin = end;
-  }
-}
-
-//------------------------------------------------------------------------------
 bool FluentOutput::Build(Warnings& warnings, std::string& reason, const Progress& progress)
 {
   this->FindCells();
@@ -610,6 +298,7 @@ bool FluentOutput::Build(Warnings& warnings, std::string& reason, const Progress
   this->FindMarks(warnings);
   this->FindCellSections(warnings);
   this->SortFaces();
+  this->WarnOfLostZones(warnings);
   return true;
 }
 }

@@ -14,6 +14,7 @@
 #define camaron_FluentOutput_h
 
 #include "FluentFile.h"
+#include "FluentInteriorZones.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 
@@ -91,9 +92,13 @@ private:
   void MergeCopies();
   bool FindFaces(Warnings& warnings, std::string& reason, const Progress& progress);
   void SortFacesOfCells();
+  void ReadZones();
   void SortFaces();
+  void AddFaceSection(vtkIdType begin, vtkIdType end, int id);
   void FindCellSections(Warnings& warnings);
   void FindMarks(Warnings& warnings);
+  int GetInteriorZone(const Face& face) const;
+  void WarnOfLostZones(Warnings& warnings) const;
   FluentZone MakeZone(const std::string& type, int least) const;
   int GetFreeZone(int least) const;
   int GetZone(vtkIdType cell) const;
@@ -113,6 +118,7 @@ private:
   std::vector<Face> Faces;
   std::map<Index, int> MarkedZones; ///< zones of facets
   std::map<int, int> MarkedTypes;   ///< types of boundary of these zones
+  FluentInteriorZones InteriorZones;
   std::vector<Section> FaceSections, CellSections;
   std::vector<FluentZone> Zones, KnownZones;
   vtkDataArray* ZoneArray = nullptr;

@@ -260,8 +260,24 @@ bool FluentStandardCells::Place()
 }
 
 //------------------------------------------------------------------------------
-bool FluentStandardCells::Build(
-  FluentFaceBatches& batches, vtkUnstructuredGrid* grid, const Progress& progress)
+void FluentStandardCells::AddTo(
+  FluentInteriorZones& zones, int zone, const FluentFaceBatches::Face* faces, vtkIdType size) const
+{
+  const auto getZone = [this](vtkIdType cell)
+  { return this->Mesh.Cells.GetZone(this->Mesh.Piece.GetLeaf(cell)); };
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const FluentFaceBatches::Face& face = faces[i];
+    if (face.Cells[0] >= 0 && face.Cells[1] >= 0)
+    {
+      zones.Add(zone, getZone(face.Cells[0]), getZone(face.Cells[1]), face.Size);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones& zones,
+  vtkUnstructuredGrid* grid, const Progress& progress)
 {
   this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
   Buffer<FluentCellState> states(this->Count);
@@ -274,8 +290,12 @@ bool FluentStandardCells::Build(
   }
   const auto count = static_cast<vtkIdType>(shares.size());
   const bool visited = batches.ForEach(progress,
-    [&](const FluentFaceBatches::Face* faces, vtkIdType size)
+    [&](const FluentFaces::Run& run, const FluentFaceBatches::Face* faces, vtkIdType size)
     {
+      if (zones.AreSeveral() && run.BoundaryType == FluentBoundary::Interior)
+      {
+        this->AddTo(zones, run.Zone, faces, size);
+      }
       std::atomic<bool> good{ true };
       ParallelFor(count, 1,
         [&](vtkIdType first, vtkIdType last)

@@ -14,6 +14,7 @@
 
 #include "FluentCellFaces.h"
 #include "FluentFaceBatches.h"
+#include "FluentInteriorZones.h"
 
 class vtkUnstructuredGrid;
 
@@ -30,13 +31,18 @@ public:
 
   /// Finds the place of every cell; false if some are of no such type.
   bool Place();
-  /// Makes the cells; false if some are not as they are declared, the batches cannot be visited, or
-  /// if stopped. The grid gets them only if all is well.
-  bool Build(FluentFaceBatches& batches, vtkUnstructuredGrid* grid, const Progress& progress);
+  /// Makes the cells, and adds the faces to @a zones if they are several; false if some are not as
+  /// they are declared, the batches cannot be visited, or if stopped. The grid gets them only if
+  /// all is well.
+  bool Build(FluentFaceBatches& batches, FluentInteriorZones& zones, vtkUnstructuredGrid* grid,
+    const Progress& progress);
 
 private:
   using Id = vtkTypeInt32;
   class Share;
+
+  void AddTo(FluentInteriorZones& zones, int zone, const FluentFaceBatches::Face* faces,
+    vtkIdType size) const;
 
   const FluentMesh& Mesh;
   vtkIdType Count;

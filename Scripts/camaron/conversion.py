@@ -27,8 +27,9 @@ def convert(
     properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If a format of
     ParaView cannot hold the mesh as it is, blocks are merged, surfaces become unstructured grids,
     and for formats that know surfaces only, the boundary is written; those of the plugin do as
-    their options say. Returns what was done besides writing, and what the reader and the writer
-    warn of, one sentence each.
+    their options say. What a reader has in further outputs, like boundaries by zone, goes along if
+    the format stays the same. Returns what was done besides writing, and what the reader and the
+    writer warn of, one sentence each.
 
     >>> convert("part.visf", "part.vtu", compressor_type="LZ4")
     []
@@ -71,7 +72,14 @@ def _writes_all_steps(options: dict[str, Any]) -> bool:
 def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     """What of the mesh the format can hold; adds the filters it takes to `made`."""
     suffix = target.suffix.lower()
-    if formats.own_writer(target):
+    writer = formats.own_writer(target)
+    others = _further_outputs(made[0])
+    if others and writer == formats.own_counterpart(made[0].GetXMLName()):
+        made.append(simple.GroupDatasets(Input=[made[0], *others]))
+        return made[-1]
+    for output in others:
+        notes.append(f"The output {_describe_output(output)} of the reader was not written.")
+    if writer:
         return made[0]  # takes any mesh, blocks too
 
     def fits(proxy) -> bool:
@@ -105,6 +113,26 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         f"{target}: no writer for {suffix}{formats.suggestion(suffix, known)}; "
         f"known are {' '.join(sorted(known))}"
     )
+
+
+def _further_outputs(source: Any) -> list[Any]:
+    """What a reader has beside the mesh, like boundaries by zone, as far as there is any."""
+    ports = range(1, source.SMProxy.GetNumberOfOutputPorts())
+    return [
+        simple.OutputPort(source, port)
+        for port in ports
+        if pipeline.data_information(source, port).GetNumberOfCells() > 0
+    ]
+
+
+def _describe_output(output: Any) -> str:
+    """`Boundaries (inlet, outlet)`"""
+    name = output.SMProxy.GetOutputPortName(output.Port)
+    hierarchy = output.GetDataInformation().GetHierarchy()
+    if hierarchy is None:
+        return name
+    blocks = [hierarchy.GetNodeName(i) for i in hierarchy.GetChildNodes(hierarchy.GetRootNode())]
+    return f"{name} ({', '.join(blocks)})"
 
 
 def _is_volume(proxy: Any) -> bool:

@@ -138,6 +138,11 @@ def own_writer(path: os.PathLike | str) -> Optional[str]:
     return None
 
 
+def own_counterpart(reader: str) -> Optional[str]:
+    """The proxy of the plugin that writes what a proxy of it reads, or None."""
+    return next((f["writer"] for f in own_formats() if f["reader"] == reader), None)
+
+
 def make_writer(name: str) -> Any:
     """A writer of its own, with nothing to write yet."""
     manager = servermanager.vtkSMProxyManager.GetProxyManager()

@@ -9,7 +9,7 @@ import unittest
 
 import camaron_testing
 import numpy
-from camaron import opening, pipeline
+from camaron import convert, opening, pipeline
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -261,6 +261,47 @@ class TestFluentMesh(camaron_testing.TestCase):
         names = [hierarchy.GetNodeName(i) for i in hierarchy.GetChildNodes(hierarchy.GetRootNode())]
         self.assertEqual(names, ["side", "inlet"])
         self.assertEqual(boundaries.GetDataInformation().GetNumberOfCells(), 6)
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
+    def test_converts_boundaries(self):
+        """From Fluent to Fluent, every zone stays; other formats get the cells, and a note says so."""
+        meshes = [self.sample(TEXT.replace("velocity-inlet", "mass-flow-inlet"))]
+        if camaron_testing.DATA is not None:
+            names = ("tgrid_axial_comp_3d_hex_ascii.msh", "fluent_mixer_poly_bin.cas")
+            meshes += [self.data(f"ansys_fluent/{name}") for name in names]
+
+        def describe(path):
+            reader = self.read(path)
+            fields = self.fetch(reader).GetFieldData()
+            ids, names, types = (
+                fields.GetAbstractArray(name) for name in ("ZoneIds", "ZoneNames", "ZoneTypes")
+            )
+            zones = {
+                (int(ids.GetValue(i)), names.GetValue(i), types.GetValue(i))
+                for i in range(ids.GetNumberOfValues())
+            }
+            boundaries = simple.OutputPort(reader, 1)
+            boundaries.UpdatePipeline()
+            merged = self.fetch(simple.MergeBlocks(Input=boundaries))
+            of_faces = vtk_to_numpy(merged.GetCellData().GetArray("Zone"))
+            return zones, [part.tolist() for part in numpy.unique(of_faces, return_counts=True)]
+
+        for mesh in meshes:
+            expected = describe(mesh)
+            for encoding in ("ascii", "binary-single"):
+                target = self.folder / "converted.msh"
+                notes = convert(mesh, target, encoding=encoding)
+                self.assertFalse([note for note in notes if "left out" in note], notes)
+                self.assertEqual(describe(target), expected, (mesh, encoding))
+        cells = self.folder / "cells.vtu"
+        self.assertEqual(
+            convert(meshes[0], cells),
+            ["The output Boundaries (side, inlet) of the reader was not written."],
+        )
+        notes = convert(cells, self.folder / "cells.msh")
+        self.assertEqual(len(notes), 1)
+        self.assertIn("2 zones of which the mesh has no cells or faces", notes[0])
+        self.assertIn("side, inlet", notes[0])
 
 
 if __name__ == "__main__":

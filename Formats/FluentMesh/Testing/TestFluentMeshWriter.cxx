@@ -14,6 +14,9 @@
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
+#include <array>
+#include <set>
+
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -57,6 +60,52 @@ void ExpectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool single
   }
 }
 
+//------------------------------------------------------------------------------
+// All that is known of every zone, and how many faces it has.
+std::set<std::string> DescribeZones(vtkFluentMeshReader* reader)
+{
+  std::set<std::string> zones;
+  vtkFieldData* const data = reader->GetOutput()->GetFieldData();
+  const auto get = [data](const char* name, vtkIdType i)
+  { return data->GetAbstractArray(name)->GetVariantValue(i).ToString(); };
+  for (vtkIdType i = 0; i < data->GetArray("ZoneIds")->GetNumberOfTuples(); ++i)
+  {
+    zones.insert(get("ZoneIds", i) + " " + get("ZoneNames", i) + " " + get("ZoneTypes", i));
+  }
+  auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(1));
+  for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+  {
+    auto* const surface = vtkPolyData::SafeDownCast(blocks->GetBlock(i));
+    std::map<std::pair<int, int>, int> counts;
+    for (vtkIdType face = 0; face < surface->GetNumberOfCells(); ++face)
+    {
+      const auto value = [&](const char* name)
+      { return static_cast<int>(surface->GetCellData()->GetArray(name)->GetTuple1(face)); };
+      ++counts[{ value("Zone"), value("BoundaryType") }];
+    }
+    for (const auto& count : counts)
+    {
+      zones.insert(std::to_string(count.second) + " faces of kind " +
+        std::to_string(count.first.second) + " in " + std::to_string(count.first.first) + " " +
+        blocks->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()));
+    }
+  }
+  if (vtkDataArray* interior = data->GetArray("InteriorZones"))
+  {
+    for (vtkIdType i = 0; i < interior->GetNumberOfTuples(); ++i)
+    {
+      std::string row = "faces inside:";
+      for (int c = 0; c < interior->GetNumberOfComponents(); ++c)
+      {
+        row += " " + std::to_string(static_cast<int>(interior->GetComponent(i, c)));
+      }
+      zones.insert(row);
+    }
+  }
+  return zones;
+}
+
+//------------------------------------------------------------------------------
 void AddZones(vtkUnstructuredGrid* grid, const std::vector<int>& zones)
 {
   vtkNew<vtkIntArray> array;
@@ -208,6 +257,68 @@ TEST(FluentMeshWriter, KeepsZonesOfMergedBlocks)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, faces between cells come into another of several zones, or zones of which nothing
+// tells them apart vanish without a word.
+TEST(FluentMeshWriter, KeepsZonesOfInteriorFaces)
+{
+  const std::string names = "(45 (20 interior triangles)())(45 (21 interior quads)())\n"
+                            "(45 (22 interior others)())\n";
+  for (const int cellElement : { 0, 7 }) // as they are, and as polyhedra
+  {
+    FluentSample mesh = MakeMixed(3);
+    mesh.BoundaryTypes = { { 20, 2 }, { 21, 2 }, { 22, 2 } };
+    for (FluentSample::Cell& cell : mesh.Cells)
+    {
+      cell.Element = cellElement > 0 ? cellElement : cell.Element;
+    }
+    int between = 0; // faces of four nodes between cells of zone 5
+    for (FluentSample::Face& face : mesh.Faces)
+    {
+      const bool isInside = face.Cells[1] >= 0;
+      face.Zone = isInside ? face.Nodes.size() == 3 ? 20 : 21 : 0;
+      if (isInside && face.Nodes.size() == 4 && mesh.Cells[face.Cells[0]].Zone == 5 &&
+        mesh.Cells[face.Cells[1]].Zone == 5)
+      {
+        face.Zone = ++between % 2 ? 21 : 22;
+      }
+    }
+    ASSERT_GT(between, 1);
+    const File file(Encode(mesh) + names, "test.msh");
+    vtkNew<vtkFluentMeshReader> reader;
+    reader->SetFileName(file.Path.c_str());
+    reader->Update();
+    const Written written = Write(reader->GetOutput());
+    ASSERT_EQ(written.Success, 1);
+    const auto warnsOf = [&](const std::string& text)
+    {
+      return std::any_of(written.Warnings.begin(), written.Warnings.end(),
+        [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
+    };
+    EXPECT_TRUE(warnsOf("left out: inside, others;")); // the sample names a zone without faces
+    const Result second = Read(written.Bytes);
+    ASSERT_TRUE(second.Errors.empty());
+    std::map<std::array<int, 3>, int> tables[2];
+    for (vtkUnstructuredGrid* grid : { reader->GetOutput(), second.Grid.Get() })
+    {
+      vtkDataArray* const table = grid->GetFieldData()->GetArray("InteriorZones");
+      ASSERT_NE(table, nullptr);
+      for (vtkIdType row = 0; row < table->GetNumberOfTuples(); ++row)
+      {
+        const double* entry = table->GetTuple4(row);
+        tables[grid == second.Grid][{ static_cast<int>(entry[1]), static_cast<int>(entry[2]),
+          static_cast<int>(entry[3]) }] = static_cast<int>(entry[0]);
+      }
+    }
+    for (const auto& entry : tables[0])
+    {
+      EXPECT_EQ(tables[1][entry.first], entry.second);
+    }
+    EXPECT_GT(tables[0].size(), 1u);
+    EXPECT_EQ(tables[0].count({ 5, 5, 4 }), 0u);
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, cells of lower dimensions are written as cells, or vanish without a word.
 TEST(FluentMeshWriter, CellsOfLowerDimensionsAreMarks)
 {
@@ -348,5 +459,51 @@ TEST(FluentMeshWriter, CollectedFilesRoundTrip)
       // Text has the digits that single precision needs, if that is what the points are of.
       ExpectSameCells(first.Grid, second.Grid, first.Grid->GetPoints()->GetDataType() == VTK_FLOAT);
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a zone of a collected file loses its name, kind, number or faces where both
+// outputs of the reader are written, or gets lost without a word where only the cells are.
+TEST(FluentMeshWriter, CollectedFilesKeepTheirZones)
+{
+  const char* folder = std::getenv("CAMARON_SHARED_DATA");
+  if (!folder || !std::filesystem::exists(std::string(folder) + "/ansys_fluent"))
+  {
+    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_fluent";
+  }
+  for (const auto& entry :
+    std::filesystem::directory_iterator(std::string(folder) + "/ansys_fluent"))
+  {
+    vtkNew<vtkFluentMeshReader> reader;
+    reader->SetFileName(entry.path().string().c_str());
+    reader->Update();
+    const std::set<std::string> zones = DescribeZones(reader);
+    const bool isRefined = entry.path().filename() == "dev_hanging_ascii.msh";
+    vtkNew<vtkMultiBlockDataSet> both;
+    both->SetBlock(0, reader->GetOutputDataObject(0));
+    both->SetBlock(1, reader->GetOutputDataObject(1));
+    for (const int encoding : { vtkFluentMeshWriter::ASCII, vtkFluentMeshWriter::BINARY_SINGLE })
+    {
+      const Written written =
+        Write(both, [encoding](vtkFluentMeshWriter* writer) { writer->SetEncoding(encoding); });
+      ASSERT_EQ(written.Success, 1) << entry.path();
+      const File copy(written.Bytes, "copy.msh");
+      vtkNew<vtkFluentMeshReader> second;
+      second->SetFileName(copy.Path.c_str());
+      second->Update();
+      if (!isRefined) // whose split faces are a zone
+      {
+        EXPECT_EQ(DescribeZones(second), zones) << entry.path();
+      }
+    }
+    const Written cells = WriteAs(reader->GetOutput(), vtkFluentMeshWriter::ASCII);
+    const auto blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(1));
+    EXPECT_TRUE(blocks->GetNumberOfBlocks() < 2 ||
+      std::any_of(cells.Warnings.begin(), cells.Warnings.end(),
+        [](const std::string& warning) {
+          return warning.find("zones of which the mesh has no cells or faces") != std::string::npos;
+        }))
+      << entry.path();
   }
 }

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FluentInteriorZones
+ * @brief Which zone the faces between cells are in, where there are several such zones.
+ *
+ * Meshes of cells do not show these faces. Usually the zones of the cells on both sides tell their
+ * zone, or these and the number of their nodes. As a table in the field data this survives what is
+ * done to the mesh, and leads a writer to the same zones.
+ */
+#ifndef camaron_FluentInteriorZones_h
+#define camaron_FluentInteriorZones_h
+
+#include "FluentCellFaces.h"
+
+#include <array> // for keys
+#include <map>   // for the table
+
+class vtkFieldData;
+
+namespace camaron
+{
+class FluentInteriorZones
+{
+public:
+  /// Name of the array: zone, lesser and greater zone of the cells, number of nodes.
+  static constexpr const char* ArrayName = "InteriorZones";
+
+  /// Finds whether there are several zones; without, nothing is added.
+  void Find(const FluentFaces& faces);
+  bool AreSeveral() const { return this->Several; }
+
+  /// Adds a face of a zone between cells of two zones.
+  void Add(int zone, int cellZone, int otherCellZone, std::int32_t nodes)
+  {
+    const Key key = MakeKey(cellZone, otherCellZone, nodes);
+    if (this->Last == this->Zones.end() || this->Last->first != key)
+    {
+      this->Last = this->Zones.emplace(key, zone).first;
+    }
+    if (this->Last->second != zone)
+    {
+      this->Last->second = Ambiguous;
+    }
+  }
+  /// Adds all faces, which must be accessible.
+  void AddAll(const FluentFaces& faces, const FluentCells& cells);
+
+  ///@{
+  /// The zone of a face, from the array of a mesh that was read; 0 if it does not say.
+  void Load(vtkFieldData* fieldData);
+  int GetZone(int cellZone, int otherCellZone, std::int32_t nodes) const
+  {
+    const auto zone = this->Zones.find(MakeKey(cellZone, otherCellZone, nodes));
+    return zone != this->Zones.end() ? zone->second : 0;
+  }
+  ///@}
+
+  /// Adds the array, without kinds of faces that are in one zone or another.
+  void AddTo(vtkFieldData* fieldData) const;
+
+private:
+  static constexpr int Ambiguous = -1;
+  using Key = std::array<int, 3>;
+  static Key MakeKey(int cellZone, int otherCellZone, std::int32_t nodes)
+  {
+    return { std::min(cellZone, otherCellZone), std::max(cellZone, otherCellZone), nodes };
+  }
+
+  std::map<Key, int> Zones;
+  std::map<Key, int>::iterator Last = Zones.end();
+  bool Several = false;
+};
+}
+
+#endif

@@ -1,0 +1,405 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Zones of cells and faces: what the arrays of the mesh say of them, and what follows of that.
+#include "FluentOutput.h"
+
+#include "FluentFaces.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace camaron
+{
+namespace
+{
+constexpr int FirstZone = 2; // as most writers count, after an interior zone 1
+
+//------------------------------------------------------------------------------
+// Fluent's number of a kind of boundary; 0 for what is none.
+int GetBoundaryType(const std::string& name)
+{
+  static const std::map<std::string, int> types = { { "interior", 2 }, { "wall", 3 },
+    { "pressure-inlet", 4 }, { "inlet-vent", 4 }, { "intake-fan", 4 }, { "pressure-outlet", 5 },
+    { "exhaust-fan", 5 }, { "outlet-vent", 5 }, { "symmetry", 7 }, { "shadow", 8 },
+    { "pressure-far-field", 9 }, { "velocity-inlet", 10 }, { "periodic", 12 }, { "fan", 14 },
+    { "porous-jump", 14 }, { "radiator", 14 }, { "mass-flow-inlet", 20 }, { "interface", 24 },
+    { "overset", 25 }, { "outflow", 36 }, { "axis", 37 } };
+  const auto type = types.find(name);
+  return type != types.end() ? type->second : 0;
+}
+
+//------------------------------------------------------------------------------
+// The number of a kind of boundary; 0 for what is none, or one of meshes that do not fit.
+int ToBoundaryType(double number)
+{
+  constexpr double MaxType = 100;
+  return number >= 1 && number < MaxType ? static_cast<int>(number) : 0;
+}
+
+//------------------------------------------------------------------------------
+// A name without what ends one in a file.
+std::string Clean(std::string name)
+{
+  for (char& c : name)
+  {
+    c = c <= ' ' || c == '(' || c == ')' || c == '"' || c == '\x7f' ? '-' : c;
+  }
+  return name;
+}
+
+//------------------------------------------------------------------------------
+std::vector<FluentZone> ListZones(vtkFieldData* data)
+{
+  std::vector<FluentZone> zones;
+  vtkDataArray* const ids = data->GetArray("ZoneIds");
+  auto* const names = vtkStringArray::SafeDownCast(data->GetAbstractArray("ZoneNames"));
+  auto* const types = vtkStringArray::SafeDownCast(data->GetAbstractArray("ZoneTypes"));
+  vtkDataArray* const numbers = data->GetArray("ZoneBoundaryTypes");
+  if (!ids || ids->GetNumberOfComponents() != 1)
+  {
+    return zones;
+  }
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    FluentZone zone;
+    const double id = ids->GetTuple1(i);
+    if (id < 1 || id > INT32_MAX)
+    {
+      continue;
+    }
+    zone.Id = static_cast<int>(id);
+    zone.Name = names && i < names->GetNumberOfValues() ? Clean(names->GetValue(i)) : std::string();
+    zone.Type = types && i < types->GetNumberOfValues() ? Clean(types->GetValue(i)) : std::string();
+    zone.BoundaryType =
+      numbers && numbers->GetNumberOfComponents() == 1 && i < numbers->GetNumberOfTuples()
+      ? ToBoundaryType(numbers->GetTuple1(i))
+      : 0;
+    zones.push_back(zone);
+  }
+  return zones;
+}
+
+//------------------------------------------------------------------------------
+// A single number per cell; nullptr for anything else.
+vtkDataArray* GetCellNumbers(vtkDataSet* mesh, const char* name)
+{
+  vtkDataArray* const array = mesh->GetCellData()->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+void FluentOutput::ReadZones()
+{
+  vtkFieldData* const data = this->DataSet->GetFieldData();
+  this->KnownZones = ListZones(data);
+  this->InteriorZones.Load(data);
+  this->ZoneArray = GetCellNumbers(this->DataSet, "Zone");
+}
+
+//------------------------------------------------------------------------------
+// The zone of a cell of the mesh; 0 if it has none.
+int FluentOutput::GetZone(vtkIdType cell) const
+{
+  const double zone = this->ZoneArray ? this->ZoneArray->GetTuple1(cell) : 0;
+  return zone >= 1 && zone <= INT32_MAX ? static_cast<int>(zone) : 0;
+}
+
+//------------------------------------------------------------------------------
+// Finds the facets that cells of a lower dimension are.
+void FluentOutput::FindMarks(Warnings& warnings)
+{
+  if (this->Marks.empty())
+  {
+    return;
+  }
+  const auto getPoint = [this](vtkIdType point)
+  {
+    const auto original = this->Originals.find(point);
+    return original != this->Originals.end() ? original->second : point;
+  };
+  std::vector<std::vector<vtkIdType>> wanted;
+  std::vector<bool> isOfMark(static_cast<std::size_t>(this->Mesh.GetNumberOfPoints()), false);
+  for (const std::int32_t mark : this->Marks)
+  {
+    const IndexRange points = this->Mesh.GetCellPoints(mark);
+    wanted.emplace_back();
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      const vtkIdType point = getPoint(points[i]);
+      wanted.back().push_back(point);
+      isOfMark[static_cast<std::size_t>(point)] = true;
+    }
+    std::sort(wanted.back().begin(), wanted.back().end());
+  }
+
+  std::vector<std::pair<std::vector<vtkIdType>, Index>> facets;
+  std::vector<vtkIdType> nodes;
+  for (const Face& face : this->Faces)
+  {
+    this->GetNodes(face, nodes);
+    if (std::all_of(nodes.begin(), nodes.end(),
+          [&](vtkIdType node) { return isOfMark[static_cast<std::size_t>(node)]; }))
+    {
+      std::sort(nodes.begin(), nodes.end());
+      facets.emplace_back(nodes, face.Facet);
+    }
+  }
+  std::sort(facets.begin(), facets.end());
+
+  vtkDataArray* const types = GetCellNumbers(this->DataSet, "BoundaryType");
+  Tally lost;
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+  {
+    const auto facet =
+      std::lower_bound(facets.begin(), facets.end(), std::make_pair(wanted[i], Index(-1)));
+    if (facet == facets.end() || facet->first != wanted[i])
+    {
+      lost.Add(this->Marks[i]);
+      continue;
+    }
+    const int zone = this->GetZone(this->Marks[i]);
+    if (zone > 0)
+    {
+      this->MarkedZones.emplace(facet->second, zone);
+      this->MarkedTypes.emplace(zone, types ? ToBoundaryType(types->GetTuple1(this->Marks[i])) : 0);
+    }
+  }
+  warnings.Add(
+    lost, "cell", "cells", "of a lower dimension, which are no faces of others, left out");
+}
+
+//------------------------------------------------------------------------------
+int FluentOutput::GetFreeZone(int least) const
+{
+  std::set<int> taken;
+  for (const FluentZone& zone : this->KnownZones)
+  {
+    taken.insert(zone.Id);
+  }
+  for (const FluentZone& zone : this->Zones)
+  {
+    taken.insert(zone.Id);
+  }
+  for (const auto& marked : this->MarkedTypes)
+  {
+    taken.insert(marked.first);
+  }
+  while (taken.count(least))
+  {
+    ++least;
+  }
+  return least;
+}
+
+//------------------------------------------------------------------------------
+// A zone for faces that are in none: the only known one of this type, or a new one.
+FluentZone FluentOutput::MakeZone(const std::string& type, int least) const
+{
+  const FluentZone* only = nullptr;
+  int count = 0;
+  for (const FluentZone& zone : this->KnownZones)
+  {
+    const int boundary = GetBoundaryType(zone.Type);
+    const bool isInterior = boundary == FluentBoundary::Interior;
+    if (boundary > 0 && isInterior == (type == "interior"))
+    {
+      ++count;
+      only = zone.Type == type ? &zone : nullptr;
+    }
+  }
+  const bool isFree = count == 1 && only && !this->MarkedTypes.count(only->Id) &&
+    std::none_of(this->Zones.begin(), this->Zones.end(),
+      [&](const FluentZone& zone) { return zone.Id == only->Id; });
+  return this->Describe(isFree ? only->Id : this->GetFreeZone(least), type);
+}
+
+//------------------------------------------------------------------------------
+FluentZone FluentOutput::Describe(int zone, const std::string& type) const
+{
+  const auto known = std::find_if(this->KnownZones.begin(), this->KnownZones.end(),
+    [zone](const FluentZone& candidate) { return candidate.Id == zone; });
+  FluentZone result = known != this->KnownZones.end() ? *known : FluentZone();
+  result.Id = zone;
+  result.Type = result.Type.empty() ? type : result.Type;
+  result.Name = result.Name.empty() ? result.Type + "-" + std::to_string(zone) : result.Name;
+  return result;
+}
+
+//------------------------------------------------------------------------------
+// Cells stay in their order; consecutive ones of the same zone make a section.
+void FluentOutput::FindCellSections(Warnings& warnings)
+{
+  std::map<int, int> parts;
+  const vtkIdType size = this->GetNumberOfCells();
+  for (vtkIdType begin = 0; begin < size;)
+  {
+    Section section;
+    section.Zone = this->GetZone(this->GetMeshCell(begin));
+    section.Element = this->GetElement(begin);
+    section.Begin = begin;
+    vtkIdType end = begin;
+    for (; end < size && this->GetZone(this->GetMeshCell(end)) == section.Zone; ++end)
+    {
+      section.Element = this->GetElement(end) == section.Element ? section.Element : 0;
+    }
+    section.End = end;
+    ++parts[section.Zone];
+    this->CellSections.push_back(section);
+    begin = end;
+  }
+  for (const auto& part : parts)
+  {
+    if (part.first > 0)
+    {
+      this->Zones.push_back(this->Describe(part.first, "fluid"));
+    }
+  }
+  if (parts.count(0))
+  {
+    const int zone = this->GetFreeZone(FirstZone);
+    this->Zones.push_back(this->Describe(zone, "fluid"));
+    for (Section& section : this->CellSections)
+    {
+      section.Zone = section.Zone > 0 ? section.Zone : zone;
+    }
+  }
+  const auto split = std::count_if(parts.begin(), parts.end(),
+    [](const std::pair<const int, int>& part) { return part.second > 1; });
+  if (split > 0)
+  {
+    warnings.Add(std::to_string(split) +
+      (split == 1 ? " zone whose cells do" : " zones whose cells do") +
+      " not follow each other, written as several sections");
+  }
+}
+
+//------------------------------------------------------------------------------
+// The zone of a face between cells that is in no other; 0 if it is not known.
+int FluentOutput::GetInteriorZone(const Face& face) const
+{
+  const int zone = this->InteriorZones.GetZone(this->GetZone(this->GetMeshCell(face.Cells[0])),
+    this->GetZone(this->GetMeshCell(face.Cells[1])), face.Size);
+  const bool isKnown = zone > 0 &&
+    std::any_of(this->KnownZones.begin(), this->KnownZones.end(),
+      [zone](const FluentZone& known)
+      { return known.Id == zone && GetBoundaryType(known.Type) == FluentBoundary::Interior; });
+  return isKnown ? zone : 0;
+}
+
+//------------------------------------------------------------------------------
+// Faces between cells first, then the others, both by zone.
+void FluentOutput::SortFaces()
+{
+  struct Key
+  {
+    bool IsOutside;
+    int Zone; // 0 if it is not known
+    bool operator<(const Key& other) const
+    {
+      return std::tie(this->IsOutside, this->Zone) < std::tie(other.IsOutside, other.Zone);
+    }
+  };
+  const auto getKey = [this](const Face& face)
+  {
+    const bool isInside = face.Cells[1] >= 0;
+    const auto marked = this->MarkedZones.find(face.Facet);
+    return marked != this->MarkedZones.end()
+      ? Key{ true, marked->second }
+      : Key{ !isInside, isInside ? this->GetInteriorZone(face) : 0 };
+  };
+  std::map<Key, vtkIdType> ends; // of the faces of a key
+  for (const Face& face : this->Faces)
+  {
+    ++ends[getKey(face)];
+  }
+  vtkIdType begin = 0;
+  for (auto& key : ends)
+  {
+    begin += std::exchange(key.second, begin);
+  }
+  std::vector<Face> sorted(this->Faces.size());
+  for (const Face& face : this->Faces)
+  {
+    sorted[static_cast<std::size_t>(ends[getKey(face)]++)] = face;
+  }
+  this->Faces = std::move(sorted);
+  begin = 0;
+  for (const auto& key : ends)
+  {
+    this->AddFaceSection(begin, key.second, key.first.Zone);
+    begin = key.second;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Adds consecutive faces of a zone, 0 if it is not known.
+void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
+{
+  Section section;
+  section.Begin = begin;
+  section.End = end;
+  const std::int32_t size = this->Faces[static_cast<std::size_t>(begin)].Size;
+  bool same = true, large = false, hasInside = false;
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    const Face& face = this->Faces[static_cast<std::size_t>(i)];
+    constexpr std::int32_t LargestSized = 4;
+    same = same && face.Size == size;
+    large = large || face.Size > LargestSized;
+    hasInside = hasInside || face.Cells[1] >= 0;
+  }
+  constexpr int Polygons = 5;
+  section.Element = large ? Polygons : same && size > 1 ? size : 0;
+  const std::string type = hasInside ? "interior" : "wall";
+  const FluentZone zone = id > 0 ? this->Describe(id, type) : this->MakeZone(type, FirstZone + 1);
+  const auto marked = this->MarkedTypes.find(id);
+  section.Type = marked != this->MarkedTypes.end() ? marked->second : 0;
+  section.Type = section.Type > 0 ? section.Type : zone.BoundaryType;
+  section.Type = section.Type > 0 || id == 0 ? section.Type : GetBoundaryType(zone.Type);
+  section.Type = section.Type > 0 ? section.Type
+    : hasInside                   ? FluentBoundary::Interior
+                                  : FluentBoundary::Wall;
+  section.Zone = zone.Id;
+  this->Zones.push_back(zone);
+  this->FaceSections.push_back(section);
+}
+
+//------------------------------------------------------------------------------
+// Boundaries are not seen in a mesh of cells alone.
+void FluentOutput::WarnOfLostZones(Warnings& warnings) const
+{
+  std::vector<std::string> names;
+  for (const FluentZone& known : this->KnownZones)
+  {
+    if (std::none_of(this->Zones.begin(), this->Zones.end(),
+          [&](const FluentZone& zone) { return zone.Id == known.Id; }))
+    {
+      names.push_back(known.Name.empty() ? std::to_string(known.Id) : known.Name);
+    }
+  }
+  if (names.empty())
+  {
+    return;
+  }
+  constexpr std::size_t MaxNames = 5;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), MaxNames); ++i)
+  {
+    list += (i > 0 ? ", " : "") + names[i];
+  }
+  warnings.Add(std::to_string(names.size()) +
+    (names.size() == 1 ? " zone of which the mesh has no cells or faces, left out: "
+                       : " zones of which the mesh has no cells or faces, left out: ") +
+    list + (names.size() > MaxNames ? ", ..." : "") +
+    "; boundaries are kept in a group of both outputs of the reader");
+}
+}
