@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqCriteriaCostDecorator.h"
+
+#include "Criteria/CostEstimate.h"
+
+#include "pqCoreUtilities.h"
+#include "pqPropertyWidget.h"
+
+#include "vtkCommand.h"
+#include "vtkPVDataInformation.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
+#include "vtkSMUncheckedPropertyHelper.h"
+
+#include <QLabel>
+#include <QLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace
+{
+constexpr double LongSeconds = 10;
+
+//------------------------------------------------------------------------------
+// The criteria that will be evaluated when the panel is applied; from the preset if there is one.
+std::vector<const camaron::Criterion*> GetCriteria(vtkSMProxy* proxy, const camaron::Preset* preset)
+{
+  std::vector<std::string> names;
+  if (preset)
+  {
+    for (const camaron::Preset::Rule& rule : preset->Rules)
+    {
+      names.emplace_back(rule.Criterion);
+    }
+  }
+  else
+  {
+    vtkSMUncheckedPropertyHelper ticks(proxy, "Criteria");
+    for (unsigned int i = 0; i + 1 < ticks.GetNumberOfElements(); i += 2)
+    {
+      if (std::string(ticks.GetAsString(i + 1)) != "0")
+      {
+        names.emplace_back(ticks.GetAsString(i));
+      }
+    }
+  }
+  std::vector<const camaron::Criterion*> criteria;
+  for (const std::string& name : names)
+  {
+    if (const camaron::Criterion* criterion = camaron::FindCriterion(name))
+    {
+      criteria.push_back(criterion);
+    }
+  }
+  return criteria;
+}
+
+//------------------------------------------------------------------------------
+// "40 s", "3 min", "2.5 h": an estimate has no more digits.
+QString Spell(double seconds)
+{
+  constexpr double minute = 60, hour = 3600;
+  if (seconds < 100)
+  {
+    return QString("%1 s").arg(std::lround(seconds));
+  }
+  return seconds < 100 * minute ? QString("%1 min").arg(std::lround(seconds / minute))
+                                : QString("%1 h").arg(seconds / hour, 0, 'g', 2);
+}
+
+//------------------------------------------------------------------------------
+// "850", "120 k", "3.4 M"
+QString SpellCount(double count)
+{
+  constexpr double thousand = 1e3, million = 1e6;
+  return count < thousand ? QString::number(count, 'f', 0)
+    : count < million     ? QString("%1 k").arg(count / thousand, 0, 'g', 3)
+                          : QString("%1 M").arg(count / million, 0, 'g', 3);
+}
+}
+
+//------------------------------------------------------------------------------
+pqCriteriaCostDecorator::pqCriteriaCostDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent)
+  : Superclass(xml, parent)
+  , Label(new QLabel(parent))
+{
+  this->Label->setObjectName("CriteriaCost");
+  this->Label->setWordWrap(true);
+  if (QLayout* layout = parent->layout())
+  {
+    layout->addWidget(this->Label);
+  }
+  vtkSMProxy* proxy = parent->proxy();
+  for (const char* name : { "Criteria", "Preset", "Input" })
+  {
+    if (vtkSMProperty* property = proxy->GetProperty(name))
+    {
+      for (const auto event : { vtkCommand::UncheckedPropertyModifiedEvent, vtkCommand::ModifiedEvent })
+      {
+        pqCoreUtilities::connect(property, event, this, SLOT(updateText()));
+      }
+    }
+  }
+  this->updateText();
+}
+
+//------------------------------------------------------------------------------
+pqCriteriaCostDecorator::~pqCriteriaCostDecorator() = default;
+
+//------------------------------------------------------------------------------
+void pqCriteriaCostDecorator::updateText()
+{
+  vtkSMProxy* proxy = this->parentWidget()->proxy();
+  const camaron::Preset* preset =
+    camaron::FindPreset(vtkSMUncheckedPropertyHelper(proxy, "Preset").GetAsString());
+  const bool isOfPreset = this->parentWidget()->property() == proxy->GetProperty("Preset");
+  vtkSMProperty* corners = proxy->GetProperty("NumberOfCorners");
+  vtkSMProperty* threads = proxy->GetProperty("NumberOfThreads");
+  proxy->UpdatePropertyInformation(corners);
+  proxy->UpdatePropertyInformation(threads);
+  const double seconds = camaron::EstimateSeconds(GetCriteria(proxy, preset),
+    vtkSMPropertyHelper(corners).GetAsDouble(), vtkSMPropertyHelper(threads).GetAsInt());
+  this->Label->setVisible(isOfPreset == (preset != nullptr) && seconds >= LongSeconds);
+  vtkSMPropertyHelper input(proxy, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  const double cells = source
+    ? static_cast<double>(source->GetDataInformation(input.GetOutputPort())->GetNumberOfCells())
+    : 0;
+  this->Label->setText(QString("About %1 for %2 cells.").arg(Spell(seconds), SpellCount(cells)));
+}
