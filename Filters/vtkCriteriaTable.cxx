@@ -4,6 +4,8 @@
 
 #include "AcceptableRanges.h"
 #include "ControllerReducer.h"
+#include "Criteria/Criterion.h"
+#include "Elements/ElementArray.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -30,7 +32,7 @@ Array* AddColumn(vtkTable* table, const char* name)
 }
 
 //------------------------------------------------------------------------------
-const char* GetDimension(camaron::Unit unit)
+const char* GetDimension(enum camaron::Unit unit)
 {
   switch (unit)
   {
@@ -165,13 +167,42 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+void ListElementArrays(vtkTable* table, bool isRoot)
+{
+  auto* element = AddColumn<vtkStringArray>(table, "Element");
+  auto* name = AddColumn<vtkStringArray>(table, "Name");
+  auto* description = AddColumn<vtkStringArray>(table, "Description");
+  auto* unit = AddColumn<vtkStringArray>(table, "Unit");
+  auto* cells = AddColumn<vtkStringArray>(table, "Cells");
+  auto* isDefault = AddColumn<vtkIntArray>(table, "IsDefault");
+  const std::pair<const char*, const std::vector<camaron::ElementArray>&> tables[] = {
+    { "Face", camaron::GetFaceArrays() }, { "Edge", camaron::GetEdgeArrays() },
+    { "Vertex", camaron::GetVertexArrays() }
+  };
+  for (const auto& rows : tables)
+  {
+    for (const camaron::ElementArray& row : isRoot ? rows.second : std::vector<camaron::ElementArray>())
+    {
+      element->InsertNextValue(rows.first);
+      name->InsertNextValue(row.Name);
+      description->InsertNextValue(row.Description);
+      unit->InsertNextValue(camaron::GetUnitLabel(row.Unit, camaron::AngleUnit::Degrees));
+      cells->InsertNextValue(row.Dimensions == camaron::OfPolygons ? "2D"
+          : row.Dimensions == camaron::OfPolyhedra                 ? "3D"
+                                                                   : "2D, 3D");
+      isDefault->InsertNextValue(row.IsDefault ? 1 : 0);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 vtkCriteriaTable::vtkCriteriaTable()
 {
   this->SetNumberOfInputPorts(0);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -206,5 +237,6 @@ int vtkCriteriaTable::RequestData(
   }
   ListRanges(vtkTable::GetData(outputVector, 2),
     isRoot ? ranges : std::vector<camaron::Preset::Rule>());
+  ListElementArrays(vtkTable::GetData(outputVector, 3), isRoot);
   return 1;
 }

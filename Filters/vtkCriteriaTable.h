@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCriteriaTable
- * @brief Lists all quality criteria and presets with what is known about them.
+ * @brief Lists all quality criteria, presets and arrays of elements with what is known about them.
  *
  * No input. Outputs, each a vtkTable, complete on process 0 and empty on the others:
  * 0. criteria, in the order in which people see them: "Name", "Label", "Description", "Unit" ("deg",
@@ -11,7 +11,9 @@
  *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint", "Family", and for
  *    the documentation "Formula", "Degenerate" and "Agreement";
  * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh";
- * 2. ranges of a file: "Criterion", "AcceptableLow", "AcceptableHigh".
+ * 2. ranges of a file: "Criterion", "AcceptableLow", "AcceptableHigh";
+ * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), "Name", "Description", "Unit", "Cells" ("2D",
+ *    "3D" or both: of which dimension the mesh must have cells), "IsDefault".
  */
 #ifndef vtkCriteriaTable_h
 #define vtkCriteriaTable_h

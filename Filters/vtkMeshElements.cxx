@@ -2,34 +2,136 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshElements.h"
 
-#include "Elements/MeshEdges.h"
-#include "Elements/MeshFaces.h"
+#include "Elements/MeshElements.h"
 #include "MeshInput.h"
 
+#include "vtkDataArraySelection.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <exception>
 
 vtkStandardNewMacro(vtkMeshElements);
 
+namespace
+{
+//------------------------------------------------------------------------------
+void AddRows(vtkDataArraySelection* selection, const std::vector<camaron::ElementArray>& rows)
+{
+  for (const camaron::ElementArray& row : rows)
+  {
+    selection->AddArray(row.Name, row.IsDefault);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetTicked(vtkDataArraySelection* selection)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
+  {
+    if (selection->GetArraySetting(i))
+    {
+      names.emplace_back(selection->GetArrayName(i));
+    }
+  }
+  return names;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkMeshElements::vtkMeshElements()
 {
   this->SetNumberOfOutputPorts(3);
+  AddRows(this->FaceArrays, camaron::GetFaceArrays());
+  AddRows(this->EdgeArrays, camaron::GetEdgeArrays());
+  AddRows(this->VertexArrays, camaron::GetVertexArrays());
 }
+
+//------------------------------------------------------------------------------
+vtkMeshElements::~vtkMeshElements() = default;
 
 //------------------------------------------------------------------------------
 void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FaceCriteria: " << this->FaceCriteria << '\n';
+  const std::pair<const char*, vtkDataArraySelection*> selections[] = {
+    { "FaceArrays", this->FaceArrays }, { "EdgeArrays", this->EdgeArrays },
+    { "VertexArrays", this->VertexArrays }
+  };
+  for (const auto& selection : selections)
+  {
+    os << indent << selection.first << ":\n";
+    selection.second->PrintSelf(os, indent.GetNextIndent());
+  }
+  os << indent << "WorstOfCells: " << this->WorstOfCells << '\n';
+  os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkMeshElements::GetFaceArrays()
+{
+  return this->FaceArrays;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshElements::ClearFaceArrays()
+{
+  this->FaceArrays->DisableAllArrays();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshElements::SetFaceArrayStatus(const char* name, int status)
+{
+  this->FaceArrays->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkMeshElements::GetEdgeArrays()
+{
+  return this->EdgeArrays;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshElements::ClearEdgeArrays()
+{
+  this->EdgeArrays->DisableAllArrays();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshElements::SetEdgeArrayStatus(const char* name, int status)
+{
+  this->EdgeArrays->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkMeshElements::GetVertexArrays()
+{
+  return this->VertexArrays;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshElements::ClearVertexArrays()
+{
+  this->VertexArrays->DisableAllArrays();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshElements::SetVertexArrayStatus(const char* name, int status)
+{
+  this->VertexArrays->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkMeshElements::GetMTime()
+{
+  return std::max({ this->Superclass::GetMTime(), this->FaceArrays->GetMTime(),
+    this->EdgeArrays->GetMTime(), this->VertexArrays->GetMTime() });
 }
 
 //------------------------------------------------------------------------------
@@ -69,24 +171,25 @@ int vtkMeshElements::RequestData(
   try
   {
     const vtkSmartPointer<vtkDataSet> mesh = camaron::AsMesh(vtkDataSet::GetData(inputVector[0]));
-    if (vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray())
-    {
-      options.Ghosts = ghosts->GetPointer(0);
-    }
     const camaron::MeshTopology topology(mesh);
+    const camaron::ElementContext context(mesh, topology, options, this->MergeTolerance);
     const auto goesOn = [this](double done)
     {
       this->UpdateProgress(done);
       return !this->CheckAbort();
     };
-    camaron::MakeFaces(mesh, topology, options, this->FaceCriteria, outputs[0]);
+    camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0]);
     if (goesOn(0.5))
     {
-      camaron::MakeEdges(mesh, topology, options, outputs[1]);
+      camaron::MakeEdges(context, GetTicked(this->EdgeArrays), outputs[1]);
     }
     if (goesOn(0.8))
     {
-      camaron::MakeVertices(mesh, topology, options, outputs[2]);
+      camaron::MakeVertices(context, GetTicked(this->VertexArrays), outputs[2]);
+      if (this->WorstOfCells)
+      {
+        camaron::AddWorstOfCells(context, outputs[2]);
+      }
     }
   }
   catch (const std::exception& error)

@@ -6,10 +6,11 @@
  *
  * Input: any vtkDataSet or composite of them. Outputs: vtkPolyData of the faces of the 3D cells (port 0;
  * of a surface its polygons), of the edges (port 1) and of the vertices (port 2), each once, in an order
- * that does not depend on the number of threads. Arrays tell what belongs to what, what lies at the
- * boundary, and the criteria of faces between two cells; see camaron::MakeFaces, MakeEdges and
- * MakeVertices. Points and their data are those of the mesh. Criteria of polygons are evaluated for the faces
- * by vtkElementQuality.
+ * that does not depend on the number of threads; see camaron::MakeFaces, MakeEdges and MakeVertices. Points
+ * and their data are those of the mesh. Cell arrays tell what belongs to what, what lies at the boundary, and
+ * the criteria of faces, edges and vertices; output port 3 of vtkCriteriaTable lists them. Only those that
+ * are ticked are computed, and only if the mesh has cells for which they mean something. Criteria of polygons are
+ * evaluated for the faces by vtkElementQuality.
  *
  * In parallel one level of ghost cells is asked for; elements that belong to another process are marked
  * as ghosts.
@@ -17,7 +18,10 @@
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
 
+#include "vtkNew.h" // for the selections
 #include "vtkPolyDataAlgorithm.h"
+
+class vtkDataArraySelection;
 
 class vtkMeshElements : public vtkPolyDataAlgorithm
 {
@@ -27,12 +31,43 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
+  /// Arrays of the faces by name with their ticks.
+  vtkDataArraySelection* GetFaceArrays();
+  void ClearFaceArrays();
+  void SetFaceArrayStatus(const char* name, int status);
+  ///@}
+
+  ///@{
+  /// Arrays of the edges by name with their ticks.
+  vtkDataArraySelection* GetEdgeArrays();
+  void ClearEdgeArrays();
+  void SetEdgeArrayStatus(const char* name, int status);
+  ///@}
+
+  ///@{
+  /// Arrays of the vertices by name with their ticks.
+  vtkDataArraySelection* GetVertexArrays();
+  void ClearVertexArrays();
+  void SetVertexArrayStatus(const char* name, int status);
+  ///@}
+
+  ///@{
   /**
-   * Whether faces get the finite-volume criteria of the cells on both sides. Default: on.
+   * Whether vertices get "VertexWorst<Criterion>", the worst value of the cells around, for every array of a
+   * criterion that the cells of the input have. Default: off.
    */
-  vtkSetMacro(FaceCriteria, bool);
-  vtkGetMacro(FaceCriteria, bool);
-  vtkBooleanMacro(FaceCriteria, bool);
+  vtkSetMacro(WorstOfCells, bool);
+  vtkGetMacro(WorstOfCells, bool);
+  vtkBooleanMacro(WorstOfCells, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Distance up to which points coincide, for DuplicatePoint and FaceMismatch; 0 (default) for 8 rounding
+   * units of their coordinates.
+   */
+  vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MergeTolerance, double);
   ///@}
 
   enum AngleUnitsType
@@ -48,9 +83,11 @@ public:
   vtkGetMacro(AngleUnits, int);
   ///@}
 
+  vtkMTimeType GetMTime() override;
+
 protected:
   vtkMeshElements();
-  ~vtkMeshElements() override = default;
+  ~vtkMeshElements() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
@@ -61,7 +98,9 @@ private:
   vtkMeshElements(const vtkMeshElements&) = delete;
   void operator=(const vtkMeshElements&) = delete;
 
-  bool FaceCriteria = true;
+  vtkNew<vtkDataArraySelection> FaceArrays, EdgeArrays, VertexArrays;
+  bool WorstOfCells = false;
+  double MergeTolerance = 0;
   int AngleUnits = DEGREES;
 };
 

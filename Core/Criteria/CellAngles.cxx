@@ -82,28 +82,48 @@ void CellGeometry::ComputeDihedralAngles()
     this->DihedralAngles.Clear(NullReason::InvalidTopology);
     return;
   }
-  const std::vector<CellTopology::Edge>& edges = this->Topology->Edges;
-  for (std::size_t e = 0; e < edges.size(); ++e)
+  for (std::size_t e = 0; e < this->Topology->Edges.size(); ++e)
   {
-    const CellTopology::Edge& edge = edges[e];
-    const double length = std::sqrt(this->SquaredLengths[e]);
-    const double area0 = this->FaceAreas[edge.Faces[0]], area1 = this->FaceAreas[edge.Faces[1]];
-    if (this->IsZeroLength(length) || this->IsZeroArea(area0) || this->IsZeroArea(area1))
-    {
-      continue;
-    }
-    const Vector &s0 = this->FaceVectors[edge.Faces[0]], &s1 = this->FaceVectors[edge.Faces[1]];
-    const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
-    // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must not
-    // turn an angle of 0 into one of 2 pi.
-    double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
-    constexpr double rounding = 1e-14;
-    if (std::abs(sine) <= rounding * length * area0 * area1)
-    {
-      sine = 0;
-    }
-    this->DihedralAngles.Add(sine, -length * Dot(s0, s1));
+    this->AddDihedralAngle(static_cast<int>(e), this->DihedralAngles);
   }
+}
+
+//------------------------------------------------------------------------------
+inline void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
+{
+  const CellTopology::Edge& edge = this->Topology->Edges[e];
+  const double length = std::sqrt(this->SquaredLengths[e]);
+  const double area0 = this->FaceAreas[edge.Faces[0]], area1 = this->FaceAreas[edge.Faces[1]];
+  if (this->IsZeroLength(length) || this->IsZeroArea(area0) || this->IsZeroArea(area1))
+  {
+    return;
+  }
+  const Vector &s0 = this->FaceVectors[edge.Faces[0]], &s1 = this->FaceVectors[edge.Faces[1]];
+  const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
+  // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must not
+  // turn an angle of 0 into one of 2 pi.
+  double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
+  constexpr double rounding = 1e-14;
+  if (std::abs(sine) <= rounding * length * area0 * area1)
+  {
+    sine = 0;
+  }
+  angles.Add(sine, -length * Dot(s0, s1));
+}
+
+//------------------------------------------------------------------------------
+double CellGeometry::GetDihedralAngle(int edge) const
+{
+  AngleRange angle;
+  if (!this->Topology->IsClosed || !this->Topology->IsManifold)
+  {
+    angle.Clear(NullReason::InvalidTopology);
+  }
+  else
+  {
+    this->AddDihedralAngle(edge, angle);
+  }
+  return angle.GetMin();
 }
 
 //------------------------------------------------------------------------------
@@ -135,16 +155,64 @@ void CellGeometry::ComputeSolidAngles()
   {
     if (topology.SpokeOffsets[point + 1] > topology.SpokeOffsets[point])
     {
-      this->AddSolidAngle(topology, point);
+      this->AddSolidAngle(topology, point, this->HalfSolidAngles);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// Area of the spherical polygon of the spokes, as a fan of Van Oosterom and Strackee's triangles. Each has
-// tan(area / 2) as a quotient: the product of these as complex numbers has the sum of the halves as its
-// angle, in [0, 2 pi) as is half of the area.
-void CellGeometry::AddSolidAngle(const CellTopology& topology, int point)
+double CellGeometry::GetSolidAngle(int point)
+{
+  if (this->HalfSolidAngles.IsEmpty())
+  {
+    return this->HalfSolidAngles.GetMin();
+  }
+  const std::vector<CellTopology::Edge>& edges = this->Topology->Edges;
+  for (std::size_t e = 0; this->HasCollapsedEdge && e < edges.size(); ++e)
+  {
+    const bool isEnd = edges[e].Points[0] == point || edges[e].Points[1] == point;
+    if (isEnd && this->IsZeroLength(this->GetEdgeLength(static_cast<int>(e))))
+    {
+      return Null(NullReason::Degenerate);
+    }
+  }
+  AngleRange half;
+  const CellTopology& topology = this->HasCollapsedEdge ? this->MergedTopology : *this->Topology;
+  if (topology.SpokeOffsets[point + 1] > topology.SpokeOffsets[point])
+  {
+    this->AddSolidAngle(topology, point, half);
+  }
+  return Twice(half.GetMin());
+}
+
+//------------------------------------------------------------------------------
+// Area of the spherical polygon of the spokes, as triangles of Van Oosterom and Strackee between its sides and a
+// corner anywhere. Each has tan(area / 2) as a quotient: the product of these as complex numbers has the sum of the
+// halves as its angle, in [0, 2 pi) as is half of the area.
+CellGeometry::HalfAngle CellGeometry::SumFan(const Vector& corner, int numberOfSpokes) const
+{
+  HalfAngle half = { 0, 1, 4 };
+  const Vector* a = &this->Spokes[numberOfSpokes - 1];
+  for (int i = 0; i < numberOfSpokes; ++i)
+  {
+    const Vector* b = &this->Spokes[i];
+    if (a != &corner && b != &corner)
+    {
+      const double y = Dot(corner, Cross(*a, *b));
+      const double x = 1 + Dot(corner, *a) + Dot(*a, *b) + Dot(*b, corner);
+      const double product = half.Cosine * x - half.Sine * y;
+      half.Sine = half.Sine * x + half.Cosine * y;
+      half.Cosine = product;
+      half.Smallest = std::min(half.Smallest, x * x + y * y);
+    }
+    a = b;
+  }
+  return half;
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::AddSolidAngle(
+  const CellTopology& topology, int point, AngleRange& halfAngles)
 {
   const bool merged = &topology == &this->MergedTopology;
   const int first = topology.SpokeOffsets[point], last = topology.SpokeOffsets[point + 1];
@@ -182,24 +250,28 @@ void CellGeometry::AddSolidAngle(const CellTopology& topology, int point)
     }
     spoke = next;
   }
-  double sine = 0, cosine = 1;
-  const Vector& a = this->Spokes[0];
-  for (int i = 1; i + 1 < numberOfSpokes; ++i)
+  // A triangle whose corner lies opposite to another one, or to its other side, has no area of its own.
+  constexpr double degenerate = 1e-6;
+  HalfAngle half = this->SumFan(this->Spokes[0], numberOfSpokes);
+  if (half.Smallest < degenerate)
   {
-    const Vector &b = this->Spokes[i], &c = this->Spokes[i + 1];
-    const double y = this->OrientationSign * Dot(a, Cross(b, c));
-    const double x = 1 + Dot(a, b) + Dot(b, c) + Dot(c, a);
-    const double product = cosine * x - sine * y;
-    sine = sine * x + cosine * y;
-    cosine = product;
+    // Directions that meshes do not prefer, the best of which counts.
+    const Vector others[] = { { 2, 3, 4 }, { -3, 1, -2 }, { 1, -4, 2 } };
+    for (const Vector& other : others)
+    {
+      const HalfAngle found = this->SumFan(Unit(other), numberOfSpokes);
+      half = found.Smallest > half.Smallest ? found : half;
+    }
   }
+  double sine = this->OrientationSign * half.Sine;
+  const double cosine = half.Cosine;
   // Rounding must not turn an angle of 0 into a full sphere.
   constexpr double rounding = 1e-13;
   if (sine < 0 && cosine > 0 && -sine <= rounding * cosine)
   {
     sine = 0;
   }
-  this->HalfSolidAngles.Add(sine, cosine);
+  halfAngles.Add(sine, cosine);
 }
 
 //------------------------------------------------------------------------------

@@ -160,6 +160,7 @@ void CellGeometry::LoadStandard(
   }
   this->Origin = origin;
   this->NumberOfPoints = size;
+  this->Nodes = points;
   this->Topology = &this->StandardCells[this->CellType].Topology;
   this->Shapes = this->StandardCells[this->CellType].Shapes;
 }

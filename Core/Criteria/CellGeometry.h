@@ -76,6 +76,11 @@ public:
   /// The first point.
   const Vector& GetOrigin() const { return this->Origin; }
   int GetNumberOfPoints() const { return this->NumberOfPoints; }
+  /// Id of a point in the mesh.
+  vtkIdType GetPointId(int point) const
+  {
+    return this->Topology == &this->OwnTopology ? this->PointIds[point] : this->Nodes[point];
+  }
   /// Relative to the first point.
   const Vector& GetPoint(int point) const { return this->Points[point]; }
 
@@ -139,6 +144,10 @@ public:
   double GetMaxDihedralAngle() const { return this->DihedralAngles.GetMax(); }
   double GetMinSolidAngle() const { return Twice(this->HalfSolidAngles.GetMin()); }
   double GetMaxSolidAngle() const { return Twice(this->HalfSolidAngles.GetMax()); }
+  /// At one edge.
+  double GetDihedralAngle(int edge) const;
+  /// At one point; null at the ends of collapsed edges, too.
+  double GetSolidAngle(int point);
   ///@}
 
   /// With NeedsFaces and NeedsVolume: kernel and balls of this cell, which computes what it is asked for.
@@ -191,7 +200,14 @@ private:
   void ComputeFaceAngles(int face, AngleRange& angles);
   void ComputeDihedralAngles();
   void ComputeSolidAngles();
-  void AddSolidAngle(const CellTopology& topology, int point);
+  void AddDihedralAngle(int edge, AngleRange& angles) const;
+  void AddSolidAngle(const CellTopology& topology, int point, AngleRange& halfAngles);
+  /// Half of a solid angle, with the smallest squared length of the factors that it is the product of.
+  struct HalfAngle
+  {
+    double Sine, Cosine, Smallest;
+  };
+  HalfAngle SumFan(const Vector& corner, int numberOfSpokes) const;
   /// Keeps the reason of a null value, which arithmetic may lose.
   static double Twice(double value) { return std::isnan(value) ? value : 2 * value; }
   void MergeCollapsedEdges();
@@ -218,7 +234,8 @@ private:
   Vector Origin;
   int NumberOfPoints = 0;
   std::vector<Vector> Points;     // grows to the largest cell
-  std::vector<vtkIdType> PointIds; // of polygons and polyhedra
+  std::vector<vtkIdType> PointIds; // with OwnTopology
+  IndexRange Nodes;                // without
   std::vector<int> HashTable;
   std::vector<int> LocalFace;
   const CellTopology* Topology = nullptr; // that of the standard type, or OwnTopology

@@ -85,9 +85,9 @@ const Criterion* FindCriterion(std::string_view name)
 }
 
 //------------------------------------------------------------------------------
-std::string Criterion::UnitLabel(AngleUnit angles) const
+const char* GetUnitLabel(enum Unit unit, AngleUnit angles)
 {
-  switch (this->Unit)
+  switch (unit)
   {
     case Unit::Angle:
       return angles == AngleUnit::Degrees ? "deg" : "rad";
@@ -96,5 +96,11 @@ std::string Criterion::UnitLabel(AngleUnit angles) const
     default:
       return "";
   }
+}
+
+//------------------------------------------------------------------------------
+std::string Criterion::UnitLabel(AngleUnit angles) const
+{
+  return GetUnitLabel(this->Unit, angles);
 }
 }

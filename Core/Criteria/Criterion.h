@@ -43,6 +43,9 @@ enum class AngleUnit
   Radians
 };
 
+/// "deg", "rad", "sr" or "" (lengths, areas and volumes are in the units of the mesh).
+const char* GetUnitLabel(enum Unit unit, AngleUnit angles);
+
 /// Shapes for which a criterion has a meaning; every other cell gets null.
 enum Shapes : unsigned
 {
@@ -138,7 +141,7 @@ struct Criterion
   const char* Family = ""; ///< heading under which it is listed, from the list of families
 
   bool HasAcceptableRange() const { return this->AcceptableSource[0] != '\0'; }
-  /// "deg", "rad", "sr" or "" (lengths, areas and volumes are in the units of the mesh).
+  /// See GetUnitLabel.
   std::string UnitLabel(AngleUnit angles = AngleUnit::Degrees) const;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The faces of a cell: how flat they are, and how they close it.
 #include "Criteria/CriterionRows.h"
+#include "Criteria/FaceShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,33 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double HalfTurn = 3.141592653589793238462643383279502884;
-
-//------------------------------------------------------------------------------
-double GetFlatness(const CellGeometry& cell, int face)
-{
-  return std::min(1.0, cell.GetFaceArea(face) / cell.GetFanArea(face));
-}
-
-//------------------------------------------------------------------------------
-double GetWarpage(const CellGeometry& cell, int face)
-{
-  const CellTopology& topology = cell.GetTopology();
-  if (topology.GetFaceSize(face) == 3)
-  {
-    return 0;
-  }
-  const Vector normal = Unit(cell.GetFaceVector(face));
-  double height = 0, radius = 0;
-  for (int i = 0; i < topology.GetFaceSize(face); ++i)
-  {
-    const Vector offset = cell.GetPoint(topology.GetFace(face)[i]) - cell.GetFaceCenter(face);
-    height = std::max(height, std::abs(Dot(normal, offset)));
-    radius = std::max(radius, Norm2(offset));
-  }
-  return height / std::sqrt(radius);
-}
-
 //------------------------------------------------------------------------------
 // The worst measure of the faces that have an area.
 template <typename Measure, typename Choose>
@@ -59,13 +33,13 @@ double ChooseOfRealFaces(const CellGeometry& cell, Measure&& measure, Choose&& c
 //------------------------------------------------------------------------------
 double MinFaceFlatness(const CellGeometry& cell)
 {
-  return ChooseOfRealFaces(cell, GetFlatness, [](double a, double b) { return std::min(a, b); });
+  return ChooseOfRealFaces(cell, GetFaceFlatness, [](double a, double b) { return std::min(a, b); });
 }
 
 //------------------------------------------------------------------------------
 double MaxWarpage(const CellGeometry& cell)
 {
-  return ChooseOfRealFaces(cell, GetWarpage, [](double a, double b) { return std::max(a, b); });
+  return ChooseOfRealFaces(cell, GetFaceWarpage, [](double a, double b) { return std::max(a, b); });
 }
 
 //------------------------------------------------------------------------------
@@ -74,10 +48,9 @@ double MaxFaceConcavity(const CellGeometry& cell)
   double largest = Null(NullReason::Degenerate);
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
-    const AngleRange& angles = cell.GetFaceAngles(f);
-    if (!angles.IsEmpty())
+    const double value = GetFaceConcavity(cell, f);
+    if (!std::isnan(value))
     {
-      const double value = std::max(0.0, angles.GetMax() - HalfTurn);
       largest = std::isnan(largest) ? value : std::max(largest, value);
     }
   }

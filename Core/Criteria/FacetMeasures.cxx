@@ -109,4 +109,31 @@ double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
     ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / 3)
     : own;
 }
+
+//------------------------------------------------------------------------------
+double GetFaceTwist(const CellNeighborhood& cell, const Facet& facet)
+{
+  const Vector end = facet.Other == Side::Cell ? facet.OtherCentroid : facet.Center;
+  const Vector line = end - cell.GetCentroid();
+  const CellGeometry& geometry = cell.GetGeometry();
+  double smallest = Null(NullReason::Degenerate);
+  if (geometry.IsZeroLength(Norm(line)))
+  {
+    return smallest;
+  }
+  const CellTopology& topology = geometry.GetTopology();
+  const int* ring = topology.GetFace(facet.Number);
+  const int size = topology.GetFaceSize(facet.Number);
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector& next = geometry.GetPoint(ring[i + 1 < size ? i + 1 : 0]);
+    const Vector triangle = 0.5 * Cross(geometry.GetPoint(ring[i]) - facet.Center, next - facet.Center);
+    if (!geometry.IsZeroArea(Norm(triangle)))
+    {
+      const double cosine = Dot(Unit(triangle), Unit(line));
+      smallest = std::isnan(smallest) ? cosine : std::min(smallest, cosine);
+    }
+  }
+  return smallest;
+}
 }

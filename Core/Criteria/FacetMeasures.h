@@ -28,6 +28,9 @@ double GetFaceWeight(const CellNeighborhood& cell, const CellNeighborhood::Facet
 double GetVolumeRatio(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// Volume of the smaller one of the pyramids of the facet and the centroids.
 double GetFacePyramidVolume(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// Smallest cosine between the triangles about the centre of a face and the line to the other centroid, at the
+/// boundary to the centre of the face.
+double GetFaceTwist(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 }
 
 #endif

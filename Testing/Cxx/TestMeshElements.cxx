@@ -1,19 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces, edges and vertices of meshes small enough to count them by hand.
-#include "Elements/MeshEdges.h"
-#include "Elements/MeshFaces.h"
+// Faces, edges and vertices of meshes small enough to count them by hand, and sums that hold in every mesh.
+#include "Criteria/Evaluation.h"
+#include "Elements/MeshElements.h"
 #include "TestMeshes.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
+#include "vtkDoubleArray.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <random>
+#include <set>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -44,6 +49,45 @@ double Get(vtkPolyData* data, const char* name, vtkIdType i)
   return data->GetCellData()->GetArray(name)->GetComponent(i, 0);
 }
 
+// The same mesh with its inner points moved at random; of a block of unit cubes of that size.
+Grid Warp(const Grid& grid, int size)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> noise(-0.15, 0.15);
+  vtkPoints* points = grid->GetPoints();
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double x[3];
+    points->GetPoint(i, x);
+    if (std::all_of(x, x + 3, [=](double c) { return c > 0 && c < size; }))
+    {
+      points->SetPoint(i, x[0] + noise(random), x[1] + noise(random), x[2] + noise(random));
+    }
+  }
+  return grid;
+}
+
+// The cubes of a block, each cut into the six tetrahedra around a diagonal.
+Grid MakeTetrahedra(int size)
+{
+  const Grid block = MakeHexahedra(size, size, size, false);
+  Cells cells;
+  for (vtkIdType cube = 0; cube < block->GetNumberOfCells(); ++cube)
+  {
+    vtkNew<vtkIdList> ids;
+    block->GetCellPoints(cube, ids);
+    const int around[] = { 1, 2, 3, 7, 4, 5 };
+    for (int i = 0; i < 6; ++i)
+    {
+      cells.push_back({ VTK_TETRA,
+        { ids->GetId(0), ids->GetId(around[i]), ids->GetId(around[(i + 1) % 6]), ids->GetId(6) } });
+    }
+  }
+  const Grid grid = MakeGrid({}, cells);
+  grid->SetPoints(block->GetPoints());
+  return grid;
+}
+
 double Sum(vtkPolyData* data, const char* name)
 {
   double sum = 0;
@@ -54,15 +98,28 @@ double Sum(vtkPolyData* data, const char* name)
   return sum;
 }
 
+std::vector<std::string> GetNames(const std::vector<ElementArray>& rows)
+{
+  std::vector<std::string> names;
+  for (const ElementArray& row : rows)
+  {
+    names.emplace_back(row.Name);
+  }
+  return names;
+}
+
+// With all arrays that there are.
 struct Elements
 {
   vtkNew<vtkPolyData> Faces, Edges, Vertices;
-  explicit Elements(vtkDataSet* mesh, const EvaluationOptions& options = {})
+  explicit Elements(vtkDataSet* mesh, double mergeTolerance = 0)
   {
     const MeshTopology topology(mesh);
-    MakeFaces(mesh, topology, options, true, this->Faces);
-    MakeEdges(mesh, topology, options, this->Edges);
-    MakeVertices(mesh, topology, options, this->Vertices);
+    const ElementContext context(mesh, topology, EvaluationOptions(), mergeTolerance);
+    MakeFaces(context, GetNames(GetFaceArrays()), this->Faces);
+    MakeEdges(context, GetNames(GetEdgeArrays()), this->Edges);
+    MakeVertices(context, GetNames(GetVertexArrays()), this->Vertices);
+    AddWorstOfCells(context, this->Vertices);
   }
 };
 }
@@ -158,8 +215,7 @@ TEST(MeshElements, BelongToThePieceOfTheSmallestCell)
     ghosts->InsertNextValue(p == 1 ? vtkDataSetAttributes::DUPLICATECELL : 0);
     ghosts->InsertNextValue(0);
     pieces[p]->GetCellData()->AddArray(ghosts);
-    const EvaluationOptions options;
-    const Elements elements(pieces[p], options);
+    const Elements elements(pieces[p]);
     vtkPolyData* sets[] = { elements.Faces, elements.Edges };
     for (int k = 0; k < 2; ++k)
     {
@@ -171,4 +227,359 @@ TEST(MeshElements, BelongToThePieceOfTheSmallestCell)
   }
   EXPECT_EQ(owned[0], 16);
   EXPECT_EQ(owned[1], 28);
+}
+
+//------------------------------------------------------------------------------
+// Around an inner edge the cells fill 360 degrees, around an inner vertex 4 pi; neither at the boundary.
+TEST(MeshElements, AnglesAroundInnerElements)
+{
+  const double pi = std::acos(-1.0);
+  const Grid tetrahedra = Warp(MakeTetrahedra(4), 4);
+  for (const Grid& grid : { tetrahedra, ToPolyhedra(tetrahedra) })
+  {
+    const Elements elements(grid);
+    int inner = 0;
+    for (vtkIdType i = 0; i < elements.Edges->GetNumberOfCells(); ++i)
+    {
+      const bool isBoundary = Get(elements.Edges, "IsBoundary", i) != 0;
+      const double sum = Get(elements.Edges, "EdgeAngleSum", i);
+      inner += !isBoundary;
+      EXPECT_NEAR(sum, isBoundary ? std::min(sum, 300.0) : 360, 1e-9);
+      EXPECT_LE(Get(elements.Edges, "EdgeMinDihedralAngle", i), sum);
+      EXPECT_LE(Get(elements.Edges, "EdgeMaxDihedralAngle", i), sum);
+      EXPECT_GE(Get(elements.Edges, "EdgeMaxDihedralAngle", i) * Get(elements.Edges, "EdgeCellCount", i),
+        sum - 1e-9);
+    }
+    EXPECT_GT(inner, 100);
+    // Euler: a block has V - E + F - C = 1.
+    EXPECT_EQ(elements.Vertices->GetNumberOfCells() - elements.Edges->GetNumberOfCells() +
+        elements.Faces->GetNumberOfCells() - grid->GetNumberOfCells(),
+      1);
+  }
+  const Grid hexahedra = Warp(MakeHexahedra(4, 4, 4, false), 4);
+  for (const Grid& grid : { tetrahedra, hexahedra, ToPolyhedra(hexahedra) })
+  {
+    const Elements elements(grid);
+    for (vtkIdType i = 0; i < 125; ++i)
+    {
+      const double sum = Get(elements.Vertices, "VertexAngleSum", i);
+      double x[3];
+      grid->GetPoint(i, x);
+      const auto sides = std::count_if(x, x + 3, [](double c) { return c == 0 || c == 4; });
+      EXPECT_NEAR(sum, 4 * pi / (1 << sides), 1e-9);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of a closed surface the angles that are missing to 360 degrees are two full circles together.
+TEST(MeshElements, AngleDefects)
+{
+  const Points cube = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { 0, 1, 1 } };
+  const Elements closed(MakeGrid(cube,
+    { { VTK_QUAD, { 0, 3, 2, 1 } }, { VTK_QUAD, { 0, 1, 5, 4 } }, { VTK_QUAD, { 1, 2, 6, 5 } },
+      { VTK_QUAD, { 2, 3, 7, 6 } }, { VTK_PIXEL, { 3, 0, 7, 4 } }, { VTK_TRIANGLE, { 4, 5, 6 } },
+      { VTK_TRIANGLE, { 4, 6, 7 } } }));
+  EXPECT_NEAR(8 * 360 - Sum(closed.Vertices, "VertexAngleSum"), 720, 1e-9);
+  EXPECT_EQ(Sum(closed.Edges, "BoundaryEdge") + Sum(closed.Edges, "NonManifoldEdge"), 0);
+
+  // A reflex corner, and three polygons at one edge.
+  const Elements open(MakeGrid(
+    { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 1, 0, 1 } },
+    { { VTK_POLYGON, { 0, 1, 2, 3, 4, 5 } }, { VTK_TRIANGLE, { 0, 6, 1 } }, { VTK_TRIANGLE, { 0, 1, 6 } } }));
+  EXPECT_NEAR(Get(open.Vertices, "VertexAngleSum", 3), 270, 1e-9);
+  EXPECT_NEAR(Get(open.Vertices, "VertexAngleSum", 0), 90 + 45 + 45, 1e-9);
+  EXPECT_EQ(Sum(open.Edges, "NonManifoldEdge"), 1);
+  EXPECT_EQ(Sum(open.Edges, "BoundaryEdge"), 5);
+  EXPECT_NEAR(Get(open.Faces, "FaceConcavity", 0), 90, 1e-9);
+  EXPECT_EQ(Sum(open.Faces, "Warpage"), 0);
+}
+
+//------------------------------------------------------------------------------
+// Two cubes that should share a face but have points of their own there.
+TEST(MeshElements, PointsAndFacesInOnePlace)
+{
+  const auto make = [](double gap)
+  {
+    Points points;
+    for (const double x : { 0.0, 1.0, 1.0 + gap, 2.0 })
+    {
+      points.insert(points.end(), { { x, 0, 0 }, { x, 1, 0 }, { x, 1, 1 }, { x, 0, 1 } });
+    }
+    return MakeGrid(points,
+      { { VTK_HEXAHEDRON, { 0, 4, 5, 1, 3, 7, 6, 2 } },
+        { VTK_HEXAHEDRON, { 8, 12, 13, 9, 11, 15, 14, 10 } } });
+  };
+  const auto expectDoubled = [](const Elements& elements, bool isDoubled)
+  {
+    EXPECT_EQ(Sum(elements.Faces, "FaceMismatch"), isDoubled ? 2 : 0);
+    for (vtkIdType i = 0; i < 16; ++i)
+    {
+      const bool isBetween = isDoubled && i >= 4 && i < 12;
+      EXPECT_EQ(Get(elements.Vertices, "DuplicatePoint", i), isBetween ? 4 + i % 4 : -1) << i;
+    }
+  };
+  expectDoubled(Elements(make(0)), true);
+  expectDoubled(Elements(make(1e-15)), true);
+  expectDoubled(Elements(make(1e-12)), false);
+  expectDoubled(Elements(make(1e-12), 1e-6), true);
+  expectDoubled(Elements(make(1e-3), 1e-6), false);
+
+  // The lowest id within reach: what is near to a point need not be near to what is near to it.
+  Points chain;
+  for (const double x : { 0.0, 3.0, 0.75, 1.5, 2.25, 3.0 })
+  {
+    chain.push_back({ x, -x, 1e3 });
+  }
+  chain.push_back({ std::numeric_limits<double>::quiet_NaN(), 0, 0 });
+  chain.push_back({ std::numeric_limits<double>::infinity(), 0, 0 });
+  const Elements links(MakeGrid(chain, { { VTK_TRIANGLE, { 0, 1, 2 } } }), 1.1);
+  const double expected[] = { 0, 1, 0, 2, 1, 1, -1, -1 };
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    EXPECT_EQ(Get(links.Vertices, "DuplicatePoint", i), expected[i]) << i;
+  }
+  EXPECT_EQ(Get(links.Vertices, "UnusedPoint", 2), 0);
+  EXPECT_EQ(Get(links.Vertices, "UnusedPoint", 3), 1);
+
+  // All points in one place must not take all day.
+  const Elements many(MakeGrid(Points(200000, { 1, 2, 3 }), { { VTK_TRIANGLE, { 0, 1, 2 } } }));
+  EXPECT_EQ(Sum(many.Vertices, "DuplicatePoint"), 0);
+}
+
+//------------------------------------------------------------------------------
+// By brute force, on points that often lie close together.
+TEST(MeshElements, CoincidentPointsAsByBruteForce)
+{
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> place(-1, 1);
+  Points points;
+  for (int i = 0; i < 600; ++i)
+  {
+    points.push_back({ place(random), place(random), 0.1 * place(random) });
+  }
+  const Grid grid = MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } } });
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("GlobalPointIds");
+  for (vtkIdType i = 0; i < 600; ++i)
+  {
+    ids->InsertNextValue((i * 7 + 13) % 600);
+  }
+  grid->GetPointData()->SetGlobalIds(ids);
+  for (const double tolerance : { 0.001, 0.02, 0.3, 10.0 })
+  {
+    const Elements elements(grid, tolerance);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      vtkIdType lowest = ids->GetValue(i);
+      bool hasOther = false;
+      for (std::size_t j = 0; j < points.size(); ++j)
+      {
+        const double distance = std::hypot(
+          points[i][0] - points[j][0], points[i][1] - points[j][1], points[i][2] - points[j][2]);
+        if (i != j && distance <= tolerance)
+        {
+          hasOther = true;
+          lowest = std::min(lowest, ids->GetValue(j));
+        }
+      }
+      EXPECT_EQ(Get(elements.Vertices, "DuplicatePoint", i), hasOther ? lowest : -1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Which end is the worst follows from the criterion; null values count for nothing.
+TEST(MeshElements, WorstOfTheCellsAround)
+{
+  const Grid row = MakeRow(3);
+  const auto add = [&](const char* name, const std::vector<double>& values)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    for (const double value : values)
+    {
+      array->InsertNextValue(value);
+    }
+    row->GetCellData()->AddArray(array);
+  };
+  const double none = Null(NullReason::Degenerate);
+  add("EdgeRatio", { 1, 5, 3 });
+  add("EdgeLengthRatio", { none, 0.2, 0.5 });
+  add("Diameter", { 1, 2, 3 });
+  add("Pressure", { 1, 2, 3 });
+  const Elements elements(row);
+  const double ratios[] = { 1, 5, 5, 3 }, lengths[] = { none, 0.2, 0.2, 0.5 };
+  for (vtkIdType i = 0; i < 16; ++i)
+  {
+    EXPECT_EQ(Get(elements.Vertices, "VertexWorstEdgeRatio", i), ratios[i / 4]);
+    const double worst = Get(elements.Vertices, "VertexWorstEdgeLengthRatio", i);
+    EXPECT_TRUE(i < 4 ? std::isnan(worst) : worst == lengths[i / 4]) << worst;
+  }
+  EXPECT_FALSE(elements.Vertices->GetCellData()->HasArray("VertexWorstDiameter"));
+  EXPECT_FALSE(elements.Vertices->GetCellData()->HasArray("VertexWorstPressure"));
+}
+
+//------------------------------------------------------------------------------
+// Where two cubes meet in a point only, and where a cell has none of its volume.
+TEST(MeshElements, PinchedPointsAndFlatCells)
+{
+  const Grid block = MakeHexahedra(2, 2, 2, false);
+  const Grid two = MakeGrid({}, {});
+  two->SetPoints(block->GetPoints());
+  for (const vtkIdType cube : { 0, 7 })
+  {
+    vtkNew<vtkIdList> ids;
+    block->GetCellPoints(cube, ids);
+    two->InsertNextCell(VTK_HEXAHEDRON, ids);
+  }
+  const Elements pinched(two);
+  EXPECT_EQ(Get(pinched.Vertices, "PointRegionCount", 13), 2);
+  EXPECT_EQ(Sum(pinched.Vertices, "PointRegionCount"), 16);
+  EXPECT_EQ(Sum(pinched.Vertices, "UnusedPoint"), 12);
+
+  // A wedge with a collapsed edge: no angle there, and none at the ends of it.
+  const Elements collapsed(MakeGrid(
+    { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 1 }, { 1, 0, 1 } },
+    { { VTK_WEDGE, { 0, 1, 2, 3, 4, 5 } } }));
+  EXPECT_TRUE(std::isnan(Get(collapsed.Vertices, "VertexAngleSum", 0)));
+  EXPECT_TRUE(std::isnan(Get(collapsed.Vertices, "VertexAngleSum", 3)));
+  EXPECT_FALSE(std::isnan(Get(collapsed.Vertices, "VertexAngleSum", 5)));
+}
+
+//------------------------------------------------------------------------------
+// The arrays of faces are what the criteria of cells choose from.
+TEST(MeshElements, WorstFacesAreThoseOfCells)
+{
+  const Grid grid = Warp(MakeHexahedra(4, 4, 4, false), 4);
+  const Elements elements(grid);
+  const auto worst = [&](const char* name, auto&& better)
+  {
+    double chosen = Get(elements.Faces, name, 0);
+    for (vtkIdType i = 1; i < elements.Faces->GetNumberOfCells(); ++i)
+    {
+      const double value = Get(elements.Faces, name, i);
+      chosen = !(better(chosen, value) || std::isnan(value)) ? value : chosen;
+    }
+    return chosen;
+  };
+  const auto ofCells = [&](const char* name, bool largest)
+  {
+    std::vector<double> values(grid->GetNumberOfCells());
+    Evaluate(MeshTopology(grid), {}, { { FindCriterion(name), values.data() } },
+      [](double) { return true; });
+    return largest ? *std::max_element(values.begin(), values.end())
+                   : *std::min_element(values.begin(), values.end());
+  };
+  const auto less = std::less<double>();
+  const auto greater = std::greater<double>();
+  EXPECT_NEAR(worst("Warpage", greater), ofCells("MaxWarpage", true), 1e-12);
+  EXPECT_NEAR(worst("FaceFlatness", less), ofCells("MinFaceFlatness", false), 1e-12);
+  EXPECT_NEAR(worst("FaceConcavity", greater), ofCells("MaxFaceConcavity", true), 1e-9);
+  EXPECT_NEAR(worst("FaceSkewness", greater), ofCells("MaxFaceSkewness", true), 1e-12);
+  EXPECT_NEAR(worst("FacePyramidVolume", less), ofCells("MinFacePyramidVolume", false), 1e-12);
+
+  const Elements straight(MakeRow(3));
+  EXPECT_NEAR(Sum(straight.Faces, "FaceTwist"), 16, 1e-12);
+  EXPECT_NEAR(Sum(straight.Faces, "FaceFlatness"), 16, 1e-12);
+}
+
+//------------------------------------------------------------------------------
+// Bit for bit the same on one thread and on many.
+TEST(MeshElements, IndependentOfThreads)
+{
+  const Grid grid = Warp(MakeTetrahedra(9), 9);
+  std::vector<std::vector<double>> reference;
+  for (const int threads : { 1, 2, 5 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+      [&]
+      {
+        const Elements elements(grid);
+        std::vector<std::vector<double>> values;
+        for (vtkPolyData* data : { elements.Faces.Get(), elements.Edges.Get(), elements.Vertices.Get() })
+        {
+          for (int a = 0; a < data->GetCellData()->GetNumberOfArrays(); ++a)
+          {
+            values.emplace_back();
+            vtkDataArray* array = data->GetCellData()->GetArray(a);
+            for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+            {
+              const double value = array->GetComponent(i, 0);
+              values.back().push_back(std::isnan(value) ? -1e300 : value);
+            }
+          }
+        }
+        reference = reference.empty() ? values : reference;
+        EXPECT_EQ(reference, values) << threads;
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+// Only what is asked for is there, and only where it means something.
+TEST(MeshElements, Tables)
+{
+  const Grid row = MakeRow(1);
+  const MeshTopology topology(row);
+  const ElementContext context(row, topology, EvaluationOptions());
+  vtkNew<vtkPolyData> edges;
+  MakeEdges(context, { "EdgeLength", "BoundaryEdge" }, edges);
+  EXPECT_EQ(edges->GetCellData()->GetNumberOfArrays(), 1);
+  for (const auto* rows : { &GetFaceArrays(), &GetEdgeArrays(), &GetVertexArrays() })
+  {
+    std::set<std::pair<std::string, unsigned>> names;
+    for (const ElementArray& array : *rows)
+    {
+      EXPECT_TRUE(names.emplace(array.Name, array.Dimensions).second) << array.Name;
+      EXPECT_EQ((array.IdFunction != nullptr) + (array.FlagFunction != nullptr) +
+          (array.RealFunction != nullptr) + (array.FacetFunction != nullptr) +
+          (array.ShapeFunction != nullptr),
+        1)
+        << array.Name;
+      EXPECT_GT(std::string(array.Description).size(), 10u);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Points in the middle of an edge or a face of a cell, where finer cells meet it.
+TEST(MeshElements, AnglesAtHangingPoints)
+{
+  // A cube below four smaller ones, whose faces are its top.
+  Points points;
+  for (const double z : { 0.0, 2.0, 3.0 })
+  {
+    for (int i = 0; i < 9; ++i)
+    {
+      points.push_back({ double(i % 3), double(i / 3), z });
+    }
+  }
+  std::vector<Faces> cells = { { { 0, 6, 8, 2 }, { 0, 2, 11, 10, 9 }, { 2, 8, 17, 14, 11 },
+    { 8, 6, 15, 16, 17 }, { 6, 0, 9, 12, 15 } } };
+  for (const vtkIdType a : { 9, 10, 12, 13 })
+  {
+    const vtkIdType b = a + 1, c = a + 4, d = a + 3;
+    cells[0].push_back({ a, b, c, d });
+    cells.push_back({ { a, d, c, b }, { a, b, b + 9, a + 9 }, { b, c, c + 9, b + 9 },
+      { c, d, d + 9, c + 9 }, { d, a, a + 9, d + 9 }, { a + 9, b + 9, c + 9, d + 9 } });
+  }
+  const Grid grid = MakePolyhedra(MakePoints(points), cells);
+  const double pi = std::acos(-1.0);
+  std::vector<double> largest(cells.size());
+  Evaluate(MeshTopology(grid), {}, { { FindCriterion("MaxSolidAngle"), largest.data() } },
+    [](double) { return true; });
+  EXPECT_NEAR(largest[0], 2 * pi, 1e-12);
+  EXPECT_NEAR(largest[1], pi / 2, 1e-12);
+  const Elements elements(grid);
+  EXPECT_NEAR(Get(elements.Vertices, "VertexAngleSum", 13), 4 * pi, 1e-12);
+  for (const vtkIdType point : { 10, 12, 14, 16 })
+  {
+    EXPECT_NEAR(Get(elements.Vertices, "VertexAngleSum", point), 2 * pi, 1e-12);
+  }
+  for (const vtkIdType point : { 9, 11, 15, 17 })
+  {
+    EXPECT_NEAR(Get(elements.Vertices, "VertexAngleSum", point), pi, 1e-12);
+  }
 }

@@ -96,7 +96,7 @@ def write_case(folder, faces):
 class TestCheckMesh(camaron_testing.TestCase):
     def compare(self, source, tolerance):
         """Worst values of all cells are those that checkMesh prints, to the digits it prints."""
-        faces = servermanager.Fetch(simple.MeshElements(Input=source, FaceCriteria=0), idx=0)
+        faces = servermanager.Fetch(simple.MeshElements(Input=source, FaceArrays=["OwnerCell", "NeighborCell"]), idx=0)
         case = self.folder / "case"
         write_case(case, faces)
         run = subprocess.run(

@@ -3,13 +3,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Mesh Elements in ParaView: the same faces, edges and vertices on any number of ranks."""
 
+import math
+import re
 import struct
+import unittest
 
 import camaron_testing
+import numpy
+from camaron import tables
 from camaron_testing import EXAMPLES
 from paraview import simple
 from paraview.servermanager import OutputPort
-
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 CELLS = 800  # of the Voronoi ball
 
@@ -67,13 +72,69 @@ class TestMeshElements(camaron_testing.TestCase):
 
     def test_polygon_criteria_of_faces(self):
         mesh = simple.OpenDataFile(str(EXAMPLES / "flange.visf"))
-        elements = simple.MeshElements(Input=mesh, FaceCriteria=0)
+        elements = simple.MeshElements(Input=mesh, FaceArrays=["OwnerCell"])
         quality = simple.ElementQuality(Input=OutputPort(elements, 0), Criteria=["Area", "MaxWarpage"])
         information = self.information(quality, 0)
         self.assertGreater(self.range_of(information, "Area")[0], 0.0)
         self.assertIsNone(
             information.GetCellDataInformation().GetArrayInformation("NonOrthogonality")
         )
+
+    def known_arrays(self):
+        """What the tables list: names by kind of element."""
+        known = {"Face": [], "Edge": [], "Vertex": []}
+        for row in tables.fetch(simple.CriteriaTable(), 3):
+            if row["Name"] not in known[row["Element"]]:
+                known[row["Element"]].append(row["Name"])
+        return known
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "the table is on the first rank")
+    def test_lists_agree(self):
+        """The properties offer the arrays of the tables, and the documentation has a row for each."""
+        page = (camaron_testing.ROOT / "Documentation" / "elements.md").read_text()
+        sections = re.split(r"^## .*$", page, flags=re.MULTILINE)[1:]
+        elements = simple.MeshElements(Input=simple.Wavelet())
+        for (kind, names), section in zip(self.known_arrays().items(), sections):
+            self.assertEqual(elements.GetProperty(f"{kind}Arrays").Available, names)
+            documented = re.findall(r"^\| (?:\*\*)?`(\w+)`", section, re.MULTILINE)
+            self.assertEqual(list(dict.fromkeys(documented)), names)
+        for row in tables.fetch(simple.CriteriaTable(), 3):
+            name = f"**`{row['Name']}`**" if row["IsDefault"] else f"`{row['Name']}`"
+            line = f"| {name} | {row['Cells']} | {row['Unit'] or '-'} | {row['Description']} |"
+            self.assertIn(line, page)
+
+    def inner_sums(self, mesh, port, name):
+        """Sums of angles around edges (port 1) or points (port 2) that are not at the boundary."""
+        elements = simple.MeshElements(
+            Input=mesh, EdgeArrays=["IsBoundary", name], VertexArrays=["IsBoundary", "UnusedPoint", name]
+        )
+        data = self.fetch(elements, port).GetCellData()
+        inner = vtk_to_numpy(data.GetArray("IsBoundary")) == 0
+        if port == 2:
+            inner &= vtk_to_numpy(data.GetArray("UnusedPoint")) == 0
+        sums = vtk_to_numpy(data.GetArray(name))[inner]
+        self.assertGreater(sums.size, 100)
+        return sums[~numpy.isnan(sums)]
+
+    def assert_angles_around(self, mesh):
+        """Around every inner edge there are 360 degrees, around every inner point 4 pi."""
+        self.assertLess(abs(self.inner_sums(mesh, 1, "EdgeAngleSum") / 360 - 1).max(), 1e-8)
+        sums = self.inner_sums(mesh, 2, "VertexAngleSum")
+        self.assertLess(abs(sums / (4 * math.pi) - 1).max(), 1e-10)
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "the whole mesh is looked at on one rank")
+    def test_angles_around_inner_elements(self):
+        self.assert_angles_around(self.open(EXAMPLES / "voronoi-ball.visf"))
+        self.assert_angles_around(self.open(self.data("tetgen/camaron_gen4096.1.node")))
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "the whole mesh is looked at on one rank")
+    def test_angles_around_warped_polyhedra(self):
+        """Full spheres also where faces are warped; a corner that is turned inside out makes it two."""
+        path = self.data("ansys_fluent/fluent_mixer_poly_bin.cas")
+        reader = simple.FluentMeshReader(FileNames=[str(path)])
+        spheres = self.inner_sums(reader, 2, "VertexAngleSum") / (4 * math.pi)
+        self.assertLess(abs(spheres - spheres.round()).max(), 1e-10)
+        self.assertGreater((spheres.round() == 1).mean(), 0.999)
 
 
 if __name__ == "__main__":

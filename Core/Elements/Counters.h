@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Counters.h
+ * @brief Numbers that several threads change, with results that do not depend on their order.
+ */
+#ifndef camaron_Counters_h
+#define camaron_Counters_h
+
+#include "Criteria/Criterion.h"
+#include "Mesh/FacetTable.h"
+
+#include <atomic>  // for the numbers
+#include <cmath>   // for rounding
+#include <cstdint> // for sums
+#include <vector>  // for the numbers
+
+namespace camaron
+{
+class Counters
+{
+public:
+  explicit Counters(std::size_t size)
+    : Values(size)
+  {
+  }
+  void Add(vtkIdType i) { this->Values[i].fetch_add(1, std::memory_order_relaxed); }
+  std::vector<Index> Get() const { return { this->Values.begin(), this->Values.end() }; }
+
+private:
+  std::vector<std::atomic<Index>> Values;
+};
+
+/// Keeps the smallest of some values.
+template <typename Value>
+class Minima
+{
+public:
+  Minima(std::size_t size, Value largest)
+    : Values(size)
+  {
+    for (auto& value : this->Values)
+    {
+      value.store(largest, std::memory_order_relaxed);
+    }
+  }
+  void Add(vtkIdType i, Value value)
+  {
+    Value known = this->Values[i].load(std::memory_order_relaxed);
+    while (value < known &&
+      !this->Values[i].compare_exchange_weak(known, value, std::memory_order_relaxed))
+    {
+    }
+  }
+  Value Get(vtkIdType i) const { return this->Values[i].load(std::memory_order_relaxed); }
+
+private:
+  std::vector<std::atomic<Value>> Values;
+};
+
+/**
+ * Sums of angles in radian or steradian, kept as integers so that they are the same in whatever order, also of
+ * cells in different pieces. A sum is null when a part of it is, or when there are no parts.
+ */
+class AngleSums
+{
+public:
+  explicit AngleSums(std::size_t size)
+    : Sums(size)
+    , Reasons(size)
+  {
+    for (auto& reason : this->Reasons)
+    {
+      reason.store(NoParts, std::memory_order_relaxed);
+    }
+  }
+  void Add(vtkIdType i, double angle)
+  {
+    // The reasons of null values are above 0, which says that there is a value.
+    auto reason = static_cast<unsigned char>(GetNullReason(angle));
+    unsigned char known = this->Reasons[i].load(std::memory_order_relaxed);
+    while ((known == NoParts || reason > known) &&
+      !this->Reasons[i].compare_exchange_weak(known, reason, std::memory_order_relaxed))
+    {
+    }
+    if (!std::isnan(angle))
+    {
+      this->Sums[i].fetch_add(std::llround(angle * Resolution), std::memory_order_relaxed);
+    }
+  }
+  double Get(vtkIdType i) const
+  {
+    const unsigned char reason = this->Reasons[i].load(std::memory_order_relaxed);
+    return reason == 0  ? static_cast<double>(this->Sums[i].load(std::memory_order_relaxed)) / Resolution
+      : reason == NoParts ? Null(NullReason::NotApplicable)
+                          : Null(static_cast<NullReason>(reason));
+  }
+
+private:
+  static constexpr double Resolution = 0x1p49; // room for 2600 full circles in 63 bits
+  static constexpr unsigned char NoParts = 255;
+  std::vector<std::atomic<std::int64_t>> Sums;
+  std::vector<std::atomic<unsigned char>> Reasons;
+};
+}
+
+#endif

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The arrays of edges.
+#include "Elements/ElementArray.h"
+#include "Mesh/CellFacets.h"
+#include "Parallel.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1024;
+constexpr double Pi = 3.141592653589793238462643383279502884;
+
+//------------------------------------------------------------------------------
+Vector GetPoint(const MeshView& mesh, vtkIdType id)
+{
+  double x[3];
+  mesh.GetPoint(id, x);
+  return { x[0], x[1], x[2] };
+}
+
+//------------------------------------------------------------------------------
+// Calls fill(edge) for all edges in parallel.
+template <typename Fill>
+void ForEdges(const ElementContext& context, Fill&& fill)
+{
+  ParallelFor(static_cast<vtkIdType>(context.GetTopology().GetEdges().size()), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType edge = begin; edge < end; ++edge)
+      {
+        fill(edge);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// An edge of polygons.
+struct SurfaceEdge
+{
+  vtkIdType Edge;
+  vtkIdType Points[2]; ///< as the first polygon runs along it
+  Index Facet;
+};
+
+// Calls fill(edge, facets of the mesh) for all edges of polygons in parallel.
+template <typename Fill>
+void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
+{
+  const EdgeFinder& finder = context.GetEdgeFinder();
+  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
+  ParallelFor(context.GetMesh().GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellFacets facets(context.GetMesh());
+      std::vector<vtkIdType> polygon;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const FacetTable::Range uses = table.GetCellFacets(cell);
+        if (uses.size() == 0)
+        {
+          continue;
+        }
+        facets.GetPolygon(cell, polygon);
+        for (Index local = 0; local < uses.size(); ++local)
+        {
+          const Index facet = uses[local].Facet();
+          const vtkIdType a = polygon[local], b = polygon[local + 1 < uses.size() ? local + 1 : 0];
+          if (a != b && table.GetCells(facet).First == cell && table.GetOwnerLocalFacet(facet) == local)
+          {
+            fill(SurfaceEdge{ finder.Find(a, b), { a, b }, facet });
+          }
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Whether the second polygon of an edge runs along it against the first one.
+bool IsReversedInSecond(const FacetTable& table, Index facet)
+{
+  const FacetTable::Range uses = table.GetCellFacets(table.GetCells(facet).Second);
+  return std::any_of(uses.begin(), uses.end(),
+    [=](CellFacet use) { return use.Facet() == facet && use.IsReversed(); });
+}
+
+//------------------------------------------------------------------------------
+Vector GetNormal(const MeshView& mesh, vtkIdType cell)
+{
+  std::vector<vtkIdType> polygon;
+  CellFacets(mesh).GetPolygon(cell, polygon);
+  Vector sum;
+  const Vector origin = GetPoint(mesh, polygon[0]);
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+  {
+    sum += Cross(GetPoint(mesh, polygon[i]) - origin, GetPoint(mesh, polygon[i + 1]) - origin);
+  }
+  return Unit(sum);
+}
+
+//------------------------------------------------------------------------------
+void EdgeLength(const ElementContext& context, double* values)
+{
+  const EdgeList& edges = context.GetTopology().GetEdges();
+  const MeshView& mesh = context.GetMesh();
+  ForEdges(context,
+    [&](vtkIdType edge)
+    { values[edge] = Norm(GetPoint(mesh, edges[edge][1]) - GetPoint(mesh, edges[edge][0])); });
+}
+
+//------------------------------------------------------------------------------
+void EdgeCellCount(const ElementContext& context, vtkIdType* values)
+{
+  const std::vector<Index>& cells = context.GetEdgeUses().Cells;
+  std::copy(cells.begin(), cells.end(), values);
+}
+
+//------------------------------------------------------------------------------
+void EdgeFaceCount(const ElementContext& context, vtkIdType* values)
+{
+  const std::vector<Index>& faces = context.GetEdgeUses().Faces;
+  std::copy(faces.begin(), faces.end(), values);
+}
+
+//------------------------------------------------------------------------------
+void IsBoundaryEdge(const ElementContext& context, unsigned char* values)
+{
+  const ElementUses& uses = context.GetEdgeUses();
+  ForEdges(context,
+    [&](vtkIdType edge)
+    {
+      values[edge] = uses.BoundaryFaces[edge] > 0 ||
+        (uses.Polygons[edge] == 1 && uses.Cells[edge] == 1);
+    });
+}
+
+//------------------------------------------------------------------------------
+void BoundaryEdge(const ElementContext& context, unsigned char* values)
+{
+  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
+  ForSurfaceEdges(
+    context, [&](const SurfaceEdge& edge) { values[edge.Edge] = table.IsBoundary(edge.Facet); });
+}
+
+//------------------------------------------------------------------------------
+void NonManifoldEdge(const ElementContext& context, unsigned char* values)
+{
+  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
+  ForSurfaceEdges(context,
+    [&](const SurfaceEdge& edge) { values[edge.Edge] = table.GetNumberOfCells(edge.Facet) > 2; });
+}
+
+//------------------------------------------------------------------------------
+void InconsistentEdge(const ElementContext& context, unsigned char* values)
+{
+  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
+  ForSurfaceEdges(context,
+    [&](const SurfaceEdge& edge)
+    {
+      const FacetTable::CellPair cells = table.GetCells(edge.Facet);
+      values[edge.Edge] = table.GetNumberOfCells(edge.Facet) == 2 && cells.First != cells.Second &&
+        !IsReversedInSecond(table, edge.Facet);
+    });
+}
+
+//------------------------------------------------------------------------------
+void EdgeDihedralAngle(const ElementContext& context, double* values)
+{
+  const MeshView& mesh = context.GetMesh();
+  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
+  std::fill_n(values, context.GetTopology().GetEdges().size(), Null(NullReason::NoNeighbor));
+  ForSurfaceEdges(context,
+    [&](const SurfaceEdge& edge)
+    {
+      const FacetTable::CellPair cells = table.GetCells(edge.Facet);
+      if (cells.Second < 0)
+      {
+        return;
+      }
+      if (cells.First == cells.Second || table.GetNumberOfCells(edge.Facet) > 2)
+      {
+        values[edge.Edge] = Null(NullReason::InvalidTopology);
+        return;
+      }
+      const double sign = IsReversedInSecond(table, edge.Facet) ? 1 : -1;
+      const Vector n0 = GetNormal(mesh, cells.First), n1 = sign * GetNormal(mesh, cells.Second);
+      const Vector along = Unit(GetPoint(mesh, edge.Points[1]) - GetPoint(mesh, edge.Points[0]));
+      values[edge.Edge] = Norm2(n0) == 0 || Norm2(n1) == 0 || Norm2(along) == 0
+        ? Null(NullReason::Degenerate)
+        : Pi - std::atan2(Dot(along, Cross(n0, n1)), Dot(n0, n1));
+    });
+}
+
+//------------------------------------------------------------------------------
+void EdgeMinDihedralAngle(const ElementContext& context, double* values)
+{
+  const std::vector<double>& angles = context.GetEdgeAngles().Min;
+  std::copy(angles.begin(), angles.end(), values);
+}
+
+//------------------------------------------------------------------------------
+void EdgeMaxDihedralAngle(const ElementContext& context, double* values)
+{
+  const std::vector<double>& angles = context.GetEdgeAngles().Max;
+  std::copy(angles.begin(), angles.end(), values);
+}
+
+//------------------------------------------------------------------------------
+void EdgeAngleSum(const ElementContext& context, double* values)
+{
+  const std::vector<double>& angles = context.GetEdgeAngles().Sum;
+  std::copy(angles.begin(), angles.end(), values);
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<ElementArray>& GetEdgeArrays()
+{
+  // clang-format off
+  static const std::vector<ElementArray> arrays = {
+    { "EdgeLength", "Distance of the two points.",
+      OfAnyCells, Unit::Length, true, CAMARON_REALS(EdgeLength) },
+    { "EdgeCellCount", "Number of 2D and 3D cells that have the edge.",
+      OfAnyCells, Unit::None, true, CAMARON_IDS(EdgeCellCount) },
+    { "EdgeFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that have the edge.",
+      OfAnyCells, Unit::None, true, CAMARON_IDS(EdgeFaceCount) },
+    { "IsBoundary", "1 for an edge of a face with one 3D cell, or of one cell only, which is 2D; else 0.",
+      OfAnyCells, Unit::None, true, CAMARON_FLAGS(IsBoundaryEdge) },
+    { "EdgeDihedralAngle",
+      "Angle between the two polygons of the edge on the side that their normals point away from, 180 degrees where "
+      "they are flat; null if there are not two.",
+      OfPolygons, Unit::Angle, true, CAMARON_REALS(EdgeDihedralAngle) },
+    { "BoundaryEdge", "1 for an edge of one polygon, else 0.",
+      OfPolygons, Unit::None, false, CAMARON_FLAGS(BoundaryEdge) },
+    { "NonManifoldEdge", "1 for an edge of more than two polygons, else 0.",
+      OfPolygons, Unit::None, true, CAMARON_FLAGS(NonManifoldEdge) },
+    { "InconsistentEdge", "1 for an edge along which its two polygons run in the same direction, else 0.",
+      OfPolygons, Unit::None, true, CAMARON_FLAGS(InconsistentEdge) },
+    { "EdgeMinDihedralAngle", "Smallest dihedral angle that a cell has at the edge.",
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMinDihedralAngle) },
+    { "EdgeMaxDihedralAngle", "Largest dihedral angle that a cell has at the edge.",
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMaxDihedralAngle) },
+    { "EdgeAngleSum",
+      "Sum of the dihedral angles of the cells at the edge; 360 degrees inside the mesh, else cells overlap or leave "
+      "a gap. Null if one of them is.",
+      OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeAngleSum) },
+  };
+  // clang-format on
+  return arrays;
+}
+}

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Elements/ElementArray.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+template <typename Array>
+auto* Add(vtkPolyData* elements, const char* name)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(elements->GetNumberOfCells());
+  std::fill_n(array->GetPointer(0), elements->GetNumberOfCells(), 0);
+  elements->GetCellData()->AddArray(array);
+  return array->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+// Sets the unit of an array of reals, and gives angles in it.
+void SetUnit(vtkDoubleArray* array, enum Unit unit, AngleUnit angles)
+{
+  array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), GetUnitLabel(unit, angles));
+  if (unit == Unit::Angle && angles == AngleUnit::Degrees)
+  {
+    constexpr double degree = 180 / 3.141592653589793238462643383279502884;
+    double* values = array->GetPointer(0);
+    // A null value keeps its reason.
+    std::transform(values, values + array->GetNumberOfValues(), values,
+      [](double value) { return std::isnan(value) ? value : degree * value; });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+unsigned char* AddGhostArray(vtkPolyData* elements)
+{
+  return Add<vtkUnsignedCharArray>(elements, vtkDataSetAttributes::GhostArrayName());
+}
+
+//------------------------------------------------------------------------------
+void AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
+  const std::vector<std::string>& names, vtkPolyData* elements)
+{
+  vtkDataSet* mesh = context.GetData();
+  if (vtkPointSet* points = vtkPointSet::SafeDownCast(mesh))
+  {
+    elements->SetPoints(points->GetPoints());
+  }
+  elements->GetPointData()->ShallowCopy(mesh->GetPointData());
+  const unsigned dimensions = (context.HasCells(2) ? OfPolygons : 0u) |
+    (context.HasCells(3) ? OfPolyhedra : 0u);
+  vtkCellData* data = elements->GetCellData();
+  std::vector<const ElementArray*> ofFaces;
+  std::vector<double*> faceValues;
+  std::vector<std::pair<vtkDoubleArray*, enum Unit>> reals;
+  for (const ElementArray& row : rows)
+  {
+    const bool isChosen = std::find(names.begin(), names.end(), row.Name) != names.end();
+    if (!isChosen || !(row.Dimensions & dimensions) || data->HasArray(row.Name))
+    {
+      continue;
+    }
+    if (row.IdFunction)
+    {
+      row.IdFunction(context, Add<vtkIdTypeArray>(elements, row.Name));
+      continue;
+    }
+    if (row.FlagFunction)
+    {
+      row.FlagFunction(context, Add<vtkUnsignedCharArray>(elements, row.Name));
+      continue;
+    }
+    double* values = Add<vtkDoubleArray>(elements, row.Name);
+    reals.emplace_back(vtkDoubleArray::FastDownCast(data->GetArray(row.Name)), row.Unit);
+    if (row.RealFunction)
+    {
+      row.RealFunction(context, values);
+    }
+    else
+    {
+      ofFaces.push_back(&row);
+      faceValues.push_back(values);
+    }
+  }
+  if (!ofFaces.empty())
+  {
+    EvaluateFaces(context, ofFaces, faceValues);
+  }
+  for (const auto& array : reals)
+  {
+    SetUnit(array.first, array.second, context.GetOptions().Angles);
+  }
+}
+}

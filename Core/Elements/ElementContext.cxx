@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Elements/ElementContext.h"
+
+#include "Elements/CoincidentPoints.h"
+#include "Elements/Counters.h"
+#include "Mesh/CellFacets.h"
+#include "Parallel.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1024;
+
+//------------------------------------------------------------------------------
+// Calls visit(cell, facets) for all cells in parallel.
+template <typename Visit>
+void ForCells(const MeshView& mesh, Visit&& visit)
+{
+  ParallelFor(mesh.GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellFacets facets(mesh);
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        visit(cell, facets);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(points, size, isBoundary) for every face of 3D cells once, and every 2D cell.
+template <typename Visit>
+void ForFaces(const FacetTable& faces, vtkIdType cell, CellFacets& facets, Visit&& visit)
+{
+  const int dimension = facets.GetDimension(cell);
+  if (dimension == 3)
+  {
+    const FacetTable::Range uses = faces.GetCellFacets(cell);
+    facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+      {
+        const Index facet = uses[static_cast<Index>(local)].Facet();
+        if (faces.GetCells(facet).First == cell &&
+          faces.GetOwnerLocalFacet(facet) == static_cast<Index>(local))
+        {
+          visit(points, size, faces.IsBoundary(facet));
+        }
+      });
+  }
+  else if (dimension == 2)
+  {
+    std::vector<vtkIdType> points;
+    facets.GetPolygon(cell, points);
+    visit(points.data(), static_cast<vtkIdType>(points.size()), false);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Sorts and leaves every item once.
+void MakeUnique(std::vector<vtkIdType>& items)
+{
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+//------------------------------------------------------------------------------
+// Counts uses by cells and faces: forItems(points, size, visit(item)) tells what a ring of points uses.
+template <typename ForItems>
+ElementUses CountUses(const MeshTopology& topology, std::size_t size, ForItems&& forItems)
+{
+  const FacetTable& table = topology.GetFaces();
+  Counters cells(size), polygons(size), faces(size), boundaryFaces(size);
+  ForCells(topology.GetMesh(),
+    [&](vtkIdType cell, CellFacets& facets)
+    {
+      const bool isPolygon = facets.GetDimension(cell) == 2;
+      std::vector<vtkIdType> found;
+      const auto keep = [&](vtkIdType item) { found.push_back(item); };
+      if (isPolygon)
+      {
+        std::vector<vtkIdType> ring;
+        facets.GetPolygon(cell, ring);
+        forItems(ring.data(), static_cast<vtkIdType>(ring.size()), keep);
+      }
+      else
+      {
+        facets.ForEach(cell, [&](const vtkIdType* points, vtkIdType count, vtkIdType)
+          { forItems(points, count, keep); });
+      }
+      MakeUnique(found);
+      for (const vtkIdType item : found)
+      {
+        cells.Add(item);
+        if (isPolygon)
+        {
+          polygons.Add(item);
+        }
+      }
+      ForFaces(table, cell, facets,
+        [&](const vtkIdType* points, vtkIdType count, bool isBoundary)
+        {
+          found.clear();
+          forItems(points, count, keep);
+          MakeUnique(found);
+          for (const vtkIdType item : found)
+          {
+            faces.Add(item);
+            if (isBoundary)
+            {
+              boundaryFaces.Add(item);
+            }
+          }
+        });
+    });
+  return { cells.Get(), polygons.Get(), faces.Get(), boundaryFaces.Get() };
+}
+
+//------------------------------------------------------------------------------
+EdgeAngles ComputeEdgeAngles(
+  const MeshView& mesh, const EvaluationOptions& options, const EdgeFinder& finder, std::size_t size)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Minima<double> smallest(size, infinity), negated(size, infinity);
+  AngleSums sums(size);
+  ParallelFor(mesh.GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        cell.Load(mesh, id, options);
+        if (!(cell.GetShapes() & Polyhedra))
+        {
+          continue;
+        }
+        cell.Compute(NeedsEdges | NeedsFaces | NeedsVolume | NeedsDihedral);
+        const std::vector<CellTopology::Edge>& edges = cell.GetTopology().Edges;
+        for (std::size_t e = 0; e < edges.size(); ++e)
+        {
+          const vtkIdType edge =
+            finder.Find(cell.GetPointId(edges[e].Points[0]), cell.GetPointId(edges[e].Points[1]));
+          const double angle = cell.GetDihedralAngle(static_cast<int>(e));
+          sums.Add(edge, angle);
+          if (!std::isnan(angle))
+          {
+            smallest.Add(edge, angle);
+            negated.Add(edge, -angle);
+          }
+        }
+      }
+    });
+  EdgeAngles angles;
+  const auto get = [&](double value, double sum)
+  { return std::abs(value) < infinity ? value : std::isnan(sum) ? sum : Null(NullReason::NotApplicable); };
+  for (vtkIdType edge = 0; edge < static_cast<vtkIdType>(size); ++edge)
+  {
+    const double sum = sums.Get(edge);
+    angles.Sum.push_back(sum);
+    angles.Min.push_back(get(smallest.Get(edge), sum));
+    const double largest = get(negated.Get(edge), sum);
+    angles.Max.push_back(std::isnan(largest) ? largest : -largest);
+  }
+  return angles;
+}
+
+//------------------------------------------------------------------------------
+// The value of a table that is made the first time.
+template <typename Table, typename Make>
+const Table& GetOnce(std::optional<Table>& table, Make&& make)
+{
+  if (!table)
+  {
+    table.emplace(make());
+  }
+  return *table;
+}
+}
+
+//------------------------------------------------------------------------------
+ElementContext::ElementContext(vtkDataSet* mesh, const MeshTopology& topology,
+  EvaluationOptions options, double mergeTolerance)
+  : Data(mesh)
+  , Topology(topology)
+  , Options(options)
+  , MergeTolerance(mergeTolerance)
+{
+  vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
+  this->Options.Ghosts = ghosts ? ghosts->GetPointer(0) : nullptr;
+  this->Options.GlobalIds = mesh->GetCellData()->GetGlobalIds();
+  const CellFacets facets(this->GetMesh());
+  for (vtkIdType cell = 0; cell < this->GetMesh().GetNumberOfCells(); ++cell)
+  {
+    const int dimension = facets.GetDimension(cell);
+    if (dimension >= 0)
+    {
+      this->Has[dimension] = true;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType ElementContext::GetGlobalCell(vtkIdType cell) const
+{
+  vtkDataArray* ids = this->Options.GlobalIds;
+  return ids ? static_cast<vtkIdType>(ids->GetComponent(cell, 0)) : cell;
+}
+
+//------------------------------------------------------------------------------
+unsigned char ElementContext::BelongsToGhost(const std::vector<Index>& cells) const
+{
+  const auto first = std::min_element(cells.begin(), cells.end(),
+    [this](Index a, Index b) { return this->GetGlobalCell(a) < this->GetGlobalCell(b); });
+  return first != cells.end() && this->Options.Ghosts &&
+      (this->Options.Ghosts[*first] & vtkDataSetAttributes::DUPLICATECELL)
+    ? vtkDataSetAttributes::DUPLICATECELL
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+const EdgeFinder& ElementContext::GetEdgeFinder() const
+{
+  return GetOnce(this->Edges,
+    [this] { return EdgeFinder(this->Topology.GetEdges(), this->GetMesh().GetNumberOfPoints()); });
+}
+
+//------------------------------------------------------------------------------
+const ElementUses& ElementContext::GetEdgeUses() const
+{
+  const EdgeFinder& finder = this->GetEdgeFinder();
+  return GetOnce(this->EdgeUses,
+    [&]
+    {
+      return CountUses(this->Topology, this->Topology.GetEdges().size(),
+        [&](const vtkIdType* points, vtkIdType size, auto&& visit)
+        {
+          for (vtkIdType i = 0; i < size; ++i)
+          {
+            const vtkIdType a = points[i], b = points[i + 1 < size ? i + 1 : 0];
+            if (a != b)
+            {
+              visit(finder.Find(a, b));
+            }
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+const ElementUses& ElementContext::GetVertexUses() const
+{
+  return GetOnce(this->VertexUses,
+    [this]
+    {
+      return CountUses(this->Topology, static_cast<std::size_t>(this->GetMesh().GetNumberOfPoints()),
+        [](const vtkIdType* points, vtkIdType size, auto&& visit)
+        {
+          for (vtkIdType i = 0; i < size; ++i)
+          {
+            visit(points[i]);
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+const EdgeAngles& ElementContext::GetEdgeAngles() const
+{
+  return GetOnce(this->Angles,
+    [this]
+    {
+      return ComputeEdgeAngles(
+        this->GetMesh(), this->Options, this->GetEdgeFinder(), this->Topology.GetEdges().size());
+    });
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkIdType>& ElementContext::GetCoincidentPoints() const
+{
+  return GetOnce(this->CoincidentPoints,
+    [this]
+    {
+      return FindCoincidentPoints(
+        this->GetMesh(), this->MergeTolerance, this->Data->GetPointData()->GetGlobalIds());
+    });
+}
+
+//------------------------------------------------------------------------------
+const std::vector<vtkIdType>& ElementContext::GetPolygonCells() const
+{
+  return GetOnce(this->PolygonCells,
+    [this]
+    {
+      const CellFacets facets(this->GetMesh());
+      std::vector<vtkIdType> cells;
+      for (vtkIdType cell = 0; cell < this->GetMesh().GetNumberOfCells(); ++cell)
+      {
+        if (facets.GetDimension(cell) == 2)
+        {
+          cells.push_back(cell);
+        }
+      }
+      return cells;
+    });
+}
+}

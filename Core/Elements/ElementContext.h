@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::ElementContext
+ * @brief What the arrays of faces, edges and vertices of a mesh are made from.
+ *
+ * Tables are made when they are first asked for and then shared by all arrays. Not for several threads: functions
+ * of arrays fetch their tables first and go parallel then.
+ */
+#ifndef camaron_ElementContext_h
+#define camaron_ElementContext_h
+
+#include "Criteria/CellGeometry.h"
+#include "Elements/EdgeFinder.h"
+#include "Mesh/MeshTopology.h"
+
+#include <optional> // for the tables
+#include <vector>   // for the tables
+
+class vtkDataSet;
+
+namespace camaron
+{
+/// How many cells, faces and polygon cells meet at an edge or vertex.
+struct ElementUses
+{
+  std::vector<Index> Cells;         ///< 2D and 3D cells
+  std::vector<Index> Polygons;      ///< 2D cells
+  std::vector<Index> Faces;         ///< faces of 3D cells, each once, and 2D cells
+  std::vector<Index> BoundaryFaces; ///< faces with one 3D cell
+};
+
+/// Dihedral angles that the 3D cells have at every edge, in radian; null where there are none.
+struct EdgeAngles
+{
+  std::vector<double> Min, Max, Sum;
+};
+
+class ElementContext
+{
+public:
+  /**
+   * @param mesh whose ghosts and global ids count, whatever the options say of them
+   * @param mergeTolerance distance up to which points coincide; 0 for 8 rounding units of their coordinates
+   */
+  ElementContext(
+    vtkDataSet* mesh, const MeshTopology& topology, EvaluationOptions options, double mergeTolerance = 0);
+
+  vtkDataSet* GetData() const { return this->Data; }
+  const MeshTopology& GetTopology() const { return this->Topology; }
+  const MeshView& GetMesh() const { return this->Topology.GetMesh(); }
+  const EvaluationOptions& GetOptions() const { return this->Options; }
+  /// Whether the mesh has cells of that dimension, 2 or 3.
+  bool HasCells(int dimension) const { return this->Has[dimension]; }
+  /// Global id of a cell of the mesh; its own if there are none.
+  vtkIdType GetGlobalCell(vtkIdType cell) const;
+  bool IsGhost(vtkIdType cell) const { return this->Options.Ghosts && this->Options.Ghosts[cell]; }
+  /// DUPLICATECELL if the cell of the smallest global id is a ghost, else 0.
+  unsigned char BelongsToGhost(const std::vector<Index>& cells) const;
+
+  const EdgeFinder& GetEdgeFinder() const;
+  const ElementUses& GetEdgeUses() const;
+  const ElementUses& GetVertexUses() const;
+  const EdgeAngles& GetEdgeAngles() const;
+  /// Of every point the lowest id (the global one if there are any) of all points that coincide with it, or -1 if
+  /// none does. See FindCoincidentPoints.
+  const std::vector<vtkIdType>& GetCoincidentPoints() const;
+  /// The 2D cells, which are the faces of a mesh without 3D cells.
+  const std::vector<vtkIdType>& GetPolygonCells() const;
+
+private:
+  vtkDataSet* Data;
+  const MeshTopology& Topology;
+  EvaluationOptions Options;
+  double MergeTolerance;
+  bool Has[4] = { false, false, false, false };
+
+  mutable std::optional<EdgeFinder> Edges;
+  mutable std::optional<ElementUses> EdgeUses, VertexUses;
+  mutable std::optional<EdgeAngles> Angles;
+  mutable std::optional<std::vector<vtkIdType>> CoincidentPoints, PolygonCells;
+};
+}
+
+#endif

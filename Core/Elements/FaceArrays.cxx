@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The arrays of faces.
+#include "Criteria/FaceShape.h"
+#include "Criteria/FacetMeasures.h"
+#include "Elements/ElementArray.h"
+#include "Parallel.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1024;
+using Facet = CellNeighborhood::Facet;
+using Side = CellNeighborhood::Side;
+
+//------------------------------------------------------------------------------
+// Calls fill(face) for all faces of 3D cells in parallel.
+template <typename Fill>
+void ForFacets(const ElementContext& context, Fill&& fill)
+{
+  ParallelFor(context.GetTopology().GetFaces().GetNumberOfFacets(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType face = begin; face < end; ++face)
+      {
+        fill(static_cast<Index>(face));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void OwnerCell(const ElementContext& context, vtkIdType* values)
+{
+  if (!context.HasCells(3))
+  {
+    const std::vector<vtkIdType>& cells = context.GetPolygonCells();
+    std::transform(cells.begin(), cells.end(), values,
+      [&](vtkIdType cell) { return context.GetGlobalCell(cell); });
+    return;
+  }
+  const FacetTable& table = context.GetTopology().GetFaces();
+  ForFacets(
+    context, [&](Index face) { values[face] = context.GetGlobalCell(table.GetCells(face).First); });
+}
+
+//------------------------------------------------------------------------------
+void NeighborCell(const ElementContext& context, vtkIdType* values)
+{
+  const FacetTable& table = context.GetTopology().GetFaces();
+  ForFacets(context,
+    [&](Index face)
+    {
+      const Index cell = table.GetCells(face).Second;
+      values[face] = cell < 0 ? -1 : context.GetGlobalCell(cell);
+    });
+}
+
+//------------------------------------------------------------------------------
+void FaceCellCount(const ElementContext& context, vtkIdType* values)
+{
+  const FacetTable& table = context.GetTopology().GetFaces();
+  ForFacets(context, [&](Index face) { values[face] = table.GetNumberOfCells(face); });
+}
+
+//------------------------------------------------------------------------------
+void IsBoundaryFace(const ElementContext& context, unsigned char* values)
+{
+  const FacetTable& table = context.GetTopology().GetFaces();
+  ForFacets(context, [&](Index face) { values[face] = table.IsBoundary(face); });
+}
+
+//------------------------------------------------------------------------------
+// Boundary faces are compared by what lies in the places of their points.
+void FaceMismatch(const ElementContext& context, unsigned char* values)
+{
+  const FacetTable& table = context.GetTopology().GetFaces();
+  const std::vector<vtkIdType>& coincident = context.GetCoincidentPoints();
+  std::vector<std::pair<std::vector<vtkIdType>, Index>> places;
+  std::vector<vtkIdType> points;
+  for (Index face = 0; face < table.GetNumberOfFacets(); ++face)
+  {
+    if (!table.IsBoundary(face))
+    {
+      continue;
+    }
+    context.GetTopology().GetFacePoints(face, points);
+    const bool isDoubled = std::all_of(
+      points.begin(), points.end(), [&](vtkIdType point) { return coincident[point] >= 0; });
+    if (isDoubled)
+    {
+      std::transform(points.begin(), points.end(), points.begin(),
+        [&](vtkIdType point) { return coincident[point]; });
+      std::sort(points.begin(), points.end());
+      places.emplace_back(points, face);
+    }
+  }
+  std::sort(places.begin(), places.end());
+  for (std::size_t i = 1; i < places.size(); ++i)
+  {
+    if (places[i].first == places[i - 1].first)
+    {
+      values[places[i].second] = values[places[i - 1].second] = 1;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A value between two cells; null where there is no other.
+template <double (*Measure)(const CellNeighborhood&, const Facet&)>
+double Inside(const CellNeighborhood& cell, const Facet& facet)
+{
+  return facet.Other == Side::Cell ? Measure(cell, facet)
+                                   : Null(facet.Other == Side::Missing ? NullReason::MissingGhosts
+                                         : facet.Other == Side::Boundary
+                                         ? NullReason::NoNeighbor
+                                         : NullReason::InvalidTopology);
+}
+
+//------------------------------------------------------------------------------
+// A value that takes the boundary into account.
+template <double (*Measure)(const CellNeighborhood&, const Facet&)>
+double InsideOrBoundary(const CellNeighborhood& cell, const Facet& facet)
+{
+  return facet.Other == Side::Boundary ? Measure(cell, facet) : Inside<Measure>(cell, facet);
+}
+
+//------------------------------------------------------------------------------
+double BoundaryNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
+{
+  return facet.Other == Side::Boundary ? GetBoundaryNonOrthogonality(cell, facet)
+                                       : Null(NullReason::NotApplicable);
+}
+
+//------------------------------------------------------------------------------
+double FacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
+{
+  return std::isnan(cell.GetSize()) ? cell.GetSize() : GetFacePyramidVolume(cell, facet);
+}
+
+//------------------------------------------------------------------------------
+// A measure of a face that has an area.
+template <double (*Measure)(const CellGeometry&, int)>
+double OfShape(const CellGeometry& cell, int face)
+{
+  return cell.IsZeroArea(cell.GetFaceArea(face)) ? Null(NullReason::Degenerate) : Measure(cell, face);
+}
+
+//------------------------------------------------------------------------------
+void EvaluatePolygonCells(const ElementContext& context,
+  const std::vector<const ElementArray*>& rows, const std::vector<double*>& values)
+{
+  const std::vector<vtkIdType>& cells = context.GetPolygonCells();
+  ParallelFor(static_cast<vtkIdType>(cells.size()), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      for (vtkIdType face = begin; face < end; ++face)
+      {
+        cell.Load(context.GetMesh(), cells[face], context.GetOptions());
+        cell.Compute(NeedsEdges | NeedsFaces | NeedsCorners);
+        const bool hasFace = cell.IsFinite() && cell.GetTopology().GetNumberOfFaces() > 0;
+        for (std::size_t row = 0; row < rows.size(); ++row)
+        {
+          values[row][face] =
+            hasFace ? rows[row]->ShapeFunction(cell, 0) : Null(NullReason::Degenerate);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Each face as its first cell sees it.
+void EvaluateFacets(const ElementContext& context, const std::vector<const ElementArray*>& rows,
+  const std::vector<double*>& values)
+{
+  const MeshTopology& topology = context.GetTopology();
+  const FacetTable& table = topology.GetFaces();
+  for (double* array : values)
+  {
+    std::fill_n(array, table.GetNumberOfFacets(), Null(NullReason::Degenerate));
+  }
+  const bool needsCorners = std::any_of(
+    rows.begin(), rows.end(), [](const ElementArray* row) { return row->ShapeFunction != nullptr; });
+  const unsigned needs = CellNeighborhood::BaseNeeds | (needsCorners ? NeedsEdges | NeedsCorners : 0u);
+  const CellCenters centers(topology.GetMesh(), context.GetOptions());
+  const CellNeighborhood prototype(topology, centers, context.GetOptions());
+  ParallelFor(topology.GetMesh().GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      CellNeighborhood neighborhood = prototype;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const FacetTable::Range uses = table.GetCellFacets(id);
+        cell.Load(topology.GetMesh(), id, context.GetOptions());
+        if (uses.size() == 0 || !cell.IsFinite())
+        {
+          continue;
+        }
+        cell.Compute(needs);
+        neighborhood.Load(id, cell);
+        for (const Facet& facet : neighborhood.GetFacets())
+        {
+          const int local = cell.GetTopology().FaceNumbers[facet.Number];
+          const Index face = uses[local].Facet();
+          if (table.GetCells(face).First != id || table.GetOwnerLocalFacet(face) != local)
+          {
+            continue;
+          }
+          for (std::size_t row = 0; row < rows.size(); ++row)
+          {
+            values[row][face] = rows[row]->FacetFunction
+              ? rows[row]->FacetFunction(neighborhood, facet)
+              : rows[row]->ShapeFunction(cell, facet.Number);
+          }
+        }
+      }
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+void EvaluateFaces(const ElementContext& context, const std::vector<const ElementArray*>& rows,
+  const std::vector<double*>& values)
+{
+  context.HasCells(3) ? EvaluateFacets(context, rows, values)
+                      : EvaluatePolygonCells(context, rows, values);
+}
+
+//------------------------------------------------------------------------------
+const std::vector<ElementArray>& GetFaceArrays()
+{
+  // clang-format off
+  static const std::vector<ElementArray> arrays = {
+    { "OwnerCell",
+      "Id of the first cell of the face, out of which it runs; global if the mesh has global ids.",
+      OfAnyCells, Unit::None, true, CAMARON_IDS(OwnerCell) },
+    { "NeighborCell", "Id of the cell on the other side; -1 for none.",
+      OfPolyhedra, Unit::None, true, CAMARON_IDS(NeighborCell) },
+    { "FaceCellCount", "Number of cells that have the face: 1 at the boundary, 2 inside, more where cells overlap.",
+      OfPolyhedra, Unit::None, true, CAMARON_IDS(FaceCellCount) },
+    { "IsBoundary", "1 for a face with one cell, else 0.",
+      OfPolyhedra, Unit::None, true, CAMARON_FLAGS(IsBoundaryFace) },
+    { "NonOrthogonality",
+      "Angle between the line of the centroids of both cells and the normal of the face; null at the boundary.",
+      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Inside<GetNonOrthogonality>) },
+    { "BoundaryNonOrthogonality",
+      "Angle between the line from the centroid of the cell to the centre of the face and its normal; null inside.",
+      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(BoundaryNonOrthogonality) },
+    { "FaceSkewness",
+      "Distance of the centre of the face from the line of the centroids, relative to its size in that direction.",
+      OfPolyhedra, Unit::None, true, CAMARON_FACETS(InsideOrBoundary<GetFaceSkewness>) },
+    { "FaceWeight",
+      "Smaller distance of the face from the two centroids, along its normal, divided by the sum of both; null at "
+      "the boundary.",
+      OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetFaceWeight>) },
+    { "VolumeRatio", "Smaller divided by larger volume of the two cells; null at the boundary.",
+      OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetVolumeRatio>) },
+    { "FacePyramidVolume",
+      "Volume of the pyramid over the face with the centroid of a cell as apex, the smaller one of both sides.",
+      OfPolyhedra, Unit::Volume, true, CAMARON_FACETS(FacePyramidVolume) },
+    { "FaceTwist",
+      "Smallest cosine between the triangles about the centre of the face and the line of the centroids, at the "
+      "boundary the line to the centre of the face.",
+      OfPolyhedra, Unit::None, false, CAMARON_FACETS(InsideOrBoundary<GetFaceTwist>) },
+    { "FaceFlatness", "Area of the face projected along its normal, divided by that of the triangles about its centre.",
+      OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceFlatness>) },
+    { "Warpage",
+      "Largest distance of a point of the face from its plane, divided by the largest one from its centre.",
+      OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceWarpage>) },
+    { "FaceConcavity", "By how much the largest angle of the face exceeds 180 degrees; 0 for a convex one.",
+      OfAnyCells, Unit::Angle, false, CAMARON_SHAPES(OfShape<GetFaceConcavity>) },
+    { "FaceMismatch",
+      "1 for a boundary face all of whose points coincide with those of another boundary face: cells that should "
+      "be connected, or a baffle. Else 0.",
+      OfPolyhedra, Unit::None, false, CAMARON_FLAGS(FaceMismatch) },
+  };
+  // clang-format on
+  return arrays;
+}
+}

@@ -1,0 +1,194 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// The arrays of vertices.
+#include "Elements/Counters.h"
+#include "Elements/ElementArray.h"
+#include "Mesh/CellFacets.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1024;
+constexpr double Turn = 6.283185307179586476925286766559;
+
+//------------------------------------------------------------------------------
+void VertexCellCount(const ElementContext& context, vtkIdType* values)
+{
+  const std::vector<vtkIdType>& offsets = context.GetTopology().GetPointCells().Offsets;
+  std::transform(offsets.begin() + 1, offsets.end(), offsets.begin(), values, std::minus<vtkIdType>());
+}
+
+//------------------------------------------------------------------------------
+void VertexFaceCount(const ElementContext& context, vtkIdType* values)
+{
+  const std::vector<Index>& faces = context.GetVertexUses().Faces;
+  std::copy(faces.begin(), faces.end(), values);
+}
+
+//------------------------------------------------------------------------------
+void VertexEdgeCount(const ElementContext& context, vtkIdType* values)
+{
+  for (const auto& edge : context.GetTopology().GetEdges())
+  {
+    ++values[edge[0]];
+    ++values[edge[1]];
+  }
+}
+
+//------------------------------------------------------------------------------
+void IsBoundaryVertex(const ElementContext& context, unsigned char* values)
+{
+  const std::vector<Index>& outer = context.GetVertexUses().BoundaryFaces;
+  std::transform(outer.begin(), outer.end(), values, [](Index count) { return count > 0; });
+  const MeshView& mesh = context.GetMesh();
+  const FacetTable& table = context.GetTopology().GetSurfaceEdges();
+  CellFacets facets(mesh);
+  for (Index facet = 0; facet < table.GetNumberOfFacets(); ++facet)
+  {
+    if (table.IsBoundary(facet))
+    {
+      std::vector<vtkIdType> ends;
+      facets.GetFacet(table.GetCells(facet).First, table.GetOwnerLocalFacet(facet), ends);
+      for (const vtkIdType point : ends)
+      {
+        values[point] = 1;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void UnusedPoint(const ElementContext& context, unsigned char* values)
+{
+  const std::vector<vtkIdType>& offsets = context.GetTopology().GetPointCells().Offsets;
+  std::transform(offsets.begin() + 1, offsets.end(), offsets.begin(), values, std::equal_to<vtkIdType>());
+}
+
+//------------------------------------------------------------------------------
+void PointRegionCount(const ElementContext& context, vtkIdType* values)
+{
+  const std::vector<Index>& counts = context.GetTopology().GetPointRegionCounts();
+  std::copy(counts.begin(), counts.end(), values);
+}
+
+//------------------------------------------------------------------------------
+void DuplicatePoint(const ElementContext& context, vtkIdType* values)
+{
+  const std::vector<vtkIdType>& points = context.GetCoincidentPoints();
+  std::copy(points.begin(), points.end(), values);
+}
+
+//------------------------------------------------------------------------------
+// Sums at every vertex what addAngles(cell, sums) adds for the cells of some shapes.
+template <typename AddAngles>
+void SumAngles(const ElementContext& context, unsigned shapes, unsigned needs, double* values, AddAngles&& addAngles)
+{
+  const MeshView& mesh = context.GetMesh();
+  AngleSums sums(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
+  ParallelFor(mesh.GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        cell.Load(mesh, id, context.GetOptions());
+        if (cell.GetShapes() & shapes)
+        {
+          cell.Compute(needs);
+          addAngles(cell, sums);
+        }
+      }
+    });
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  {
+    values[point] = sums.Get(point);
+  }
+}
+
+//------------------------------------------------------------------------------
+void SolidAngleSum(const ElementContext& context, double* values)
+{
+  SumAngles(context, Polyhedra, NeedsEdges | NeedsFaces | NeedsVolume | NeedsSolidAngle, values,
+    [](CellGeometry& cell, AngleSums& sums)
+    {
+      for (int point = 0; point < cell.GetNumberOfPoints(); ++point)
+      {
+        sums.Add(cell.GetPointId(point), cell.GetSolidAngle(point));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Interior angle of a polygon at its i-th point.
+double GetCornerAngle(const CellGeometry& cell, int i)
+{
+  const CellTopology& topology = cell.GetTopology();
+  const int* ring = topology.GetFace(0);
+  const int size = topology.GetFaceSize(0);
+  const Vector& point = cell.GetPoint(ring[i]);
+  const Vector next = cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - point;
+  const Vector previous = cell.GetPoint(ring[i > 0 ? i - 1 : size - 1]) - point;
+  if (cell.IsZeroLength(Norm(next)) || cell.IsZeroLength(Norm(previous)))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const Vector normal = Cross(next, previous);
+  const double angle = std::atan2(Norm(normal), Dot(next, previous));
+  return Dot(normal, cell.GetFaceVector(0)) < 0 ? Turn - angle : angle;
+}
+
+//------------------------------------------------------------------------------
+void PlaneAngleSum(const ElementContext& context, double* values)
+{
+  SumAngles(context, Polygons, NeedsFaces, values,
+    [](CellGeometry& cell, AngleSums& sums)
+    {
+      const CellTopology& topology = cell.GetTopology();
+      for (int i = 0; topology.GetNumberOfFaces() > 0 && i < topology.GetFaceSize(0); ++i)
+      {
+        sums.Add(cell.GetPointId(topology.GetFace(0)[i]), GetCornerAngle(cell, i));
+      }
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<ElementArray>& GetVertexArrays()
+{
+  // clang-format off
+  static const std::vector<ElementArray> arrays = {
+    { "VertexCellCount", "Number of cells that have the point.",
+      OfAnyCells, Unit::None, true, CAMARON_IDS(VertexCellCount) },
+    { "VertexFaceCount", "Number of faces of 3D cells, each counted once, and of 2D cells that have the point.",
+      OfAnyCells, Unit::None, true, CAMARON_IDS(VertexFaceCount) },
+    { "VertexEdgeCount", "Number of edges of 2D and 3D cells that end at the point.",
+      OfAnyCells, Unit::None, true, CAMARON_IDS(VertexEdgeCount) },
+    { "IsBoundary", "1 for a point of a face with one 3D cell, or of an edge with one 2D cell; else 0.",
+      OfAnyCells, Unit::None, true, CAMARON_FLAGS(IsBoundaryVertex) },
+    { "UnusedPoint", "1 for a point of no cell, else 0.",
+      OfAnyCells, Unit::None, true, CAMARON_FLAGS(UnusedPoint) },
+    { "PointRegionCount",
+      "Number of groups of cells around the point that are connected over faces (of polygons: edges) with it; more "
+      "than 1 where the mesh is pinched.",
+      OfAnyCells, Unit::None, false, CAMARON_IDS(PointRegionCount) },
+    { "DuplicatePoint",
+      "Lowest id of all points within MergeTolerance of the point, if there is another one; else -1. The id is the "
+      "global one if there are global ids; in parallel points of other processes count as far as ghost cells bring "
+      "them.",
+      OfAnyCells, Unit::None, false, CAMARON_IDS(DuplicatePoint) },
+    { "VertexAngleSum",
+      "Sum of the solid angles of the 3D cells at the point, 4 pi inside the mesh; of a mesh without 3D cells that of "
+      "the plane angles of the polygons, 360 degrees where it is flat. Null if one of them is.",
+      OfPolyhedra, Unit::SolidAngle, false, CAMARON_REALS(SolidAngleSum) },
+    { "VertexAngleSum", "The same for polygons.",
+      OfPolygons, Unit::Angle, false, CAMARON_REALS(PlaneAngleSum) },
+  };
+  // clang-format on
+  return arrays;
+}
+}
