@@ -243,6 +243,27 @@ class TestFluentMesh(camaron_testing.TestCase):
             boundaries.UpdatePipeline(time)
             self.assertEqual(boundaries.GetDataInformation().GetBounds()[1], 1 + time)
 
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "looks at time steps")
+    def test_series_behind_filters(self):
+        """What comes after an output follows the time, whichever output was asked before."""
+        paths = [self.folder / f"mesh{i}.msh" for i in range(3)]
+        for i, path in enumerate(paths):
+            path.write_text(TEXT.replace("1 1 0.1", f"{1 + i} 1 0.1"))
+        names = [str(path) for path in paths]
+        for first in (0, 1):
+            source = simple.FluentMeshReader(FileNames=names)
+            filters = [simple.MergeBlocks(Input=simple.OutputPort(source, i)) for i in (0, 1)]
+            both = simple.GroupDatasets(Input=[source, simple.OutputPort(source, 1)])
+            for time in (0, 1, 2, 0, 2):
+                for chosen in (filters[first], filters[1 - first], both):
+                    chosen.UpdatePipeline(time)
+                    self.assertEqual(chosen.GetDataInformation().GetBounds()[1], 1 + time)
+            # One output moves on alone; the other has not seen that time.
+            for port, time in ((0, 1), (1, 1), (0, 2), (1, 1), (0, 2), (1, 0), (0, 0)):
+                filters[port].UpdatePipeline(time)
+                bounds = filters[port].GetDataInformation().GetBounds()
+                self.assertEqual(bounds[1], 1 + time, (first, port))
+
     def test_writes_both_outputs(self):
         """Group Datasets of both outputs keeps the boundaries, on any number of ranks."""
         reader = self.read(self.sample())
