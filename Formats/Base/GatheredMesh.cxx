@@ -4,7 +4,9 @@
 
 #include "Mesh/MeshView.h"
 #include "Scan/Buffer.h"
+#include "Scan/ScanError.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -12,18 +14,22 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetAttributesFieldList.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkSMPTools.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <type_traits>
 
 namespace camaron
@@ -36,9 +42,11 @@ constexpr int LeftOut = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttribut
 struct Piece
 {
   vtkDataSet* Mesh;
+  int Block;
   MeshView View;
   vtkUnsignedCharArray* Ghosts;
   vtkIdType FirstPoint; // among the points of all pieces
+  vtkIdType FirstCell;  // among the cells of all pieces
   bool IsLeftOut(vtkIdType cell) const
   {
     return this->Ghosts && (this->Ghosts->GetValue(cell) & LeftOut) != 0;
@@ -54,25 +62,54 @@ struct Sizes
 };
 
 //------------------------------------------------------------------------------
+// The global ids of points or cells; none if there are no such ids.
+std::vector<vtkIdType> GetGlobalIds(vtkDataSetAttributes* data)
+{
+  vtkDataArray* const ids = data->GetGlobalIds();
+  std::vector<vtkIdType> values(static_cast<std::size_t>(ids ? ids->GetNumberOfTuples() : 0));
+  if (auto* const exact = vtkIdTypeArray::SafeDownCast(ids))
+  {
+    std::copy_n(exact->GetPointer(0), values.size(), values.begin());
+    return values;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = static_cast<vtkIdType>(ids->GetTuple1(static_cast<vtkIdType>(i)));
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
 class PieceMerger
 {
 public:
-  explicit PieceMerger(const std::vector<vtkDataSet*>& meshes)
+  explicit PieceMerger(const std::vector<MeshPart>& parts)
   {
-    for (vtkDataSet* mesh : meshes)
+    for (const MeshPart& part : parts)
     {
-      this->Pieces.push_back(
-        { mesh, MeshView(mesh), mesh->GetCellGhostArray(), this->NumberOfPoints });
+      this->Pieces.push_back({ part.Mesh, part.Block, MeshView(part.Mesh),
+        part.Mesh->GetCellGhostArray(), this->NumberOfPoints, this->NumberOfCells });
       this->NumberOfPoints += this->Pieces.back().View.GetNumberOfPoints();
+      this->NumberOfCells += this->Pieces.back().View.GetNumberOfCells();
     }
+    this->OrderCells();
     this->DropPoints();
     this->NumberPoints();
   }
 
   bool IsUnchanged() const
   {
-    return !this->LosesCells && static_cast<vtkIdType>(this->OldIds.size()) == this->NumberOfPoints;
+    const auto isWhole = [](const std::vector<vtkIdType>& ids, vtkIdType size)
+    {
+      return static_cast<vtkIdType>(ids.size()) == size && std::is_sorted(ids.begin(), ids.end());
+    };
+    return isWhole(this->OldCells, this->NumberOfCells) &&
+      isWhole(this->OldIds, this->NumberOfPoints);
   }
+  /// Points that were taken for another at the same place.
+  vtkIdType GetNumberOfTwins() const { return this->NumberOfTwins; }
+  /// Places where some piece has several points, and others have some, too.
+  vtkIdType GetNumberOfUnclearPlaces() const { return this->NumberOfUnclearPlaces; }
 
   vtkSmartPointer<vtkUnstructuredGrid> Merge() const
   {
@@ -93,35 +130,39 @@ public:
   }
 
 private:
+  using PieceIterator = std::vector<Piece>::const_iterator;
+
+  void OrderCells();
   void DropPoints();
   void NumberPoints();
+  void NumberPointsById(PieceIterator begin, PieceIterator end);
+  void NumberPointsByPlace(PieceIterator begin, PieceIterator end);
+  std::vector<vtkIdType> FindBorderPoints(PieceIterator begin, PieceIterator end) const;
+  void MergeTwins(const vtkIdType* begin, const vtkIdType* end);
   Sizes Measure() const;
   template <typename Id>
   void MergeCells(const Sizes& sizes, vtkUnstructuredGrid* grid) const;
   void MergePoints(vtkUnstructuredGrid* grid) const;
   void MergeArrays(vtkUnstructuredGrid* grid) const;
 
-  /// Calls @a visit(piece, cell) for the cells that stay.
+  /// Calls @a visit(piece, cell) for the cells that stay, in their order.
   template <typename Visit>
   void ForEachCell(Visit&& visit) const
   {
-    for (const Piece& piece : this->Pieces)
+    for (const vtkIdType cell : this->OldCells)
     {
-      for (vtkIdType cell = 0; cell < piece.View.GetNumberOfCells(); ++cell)
-      {
-        if (!piece.IsLeftOut(cell))
-        {
-          visit(piece, cell);
-        }
-      }
+      const Piece& piece = this->FindPiece(cell, &Piece::FirstCell);
+      visit(piece, cell - piece.FirstCell);
     }
   }
-  const Piece& GetPiece(vtkIdType point) const
+  /// The piece of a point or cell of all pieces.
+  const Piece& FindPiece(vtkIdType id, vtkIdType Piece::*first) const
   {
-    return *(std::upper_bound(this->Pieces.begin(), this->Pieces.end(), point,
-               [](vtkIdType p, const Piece& piece) { return p < piece.FirstPoint; }) -
+    return *(std::upper_bound(this->Pieces.begin(), this->Pieces.end(), id,
+               [first](vtkIdType i, const Piece& piece) { return i < piece.*first; }) -
       1);
   }
+  const Piece& GetPiece(vtkIdType point) const { return this->FindPiece(point, &Piece::FirstPoint); }
 
   void GetPlace(vtkIdType point, double x[3]) const
   {
@@ -132,10 +173,42 @@ private:
 
   std::vector<Piece> Pieces;
   vtkIdType NumberOfPoints = 0;
-  bool LosesCells = false;
-  std::vector<vtkIdType> NewIds; // per point of all pieces; -1 if it is left out
-  std::vector<vtkIdType> OldIds; // per new point the first of those that became it
+  vtkIdType NumberOfCells = 0;
+  vtkIdType NumberOfTwins = 0;
+  vtkIdType NumberOfUnclearPlaces = 0;
+  std::vector<vtkIdType> OldCells; // the cells of all pieces that stay
+  std::vector<vtkIdType> NewIds;   // per point of all pieces; -1 if it is left out
+  std::vector<vtkIdType> OldIds;   // per new point the first of those that became it
 };
+
+//------------------------------------------------------------------------------
+void PieceMerger::OrderCells()
+{
+  bool haveIds = true;
+  for (const Piece& piece : this->Pieces)
+  {
+    haveIds = haveIds && piece.Mesh->GetCellData()->GetGlobalIds();
+    for (vtkIdType cell = 0; cell < piece.View.GetNumberOfCells(); ++cell)
+    {
+      if (!piece.IsLeftOut(cell))
+      {
+        this->OldCells.push_back(piece.FirstCell + cell);
+      }
+    }
+  }
+  if (!haveIds)
+  {
+    return;
+  }
+  std::vector<vtkIdType> global;
+  for (const Piece& piece : this->Pieces)
+  {
+    const std::vector<vtkIdType> ids = GetGlobalIds(piece.Mesh->GetCellData());
+    global.insert(global.end(), ids.begin(), ids.end());
+  }
+  std::stable_sort(this->OldCells.begin(), this->OldCells.end(),
+    [&global](vtkIdType a, vtkIdType b) { return global[a] < global[b]; });
+}
 
 //------------------------------------------------------------------------------
 // Points that only cells use that are left out.
@@ -150,7 +223,6 @@ void PieceMerger::DropPoints()
       {
         if (piece.IsLeftOut(cell) == (mark < 0))
         {
-          this->LosesCells = this->LosesCells || mark < 0;
           const IndexRange points = piece.View.GetCellPoints(cell);
           for (vtkIdType i = 0; i < points.Size; ++i)
           {
@@ -165,39 +237,62 @@ void PieceMerger::DropPoints()
 //------------------------------------------------------------------------------
 void PieceMerger::NumberPoints()
 {
-  std::vector<vtkIdType> global;
-  for (const Piece& piece : this->Pieces)
+  const auto haveIds = [](PieceIterator begin, PieceIterator end)
   {
-    vtkDataArray* ids = piece.Mesh->GetPointData()->GetGlobalIds();
-    for (vtkIdType i = 0; ids && i < piece.View.GetNumberOfPoints(); ++i)
+    return std::all_of(
+      begin, end, [](const Piece& piece) { return piece.Mesh->GetPointData()->GetGlobalIds(); });
+  };
+  PieceIterator begin = this->Pieces.begin();
+  const bool isOneNumbering = haveIds(begin, this->Pieces.end());
+  while (begin != this->Pieces.end())
+  {
+    const PieceIterator end = isOneNumbering
+      ? this->Pieces.cend()
+      : std::find_if(begin, this->Pieces.cend(),
+          [begin](const Piece& piece) { return piece.Block != begin->Block; });
+    if (haveIds(begin, end))
     {
-      global.push_back(static_cast<vtkIdType>(ids->GetTuple1(i)));
+      this->NumberPointsById(begin, end);
     }
+    else
+    {
+      this->NumberPointsByPlace(begin, end);
+    }
+    begin = end;
   }
-  for (vtkIdType point = 0; point < this->NumberOfPoints; ++point)
+}
+
+//------------------------------------------------------------------------------
+void PieceMerger::NumberPointsById(PieceIterator begin, PieceIterator end)
+{
+  const vtkIdType firstPoint = begin->FirstPoint;
+  std::vector<vtkIdType> ids;
+  for (PieceIterator piece = begin; piece != end; ++piece)
+  {
+    const std::vector<vtkIdType> own = GetGlobalIds(piece->Mesh->GetPointData());
+    ids.insert(ids.end(), own.begin(), own.end());
+  }
+  const auto getId = [&ids, firstPoint](vtkIdType point) { return ids[point - firstPoint]; };
+  std::vector<vtkIdType> sorted;
+  for (vtkIdType point = firstPoint; point < firstPoint + static_cast<vtkIdType>(ids.size());
+       ++point)
   {
     if (this->NewIds[point] >= 0)
     {
-      this->OldIds.push_back(point);
+      sorted.push_back(point);
     }
   }
-  if (static_cast<vtkIdType>(global.size()) != this->NumberOfPoints)
-  {
-    global.assign(static_cast<std::size_t>(this->NumberOfPoints), 0);
-    std::iota(global.begin(), global.end(), vtkIdType(0)); // no twins
-  }
-  std::vector<vtkIdType> sorted = this->OldIds;
   std::stable_sort(sorted.begin(), sorted.end(),
-    [&global](vtkIdType a, vtkIdType b) { return global[a] < global[b]; });
+    [&getId](vtkIdType a, vtkIdType b) { return getId(a) < getId(b); });
 
   // Points are the same if their places are, too: blocks of different meshes may use the same ids. More
   // places than this for one id, and the ids mean nothing.
   constexpr std::size_t MaxPlaces = 64;
-  std::vector<vtkIdType> kept;
-  std::size_t first = 0; // of the kept points with the id at hand
+  std::vector<vtkIdType>& kept = this->OldIds;
+  std::size_t first = kept.size(); // of the kept points with the id at hand
   for (const vtkIdType point : sorted)
   {
-    if (first < kept.size() && global[kept[first]] != global[point])
+    if (first < kept.size() && getId(kept[first]) != getId(point))
     {
       first = kept.size();
     }
@@ -212,25 +307,118 @@ void PieceMerger::NumberPoints()
       kept.push_back(point);
     }
   }
-  if (kept.size() < this->OldIds.size())
+}
+
+//------------------------------------------------------------------------------
+void PieceMerger::NumberPointsByPlace(PieceIterator begin, PieceIterator end)
+{
+  // First the twin of each point, then its number.
+  const vtkIdType firstPoint = begin->FirstPoint;
+  const vtkIdType lastPoint = end == this->Pieces.end() ? this->NumberOfPoints : end->FirstPoint;
+  for (vtkIdType point = firstPoint; point < lastPoint; ++point)
   {
-    this->OldIds.swap(kept);
+    this->NewIds[point] = this->NewIds[point] < 0 ? -1 : point;
+  }
+  const std::vector<vtkIdType> border = this->FindBorderPoints(begin, end);
+  const vtkIdType* const last = border.data() + border.size();
+  for (const vtkIdType* run = border.data(); run != last;)
+  {
+    const vtkIdType* next = run + 1;
+    while (next != last && this->HaveSamePlace(*run, *next))
+    {
+      ++next;
+    }
+    this->MergeTwins(run, next);
+    run = next;
+  }
+  for (vtkIdType point = firstPoint; point < lastPoint; ++point)
+  {
+    vtkIdType& newId = this->NewIds[point];
+    if (newId == point)
+    {
+      newId = static_cast<vtkIdType>(this->OldIds.size());
+      this->OldIds.push_back(point);
+    }
+    else if (newId >= 0)
+    {
+      newId = this->NewIds[newId]; // a point before this one
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Points of pieces that other pieces may have, too, sorted by place.
+std::vector<vtkIdType> PieceMerger::FindBorderPoints(PieceIterator begin, PieceIterator end) const
+{
+  std::vector<vtkBoundingBox> boxes;
+  for (PieceIterator piece = begin; piece != end; ++piece)
+  {
+    boxes.emplace_back(piece->Mesh->GetBounds());
+  }
+  std::vector<vtkIdType> points;
+  for (std::size_t p = 0; p < boxes.size(); ++p)
+  {
+    std::vector<vtkBoundingBox> neighbors;
+    for (std::size_t other = 0; other < boxes.size(); ++other)
+    {
+      if (other != p && boxes[other].Intersects(boxes[p]))
+      {
+        neighbors.push_back(boxes[other]);
+      }
+    }
+    const Piece& piece = *(begin + static_cast<std::ptrdiff_t>(p));
+    for (vtkIdType i = 0; !neighbors.empty() && i < piece.View.GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      piece.View.GetPoint(i, x);
+      if (this->NewIds[piece.FirstPoint + i] >= 0 && !std::isnan(x[0] + x[1] + x[2]) &&
+        std::any_of(neighbors.begin(), neighbors.end(),
+          [&x](const vtkBoundingBox& box) { return box.ContainsPoint(x) != 0; }))
+      {
+        points.push_back(piece.FirstPoint + i);
+      }
+    }
+  }
+  vtkSMPTools::Sort(points.begin(), points.end(),
+    [this](vtkIdType a, vtkIdType b)
+    {
+      std::array<double, 3> x, y;
+      this->GetPlace(a, x.data());
+      this->GetPlace(b, y.data());
+      return x != y ? x < y : a < b;
+    });
+  return points;
+}
+
+//------------------------------------------------------------------------------
+// Makes points at one place, in the order of the pieces, one; unless some are of the same piece.
+void PieceMerger::MergeTwins(const vtkIdType* begin, const vtkIdType* end)
+{
+  const auto areOfOnePiece = [this](vtkIdType a, vtkIdType b)
+  { return &this->GetPiece(a) == &this->GetPiece(b); };
+  if (areOfOnePiece(*begin, *(end - 1)))
+  {
     return;
   }
-  // Nothing to merge: the order stays.
-  for (std::size_t i = 0; i < this->OldIds.size(); ++i)
+  if (std::adjacent_find(begin, end, areOfOnePiece) != end)
   {
-    this->NewIds[this->OldIds[i]] = static_cast<vtkIdType>(i);
+    ++this->NumberOfUnclearPlaces;
+    return;
+  }
+  for (const vtkIdType* point = begin + 1; point != end; ++point)
+  {
+    this->NewIds[*point] = *begin;
+    ++this->NumberOfTwins;
   }
 }
 
 //------------------------------------------------------------------------------
 bool PieceMerger::HaveSamePlace(vtkIdType a, vtkIdType b) const
 {
-  double x[3], y[3];
-  this->GetPlace(a, x);
-  this->GetPlace(b, y);
-  return std::memcmp(x, y, sizeof(x)) == 0;
+  std::array<double, 3> x, y;
+  this->GetPlace(a, x.data());
+  this->GetPlace(b, y.data());
+  return x == y || std::memcmp(x.data(), y.data(), sizeof(x)) == 0; // or both are no numbers
 }
 
 //------------------------------------------------------------------------------
@@ -432,12 +620,12 @@ void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid) const
 }
 
 //------------------------------------------------------------------------------
-// Of arrays of the same name, those of the first piece.
-void MergeFieldData(const std::vector<vtkDataSet*>& pieces, vtkFieldData* merged)
+// Of arrays of the same name, those of the first part.
+void MergeFieldData(const std::vector<MeshPart>& parts, vtkFieldData* merged)
 {
-  for (vtkDataSet* piece : pieces)
+  for (const MeshPart& part : parts)
   {
-    vtkFieldData* const data = piece->GetFieldData();
+    vtkFieldData* const data = part.Mesh->GetFieldData();
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* const array = data->GetAbstractArray(i);
@@ -453,15 +641,36 @@ void MergeFieldData(const std::vector<vtkDataSet*>& pieces, vtkFieldData* merged
 //------------------------------------------------------------------------------
 bool HasSeams(vtkDataSet* mesh)
 {
-  return (mesh->GetCellGhostArray() || mesh->GetPointData()->GetGlobalIds()) &&
-    !PieceMerger({ mesh }).IsUnchanged();
+  return (mesh->GetCellGhostArray() || mesh->GetPointData()->GetGlobalIds() ||
+           mesh->GetCellData()->GetGlobalIds()) &&
+    !PieceMerger({ { mesh } }).IsUnchanged();
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkUnstructuredGrid> MergePieces(const std::vector<vtkDataSet*>& pieces)
+vtkSmartPointer<vtkUnstructuredGrid> MergeParts(
+  const std::vector<MeshPart>& parts, Warnings& warnings)
 {
-  const auto merged = PieceMerger(pieces).Merge();
-  MergeFieldData(pieces, merged->GetFieldData());
+  // A process or block without points may lack arrays that the others have.
+  std::vector<MeshPart> pieces;
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(pieces),
+    [](const MeshPart& part) { return part.Mesh->GetNumberOfPoints() > 0; });
+  if (pieces.empty() && !parts.empty())
+  {
+    pieces.push_back(parts.front());
+  }
+  const PieceMerger merger(pieces);
+  const auto merged = merger.Merge();
+  MergeFieldData(parts, merged->GetFieldData());
+  if (merger.GetNumberOfTwins() > 0)
+  {
+    warnings.Add(std::to_string(merger.GetNumberOfTwins()) +
+      " points of pieces without global ids were taken for those of other pieces at the same place");
+  }
+  if (merger.GetNumberOfUnclearPlaces() > 0)
+  {
+    warnings.Add("the mesh may fall apart at " + std::to_string(merger.GetNumberOfUnclearPlaces()) +
+      " places where pieces without global ids have several points");
+  }
   return merged;
 }
 }

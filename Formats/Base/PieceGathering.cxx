@@ -7,16 +7,21 @@
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -157,64 +162,108 @@ private:
   vtkMultiProcessController* Controller;
   int Other;
 };
-}
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataSet> MergeLeaves(vtkDataObject* data)
+// Lists the leaves of data as parts, and counts the blocks, alike on all processes.
+class PartList
 {
-  std::vector<vtkSmartPointer<vtkDataSet>> leaves;
-  for (vtkDataSet* leaf : vtkCompositeDataSet::GetDataSets<vtkDataSet>(data))
+public:
+  explicit PartList(vtkDataObject* data) { this->Add(data); }
+  std::vector<MeshPart>& GetParts() { return this->Parts; }
+
+private:
+  void Add(vtkDataObject* data)
   {
-    if (leaf->IsA("vtkUnstructuredGrid") || leaf->IsA("vtkPolyData"))
+    if (auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(data))
     {
-      leaves.emplace_back(leaf);
+      for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
+      {
+        this->Add(blocks->GetBlock(i));
+      }
+    }
+    else if (auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+    {
+      for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
+      {
+        this->Add(collection->GetPartitionedDataSet(i));
+      }
+    }
+    else if (auto* const pieces = vtkPartitionedDataSet::SafeDownCast(data))
+    {
+      for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
+      {
+        this->AddLeaf(pieces->GetPartition(i));
+      }
+      ++this->Block;
+    }
+    else if (auto* const composite = vtkCompositeDataSet::SafeDownCast(data))
+    {
+      const auto leaf = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+      leaf->SkipEmptyNodesOff();
+      for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+      {
+        this->AddLeaf(vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()));
+        ++this->Block;
+      }
     }
     else
+    {
+      this->AddLeaf(vtkDataSet::SafeDownCast(data));
+      ++this->Block;
+    }
+  }
+
+  void AddLeaf(vtkDataSet* leaf)
+  {
+    if (leaf && (leaf->IsA("vtkUnstructuredGrid") || leaf->IsA("vtkPolyData")))
+    {
+      this->Parts.push_back({ leaf, this->Block });
+    }
+    else if (leaf)
     {
       vtkNew<vtkAppendFilter> convert;
       convert->AddInputData(leaf);
       convert->Update();
-      leaves.emplace_back(convert->GetOutput());
+      this->Parts.push_back({ convert->GetOutput(), this->Block });
     }
   }
-  if (leaves.size() == 1 && !HasSeams(leaves[0]))
-  {
-    return leaves[0];
-  }
-  return MergePieces(std::vector<vtkDataSet*>(leaves.begin(), leaves.end()));
+
+  std::vector<MeshPart> Parts;
+  int Block = 0;
+};
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataSet> Gather(vtkDataSet* mesh, vtkMultiProcessController* controller)
+vtkSmartPointer<vtkDataSet> Gather(
+  vtkDataObject* data, vtkMultiProcessController* controller, Warnings& warnings)
 {
-  const int processes = controller->GetNumberOfProcesses();
-  if (processes == 1)
+  PartList list(data);
+  std::vector<MeshPart>& parts = list.GetParts();
+  const int processes = controller ? controller->GetNumberOfProcesses() : 1;
+  if (processes > 1 && controller->GetLocalProcessId() != 0)
   {
-    return mesh;
-  }
-  if (controller->GetLocalProcessId() != 0)
-  {
-    auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh);
-    Channel(controller, 0).Send(grid ? grid : MergePieces({ mesh }).Get());
+    Channel channel(controller, 0);
+    channel.Send(static_cast<int>(parts.size()));
+    for (const MeshPart& part : parts)
+    {
+      channel.Send(part.Block);
+      auto* const grid = vtkUnstructuredGrid::SafeDownCast(part.Mesh);
+      channel.Send(grid && !HasSeams(grid) ? grid : MergeParts({ part }, warnings).Get());
+    }
     return nullptr;
   }
-  std::vector<vtkSmartPointer<vtkDataSet>> meshes;
-  const auto add = [&meshes](vtkDataSet* piece)
-  {
-    // A process without cells may lack arrays that the others have.
-    if (piece->GetNumberOfPoints() > 0)
-    {
-      meshes.emplace_back(piece);
-    }
-  };
-  add(mesh);
   for (int process = 1; process < processes; ++process)
   {
-    add(Channel(controller, process).ReceiveGrid());
+    Channel channel(controller, process);
+    for (int size = channel.ReceiveNumber(); size > 0; --size)
+    {
+      const int block = channel.ReceiveNumber();
+      parts.push_back({ channel.ReceiveGrid(), block });
+    }
   }
-  return meshes.size() == 1
-    ? meshes[0]
-    : vtkSmartPointer<vtkDataSet>(
-        MergePieces(std::vector<vtkDataSet*>(meshes.begin(), meshes.end())));
+  std::stable_sort(parts.begin(), parts.end(),
+    [](const MeshPart& a, const MeshPart& b) { return a.Block < b.Block; });
+  const bool isReady = parts.size() == 1 && !HasSeams(parts[0].Mesh);
+  return isReady ? parts[0].Mesh : vtkSmartPointer<vtkDataSet>(MergeParts(parts, warnings));
 }
 }

@@ -19,18 +19,16 @@ class vtkMultiProcessController;
 
 namespace camaron
 {
-/**
- * One mesh of all that this process has: a vtkUnstructuredGrid or vtkPolyData without seams as it is;
- * else all leaves of composite data, whatever their types, merged to a vtkUnstructuredGrid as MergePieces
- * does.
- */
-vtkSmartPointer<vtkDataSet> MergeLeaves(vtkDataObject* data);
+class Warnings;
 
 /**
- * Sends the mesh of every process to process 0, where all are merged; returns the result there, and
- * nullptr elsewhere. All processes must call it.
+ * One mesh of all that the processes have, on process 0; nullptr on the others. A single vtkUnstructuredGrid
+ * or vtkPolyData without seams stays as it is; else all leaves of composite data, whatever their types, are
+ * merged to a vtkUnstructuredGrid as MergeParts does, block by block. All processes must call it.
+ * @param controller none for what this process has
  */
-vtkSmartPointer<vtkDataSet> Gather(vtkDataSet* mesh, vtkMultiProcessController* controller);
+vtkSmartPointer<vtkDataSet> Gather(
+  vtkDataObject* data, vtkMultiProcessController* controller, Warnings& warnings);
 }
 
 #endif

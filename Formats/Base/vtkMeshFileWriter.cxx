@@ -125,14 +125,11 @@ int vtkMeshFileWriter::RequestData(
 
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
   const bool isSeries = this->WriteTimeSteps && this->NumberOfTimeSteps > 0;
-  vtkSmartPointer<vtkDataSet> mesh = camaron::MergeLeaves(input);
-  if (this->Controller)
+  camaron::Warnings warnings;
+  if (const auto mesh = camaron::Gather(input, this->Controller, warnings))
   {
-    mesh = camaron::Gather(mesh, this->Controller);
-  }
-  if (mesh)
-  {
-    this->WriteTo(isSeries ? AddNumber(this->FileName, this->TimeStep) : this->FileName, mesh);
+    this->WriteTo(
+      isSeries ? AddNumber(this->FileName, this->TimeStep) : this->FileName, mesh, warnings);
   }
   if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
   {
@@ -159,7 +156,8 @@ int vtkMeshFileWriter::RequestData(
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshFileWriter::WriteTo(const std::string& path, vtkDataSet* mesh)
+void vtkMeshFileWriter::WriteTo(
+  const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings)
 {
   const camaron::Progress progress(
     [this](double fraction)
@@ -167,7 +165,6 @@ void vtkMeshFileWriter::WriteTo(const std::string& path, vtkDataSet* mesh)
       this->UpdateProgress(fraction);
       return !this->CheckAbort();
     });
-  camaron::Warnings warnings;
   camaron::ScanError error;
   const std::string name = camaron::GetFileName(path);
   if (mesh->GetNumberOfPoints() == 0 && mesh->GetNumberOfCells() == 0)

@@ -13,8 +13,9 @@
  * upstream has failed, such as a reader.
  *
  * In parallel every process asks for its piece, and the first one gathers all and writes one file. Ghost
- * and hidden cells are left out, points of the same global id and place are merged and sorted by it. All processes
- * of the controller must call Write().
+ * and hidden cells are left out, points of the same global id and place are merged; where there are global
+ * ids, points and cells are sorted by them. Without such ids points of different pieces at the same place are
+ * merged, with a warning. All processes of the controller must call Write().
  */
 #ifndef vtkMeshFileWriter_h
 #define vtkMeshFileWriter_h
@@ -86,7 +87,7 @@ private:
   vtkMeshFileWriter(const vtkMeshFileWriter&) = delete;
   void operator=(const vtkMeshFileWriter&) = delete;
 
-  void WriteTo(const std::string& path, vtkDataSet* mesh);
+  void WriteTo(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings);
 
   char* FileName = nullptr;
   bool WriteTimeSteps = false;

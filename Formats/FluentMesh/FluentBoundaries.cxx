@@ -118,6 +118,7 @@ struct ZoneFaces
   std::vector<std::int32_t> Nodes; // points of the piece
   std::vector<std::int32_t> Ends;  // of every face in Nodes
   std::vector<int> Types;
+  std::vector<vtkIdType> Faces; // positions in the file
 };
 
 //------------------------------------------------------------------------------
@@ -125,7 +126,7 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
   const FluentPiece& piece, int dimension, ZoneFaces& zone)
 {
   FluentFaces::ForEachOf(run, run.Begin, run.End,
-    [&](vtkIdType, const FluentFace& face)
+    [&](vtkIdType position, const FluentFace& face)
     {
       int side = 0;
       vtkIdType leaf = -1;
@@ -157,12 +158,22 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
       }
       zone.Ends.push_back(static_cast<std::int32_t>(zone.Nodes.size()));
       zone.Types.push_back(run.BoundaryType);
+      zone.Faces.push_back(position);
     });
 }
 
 //------------------------------------------------------------------------------
+// The points of every zone have ids of their own, so that pieces of zones and mesh make the same again as
+// the whole file does.
+struct BoundaryIds
+{
+  std::vector<std::int32_t> Points; // of the piece, in the mesh; none if that is whole
+  vtkIdType FirstPoint, FirstFace;
+};
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkPolyData> MakeSurface(const ZoneFaces& zone, int id, int dimension,
-  vtkPoints* points, const std::vector<std::int32_t>& globalIds)
+  vtkPoints* points, const BoundaryIds& globalIds)
 {
   std::vector<std::int32_t> used = zone.Nodes;
   std::sort(used.begin(), used.end());
@@ -198,13 +209,16 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const ZoneFaces& zone, int id, int dime
   cells->SetData(offsetArray.Get(), idArray.Get());
   auto surface = vtkSmartPointer<vtkPolyData>::New();
   surface->SetPoints(own);
-  if (!globalIds.empty())
+  if (!globalIds.Points.empty())
   {
-    // Those of the mesh, so that pieces of both can be put together.
-    Buffer<vtkIdType> ownIds(static_cast<vtkIdType>(used.size()));
-    std::transform(used.begin(), used.end(), ownIds.data(),
-      [&](std::int32_t point) { return globalIds[static_cast<std::size_t>(point)]; });
-    SetGlobalIds(surface->GetPointData(), std::move(ownIds), "GlobalPointIds");
+    Buffer<vtkIdType> pointIds(static_cast<vtkIdType>(used.size())), cellIds(size);
+    std::transform(used.begin(), used.end(), pointIds.data(),
+      [&](std::int32_t point)
+      { return globalIds.FirstPoint + globalIds.Points[static_cast<std::size_t>(point)]; });
+    std::transform(zone.Faces.begin(), zone.Faces.end(), cellIds.data(),
+      [&](vtkIdType face) { return globalIds.FirstFace + face; });
+    SetGlobalIds(surface->GetPointData(), std::move(pointIds), "GlobalPointIds");
+    SetGlobalIds(surface->GetCellData(), std::move(cellIds), "GlobalCellIds");
   }
   if (dimension == 2)
   {
@@ -269,8 +283,11 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
   {
     zones[zone.Id] = zone;
   }
-  const std::vector<std::int32_t> globalIds =
-    piece.IsWhole() ? std::vector<std::int32_t>() : piece.GetPoints().GetMembers();
+  BoundaryIds globalIds{ {}, piece.GetNumberOfMeshPoints(), cells.GetNumberOfLeaves() };
+  if (!piece.IsWhole())
+  {
+    globalIds.Points = piece.GetPoints().GetMembers();
+  }
   unsigned int number = 0;
   for (const FluentSection& section : file.Faces) // in their order
   {
@@ -302,6 +319,7 @@ bool MakeFluentBoundaries(const FluentFile& file, const FluentFaces& faces,
     blocks->SetBlock(number, surface);
     blocks->GetMetaData(number)->Set(vtkCompositeDataSet::NAME(), zone.Name.c_str());
     ++number;
+    globalIds.FirstPoint += piece.GetNumberOfMeshPoints();
   }
   return true;
 }

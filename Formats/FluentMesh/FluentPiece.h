@@ -27,6 +27,7 @@ public:
 
   bool IsWhole() const { return this->Whole; }
   bool HasGhosts() const { return this->Ghosts; }
+  vtkIdType GetNumberOfMeshPoints() const { return this->NumberOfMeshPoints; }
   vtkIdType GetNumberOfPoints() const
   {
     return this->Whole ? this->NumberOfMeshPoints : this->Points.GetNumberOfMembers();

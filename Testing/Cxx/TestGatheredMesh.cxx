@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Pieces that become one mesh again, which is written to one file.
 #include "GatheredMesh.h"
+#include "Scan/ScanError.h"
 #include "TestMeshes.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
@@ -13,12 +15,48 @@
 using namespace camaron;
 using namespace camaron::testing;
 
+namespace
+{
+//------------------------------------------------------------------------------
+void SetIds(vtkDataSetAttributes* data, const std::vector<vtkIdType>& ids)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName("Ids");
+  for (const vtkIdType id : ids)
+  {
+    array->InsertNextValue(id);
+  }
+  data->SetGlobalIds(array);
+}
+
+//------------------------------------------------------------------------------
+// A row of three squares of the given columns, each with its x as an array of cells.
+Grid MakeSquares(const std::vector<int>& columns)
+{
+  Points points;
+  Cells cells;
+  vtkNew<vtkDoubleArray> places;
+  places->SetName("place");
+  for (const int column : columns)
+  {
+    const double x = column;
+    const auto first = static_cast<vtkIdType>(points.size());
+    points.insert(points.end(), { { x, 0, 0 }, { x + 1, 0, 0 }, { x + 1, 1, 0 }, { x, 1, 0 } });
+    cells.push_back({ VTK_QUAD, { first, first + 1, first + 2, first + 3 } });
+    places->InsertNextValue(x);
+  }
+  Grid grid = MakeGrid(points, cells);
+  grid->GetCellData()->AddArray(places);
+  return grid;
+}
+}
+
 //------------------------------------------------------------------------------
 // If this fails, a file depends on the number of processes that wrote it.
 TEST(GatheredMesh, KeepsTheOrderAndTheRoleOfArrays)
 {
   std::vector<Grid> grids;
-  std::vector<vtkDataSet*> pieces;
+  std::vector<MeshPart> pieces;
   for (int p = 0; p < 2; ++p)
   {
     grids.push_back(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
@@ -35,9 +73,10 @@ TEST(GatheredMesh, KeepsTheOrderAndTheRoleOfArrays)
       grids[p]->GetCellData()->AddArray(ofCells);
     }
     grids[p]->GetPointData()->SetActiveNormals("mid");
-    pieces.push_back(grids[p]);
+    pieces.push_back({ grids[p].Get(), p });
   }
-  const auto merged = MergePieces(pieces);
+  Warnings warnings;
+  const auto merged = MergeParts(pieces, warnings);
   ASSERT_EQ(merged->GetPointData()->GetNumberOfArrays(), 3);
   ASSERT_EQ(merged->GetCellData()->GetNumberOfArrays(), 3);
   const char* const expected[] = { "zeta", "alpha", "mid" };
@@ -49,4 +88,105 @@ TEST(GatheredMesh, KeepsTheOrderAndTheRoleOfArrays)
   }
   ASSERT_NE(merged->GetPointData()->GetNormals(), nullptr);
   EXPECT_STREQ(merged->GetPointData()->GetNormals()->GetName(), "mid");
+}
+
+//------------------------------------------------------------------------------
+// If this fails, files of pieces that share no points have another order than those of the whole mesh.
+TEST(GatheredMesh, SortsByGlobalIds)
+{
+  const Grid first = MakeSquares({ 4 });
+  const Grid second = MakeSquares({ 0, 2 });
+  SetIds(first->GetPointData(), { 8, 9, 10, 11 });
+  SetIds(second->GetPointData(), { 3, 2, 1, 0, 7, 6, 5, 4 });
+  SetIds(first->GetCellData(), { 2 });
+  SetIds(second->GetCellData(), { 1, 0 });
+  EXPECT_TRUE(HasSeams(second));
+  EXPECT_FALSE(HasSeams(first));
+  Warnings warnings;
+  const auto merged = MergeParts({ { first }, { second } }, warnings);
+  EXPECT_TRUE(warnings.GetSentences().empty());
+  ASSERT_EQ(merged->GetNumberOfPoints(), 12);
+  for (vtkIdType i = 0; i < 12; ++i)
+  {
+    EXPECT_EQ(merged->GetPointData()->GetGlobalIds()->GetTuple1(i), i);
+  }
+  vtkDataArray* const places = merged->GetCellData()->GetArray("place");
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    const double place = places->GetTuple1(i);
+    EXPECT_EQ(place, std::vector<double>({ 2, 0, 4 })[static_cast<std::size_t>(i)]);
+    EXPECT_EQ(merged->GetCell(i)->GetBounds()[0], place);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, meshes without ids are torn where processes met, or healed where they were meant to be open.
+TEST(GatheredMesh, MergesPiecesByPlace)
+{
+  Warnings warnings;
+  const auto count = [&warnings](const std::vector<MeshPart>& parts)
+  {
+    warnings = Warnings();
+    return MergeParts(parts, warnings)->GetNumberOfPoints();
+  };
+  const Grid left = MakeSquares({ 0 }), middle = MakeSquares({ 1 }), right = MakeSquares({ 2 });
+  EXPECT_EQ(count({ { left }, { middle }, { right } }), 8);
+  ASSERT_EQ(warnings.GetSentences().size(), 1u);
+  EXPECT_NE(warnings.GetSentences()[0].find("4 points"), std::string::npos);
+
+  const auto merged = MergeParts({ { left }, { middle }, { right } }, warnings);
+  for (vtkIdType i = 0; i < 3; ++i)
+  {
+    EXPECT_EQ(merged->GetCell(i)->GetBounds()[0], i);
+    EXPECT_EQ(merged->GetCell(i)->GetBounds()[1], i + 1);
+  }
+
+  // Blocks stay apart, and so do points of one piece.
+  EXPECT_EQ(count({ { left, 0 }, { middle, 1 } }), 8);
+  EXPECT_TRUE(warnings.GetSentences().empty());
+  const Grid open = MakeSquares({ 0, 1 });
+  EXPECT_EQ(count({ { open } }), 8);
+  EXPECT_TRUE(warnings.GetSentences().empty());
+
+  // Which of the two points at x = 1 the other piece has cannot be known.
+  Grid crossing = MakeSquares({ 1 });
+  crossing->GetPoints()->SetPoint(1, 1.5, 0, 0);
+  crossing->GetPoints()->SetPoint(2, 1.5, 1, 0);
+  EXPECT_EQ(count({ { open }, { crossing } }), 12);
+  ASSERT_EQ(warnings.GetSentences().size(), 1u);
+  EXPECT_NE(warnings.GetSentences()[0].find("2 places"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a block that has no ids keeps those of the others from being used.
+TEST(GatheredMesh, MergesEveryBlockByItself)
+{
+  const Grid left = MakeSquares({ 0 }), right = MakeSquares({ 1 }), other = MakeSquares({ 0 });
+  SetIds(left->GetPointData(), { 0, 1, 2, 3 });
+  SetIds(right->GetPointData(), { 1, 4, 5, 2 });
+  Warnings warnings;
+  const auto merged = MergeParts({ { left, 0 }, { right, 0 }, { other, 1 } }, warnings);
+  EXPECT_EQ(merged->GetNumberOfPoints(), 6 + 4);
+  EXPECT_TRUE(warnings.GetSentences().empty());
+  EXPECT_EQ(merged->GetCell(2)->GetPointId(0), 6);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, an empty mesh of several processes loses the arrays that it has on one.
+TEST(GatheredMesh, EmptyPiecesKeepArrays)
+{
+  std::vector<MeshPart> parts;
+  for (int i = 0; i < 2; ++i)
+  {
+    const Grid grid = MakeGrid({}, {});
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetName("normals");
+    normals->SetNumberOfComponents(3);
+    grid->GetPointData()->SetNormals(normals);
+    parts.push_back({ grid });
+  }
+  Warnings warnings;
+  const auto merged = MergeParts(parts, warnings);
+  EXPECT_EQ(merged->GetNumberOfPoints(), 0);
+  EXPECT_NE(merged->GetPointData()->GetNormals(), nullptr);
 }

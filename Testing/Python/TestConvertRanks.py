@@ -4,7 +4,8 @@
 """camaron.convert on several ranks writes the files that one rank writes."""
 
 import camaron_testing
-from camaron import convert
+from camaron import convert, pipeline
+from paraview import simple
 
 
 class TestConvertRanks(camaron_testing.TestCase):
@@ -22,6 +23,18 @@ class TestConvertRanks(camaron_testing.TestCase):
             run = camaron_testing.run_command("convert", source, alone, *words)
             self.assertEqual((run.returncode, run.stderr), (0, ""))
             self.assertEqual(together.read_bytes(), alone.read_bytes(), name)
+
+    def test_pieces_without_ids(self):
+        """Pieces that share points but have no global ids are one mesh again in the file."""
+        image = simple.Wavelet(WholeExtent=[0, 6, 0, 6, 0, 6])
+        path = self.folder / "image.off"
+        with pipeline.Messages() as messages:
+            simple.SaveData(str(path), image, FacesOfVolumes="Every")
+        self.assertEqual(messages.errors, [])
+        lines = [line for line in path.read_text().splitlines() if line]
+        points, faces, _ = (int(word) for word in lines[1].split())
+        self.assertEqual((points, faces), (7**3, 3 * 7 * 6**2))
+        self.assertEqual(len({tuple(line.split()) for line in lines[2 : 2 + points]}), points)
 
 
 if __name__ == "__main__":

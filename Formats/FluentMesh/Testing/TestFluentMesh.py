@@ -283,6 +283,16 @@ class TestFluentMesh(camaron_testing.TestCase):
         self.assertEqual(names, ["side", "inlet"])
         self.assertEqual(boundaries.GetDataInformation().GetNumberOfCells(), 6)
 
+        # Blocks stay apart in other formats: 5 points of the mesh, 4 of each zone.
+        path = self.folder / "both.off"
+        with pipeline.Messages() as messages:
+            simple.SaveData(str(path), group, FacesOfVolumes="Every")
+        self.assertEqual(messages.errors, [])
+        points = [line.split() for line in path.read_text().splitlines()[2:15]]
+        nodes = [line.split() for line in TEXT.split("5 1 3)(\n")[1].splitlines()[:5]]
+        zones = [nodes[:4], nodes[1:]]
+        self.assertEqual(points, nodes + zones[0] + zones[1])
+
     @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
     def test_converts_boundaries(self):
         """From Fluent to Fluent, every zone stays; other formats get the cells, and a note says so."""
