@@ -336,13 +336,13 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
   {
     return refuse("expected cells of two or three dimensions, found none");
   }
-  // Cells of lower dimensions may be boundaries of others.
+  // Cells of one dimension less may be boundaries of others.
   CellConversion how{ "Fluent mesh",
-    { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON }, others };
+    { VTK_EMPTY_CELL, VTK_LINE, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON }, others };
   if (dimension == 3)
   {
-    how.Held = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON,
-      VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_POLYHEDRON };
+    how.Held = { VTK_EMPTY_CELL, VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_TETRA, VTK_PYRAMID,
+      VTK_WEDGE, VTK_HEXAHEDRON, VTK_POLYHEDRON };
   }
   OutputMesh converted;
   if (!ConvertCells(mesh, how, path, converted, warnings, error, progress.Part(0, 0.2)))

@@ -323,9 +323,8 @@ TEST(FluentMeshWriter, KeepsZonesOfInteriorFaces)
 TEST(FluentMeshWriter, CellsOfLowerDimensionsAreMarks)
 {
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 5, 5, 5 } },
-    { { VTK_TRIANGLE, { 2, 0, 1 } }, { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } },
-      { VTK_LINE, { 0, 1 } } });
-  AddZones(grid, { 7, 5, 7, 7 });
+    { { VTK_TRIANGLE, { 2, 0, 1 } }, { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } } });
+  AddZones(grid, { 7, 5, 7 });
   const Written written = Write(grid);
   ASSERT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 1u);
@@ -356,6 +355,33 @@ TEST(FluentMeshWriter, RefusesWhatItCannotHold)
            { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } },
              { VTK_TETRA, { 0, 1, 2, 5 } } }),
     "at most two cells, found 1 of more");
+}
+
+//------------------------------------------------------------------------------
+// Lines and vertices beside cells of three dimensions are neither cells of the file nor faces.
+TEST(FluentMeshWriter, CellsOfMuchLowerDimensions)
+{
+  const Grid solid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_LINE, { 0, 1 } }, { VTK_VERTEX, { 3 } } });
+  const Written refused = Write(solid);
+  EXPECT_EQ(refused.Success, 0);
+  ASSERT_EQ(refused.Errors.size(), 1u);
+  EXPECT_NE(
+    refused.Errors[0].find("1 cell of type vertex (cell 2) and 1 cell of type line (cell 1); set "
+                           "Unsupported Cells to Skip to leave them out"),
+    std::string::npos)
+    << refused.Errors[0];
+  const Written skipped = Write(solid,
+    [](vtkFluentMeshWriter* writer) { writer->SetUnsupportedCells(vtkFluentMeshWriter::SKIP); });
+  EXPECT_EQ(skipped.Success, 1);
+  EXPECT_EQ(skipped.Warnings.size(), 2u);
+  const Grid tetra = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  EXPECT_EQ(skipped.Bytes, Write(tetra).Bytes);
+
+  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
+    { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_VERTEX, { 0 } } });
+  EXPECT_EQ(Write(flat).Success, 0);
 }
 
 //------------------------------------------------------------------------------
