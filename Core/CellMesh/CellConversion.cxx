@@ -236,7 +236,8 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
   }
   if (HasUnsupported(found) && how.Others == UnsupportedCells::Refuse)
   {
-    error = { ErrorKind::Unsupported, DescribeRefusal(how, found, path) };
+    const bool holdsSome = output.GetNumberOfCells() > 0;
+    error = { ErrorKind::Unsupported, DescribeRefusal(how, found, holdsSome, path) };
     return false;
   }
   if (output.GetNumberOfCells() == 0)

@@ -70,8 +70,8 @@ bool HasUnsupported(const ConversionFindings& found)
 }
 
 //------------------------------------------------------------------------------
-std::string DescribeRefusal(
-  const CellConversion& how, const ConversionFindings& found, const std::string& path)
+std::string DescribeRefusal(const CellConversion& how, const ConversionFindings& found,
+  bool holdsSome, const std::string& path)
 {
   CellConversion cutting = how;
   cutting.Others = UnsupportedCells::Convert;
@@ -93,17 +93,20 @@ std::string DescribeRefusal(
       " of type " + GetCellTypeName(static_cast<unsigned char>(type)) +
       (tally.Count == 1 ? " (cell " : " (the first is cell ") + std::to_string(tally.First) + ")");
   }
-  std::string help = "set Unsupported Cells to ";
-  if (how.Others == UnsupportedCells::Refuse && (triangles || tetrahedra))
+  std::string help;
+  if (triangles || tetrahedra)
   {
-    help += std::string("Convert to cut them into ") +
+    help = std::string("Convert to cut them into ") +
       (triangles && tetrahedra ? "triangles and tetrahedra"
           : triangles          ? "triangles"
-                               : "tetrahedra") +
-      ", or to ";
+                               : "tetrahedra");
   }
-  help += "Skip to leave them out";
-  return GetFileName(path) + ": " + how.Format + " files cannot hold " + Join(kinds) + "; " + help;
+  if (holdsSome)
+  {
+    help += std::string(help.empty() ? "" : ", or to ") + "Skip to leave them out";
+  }
+  return GetFileName(path) + ": " + how.Format + " files cannot hold " + Join(kinds) +
+    (help.empty() ? "" : "; set Unsupported Cells to " + help);
 }
 
 //------------------------------------------------------------------------------

@@ -174,14 +174,10 @@ ConversionStep ConversionPlan::ChooseFor3D(unsigned char type) const
   {
     return MakeNodes(VTK_POLYHEDRON, shape.NumberOfCorners);
   }
-  if (!this->Cuts)
+  if (!this->Cuts || !this->Has(VTK_TETRA))
   {
     return ConversionStep();
   }
-  if (shape.ListsFaces)
-  {
-    return MakeStep(Kind::Polyhedron);
-  }
-  return this->Has(VTK_TETRA) ? MakeStep(Kind::Tetrahedra) : ConversionStep();
+  return MakeStep(shape.ListsFaces ? Kind::Polyhedron : Kind::Tetrahedra);
 }
 }

@@ -153,6 +153,14 @@ TEST(CellConversion, RefusesByDefault)
   EXPECT_EQ(result.Error.Message,
     "mesh.foo: Foo files cannot hold 1 cell of type triangle (cell 0); set Unsupported Cells to "
     "Skip to leave them out");
+
+  // A file of surfaces holds neither the others nor what they could be cut into.
+  const Grid polyhedron =
+    MakePolyhedra(MakePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }),
+      { { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } });
+  result = Convert(polyhedron, { VTK_TRIANGLE, VTK_QUAD });
+  EXPECT_EQ(
+    result.Error.Message, "mesh.foo: Foo files cannot hold 1 cell of type polyhedron (cell 0)");
 }
 
 //------------------------------------------------------------------------------
