@@ -11,6 +11,7 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkPointData.h"
 
 namespace camaron
 {
@@ -108,9 +109,10 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
   const M3DDialect dialect = options.Dialect;
   const bool isMVM = dialect == M3DDialect::MVM;
   const MaterialText material(mesh);
+  const bool losesMaterial = !material.HasCells() &&
+    (mesh->GetCellData()->HasArray(MaterialName) || mesh->GetPointData()->HasArray(MaterialName));
   WarnOfArrays(mesh, GetName(dialect), warnings,
-    material.HasCells() && !isMVM ? std::vector<std::string>{ MaterialName }
-                                  : std::vector<std::string>());
+    isMVM || losesMaterial ? std::vector<std::string>() : std::vector<std::string>{ MaterialName });
 
   const CellConversion how{ GetName(dialect), GetTypes(dialect), options.Others };
   OutputMesh output;

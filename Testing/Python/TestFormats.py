@@ -33,9 +33,11 @@ class TestFormats(camaron_testing.TestCase):
                 for hint in self.hints(f["name"], kind.capitalize(), tag):
                     found |= set(hint.get("extensions").split())
                     self.assertEqual(hint.get("file_description"), f["description"])
-                found = {e for e in found if not e.endswith(".series")}
+                series = {e for e in found if e.endswith(".series")}
+                found -= series
                 if kind == "reader":
                     self.assertEqual(found, extensions, f["name"])
+                    self.assertEqual(series, {f"{e}.series" for e in extensions}, f["name"])
                 else:
                     self.assertLessEqual(found, extensions, f["name"])
 

@@ -131,6 +131,19 @@ TEST(M3DWriter, WritesMaterials)
   const Written none = Write(grid, "test.mvm");
   ASSERT_EQ(none.Warnings.size(), 1u);
   EXPECT_NE(none.Warnings[0].find("Material"), std::string::npos);
+
+  // Other arrays are not said to be all that there could be.
+  Grid other = MakeMixed();
+  vtkNew<vtkDoubleArray> pressure;
+  pressure->SetName("pressure");
+  pressure->SetNumberOfTuples(other->GetNumberOfCells());
+  pressure->Fill(1);
+  other->GetCellData()->AddArray(pressure);
+  const Written lost = Write(other, "test.m3d");
+  ASSERT_EQ(lost.Warnings.size(), 1u);
+  EXPECT_NE(
+    lost.Warnings[0].find("M3D cannot hold some arrays; not written: pressure"), std::string::npos)
+    << lost.Warnings[0];
 }
 
 //------------------------------------------------------------------------------
