@@ -174,7 +174,7 @@ void FluentOutput::FindMarks(Warnings& warnings)
     }
   }
   warnings.Add(
-    lost, "cell", "cells", "of a lower dimension, which are no faces of others, left out");
+    lost, "cell", "cells", "of a lower dimension left out, as no face of the others is the same");
 }
 
 //------------------------------------------------------------------------------
