@@ -7,6 +7,11 @@
 
 namespace camaron
 {
+namespace
+{
+constexpr int ExchangeTag = 71345; // not used by other filters
+}
+
 //------------------------------------------------------------------------------
 ControllerReducer::ControllerReducer()
   : Controller(vtkMultiProcessController::GetGlobalController())
@@ -80,5 +85,52 @@ std::vector<char> ControllerReducer::Gather(
       bytes.data(), all.data(), ownLength, lengths.data(), offsets.data());
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+// In each round every process has one partner, of which the lower one speaks first.
+std::vector<std::vector<char>> ControllerReducer::Exchange(std::vector<std::vector<char>>&& lists)
+{
+  const int size = this->GetNumberOfProcesses(), own = this->GetProcess();
+  for (int round = 0; round < size; ++round)
+  {
+    const int partner = (round - own + size) % size;
+    if (partner == own)
+    {
+      continue;
+    }
+    const std::vector<char> sent = std::move(lists[partner]);
+    std::vector<char>& received = lists[partner];
+    const auto send = [&]
+    {
+      const auto length = static_cast<vtkIdType>(sent.size());
+      this->Controller->Send(&length, 1, partner, ExchangeTag);
+      if (length > 0)
+      {
+        this->Controller->Send(sent.data(), length, partner, ExchangeTag);
+      }
+    };
+    const auto receive = [&]
+    {
+      vtkIdType length = 0;
+      this->Controller->Receive(&length, 1, partner, ExchangeTag);
+      received.resize(static_cast<std::size_t>(length));
+      if (length > 0)
+      {
+        this->Controller->Receive(received.data(), length, partner, ExchangeTag);
+      }
+    };
+    if (own < partner)
+    {
+      send();
+      receive();
+    }
+    else
+    {
+      receive();
+      send();
+    }
+  }
+  return std::move(lists);
 }
 }

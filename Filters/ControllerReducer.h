@@ -26,6 +26,7 @@ public:
   void Max(std::int64_t* values, std::size_t size) override;
   std::vector<char> Gather(
     const std::vector<char>& bytes, std::vector<std::size_t>& sizes) override;
+  std::vector<std::vector<char>> Exchange(std::vector<std::vector<char>>&& lists) override;
 
 private:
   void Reduce(std::int64_t* values, std::size_t size, int operation);

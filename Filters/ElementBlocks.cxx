@@ -33,46 +33,15 @@ std::string GetChildName(
   const char* name = metaData ? metaData->Get(vtkCompositeDataSet::NAME()) : nullptr;
   return (parent.empty() ? "" : parent + "/") + (name && name[0] ? name : fallback);
 }
-}
-
-//------------------------------------------------------------------------------
-ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  this->Composite = composite != nullptr;
-  if (auto* data = vtkDataSet::SafeDownCast(input))
-  {
-    this->AddBlock(data, 0, 0, "");
-  }
-  else if (vtkDataObjectTree::SafeDownCast(input))
-  {
-    unsigned int flatIndex = 0;
-    this->AddTree(input, flatIndex, 0, "");
-  }
-  else if (composite)
-  {
-    // Adaptive meshes: their levels and boxes are the same on all processes.
-    vtkSmartPointer<vtkCompositeDataIterator> it;
-    it.TakeReference(composite->NewIterator());
-    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-    {
-      const unsigned int index = it->GetCurrentFlatIndex();
-      this->AddBlock(vtkDataSet::SafeDownCast(it->GetCurrentDataObject()), index,
-        static_cast<int>(index), "Block " + std::to_string(index));
-    }
-  }
-  this->FindGlobalIds(reducer);
-  this->FindIndices(reducer);
-}
 
 //------------------------------------------------------------------------------
 // Numbers nodes as VTK does: in preorder, empty ones included.
-void ElementBlocks::AddTree(
-  vtkDataObject* node, unsigned int& flatIndex, int number, const std::string& name)
+void AddTree(vtkDataObject* node, unsigned int& flatIndex, int number, const std::string& name,
+  std::vector<DataSetLeaf>& leaves)
 {
   if (auto* data = vtkDataSet::SafeDownCast(node))
   {
-    this->AddBlock(data, flatIndex, number, name);
+    leaves.push_back({ data, flatIndex, number, name });
   }
   else if (auto* collection = vtkPartitionedDataSetCollection::SafeDownCast(node))
   {
@@ -80,9 +49,10 @@ void ElementBlocks::AddTree(
     {
       ++flatIndex;
       // The flat index depends on how many partitions this process has.
-      this->AddTree(collection->GetPartitionedDataSet(i), flatIndex, static_cast<int>(i),
+      AddTree(collection->GetPartitionedDataSet(i), flatIndex, static_cast<int>(i),
         GetChildName(name, collection->HasMetaData(i) ? collection->GetMetaData(i) : nullptr,
-          "Block " + std::to_string(i)));
+          "Block " + std::to_string(i)),
+        leaves);
     }
   }
   else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(node))
@@ -90,9 +60,10 @@ void ElementBlocks::AddTree(
     for (unsigned int i = 0; i < blocks->GetNumberOfBlocks(); ++i)
     {
       ++flatIndex;
-      this->AddTree(blocks->GetBlock(i), flatIndex, static_cast<int>(flatIndex),
+      AddTree(blocks->GetBlock(i), flatIndex, static_cast<int>(flatIndex),
         GetChildName(name, blocks->HasMetaData(i) ? blocks->GetMetaData(i) : nullptr,
-          "Block " + std::to_string(flatIndex)));
+          "Block " + std::to_string(flatIndex)),
+        leaves);
     }
   }
   else if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(node))
@@ -101,24 +72,66 @@ void ElementBlocks::AddTree(
     for (unsigned int i = 0; i < pieces->GetNumberOfPartitions(); ++i)
     {
       ++flatIndex;
-      this->AddTree(pieces->GetPartitionAsDataObject(i), flatIndex, number, name);
+      AddTree(pieces->GetPartitionAsDataObject(i), flatIndex, number, name, leaves);
     }
   }
 }
+}
 
 //------------------------------------------------------------------------------
-void ElementBlocks::AddBlock(
-  vtkDataSet* data, unsigned int flatIndex, int number, const std::string& name)
+std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
 {
-  if (!data || data->GetNumberOfCells() == 0)
+  std::vector<DataSetLeaf> leaves;
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  if (auto* data = vtkDataSet::SafeDownCast(input))
+  {
+    leaves.push_back({ data, 0, 0, "" });
+  }
+  else if (vtkDataObjectTree::SafeDownCast(input))
+  {
+    unsigned int flatIndex = 0;
+    AddTree(input, flatIndex, 0, "", leaves);
+  }
+  else if (composite)
+  {
+    // Adaptive meshes: their levels and boxes are the same on all processes.
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* data = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        const unsigned int index = it->GetCurrentFlatIndex();
+        leaves.push_back(
+          { data, index, static_cast<int>(index), "Block " + std::to_string(index) });
+      }
+    }
+  }
+  return leaves;
+}
+
+//------------------------------------------------------------------------------
+ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer)
+{
+  this->Composite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+  for (const DataSetLeaf& leaf : GetLeaves(input))
+  {
+    this->AddBlock(leaf);
+  }
+  this->FindGlobalIds(reducer);
+  this->FindIndices(reducer);
+}
+
+//------------------------------------------------------------------------------
+void ElementBlocks::AddBlock(const DataSetLeaf& leaf)
+{
+  vtkDataSet* data = leaf.Data;
+  if (data->GetNumberOfCells() == 0)
   {
     return;
   }
   ElementBlock block;
-  block.Data = data;
-  block.FlatIndex = flatIndex;
-  block.Number = number;
-  block.Name = name;
+  static_cast<DataSetLeaf&>(block) = leaf;
   vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
   const unsigned char* begin = ghosts ? ghosts->GetPointer(0) : nullptr;
   const unsigned char* end = ghosts ? begin + data->GetNumberOfCells() : nullptr;

@@ -29,14 +29,21 @@ class vtkDoubleArray;
 
 namespace camaron
 {
-/// A data set of the input on this process.
-struct ElementBlock
+/// A data set of any input.
+struct DataSetLeaf
 {
   vtkDataSet* Data = nullptr;
   unsigned int FlatIndex = 0; ///< VTK's composite index, 0 if the input is not composite
   int Number = 0;             ///< of the block among the blocks, the same on all processes
   std::string Name;           ///< of the block, empty if the input is not composite
+};
 
+/// The data sets of the input on this process in the order of their flat indices, empty ones included.
+std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input);
+
+/// A data set of the input on this process.
+struct ElementBlock : DataSetLeaf
+{
   std::vector<unsigned char> Skip;         ///< nonzero for ghosts; empty if there are none
   vtkIdType FirstIndex = 0;                ///< of the first cell
   std::vector<vtkIdType> Indices;          ///< of all cells if they are not consecutive, else empty
@@ -68,8 +75,7 @@ public:
   ValueBlock GetValueBlock(const ElementBlock& block) const;
 
 private:
-  void AddBlock(vtkDataSet* data, unsigned int flatIndex, int number, const std::string& name);
-  void AddTree(vtkDataObject* node, unsigned int& flatIndex, int number, const std::string& name);
+  void AddBlock(const DataSetLeaf& leaf);
   void FindGlobalIds(Reducer& reducer);
   void FindIndices(Reducer& reducer);
 

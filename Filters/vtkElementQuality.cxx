@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElementQuality.h"
 
+#include "ControllerReducer.h"
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
 #include "MeshInput.h"
+#include "MeshPieces.h"
 #include "Parallel.h"
 
 #include "vtkCellArray.h"
@@ -103,6 +105,7 @@ void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
   os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
   os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
+  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -201,6 +204,14 @@ double vtkElementQuality::GetEstimatedSeconds()
 }
 
 //------------------------------------------------------------------------------
+int vtkElementQuality::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
 int vtkElementQuality::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -223,79 +234,126 @@ int vtkElementQuality::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-int vtkElementQuality::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+bool vtkElementQuality::FindCriteria(std::vector<const camaron::Criterion*>& criteria)
 {
-  vtkDataSet* input = vtkDataSet::GetData(inputVector[0]);
-  vtkDataSet* output = vtkDataSet::GetData(outputVector);
   if (this->Preset != TickedCriteria() && !camaron::FindPreset(this->Preset))
   {
     vtkErrorMacro("There is no preset named '" << this->Preset << "'.");
-    return 0;
+    return false;
   }
-  std::vector<camaron::CriterionValues> rows;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> arrays;
-  camaron::EvaluationOptions options;
-  options.Angles =
-    this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
-  options.TrustFaceOrientation = this->TrustFaceOrientation;
-  options.DegeneracyTolerance = this->DegeneracyTolerance;
-  options.ConvexityTolerance = this->ConvexityTolerance;
-  options.PlanarityTolerance = this->PlanarityTolerance;
-  try
+  for (const std::string& name : this->GetChosenCriteria())
   {
-    const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(input);
-    output->ShallowCopy(triangulated);
-    if (vtkUnsignedCharArray* ghosts = triangulated->GetCellGhostArray())
+    criteria.push_back(camaron::FindCriterion(name));
+    if (!criteria.back())
     {
-      options.Ghosts = ghosts->GetPointer(0);
+      vtkErrorMacro("There is no criterion named '" << name << "'.");
+      return false;
     }
-    options.GlobalIds = triangulated->GetCellData()->GetGlobalIds();
-    const camaron::MeshTopology topology(camaron::AsMesh(triangulated));
-    for (const std::string& name : this->GetChosenCriteria())
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
+  const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces)
+{
+  camaron::EvaluationOptions common;
+  common.Angles =
+    this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
+  common.TrustFaceOrientation = this->TrustFaceOrientation;
+  common.DegeneracyTolerance = this->DegeneracyTolerance;
+  common.ConvexityTolerance = this->ConvexityTolerance;
+  common.PlanarityTolerance = this->PlanarityTolerance;
+
+  camaron::ControllerReducer reducer;
+  const std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(output);
+  for (const camaron::DataSetLeaf& leaf : leaves)
+  {
+    const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(leaf.Data);
+    if (triangulated != leaf.Data)
     {
-      const camaron::Criterion* criterion = camaron::FindCriterion(name);
-      if (!criterion)
-      {
-        vtkErrorMacro("There is no criterion named '" << name << "'.");
-        output->Initialize();
-        return 0;
-      }
+      leaf.Data->ShallowCopy(triangulated);
+    }
+  }
+  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
+  const auto any = [&](auto&& predicate)
+  { return std::any_of(criteria.begin(), criteria.end(), predicate); };
+  if (any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }))
+  {
+    pieces.Link(this->ConnectBlocks);
+  }
+  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsMeanSizes) != 0; }))
+  {
+    pieces.FindMeanSizes();
+  }
+  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsSurfaceSides) != 0; }))
+  {
+    pieces.FindSurfaceSides();
+  }
+
+  for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
+  {
+    const camaron::MeshTopology& topology = pieces.GetTopology(piece);
+    std::vector<camaron::CriterionValues> rows;
+    std::vector<vtkSmartPointer<vtkDoubleArray>> arrays;
+    for (const camaron::Criterion* criterion : criteria)
+    {
       arrays.push_back(vtkSmartPointer<vtkDoubleArray>::New());
       arrays.back()->SetName(criterion->Name);
       arrays.back()->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
       arrays.back()->GetInformation()->Set(
-        vtkDataArray::UNITS_LABEL(), criterion->UnitLabel(options.Angles));
+        vtkDataArray::UNITS_LABEL(), criterion->UnitLabel(common.Angles));
       rows.push_back({ criterion, arrays.back()->GetPointer(0) });
     }
-    const bool finished = camaron::Evaluate(topology, options, rows,
-      [this](double done)
+    const bool isFinished = camaron::Evaluate(topology, pieces.GetOptions(piece), rows,
+      [&](double done)
       {
-        this->UpdateProgress(done);
+        this->UpdateProgress(
+          (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
         return !this->CheckAbort();
       });
-    if (!finished)
+    if (!isFinished)
     {
-      return 1;
+      return;
     }
+    vtkCellData* data = leaves[piece].Data->GetCellData();
     for (vtkDoubleArray* array : arrays)
     {
-      output->GetCellData()->AddArray(array);
+      data->AddArray(array);
       if (this->WriteNullMask)
       {
-        output->GetCellData()->AddArray(MakeNullMask(array, topology.GetMesh()));
+        data->AddArray(MakeNullMask(array, topology.GetMesh()));
       }
     }
+    if (!arrays.empty())
+    {
+      data->SetActiveScalars(arrays[0]->GetName());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  std::vector<const camaron::Criterion*> criteria;
+  if (!this->FindCriteria(criteria))
+  {
+    return 0;
+  }
+  output->ShallowCopy(vtkDataObject::GetData(inputVector[0]));
+  try
+  {
+    const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+    this->EvaluatePieces(output, criteria, numberOfPieces);
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro("The mesh cannot be evaluated: " << error.what() << '.');
     output->Initialize();
     return 0;
-  }
-  if (!arrays.empty())
-  {
-    output->GetCellData()->SetActiveScalars(arrays[0]->GetName());
   }
   return 1;
 }

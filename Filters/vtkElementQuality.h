@@ -14,27 +14,36 @@
  * Every cell is evaluated as the polygon or polyhedron that it is, so a hexahedron has the same values
  * whether it is a VTK_HEXAHEDRON or a VTK_POLYHEDRON. Triangle strips become triangles.
  *
- * Parallel: pieces are evaluated by themselves; criteria with neighbours ask for one layer of ghost
- * cells. Ghost cells get values, too.
+ * Parallel: the values do not depend on how the mesh is split. At the borders of pieces, which may be processes
+ * or partitions of one block, criteria with neighbours find the cells of other pieces by the points of their
+ * faces: by global ids if all points have them, else by equal coordinates. No ghost cells are needed
+ * or made for that. Those of the input, of which one level is asked for, get values, too; where these depend on
+ * cells that are not there they are null with reason 5. RegionId, PointRegionCount and DuplicateCell are those
+ * of the piece with its ghost cells.
  *
- * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen.
+ * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen. Criteria with
+ * neighbours compare the faces within the boxes of other pieces once, shared out among the processes.
  */
 #ifndef vtkElementQuality_h
 #define vtkElementQuality_h
 
-#include "vtkDataSetAlgorithm.h"
 #include "vtkNew.h" // for the selection
+#include "vtkPassInputTypeAlgorithm.h"
 
 #include <string> // for the preset
 #include <vector> // for the chosen criteria
 
 class vtkDataArraySelection;
+namespace camaron
+{
+struct Criterion;
+}
 
-class vtkElementQuality : public vtkDataSetAlgorithm
+class vtkElementQuality : public vtkPassInputTypeAlgorithm
 {
 public:
   static vtkElementQuality* New();
-  vtkTypeMacro(vtkElementQuality, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkElementQuality, vtkPassInputTypeAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum AngleUnitsType
@@ -123,12 +132,23 @@ public:
   /// About how many seconds the chosen criteria will take for the input that is there now.
   double GetEstimatedSeconds();
 
+  ///@{
+  /**
+   * Whether cells of different blocks are neighbours where their faces have the same points: by global ids if
+   * all points have them, else by equal coordinates. Partitions of one block always are. Default: off.
+   */
+  vtkSetMacro(ConnectBlocks, bool);
+  vtkGetMacro(ConnectBlocks, bool);
+  vtkBooleanMacro(ConnectBlocks, bool);
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
   vtkElementQuality();
   ~vtkElementQuality() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(
     vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -138,6 +158,9 @@ private:
   void operator=(const vtkElementQuality&) = delete;
 
   std::vector<std::string> GetChosenCriteria();
+  bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
+  void EvaluatePieces(vtkDataObject* output, const std::vector<const camaron::Criterion*>& criteria,
+    int numberOfPieces);
 
   vtkNew<vtkDataArraySelection> Criteria;
   std::string Preset = TickedCriteria();
@@ -147,6 +170,7 @@ private:
   double DegeneracyTolerance = 0;
   double ConvexityTolerance = 1e-4;
   double PlanarityTolerance = 0.1;
+  bool ConnectBlocks = false;
 };
 
 #endif

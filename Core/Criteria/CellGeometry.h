@@ -28,6 +28,10 @@ class vtkDataArray;
 
 namespace camaron
 {
+struct MeanSizes;
+struct PieceLinks;
+struct SurfaceSides;
+
 struct EvaluationOptions
 {
   AngleUnit Angles = AngleUnit::Degrees;
@@ -48,6 +52,12 @@ struct EvaluationOptions
   const unsigned char* Ghosts = nullptr;
   /// Ids by which cells are known in all pieces; without them it is their place in the mesh.
   vtkDataArray* GlobalIds = nullptr;
+  /// Cells of other pieces at the facets; or none.
+  const PieceLinks* Links = nullptr;
+  /// Mean sizes of the cells of all pieces; if none, those of the mesh that is evaluated.
+  const MeanSizes* Means = nullptr;
+  /// The closed surfaces of all pieces; if none, those of the mesh that is evaluated.
+  const SurfaceSides* Sides = nullptr;
 };
 
 class CellGeometry

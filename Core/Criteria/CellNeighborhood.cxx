@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CellNeighborhood.h"
 
+#include "Mesh/FacetLinks.h"
 #include "Parallel.h"
+
+#include "vtkDataSetAttributes.h"
+
+#include <algorithm>
 
 namespace camaron
 {
 namespace
 {
 constexpr vtkIdType Grain = 1024;
+}
 
 //------------------------------------------------------------------------------
-bool HasDimension(const MeshView& mesh, int dimension)
+bool HasCellsOfDimension(const MeshView& mesh, int dimension)
 {
   const CellShape* const shapes = &GetCellShape(0);
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
@@ -23,6 +29,37 @@ bool HasDimension(const MeshView& mesh, int dimension)
   }
   return false;
 }
+
+//------------------------------------------------------------------------------
+void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
+  CellGeometry& scratch, Vector& centroid, double& size)
+{
+  scratch.Load(mesh, cell, options);
+  if (!(scratch.GetShapes() & PolygonsAndPolyhedra) || !scratch.IsFinite())
+  {
+    centroid = Vector();
+    size = Null(NullReason::NotApplicable);
+    return;
+  }
+  scratch.Compute(CellNeighborhood::BaseNeeds);
+  centroid = scratch.GetOrigin() + scratch.GetCentroid();
+  size = (scratch.GetShapes() & Polygons) ? scratch.GetPolygonArea() : scratch.GetVolume();
+}
+
+//------------------------------------------------------------------------------
+Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
+  CellGeometry& scratch)
+{
+  scratch.Load(mesh, cell, options);
+  if ((scratch.GetShapes() & Polygons) && scratch.GetTopology().GetNumberOfFaces() > 0)
+  {
+    scratch.Compute(NeedsFaces);
+    if (scratch.IsFinite() && !scratch.IsZeroArea(scratch.GetFaceArea(0)))
+    {
+      return scratch.GetFaceVector(0);
+    }
+  }
+  return Vector();
 }
 
 //------------------------------------------------------------------------------
@@ -36,16 +73,7 @@ CellCenters::CellCenters(const MeshView& mesh, const EvaluationOptions& options)
       CellGeometry cell;
       for (vtkIdType id = begin; id < end; ++id)
       {
-        cell.Load(mesh, id, options);
-        const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
-        if (!(cell.GetShapes() & PolygonsAndPolyhedra) || !cell.IsFinite())
-        {
-          this->Sizes[id] = Null(NullReason::NotApplicable);
-          continue;
-        }
-        cell.Compute(CellNeighborhood::BaseNeeds);
-        this->Centroids[id] = cell.GetOrigin() + cell.GetCentroid();
-        this->Sizes[id] = isPolygon ? cell.GetPolygonArea() : cell.GetVolume();
+        GetCellCenter(mesh, id, options, cell, this->Centroids[id], this->Sizes[id]);
       }
     });
 }
@@ -56,21 +84,53 @@ CellNeighborhood::CellNeighborhood(
   : Centers(centers)
   , Ghosts(options.Ghosts)
   , IsPieceWithoutGhosts(options.IsPieceWithoutGhosts)
+  , Links(options.Links)
 {
-  if (HasDimension(topology.GetMesh(), 3))
+  if (HasCellsOfDimension(topology.GetMesh(), 3))
   {
     this->Faces = &topology.GetFaces();
   }
-  if (HasDimension(topology.GetMesh(), 2))
+  if (HasCellsOfDimension(topology.GetMesh(), 2))
   {
     this->Edges = &topology.GetSurfaceEdges();
   }
 }
 
 //------------------------------------------------------------------------------
-void CellNeighborhood::FindOther(
-  vtkIdType cell, CellFacet use, const FacetTable& table, Facet& facet) const
+// Where other pieces have the facet, too: what their processes say counts, not copies of their cells.
+bool CellNeighborhood::FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table,
+  const FacetLinks& links, Facet& facet)
 {
+  const auto isCopy = [this](vtkIdType id)
+  { return this->Ghosts && (this->Ghosts[id] & vtkDataSetAttributes::DUPLICATECELL); };
+  if (!links.Has(use.Facet()) || isCopy(cell))
+  {
+    return false;
+  }
+  int count = 0;
+  links.ForEach(use.Facet(),
+    [&](const LinkedCell& linked, bool)
+    {
+      ++count;
+      facet.OtherCentroid = linked.Centroid - this->Geometry->GetOrigin();
+      facet.OtherSize = linked.Size;
+    });
+  table.GetCells(use.Facet(), this->FacetCells);
+  count += static_cast<int>(std::count_if(this->FacetCells.begin(), this->FacetCells.end(),
+             [&](Index id) { return !isCopy(id); }) -
+    1);
+  facet.Other = count == 1 ? Side::Cell : Side::NonManifold;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void CellNeighborhood::FindOther(
+  vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links, Facet& facet)
+{
+  if (links && this->FindLinked(cell, use, table, *links, facet))
+  {
+    return;
+  }
   const FacetTable::CellPair cells = table.GetCells(use.Facet());
   if (cells.Second < 0)
   {
@@ -116,7 +176,8 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
       facet.Area = Cross(b - a, normal);
       facet.Center = 0.5 * (a + b);
       facet.Number = i;
-      this->FindOther(cell, uses[i], *this->Edges, facet);
+      this->FindOther(
+        cell, uses[i], *this->Edges, this->Links ? &this->Links->Edges : nullptr, facet);
       this->Facets.push_back(facet);
     }
     return true;
@@ -128,7 +189,8 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     facet.Area = geometry.GetFaceVector(f);
     facet.Center = geometry.GetFaceCenter(f);
     facet.Number = f;
-    this->FindOther(cell, uses[topology.FaceNumbers[f]], *this->Faces, facet);
+    this->FindOther(cell, uses[topology.FaceNumbers[f]], *this->Faces,
+      this->Links ? &this->Links->Faces : nullptr, facet);
     this->Facets.push_back(facet);
   }
   return true;

@@ -18,6 +18,9 @@
 
 namespace camaron
 {
+class FacetLinks;
+struct PieceLinks;
+
 /// Centroid and volume or area of every cell of a mesh.
 struct CellCenters
 {
@@ -26,6 +29,20 @@ struct CellCenters
 
   CellCenters(const MeshView& mesh, const EvaluationOptions& options);
 };
+
+/// Whether the mesh has cells of that dimension.
+bool HasCellsOfDimension(const MeshView& mesh, int dimension);
+
+///@{
+/**
+ * Centroid and size of a cell as in CellCenters, and its vector area, which is zero if the cell is no polygon
+ * or has no area. @a scratch is overwritten.
+ */
+void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
+  CellGeometry& scratch, Vector& centroid, double& size);
+Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
+  CellGeometry& scratch);
+///@}
 
 class CellNeighborhood
 {
@@ -82,17 +99,22 @@ public:
   }
 
 private:
-  void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, Facet& facet) const;
+  void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links,
+    Facet& facet);
+  bool FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links,
+    Facet& facet);
 
   const CellCenters& Centers;
   const unsigned char* Ghosts;
   bool IsPieceWithoutGhosts;
+  const PieceLinks* Links;
   const FacetTable* Faces = nullptr; ///< of 3D cells, if there are any
   const FacetTable* Edges = nullptr; ///< of 2D cells, if there are any
   const CellGeometry* Geometry = nullptr;
   bool IsPolygon = false;
   double Size = 0;
   std::vector<Facet> Facets;
+  std::vector<Index> FacetCells; // scratch
 };
 }
 

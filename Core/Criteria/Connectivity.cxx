@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a cell is in the mesh, and whether it is there twice.
 #include "Criteria/CriterionRows.h"
+#include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 
 #include <algorithm>
@@ -44,12 +45,17 @@ void RegionId(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* v
 void IsBoundary(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const EvaluationOptions& options = mesh.Options;
+  const FacetTable& faces = mesh.Topology.GetFaces();
   ForFacetCells(mesh, begin, end, values,
     [&](vtkIdType cell, const FacetTable& table)
     {
       const FacetTable::Range uses = table.GetCellFacets(cell);
+      const FacetLinks* links = !options.Links ? nullptr
+        : &table == &faces                     ? &options.Links->Faces
+                                               : &options.Links->Edges;
       const bool isAlone = std::any_of(uses.begin(), uses.end(),
-        [&](CellFacet use) { return table.IsBoundary(use.Facet()); });
+        [&](CellFacet use)
+        { return table.IsBoundary(use.Facet()) && !(links && links->Has(use.Facet())); });
       const bool mayHaveMore =
         options.IsPieceWithoutGhosts || (options.Ghosts && options.Ghosts[cell]);
       return isAlone && mayHaveMore ? Null(NullReason::MissingGhosts) : double(isAlone);

@@ -80,7 +80,9 @@ enum Needs : unsigned
   NeedsCorners = 8u,  ///< interior angles of the faces
   NeedsDihedral = 16u,
   NeedsSolidAngle = 32u,
-  NeedsCentroid = 64u   ///< with NeedsVolume for a polyhedron
+  NeedsCentroid = 64u,  ///< with NeedsVolume for a polyhedron
+  NeedsMeanSizes = 128u,   ///< of all cells of the mesh
+  NeedsSurfaceSides = 256u ///< which side of a closed surface is the outer one
 };
 
 /// Why a value is null, as written to the mask arrays.

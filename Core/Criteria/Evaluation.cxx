@@ -3,7 +3,10 @@
 #include "Criteria/Evaluation.h"
 
 #include "Criteria/CellNeighborhood.h"
+#include "Criteria/LinkedPieces.h"
+#include "Criteria/MeanSizes.h"
 #include "Criteria/MeshContext.h"
+#include "Criteria/SurfaceSides.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -22,6 +25,13 @@ constexpr vtkIdType NumberOfReports = 100;
 bool AppliesTo(const Criterion& criterion, const CellGeometry& cell)
 {
   return (criterion.AppliesTo & (cell.GetShapes() | AnyCell)) != 0;
+}
+
+//------------------------------------------------------------------------------
+bool NeedAny(const std::vector<CriterionValues>& criteria, unsigned need)
+{
+  return std::any_of(criteria.begin(), criteria.end(),
+    [need](const CriterionValues& row) { return (row.Criterion->Needs & need) != 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -143,8 +153,24 @@ private:
 bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOptions,
   const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress)
 {
-  const MeshView& mesh = topology.GetMesh();
+  // What concerns the whole mesh, if nobody knows it yet.
   EvaluationOptions options = givenOptions;
+  Reducer alone;
+  const std::vector<LinkedPiece> pieces = { { &topology, givenOptions } };
+  MeanSizes means;
+  std::vector<SurfaceSides> sides;
+  if (!options.Means && NeedAny(criteria, NeedsMeanSizes))
+  {
+    means = GetMeanSizes(pieces, alone);
+    options.Means = &means;
+  }
+  if (!options.Sides && NeedAny(criteria, NeedsSurfaceSides))
+  {
+    sides = FindSurfaceSides(pieces, alone);
+    options.Sides = &sides[0];
+  }
+
+  const MeshView& mesh = topology.GetMesh();
   options.ChecksStarShape = std::any_of(criteria.begin(), criteria.end(),
     [](const CriterionValues& row) { return row.Criterion == FindCriterion("IsStarShaped"); });
   std::vector<CriterionValues> ofCells, ofMesh, ofNeighbors;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/MeshContext.h"
 
+#include "Criteria/CellNeighborhood.h"
 #include "Mesh/DuplicateCells.h"
 #include "Parallel.h"
 
@@ -25,15 +26,7 @@ std::vector<Vector> ComputeCellVectors(const MeshView& mesh, const EvaluationOpt
       CellGeometry cell;
       for (vtkIdType id = begin; id < end; ++id)
       {
-        cell.Load(mesh, id, options);
-        if ((cell.GetShapes() & Polygons) && cell.GetTopology().GetNumberOfFaces() > 0)
-        {
-          cell.Compute(NeedsFaces);
-          if (cell.IsFinite() && !cell.IsZeroArea(cell.GetFaceArea(0)))
-          {
-            vectors[id] = cell.GetFaceVector(0);
-          }
-        }
+        vectors[id] = GetCellVector(mesh, id, options, cell);
       }
     });
   return vectors;

@@ -1,6 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
+#include "Mesh/FacetLinks.h"
+#include "Criteria/SurfaceSides.h"
+#include "Mesh/CellFacets.h"
+
+#include "vtkDataSetAttributes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,47 +14,62 @@ namespace camaron
 {
 namespace
 {
-//------------------------------------------------------------------------------
-// Calls visit(angle) for every polygon that shares an edge with a polygon cell. Two polygons agree when
-// they run along the edge in opposite directions; where they do not, one of them counts as flipped.
-template <typename Visitor>
-void ForEachNeighborAngle(const std::vector<Vector>& vectors, const FacetTable& edges, vtkIdType cell,
-  std::vector<Index>& cells, bool& hasNeighbor, Visitor&& visit)
+// What lies at the edges of a polygon besides normals.
+struct Findings
 {
-  const Vector& own = vectors[cell];
-  for (const CellFacet edge : edges.GetCellFacets(cell))
+  bool HasNeighbor = false;
+  bool IsMissing = false; // an edge may have a polygon in another piece
+};
+
+//------------------------------------------------------------------------------
+// Calls visit(vector, isOpposite) for the vector area of every other polygon at an edge of a polygon cell, and
+// whether it runs along the edge in the opposite direction.
+template <typename Visitor>
+void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors, const FacetTable& edges,
+  vtkIdType cell, CellFacet edge, std::vector<Index>& cells, Findings& findings, Visitor&& visit)
+{
+  const EvaluationOptions& options = mesh.Options;
+  const auto isCopy = [&](vtkIdType id)
+  { return options.Ghosts && (options.Ghosts[id] & vtkDataSetAttributes::DUPLICATECELL); };
+  const bool isLinked =
+    options.Links && options.Links->Edges.Has(edge.Facet()) && !isCopy(cell);
+  bool any = false;
+  edges.GetCells(edge.Facet(), cells);
+  for (const Index other : cells)
   {
-    if (edges.IsBoundary(edge.Facet()))
+    if (other == cell || (isLinked && isCopy(other)))
     {
       continue;
     }
-    edges.GetCells(edge.Facet(), cells);
-    for (const Index neighbor : cells)
+    any = true;
+    bool reversed = edge.IsReversed();
+    for (const CellFacet theirs : edges.GetCellFacets(other))
     {
-      if (neighbor == cell)
+      if (theirs.Facet() == edge.Facet())
       {
-        continue;
-      }
-      hasNeighbor = true;
-      bool reversed = edge.IsReversed();
-      for (const CellFacet theirs : edges.GetCellFacets(neighbor))
-      {
-        if (theirs.Facet() == edge.Facet())
-        {
-          reversed = theirs.IsReversed();
-        }
-      }
-      const Vector& other = vectors[neighbor];
-      const double sign = reversed != edge.IsReversed() ? 1 : -1;
-      if (Norm2(own) > 0 && Norm2(other) > 0)
-      {
-        visit(std::atan2(Norm(Cross(own, other)), sign * Dot(own, other)));
+        reversed = theirs.IsReversed();
       }
     }
+    visit(vectors[other], reversed != edge.IsReversed());
   }
+  if (isLinked)
+  {
+    options.Links->Edges.ForEach(edge.Facet(),
+      [&](const LinkedCell& other, bool reversed)
+      {
+        any = true;
+        visit(other.Area, reversed != edge.IsReversed());
+      });
+  }
+  findings.HasNeighbor = findings.HasNeighbor || any;
+  findings.IsMissing = findings.IsMissing ||
+    (!any && edges.IsBoundary(edge.Facet()) &&
+      (options.IsPieceWithoutGhosts || (options.Ghosts && options.Ghosts[cell])));
 }
 
 //------------------------------------------------------------------------------
+// Two polygons agree when they run along the edge in opposite directions; where they do not, one of them
+// counts as flipped.
 template <typename Choose>
 void NeighborNormalAngle(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, Choose&& choose)
@@ -65,13 +85,81 @@ void NeighborNormalAngle(
       values[cell - begin] = Null(NullReason::NotApplicable);
       continue;
     }
-    bool hasNeighbor = false;
+    const Vector& own = vectors[cell];
+    Findings findings;
     double chosen = -1;
-    ForEachNeighborAngle(vectors, edges, cell, cells, hasNeighbor,
-      [&](double angle) { chosen = chosen < 0 ? angle : choose(chosen, angle); });
-    values[cell - begin] = chosen >= 0 ? factor * chosen
-                                       : Null(hasNeighbor ? NullReason::Degenerate
-                                                          : NullReason::NoNeighbor);
+    for (const CellFacet edge : edges.GetCellFacets(cell))
+    {
+      ForEachOther(mesh, vectors, edges, cell, edge, cells, findings,
+        [&](const Vector& other, bool isOpposite)
+        {
+          if (Norm2(own) > 0 && Norm2(other) > 0)
+          {
+            const double cosine = (isOpposite ? 1 : -1) * Dot(own, other);
+            const double angle = std::atan2(Norm(Cross(own, other)), cosine);
+            chosen = chosen < 0 ? angle : choose(chosen, angle);
+          }
+        });
+    }
+    values[cell - begin] = findings.IsMissing ? Null(NullReason::MissingGhosts)
+      : chosen >= 0                           ? factor * chosen
+      : findings.HasNeighbor                  ? Null(NullReason::Degenerate)
+                                              : Null(NullReason::NoNeighbor);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The angle on the inner side of a closed surface between a polygon and the one beyond an edge.
+double GetInnerAngle(const Vector& own, const Vector& other, const Vector& edge, bool isOutward)
+{
+  const double bend = std::atan2(Dot(edge, Cross(own, other)), Dot(own, other));
+  return Pi - (isOutward ? bend : -bend);
+}
+
+//------------------------------------------------------------------------------
+template <typename Choose>
+void SurfaceDihedralAngle(
+  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, Choose&& choose)
+{
+  const MeshView& view = mesh.Topology.GetMesh();
+  const FacetTable& edges = mesh.Topology.GetSurfaceEdges();
+  const std::vector<Vector>& vectors = mesh.GetCellVectors();
+  const double factor = mesh.Options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
+  CellFacets facets(view);
+  std::vector<Index> cells;
+  for (vtkIdType cell = begin; cell < end; ++cell)
+  {
+    const FacetTable::Range uses = edges.GetCellFacets(cell);
+    const SurfaceSide side = mesh.Options.Sides->OfCells[cell];
+    if (uses.size() == 0 || side == SurfaceSide::None || side == SurfaceSide::Unknown)
+    {
+      values[cell - begin] = Null(uses.size() == 0 ? NullReason::NotApplicable
+          : side == SurfaceSide::None              ? NullReason::InvalidTopology
+                                                   : NullReason::MissingGhosts);
+      continue;
+    }
+    const Vector& own = vectors[cell];
+    double chosen = -1;
+    facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType, vtkIdType local)
+      {
+        double from[3], to[3];
+        view.GetPoint(points[0], from);
+        view.GetPoint(points[1], to);
+        const Vector edge = Unit({ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
+        Findings findings;
+        ForEachOther(mesh, vectors, edges, cell, uses[static_cast<Index>(local)], cells, findings,
+          [&](const Vector& other, bool)
+          {
+            if (Norm2(edge) > 0 && Norm2(own) > 0 && Norm2(other) > 0)
+            {
+              const double angle =
+                GetInnerAngle(own, other, edge, side == SurfaceSide::Outward);
+              chosen = chosen < 0 ? angle : choose(chosen, angle);
+            }
+          });
+      });
+    values[cell - begin] = chosen >= 0 ? factor * chosen : Null(NullReason::Degenerate);
   }
 }
 }
@@ -89,6 +177,22 @@ void MaxNeighborNormalAngle(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   NeighborNormalAngle(
+    mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
+}
+
+//------------------------------------------------------------------------------
+void MinSurfaceDihedralAngle(
+  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+{
+  SurfaceDihedralAngle(
+    mesh, begin, end, values, [](double a, double b) { return std::min(a, b); });
+}
+
+//------------------------------------------------------------------------------
+void MaxSurfaceDihedralAngle(
+  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+{
+  SurfaceDihedralAngle(
     mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
 }
 
@@ -116,6 +220,27 @@ std::vector<Criterion> NeighborNormalCriteria()
       { "the largest of the angles of `MinNeighborNormalAngle`",
         "As `MinNeighborNormalAngle`.",
         "As `MinNeighborNormalAngle`." } },
+    { "MinSurfaceDihedralAngle", "Smallest dihedral angle of the surface",
+      "Smallest angle between a polygon of a closed surface and its neighbours, measured inside of what the "
+      "surface encloses; 180 is flat, less a ridge, more a valley.",
+      Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
+      CAMARON_MESH(MinSurfaceDihedralAngle),
+      { "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, n₁ and n₂ the outward normals of the "
+        "polygon and its neighbour, e the direction in which the polygon runs along the edge",
+        "Null (invalid topology) where the polygons that hang together over edges are open, have an edge with more than "
+        "two of them, or do not run consistently. Edges without length and neighbours without area are left out; "
+        "null (degenerate) where nothing is left.",
+        "Camarón's dihedral angle is another one: `MaxNeighborNormalAngle`." } },
+    { "MaxSurfaceDihedralAngle", "Largest dihedral angle of the surface",
+      "Largest angle between a polygon of a closed surface and its neighbours, measured inside of what the "
+      "surface encloses; 180 is flat, less a ridge, more a valley.",
+      Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
+      CAMARON_MESH(MaxSurfaceDihedralAngle),
+      { "the largest of the angles of `MinSurfaceDihedralAngle`",
+        "As `MinSurfaceDihedralAngle`.",
+        "As `MinSurfaceDihedralAngle`." } },
   };
   // clang-format on
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
+#include "Criteria/MeanSizes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,6 +128,24 @@ double CellAspectRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+double RelativeSize(const CellGeometry& cell)
+{
+  const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
+  const double size = isPolygon ? cell.GetPolygonArea() : cell.GetVolume();
+  const double mean = cell.GetOptions()
+                        .Means->Of[isPolygon ? MeanSizes::PolygonArea : MeanSizes::PolyhedronVolume];
+  if (std::isnan(size))
+  {
+    return size;
+  }
+  if (!(mean > 0))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  return size > 0 ? std::min(size / mean, mean / size) : 0;
+}
+
+//------------------------------------------------------------------------------
 std::vector<Criterion> RatioCriteria()
 {
   // clang-format off
@@ -199,6 +218,18 @@ std::vector<Criterion> RatioCriteria()
         "Infinite for a flat or inverted cell; null (invalid topology) for an open one.",
         "checkMesh prints the same largest value. Fluent, Verdict and Gmsh mean other things by "
         "aspect ratio." } },
+    { "RelativeSize", "Relative size",
+      "Volume (area) compared with the mean of all cells of that dimension, in all blocks and on all "
+      "processes: the smaller divided by the larger.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsFaces | NeedsVolume | NeedsMeanSizes, CAMARON_CELLS(RelativeSize),
+      { "min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over the cells that are no ghosts, inverted "
+        "ones counted as negative",
+        "0 for a flat or inverted cell; null (degenerate) if the mean is not positive; null (invalid topology) for "
+        "an open cell, which does not count for the mean either.",
+        "Verdict's relative size squared is its square, but among cells of the same shape: "
+        "`VerdictRelativeSizeSquared`." } },
   };
   // clang-format on
 }

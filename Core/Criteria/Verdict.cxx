@@ -4,6 +4,7 @@
 // those of general type included, by their corners.
 #include "CellMesh/WedgeOrder.h"
 #include "Criteria/CriterionRows.h"
+#include "Criteria/MeanSizes.h"
 #include "Criteria/SimpleShapes.h"
 
 #include "vtk_verdict.h"
@@ -23,6 +24,13 @@ constexpr unsigned ShapesInOrder[NumberOfShapes] = { Triangles, Quadrilaterals, 
   Wedges, Hexahedra };
 
 using Function = double (*)(int, const double[][3]);
+using SizeFunction = double (*)(int, const double[][3], double);
+
+constexpr Function SizesOfShapes[NumberOfShapes] = { verdict::tri_area, verdict::quad_area,
+  verdict::tet_volume, nullptr, nullptr, verdict::hex_volume };
+constexpr MeanSizes::Kind SizeKinds[NumberOfShapes] = { MeanSizes::TriangleArea,
+  MeanSizes::QuadrilateralArea, MeanSizes::TetrahedronVolume, MeanSizes::NumberOfKinds,
+  MeanSizes::NumberOfKinds, MeanSizes::HexahedronVolume };
 
 //------------------------------------------------------------------------------
 // A measure of Verdict. The acceptable range is that of the most lenient shape.
@@ -38,6 +46,7 @@ struct Measure
   double Acceptable[2];
   Function Functions[NumberOfShapes]; // of the shapes in this order, null where there is none
   CriterionNotes Notes;
+  SizeFunction SizeFunctions[NumberOfShapes] = {}; // or of a cell and the mean size of its shape
 };
 
 constexpr Measure Measures[] = {
@@ -272,6 +281,16 @@ constexpr Measure Measures[] = {
         "Infinite for a flat cell.",
         "VTK's Mesh Quality and Cell Quality. One divided by `TriangleRadiusRatio` or "
         "`TetRadiusRatio`." } },
+    { "VerdictRelativeSizeSquared", "Verdict relative size squared",
+      "Square of the size compared with the mean of all cells of the same shape, in all blocks and on all "
+      "processes: the smaller divided by the larger.", Unit::None, { 0, 1 }, 1,
+      Better::Bigger, { 0.25, Infinity }, {},
+      { "min(x/x̄, x̄/x)² with x the area or volume and x̄ its mean over the cells of the shape that are no ghosts",
+        "0 for a flat or inverted cell; null (degenerate) if the mean is not positive.",
+        "VTK's Mesh Quality in one process; with several it takes the mean of the cells that a process has, ghosts "
+        "included." },
+      { verdict::tri_relative_size_squared, verdict::quad_relative_size_squared,
+        verdict::tet_relative_size_squared, nullptr, nullptr, verdict::hex_relative_size_squared } },
     { "VerdictScaledJacobian", "Verdict scaled Jacobian",
       "Smallest Jacobian divided by the lengths of its edges.", Unit::None, { -1.5, 1.5 }, 1,
       Better::Bigger, { 0.3, Infinity },
@@ -291,6 +310,14 @@ constexpr Measure Measures[] = {
         "0 for a flat, collapsed or inverted cell (10⁻³⁰ for a triangle).",
         "VTK's Mesh Quality and Cell Quality. Of a triangle `BhatiaLawrence`, of a tetrahedron "
         "`TetMeanRatio` are the same." } },
+    { "VerdictShapeAndSize", "Verdict shape and size",
+      "Product of Verdict's shape and relative size squared.", Unit::None, { 0, 1 }, 1,
+      Better::Bigger, { 0.2, Infinity }, {},
+      { "`VerdictShape` × `VerdictRelativeSizeSquared`",
+        "0 for a flat or inverted cell; null (degenerate) if the mean size is not positive.",
+        "As `VerdictRelativeSizeSquared`." },
+      { verdict::tri_shape_and_size, verdict::quad_shape_and_size, verdict::tet_shape_and_size,
+        nullptr, nullptr, verdict::hex_shape_and_size } },
     { "VerdictShear", "Verdict shear",
       "Smallest scaled Jacobian that is relevant for the skew.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.3, Infinity },
@@ -299,6 +326,14 @@ constexpr Measure Measures[] = {
       { "max(0, the smallest scaled Jacobian of the corners)",
         "0 for a flat or inverted cell; a quadrilateral with a collapsed edge counts as a triangle.",
         "VTK's Mesh Quality and Cell Quality." } },
+    { "VerdictShearAndSize", "Verdict shear and size",
+      "Product of Verdict's shear and relative size squared.", Unit::None, { 0, 1 }, 1,
+      Better::Bigger, { 0.2, Infinity }, {},
+      { "`VerdictShear` × `VerdictRelativeSizeSquared`",
+        "0 for a flat or inverted cell; null (degenerate) if the mean size is not positive.",
+        "As `VerdictRelativeSizeSquared`." },
+      { nullptr, verdict::quad_shear_and_size, nullptr,
+        nullptr, nullptr, verdict::hex_shear_and_size } },
     { "VerdictSkew", "Verdict skew",
       "Largest cosine of the angles between the principal axes.", Unit::None, { 0, 1 }, 0,
       Better::Smaller, { -Infinity, 0.5 },
@@ -382,21 +417,52 @@ int GetCorners(const CellGeometry& cell, unsigned shape, double corners[MaxSimpl
 }
 
 //------------------------------------------------------------------------------
-double Evaluate(const Measure& measure, const CellGeometry& cell)
+// Place of the shape of a cell in the order above; NumberOfShapes for any other.
+int FindShape(const CellGeometry& cell)
 {
-  const unsigned shapes = cell.GetShapes();
   int index = 0;
-  while (!(shapes & ShapesInOrder[index]))
+  while (index < NumberOfShapes && !(cell.GetShapes() & ShapesInOrder[index]))
   {
     ++index;
   }
+  return index;
+}
+
+//------------------------------------------------------------------------------
+double Evaluate(const Measure& measure, const CellGeometry& cell)
+{
+  const int index = FindShape(cell);
   if (cell.IsZeroLength(cell.GetMaxEdgeLength()))
   {
     return Null(NullReason::Degenerate);
   }
-  double corners[MaxSimpleNodes][3];
+  double corners[MaxSimpleNodes][3] = {};
   const int size = GetCorners(cell, ShapesInOrder[index], corners);
-  double value = measure.Functions[index](size, corners);
+  double value = 0;
+  if (measure.Functions[index])
+  {
+    value = measure.Functions[index](size, corners);
+  }
+  else
+  {
+    // Scaled by a power of two, so that the mean is near 1: Verdict takes roots with 11 digits of 1/3, and sizes
+    // below 1e-30 for zero.
+    const double mean = cell.GetOptions().Means->Of[SizeKinds[index]];
+    if (!(mean > 0))
+    {
+      return Null(NullReason::Degenerate);
+    }
+    const int dimension = (cell.GetShapes() & Polygons) ? 2 : 3;
+    const int exponent = std::ilogb(mean) / dimension;
+    for (auto& corner : corners)
+    {
+      for (double& coordinate : corner)
+      {
+        coordinate = std::ldexp(coordinate, -exponent);
+      }
+    }
+    value = measure.SizeFunctions[index](size, corners, std::ldexp(mean, -dimension * exponent));
+  }
   if (std::isnan(value))
   {
     return Null(NullReason::Degenerate);
@@ -424,17 +490,18 @@ void EvaluateBlock(const CellGeometry* cells, int numberOfCells, double* values)
 Criterion MakeCriterion(
   const Measure& measure, void (*function)(const CellGeometry*, int, double*))
 {
-  unsigned shapes = 0;
+  unsigned shapes = 0, meanSizes = 0;
   for (int i = 0; i < NumberOfShapes; ++i)
   {
-    shapes |= measure.Functions[i] ? ShapesInOrder[i] : 0u;
+    shapes |= measure.Functions[i] || measure.SizeFunctions[i] ? ShapesInOrder[i] : 0u;
+    meanSizes = measure.SizeFunctions[i] ? NeedsMeanSizes : meanSizes;
   }
   const bool hasRange = std::isfinite(measure.Acceptable[0]) || std::isfinite(measure.Acceptable[1]);
   Criterion criterion = { measure.Name, measure.Label, measure.Description, shapes, measure.Unit,
     { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
     { measure.Acceptable[0], measure.Acceptable[1] },
     hasRange ? "Verdict manual, rev. A, of the most lenient shape" : "", true, false, Cost::Edges,
-    NeedsEdges | NeedsFaces | NeedsVolume, function, nullptr, nullptr, measure.Notes };
+    NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function, nullptr, nullptr, measure.Notes };
   return criterion;
 }
 
@@ -444,6 +511,21 @@ std::vector<Criterion> MakeCriteria(std::index_sequence<Indices...>)
 {
   return { MakeCriterion(Measures[Indices], EvaluateBlock<Indices>)... };
 }
+}
+
+//------------------------------------------------------------------------------
+bool GetVerdictSize(const CellGeometry& cell, MeanSizes::Kind& kind, double& size)
+{
+  const int index = FindShape(cell);
+  if (index == NumberOfShapes || !SizesOfShapes[index])
+  {
+    return false;
+  }
+  double corners[MaxSimpleNodes][3];
+  const int numberOfCorners = GetCorners(cell, ShapesInOrder[index], corners);
+  kind = SizeKinds[index];
+  size = SizesOfShapes[index](numberOfCorners, corners);
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Reducer
- * @brief What the statistics need to hear from other processes.
+ * @brief What statistics and neighbours need to hear from other processes.
  *
  * Every method is collective: all processes call it, in the same order and with the same sizes.
  * Only integers are added, so results do not depend on the number of processes. This implementation
@@ -17,6 +17,7 @@
 #include <set>         // for distinct names
 #include <string>      // for names
 #include <type_traits> // for what can be sent as bytes
+#include <utility>     // for std::move
 #include <vector>      // for gathered bytes
 
 namespace camaron
@@ -56,6 +57,42 @@ public:
     for (std::size_t i = 0; i < result.size(); ++i)
     {
       std::memcpy(&result[i], bytes.data() + i * sizeof(Item), sizeof(Item));
+    }
+    return result;
+  }
+
+  /// Sends list p to process p; returns the lists that came from all processes, in their order.
+  virtual std::vector<std::vector<char>> Exchange(std::vector<std::vector<char>>&& lists)
+  {
+    return std::move(lists);
+  }
+
+  /// Exchange for lists of plain structs.
+  template <typename Item>
+  std::vector<std::vector<Item>> ExchangeItems(std::vector<std::vector<Item>>&& lists)
+  {
+    static_assert(std::is_trivially_copyable<Item>::value, "items are sent as bytes");
+    if (this->GetNumberOfProcesses() == 1)
+    {
+      return std::move(lists);
+    }
+    std::vector<std::vector<char>> bytes;
+    for (std::vector<Item>& list : lists)
+    {
+      const char* begin = reinterpret_cast<const char*>(list.data());
+      bytes.emplace_back(begin, begin + list.size() * sizeof(Item));
+      std::vector<Item>().swap(list);
+    }
+    bytes = this->Exchange(std::move(bytes));
+    std::vector<std::vector<Item>> result;
+    for (std::vector<char>& list : bytes)
+    {
+      result.emplace_back(list.size() / sizeof(Item));
+      if (!list.empty())
+      {
+        std::memcpy(result.back().data(), list.data(), list.size());
+      }
+      std::vector<char>().swap(list);
     }
     return result;
   }

@@ -816,3 +816,78 @@ TEST(Criteria, ValuesInRange)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// If this fails, cells are compared with another mean than that of all cells of their dimension.
+TEST(Criteria, RelativeSize)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 0, 0, 3 } };
+  // Volumes 1/6, 1/2 and -1/6: their mean is 1/6; areas 1 and 1/2.
+  const Grid mesh = MakeGrid(points,
+    { { VTK_TETRA, { 0, 1, 3, 4 } }, { VTK_TETRA, { 0, 1, 3, 5 } }, { VTK_TETRA, { 0, 3, 1, 4 } },
+      { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_LINE, { 0, 1 } } });
+  const std::vector<double> values = EvaluateAll(mesh).at("RelativeSize");
+  const double expected[] = { 1, 1.0 / 3, 0, 0.75, 2.0 / 3 };
+  for (int cell = 0; cell < 5; ++cell)
+  {
+    ExpectNear(expected[cell], values[cell], 1e-12, "cell " + std::to_string(cell));
+  }
+  EXPECT_EQ(GetNullReason(values[5]), NullReason::NotApplicable);
+  // A ghost does not count, but is compared.
+  const unsigned char ghosts[] = { 0, 1, 0, 0, 1, 0 };
+  EvaluationOptions options;
+  options.Ghosts = ghosts;
+  const std::vector<double> withGhosts = EvaluateAll(mesh, options).at("RelativeSize");
+  EXPECT_EQ(GetNullReason(withGhosts[0]), NullReason::Degenerate); // the mean is 0
+  ExpectNear(1, withGhosts[3], 1e-12, "square");
+  ExpectNear(0.5, withGhosts[4], 1e-12, "ghost");
+}
+
+//------------------------------------------------------------------------------
+// The boundary of a solid has the dihedral angles of the solid. If this fails, the outer side of a surface is
+// mistaken, or what is open counts as closed.
+TEST(Criteria, SurfaceDihedralAngles)
+{
+  for (const auto& shape : GetReferenceShapes())
+  {
+    const Grid& solid = shape.Polyhedron;
+    const Values expected = EvaluateAll(solid);
+    vtkNew<vtkCellArray> faces;
+    solid->GetPolyhedronFaces(0, faces);
+    const auto makeSurface = [&](bool turned, vtkIdType first, vtkIdType flipped)
+    {
+      Cells cells;
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType f = first; f < faces->GetNumberOfCells(); ++f)
+      {
+        faces->GetCellAtId(f, ids);
+        cells.push_back({ VTK_POLYGON, { ids->begin(), ids->end() } });
+        if (turned != (f == flipped))
+        {
+          std::reverse(cells.back().second.begin(), cells.back().second.end());
+        }
+      }
+      Grid surface = MakeGrid({}, cells);
+      surface->SetPoints(solid->GetPoints());
+      return EvaluateAll(surface);
+    };
+    for (const bool turned : { false, true })
+    {
+      const Values surface = makeSurface(turned, 0, -1);
+      const auto& smallest = surface.at("MinSurfaceDihedralAngle");
+      const auto& largest = surface.at("MaxSurfaceDihedralAngle");
+      ExpectNear(expected.at("MinDihedralAngle")[0],
+        *std::min_element(smallest.begin(), smallest.end()), 1e-10, shape.Name);
+      ExpectNear(expected.at("MaxDihedralAngle")[0],
+        *std::max_element(largest.begin(), largest.end()), 1e-10, shape.Name);
+    }
+    for (const Values& broken : { makeSurface(false, 1, -1), makeSurface(false, 0, 1) })
+    {
+      for (const double value : broken.at("MaxSurfaceDihedralAngle"))
+      {
+        EXPECT_EQ(GetNullReason(value), NullReason::InvalidTopology) << shape.Name;
+      }
+    }
+  }
+}

@@ -4,6 +4,7 @@
 #include "Criteria/Evaluation.h"
 #include "TestMeshes.h"
 
+#include "vtkIdList.h"
 #include "vtkMeshQuality.h"
 
 #include <gtest/gtest.h>
@@ -174,6 +175,70 @@ TEST(Verdict, EqualsMeshQuality)
         << row.Name << " of type " << row.Type;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// VTK's means are those of all cells that a process has; here, of all there are.
+TEST(Verdict, SizesEqualMeshQuality)
+{
+  const Row rows[] = {
+    { VTK_TRIANGLE, "VerdictRelativeSizeSquared", vtkMeshQuality::TriangleRelativeSizeSquared },
+    { VTK_TRIANGLE, "VerdictShapeAndSize", vtkMeshQuality::TriangleShapeAndSize },
+    { VTK_QUAD, "VerdictRelativeSizeSquared", vtkMeshQuality::QuadRelativeSizeSquared },
+    { VTK_QUAD, "VerdictShapeAndSize", vtkMeshQuality::QuadShapeAndSize },
+    { VTK_QUAD, "VerdictShearAndSize", vtkMeshQuality::QuadShearAndSize },
+    { VTK_TETRA, "VerdictRelativeSizeSquared", vtkMeshQuality::TetRelativeSizeSquared },
+    { VTK_TETRA, "VerdictShapeAndSize", vtkMeshQuality::TetShapeAndSize },
+    { VTK_HEXAHEDRON, "VerdictRelativeSizeSquared", vtkMeshQuality::HexRelativeSizeSquared },
+    { VTK_HEXAHEDRON, "VerdictShapeAndSize", vtkMeshQuality::HexShapeAndSize },
+    { VTK_HEXAHEDRON, "VerdictShearAndSize", vtkMeshQuality::HexShearAndSize },
+  };
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> noise(-0.15, 0.15), size(0.5, 2);
+  const Grid mesh = Grid::New();
+  mesh->SetPoints(MakePoints({}));
+  for (const int type : { VTK_TRIANGLE, VTK_QUAD, VTK_TETRA, VTK_HEXAHEDRON })
+  {
+    for (int copy = 0; copy < 6; ++copy)
+    {
+      const Grid cell = MakeCell(type);
+      const double scale = size(random);
+      const bool isFlat = type == VTK_TRIANGLE || type == VTK_QUAD;
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType i = 0; i < cell->GetCell(0)->GetNumberOfPoints(); ++i)
+      {
+        double x[3];
+        cell->GetPoint(cell->GetCell(0)->GetPointId(i), x);
+        ids->InsertNextId(mesh->GetPoints()->InsertNextPoint(scale * (x[0] + noise(random)),
+          scale * (x[1] + noise(random)), isFlat ? 0 : scale * (x[2] + noise(random))));
+      }
+      mesh->InsertNextCell(type, ids);
+    }
+  }
+  vtkNew<vtkMeshQuality> quality;
+  quality->SetInputData(mesh);
+  quality->SetTriangleQualityMeasureToRelativeSizeSquared();
+  quality->SetQuadQualityMeasureToRelativeSizeSquared();
+  quality->SetTetQualityMeasureToRelativeSizeSquared();
+  quality->SetHexQualityMeasureToRelativeSizeSquared();
+  quality->Update(); // leaves the means where the functions look for them
+  std::vector<double> values(mesh->GetNumberOfCells());
+  int compared = 0;
+  for (const Row& row : rows)
+  {
+    ASSERT_TRUE(Evaluate(MeshTopology(mesh), {}, { { FindCriterion(row.Name), values.data() } },
+      [](double) { return true; }));
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+    {
+      if (mesh->GetCellType(cell) == row.Type)
+      {
+        EXPECT_NEAR(values[cell], row.OfVTK(mesh->GetCell(cell)), 1e-9) << row.Name;
+        EXPECT_GT(values[cell], 0);
+        ++compared;
+      }
+    }
+  }
+  EXPECT_EQ(compared, 60);
 }
 
 //------------------------------------------------------------------------------

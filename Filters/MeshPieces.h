@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::MeshPieces
+ * @brief The data sets of an input as one mesh: this process' part of it, and what it must know of others.
+ *
+ * Pieces are the data sets of this process, among them the partitions of one block. At their borders the
+ * cells of other pieces of the block are found, wherever they are, with or without ghost cells.
+ *
+ * Methods that are collective are called by all processes, whatever each has; if one of them fails, all
+ * throw std::runtime_error.
+ */
+#ifndef camaron_MeshPieces_h
+#define camaron_MeshPieces_h
+
+#include "Criteria/LinkedPieces.h"
+#include "Criteria/MeanSizes.h"
+#include "Criteria/SurfaceSides.h"
+#include "ElementBlocks.h"
+
+#include "vtkSmartPointer.h" // for the meshes
+
+#include <memory> // for the topologies
+#include <vector> // for the pieces
+
+class vtkDataArray;
+
+namespace camaron
+{
+class MeshPieces
+{
+public:
+  /**
+   * Collective.
+   * @param leaves the data sets, which must not change while this lives
+   * @param options what they have in common; the rest is set for each
+   * @param numberOfRequestedPieces in how many pieces the pipeline works; if there are more than processes,
+   *   the others cannot be asked, and a border without ghost cells is unknown
+   */
+  MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
+    int numberOfRequestedPieces, Reducer& reducer);
+  ~MeshPieces();
+
+  std::size_t GetSize() const { return this->Pieces.size(); }
+  /// A vtkUnstructuredGrid or vtkPolyData with the cells of the data set.
+  vtkDataSet* GetMesh(std::size_t piece) const { return this->Meshes[piece]; }
+  const MeshTopology& GetTopology(std::size_t piece) const { return *this->Topologies[piece]; }
+  const EvaluationOptions& GetOptions(std::size_t piece) const { return this->Pieces[piece].Options; }
+
+  /// Collective. Finds neighbours in other pieces, with @a connectBlocks also in other blocks.
+  void Link(bool connectBlocks);
+  /// Collective.
+  void FindMeanSizes();
+  /// Collective. After Link.
+  void FindSurfaceSides();
+
+private:
+  const vtkIdType* GetIds(vtkDataArray* ids);
+
+  camaron::Reducer& Reducer;
+  std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
+  std::vector<std::unique_ptr<MeshTopology>> Topologies;
+  std::vector<vtkSmartPointer<vtkDataArray>> Ids;
+  std::vector<LinkedPiece> Pieces;
+  std::vector<PieceLinks> Links;
+  MeanSizes Means;
+  std::vector<SurfaceSides> Sides;
+};
+}
+
+#endif
