@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshSurface.h"
 
+#include "ControllerReducer.h"
 #include "Mesh/BoundarySurface.h"
-#include "MeshInput.h"
+#include "MeshPieces.h"
+#include "PolyDataOutput.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
 
@@ -18,6 +21,15 @@ vtkStandardNewMacro(vtkMeshSurface);
 int vtkMeshSurface::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshSurface::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  camaron::MakePolyDataOutputs(inputVector, outputVector);
   return 1;
 }
 
@@ -25,10 +37,22 @@ int vtkMeshSurface::FillInputPortInformation(int, vtkInformation* info)
 int vtkMeshSurface::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   try
   {
-    camaron::MakeBoundarySurface(camaron::AsMesh(vtkDataSet::GetData(inputVector[0])), output);
+    camaron::ControllerReducer reducer;
+    const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+    camaron::MeshPieces pieces(camaron::GetLeaves(input), {}, numberOfPieces, reducer);
+    pieces.Link(false);
+    const std::vector<vtkPolyData*> surfaces = camaron::MakePolyDataLeaves(input, output);
+    for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
+    {
+      const camaron::PieceLinks* links = pieces.GetOptions(piece).Links;
+      camaron::MakeBoundarySurface(
+        pieces.GetMesh(piece), surfaces[piece], links ? &links->Faces : nullptr);
+    }
   }
   catch (const std::exception& error)
   {

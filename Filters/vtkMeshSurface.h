@@ -4,11 +4,12 @@
  * @class vtkMeshSurface
  * @brief Takes the outside of a mesh as polygons, fast also for polyhedra.
  *
- * Input: any vtkDataSet or composite of them. Output: vtkPolyData with one polygon per face that has one
- * 3D cell, plus the 2D cells, lines and vertices; faces keep all their points (they are not triangulated)
- * and run outward. Cell data are those of the cell behind the face, point data those of the point;
- * `vtkOriginalCellIds` and `vtkOriginalPointIds` say which. Ghost cells are left out, and a face towards
- * a ghost cell is not outside. Without ghost cells the border of a piece is outside.
+ * Input: any vtkDataSet or composite of them. Output: vtkPolyData (of blocks: the same blocks of them) with one
+ * polygon per face that has one 3D cell, plus the 2D cells, lines and vertices; faces keep all their points
+ * (they are not triangulated) and run outward. Cell data are those of the cell behind the face, point data those
+ * of the point; `vtkOriginalCellIds` and `vtkOriginalPointIds` say which. Ghost cells are left out, and a face
+ * towards a ghost cell is not outside. Nor is one that a cell of another process or of another partition of the
+ * block has, too (see vtkElementQuality); no ghost cells are needed for that.
  *
  * Cost: the faces of the mesh are found once and shared with all filters (camaron::MeshTopology), then
  * well below a microsecond per cell.
@@ -16,19 +17,20 @@
 #ifndef vtkMeshSurface_h
 #define vtkMeshSurface_h
 
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkDataObjectAlgorithm.h"
 
-class vtkMeshSurface : public vtkPolyDataAlgorithm
+class vtkMeshSurface : public vtkDataObjectAlgorithm
 {
 public:
   static vtkMeshSurface* New();
-  vtkTypeMacro(vtkMeshSurface, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMeshSurface, vtkDataObjectAlgorithm);
 
 protected:
   vtkMeshSurface() = default;
   ~vtkMeshSurface() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/BoundarySurface.h"
 
+#include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
@@ -47,10 +48,12 @@ struct Counts
 class SurfaceParts
 {
 public:
-  SurfaceParts(const MeshTopology& topology, const unsigned char* ghosts)
+  SurfaceParts(
+    const MeshTopology& topology, const unsigned char* ghosts, const FacetLinks* links)
     : Mesh(topology.GetMesh())
     , Faces(topology.GetFaces())
     , Ghosts(ghosts)
+    , Links(links)
     , Facets(this->Mesh)
   {
   }
@@ -71,14 +74,14 @@ public:
         bool any = false;
         for (const CellFacet use : uses)
         {
-          any = any || this->Faces.IsBoundary(use.Facet());
+          any = any || this->IsOutside(use.Facet());
         }
         if (any)
         {
           this->Facets.ForEach(cell,
             [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
             {
-              if (this->Faces.IsBoundary(uses[static_cast<Index>(local)].Facet()))
+              if (this->IsOutside(uses[static_cast<Index>(local)].Facet()))
               {
                 visit(Polygons, points, size);
               }
@@ -110,9 +113,15 @@ public:
   }
 
 private:
+  bool IsOutside(Index face) const
+  {
+    return this->Faces.IsBoundary(face) && !(this->Links && this->Links->Has(face));
+  }
+
   const MeshView& Mesh;
   const FacetTable& Faces;
   const unsigned char* Ghosts;
+  const FacetLinks* Links;
   CellFacets Facets;
   std::vector<vtkIdType> Points;
 };
@@ -134,7 +143,7 @@ void CopyAttributes(
 }
 
 //------------------------------------------------------------------------------
-void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface)
+void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLinks* links)
 {
   const MeshTopology topology(mesh);
   const MeshView& view = topology.GetMesh();
@@ -153,7 +162,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface)
     ParallelFor(numberOfChunks, 1,
       [&](vtkIdType begin, vtkIdType end)
       {
-        SurfaceParts parts(topology, ghosts);
+        SurfaceParts parts(topology, ghosts, links);
         for (vtkIdType chunk = begin; chunk < end; ++chunk)
         {
           perChunk(

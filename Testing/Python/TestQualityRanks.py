@@ -1,0 +1,273 @@
+# ranks: 1 2 3 4
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Element Quality gives every cell the same bits however the mesh is split.
+
+The reference is a single process on the undivided mesh. What would break without: cells at the border of
+a piece would count as cells at the boundary, ghosts would count, means would be those of a piece.
+"""
+
+import csv
+import os
+import pickle
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import camaron_testing
+import numpy
+import rank_meshes
+from camaron import pipeline
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+#: All that look beyond the cell itself, and one that does not.
+CRITERIA = [
+    "Volume",
+    "RelativeSize",
+    "MinNeighborNormalAngle",
+    "MaxNeighborNormalAngle",
+    "MinSurfaceDihedralAngle",
+    "MaxSurfaceDihedralAngle",
+    "MaxNonOrthogonality",
+    "MaxBoundaryNonOrthogonality",
+    "MaxFaceSkewness",
+    "MinFaceWeight",
+    "MinVolumeRatio",
+    "CellVolumeRatio",
+    "OrthogonalQuality",
+    "CellDeterminant",
+    "IsBoundary",
+    "VerdictRelativeSizeSquared",
+    "VerdictShapeAndSize",
+    "VerdictShearAndSize",
+]
+MISSING_GHOSTS = 5
+
+
+def evaluate(source, **properties):
+    return simple.ElementQuality(
+        Input=source, Criteria=CRITERIA, WriteNullMask=1, **properties
+    )
+
+
+def fetch_all(source):
+    """The data of every rank."""
+    source.UpdatePipeline()
+    return [servermanager.Fetch(source, rank) for rank in range(camaron_testing.rank_count())]
+
+
+def leaves(data):
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    found = []
+    it = data.NewIterator()
+    it.InitTraversal()
+    while not it.IsDoneWithTraversal():
+        found.append(it.GetCurrentDataObject())
+        it.GoToNextItem()
+    return found
+
+
+def values_of(data_of_ranks):
+    """By criterion, the bits and the reasons of all cells that are no ghosts, in the order of cells."""
+    parts = []
+    for leaf in (leaf for data in data_of_ranks for leaf in leaves(data)):
+        cells = leaf.GetCellData()
+        if leaf.GetNumberOfCells() == 0:
+            continue
+        arrays = {"Number": vtk_to_numpy(cells.GetArray("Number"))}
+        for name in CRITERIA:
+            arrays[name] = vtk_to_numpy(cells.GetArray(name)).view(numpy.int64)
+            arrays[name + "_Null"] = vtk_to_numpy(cells.GetArray(name + "_Null"))
+        ghosts = cells.GetArray("vtkGhostType")
+        own = numpy.ones(leaf.GetNumberOfCells(), bool) if ghosts is None else vtk_to_numpy(ghosts) == 0
+        parts.append({name: values[own] for name, values in arrays.items()})
+    joined = {name: numpy.concatenate([part[name] for part in parts]) for name in parts[0]}
+    order = numpy.argsort(joined["Number"], kind="stable")
+    return {name: values[order] for name, values in joined.items()}
+
+
+def surface_of(source):
+    """Of every polygon of the surface the number of the cell behind it, sorted, from all ranks."""
+    surface = simple.MeshSurface(Input=source)
+    parts = [
+        vtk_to_numpy(leaf.GetCellData().GetArray("Number"))
+        for data in fetch_all(surface)
+        for leaf in leaves(data)
+        if leaf.GetNumberOfCells()
+    ]
+    return numpy.sort(numpy.concatenate(parts)).tolist()
+
+
+def statistics_of(quality, folder):
+    """The rows of the table of statistics as text."""
+    statistics = simple.QualityStatistics(Input=quality, Arrays=CRITERIA)
+    path = folder / "statistics.csv"
+    simple.SaveData(str(path), proxy=statistics, Precision=17)
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        for name in [n for n in row if n.startswith("Arg") or n in ("IdSpace", "MinId", "MaxId")]:
+            del row[name]  # places depend on global ids
+    return rows
+
+
+def save_reference(folder):
+    reference, surfaces = {}, {}
+    for mesh in rank_meshes.MESHES:
+        quality = evaluate(rank_meshes.split_source(mesh))
+        reference[mesh] = values_of(fetch_all(quality)), statistics_of(quality, folder)
+        surfaces[mesh] = surface_of(quality)
+    quality = evaluate(rank_meshes.block_source("tetrahedra"))
+    reference["blocks"] = values_of(fetch_all(quality)), None
+    surfaces["blocks"] = surface_of(quality)
+    (folder / "reference").write_bytes(pickle.dumps((reference, surfaces)))
+
+
+class TestQualityRanks(camaron_testing.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        folder = Path(camaron_testing.tempfile.mkdtemp(prefix="camaron-test-"))
+        prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
+        environment = {k: v for k, v in os.environ.items() if not k.startswith(prefixes)}
+        subprocess.run(
+            [shutil.which("pvpython"), __file__, str(folder)],
+            env=environment,
+            check=True,
+            timeout=250,
+        )
+        cls.reference, cls.surfaces = pickle.loads((folder / "reference").read_bytes())
+        shutil.rmtree(folder)
+
+    def check(self, reference, source, text, with_statistics=False, **properties):
+        expected, rows = self.reference[reference]
+        quality = evaluate(source, **properties)
+        with pipeline.Messages() as messages:  # VTK's reader warns of empty units
+            found = values_of(fetch_all(quality))
+        self.assertEqual(messages.errors, [])
+        for name, values in expected.items():
+            wrong = numpy.flatnonzero(found[name] != values)
+            self.assertEqual(
+                wrong.tolist(),
+                [],
+                f"{name} of {reference}, {text}: {found[name][wrong[:5]]} {values[wrong[:5]]}",
+            )
+        if rows is not None and with_statistics:
+            self.assertEqual(statistics_of(quality, self.folder), rows, text)
+        simple.Delete(quality)
+        simple.Delete(source)
+
+    def test_reference(self):
+        """What the tests stand on: there are values, of all kinds, and nothing is missing."""
+        count = lambda mesh, name, reason: int(
+            (self.reference[mesh][0][name + "_Null"] == reason).sum()
+        )
+        for mesh in rank_meshes.MESHES:
+            for name in CRITERIA:
+                self.assertEqual(count(mesh, name, MISSING_GHOSTS), 0)
+        for mesh in ("voronoi", "tetrahedra", "mixed"):
+            self.assertGreater(count(mesh, "MaxNonOrthogonality", 0), 100)
+            self.assertGreater(count(mesh, "RelativeSize", 0), 100)
+        self.assertGreater(count("surfaces", "MaxSurfaceDihedralAngle", 0), 100)
+        self.assertGreater(count("surfaces", "MaxSurfaceDihedralAngle", 3), 100)
+        self.assertGreater(count("surfaces", "MaxNeighborNormalAngle", 0), 100)
+
+    def test_pieces(self):
+        """Neither ghosts nor ids: neighbours are found by their points."""
+        for mesh in rank_meshes.MESHES:
+            with_statistics = mesh in ("voronoi", "surfaces")
+            self.check(mesh, rank_meshes.split_source(mesh), "pieces", with_statistics)
+
+    def test_scattered(self):
+        """Cells anywhere, so that almost every face is a border."""
+        for mesh in ("voronoi", "tetrahedra", "overlapping", "surfaces"):
+            self.check(mesh, rank_meshes.split_source(mesh, scattered=True), "scattered")
+
+    def test_ghosts(self):
+        """One layer of ghosts in the input, which must neither count nor count twice."""
+        for mesh, scattered in (
+            ("voronoi", False),
+            ("overlapping", False),
+            ("tetrahedra", True),
+            ("surfaces", True),
+        ):
+            source = rank_meshes.split_source(mesh, ghosts=True, scattered=scattered)
+            self.check(mesh, source, "ghosts", with_statistics=not scattered)
+
+    def test_global_ids(self):
+        for mesh, ghosts in (("voronoi", False), ("surfaces", True), ("tetrahedra", False)):
+            source = rank_meshes.split_source(mesh, ghosts=ghosts, global_ids=True)
+            self.check(mesh, source, f"ids, ghosts {ghosts}")
+
+    def test_global_ids_decide(self):
+        """Points at the same place with different ids are not the same: the pieces only touch."""
+        found = {}
+        for broken in (False, True):
+            source = rank_meshes.split_source("tetrahedra", global_ids=True, broken_ids=broken)
+            with pipeline.Messages():
+                found[broken] = values_of(fetch_all(evaluate(source)))["CellDeterminant"]
+        changed = int((found[False] != found[True]).sum())
+        self.assertEqual(changed > 0, camaron_testing.rank_count() > 1)
+
+    def test_empty_rank(self):
+        for mesh in ("voronoi", "surfaces"):
+            self.check(mesh, rank_meshes.split_source(mesh, empty_rank=True), "empty rank")
+
+    def test_blocks(self):
+        """Faces between blocks are a boundary, those between the pieces of a block are not."""
+        for parts, global_ids in ((1, True), (3, False)):
+            source = rank_meshes.block_source("tetrahedra", parts=parts, global_ids=global_ids)
+            self.check("blocks", source, f"{parts} parts, ids {global_ids}")
+
+    def test_connected_blocks(self):
+        """Connected blocks are the same as the undivided mesh; rank 1 lacks one of them."""
+        for mesh, parts, global_ids in (
+            ("tetrahedra", 1, True),
+            ("voronoi", 2, False),
+            ("surfaces", 2, True),
+        ):
+            source = rank_meshes.block_source(mesh, parts=parts, global_ids=global_ids)
+            self.check(mesh, source, "connected blocks", ConnectBlocks=1)
+
+    def test_blocks_differ(self):
+        """The option changes something, and only at cells between blocks."""
+        connected, apart = self.reference["tetrahedra"][0], self.reference["blocks"][0]
+        for name in ("MaxNonOrthogonality", "MaxFaceSkewness", "CellDeterminant"):
+            changed = int((connected[name] != apart[name]).sum())
+            self.assertTrue(0 < changed < len(connected[name]) // 2, f"{name}: {changed}")
+        self.assertTrue((connected["RelativeSize"] == apart["RelativeSize"]).all())
+
+    def test_surface(self):
+        """Mesh Surface shows no border of a piece."""
+        for mesh, options in (
+            ("voronoi", {"ghosts": True}),
+            ("mixed", {"empty_rank": True}),
+            ("overlapping", {"scattered": True}),
+        ):
+            found = surface_of(rank_meshes.split_source(mesh, **options))
+            self.assertEqual(found, self.surfaces[mesh], f"{mesh} {options}")
+        for parts in (1, 3):
+            found = surface_of(rank_meshes.block_source("tetrahedra", parts=parts))
+            self.assertEqual(found, self.surfaces["blocks"], f"{parts} parts")
+        self.assertLess(len(self.surfaces["tetrahedra"]), len(self.surfaces["blocks"]))
+
+    def test_ghosts_stay(self):
+        """The output has the cells of the input, ghosts included, and makes none of its own."""
+        for ghosts in (False, True):
+            source = rank_meshes.split_source("voronoi", ghosts=ghosts)
+            quality = simple.ElementQuality(Input=source, Criteria=["MaxFaceSkewness"])
+            quality.UpdatePipeline()
+            source.UpdatePipeline()
+            self.assertEqual(
+                quality.GetDataInformation().GetNumberOfCells(),
+                source.GetDataInformation().GetNumberOfCells(),
+            )
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        save_reference(Path(sys.argv[1]))
+        os._exit(0)
+    camaron_testing.main()
