@@ -149,7 +149,7 @@ root_enter() {
   done
   for path in "$PWD" "$top" "$CAMARON_HOME" "${HOME:-/}" "$@"; do
     [[ -e $path ]] || continue
-    path=$(readlink -f "$path")
+    path=$(readlink -f -- "$path")
     [[ -d $path ]] || path=${path%/*}
     # Over what Debian needs there, nothing is mounted.
     if of_root "$path" && [[ -z $(ls -A "$root$path" 2>/dev/null) ]]; then

@@ -50,6 +50,14 @@ for ranks in "" "--ranks 2"; do
   expect "message of inspect $ranks" "camaron: missing.visf: there is no such file" "$message"
 done
 
+# Names that look like options.
+message=$(timeout 100 "$camaron" convert -- -missing.off --ranks.visf 2>&1)
+expect "status of convert on a missing mesh" 2 $?
+expect "message of convert" "camaron: -missing.off: there is no such file" "$message"
+touch -- -empty.off
+message=$(timeout 100 "$camaron" convert -- -empty.off x.visf 2>&1)
+expect "message of convert on an empty file" "camaron: -empty.off: the file is empty" "$message"
+
 # Displays of their own, gone afterwards.
 if type Xvfb xauth >/dev/null 2>&1; then
   # shellcheck disable=SC2016
