@@ -22,6 +22,8 @@ from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 
 #: Properties of writers that are set otherwise, or are of no use without lists of arrays.
 NOT_OPTIONS = {"input", "filename", "choosearraystowrite"}
+#: The last extension of a file that names others, one for each time step: part.visf.series.
+SERIES = ".series"
 
 
 @dataclass
@@ -88,7 +90,7 @@ def _hints(group: str, tag: str) -> Iterator[tuple[str, str, list[str]]]:
             if hint.GetName() == tag:
                 extensions = (hint.GetAttribute("extensions") or "").split()
                 patterns = (hint.GetAttribute("filename_patterns") or "").split()
-                kinds = ["." + e for e in extensions if not e.endswith(".series")] + patterns
+                kinds = ["." + e for e in extensions if not e.endswith(SERIES)] + patterns
                 yield iterator.GetProxyName(), hint.GetAttribute("file_description") or "", kinds
         iterator.GoToNextItem()
 
@@ -119,8 +121,8 @@ def known_formats() -> list[Format]:
 
 
 def own_readers(path: os.PathLike | str) -> list[str]:
-    """Proxies of the plugin that read files of such a name."""
-    name = Path(path).name.lower()
+    """Proxies of the plugin that read files of such a name, or a series of them."""
+    name = Path(path).name.lower().removesuffix(SERIES)
     return [
         f["reader"]
         for f in own_formats()

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any, Optional
 
@@ -84,17 +85,35 @@ OTHER_EXTENSIONS = (".msh", ".cas", ".cas.h5", ".msh.h5")
 
 
 def _other_format(path: Path) -> Optional[tuple]:
-    """The row of OTHER_FORMATS that the content of a file is of, or None."""
-    if not path.is_file() or not path.name.lower().endswith(OTHER_EXTENSIONS):
+    """The row of OTHER_FORMATS that the content of a file is of, or of the first file of a series."""
+    if not path.is_file() or not path.name.removesuffix(formats.SERIES).lower().endswith(OTHER_EXTENSIONS):
         return None
+    if path.suffix == formats.SERIES:
+        path = _first_file(path)
+        if not path.is_file():
+            raise NotReadable(f"the first file of the series, {path}, is not there")
     with open(path, "rb") as file:
         head = file.read(64).lstrip()
     return next((row[1:] for row in OTHER_FORMATS if head.startswith(row[0])), None)
 
 
+def _first_file(series: Path) -> Path:
+    """The first file that a series names."""
+    try:
+        first = json.loads(series.read_bytes())["files"][0]
+        return series.parent / (first if isinstance(first, str) else first["name"])
+    except (ValueError, LookupError, TypeError):
+        raise NotReadable(
+            'expected a series of files, {"file-series-version": "1.0", "files": '
+            '[{"name": "NAME", "time": 0}, ...]}'
+        ) from None
+
+
 def _hand_over(
     path: Path, kind: str, readers: tuple, plugin: Optional[str], notes: list[str]
 ) -> Any:
+    if path.suffix == formats.SERIES:
+        raise NotReadable(f"the first file of the series is {kind}: convert the files one by one")
     if plugin and not any(map(_knows, readers)):
         try:
             simple.LoadDistributedPlugin(plugin, remote=False, ns=vars(simple))

@@ -131,14 +131,16 @@ def _reason(messages: Messages, path: Path, otherwise: str) -> str:
 def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:
     values = getattr(source, "TimestepValues", None)
     values = [] if values is None else list(values) if hasattr(values, "__len__") else [values]
-    if len(values) == 0:
-        return None
-    names = {"first": 0, "last": len(values) - 1}
-    if time not in names and not str(time).isdigit():
+    steps = max(1, len(values))
+    names = {"first": 0, "last": steps - 1}
+    if time not in names and not str(time).isdecimal():
         raise ValueError(f"time is 'first', 'last' or the number of a step, not {time!r}")
     step = names[time] if time in names else int(time)
-    if step >= len(values):
-        raise ValueError(f"there is no time step {step}: the steps are 0 to {len(values) - 1}")
+    if step >= steps:
+        there_is = f"the steps are 0 to {steps - 1}" if steps > 1 else "0 is the only one"
+        raise ValueError(f"there is no time step {step}: {there_is}")
+    if len(values) == 0:
+        return None
     return {"step": step, "steps": len(values), "value": float(values[step])}
 
 

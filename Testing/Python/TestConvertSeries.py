@@ -1,0 +1,80 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""camaron.convert: series of files and time steps."""
+
+import camaron_testing
+from camaron import convert
+
+CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+TETRAHEDRA = [(10, (0, 1, 3, 4)), (10, (2, 3, 1, 6))]
+
+
+class TestConvertSeries(camaron_testing.TestCase):
+    def mesh(self):
+        return camaron_testing.write_vtk(self.folder / "two.vtk", CUBE, TETRAHEDRA)
+
+    def write_series(self, name, *files):
+        listed = ", ".join(f'{{"name": "{name}", "time": {i}}}' for i, name in enumerate(files))
+        path = self.folder / name
+        path.write_text(f'{{"file-series-version": "1.0", "files": [{listed}]}}')
+        return path
+
+    def test_series(self):
+        """A series goes to the plugin's reader where the files under its name would."""
+        tetra = camaron_testing.write_vtk(self.folder / "one.vtk", CUBE, TETRAHEDRA[:1])
+        for kind in ("msh", "ply", "off"):
+            options = {"write_cells": "on"} if kind == "ply" else {}
+            alone = []
+            for step, source in enumerate((tetra, self.mesh())):
+                convert(source, self.folder / f"s{step}.{kind}", **options)
+                alone.append(self.folder / f"s{step}-alone.visf")
+                convert(self.folder / f"s{step}.{kind}", alone[-1])
+            series = self.write_series(f"s.{kind}.series", f"s0.{kind}", f"s1.{kind}")
+            for step in range(2):
+                target = self.folder / f"{kind}{step}.visf"
+                notes = convert(series, target, time=str(step))
+                self.assertTrue(any("Of 2 time steps" in note for note in notes), notes)
+                self.assertEqual(target.read_bytes(), alone[step].read_bytes(), kind)
+            with self.assertRaisesRegex(ValueError, "no time step 7: the steps are 0 to 1"):
+                convert(series, self.folder / "x.visf", time="7")
+
+    def test_missing_time_step(self):
+        """A file without time has one step, number 0."""
+        target = self.folder / "x.visf"
+        for time in ("first", "last", "0"):
+            self.assertEqual(convert(self.mesh(), target, time=time), [])
+        target.unlink()
+        for time, reason in (("3", "no time step 3: 0 is the only one"), ("x", "not 'x'")):
+            with self.assertRaisesRegex(ValueError, reason):
+                convert(self.mesh(), target, time=time)
+        self.assertFalse(target.exists())
+
+    def test_other_series(self):
+        """A series that is none, or of another program's files, is no Fluent mesh."""
+        (self.folder / "g.msh").write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")
+        gmsh = self.write_series("g.msh.series", "g.msh")
+        nothing = self.folder / "n.msh.series"
+        nothing.write_text('{"files": []}')
+        missing = self.write_series("m.msh.series", "missing.msh")
+        for series, reason in (
+            (gmsh, "the first file of the series is a Gmsh mesh: convert the files one by one"),
+            (nothing, "expected a series of files"),
+            (missing, "missing.msh, is not there"),
+        ):
+            with self.assertRaisesRegex(RuntimeError, reason):
+                convert(series, self.folder / "x.visf")
+
+    def test_time_steps(self):
+        """One step is taken, and said to be; or all are written to numbered files."""
+        for step in range(2):
+            convert(camaron_testing.EXAMPLES / "flange.visf", self.folder / f"s{step}.visf")
+        series = self.write_series("s.visf.series", "s0.visf", "s1.visf")
+        (note,) = convert(series, self.folder / "one.visf")
+        self.assertIn("Of 2 time steps number 1", note)
+        self.assertEqual(convert(series, self.folder / "all.visf", write_time_steps="on"), [])
+        names = sorted(path.name for path in self.folder.glob("all*"))
+        self.assertEqual(names, ["all_0.visf", "all_1.visf"])
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
