@@ -11,11 +11,16 @@ from typing import Any, Optional
 
 from paraview import servermanager, simple
 
-from . import formats, pipeline
+from . import formats, pipeline, text
 from .files import Staging, same_file
 
 #: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
 FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".ex2", ".exo", ".e"}
+#: ParaView's formats of one file for each rank and one that names these. Into its other formats several
+#: ranks write the points at their borders twice, ghost cells as if they were cells, or nothing; but for
+#: .stl, whose triangles share no points.
+FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
+GHOSTS = "vtkGhostType"
 
 
 def convert(
@@ -41,9 +46,14 @@ def convert(
         raise ValueError(
             f"{target}: the name of the target needs an extension, it tells the format"
         )
+    if target.suffix.lower() == ".gz":
+        raise ValueError(
+            f"{target}: compressed files are read, but not written: write {target.stem} and compress it"
+        )
     if same_file(source, target):
         raise ValueError(f"{target}: source and target are the same file")
     pipeline.load_plugin()
+    _check_ranks(target)
     opened = pipeline.open_mesh(source, time)
     made = [opened.source]
     try:
@@ -59,6 +69,26 @@ def convert(
     finally:
         for proxy in reversed(made):
             simple.Delete(proxy)
+
+
+def _check_ranks(target: Path) -> None:
+    suffix = target.suffix.lower()
+    if (
+        pipeline.rank_count() > 1
+        and suffix in _known_suffixes()
+        and suffix not in FORMATS_IN_PIECES | {".stl"}
+        and not formats.own_writer(target)
+    ):
+        pieces = f".p{suffix[1:]}"
+        raise ValueError(
+            f"{target}: files named *{suffix} are written by one process: leave out --ranks, or choose "
+            f"{pieces if pieces in FORMATS_IN_PIECES else '.pvtu'} or a format of the plugin"
+        )
+
+
+def _known_suffixes() -> set[str]:
+    """Extensions of the formats that somebody writes, whatever the mesh."""
+    return {kind.lower() for f in formats.known_formats() for kind in f.extensions if f.writers}
 
 
 def _writes_all_steps(options: dict[str, Any]) -> bool:
@@ -90,24 +120,33 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         made.append(proxy)
         return proxy
 
+    def without_ghosts(proxy) -> Any:
+        if suffix in FORMATS_IN_PIECES or not proxy.CellData[GHOSTS]:
+            return proxy
+        real = append(simple.RemoveGhostInformation(Input=proxy))
+        cells = [pipeline.data_information(p).GetNumberOfCells() for p in (proxy, real)]
+        if cells[0] > cells[1]:
+            notes.append(f"Left out: {text.plural(cells[0] - cells[1], 'ghost cell')}.")
+        return real
+
     proxy = made[0]
     if pipeline.is_composite(proxy) and suffix not in FORMATS_WITH_BLOCKS:
         proxy = append(simple.MergeBlocks(Input=proxy))
         notes.append("The blocks were merged.")
     if fits(proxy) and not (suffix == ".stl" and _is_volume(proxy)):
+        proxy = without_ghosts(proxy)
         return append(simple.Triangulate(Input=proxy)) if suffix == ".stl" else proxy
     grid = append(simple.AppendDatasets(Input=proxy))
     if fits(grid) and suffix != ".stl":
-        return grid
-    surface = append(simple.MeshSurface(Input=proxy))
+        return without_ghosts(grid)
+    surface = append(simple.MeshSurface(Input=proxy))  # for which faces to ghosts are no boundary
     if fits(surface):
-        if suffix == ".stl":
-            notes.append("The boundary surface was written, as triangles.")
-            return append(simple.Triangulate(Input=surface))
-        notes.append("The boundary surface was written.")
-        return surface
+        triangles = suffix == ".stl"
+        if _has_volumes(grid):
+            notes.append(f"The boundary surface was written{', as triangles' if triangles else ''}.")
+        return append(simple.Triangulate(Input=surface)) if triangles else surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
-    if suffix in {kind for f in formats.known_formats() for kind in f.extensions if f.writers}:
+    if suffix in _known_suffixes():
         raise ValueError(f"{target}: files named *{suffix} cannot hold a mesh like this")
     raise ValueError(
         f"{target}: no writer for {suffix}{formats.suggestion(suffix, known)}; "
@@ -139,6 +178,16 @@ def _is_volume(proxy: Any) -> bool:
     return not pipeline.data_information(proxy).DataSetTypeIsA("vtkPolyData")
 
 
+def _has_volumes(proxy: Any) -> bool:
+    """Whether there are 3D cells."""
+    quality = simple.ElementQuality(Input=proxy, Criteria=["FaceCount"])
+    quality.UpdatePipeline()
+    counts = quality.CellData["FaceCount"]  # NaN of other cells
+    low, high = counts.GetRange() if counts else (1, 0)
+    simple.Delete(quality)
+    return low <= high
+
+
 def writable_extensions(proxy: Any) -> set[str]:
     """Extensions of the formats that can hold the output of the source, like ".vtu"."""
     factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
@@ -165,6 +214,7 @@ def write(
         try:
             for name, value in options.items():
                 formats.set_option(writer, name, value)
+            table = _table(writer)
             writer.UpdatePipeline()
         except RuntimeError as error:
             messages.errors.append(str(error))
@@ -174,9 +224,22 @@ def write(
         if messages.errors or not names:
             reason = messages.errors[0] if messages.errors else "nothing was written"
             raise RuntimeError(_with_path(target, reason))
+        for folder in (target.parent / name for name in names):
+            if folder.is_dir() and not target.exists():
+                raise RuntimeError(
+                    f"{target}: the folder {folder} for its pieces is there already: choose another "
+                    "name, or remove the folder"
+                )
         staging.publish()
         if notes is not None:
             notes += messages.warnings
+            if table:
+                notes.append(
+                    f"Only a table was written, of the {table}; the option field-association "
+                    "chooses others."
+                )
+            if staging.created:
+                notes.append(f"The folder {target.parent} was made.")
     return names
 
 
@@ -189,6 +252,12 @@ def _make_writer(proxy: Any, path: Path) -> Any:
     writer.Input = proxy
     writer.FileName = str(path)
     return writer
+
+
+def _table(writer: Any) -> Optional[str]:
+    """What a writer that cannot hold a mesh writes of it: "point data"."""
+    association = writer.GetProperty("FieldAssociation")
+    return association.GetData().lower() if association else None
 
 
 def _with_path(target: Path, reason: str) -> str:

@@ -8,7 +8,7 @@ import os
 import shutil
 import tempfile
 from pathlib import Path
-from typing import Optional
+from typing import Iterator, Optional
 
 
 class Staging:
@@ -22,12 +22,13 @@ class Staging:
     def __init__(self, destination: os.PathLike | str):
         self.destination = Path(destination)
         self.path = Path()
-        self._created: list[Path] = []
+        #: Folders that were made for the destination, the innermost first.
+        self.created: list[Path] = []
 
     def __enter__(self) -> "Staging":
         folder = self.destination
         while not folder.exists():
-            self._created.append(folder)
+            self.created.append(folder)
             folder = folder.parent
         self.destination.mkdir(parents=True, exist_ok=True)
         self.path = Path(tempfile.mkdtemp(prefix=".camaron-", dir=self.destination))
@@ -38,21 +39,36 @@ class Staging:
         return sorted(entry.name for entry in self.path.iterdir())
 
     def publish(self) -> None:
-        """Moves everything; files of the same names are replaced."""
-        for name in self.names():
-            target = self.destination / name
-            if target.is_dir() and not target.is_symlink():
-                shutil.rmtree(target)
-            os.replace(self.path / name, target)
+        """Moves everything; files of the same names are replaced, others in a folder stay.
+
+        Raises OSError, with nothing moved, where a file and a folder have the same name.
+        """
+        moves = list(_moves(self.path, self.destination))
+        for source, target in moves:
+            target.parent.mkdir(exist_ok=True)
+            os.replace(source, target)
 
     def __exit__(self, kind, error, trace) -> None:
         shutil.rmtree(self.path, ignore_errors=True)
         if kind is not None:
-            for folder in self._created:
+            for folder in self.created:
                 try:
                     folder.rmdir()
                 except OSError:
                     break
+
+
+def _moves(source: Path, target: Path) -> Iterator[tuple[Path, Path]]:
+    """Old and new path of every file in a folder."""
+    for entry in sorted(source.iterdir()):
+        place = target / entry.name
+        if place.exists() and place.is_dir() != entry.is_dir():
+            kind = "folder" if place.is_dir() else "file"
+            raise FileExistsError(f"{place}: there is a {kind} of this name")
+        if entry.is_dir():
+            yield from _moves(entry, place)
+        else:
+            yield entry, place
 
 
 def same_file(a: os.PathLike | str, b: os.PathLike | str) -> bool:

@@ -39,17 +39,18 @@ class Format:
 
 @dataclass
 class Option:
-    """A property of a writer as people see it: name on the command line, choices, default."""
+    """A property of a writer as people see it: name on the command line, choices or limits, default."""
 
     key: str
     flag: str
     choices: list[str]
+    limits: str
     default: str
     text: str
 
     def describe(self) -> str:
         """`--data-mode ascii|binary|appended (appended)`"""
-        values = "|".join(self.choices) if self.choices else "VALUE"
+        values = "|".join(self.choices) or self.limits or "VALUE"
         return f"--{self.flag} {values}" + (f" ({self.default})" if self.default else "")
 
 
@@ -171,8 +172,21 @@ def options(writer: Any) -> dict[str, Option]:
         text = " ".join((documentation.GetDescription() or "").split()) if documentation else ""
         flag = _word(smproperty.GetXMLLabel() or key)
         default = _word(value) if choices else str(value)
-        found[plain(key)] = Option(key, flag, choices, default, text)
+        low, high = _limits(smproperty)
+        limits = "" if low is None or high is None else f"{low}..{high}"
+        found[plain(key)] = Option(key, flag, choices, limits, default, text)
     return found
+
+
+def _limits(smproperty: Any) -> tuple[Optional[float], Optional[float]]:
+    """The smallest and the largest number that a property takes; None where there is no limit."""
+    for kind in ("vtkSMIntRangeDomain", "vtkSMDoubleRangeDomain"):
+        domain = smproperty.FindDomain(kind)
+        if domain:
+            low = domain.GetMinimum(0) if domain.GetMinimumExists(0) else None
+            high = domain.GetMaximum(0) if domain.GetMaximumExists(0) else None
+            return low, high
+    return None, None
 
 
 def _word(text: Any) -> str:
@@ -232,13 +246,26 @@ def set_option(writer: Any, name: str, value: Any) -> None:
             raise ValueError(f"{name} is one of {words}, not {value}")
         setattr(writer, prop, by_text[plain(value)])
         return
-    if writer.GetProperty(prop).SMProperty.FindDomain("vtkSMBooleanDomain"):
+    smproperty = writer.GetProperty(prop).SMProperty
+    if smproperty.FindDomain("vtkSMBooleanDomain"):
         words = {"true": 1, "yes": 1, "on": 1, "1": 1, "false": 0, "no": 0, "off": 0, "0": 0}
         if str(value).lower() not in words:
             raise ValueError(f"{name} is on or off, not {value}")
         value = words[str(value).lower()]
+    number = _number(value)
+    low, high = _limits(smproperty)
+    if (low, high) != (None, None):
+        whole = smproperty.IsA("vtkSMIntVectorProperty")
+        if (
+            not isinstance(number, int if whole else (int, float))
+            or (low is not None and not low <= number)
+            or (high is not None and not number <= high)
+        ):
+            kind = "whole number" if whole else "number"
+            limits = f"from {low} to {high}" if high is not None else f"of at least {low}"
+            raise ValueError(f"{name} is a {kind} {limits}, not {value}")
     try:
-        setattr(writer, prop, _number(value))
+        setattr(writer, prop, number)
     except (ValueError, TypeError, RuntimeError):
         raise ValueError(f"{name} cannot be {value!r}") from None
 

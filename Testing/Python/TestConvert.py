@@ -32,6 +32,15 @@ class TestConvert(camaron_testing.TestCase):
             self.assertIn("boundary", notes[0])
             self.assertEqual(self.cells(self.folder / name), 8, name)
 
+    def test_surface_to_surface(self):
+        """Nothing is said of a boundary where the mesh is a surface."""
+        quads = camaron_testing.write_vtk(
+            self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3)), (9, (4, 5, 6, 7))]
+        )
+        for name, cells in (("q.vtp", 2), ("q.obj", 2), ("q.stl", 4)):
+            self.assertEqual(convert(quads, self.folder / name), [], name)
+            self.assertEqual(self.cells(self.folder / name), cells, name)
+
     def test_surface_to_grid(self):
         convert(self.mesh(), self.folder / "two.stl")
         self.assertEqual(convert(self.folder / "two.stl", self.folder / "surface.vtu"), [])
@@ -70,11 +79,83 @@ class TestConvert(camaron_testing.TestCase):
             ({"data_mod": "ascii"}, "--data-mode ascii|binary|appended (appended)"),
             ({"data_mode": "asci"}, "one of ascii, binary, appended"),
             ({"encode_appended_data": "maybe"}, "is on or off, not maybe"),
-            ({"time_step_stride": "two"}, "cannot be 'two'"),
+            ({"time_step_stride": "two"}, "time_step_stride is a whole number of at least 1, not two"),
+            ({"file_name_suffix": "-%d", "time_step_stride": 0}, "of at least 1, not 0"),
         ):
             with self.assertRaisesRegex(ValueError, re.escape(reason)):
                 convert(self.mesh(), self.folder / "x.vtu", **options)
         self.assertFalse((self.folder / "x.vtu").exists())
+
+    def test_numbers(self):
+        """Numbers outside the range of an option are refused, and the range is named."""
+        source = self.mesh()
+        for name, options, reason in (
+            ("x.m3d", {"digits": "99"}, "digits is a whole number from 6 to 17, not 99"),
+            ("x.m3d", {"digits": "-5"}, "from 6 to 17, not -5"),
+            ("x.m3d", {"digits": "9.7"}, "from 6 to 17, not 9.7"),
+            ("x.off", {"digits": "abc"}, "from 0 to 17, not abc"),
+            ("x.ele", {"first-id": 7}, "first-id is one of 0, 1, not 7"),
+        ):
+            with self.assertRaisesRegex(ValueError, reason):
+                convert(source, self.folder / name, **options)
+            self.assertFalse((self.folder / name).exists())
+        convert(source, self.folder / "x.m3d", digits="17")
+        with self.assertRaisesRegex(ValueError, r"--digits 6\.\.17 \(9\)"):
+            convert(source, self.folder / "x.m3d", digit=9)
+
+    def test_table(self):
+        """Formats that hold a table only say so."""
+        source, target = self.mesh(), self.folder / "two.csv"
+        (note,) = convert(source, target, field_association="Point Data")
+        self.assertIn("Only a table was written, of the point data", note)
+        self.assertEqual(len(target.read_text().splitlines()), 1 + len(CUBE))
+        (note,) = convert(source, target, field_association="cell-data")
+        self.assertIn("of the cell data", note)
+
+    def test_new_folder(self):
+        """A folder that is made is told, and is gone again after an error."""
+        folder = self.folder / "new" / "folder"
+        (note,) = convert(self.mesh(), folder / "two.visf")
+        self.assertEqual(note, f"The folder {folder} was made.")
+        self.assertEqual(convert(self.mesh(), folder / "again.visf"), [])
+        with self.assertRaises(ValueError):
+            convert(self.mesh(), self.folder / "other" / "two.m3d", digits=1)
+        self.assertFalse((self.folder / "other").exists())
+
+    def test_folders_of_pieces(self):
+        """Pieces never replace those of another mesh, nor what else lies in their folder."""
+        first, second = self.folder / "m.pvtu", self.folder / "m.pvtp"
+        convert(self.mesh(), first)
+        with self.assertRaisesRegex(RuntimeError, "m for its pieces is there already"):
+            convert(self.mesh(), second)
+        self.assertFalse(second.exists())
+        self.assertEqual(self.cells(first), 2)
+        (self.folder / "m" / "mine.txt").write_text("mine")
+        convert(camaron_testing.EXAMPLES / "voronoi-ball.visf", first)
+        self.assertEqual(self.cells(first), 800)
+        self.assertEqual((self.folder / "m" / "mine.txt").read_text(), "mine")
+        taken = self.folder / "taken.vtu"
+        taken.mkdir()
+        (taken / "mine.txt").write_text("mine")
+        with self.assertRaisesRegex(OSError, "there is a folder of this name"):
+            convert(self.mesh(), taken)
+        self.assertEqual((taken / "mine.txt").read_text(), "mine")
+
+    def test_ghosts(self):
+        """Ghost cells that pieces bring along are no cells of one file."""
+        pieces, target = self.folder / "ghost.vtu", self.folder / "real.vtk"
+        convert(self.mesh(), pieces, data_mode="ascii")
+        array = '<DataArray type="UInt8" Name="vtkGhostType" format="ascii"> 0 1 </DataArray>'
+        text = re.sub(r"<CellData[^>]*>", lambda found: found[0] + array, pieces.read_text())
+        pieces.write_text(text)
+        self.assertEqual(convert(pieces, target), ["Left out: 1 ghost cell."])
+        self.assertEqual(self.cells(target), 1)
+        convert(pieces, self.folder / "surface.vtp")
+        self.assertEqual(self.cells(self.folder / "surface.vtp"), 4)
+
+    def test_compressed(self):
+        with self.assertRaisesRegex(ValueError, "not written: write x.msh and compress it"):
+            convert(self.mesh(), self.folder / "x.msh.gz")
 
     def test_errors(self):
         broken = self.folder / "broken.vtu"
@@ -150,19 +231,6 @@ class TestConvert(camaron_testing.TestCase):
         else:
             self.assertRegex(notes[0], "This is a Gmsh mesh; ParaView's own reader")
             self.assertEqual(self.cells(self.folder / "g.vtu"), 1)
-
-    def test_time_steps(self):
-        """One step is taken, and said to be; or all are written to numbered files."""
-        for step in range(2):
-            convert(camaron_testing.EXAMPLES / "flange.visf", self.folder / f"s{step}.visf")
-        series = self.folder / "s.visf.series"
-        files = ", ".join(f'{{"name": "s{i}.visf", "time": {i}}}' for i in range(2))
-        series.write_text(f'{{"file-series-version": "1.0", "files": [{files}]}}')
-        (note,) = convert(series, self.folder / "one.visf")
-        self.assertIn("Of 2 time steps number 1", note)
-        self.assertEqual(convert(series, self.folder / "all.visf", write_time_steps="on"), [])
-        names = sorted(path.name for path in self.folder.glob("all*"))
-        self.assertEqual(names, ["all_0.visf", "all_1.visf"])
 
     def test_unreadable(self):
         """Each says what is wrong in a few words."""

@@ -3,9 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.convert on several ranks writes the files that one rank writes."""
 
+import re
+
 import camaron_testing
 from camaron import convert, pipeline
 from paraview import simple
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
 
 class TestConvertRanks(camaron_testing.TestCase):
@@ -35,6 +38,48 @@ class TestConvertRanks(camaron_testing.TestCase):
         points, faces, _ = (int(word) for word in lines[1].split())
         self.assertEqual((points, faces), (7**3, 3 * 7 * 6**2))
         self.assertEqual(len({tuple(line.split()) for line in lines[2 : 2 + points]}), points)
+
+    def test_formats_of_one_process(self):
+        """What several ranks would write wrong is refused, with a way out; nothing is left behind."""
+        if camaron_testing.rank_count() == 1:
+            self.skipTest("one process may write all")
+        source = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+        for name, instead in (
+            ("m.vtu", ".pvtu"),
+            ("m.vtp", ".pvtp"),
+            ("m.vtk", ".pvtu"),
+            ("m.vtkhdf", ".pvtu"),
+            ("m.exo", ".pvtu"),
+            ("m.cgns", ".pvtu"),
+            ("m.obj", ".pvtu"),
+        ):
+            reason = f"by one process: leave out --ranks, or choose {instead} or a format of the plugin"
+            with self.assertRaisesRegex(ValueError, re.escape(reason)):
+                convert(source, self.folder / name)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_pieces(self):
+        """Pieces have every cell once, besides what is marked as a ghost."""
+        pieces = self.folder / "m.pvtu"
+        self.assertEqual(convert(camaron_testing.EXAMPLES / "voronoi-ball.visf", pieces), [])
+        marks = []
+        for path in (self.folder / "m").glob("*.vtu"):
+            reader = vtkXMLUnstructuredGridReader()
+            reader.SetFileName(str(path))
+            reader.Update()
+            grid = reader.GetOutput()
+            ghosts = grid.GetCellData().GetArray("vtkGhostType")
+            marks += [ghosts.GetValue(i) if ghosts else 0 for i in range(grid.GetNumberOfCells())]
+        self.assertEqual(marks.count(0), 800)
+
+    def test_triangles(self):
+        """Of every polygon of the boundary each triangle is there once."""
+        source, target = camaron_testing.EXAMPLES / "voronoi-ball.visf", self.folder / "m.stl"
+        convert(source, target, file_type="Ascii")
+        polygons = self.fetch(simple.MeshSurface(Input=self.open(source))).GetPolys()
+        triangles = polygons.GetNumberOfConnectivityIds() - 2 * polygons.GetNumberOfCells()
+        facets = target.read_text().split("endfacet")[:-1]
+        self.assertEqual((len(facets), len(set(facets))), (triangles, triangles))
 
 
 if __name__ == "__main__":
