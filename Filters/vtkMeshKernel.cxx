@@ -21,6 +21,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <numeric>
 #include <stdexcept>
@@ -49,8 +50,7 @@ std::vector<Value> Gather(const std::vector<Value>& own)
   std::partial_sum(lengths.begin(), lengths.end() - 1, offsets.begin() + 1);
   const bool isFirst = controller->GetLocalProcessId() == 0;
   std::vector<Value> all(isFirst ? offsets.back() + lengths.back() : 0);
-  controller->GatherV(
-    own.data(), all.data(), ownLength, lengths.data(), offsets.data(), 0);
+  controller->GatherV(own.data(), all.data(), ownLength, lengths.data(), offsets.data(), 0);
   return all;
 }
 
@@ -106,11 +106,11 @@ int vtkMeshKernel::RequestData(
       {
         if (isError && isFirst)
         {
-          vtkErrorMacro("The surface has no kernel: "
-            << (found == SurfaceKernel::NotFinite
-                   ? "a coordinate is not a finite number."
-                   : "its polygons do not enclose a volume. Of a mesh of 3D cells take its Mesh "
-                     "Surface first, or the kernel of each cell."));
+          vtkErrorMacro(
+            "The surface has no kernel: " << (found == SurfaceKernel::NotFinite
+                ? "a coordinate is not a finite number."
+                : "its polygons do not enclose a volume. Of a mesh of 3D cells take its Mesh "
+                  "Surface first, or the kernel of each cell."));
         }
         if (found == SurfaceKernel::Empty && isFirst)
         {
@@ -179,7 +179,8 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
     if (!isStopped && (chosen || !isChosen))
     {
       vtkNew<vtkUnstructuredGrid> part;
-      isStopped = !camaron::MakeKernelCells(mesh, {}, chosen,
+      isStopped = !camaron::MakeKernelCells(
+        mesh, {}, chosen,
         [&](double done) { return this->GoesOn((blocksDone + done) / numberOfBlocks); }, part);
       if (auto* ids = vtkIdTypeArray::SafeDownCast(
             part->GetFieldData()->GetAbstractArray(without->GetName())))
@@ -211,8 +212,9 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
   output->GetFieldData()->AddArray(without);
   if (sums[2] > 0 && reducer.GetProcess() == 0)
   {
-    vtkWarningMacro(<< sums[2]
-                    << " cells have no kernel: they are not star-shaped, not closed or without volume or "
-                       "area. The field array CellsWithoutKernel tells which.");
+    vtkWarningMacro(
+      << sums[2]
+      << " cells have no kernel: they are not star-shaped, not closed or without volume or "
+         "area. The field array CellsWithoutKernel tells which.");
   }
 }

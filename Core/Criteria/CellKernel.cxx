@@ -11,13 +11,14 @@ namespace camaron
 {
 namespace
 {
-/// Half-spaces times points above which it is not worthwhile to find out first that a cell is convex.
+/// Half-spaces times points above which it is not worthwhile to find out first that a cell is
+/// convex.
 constexpr double MaxConvexityChecks = 1e6;
 constexpr int NumberOfReports = 100;
 
 //------------------------------------------------------------------------------
-bool ContainAll(
-  const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size, double tolerance)
+bool ContainAll(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
+  double tolerance)
 {
   for (const HalfSpace& halfSpace : halfSpaces)
   {
@@ -41,7 +42,8 @@ void Extend(Vector& low, Vector& high, const Vector& point)
 
 //------------------------------------------------------------------------------
 // Half-spaces of a cell that cuts through itself may meet outside of it.
-void AddBox(const Vector& low, const Vector& high, int dimension, std::vector<HalfSpace>& halfSpaces)
+void AddBox(
+  const Vector& low, const Vector& high, int dimension, std::vector<HalfSpace>& halfSpaces)
 {
   const Vector axes[] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   for (int axis = 0; axis < dimension; ++axis)
@@ -97,8 +99,8 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
     previous = corner;
   }
   AddBox(sheet.Low, sheet.High, 2, sheet.HalfPlanes);
-  sheet.IsConvex = ContainAll(
-    sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
+  sheet.IsConvex =
+    ContainAll(sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
 }
 
 //------------------------------------------------------------------------------
@@ -183,7 +185,8 @@ void CellKernel::Prepare(const CellGeometry& cell)
       Extend(this->Low, this->High, cell.GetPoint(i));
     }
     this->FindHalfSpaces(cell);
-    this->Convex = static_cast<double>(numberOfPoints) * this->HalfSpaces.size() <= MaxConvexityChecks &&
+    this->Convex =
+      static_cast<double>(numberOfPoints) * this->HalfSpaces.size() <= MaxConvexityChecks &&
       ContainAll(this->HalfSpaces, &cell.GetPoint(0), numberOfPoints, cell.GetZeroLength());
     ball = FindLargestBall(this->HalfSpaces, 3, GetBallAround(this->Low, this->High));
   }
@@ -195,13 +198,6 @@ double CellKernel::GetRadius(const CellGeometry& cell)
 {
   this->Prepare(cell);
   return this->Radius;
-}
-
-//------------------------------------------------------------------------------
-bool CellKernel::IsConvex(const CellGeometry& cell)
-{
-  this->Prepare(cell);
-  return this->Convex;
 }
 
 //------------------------------------------------------------------------------
@@ -234,8 +230,7 @@ double CellKernel::GetRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-bool CellKernel::MakePolyhedron(
-  const CellGeometry& cell, const std::function<bool(double)>& goesOn)
+bool CellKernel::MakePolyhedron(const CellGeometry& cell, const std::function<bool(double)>& goesOn)
 {
   this->Prepare(cell);
   if (this->Radius == 0)

@@ -31,16 +31,15 @@ public:
   /// To be called for every new cell.
   void Clear();
 
-  /// Largest ball within the kernel (of a polygon in its plane); its radius is 0 for an empty kernel,
-  /// which is one whose largest ball counts as zero for the precision of the points.
+  /// Radius of the largest ball within the kernel (of a polygon: circle in its plane); 0 for an empty
+  /// kernel, which is one whose largest ball counts as zero for the precision of the points.
   double GetRadius(const CellGeometry& cell);
-  /// Volume or area of the kernel divided by that of the cell; 1 for convex cells, 0 for an empty kernel.
+  /// Volume or area of the kernel divided by that of the cell; 1 for convex cells, whose
+  /// points lie outside of no half-space, 0 for an empty kernel.
   double GetRatio(const CellGeometry& cell);
-  /// Whether no point of the cell lies outside of any half-space: then the kernel is the cell.
-  bool IsConvex(const CellGeometry& cell);
   /// Radius of the largest circle within a polygon, convex or not.
   double GetInscribedRadius(const CellGeometry& polygon);
-  /// Radius of the smallest ball around the points; of a polygon also of those that do not lie in its plane.
+  /// Radius of the smallest ball around the points, in space also for a polygon.
   double GetEnclosingRadius(const CellGeometry& cell);
   /// GetRatio of one face of a polyhedron, in its own plane; 0 for a face without an area.
   double GetFaceRatio(const CellGeometry& cell, int face);

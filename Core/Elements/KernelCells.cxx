@@ -11,6 +11,7 @@
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
@@ -19,9 +20,7 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <numeric>
 
 namespace camaron
 {
@@ -143,8 +142,7 @@ void FillGrid(const std::vector<KernelPart>& parts, vtkUnstructuredGrid* grid)
   grid->SetPoints(points);
   if (hasFaces)
   {
-    grid->SetPolyhedralCells(
-      types, cells.MakeCells(), facesOfCells.MakeCells(), faces.MakeCells());
+    grid->SetPolyhedralCells(types, cells.MakeCells(), facesOfCells.MakeCells(), faces.MakeCells());
   }
   else
   {
@@ -299,8 +297,8 @@ SurfacePolygons TakePolygons(vtkDataSet* mesh)
 namespace
 {
 //------------------------------------------------------------------------------
-// One polyhedron with the polygons for faces. Points and faces are sorted, and faces start at their first
-// point, so that the order in which polygons come does not matter to the last bit.
+// One polyhedron with the polygons for faces. Points and faces are sorted, and faces start at their
+// first point, so that the order in which polygons come does not matter to the last bit.
 vtkSmartPointer<vtkUnstructuredGrid> MakePolyhedron(const SurfacePolygons& polygons)
 {
   using Place = std::array<double, 3>;
@@ -389,8 +387,7 @@ SurfaceKernel MakeSurfaceKernel(const SurfacePolygons& polygons, const Evaluatio
   }
   std::vector<KernelPart> parts(1);
   parts[0].AddPolyhedron(polyhedron, cell.GetOrigin());
-  parts[0].Ratios.push_back(
-    std::min(1.0, polyhedron.GetVolume() / std::abs(cell.GetVolume())));
+  parts[0].Ratios.push_back(std::min(1.0, polyhedron.GetVolume() / std::abs(cell.GetVolume())));
   FillGrid(parts, kernel);
   return SurfaceKernel::Found;
 }

@@ -22,9 +22,9 @@ struct Ball
 };
 
 /**
- * Largest ball within all half-spaces (its centre is that of Chebyshev; where several balls are equally
- * large, one of them). The radius is negative where the half-spaces have no point in common: then the
- * ball is the one that is least far outside of any.
+ * Largest ball within all half-spaces (its centre is that of Chebyshev; where several balls are
+ * equally large, one of them). The radius is negative where the half-spaces have no point in
+ * common: then the ball is the one that is least far outside of any.
  *
  * Dual simplex method: some sets of @a dimension + 1 half-spaces, each with the whole list looked
  * through once.

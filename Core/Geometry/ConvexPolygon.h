@@ -21,8 +21,8 @@ public:
   /// Starts with a rectangle.
   void SetBox(const Vector& low, const Vector& high);
   /**
-   * Keeps what lies within the half-plane. Points no further than @a tolerance from its line count as on
-   * it; a polygon of which no point is inside becomes empty.
+   * Keeps what lies within the half-plane. Points no further than @a tolerance from its line count
+   * as on it; a polygon of which no point is inside becomes empty.
    */
   void Clip(const HalfSpace& halfPlane, double tolerance);
 

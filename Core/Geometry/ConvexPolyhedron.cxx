@@ -20,8 +20,8 @@ void ConvexPolyhedron::SetBox(const Vector& low, const Vector& high)
   this->Points.clear();
   for (int corner = 0; corner < 8; ++corner)
   {
-    this->Points.push_back({ corner & 1 ? high.X : low.X, corner & 2 ? high.Y : low.Y,
-      corner & 4 ? high.Z : low.Z });
+    this->Points.push_back(
+      { corner & 1 ? high.X : low.X, corner & 2 ? high.Y : low.Y, corner & 4 ? high.Z : low.Z });
   }
   this->FaceOffsets = { 0, 4, 8, 12, 16, 20, 24 };
   this->FacePoints = { 0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6 };
@@ -65,7 +65,8 @@ void ConvexPolyhedron::Clip(const HalfSpace& halfSpace, double tolerance)
 }
 
 //------------------------------------------------------------------------------
-// Faces without a point inside go: they lie in the plane or outside of it, where the new face comes.
+// Faces without a point inside go: they lie in the plane or outside of it, where the new face
+// comes.
 void ConvexPolyhedron::ClipFace(int face, double tolerance)
 {
   const int* points = this->OldFaces.data() + this->OldOffsets[face];
@@ -130,8 +131,9 @@ int ConvexPolyhedron::AddCut(int inside, int outside)
 }
 
 //------------------------------------------------------------------------------
-// The faces that were kept end along the rim, but for those of its edges that two of them share. What is
-// left of the rim is closed, since the surface was: every point has as many edges out of it as into it.
+// The faces that were kept end along the rim, but for those of its edges that two of them share.
+// What is left of the rim is closed, since the surface was: every point has as many edges out of it
+// as into it.
 void ConvexPolyhedron::CloseHole()
 {
   for (auto& edge : this->Rim)
@@ -215,8 +217,9 @@ double ConvexPolyhedron::GetVolume() const
     const Vector apex = this->Points[points[0]] - this->Points[0];
     for (int i = 2; i < this->GetFaceSize(face); ++i)
     {
-      sum += Dot(apex, Cross(this->Points[points[i - 1]] - this->Points[0],
-                         this->Points[points[i]] - this->Points[0]));
+      sum += Dot(apex,
+        Cross(this->Points[points[i - 1]] - this->Points[0],
+          this->Points[points[i]] - this->Points[0]));
     }
   }
   return sum / 6;

@@ -4,8 +4,8 @@
  * @class camaron::ConvexPolyhedron
  * @brief A convex polyhedron, from which half-spaces cut parts off.
  *
- * Faces are lists of points, outward; neighbours share the points of their edge, so that the surface is
- * closed whatever rounding does. Holds its memory for the next polyhedron.
+ * Faces are lists of points, outward; neighbours share the points of their edge, so that the
+ * surface is closed whatever rounding does. Holds its memory for the next polyhedron.
  */
 #ifndef camaron_ConvexPolyhedron_h
 #define camaron_ConvexPolyhedron_h
@@ -25,8 +25,8 @@ public:
   /// Starts with a box.
   void SetBox(const Vector& low, const Vector& high);
   /**
-   * Keeps what lies within the half-space. Points no further than @a tolerance from its plane count as
-   * on it; a polyhedron of which no point is inside becomes empty.
+   * Keeps what lies within the half-space. Points no further than @a tolerance from its plane count
+   * as on it; a polyhedron of which no point is inside becomes empty.
    */
   void Clip(const HalfSpace& halfSpace, double tolerance);
 
@@ -55,7 +55,7 @@ private:
   };
   std::vector<Cut> Cuts;
   std::vector<std::pair<int, int>> Rim, OpenRim; // edges along which clipped faces end
-  std::vector<unsigned char> Used; // edges of OpenRim
+  std::vector<unsigned char> Used;               // edges of OpenRim
   std::vector<int> NewIds;
 };
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace camaron
@@ -63,8 +62,9 @@ bool Solve(std::array<std::array<double, Size>, Size> matrix, std::array<double,
 }
 
 /**
- * Maximises r subject to Normal . x + r <= Offset. A basis is Dimension + 1 half-spaces that the ball
- * touches; its weights, not negative, say how its normals cancel, so that no larger ball touches them.
+ * Maximises r subject to Normal . x + r <= Offset. A basis is Dimension + 1 half-spaces that the
+ * ball touches; its weights, not negative, say how its normals cancel, so that no larger ball
+ * touches them.
  */
 template <int Dimension>
 class BallProgram
@@ -80,7 +80,8 @@ public:
     static const Vector triangle[] = { { 1, 0, 0 }, { -Half, RootOfThreeQuarters, 0 },
       { -Half, -RootOfThreeQuarters, 0 } };
     static const Vector tetrahedron[] = { { 0, 0, 1 }, { RootOfEightNinths, 0, -Third },
-      { -RootOfTwoNinths, RootOfTwoThirds, -Third }, { -RootOfTwoNinths, -RootOfTwoThirds, -Third } };
+      { -RootOfTwoNinths, RootOfTwoThirds, -Third },
+      { -RootOfTwoNinths, -RootOfTwoThirds, -Third } };
     for (int i = 0; i < Size; ++i)
     {
       const Vector& normal = Dimension == 2 ? triangle[i] : tetrahedron[i];
@@ -161,7 +162,8 @@ private:
     int leaving = -1;
     for (int i = 0; i < Size; ++i)
     {
-      if (change[i] > SmallestPivot && (leaving < 0 || this->Precedes(i, leaving, change, takeSmallest)))
+      if (change[i] > SmallestPivot &&
+        (leaving < 0 || this->Precedes(i, leaving, change, takeSmallest)))
       {
         leaving = i;
       }

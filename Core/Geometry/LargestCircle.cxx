@@ -116,9 +116,9 @@ void LargestCircle::AddSquare(const Vector& center, double half)
 }
 
 //------------------------------------------------------------------------------
-// Linear functions that the distance from the boundary does not exceed anywhere in the square: those of
-// edges over all of which the square lies to one side, and tangents of the distance from corners, raised
-// by what that distance may bend.
+// Linear functions that the distance from the boundary does not exceed anywhere in the square:
+// those of edges over all of which the square lies to one side, and tangents of the distance from
+// corners, raised by what that distance may bend.
 void LargestCircle::FindFeatures(const Vector& center, double half)
 {
   this->Features.clear();
@@ -145,7 +145,8 @@ void LargestCircle::FindFeatures(const Vector& center, double half)
       const double height = along.X * fromCorner.Y - along.Y * fromCorner.X;
       if (position >= extent && position + extent <= length && std::abs(height) >= extent)
       {
-        const Vector inward = height > 0 ? Vector{ -along.Y, along.X, 0 } : Vector{ along.Y, -along.X, 0 };
+        const Vector inward =
+          height > 0 ? Vector{ -along.Y, along.X, 0 } : Vector{ along.Y, -along.X, 0 };
         this->Features.push_back({ -inward, -Dot(inward, a) });
       }
     }

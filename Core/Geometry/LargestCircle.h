@@ -4,10 +4,11 @@
  * @class camaron::LargestCircle
  * @brief Finds the largest circle within a polygon, convex or not.
  *
- * Squares are searched, the most promising first, and cut into four. No circle about a point of a square
- * is larger than the one about its middle by more than half a diagonal; nor larger than the largest circle
- * between those edges and reflex corners that bound the distance over the whole square, which ends the
- * search also where equally large circles have their centres along a line. Such a circle is also tried.
+ * Squares are searched, the most promising first, and cut into four. No circle about a point of a
+ * square is larger than the one about its middle by more than half a diagonal; nor larger than the
+ * largest circle between those edges and reflex corners that bound the distance over the whole
+ * square, which ends the search also where equally large circles have their centres along a line.
+ * Such a circle is also tried.
  *
  * Holds its memory for the next polygon.
  */
@@ -24,8 +25,8 @@ class LargestCircle
 {
 public:
   /**
-   * The circle within the polygon with these corners (no Z, in order, either way round), up to 1e-10 of
-   * the polygon's size; less exact only for polygons that need more than 20000 squares.
+   * The circle within the polygon with these corners (no Z, in order, either way round), up to
+   * 1e-10 of the polygon's size; less exact only for polygons that need more than 20000 squares.
    * Radius 0 if nothing lies inside.
    */
   Ball Find(const std::vector<Vector>& polygon);

@@ -19,8 +19,8 @@ bool Contains(const Ball& ball, const Vector& point)
 }
 
 //------------------------------------------------------------------------------
-// Smallest ball through all of up to four points. Points that do not span a simplex have no such ball;
-// what comes out then is some ball, which FindBall does not ask for again.
+// Smallest ball through all of up to four points. Points that do not span a simplex have no such
+// ball; what comes out then is some ball, which FindBall does not ask for again.
 Ball GetBallThrough(const Vector* points, int size)
 {
   if (size == 0)

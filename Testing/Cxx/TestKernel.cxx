@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Kernels and balls of cells against the published tables, against trying everything, and on cells that
-// are not what they should be.
+// Kernels and balls of cells against the published tables, against trying everything, and on cells
+// that are not what they should be.
 #include "Criteria/CellStatusBits.h"
 #include "Criteria/Evaluation.h"
 #include "Geometry/Ball.h"
@@ -32,7 +32,8 @@ const double Pi = std::acos(-1.0);
 
 const std::vector<std::string> Names = { "KernelRatio", "IsStarShaped", "KernelInradiusRatio",
   "ShapeRegularity", "InradiusCircumradiusRatio", "NormalizedRadiusRatio", "VemRho1", "VemRho2",
-  "VemRho3", "VemQuality", "PolyhedronRho1", "PolyhedronRho2", "PolyhedronRho3", "PolyhedronQuality" };
+  "VemRho3", "VemQuality", "PolyhedronRho1", "PolyhedronRho2", "PolyhedronRho3",
+  "PolyhedronQuality" };
 
 using Values = std::map<std::string, std::vector<double>>;
 
@@ -68,11 +69,12 @@ Grid MakePolygon(const Points& points)
 }
 
 //------------------------------------------------------------------------------
-const Points LHexagon = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } };
+const Points LHexagon = { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 },
+  { 0, 2, 0 } };
 
 //------------------------------------------------------------------------------
-// A ball of 32 triangles with random radii: star-shaped about the origin, unless its corners are also
-// moved to the sides.
+// A ball of 32 triangles with random radii: star-shaped about the origin, unless its corners are
+// also moved to the sides.
 struct SpikyBall
 {
   Points Corners;
@@ -82,7 +84,8 @@ struct SpikyBall
   {
     std::uniform_real_distribution<double> radius(smallest, 1), side(-shift, shift);
     std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> middles;
-    this->Corners = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } };
+    this->Corners = { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
+      { 0, 0, -1 } };
     const auto middle = [&](vtkIdType a, vtkIdType b)
     {
       const auto found =
@@ -124,8 +127,9 @@ struct SpikyBall
     std::vector<HalfSpace> result;
     for (const auto& t : this->Triangles)
     {
-      const auto at = [&](int i) -> Vector
-      { return { this->Corners[t[i]][0], this->Corners[t[i]][1], this->Corners[t[i]][2] }; };
+      const auto at = [&](int i) -> Vector {
+        return { this->Corners[t[i]][0], this->Corners[t[i]][1], this->Corners[t[i]][2] };
+      };
       const Vector normal = Unit(Cross(at(1) - at(0), at(2) - at(0)));
       result.push_back({ normal, Dot(normal, at(0)) });
     }
@@ -165,7 +169,9 @@ Points FindCorners(const std::vector<HalfSpace>& halfSpaces)
           std::any_of(halfSpaces.begin(), halfSpaces.end(),
             [&](const HalfSpace& h) { return h.GetDistance(p) > 1e-9; }) ||
           std::any_of(corners.begin(), corners.end(),
-            [&](const Point& q) { return Norm(p - Vector{ q[0], q[1], q[2] }) < 1e-8; }))
+            [&](const Point& q) {
+              return Norm(p - Vector{ q[0], q[1], q[2] }) < 1e-8;
+            }))
         {
           continue;
         }
@@ -200,7 +206,8 @@ double GetVolume(const std::vector<HalfSpace>& halfSpaces, const Points& corners
     }
     mean = (1.0 / face.size()) * mean;
     const Vector u = Unit(face[0] - mean), v = Cross(h.Normal, u);
-    const auto angle = [&](const Vector& p) { return std::atan2(Dot(p - mean, v), Dot(p - mean, u)); };
+    const auto angle = [&](const Vector& p)
+    { return std::atan2(Dot(p - mean, v), Dot(p - mean, u)); };
     std::sort(face.begin(), face.end(),
       [&](const Vector& p, const Vector& q) { return angle(p) < angle(q); });
     for (std::size_t i = 0; i < face.size(); ++i)
@@ -230,7 +237,8 @@ double GetClearance(const std::vector<Vector>& polygon, const Vector& p)
 // The published tables of polyhedra.
 TEST(Kernel, ReferencePolyhedra)
 {
-  // InradiusCircumradiusRatio, KernelRatio, and the three measures and the quality of virtual elements.
+  // InradiusCircumradiusRatio, KernelRatio, and the three measures and the quality of virtual
+  // elements.
   const std::map<std::string, std::vector<double>> table = {
     { "unit cube", { 0.5773502692, 1, 1, 0.6422285252, 0.7083333333, 0.8217547866 } },
     { "regular tetrahedron", { 0.3333333333, 1, 1, 0.5741587327, 1, 0.8871749356 } },
@@ -245,7 +253,8 @@ TEST(Kernel, ReferencePolyhedra)
     { "flat sliver", { 0.009997500737, 1, 1, 0.3093065513, 1, 0.8091064674 } },
     { "hexagonal prism", { 0.4472135955, 1, 1, 0.6350639348, 0.59375, 0.7838411621 } },
     { "L-prism", { 1.0 / 3, 1.0 / 3, 0.2222222222, 0.512574829, 0.59375, 0.3506065901 } },
-    { "warped hex", { 0.4850712501, 0.9258751032, 0.9629375516, 0.5770294986, 0.7083333333, 0.7866778687 } },
+    { "warped hex",
+      { 0.4850712501, 0.9258751032, 0.9629375516, 0.5770294986, 0.7083333333, 0.7866778687 } },
   };
   const char* names[] = { "InradiusCircumradiusRatio", "KernelRatio", "PolyhedronRho1",
     "PolyhedronRho2", "PolyhedronRho3", "PolyhedronQuality" };
@@ -320,8 +329,7 @@ TEST(Kernel, ReferencePolygons)
   EXPECT_NEAR(square["VemQuality"][0], std::sqrt((std::sqrt(0.5) + 0.75) / 2), 1e-12);
   Values hexagon = EvaluateNames(MakePolygon(LHexagon));
   EXPECT_NEAR(hexagon["VemRho2"][0], 1 / std::sqrt(8.0), 1e-12);
-  EXPECT_NEAR(
-    hexagon["VemQuality"][0], std::sqrt((1 / std::sqrt(8.0) + 0.5) / 6), 1e-12);
+  EXPECT_NEAR(hexagon["VemQuality"][0], std::sqrt((1 / std::sqrt(8.0) + 0.5) / 6), 1e-12);
   EXPECT_NEAR(hexagon["KernelInradiusRatio"][0], 0.5 / std::sqrt(8.0), 1e-12);
 }
 
@@ -419,8 +427,9 @@ TEST(Kernel, SmallestBall)
       }
     };
     // Centres as far from p as from q lie in a plane; so do those level with three points.
-    const auto level = [](const Vector& p, const Vector& q) -> HalfSpace
-    { return { q - p, 0.5 * (Norm2(q) - Norm2(p)) }; };
+    const auto level = [](const Vector& p, const Vector& q) -> HalfSpace {
+      return { q - p, 0.5 * (Norm2(q) - Norm2(p)) };
+    };
     for (int i = 0; i < n; ++i)
     {
       for (int j = 0; j < i; ++j)
@@ -453,8 +462,8 @@ TEST(Kernel, SmallestBall)
   EXPECT_EQ(FindSmallestBall(none).Radius, 0);
 }
 
-// The largest circle lies inside and no place that a fine search finds has a larger one; also where many
-// circles are equally large, or nearly.
+// The largest circle lies inside and no place that a fine search finds has a larger one; also where
+// many circles are equally large, or nearly.
 TEST(Kernel, LargestCircle)
 {
   std::mt19937 random(7);
@@ -504,7 +513,8 @@ TEST(Kernel, LargestCircle)
     {
       for (int j = 1; j < 150; ++j)
       {
-        const Vector p = { low.X + i * (high.X - low.X) / 150, low.Y + j * (high.Y - low.Y) / 150, 0 };
+        const Vector p = { low.X + i * (high.X - low.X) / 150, low.Y + j * (high.Y - low.Y) / 150,
+          0 };
         const double clearance = GetClearance(polygon, p);
         if (clearance > largest)
         {
@@ -536,8 +546,8 @@ TEST(Kernel, LargestCircle)
   EXPECT_EQ(search.Find({}).Radius, 0);
 }
 
-// Half-spaces cut a polyhedron in two that together have its volume, through corners and along edges
-// and faces, too; the surface stays closed.
+// Half-spaces cut a polyhedron in two that together have its volume, through corners and along
+// edges and faces, too; the surface stays closed.
 TEST(Kernel, ClippedParts)
 {
   std::mt19937 random(11);
@@ -549,7 +559,8 @@ TEST(Kernel, ClippedParts)
     EXPECT_EQ(polyhedron.GetVolume(), 64);
     for (int cut = 0; cut < 12; ++cut)
     {
-      const Vector direction = { double(small(random)), double(small(random)), double(small(random)) };
+      const Vector direction = { double(small(random)), double(small(random)),
+        double(small(random)) };
       if (Norm2(direction) == 0)
       {
         continue;
@@ -579,8 +590,8 @@ TEST(Kernel, ClippedParts)
       // Euler.
       if (!polyhedron.IsEmpty())
       {
-        EXPECT_EQ(static_cast<int>(polyhedron.GetPoints().size()) - static_cast<int>(edges.size()) / 2 +
-            polyhedron.GetNumberOfFaces(),
+        EXPECT_EQ(static_cast<int>(polyhedron.GetPoints().size()) -
+            static_cast<int>(edges.size()) / 2 + polyhedron.GetNumberOfFaces(),
           2);
       }
     }
@@ -617,9 +628,18 @@ TEST(Kernel, Invariance)
         return Point{ q[0], c * q[1] - s * q[2], s * q[1] + c * q[2] };
       },
       1e-9 },
-    { [](const Point& p) { return Point{ p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 }; }, 1e-7 },
-    { [](const Point& p) { return Point{ 1e-6 * p[0], 1e-6 * p[1], 1e-6 * p[2] }; }, 1e-9 },
-    { [](const Point& p) { return Point{ 1e9 * p[0], 1e9 * p[1], 1e9 * p[2] }; }, 1e-9 },
+    { [](const Point& p) {
+       return Point{ p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 };
+     },
+      1e-7 },
+    { [](const Point& p) {
+       return Point{ 1e-6 * p[0], 1e-6 * p[1], 1e-6 * p[2] };
+     },
+      1e-9 },
+    { [](const Point& p) {
+       return Point{ 1e9 * p[0], 1e9 * p[1], 1e9 * p[2] };
+     },
+      1e-9 },
   };
   for (const auto& cell : cells)
   {
@@ -649,8 +669,8 @@ TEST(Kernel, Degenerate)
 {
   const auto reason = [](const Grid& grid, const char* name)
   { return GetNullReason(Get(grid, name)); };
-  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
-    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Grid flat = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
   const Grid line = MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 1, 0, 0 } });
   for (const Grid& grid : { flat, line })
   {
@@ -677,18 +697,19 @@ TEST(Kernel, Degenerate)
     }
   }
   // A collapsed edge changes neither kernel nor balls.
-  const Grid collapsed = MakeGrid(
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { .5, .5, 1 }, { .5, .5, 1 } },
-    { { VTK_WEDGE, { 0, 4, 3, 1, 5, 2 } } });
+  const Grid collapsed =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { .5, .5, 1 }, { .5, .5, 1 } },
+      { { VTK_WEDGE, { 0, 4, 3, 1, 5, 2 } } });
   EXPECT_EQ(Get(collapsed, "KernelRatio"), 1);
   EXPECT_EQ(Get(collapsed, "PolyhedronRho2") > 0, true);
   // Inverted: as the cell turned inside out.
-  const Grid inverted = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
-    { { VTK_TETRA, { 0, 2, 1, 3 } } });
+  const Grid inverted = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 2, 1, 3 } } });
   EXPECT_EQ(Get(inverted, "KernelRatio"), 1);
   EXPECT_NEAR(Get(inverted, "InradiusCircumradiusRatio"), 0.2588190451, 1e-9);
   // Bow tie: no area.
-  EXPECT_EQ(reason(MakePolygon({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }), "KernelRatio"),
+  EXPECT_EQ(
+    reason(MakePolygon({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }), "KernelRatio"),
     NullReason::Degenerate);
 }
 
@@ -708,7 +729,8 @@ TEST(Kernel, CellStatus)
   EXPECT_EQ(both["CellStatus"][0], Nonconvex);
 }
 
-// A hundred thousand cells of points thrown anywhere: every value lies in its range or has a reason.
+// A hundred thousand cells of points thrown anywhere: every value lies in its range or has a
+// reason.
 TEST(Kernel, Soup)
 {
   std::mt19937 random(17);
