@@ -82,6 +82,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->BoxScale.Length = -1;
   this->Diameter = -1;
   this->SurfaceArea = -1;
+  this->StatusIsKnown = false;
   this->Kernel.Clear();
   this->HasRepeatedPoint = false;
   this->OrientationSign = 1;

@@ -166,6 +166,17 @@ public:
   /// Radian to the unit that the user chose.
   double ToAngleUnit(double radian) const { return this->AngleFactor * radian; }
 
+  ///@{
+  /// A number that several criteria of the cell read, kept from the first to the last of them.
+  bool HasStatus() const { return this->StatusIsKnown; }
+  unsigned GetStatus() const { return this->Status; }
+  void KeepStatus(unsigned status) const
+  {
+    this->Status = status;
+    this->StatusIsKnown = true;
+  }
+  ///@}
+
 private:
   /// What counts as zero in a cell of some size.
   struct Scale
@@ -239,6 +250,8 @@ private:
   mutable Scale BoxScale = { -1, -1, -1 };
   mutable double Diameter = -1;    // not computed yet
   mutable double SurfaceArea = -1; // not computed yet
+  mutable unsigned Status = 0;
+  mutable bool StatusIsKnown = false;
   mutable CellKernel Kernel;
 
   Vector Origin;

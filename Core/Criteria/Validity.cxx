@@ -120,8 +120,11 @@ double FaceOrientationStatus(const CellGeometry& cell)
   return reversed == topology.GetNumberOfFaces() ? Inward : Mixed;
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
-double CellStatus(const CellGeometry& cell)
+// Bits of everything that is wrong.
+unsigned FindStatus(const CellGeometry& cell)
 {
   if (!(cell.GetShapes() & PolygonsAndPolyhedra))
   {
@@ -147,6 +150,17 @@ double CellStatus(const CellGeometry& cell)
     status |= Flag((status & Nonconvex) && HasIntersectingFaces(cell), IntersectingFaces);
   }
   return status;
+}
+}
+
+//------------------------------------------------------------------------------
+double CellStatus(const CellGeometry& cell)
+{
+  if (!cell.HasStatus())
+  {
+    cell.KeepStatus(FindStatus(cell));
+  }
+  return cell.GetStatus();
 }
 
 //------------------------------------------------------------------------------
