@@ -98,4 +98,28 @@ bool CheckSinglePrecision(
   warnings.Add(rounded, "point", "points", "rounded to single precision");
   return true;
 }
+
+//------------------------------------------------------------------------------
+void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
+{
+  constexpr double EnoughOfSize = 1e-6;
+  double bounds[6];
+  mesh->GetBounds(bounds);
+  const double greatest = std::fabs(*std::max_element(bounds, bounds + 6,
+    [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
+  if (digits <= 0 || mesh->GetNumberOfPoints() == 0 || !(greatest > 0) || !std::isfinite(greatest))
+  {
+    return;
+  }
+  const double lastDigit = std::pow(10, std::floor(std::log10(greatest)) + 1 - digits);
+  const double size = mesh->GetLength();
+  if (size > 0 && lastDigit > EnoughOfSize * size)
+  {
+    std::string step, length;
+    AppendNumber(step, static_cast<float>(lastDigit));
+    AppendNumber(length, static_cast<float>(size));
+    warnings.Add("coordinates are kept to " + step + " only, of a mesh of size " + length +
+      ", as it is far from the origin: set Digits to 17 to keep them");
+  }
+}
 }

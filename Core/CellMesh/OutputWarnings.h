@@ -33,6 +33,13 @@ void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
  */
 bool CheckSinglePrecision(
   vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error);
+
+/**
+ * Warns where so many significant digits keep less than a millionth of the size of the mesh, as far from
+ * the origin.
+ * @param digits 0 for as many as there are
+ */
+void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings);
 }
 
 #endif

@@ -113,6 +113,7 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
     (mesh->GetCellData()->HasArray(MaterialName) || mesh->GetPointData()->HasArray(MaterialName));
   WarnOfArrays(mesh, GetName(dialect), warnings,
     isMVM || losesMaterial ? std::vector<std::string>() : std::vector<std::string>{ MaterialName });
+  WarnOfDigits(mesh, options.Digits, warnings);
 
   const CellConversion how{ GetName(dialect), GetTypes(dialect), options.Others };
   OutputMesh output;

@@ -116,6 +116,23 @@ TEST(M3DWriter, KeepsDigitsOnRequest)
 }
 
 //------------------------------------------------------------------------------
+TEST(M3DWriter, SaysWhatItsDigitsLose)
+{
+  const auto makeAt = [](double x)
+  {
+    return MakeGrid({ { x, 0, 0 }, { x + 1, 0, 0 }, { x, 1, 0 }, { x, 0, 1 } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  };
+  const auto keepAll = [](vtkM3DWriter* writer) { writer->SetDigits(17); };
+  EXPECT_TRUE(Write(makeAt(9), "test.m3d").Warnings.empty());
+  EXPECT_TRUE(Write(makeAt(1e15), "test.m3d", keepAll).Warnings.empty());
+  const Written file = Write(makeAt(1e15), "test.m3d");
+  ASSERT_EQ(file.Warnings.size(), 1u);
+  EXPECT_NE(file.Warnings[0].find("coordinates are kept to 1e+07 only"), std::string::npos)
+    << file.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 TEST(M3DWriter, WritesMaterials)
 {
   Grid grid = MakeMixed();
