@@ -456,11 +456,9 @@ void Warn(const Content& content, const Progress& progress, Warnings& warnings)
   }
   if (content.HasTrailingData)
   {
-    warnings.Add("there is more data after the end of the mesh");
-  }
-  if (!content.WrongFlag.empty())
-  {
-    warnings.Add(content.WrongFlag);
+    const std::string& flag = content.WrongFlag;
+    warnings.Add(
+      "there is more data after the end of the mesh" + (flag.empty() ? flag : " (" + flag + ")"));
   }
 }
 }
