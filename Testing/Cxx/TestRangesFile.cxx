@@ -56,7 +56,7 @@ TEST(RangesFile, ErrorsSayWhereAndWhat)
     { "Volume 1 2\n\nMinDihedralAngel 1 2\n",
       "my.txt:3: expected the name of a criterion, found 'MinDihedralAngel'; did you mean MinDihedralAngle?" },
     { "volume 1 2", "my.txt:1: expected the name of a criterion, found 'volume'; did you mean Volume?" },
-    { "Quality 1 2", "my.txt:1: expected the name of a criterion, found 'Quality'" },
+    { "Nonsense 1 2", "my.txt:1: expected the name of a criterion, found 'Nonsense'" },
     { "Volume 1", "my.txt:1: expected the upper limit: a number, or * for none, found end of line" },
     { "Volume\n1 2", "my.txt:1: expected the lower limit: a number, or * for none, found end of line" },
     { "Volume # 1 2\nArea 1 2", "my.txt:1: expected the lower limit: a number, or * for none, found end of line" },

@@ -130,6 +130,8 @@ class TestOtherPrograms(camaron_testing.TestCase):
                 points += [tuple(p) for p in numpy.array(places) + noise]
         grid = gallery.make_grid(points, cells)
         names = [name for name in tables.known_criteria() if name.startswith("Verdict")]
+        # Those with the mean size are 0 in Cell Quality of VTK before 9.6; TestVerdict takes Mesh Quality.
+        names = [name for name in names if "Size" not in name]
         ours = evaluate(grid, names)
         compared = 0
         for name in names:
