@@ -103,11 +103,13 @@ bool CheckSinglePrecision(
 void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
 {
   constexpr double EnoughOfSize = 1e-6;
+  const int allDigits = MeshView(mesh).HasFloatPoints() ? 9 : 17;
   double bounds[6];
   mesh->GetBounds(bounds);
   const double greatest = std::fabs(*std::max_element(bounds, bounds + 6,
     [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
-  if (digits <= 0 || mesh->GetNumberOfPoints() == 0 || !(greatest > 0) || !std::isfinite(greatest))
+  if (digits <= 0 || digits >= allDigits || mesh->GetNumberOfPoints() == 0 || !(greatest > 0) ||
+    !std::isfinite(greatest))
   {
     return;
   }
