@@ -145,4 +145,14 @@ void MeshPieces::FindSurfaceSides()
     this->Pieces[piece].Options.Sides = &this->Sides[piece];
   }
 }
+
+//------------------------------------------------------------------------------
+void MeshPieces::FindRegions()
+{
+  this->Regions = FindMeshRegions(this->Pieces, this->Reducer);
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    this->Pieces[piece].Options.Regions = &this->Regions[piece];
+  }
+}
 }

@@ -15,6 +15,7 @@
 
 #include "Criteria/LinkedPieces.h"
 #include "Criteria/MeanSizes.h"
+#include "Criteria/MeshRegions.h"
 #include "Criteria/SurfaceSides.h"
 #include "ElementBlocks.h"
 
@@ -53,6 +54,8 @@ public:
   void FindMeanSizes();
   /// Collective. After Link.
   void FindSurfaceSides();
+  /// Collective. After Link.
+  void FindRegions();
 
 private:
   const vtkIdType* GetIds(vtkDataArray* ids);
@@ -65,6 +68,7 @@ private:
   std::vector<PieceLinks> Links;
   MeanSizes Means;
   std::vector<SurfaceSides> Sides;
+  std::vector<MeshRegions> Regions;
 };
 }
 

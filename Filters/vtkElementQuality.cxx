@@ -290,6 +290,10 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
   {
     pieces.FindSurfaceSides();
   }
+  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsRegions) != 0; }))
+  {
+    pieces.FindRegions();
+  }
 
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {

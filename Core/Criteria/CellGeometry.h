@@ -29,6 +29,7 @@ class vtkDataArray;
 namespace camaron
 {
 struct MeanSizes;
+struct MeshRegions;
 struct PieceLinks;
 struct SurfaceSides;
 
@@ -58,6 +59,8 @@ struct EvaluationOptions
   const MeanSizes* Means = nullptr;
   /// The closed surfaces of all pieces; if none, those of the mesh that is evaluated.
   const SurfaceSides* Sides = nullptr;
+  /// The regions of all pieces; if none, those of the mesh that is evaluated.
+  const MeshRegions* Regions = nullptr;
 };
 
 class CellGeometry

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a cell is in the mesh, and whether it is there twice.
 #include "Criteria/CriterionRows.h"
+#include "Criteria/MeshRegions.h"
 #include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 
+#include "vtkDataArray.h"
+
 #include <algorithm>
+#include <functional>
 
 namespace camaron
 {
@@ -27,17 +31,57 @@ void ForFacetCells(
                                           : Null(NullReason::NotApplicable);
   }
 }
+
+//------------------------------------------------------------------------------
+// The cells of other pieces that have all facets of a cell.
+void FindLinkedDuplicates(
+  const FacetTable::Range& uses, const FacetLinks& links, std::vector<LinkedCell>& found)
+{
+  found.clear();
+  bool isFirst = true;
+  for (const CellFacet use : uses)
+  {
+    const auto hasFacet = [&](const LinkedCell& cell)
+    {
+      bool result = false;
+      links.ForEach(use.Facet(),
+        [&](const LinkedCell& other, bool)
+        {
+          result = result || (other.Process == cell.Process && other.Piece == cell.Piece &&
+            other.Cell == cell.Cell);
+        });
+      return result;
+    };
+    if (isFirst)
+    {
+      links.ForEach(use.Facet(), [&](const LinkedCell& other, bool) { found.push_back(other); });
+    }
+    else
+    {
+      found.erase(std::remove_if(found.begin(), found.end(), std::not_fn(hasFacet)), found.end());
+    }
+    isFirst = false;
+    if (found.empty())
+    {
+      return;
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 void RegionId(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
-  const std::vector<Index>& regions = mesh.Topology.GetCellRegions();
+  const std::vector<std::int64_t>& regions = mesh.Options.Regions->OfCells;
   ForFacetCells(mesh, begin, end, values,
     [&](vtkIdType cell, const FacetTable&)
     {
+      const std::int64_t region = regions[cell];
       // A polyhedron without faces hangs together with nothing.
-      return regions[cell] >= 0 ? double(regions[cell]) : Null(NullReason::InvalidTopology);
+      return region == MeshRegions::None ? Null(NullReason::InvalidTopology)
+        : region < 0 || mesh.Options.IsPieceWithoutGhosts
+        ? Null(NullReason::MissingGhosts)
+        : static_cast<double>(region);
     });
 }
 
@@ -66,14 +110,33 @@ void IsBoundary(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double*
 void DuplicateCell(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const std::vector<double>& ids = mesh.GetDuplicateIds();
-  ForFacetCells(
-    mesh, begin, end, values, [&](vtkIdType cell, const FacetTable&) { return ids[cell]; });
+  const EvaluationOptions& options = mesh.Options;
+  const FacetTable& faces = mesh.Topology.GetFaces();
+  std::vector<LinkedCell> linked;
+  ForFacetCells(mesh, begin, end, values,
+    [&](vtkIdType cell, const FacetTable& table)
+    {
+      double lowest = ids[cell];
+      if (options.Links)
+      {
+        FindLinkedDuplicates(table.GetCellFacets(cell),
+          &table == &faces ? options.Links->Faces : options.Links->Edges, linked);
+        for (const LinkedCell& other : linked)
+        {
+          const double own = options.GlobalIds ? options.GlobalIds->GetComponent(cell, 0)
+                                               : static_cast<double>(cell);
+          lowest = std::min(lowest < 0 ? own : lowest, static_cast<double>(other.Id));
+        }
+      }
+      return lowest;
+    });
 }
 
 //------------------------------------------------------------------------------
 void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const std::vector<Index>& counts = mesh.Topology.GetPointRegionCounts();
+  const std::vector<unsigned char>& isUnknown = mesh.GetUnknownPoints();
   const MeshView& view = mesh.Topology.GetMesh();
   ForFacetCells(mesh, begin, end, values,
     [&](vtkIdType cell, const FacetTable&)
@@ -82,6 +145,10 @@ void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, d
       const IndexRange points = view.GetCellPoints(cell);
       for (vtkIdType i = 0; i < points.Size; ++i)
       {
+        if (!isUnknown.empty() && isUnknown[points[i]])
+        {
+          return Null(NullReason::MissingGhosts);
+        }
         largest = std::max(largest, counts[points[i]]);
       }
       return double(largest);
@@ -95,12 +162,13 @@ std::vector<Criterion> ConnectivityCriteria()
   return {
     { "RegionId", "Region",
       "Number of the part of the mesh that the cell hangs together with over faces (polygons: over edges); "
-      "parts are numbered from 0 in the order of their first cells. Parts that touch in points or edges only "
-      "are different ones.",
+      "parts are numbered from 0 in the order of their first cells (by global ids if there are any). Parts "
+      "that touch in points or edges only are different ones.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(RegionId),
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Neighbors, NeedsRegions, CAMARON_MESH(RegionId),
       { "component of the graph of the cells and their common facets",
-        "Null (invalid topology) for a polyhedron without faces.",
+        "Null (invalid topology) for a polyhedron without faces; null (piece not known) for a ghost cell "
+        "that no cell of its piece leads to.",
         "ParaView's Connectivity connects over common points, and counts in another order." } },
     { "PointRegionCount", "Groups of cells at a point",
       "Largest number of groups of cells that meet at a point of the cell without a common face (polygons: edge) "
@@ -109,7 +177,8 @@ std::vector<Criterion> ConnectivityCriteria()
       { -Infinity, 1 }, "no pinched points", Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(PointRegionCount),
       { "max over the points of the cell of the components of the graph of the cells around the point and "
         "their common facets with that point",
-        "0 for a polyhedron without faces.",
+        "0 for a polyhedron without faces; null (piece not known) at a face to another piece if there are no "
+        "ghost cells, without which pinches between pieces are not seen, either.",
         "OpenFOAM's checkMesh calls such points multiply connected, at the boundary only." } },
     { "DuplicateCell", "Cell with the same points",
       "Lowest id of all cells that have exactly the points of this cell, if there is another one; else -1. The id "

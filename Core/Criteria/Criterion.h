@@ -82,7 +82,8 @@ enum Needs : unsigned
   NeedsSolidAngle = 32u,
   NeedsCentroid = 64u,  ///< with NeedsVolume for a polyhedron
   NeedsMeanSizes = 128u,   ///< of all cells of the mesh
-  NeedsSurfaceSides = 256u ///< which side of a closed surface is the outer one
+  NeedsSurfaceSides = 256u, ///< which side of a closed surface is the outer one
+  NeedsRegions = 512u       ///< what hangs together
 };
 
 /// Why a value is null, as written to the mask arrays.

@@ -6,6 +6,7 @@
 #include "Criteria/LinkedPieces.h"
 #include "Criteria/MeanSizes.h"
 #include "Criteria/MeshContext.h"
+#include "Criteria/MeshRegions.h"
 #include "Criteria/SurfaceSides.h"
 #include "Parallel.h"
 
@@ -159,6 +160,7 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   const std::vector<LinkedPiece> pieces = { { &topology, givenOptions } };
   MeanSizes means;
   std::vector<SurfaceSides> sides;
+  std::vector<MeshRegions> regions;
   if (!options.Means && NeedAny(criteria, NeedsMeanSizes))
   {
     means = GetMeanSizes(pieces, alone);
@@ -168,6 +170,11 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   {
     sides = FindSurfaceSides(pieces, alone);
     options.Sides = &sides[0];
+  }
+  if (!options.Regions && NeedAny(criteria, NeedsRegions))
+  {
+    regions = FindMeshRegions(pieces, alone);
+    options.Regions = &regions[0];
   }
 
   const MeshView& mesh = topology.GetMesh();

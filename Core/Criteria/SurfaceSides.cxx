@@ -3,6 +3,7 @@
 #include "Criteria/SurfaceSides.h"
 
 #include "Criteria/CellNeighborhood.h"
+#include "Criteria/LinkedComponents.h"
 
 #include <algorithm>
 #include <cmath>
@@ -53,28 +54,9 @@ struct FixedSum
 // What hangs together in one piece.
 struct Component
 {
-  std::int64_t Label; // smallest number of the components of all pieces that belong to the surface
   FixedSum Volume;
   bool IsOpen = false;
   bool IsUnknown = false;
-};
-
-// "The component of your cell touches mine."
-struct Touch
-{
-  std::int32_t Piece, Cell;
-  std::int64_t Component;
-};
-
-struct Edge
-{
-  std::int64_t Own, Other; // numbers of components
-  int Process;
-};
-
-struct Relabeling
-{
-  std::int64_t Component, Label;
 };
 
 struct Report
@@ -117,10 +99,9 @@ public:
         this->FindComponents(this->Pieces[piece], this->Components.back());
       }
     }
-    this->Number();
-    this->FindTouching();
-    this->Propagate();
-    const std::vector<SurfaceSide> sides = this->Decide();
+    const LinkedComponents linked(
+      this->Pieces, this->Components, static_cast<Index>(this->All.size()), this->Reducer);
+    const std::vector<SurfaceSide> sides = this->Decide(linked);
     std::vector<SurfaceSides> result;
     for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
     {
@@ -299,114 +280,16 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  void Number()
-  {
-    const std::vector<std::int64_t> own = { static_cast<std::int64_t>(this->All.size()) };
-    this->First = { 0 };
-    for (const std::int64_t size : this->Reducer.GatherItems(own))
-    {
-      this->First.push_back(this->First.back() + size);
-    }
-    for (std::size_t i = 0; i < this->All.size(); ++i)
-    {
-      this->All[i].Label = this->GetOwnFirst() + static_cast<std::int64_t>(i);
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  std::int64_t GetOwnFirst() const { return this->First[this->Reducer.GetProcess()]; }
-  int GetProcess(std::int64_t component) const
-  {
-    return static_cast<int>(
-      std::upper_bound(this->First.begin(), this->First.end(), component) - this->First.begin() - 1);
-  }
-
-  //----------------------------------------------------------------------------
-  void FindTouching()
-  {
-    std::vector<std::vector<Touch>> touches(this->NumberOfProcesses);
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
-    {
-      const LinkedPiece& piece = this->Pieces[p];
-      if (!piece.Options.Links)
-      {
-        continue;
-      }
-      for (std::size_t cell = 0; cell < this->Components[p].size(); ++cell)
-      {
-        if (this->Components[p][cell] < 0)
-        {
-          continue;
-        }
-        const std::int64_t own = this->GetOwnFirst() + this->Components[p][cell];
-        for (const CellFacet edge :
-          piece.Topology->GetSurfaceEdges().GetCellFacets(static_cast<vtkIdType>(cell)))
-        {
-          piece.Options.Links->Edges.ForEach(edge.Facet(),
-            [&](const LinkedCell& other, bool)
-            { touches[other.Process].push_back({ other.Piece, other.Cell, own }); });
-        }
-      }
-    }
-    for (const std::vector<Touch>& list : this->Reducer.ExchangeItems(std::move(touches)))
-    {
-      for (const Touch& touch : list)
-      {
-        const std::int64_t own = this->GetOwnFirst() + this->Components[touch.Piece][touch.Cell];
-        this->Edges.push_back({ own, touch.Component, this->GetProcess(touch.Component) });
-      }
-    }
-    const auto order = [](const Edge& edge) { return std::make_pair(edge.Own, edge.Other); };
-    std::sort(this->Edges.begin(), this->Edges.end(),
-      [&](const Edge& a, const Edge& b) { return order(a) < order(b); });
-    this->Edges.erase(std::unique(this->Edges.begin(), this->Edges.end(),
-                        [&](const Edge& a, const Edge& b) { return order(a) == order(b); }),
-      this->Edges.end());
-  }
-
-  //----------------------------------------------------------------------------
-  // The smallest number spreads over all components that touch, one step in each round.
-  void Propagate()
-  {
-    std::vector<unsigned char> changed(this->All.size(), 1);
-    for (std::int64_t changes = 1; changes > 0;)
-    {
-      std::vector<std::vector<Relabeling>> sent(this->NumberOfProcesses);
-      for (const Edge& edge : this->Edges)
-      {
-        const std::int64_t own = edge.Own - this->GetOwnFirst();
-        if (changed[own])
-        {
-          sent[edge.Process].push_back({ edge.Other, this->All[own].Label });
-        }
-      }
-      changed.assign(changed.size(), 0);
-      for (const auto& list : this->Reducer.ExchangeItems(std::move(sent)))
-      {
-        for (const Relabeling& relabeling : list)
-        {
-          const std::int64_t own = relabeling.Component - this->GetOwnFirst();
-          if (relabeling.Label < this->All[own].Label)
-          {
-            this->All[own].Label = relabeling.Label;
-            changed[own] = 1;
-          }
-        }
-      }
-      changes = std::count(changed.begin(), changed.end(), 1);
-      this->Reducer.Sum(&changes, 1);
-    }
-  }
-
-  //----------------------------------------------------------------------------
   // Of every component its side. The process that has the first component of a surface decides for all.
-  std::vector<SurfaceSide> Decide()
+  std::vector<SurfaceSide> Decide(const LinkedComponents& linked)
   {
     std::vector<std::vector<Report>> reports(this->NumberOfProcesses);
-    for (const Component& component : this->All)
+    for (std::size_t i = 0; i < this->All.size(); ++i)
     {
-      reports[this->GetProcess(component.Label)].push_back(
-        { component.Label, component.Volume, component.IsOpen, component.IsUnknown });
+      const std::int64_t label = linked.GetLabels()[i];
+      const Component& component = this->All[i];
+      reports[linked.GetProcess(label)].push_back(
+        { label, component.Volume, component.IsOpen, component.IsUnknown });
     }
     reports = this->Reducer.ExchangeItems(std::move(reports));
     std::map<std::int64_t, Component> surfaces;
@@ -435,9 +318,9 @@ private:
     answers = this->Reducer.ExchangeItems(std::move(answers));
     std::vector<std::size_t> next(this->NumberOfProcesses, 0);
     std::vector<SurfaceSide> sides;
-    for (const Component& component : this->All)
+    for (const std::int64_t label : linked.GetLabels())
     {
-      const int process = this->GetProcess(component.Label);
+      const int process = linked.GetProcess(label);
       sides.push_back(answers[process][next[process]++]);
     }
     return sides;
@@ -450,8 +333,6 @@ private:
   int Exponent = 0;
   std::vector<std::vector<Index>> Components; // of the cells of each piece, numbers in All
   std::vector<Component> All;                 // of all pieces of this process
-  std::vector<std::int64_t> First;            // number of the first component of each process
-  std::vector<Edge> Edges;
 };
 }
 

@@ -39,6 +39,8 @@ CRITERIA = [
     "OrthogonalQuality",
     "CellDeterminant",
     "IsBoundary",
+    "RegionId",
+    "DuplicateCell",
     "VerdictRelativeSizeSquared",
     "VerdictShapeAndSize",
     "VerdictShearAndSize",
@@ -86,7 +88,12 @@ def values_of(data_of_ranks):
         parts.append({name: values[own] for name, values in arrays.items()})
     joined = {name: numpy.concatenate([part[name] for part in parts]) for name in parts[0]}
     order = numpy.argsort(joined["Number"], kind="stable")
-    return {name: values[order] for name, values in joined.items()}
+    result = {name: values[order] for name, values in joined.items()}
+    # Without global ids, numbers of cells and the order of regions are those of the pieces.
+    _, first, regions = numpy.unique(result["RegionId"], return_index=True, return_inverse=True)
+    result["RegionId"] = first[regions]
+    result["DuplicateCell"] = result["DuplicateCell"].view(float) >= 0
+    return result
 
 
 def surface_of(source):
@@ -103,7 +110,8 @@ def surface_of(source):
 
 def statistics_of(quality, folder):
     """The rows of the table of statistics as text."""
-    statistics = simple.QualityStatistics(Input=quality, Arrays=CRITERIA)
+    names = [name for name in CRITERIA if name not in ("RegionId", "DuplicateCell")]  # ids of pieces
+    statistics = simple.QualityStatistics(Input=quality, Arrays=names)
     path = folder / "statistics.csv"
     simple.SaveData(str(path), proxy=statistics, Precision=17)
     with open(path, newline="") as file:
