@@ -147,10 +147,10 @@ private:
     else if (keyword == "PROPERTIES")
     {
       properties.clear();
-      for (std::string& name : Split(rest))
+      for (const std::string& name : Split(rest))
       {
         properties.emplace_back();
-        properties.back().Name = std::move(name);
+        properties.back().Name = name.c_str(); // arrays have names without zero bytes
       }
     }
     else if (keyword == "ESIZES" || keyword == "NO_DATA_VALUES")

@@ -23,7 +23,8 @@ constexpr std::string_view OwnNames[] = { IdName, "GlobalPointIds", "vtkGhostTyp
 }
 
 //------------------------------------------------------------------------------
-std::size_t TSurfValues::FindArray(const TSurfProperty& property)
+std::size_t TSurfValues::FindArray(
+  const TSurfProperty& property, const std::vector<std::size_t>& used)
 {
   const auto isTaken = [this](const std::string& name)
   {
@@ -38,9 +39,10 @@ std::size_t TSurfValues::FindArray(const TSurfProperty& property)
   {
     const auto same = std::find_if(this->Arrays.begin(), this->Arrays.end(),
       [&](const Array& array) { return array.Name == name && array.Size == property.Size; });
-    if (same != this->Arrays.end())
+    const auto place = static_cast<std::size_t>(same - this->Arrays.begin());
+    if (same != this->Arrays.end() && std::find(used.begin(), used.end(), place) == used.end())
     {
-      return static_cast<std::size_t>(same - this->Arrays.begin());
+      return place;
     }
     if (!isTaken(name))
     {
@@ -75,7 +77,7 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
     }
     for (const TSurfProperty& property : object.Properties)
     {
-      this->ArraysOfObjects[i].push_back(this->FindArray(property));
+      this->ArraysOfObjects[i].push_back(this->FindArray(property, this->ArraysOfObjects[i]));
     }
   }
   // A few vertices with many values, and many without, may be more than a machine holds.

@@ -46,7 +46,8 @@ private:
   };
 
   bool MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints);
-  std::size_t FindArray(const TSurfProperty& property);
+  // An array of that name and size, which objects share, but none that this object has used already.
+  std::size_t FindArray(const TSurfProperty& property, const std::vector<std::size_t>& used);
   template <typename Take>
   bool ReadProperties(TextRow& row, std::size_t object, bool& isShort, Take&& take) const;
   bool ReadVertex(TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, bool& isShort);

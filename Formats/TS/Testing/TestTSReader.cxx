@@ -233,6 +233,25 @@ TEST(TSReader, WarnsOfOddThings)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, an array without a name is made, which ParaView does not show.
+TEST(TSReader, NamesEveryArray)
+{
+  using namespace std::string_literals;
+  const Result result = ReadBytes(
+    "GOCAD TSurf 1\nPROPERTIES \0 a\0b a\nPVRTX 1 0 0 0 5 6 7\nPVRTX 2 1 0 0 5 6 7\n"
+    "PVRTX 3 0 1 0 5 6 7\nTRGL 1 2 3\nEND\n"s);
+  vtkPointData* data = result.Grid->GetPointData();
+  for (const char* name : { "Property", "a", "a_2" })
+  {
+    EXPECT_TRUE(data->HasArray(name)) << name;
+  }
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    EXPECT_STRNE(data->GetArrayName(i), "");
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(TSReader, RefusesWhatIsWrong)
 {
   using Code = vtkErrorCode;
