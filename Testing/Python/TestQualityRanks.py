@@ -11,7 +11,6 @@ import csv
 import os
 import pickle
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -138,14 +137,7 @@ class TestQualityRanks(camaron_testing.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = Path(camaron_testing.tempfile.mkdtemp(prefix="camaron-test-"))
-        prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
-        environment = {k: v for k, v in os.environ.items() if not k.startswith(prefixes)}
-        subprocess.run(
-            [shutil.which("pvpython"), __file__, str(folder)],
-            env=environment,
-            check=True,
-            timeout=250,
-        )
+        camaron_testing.run_alone(__file__, folder, timeout=250)
         cls.reference, cls.surfaces = pickle.loads((folder / "reference").read_bytes())
         shutil.rmtree(folder)
 

@@ -5,8 +5,6 @@
 
 import csv
 import os
-import shutil
-import subprocess
 import sys
 from pathlib import Path
 
@@ -93,14 +91,7 @@ class TestRanks(camaron_testing.TestCase):
         folder = self.folder / "reference"
         if not folder.exists():
             folder.mkdir()
-            prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
-            environment = {k: v for k, v in os.environ.items() if not k.startswith(prefixes)}
-            subprocess.run(
-                [shutil.which("pvpython"), __file__, str(folder)],
-                env=environment,
-                check=True,
-                timeout=200,
-            )
+            camaron_testing.run_alone(__file__, folder, timeout=200)
         return read_tables(folder / str(global_ids))
 
     def check(self, global_ids, **options):

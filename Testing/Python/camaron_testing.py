@@ -77,21 +77,31 @@ def require_display():
     return unittest.skipUnless(has_display, "no display: run under xvfb-run")
 
 
+def environment_alone(without=()):
+    """The environment without what mpiexec told this process, for one that is no part of the job."""
+    prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
+    return {
+        key: value
+        for key, value in os.environ.items()
+        if key not in without
+        and (not key.startswith(prefixes) or key.startswith("OMPI_ALLOW_RUN_AS_ROOT"))
+    }
+
+
+def run_alone(script, *arguments, timeout):
+    """Runs a script in a single process of its own; an error if it fails."""
+    command = [shutil.which("pvpython"), str(script), *map(str, arguments)]
+    subprocess.run(command, env=environment_alone(), check=True, timeout=timeout)
+
+
 def run_command(*arguments, without=(), **options):
     """Runs the command line in a process of its own; returns it with its output as text.
 
     `without` names variables of the environment to leave out.
     """
     script = ROOT / "Scripts" / "camaron" / "__main__.py"
-    # What mpiexec told this process would make the other believe that it belongs to the same job.
-    prefixes = ("OMPI_", "PMIX_", "PMI_", "PRTE_", "HYDRA_")
-    environment = {
-        key: value
-        for key, value in os.environ.items()
-        if key not in without
-        and (not key.startswith(prefixes) or key.startswith("OMPI_ALLOW_RUN_AS_ROOT"))
-    }
     command = [shutil.which("pvpython") or "pvpython", str(script), *map(str, arguments)]
+    environment = environment_alone(without)
     return subprocess.run(
         command, capture_output=True, text=True, timeout=240, env=environment, **options
     )
