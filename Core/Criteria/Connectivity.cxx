@@ -6,8 +6,6 @@
 #include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 
-#include "vtkDataArray.h"
-
 #include <algorithm>
 #include <functional>
 
@@ -16,19 +14,19 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Calls getValue(cell, facets of the mesh of that cell) for the 2D and 3D cells.
+// Calls getValue(cell, its dimension) for the 2D and 3D cells, with the tables of facets made.
 template <typename GetValue>
 void ForFacetCells(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, GetValue&& getValue)
 {
-  const FacetTable &faces = mesh.Topology.GetFaces(), &edges = mesh.Topology.GetSurfaceEdges();
+  mesh.Topology.GetFaces();
+  mesh.Topology.GetSurfaceEdges();
   const CellFacets facets(mesh.Topology.GetMesh());
   for (vtkIdType cell = begin; cell < end; ++cell)
   {
     const int dimension = facets.GetDimension(cell);
-    values[cell - begin] = dimension == 3 ? getValue(cell, faces)
-      : dimension == 2                    ? getValue(cell, edges)
-                                          : Null(NullReason::NotApplicable);
+    values[cell - begin] =
+      dimension >= 2 ? getValue(cell, dimension) : Null(NullReason::NotApplicable);
   }
 }
 
@@ -74,7 +72,7 @@ void RegionId(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* v
 {
   const std::vector<std::int64_t>& regions = mesh.Options.Regions->OfCells;
   ForFacetCells(mesh, begin, end, values,
-    [&](vtkIdType cell, const FacetTable&)
+    [&](vtkIdType cell, int)
     {
       const std::int64_t region = regions[cell];
       // A polyhedron without faces hangs together with nothing.
@@ -89,14 +87,12 @@ void RegionId(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* v
 void IsBoundary(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const EvaluationOptions& options = mesh.Options;
-  const FacetTable& faces = mesh.Topology.GetFaces();
   ForFacetCells(mesh, begin, end, values,
-    [&](vtkIdType cell, const FacetTable& table)
+    [&](vtkIdType cell, int dimension)
     {
+      const FacetTable& table = mesh.Topology.GetFacets(dimension);
       const FacetTable::Range uses = table.GetCellFacets(cell);
-      const FacetLinks* links = !options.Links ? nullptr
-        : &table == &faces                     ? &options.Links->Faces
-                                               : &options.Links->Edges;
+      const FacetLinks* links = options.Links ? &options.Links->GetFacets(dimension) : nullptr;
       const bool isAlone = std::any_of(uses.begin(), uses.end(),
         [&](CellFacet use)
         { return table.IsBoundary(use.Facet()) && !(links && links->Has(use.Facet())); });
@@ -111,21 +107,19 @@ void DuplicateCell(const MeshContext& mesh, vtkIdType begin, vtkIdType end, doub
 {
   const std::vector<double>& ids = mesh.GetDuplicateIds();
   const EvaluationOptions& options = mesh.Options;
-  const FacetTable& faces = mesh.Topology.GetFaces();
   std::vector<LinkedCell> linked;
   ForFacetCells(mesh, begin, end, values,
-    [&](vtkIdType cell, const FacetTable& table)
+    [&](vtkIdType cell, int dimension)
     {
       double lowest = ids[cell];
       if (options.Links)
       {
-        FindLinkedDuplicates(table.GetCellFacets(cell),
-          &table == &faces ? options.Links->Faces : options.Links->Edges, linked);
+        FindLinkedDuplicates(mesh.Topology.GetFacets(dimension).GetCellFacets(cell),
+          options.Links->GetFacets(dimension), linked);
         for (const LinkedCell& other : linked)
         {
-          const double own = options.GlobalIds ? options.GlobalIds->GetComponent(cell, 0)
-                                               : static_cast<double>(cell);
-          lowest = std::min(lowest < 0 ? own : lowest, static_cast<double>(other.Id));
+          lowest =
+            std::min(lowest < 0 ? mesh.GetId(cell) : lowest, static_cast<double>(other.Id));
         }
       }
       return lowest;
@@ -139,7 +133,7 @@ void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, d
   const std::vector<unsigned char>& isUnknown = mesh.GetUnknownPoints();
   const MeshView& view = mesh.Topology.GetMesh();
   ForFacetCells(mesh, begin, end, values,
-    [&](vtkIdType cell, const FacetTable&)
+    [&](vtkIdType cell, int)
     {
       Index largest = 0;
       const IndexRange points = view.GetCellPoints(cell);

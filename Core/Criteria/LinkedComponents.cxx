@@ -67,10 +67,9 @@ void LinkedComponents::FindContacts(
         continue;
       }
       const auto cell = static_cast<vtkIdType>(i);
-      const bool is3D = GetCellShape(mesh.GetCellType(cell)).Dimension == 3;
-      const FacetTable& table =
-        is3D ? piece.Topology->GetFaces() : piece.Topology->GetSurfaceEdges();
-      const FacetLinks& links = is3D ? piece.Options.Links->Faces : piece.Options.Links->Edges;
+      const int dimension = GetCellShape(mesh.GetCellType(cell)).Dimension;
+      const FacetTable& table = piece.Topology->GetFacets(dimension);
+      const FacetLinks& links = piece.Options.Links->GetFacets(dimension);
       const std::int64_t own = this->GetOwnFirst() + ofCells[p][i];
       for (const CellFacet use : table.GetCellFacets(cell))
       {

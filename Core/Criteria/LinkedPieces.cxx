@@ -275,9 +275,7 @@ private:
     {
       if (HasCellsOfDimension(topology.GetMesh(), dimension))
       {
-        const FacetTable& table =
-          dimension == 3 ? topology.GetFaces() : topology.GetSurfaceEdges();
-        this->FindCandidates(piece, table, dimension, isNear);
+        this->FindCandidates(piece, topology.GetFacets(dimension), dimension, isNear);
       }
     }
   }
@@ -454,8 +452,7 @@ private:
     for (const Candidate& candidate : this->Candidates)
     {
       const LinkedPiece& piece = this->Pieces[candidate.Piece];
-      const FacetTable& table = candidate.Dimension == 3 ? piece.Topology->GetFaces()
-                                                         : piece.Topology->GetSurfaceEdges();
+      const FacetTable& table = piece.Topology->GetFacets(candidate.Dimension);
       table.GetCells(candidate.Facet, cells);
       for (const Index cell : cells)
       {

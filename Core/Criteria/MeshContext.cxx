@@ -53,9 +53,8 @@ std::vector<unsigned char> FindUnknownPoints(
     {
       continue;
     }
-    const FacetTable& table =
-      dimension == 3 ? topology.GetFaces() : topology.GetSurfaceEdges();
-    const FacetLinks& links = dimension == 3 ? options.Links->Faces : options.Links->Edges;
+    const FacetTable& table = topology.GetFacets(dimension);
+    const FacetLinks& links = options.Links->GetFacets(dimension);
     const FacetTable::Range uses = table.GetCellFacets(cell);
     if (std::none_of(uses.begin(), uses.end(), [&](CellFacet use) { return links.Has(use.Facet()); }))
     {
@@ -83,21 +82,26 @@ const std::vector<Vector>& MeshContext::GetCellVectors() const
 }
 
 //------------------------------------------------------------------------------
+double MeshContext::GetId(vtkIdType cell) const
+{
+  vtkDataArray* ids = this->Options.GlobalIds;
+  return ids ? ids->GetComponent(cell, 0) : static_cast<double>(cell);
+}
+
+//------------------------------------------------------------------------------
 const std::vector<double>& MeshContext::GetDuplicateIds() const
 {
   std::call_once(this->DuplicateIdsOnce,
     [this]
     {
       const MeshView& mesh = this->Topology.GetMesh();
-      vtkDataArray* ids = this->Options.GlobalIds;
-      const auto getId = [=](Index cell) { return ids ? ids->GetComponent(cell, 0) : double(cell); };
       this->DuplicateIds.assign(static_cast<std::size_t>(mesh.GetNumberOfCells()), -1);
       for (const std::vector<Index>& group : FindDuplicateCells(mesh))
       {
-        double lowest = getId(group[0]);
+        double lowest = this->GetId(group[0]);
         for (const Index cell : group)
         {
-          lowest = std::min(lowest, getId(cell));
+          lowest = std::min(lowest, this->GetId(cell));
         }
         for (const Index cell : group)
         {

@@ -30,6 +30,8 @@ public:
   const MeshTopology& Topology;
   const EvaluationOptions& Options;
 
+  /// The global id of a cell, or its place in the mesh if there are none.
+  double GetId(vtkIdType cell) const;
   /// Vector areas of the 2D cells; zero for other cells.
   const std::vector<Vector>& GetCellVectors() const;
   /// Of every cell the lowest id of all cells with the same points, or -1 if it is the only one.

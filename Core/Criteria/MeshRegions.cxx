@@ -5,7 +5,6 @@
 #include "Criteria/LinkedComponents.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace camaron

@@ -76,6 +76,11 @@ struct PieceLinks
 {
   FacetLinks Faces; ///< of 3D cells
   FacetLinks Edges; ///< of 2D cells
+
+  const FacetLinks& GetFacets(int dimension) const
+  {
+    return dimension == 3 ? this->Faces : this->Edges;
+  }
 };
 }
 

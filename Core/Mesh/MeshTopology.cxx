@@ -354,7 +354,7 @@ void MeshTopology::GetNeighbors(
     {
       return;
     }
-    const FacetTable& table = dimension == 3 ? this->GetFaces() : this->GetSurfaceEdges();
+    const FacetTable& table = this->GetFacets(dimension);
     std::vector<Index> cells;
     for (const CellFacet facet : table.GetCellFacets(cell))
     {

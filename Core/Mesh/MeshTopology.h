@@ -56,6 +56,11 @@ public:
   const FacetTable& GetFaces() const;
   /// Edges of the 2D cells, in the direction of the owner.
   const FacetTable& GetSurfaceEdges() const;
+  /// The one or the other: the facets of cells of dimension 3 or 2.
+  const FacetTable& GetFacets(int dimension) const
+  {
+    return dimension == 3 ? this->GetFaces() : this->GetSurfaceEdges();
+  }
   /// Edges of all 2D and 3D cells.
   const EdgeList& GetEdges() const;
   const PointCells& GetPointCells() const;
