@@ -4,12 +4,12 @@
 
 #include "Criteria/CellNeighborhood.h"
 #include "Criteria/LinkedComponents.h"
+#include "Mesh/DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 
 namespace camaron
 {
@@ -65,17 +65,6 @@ struct Report
   FixedSum Volume;
   bool IsOpen, IsUnknown;
 };
-
-//------------------------------------------------------------------------------
-Index FindRoot(std::vector<Index>& parents, Index cell)
-{
-  while (parents[cell] != cell)
-  {
-    parents[cell] = parents[parents[cell]];
-    cell = parents[cell];
-  }
-  return cell;
-}
 
 //------------------------------------------------------------------------------
 class SideFinder
@@ -199,8 +188,7 @@ private:
     const FacetTable& edges = piece.Topology->GetSurfaceEdges();
     const FacetLinks* links = piece.Options.Links ? &piece.Options.Links->Edges : nullptr;
     const auto numberOfCells = static_cast<Index>(mesh.GetNumberOfCells());
-    std::vector<Index> parents(numberOfCells);
-    std::iota(parents.begin(), parents.end(), 0);
+    DisjointSets surfaces(static_cast<std::size_t>(numberOfCells));
     std::vector<unsigned char> isOpen(numberOfCells), isUnknown(numberOfCells);
     std::vector<Index> cells;
     for (Index cell = 0; cell < numberOfCells; ++cell)
@@ -209,6 +197,7 @@ private:
       {
         continue;
       }
+      surfaces.Insert(cell);
       for (const CellFacet edge : edges.GetCellFacets(cell))
       {
         edges.GetCells(edge.Facet(), cells);
@@ -224,7 +213,8 @@ private:
           ++others;
           if (other != cell)
           {
-            parents[FindRoot(parents, other)] = FindRoot(parents, cell);
+            surfaces.Insert(other);
+            surfaces.Join(cell, other);
             for (const CellFacet theirs : edges.GetCellFacets(other))
             {
               isOpposite = isOpposite && (theirs.Facet() != edge.Facet() ||
@@ -260,13 +250,13 @@ private:
         components[cell] = Copy;
         continue;
       }
-      const Index root = FindRoot(parents, cell);
-      if (components[root] < 0)
+      const vtkIdType first = surfaces.Find(cell);
+      if (first == cell)
       {
-        components[root] = static_cast<Index>(this->All.size());
+        components[cell] = static_cast<Index>(this->All.size());
         this->All.emplace_back();
       }
-      components[cell] = components[root];
+      components[cell] = components[first];
       Component& component = this->All[components[cell]];
       component.IsOpen = component.IsOpen || isOpen[cell];
       component.IsUnknown = component.IsUnknown || isUnknown[cell];

@@ -3,52 +3,12 @@
 #include "Mesh/CellRegions.h"
 
 #include "Mesh/CellFacets.h"
+#include "Mesh/DisjointSets.h"
 
 #include <algorithm>
 
 namespace camaron
 {
-namespace
-{
-//------------------------------------------------------------------------------
-// Sets of numbers that grow together. Each is known by its smallest member.
-class DisjointSets
-{
-public:
-  explicit DisjointSets(std::size_t size)
-    : Parents(size, -1)
-  {
-  }
-  bool Contains(vtkIdType item) const { return this->Parents[item] >= 0; }
-  void Insert(vtkIdType item)
-  {
-    if (!this->Contains(item))
-    {
-      this->Parents[item] = item;
-    }
-  }
-  vtkIdType Find(vtkIdType item)
-  {
-    while (this->Parents[item] != item)
-    {
-      this->Parents[item] = this->Parents[this->Parents[item]];
-      item = this->Parents[item];
-    }
-    return item;
-  }
-  /// Both must have been inserted.
-  void Join(vtkIdType a, vtkIdType b)
-  {
-    a = this->Find(a);
-    b = this->Find(b);
-    this->Parents[std::max(a, b)] = std::min(a, b);
-  }
-
-private:
-  std::vector<vtkIdType> Parents;
-};
-}
-
 //------------------------------------------------------------------------------
 std::vector<Index> FindCellRegions(const MeshTopology& topology)
 {
@@ -102,7 +62,7 @@ std::vector<Index> CountPointRegions(const MeshTopology& topology)
     {
       continue;
     }
-    const FacetTable& table = dimension == 3 ? topology.GetFaces() : topology.GetSurfaceEdges();
+    const FacetTable& table = topology.GetFacets(dimension);
     const FacetTable::Range uses = table.GetCellFacets(cell);
     facets.ForEach(cell,
       [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
