@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ElementBlocks.h"
 
-#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -22,8 +22,16 @@ namespace camaron
 {
 namespace
 {
-constexpr unsigned char GhostMask = vtkDataSetAttributes::DUPLICATECELL |
-  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+unsigned char GetGhostMask(ElementKind kind)
+{
+  return kind == ElementKind::Cells ? vtkDataSetAttributes::DUPLICATECELL |
+      vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL
+                                    : vtkDataSetAttributes::DUPLICATEPOINT |
+      vtkDataSetAttributes::HIDDENPOINT;
+}
+static_assert(static_cast<int>(vtkDataSetAttributes::DUPLICATECELL) ==
+    static_cast<int>(vtkDataSetAttributes::DUPLICATEPOINT),
+  "copies are marked alike");
 
 //------------------------------------------------------------------------------
 // Path of a child such as "rotor/blades".
@@ -111,7 +119,27 @@ std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
 }
 
 //------------------------------------------------------------------------------
-ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer)
+vtkIdType ElementBlock::GetSize() const
+{
+  return this->Data->GetNumberOfElements(static_cast<int>(this->Kind));
+}
+
+//------------------------------------------------------------------------------
+vtkDataSetAttributes* ElementBlock::GetAttributes() const
+{
+  return this->Data->GetAttributes(static_cast<int>(this->Kind));
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* ElementBlock::GetArray(const std::string& name) const
+{
+  vtkDataArray* array = this->GetAttributes()->GetArray(name.c_str());
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+
+//------------------------------------------------------------------------------
+ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind kind)
+  : Kind(kind)
 {
   this->Composite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   for (const DataSetLeaf& leaf : GetLeaves(input))
@@ -125,33 +153,34 @@ ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer)
 //------------------------------------------------------------------------------
 void ElementBlocks::AddBlock(const DataSetLeaf& leaf)
 {
-  vtkDataSet* data = leaf.Data;
-  if (data->GetNumberOfCells() == 0)
+  ElementBlock block;
+  static_cast<DataSetLeaf&>(block) = leaf;
+  block.Kind = this->Kind;
+  if (block.GetSize() == 0)
   {
     return;
   }
-  ElementBlock block;
-  static_cast<DataSetLeaf&>(block) = leaf;
-  vtkUnsignedCharArray* ghosts = data->GetCellGhostArray();
+  vtkUnsignedCharArray* ghosts = leaf.Data->GetGhostArray(static_cast<int>(this->Kind));
   const unsigned char* begin = ghosts ? ghosts->GetPointer(0) : nullptr;
-  const unsigned char* end = ghosts ? begin + data->GetNumberOfCells() : nullptr;
-  if (std::any_of(begin, end, [](unsigned char ghost) { return ghost & GhostMask; }))
+  const unsigned char* end = ghosts ? begin + block.GetSize() : nullptr;
+  const unsigned char mask = GetGhostMask(this->Kind);
+  if (std::any_of(begin, end, [mask](unsigned char ghost) { return ghost & mask; }))
   {
     block.Skip.resize(end - begin);
     std::transform(begin, end, block.Skip.begin(),
-      [](unsigned char ghost) { return static_cast<unsigned char>(ghost & GhostMask); });
+      [mask](unsigned char ghost) { return static_cast<unsigned char>(ghost & mask); });
   }
   this->Blocks.push_back(block);
 }
 
 //------------------------------------------------------------------------------
-// Global ids are of use only if no cell is without.
+// Global ids are of use only if no element is without.
 void ElementBlocks::FindGlobalIds(Reducer& reducer)
 {
   std::int64_t counts[2] = { 0, 0 };
   for (const ElementBlock& block : this->Blocks)
   {
-    ++counts[block.Data->GetCellData()->GetGlobalIds() ? 0 : 1];
+    ++counts[block.GetAttributes()->GetGlobalIds() ? 0 : 1];
   }
   reducer.Sum(counts, 2);
   this->GlobalIds = counts[0] > 0 && counts[1] == 0;
@@ -161,7 +190,7 @@ void ElementBlocks::FindGlobalIds(Reducer& reducer)
   }
   for (ElementBlock& block : this->Blocks)
   {
-    block.GlobalIds = block.Data->GetCellData()->GetGlobalIds();
+    block.GlobalIds = block.GetAttributes()->GetGlobalIds();
     if (!vtkIdTypeArray::FastDownCast(block.GlobalIds))
     {
       auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
@@ -181,8 +210,8 @@ void ElementBlocks::FindIndices(Reducer& reducer)
   std::vector<Piece> pieces;
   for (ElementBlock& block : this->Blocks)
   {
-    // Count the cells that are not copies; as a rule the copies come last.
-    const vtkIdType size = block.Data->GetNumberOfCells();
+    // Count the elements that are not copies; as a rule the copies come last.
+    const vtkIdType size = block.GetSize();
     vtkIdType count = block.Skip.empty() ? size : 0;
     for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(block.Skip.size()); ++cell)
     {
@@ -225,10 +254,23 @@ void ElementBlocks::FindIndices(Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
+void ElementBlocks::Restrict(const std::vector<std::vector<unsigned char>>& marks)
+{
+  for (std::size_t b = 0; b < marks.size(); ++b)
+  {
+    std::vector<unsigned char>& skip = this->Blocks[b].Skip;
+    skip.resize(marks[b].size());
+    std::transform(marks[b].begin(), marks[b].end(), skip.begin(), skip.begin(),
+      [](unsigned char mark, unsigned char ghost)
+      { return static_cast<unsigned char>(ghost || !mark); });
+  }
+}
+
+//------------------------------------------------------------------------------
 ValueBlock ElementBlocks::GetValueBlock(const ElementBlock& block) const
 {
   ValueBlock values;
-  values.Size = block.Data->GetNumberOfCells();
+  values.Size = block.GetSize();
   values.Skip = block.Skip.empty() ? nullptr : block.Skip.data();
   values.FirstId = block.FirstIndex;
   if (block.GlobalIds)
@@ -243,19 +285,12 @@ ValueBlock ElementBlocks::GetValueBlock(const ElementBlock& block) const
 }
 
 //------------------------------------------------------------------------------
-vtkDataArray* GetCellArray(const ElementBlock& block, const std::string& name)
-{
-  vtkDataArray* array = block.Data->GetCellData()->GetArray(name.c_str());
-  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
-}
-
-//------------------------------------------------------------------------------
 BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayName)
 {
   for (std::size_t number = 0; number < blocks.Get().size(); ++number)
   {
     const ElementBlock& block = blocks.Get()[number];
-    vtkSmartPointer<vtkDataArray> array = GetCellArray(block, arrayName);
+    vtkSmartPointer<vtkDataArray> array = block.GetArray(arrayName);
     if (!array)
     {
       continue;
@@ -269,7 +304,7 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     this->Owners.push_back(array);
     ValueBlock values = blocks.GetValueBlock(block);
     values.Values = vtkDoubleArray::FastDownCast(array)->GetPointer(0);
-    if (auto* mask = vtkUnsignedCharArray::SafeDownCast(GetCellArray(block, arrayName + "_Null")))
+    if (auto* mask = vtkUnsignedCharArray::SafeDownCast(block.GetArray(arrayName + "_Null")))
     {
       values.NullReasons = mask->GetPointer(0);
     }

@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementBlocks
- * @brief The cells of any input, block by block, with an identity of each among all processes.
+ * @brief The cells or points of any input, block by block, with an identity of each among all processes.
  *
  * The *index* of a cell counts the cells of block after block, inside a block those of process
  * after process; copies of cells that another process owns (DUPLICATECELL) are not counted. For one
  * data set on one process it is VTK's cell id; for a mesh that is split into ranges of cells it is
- * what that would be. Its *identity* is its global id if all cells have one, else its index.
+ * what that would be. Its *identity* is its global id if all cells have one, else its index. The same
+ * holds for points.
  *
- * Ghost cells (vtkGhostType with DUPLICATECELL, HIDDENCELL or REFINEDCELL) take part in nothing.
+ * Ghosts (vtkGhostType with DUPLICATECELL, HIDDENCELL or REFINEDCELL; DUPLICATEPOINT or HIDDENPOINT)
+ * take part in nothing.
  */
 #ifndef camaron_ElementBlocks_h
 #define camaron_ElementBlocks_h
@@ -17,14 +19,15 @@
 #include "Statistics/Population.h"
 #include "Statistics/Reducer.h"
 
+#include "vtkDataObject.h"   // for kinds of elements
 #include "vtkSmartPointer.h" // for arrays
 
 #include <string> // for names
 #include <vector> // for lists
 
 class vtkDataArray;
-class vtkDataObject;
 class vtkDataSet;
+class vtkDataSetAttributes;
 class vtkDoubleArray;
 
 namespace camaron
@@ -41,35 +44,52 @@ struct DataSetLeaf
 /// The data sets of the input on this process in the order of their flat indices, empty ones included.
 std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input);
 
+/// What an ElementBlock counts.
+enum class ElementKind
+{
+  Cells = vtkDataObject::CELL,
+  Points = vtkDataObject::POINT
+};
+
 /// A data set of the input on this process.
 struct ElementBlock : DataSetLeaf
 {
+  ElementKind Kind = ElementKind::Cells;
   std::vector<unsigned char> Skip;         ///< nonzero for ghosts; empty if there are none
-  vtkIdType FirstIndex = 0;                ///< of the first cell
-  std::vector<vtkIdType> Indices;          ///< of all cells if they are not consecutive, else empty
+  vtkIdType FirstIndex = 0;                ///< of the first element
+  std::vector<vtkIdType> Indices;          ///< of all elements if they are not consecutive, else empty
   vtkSmartPointer<vtkDataArray> GlobalIds; ///< vtkIdTypeArray, none if the identity is the index
 
-  vtkIdType GetIndex(vtkIdType cell) const
+  vtkIdType GetSize() const;
+  /// Arrays of the elements.
+  vtkDataSetAttributes* GetAttributes() const;
+  /// An array with one component or nullptr.
+  vtkDataArray* GetArray(const std::string& name) const;
+  vtkIdType GetIndex(vtkIdType element) const
   {
-    return this->Indices.empty() ? this->FirstIndex + cell : this->Indices[cell];
+    return this->Indices.empty() ? this->FirstIndex + element : this->Indices[element];
   }
-  bool IsGhost(vtkIdType cell) const { return !this->Skip.empty() && this->Skip[cell]; }
+  bool IsGhost(vtkIdType element) const { return !this->Skip.empty() && this->Skip[element]; }
 };
 
 class ElementBlocks
 {
 public:
   /// Collective. Borrows @a input.
-  ElementBlocks(vtkDataObject* input, Reducer& reducer);
+  ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind kind = ElementKind::Cells);
 
   const std::vector<ElementBlock>& Get() const { return this->Blocks; }
   bool IsComposite() const { return this->Composite; }
-  /// True if the identity of cells is their global id.
+  ElementKind GetKind() const { return this->Kind; }
+  /// True if the identity of elements is their global id.
   bool HasGlobalIds() const { return this->GlobalIds; }
   /// How the property IdSpace of SelectElements calls the identity.
   const char* GetIdSpace() const { return this->GlobalIds ? "Global id" : "Index"; }
   /// One more than the largest index.
   vtkIdType GetNumberOfIndices() const { return this->NumberOfIndices; }
+
+  /// Leaves out the elements that are not marked; @a marks: a list for each block.
+  void Restrict(const std::vector<std::vector<unsigned char>>& marks);
 
   /// Skip mask, identities and size of a block as Core wants them, still without values.
   ValueBlock GetValueBlock(const ElementBlock& block) const;
@@ -80,13 +100,14 @@ private:
   void FindIndices(Reducer& reducer);
 
   std::vector<ElementBlock> Blocks;
+  ElementKind Kind;
   bool Composite = false;
   bool GlobalIds = false;
   vtkIdType NumberOfIndices = 0;
 };
 
 /**
- * Values of one cell array with a single component in all blocks that have it, as doubles (borrowed
+ * Values of one array with a single component in all blocks that have it, as doubles (borrowed
  * where they are).
  */
 class BlockValues
@@ -103,9 +124,6 @@ private:
   std::vector<std::size_t> Numbers;
   std::vector<vtkSmartPointer<vtkDataArray>> Owners;
 };
-
-/// A single-component numeric cell array of the block or nullptr.
-vtkDataArray* GetCellArray(const ElementBlock& block, const std::string& name);
 }
 
 #endif

@@ -4,45 +4,16 @@
 
 #include "Criteria/CellNeighborhood.h"
 #include "MeshInput.h"
+#include "RunTogether.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <exception>
-#include <stdexcept>
-#include <string>
 
 namespace camaron
 {
-namespace
-{
-//------------------------------------------------------------------------------
-// Runs a function that may throw on some processes only; then all throw.
-template <typename Function>
-void RunTogether(Reducer& reducer, Function&& function)
-{
-  std::string error;
-  std::int64_t hasFailed = 0;
-  try
-  {
-    function();
-  }
-  catch (const std::exception& exception)
-  {
-    error = exception.what();
-    hasFailed = 1;
-  }
-  const bool hasOwnError = hasFailed != 0;
-  reducer.Max(&hasFailed, 1);
-  if (hasFailed)
-  {
-    throw std::runtime_error(hasOwnError ? error : "another process failed");
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
   int numberOfRequestedPieces, camaron::Reducer& reducer)

@@ -19,6 +19,7 @@
 #include "Criteria/SurfaceSides.h"
 #include "ElementBlocks.h"
 
+#include "vtkDataSet.h"      // for the meshes
 #include "vtkSmartPointer.h" // for the meshes
 
 #include <memory> // for the topologies

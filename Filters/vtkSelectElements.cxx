@@ -3,12 +3,14 @@
 #include "vtkSelectElements.h"
 
 #include "ControllerReducer.h"
+#include "RunTogether.h"
+#include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
 
-#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -17,19 +19,36 @@
 #include "vtkObjectFactory.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <stdexcept>
 
 vtkStandardNewMacro(vtkSelectElements);
 
 namespace
 {
 //------------------------------------------------------------------------------
-// Copy of a data set with the marks; no marks stand for no cells.
-vtkSmartPointer<vtkDataSet> CopyWithMarks(vtkDataSet* data, const std::vector<unsigned char>& marks)
+camaron::ElementKind GetKind(const std::string& elementType)
+{
+  if (elementType == "Cells")
+  {
+    return camaron::ElementKind::Cells;
+  }
+  if (elementType == "Points")
+  {
+    return camaron::ElementKind::Points;
+  }
+  throw std::invalid_argument("Element Type is Cells or Points, not '" + elementType + "'");
+}
+
+//------------------------------------------------------------------------------
+// Copy of a data set with the marks; no marks stand for no elements.
+vtkSmartPointer<vtkDataSet> CopyWithMarks(
+  vtkDataSet* data, camaron::ElementKind kind, const std::vector<unsigned char>& marks)
 {
   vtkNew<vtkUnsignedCharArray> selected;
   selected->SetName(vtkSelectElements::GetSelectedArrayName());
@@ -37,8 +56,34 @@ vtkSmartPointer<vtkDataSet> CopyWithMarks(vtkDataSet* data, const std::vector<un
   std::copy(marks.begin(), marks.end(), selected->GetPointer(0));
   auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
   copy->ShallowCopy(data);
-  copy->GetCellData()->AddArray(selected);
+  copy->GetAttributes(static_cast<int>(kind))->AddArray(selected);
   return copy;
+}
+
+//------------------------------------------------------------------------------
+// Copies the input with marks for each of its data sets: findMarks(flatIndex).
+template <typename FindMarks>
+void AddMarks(
+  vtkDataObject* input, camaron::ElementKind kind, vtkDataObject* output, FindMarks&& findMarks)
+{
+  if (auto* data = vtkDataSet::SafeDownCast(input))
+  {
+    output->ShallowCopy(CopyWithMarks(data, kind, findMarks(0)));
+    return;
+  }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
+  auto* copy = vtkCompositeDataSet::SafeDownCast(output);
+  copy->CopyStructure(composite);
+  copy->GetFieldData()->ShallowCopy(composite->GetFieldData());
+  vtkSmartPointer<vtkCompositeDataIterator> it;
+  it.TakeReference(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    vtkDataObject* leaf = it->GetCurrentDataObject();
+    auto* leafData = vtkDataSet::SafeDownCast(leaf);
+    copy->SetDataSet(it,
+      leafData ? CopyWithMarks(leafData, kind, findMarks(it->GetCurrentFlatIndex())).Get() : leaf);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -46,16 +91,17 @@ void AddNode(vtkSelection* selection, const camaron::ElementBlock& block,
   const std::vector<unsigned char>& marks, bool composite, int process)
 {
   vtkNew<vtkIdTypeArray> ids;
-  for (std::size_t cell = 0; cell < marks.size(); ++cell)
+  for (std::size_t i = 0; i < marks.size(); ++i)
   {
-    if (marks[cell])
+    if (marks[i])
     {
-      ids->InsertNextValue(static_cast<vtkIdType>(cell));
+      ids->InsertNextValue(static_cast<vtkIdType>(i));
     }
   }
   vtkNew<vtkSelectionNode> node;
   node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetFieldType(vtkSelectionNode::CELL);
+  node->SetFieldType(block.Kind == camaron::ElementKind::Cells ? vtkSelectionNode::CELL
+                                                               : vtkSelectionNode::POINT);
   node->SetSelectionList(ids);
   node->GetProperties()->Set(vtkSelectionNode::PROCESS_ID(), process);
   if (composite)
@@ -71,6 +117,7 @@ void AddNode(vtkSelection* selection, const camaron::ElementBlock& block,
 vtkSelectElements::vtkSelectElements()
   : Parameters(std::make_unique<camaron::SelectionParameters>())
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -81,10 +128,13 @@ vtkSelectElements::~vtkSelectElements() = default;
 void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ElementType: " << this->GetElementType() << '\n';
+  os << indent << "Combination: " << this->GetCombination() << '\n';
   os << indent << "Strategy: " << this->GetStrategy() << '\n';
   os << indent << "Ids: " << this->GetIds() << '\n';
   os << indent << "IdSpace: " << this->GetIdSpace() << '\n';
   os << indent << "Array: " << this->GetArray() << '\n';
+  os << indent << "PointArray: " << this->GetPointArray() << '\n';
   os << indent << "Side: " << this->GetSide() << '\n';
   os << indent << "Range: " << this->GetRange() << '\n';
   os << indent << "Preset: " << this->GetPreset() << '\n';
@@ -93,7 +143,8 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
   os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
   os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
-  os << indent << "NumberOfSelectedCells: " << this->NumberOfSelectedCells << '\n';
+  os << indent << "LeaveNulls: " << this->GetLeaveNulls() << '\n';
+  os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
   os << indent << "Report: " << this->Report << '\n';
 }
 
@@ -126,6 +177,22 @@ int vtkSelectElements::GetNumberOfWorst() const
 }
 
 //------------------------------------------------------------------------------
+void vtkSelectElements::SetLeaveNulls(bool leave)
+{
+  if (this->Parameters->LeaveNulls != leave)
+  {
+    this->Parameters->LeaveNulls = leave;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSelectElements::GetLeaveNulls() const
+{
+  return this->Parameters->LeaveNulls;
+}
+
+//------------------------------------------------------------------------------
 // Properties that are text.
 #define CAMARON_TEXT_PROPERTY(name)                                                                \
   void vtkSelectElements::Set##name(const char* text)                                              \
@@ -136,10 +203,13 @@ int vtkSelectElements::GetNumberOfWorst() const
   {                                                                                                \
     return this->Parameters->name.c_str();                                                         \
   }
+CAMARON_TEXT_PROPERTY(ElementType)
 CAMARON_TEXT_PROPERTY(Strategy)
+CAMARON_TEXT_PROPERTY(Combination)
 CAMARON_TEXT_PROPERTY(Ids)
 CAMARON_TEXT_PROPERTY(IdSpace)
 CAMARON_TEXT_PROPERTY(Array)
+CAMARON_TEXT_PROPERTY(PointArray)
 CAMARON_TEXT_PROPERTY(Side)
 CAMARON_TEXT_PROPERTY(Range)
 CAMARON_TEXT_PROPERTY(Preset)
@@ -150,8 +220,14 @@ CAMARON_TEXT_PROPERTY(WorstValues)
 #undef CAMARON_TEXT_PROPERTY
 
 //------------------------------------------------------------------------------
-int vtkSelectElements::FillInputPortInformation(int, vtkInformation* info)
+int vtkSelectElements::FillInputPortInformation(int port, vtkInformation* info)
 {
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
   return 1;
@@ -195,18 +271,15 @@ int vtkSelectElements::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
   vtkSelection* selection = vtkSelection::GetData(outputVector, 1);
   this->Report.clear();
-  this->NumberOfSelectedCells = 0;
+  this->NumberOfSelectedElements = 0;
   try
   {
     camaron::ControllerReducer reducer;
-    const camaron::ElementBlocks blocks(input, reducer);
-    camaron::SelectionMarks marks;
-    for (const camaron::ElementBlock& block : blocks.Get())
-    {
-      marks.emplace_back(block.Data->GetNumberOfCells(), static_cast<unsigned char>(0));
-    }
-    const camaron::Strategy& strategy = camaron::FindStrategy(this->Parameters->Strategy);
-    this->Report = strategy.Select(*this->Parameters, blocks, reducer, marks);
+    camaron::ElementBlocks blocks(input, reducer, GetKind(this->Parameters->ElementType));
+    const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+    const camaron::SelectionMarks marks = this->Select(
+      input, vtkSelection::GetData(inputVector[1]), numberOfPieces, blocks, reducer);
 
     std::int64_t selected = 0;
     std::map<unsigned int, std::size_t> blockOfFlatIndex; // without the empty ones
@@ -216,37 +289,18 @@ int vtkSelectElements::RequestData(
       selected += std::count(marks[b].begin(), marks[b].end(), 1);
       AddNode(selection, blocks.Get()[b], marks[b], blocks.IsComposite(), reducer.GetProcess());
     }
-    const auto findMarks = [&](unsigned int flatIndex)
-    {
-      const auto found = blockOfFlatIndex.find(flatIndex);
-      return found == blockOfFlatIndex.end() ? std::vector<unsigned char>() : marks[found->second];
-    };
     reducer.Sum(&selected, 1);
-    this->NumberOfSelectedCells = static_cast<vtkIdType>(selected);
+    this->NumberOfSelectedElements = static_cast<vtkIdType>(selected);
     if (!this->Report.empty() && reducer.GetProcess() == 0)
     {
       vtkWarningMacro("" << this->Report << '.');
     }
-
-    if (auto* data = vtkDataSet::SafeDownCast(input))
-    {
-      output->ShallowCopy(CopyWithMarks(data, findMarks(0)));
-    }
-    else if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
-    {
-      auto* copy = vtkCompositeDataSet::SafeDownCast(output);
-      copy->CopyStructure(composite);
-      copy->GetFieldData()->ShallowCopy(composite->GetFieldData());
-      vtkSmartPointer<vtkCompositeDataIterator> it;
-      it.TakeReference(composite->NewIterator());
-      for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    AddMarks(input, blocks.GetKind(), output,
+      [&](unsigned int flatIndex)
       {
-        vtkDataObject* leaf = it->GetCurrentDataObject();
-        auto* data = vtkDataSet::SafeDownCast(leaf);
-        copy->SetDataSet(
-          it, data ? CopyWithMarks(data, findMarks(it->GetCurrentFlatIndex())).Get() : leaf);
-      }
-    }
+        const auto found = blockOfFlatIndex.find(flatIndex);
+        return found == blockOfFlatIndex.end() ? std::vector<unsigned char>() : marks[found->second];
+      });
   }
   catch (const std::exception& error)
   {
@@ -255,4 +309,34 @@ int vtkSelectElements::RequestData(
     return 0;
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+camaron::SelectionMarks vtkSelectElements::Select(vtkDataObject* input, vtkSelection* selection,
+  int numberOfPieces, camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
+{
+  const camaron::Strategy& strategy = camaron::FindStrategy(this->Parameters->Strategy);
+  if (blocks.GetKind() == camaron::ElementKind::Points && !strategy.IsForPoints)
+  {
+    throw std::invalid_argument(
+      "the strategy '" + this->Parameters->Strategy + "' is for cells, and Element Type is Points");
+  }
+  camaron::SelectionMarks current;
+  camaron::RunTogether(reducer,
+    [&]
+    {
+      current = camaron::FindCurrentSelection(
+        input, selection, GetSelectedArrayName(), reducer.GetProcess(), blocks);
+    });
+  if (this->Parameters->Combination == "Refine")
+  {
+    blocks.Restrict(current);
+  }
+  camaron::SelectionMarks marks = camaron::MakeMarks(blocks);
+  this->Report = strategy.Select(
+    camaron::SelectionTask(*this->Parameters, blocks, current, numberOfPieces, reducer), marks);
+  camaron::MarkElements(marks,
+    [&](std::size_t b, vtkIdType i) { return marks[b][i] && !blocks.Get()[b].IsGhost(i); });
+  camaron::CombineSelections(this->Parameters->Combination, current, marks);
+  return marks;
 }

@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSelectElements
- * @brief Selects cells of a mesh by one of several strategies.
+ * @brief Selects cells or points of a mesh by one of several strategies.
  *
- * Input: any vtkDataSet or composite of them. Outputs:
- * 0. the input with the unsigned char cell array `Selected`, 1 for selected cells and 0 for others;
- * 1. a vtkSelection of the selected cells by index, with a node for each data set of this process.
+ * Inputs: any vtkDataSet or composite of them (port 0); the selection so far (port 1, optional), any
+ * vtkSelection. Without one the selection so far is what the array `Selected` of the mesh says, as one
+ * Select Elements after the other leaves it. Outputs:
+ * 0. the mesh with the unsigned char array `Selected` of its cells or points, 1 for selected ones and 0
+ * for others;
+ * 1. a vtkSelection of the selected elements by index, with a node for each data set of this process.
  *
  * Strategies, by name:
  * - "By criterion": values of Array inside or outside of a range; NaN is on neither side, infinite
@@ -14,9 +17,12 @@
  * - "Worst N": the NumberOfWorst worst values of Array in exact order, the smaller identity first
  * among equal ones; NaN never, infinite values take part;
  * - "Null": NaN in Array;
- * - "By id": a list of ids.
+ * - "By id": a list of ids;
+ * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell has, in whatever
+ * piece; or the points of these faces and edges;
+ * - "All", "Current" (the selection so far), "Invert" (what is not in it).
  *
- * Ghost cells are never selected. The same cells are selected on any number of processes, if these
+ * Ghosts are never selected. The same cells are selected on any number of processes, if these
  * have global ids or hold consecutive ranges of the cells; see camaron::ElementBlocks.
  */
 #ifndef vtkSelectElements_h
@@ -26,9 +32,14 @@
 
 #include <memory> // for the parameters
 #include <string> // for the report
+#include <vector> // for marks
+
+class vtkSelection;
 
 namespace camaron
 {
+class ElementBlocks;
+class Reducer;
 struct SelectionParameters;
 }
 
@@ -39,8 +50,31 @@ public:
   vtkTypeMacro(vtkSelectElements, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Name of the array that is added to the cells.
+  /// Name of the array that is added.
   static const char* GetSelectedArrayName() { return "Selected"; }
+
+  /// The selection so far, see above.
+  void SetSelectionConnection(vtkAlgorithmOutput* selection)
+  {
+    this->SetInputConnection(1, selection);
+  }
+
+  ///@{
+  /// What to select: "Cells" (default) or "Points".
+  void SetElementType(const char* name);
+  const char* GetElementType() const;
+  ///@}
+
+  ///@{
+  /**
+   * How the elements that the strategy finds change the selection so far: they "Replace" it (default),
+   * are added to it ("Add") or taken from it ("Subtract"), it becomes what is in both ("Intersect") or
+   * in one of them ("Toggle"), or the strategy looks only at what is selected ("Refine"): the worst N of
+   * that.
+   */
+  void SetCombination(const char* name);
+  const char* GetCombination() const;
+  ///@}
 
   ///@{
   /// How to select, see above. Default: "By criterion".
@@ -65,9 +99,14 @@ public:
   ///@}
 
   ///@{
-  /// By criterion, Worst N, Null: cell array with one component. Default: none.
+  /**
+   * By criterion, Worst N, Null, Invert: cell array and point array with one component, whichever belongs
+   * to the elements. Default: none.
+   */
   void SetArray(const char* name);
   const char* GetArray() const;
+  void SetPointArray(const char* name);
+  const char* GetPointArray() const;
   ///@}
 
   ///@{
@@ -94,11 +133,6 @@ public:
   const char* GetPreset() const;
   ///@}
 
-  ///@{
-  /**
-   * File of acceptable ranges of the user (Core/Criteria/RangesFile.h), which come before those of
-   * the preset. Default: empty, none.
-   */
   ///@{
   /**
    * By criterion: file of acceptable ranges of the user (Core/Criteria/RangesFile.h), which come before those of
@@ -132,8 +166,15 @@ public:
   const char* GetWorstValues() const;
   ///@}
 
-  /// Selected cells of all processes after the last update.
-  vtkGetMacro(NumberOfSelectedCells, vtkIdType);
+  ///@{
+  /// Invert: whether elements with a null value in the array stay unselected. Default: off.
+  void SetLeaveNulls(bool leave);
+  bool GetLeaveNulls() const;
+  vtkBooleanMacro(LeaveNulls, bool);
+  ///@}
+
+  /// Selected elements of all processes after the last update.
+  vtkGetMacro(NumberOfSelectedElements, vtkIdType);
   /// What the last update has to say, such as "2 of 5 ids do not exist"; else empty.
   const char* GetReport() const { return this->Report.c_str(); }
 
@@ -151,9 +192,11 @@ private:
   void operator=(const vtkSelectElements&) = delete;
 
   void SetText(std::string& member, const char* text);
+  std::vector<std::vector<unsigned char>> Select(vtkDataObject* input, vtkSelection* selection,
+    int numberOfPieces, camaron::ElementBlocks& blocks, camaron::Reducer& reducer);
 
   std::unique_ptr<camaron::SelectionParameters> Parameters;
-  vtkIdType NumberOfSelectedCells = 0;
+  vtkIdType NumberOfSelectedElements = 0;
   std::string Report;
 };
 

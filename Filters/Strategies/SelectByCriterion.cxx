@@ -38,26 +38,26 @@ double ParseLimit(const std::string& text, const char* property, double open)
 
 //------------------------------------------------------------------------------
 // Unit of the array, the same on all processes.
-std::string FindUnit(const std::string& arrayName, const ElementBlocks& blocks, Reducer& reducer)
+std::string FindUnit(const SelectionTask& task)
 {
   std::vector<std::string> units;
-  for (const ElementBlock& block : blocks.Get())
+  for (const ElementBlock& block : task.Blocks.Get())
   {
-    vtkDataArray* array = GetCellArray(block, arrayName);
+    vtkDataArray* array = block.GetArray(task.GetArrayName());
     if (array && array->HasInformation() &&
       array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
     {
       units.emplace_back(array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()));
     }
   }
-  units = reducer.GatherNames(units);
+  units = task.Reducer.GatherNames(units);
   return units.empty() ? std::string() : units.back();
 }
 
 //------------------------------------------------------------------------------
-ValueRange FindRange(
-  const SelectionParameters& parameters, const ElementBlocks& blocks, Reducer& reducer)
+ValueRange FindRange(const SelectionTask& task)
 {
+  const SelectionParameters& parameters = task.Parameters;
   if (parameters.Range == "Custom")
   {
     const ValueRange open;
@@ -73,11 +73,11 @@ ValueRange FindRange(
   {
     throw std::invalid_argument("Range is Acceptable or Custom, not '" + parameters.Range + "'");
   }
-  const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, reducer);
-  const auto range = ranges.Find(parameters.Array, FindUnit(parameters.Array, blocks, reducer));
+  const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, task.Reducer);
+  const auto range = ranges.Find(task.GetArrayName(), FindUnit(task));
   if (!range)
   {
-    throw std::invalid_argument("no acceptable range is known for '" + parameters.Array +
+    throw std::invalid_argument("no acceptable range is known for '" + task.GetArrayName() +
       "'; choose another Preset, or Custom for Range and give the limits");
   }
   return *range;
@@ -85,11 +85,11 @@ ValueRange FindRange(
 }
 
 //------------------------------------------------------------------------------
-std::string SelectByCriterion(const SelectionParameters& parameters, const ElementBlocks& blocks,
-  Reducer& reducer, SelectionMarks& marks)
+std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
 {
-  const BlockValues values = FindValues(parameters.Array, blocks, reducer);
-  const ValueRange range = FindRange(parameters, blocks, reducer);
+  const SelectionParameters& parameters = task.Parameters;
+  const BlockValues values = FindValues(task);
+  const ValueRange range = FindRange(task);
   if (parameters.Side != "Inside" && parameters.Side != "Outside")
   {
     throw std::invalid_argument("Side is Inside or Outside, not '" + parameters.Side + "'");

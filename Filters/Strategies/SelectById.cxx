@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
-#include "vtkCellData.h"
-#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 
 #include <algorithm>
@@ -99,12 +98,12 @@ bool Contains(const std::vector<IdRange>& ranges, vtkIdType id)
 }
 
 //------------------------------------------------------------------------------
-// Ids of the cells of every block, empty where they are the indices. Throws if a process lacks
+// Ids of the elements of every block, empty where they are the indices. Throws if a process lacks
 // them.
-std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(
-  const std::string& idSpace, const ElementBlocks& blocks, Reducer& reducer)
+std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(const SelectionTask& task)
 {
-  std::vector<vtkSmartPointer<vtkIdTypeArray>> ids(blocks.Get().size());
+  const std::string& idSpace = task.Parameters.IdSpace;
+  std::vector<vtkSmartPointer<vtkIdTypeArray>> ids(task.Blocks.Get().size());
   if (idSpace == "Index")
   {
     return ids;
@@ -117,7 +116,7 @@ std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(
   std::int64_t missing = 0;
   for (std::size_t b = 0; b < ids.size(); ++b)
   {
-    vtkCellData* data = blocks.Get()[b].Data->GetCellData();
+    vtkDataSetAttributes* data = task.Blocks.Get()[b].GetAttributes();
     auto* array = vtkDataArray::SafeDownCast(
       idSpace == "Global id" ? data->GetGlobalIds() : data->GetPedigreeIds());
     if (array && array->GetNumberOfComponents() == 1)
@@ -127,26 +126,25 @@ std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(
     }
     missing += !ids[b];
   }
-  reducer.Sum(&missing, 1);
+  task.Reducer.Sum(&missing, 1);
   if (missing > 0)
   {
-    throw std::invalid_argument("the cells have no " +
-      std::string(idSpace == "Global id" ? "global" : "numeric pedigree") + " ids");
+    throw std::invalid_argument(std::string(task.HasCells() ? "the cells" : "the points") +
+      " have no " + (idSpace == "Global id" ? "global" : "numeric pedigree") + " ids");
   }
   return ids;
 }
 }
 
 //------------------------------------------------------------------------------
-std::string SelectById(const SelectionParameters& parameters, const ElementBlocks& blocks,
-  Reducer& reducer, SelectionMarks& marks)
+std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
 {
-  const std::vector<IdRange> ranges = ParseIds(parameters.Ids);
-  const auto ids = FindIds(parameters.IdSpace, blocks, reducer);
+  const std::vector<IdRange> ranges = ParseIds(task.Parameters.Ids);
+  const auto ids = FindIds(task);
   std::int64_t found = 0;
   for (std::size_t b = 0; b < marks.size(); ++b)
   {
-    const ElementBlock& block = blocks.Get()[b];
+    const ElementBlock& block = task.Blocks.Get()[b];
     const vtkIdType* blockIds = ids[b] ? ids[b]->GetPointer(0) : nullptr;
     ParallelFor(static_cast<vtkIdType>(marks[b].size()), 1 << 16,
       [&](vtkIdType begin, vtkIdType end)
@@ -159,7 +157,7 @@ std::string SelectById(const SelectionParameters& parameters, const ElementBlock
       });
     found += std::count(marks[b].begin(), marks[b].end(), 1);
   }
-  reducer.Sum(&found, 1);
+  task.Reducer.Sum(&found, 1);
 
   std::uint64_t wanted = 0;
   for (const IdRange& range : ranges)

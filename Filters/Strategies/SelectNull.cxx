@@ -7,10 +7,9 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-std::string SelectNull(const SelectionParameters& parameters, const ElementBlocks& blocks,
-  Reducer& reducer, SelectionMarks& marks)
+std::string SelectNull(const SelectionTask& task, SelectionMarks& marks)
 {
-  MarkValues(FindValues(parameters.Array, blocks, reducer), marks,
+  MarkValues(FindValues(task), marks,
     [](const ValueBlock& block, vtkIdType i) { return std::isnan(block.Values[i]); });
   return "";
 }

@@ -9,21 +9,21 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-std::string SelectWorst(const SelectionParameters& parameters, const ElementBlocks& blocks,
-  Reducer& reducer, SelectionMarks& marks)
+std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks)
 {
-  const BlockValues values = FindValues(parameters.Array, blocks, reducer);
-  const auto end = FindWorstEnd(parameters.Array, parameters.WorstValues);
+  const BlockValues values = FindValues(task);
+  const auto end = FindWorstEnd(task.GetArrayName(), task.Parameters.WorstValues);
   if (!end)
   {
-    throw std::invalid_argument("no end of '" + parameters.Array +
+    throw std::invalid_argument("no end of '" + task.GetArrayName() +
       "' is known to be the worse one; choose Largest or Smallest for Worst Values");
   }
-  const WorstLimit limit = FindWorstLimit(values.Get(), parameters.NumberOfWorst, *end, reducer);
+  const WorstLimit limit = FindWorstLimit(values.Get(), task.Parameters.NumberOfWorst, *end, task.Reducer);
   MarkValues(
     values, marks, [&](const ValueBlock& block, vtkIdType i) { return limit.Contains(block, i); });
-  return limit.Count < parameters.NumberOfWorst
-    ? "there are only " + std::to_string(limit.Count) + " cells with a value"
+  return limit.Count < task.Parameters.NumberOfWorst
+    ? "there are only " + std::to_string(limit.Count) +
+      (task.HasCells() ? " cells" : " points") + " with a value"
     : "";
 }
 }

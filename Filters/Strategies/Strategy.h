@@ -12,7 +12,9 @@
 #define camaron_Strategy_h
 
 #include "ElementBlocks.h"
+#include "MeshPieces.h"
 
+#include <memory> // for the pieces
 #include <string> // for parameters
 #include <vector> // for marks
 
@@ -21,10 +23,13 @@ namespace camaron
 /// All properties of vtkSelectElements; a strategy reads its own. See there what they mean.
 struct SelectionParameters
 {
+  std::string ElementType = "Cells";
   std::string Strategy = "By criterion";
+  std::string Combination = "Replace";
   std::string Ids;
   std::string IdSpace = "Index";
   std::string Array;
+  std::string PointArray;
   std::string Side = "Outside";
   std::string Range = "Acceptable";
   std::string Preset = "Default ranges";
@@ -33,39 +38,90 @@ struct SelectionParameters
   std::string UpperLimit;
   int NumberOfWorst = 10;
   std::string WorstValues = "By criterion";
+  bool LeaveNulls = false;
 };
 
-/// For each block of the input 1 for selected cells, else 0. Comes filled with 0.
+/// For each block of the input 1 for selected elements, else 0.
 using SelectionMarks = std::vector<std::vector<unsigned char>>;
 
-/**
- * Selects. Collective: throws on all processes or none, std::invalid_argument with a message for
- * people. Returns a remark for people, empty if there is none. Ghost cells are never selected.
- */
-using SelectFunction = std::string (*)(const SelectionParameters& parameters,
-  const ElementBlocks& blocks, Reducer& reducer, SelectionMarks& marks);
+/// Marks of all elements, 0.
+SelectionMarks MakeMarks(const ElementBlocks& blocks);
 
-std::string SelectById(const SelectionParameters&, const ElementBlocks&, Reducer&, SelectionMarks&);
-std::string SelectByCriterion(
-  const SelectionParameters&, const ElementBlocks&, Reducer&, SelectionMarks&);
-std::string SelectNull(const SelectionParameters&, const ElementBlocks&, Reducer&, SelectionMarks&);
-std::string SelectWorst(
-  const SelectionParameters&, const ElementBlocks&, Reducer&, SelectionMarks&);
+/// What a strategy is given.
+class SelectionTask
+{
+public:
+  /// @a blocks, @a current and @a reducer are borrowed. @a numberOfRequestedPieces: see MeshPieces.
+  SelectionTask(const SelectionParameters& parameters, const ElementBlocks& blocks,
+    const SelectionMarks& current, int numberOfRequestedPieces, camaron::Reducer& reducer);
+
+  const SelectionParameters& Parameters;
+  const ElementBlocks& Blocks;
+  const SelectionMarks& Current; ///< the selection so far; no ghosts are in it
+  camaron::Reducer& Reducer;
+
+  /// Array or PointArray, whichever belongs to the elements.
+  const std::string& GetArrayName() const;
+  bool HasCells() const { return this->Blocks.GetKind() == ElementKind::Cells; }
+  /**
+   * Collective. The blocks as meshes whose pieces know each other; piece i is block i. Made when
+   * first asked for.
+   */
+  const MeshPieces& GetPieces() const;
+
+private:
+  int NumberOfRequestedPieces;
+  mutable std::unique_ptr<MeshPieces> Pieces;
+};
+
+/**
+ * Selects: sets @a marks, which comes filled with 0. Collective: throws on all processes or none,
+ * std::invalid_argument with a message for people. Returns a remark for people, empty if there is none.
+ * Ghosts need not be left out: the caller does that.
+ */
+using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks& marks);
+
+std::string SelectAll(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectNull(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
 
 struct Strategy
 {
   const char* Name;
   SelectFunction Select;
+  bool IsForPoints; ///< not for cells only
 };
 
 const std::vector<Strategy>& GetStrategies();
 /// Throws std::invalid_argument if there is none of that name.
 const Strategy& FindStrategy(const std::string& name);
 
-/**
- * Values of a cell array for the strategies that need one; throws if no process has it. Collective.
- */
-BlockValues FindValues(const std::string& arrayName, const ElementBlocks& blocks, Reducer& reducer);
+/// Values of the array for the strategies that need one; throws if no process has it. Collective.
+BlockValues FindValues(const SelectionTask& task);
+
+/// Marks the elements for which @a isSelected(blockNumber, i) is true.
+template <typename IsSelected>
+void MarkElements(SelectionMarks& marks, IsSelected&& isSelected)
+{
+  constexpr vtkIdType grain = 1 << 14;
+  for (std::size_t b = 0; b < marks.size(); ++b)
+  {
+    unsigned char* mark = marks[b].data();
+    ParallelFor(static_cast<vtkIdType>(marks[b].size()), grain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          mark[i] = isSelected(b, i);
+        }
+      });
+  }
+}
 
 /// Marks the elements for which @a isSelected(block, i) is true; it is not asked about ghosts.
 template <typename IsSelected>

@@ -2,18 +2,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "vtkDataSet.h"
+
 #include <stdexcept>
 
 namespace camaron
 {
 //------------------------------------------------------------------------------
+SelectionMarks MakeMarks(const ElementBlocks& blocks)
+{
+  SelectionMarks marks;
+  for (const ElementBlock& block : blocks.Get())
+  {
+    marks.emplace_back(block.GetSize(), static_cast<unsigned char>(0));
+  }
+  return marks;
+}
+
+//------------------------------------------------------------------------------
+SelectionTask::SelectionTask(const SelectionParameters& parameters, const ElementBlocks& blocks,
+  const SelectionMarks& current, int numberOfRequestedPieces, camaron::Reducer& reducer)
+  : Parameters(parameters)
+  , Blocks(blocks)
+  , Current(current)
+  , Reducer(reducer)
+  , NumberOfRequestedPieces(numberOfRequestedPieces)
+{
+}
+
+//------------------------------------------------------------------------------
+const std::string& SelectionTask::GetArrayName() const
+{
+  return this->HasCells() ? this->Parameters.Array : this->Parameters.PointArray;
+}
+
+//------------------------------------------------------------------------------
+const MeshPieces& SelectionTask::GetPieces() const
+{
+  if (!this->Pieces)
+  {
+    const std::vector<DataSetLeaf> leaves(this->Blocks.Get().begin(), this->Blocks.Get().end());
+    this->Pieces = std::make_unique<MeshPieces>(
+      leaves, EvaluationOptions(), this->NumberOfRequestedPieces, this->Reducer);
+    this->Pieces->Link(false);
+  }
+  return *this->Pieces;
+}
+
+//------------------------------------------------------------------------------
 const std::vector<Strategy>& GetStrategies()
 {
   static const std::vector<Strategy> strategies = {
-    { "By criterion", &SelectByCriterion },
-    { "Worst N", &SelectWorst },
-    { "Null", &SelectNull },
-    { "By id", &SelectById },
+    { "By criterion", &SelectByCriterion, true },
+    { "Worst N", &SelectWorst, true },
+    { "Null", &SelectNull, true },
+    { "By id", &SelectById, true },
+    { "Boundary", &SelectBoundary, true },
+    { "All", &SelectAll, true },
+    { "Current", &SelectCurrent, true },
+    { "Invert", &SelectInverse, true },
   };
   return strategies;
 }
@@ -32,18 +79,20 @@ const Strategy& FindStrategy(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
-BlockValues FindValues(const std::string& arrayName, const ElementBlocks& blocks, Reducer& reducer)
+BlockValues FindValues(const SelectionTask& task)
 {
-  BlockValues values(blocks, arrayName);
+  const std::string& name = task.GetArrayName();
+  BlockValues values(task.Blocks, name);
   std::int64_t counts[2] = { static_cast<std::int64_t>(values.Get().size()),
-    static_cast<std::int64_t>(blocks.Get().size()) };
-  reducer.Sum(counts, 2);
-  // An input without any cell has no arrays worth mentioning.
+    static_cast<std::int64_t>(task.Blocks.Get().size()) };
+  task.Reducer.Sum(counts, 2);
+  // An input without any element has no arrays worth mentioning.
   if (counts[0] == 0 && counts[1] > 0)
   {
-    throw std::invalid_argument(arrayName.empty()
-        ? std::string("no Array is chosen")
-        : "there is no cell array with one component named '" + arrayName + "'");
+    const std::string kind = task.HasCells() ? "cell" : "point";
+    throw std::invalid_argument(name.empty()
+        ? (task.HasCells() ? "no Array is chosen" : "no Point Array is chosen")
+        : "there is no " + kind + " array with one component named '" + name + "'");
   }
   return values;
 }

@@ -23,6 +23,7 @@
 #include <QPointer>
 #include <QTimer>
 
+#include <string>
 #include <vector>
 
 //------------------------------------------------------------------------------
@@ -107,11 +108,14 @@ void pqSelectElementsBehavior::select(pqPipelineSource* source)
     return;
   }
   BEGIN_UNDO_EXCLUDE();
+  const std::string elements = vtkSMPropertyHelper(source->getProxy(), "ElementType").GetAsString();
+  const bool isOfPoints = elements == "Points";
   const std::vector<double> range = { 1, 1 };
   constexpr const char* array = "Selected"; // see vtkSelectElements
   vtkSMPropertyHelper(description, "ArrayName").Set(array);
   vtkSMPropertyHelper(description, "Thresholds").Set(range.data(), 2);
-  vtkSMPropertyHelper(description, "FieldType").Set(vtkSelectionNode::CELL);
+  vtkSMPropertyHelper(description, "FieldType")
+    .Set(isOfPoints ? vtkSelectionNode::POINT : vtkSelectionNode::CELL);
   description->UpdateVTKObjects();
   const auto selection = vtkSmartPointer<vtkSMSourceProxy>::Take(vtkSMSourceProxy::SafeDownCast(
     vtkSMSelectionHelper::NewAppendSelectionsFromSelectionSource(description)));
@@ -132,7 +136,7 @@ void pqSelectElementsBehavior::select(pqPipelineSource* source)
     .arg("SelectThresholds")
     .arg("Thresholds", range)
     .arg("ArrayName", array)
-    .arg("FieldType", "CELL")
+    .arg("FieldType", isOfPoints ? "POINT" : "CELL")
     .arg("Source", source->getProxy())
-    .arg("comment", "make the cells of Select Elements the active selection");
+    .arg("comment", "make what Select Elements selects the active selection");
 }

@@ -12,7 +12,7 @@ from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 
 
 def set_active_selection(source: Any, port: int = 0) -> None:
-    """Makes the cells that a SelectElements filter selects ParaView's active selection.
+    """Makes the cells or points that a SelectElements filter selects ParaView's active selection.
 
     The selection is a description, "Selected is 1 on this output", so it follows the filter when that
     is updated. It is what Find Data, Extract Selection and the views know as the selection of the source;
@@ -24,13 +24,17 @@ def set_active_selection(source: Any, port: int = 0) -> None:
     >>> set_active_selection(worst)
     >>> cells = simple.ExtractSelection(Input=worst)
     """
-    cells = source.GetDataInformation(port).GetCellDataInformation()
-    if cells.GetArrayInformation("Selected") is None:
-        raise ValueError(
-            'the output has no cell array "Selected": update it, or is it no SelectElements?'
-        )
+    information = source.GetDataInformation(port)
+    element_type = source.GetProperty("ElementType")
+    is_of_points = bool(element_type) and element_type.GetData() == "Points"
+    arrays = information.GetPointDataInformation() if is_of_points else information.GetCellDataInformation()
+    if arrays.GetArrayInformation("Selected") is None:
+        raise ValueError('the output has no array "Selected": update it, or is it no SelectElements?')
     selected = paraview_selection._createSelection(
-        "ThresholdSelectionSource", Thresholds=[1, 1], ArrayName="Selected", FieldType="CELL"
+        "ThresholdSelectionSource",
+        Thresholds=[1, 1],
+        ArrayName="Selected",
+        FieldType="POINT" if is_of_points else "CELL",
     )
     selected.UpdateVTKObjects()
     append = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(selected.SMProxy)

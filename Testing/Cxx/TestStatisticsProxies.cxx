@@ -94,6 +94,9 @@ TEST(SelectElementsProxy, AgreesWithClass)
   const std::string proxy = "SelectElements";
   vtkNew<vtkSelectElements> filter;
   EXPECT_EQ(ReadDefault(proxy, "Strategy"), filter->GetStrategy());
+  EXPECT_EQ(ReadDefault(proxy, "ElementType"), filter->GetElementType());
+  EXPECT_EQ(ReadDefault(proxy, "Combination"), filter->GetCombination());
+  EXPECT_EQ(ReadDefault(proxy, "LeaveNulls"), std::to_string(filter->GetLeaveNulls()));
   EXPECT_EQ(ReadDefault(proxy, "Ids"), filter->GetIds());
   EXPECT_EQ(ReadDefault(proxy, "IdSpace"), filter->GetIdSpace());
   EXPECT_EQ(ReadDefault(proxy, "Side"), filter->GetSide());

@@ -34,7 +34,7 @@ class TestSelect(camaron_testing.TestCase):
         marks = vtk_to_numpy(marks)
         self.assertTrue(set(marks) <= {0, 1})
         cells = numpy.flatnonzero(marks).tolist()
-        self.assertEqual(select.GetPropertyValue("NumberOfSelectedCells"), len(cells))
+        self.assertEqual(select.GetPropertyValue("NumberOfSelectedElements"), len(cells))
         return select, cells
 
     def cells(self, condition):
@@ -255,7 +255,7 @@ class TestSelect(camaron_testing.TestCase):
             select = simple.SelectElements(registrationName="chosen", Input=quality, **properties)
             select.UpdatePipeline()
             select.UpdatePropertyInformation()
-            count = select.GetPropertyValue("NumberOfSelectedCells")
+            count = select.GetPropertyValue("NumberOfSelectedElements")
             self.assertGreater(count, 0)
             if kind == "python":
                 state = smstate.get_state()
@@ -271,7 +271,7 @@ class TestSelect(camaron_testing.TestCase):
             select.UpdatePropertyInformation()
             for name, value in properties.items():
                 self.assertEqual(select.GetPropertyValue(name), value)
-            self.assertEqual(select.GetPropertyValue("NumberOfSelectedCells"), count)
+            self.assertEqual(select.GetPropertyValue("NumberOfSelectedElements"), count)
 
 
 if __name__ == "__main__":

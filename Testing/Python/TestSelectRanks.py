@@ -35,7 +35,7 @@ class TestRanks(camaron_testing.TestCase):
                 numbers = vtk_to_numpy(output.GetArray("Number"))
                 selected += numbers[vtk_to_numpy(output.GetArray("Selected")) == 1].tolist()
         self.assertEqual(sorted(selected), sorted(expected), properties)
-        self.assertEqual(select.GetPropertyValue("NumberOfSelectedCells"), len(expected))
+        self.assertEqual(select.GetPropertyValue("NumberOfSelectedElements"), len(expected))
         return select
 
     def check_strategies(self, ids, **options):

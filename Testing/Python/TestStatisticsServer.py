@@ -27,7 +27,7 @@ def evaluate():
     )
     select.UpdatePipeline()
     select.UpdatePropertyInformation()
-    results.append(select.GetPropertyValue("NumberOfSelectedCells"))
+    results.append(select.GetPropertyValue("NumberOfSelectedElements"))
     selection.set_active_selection(select)
     extract = simple.ExtractSelection(Input=select)
     extract.UpdatePipeline()
