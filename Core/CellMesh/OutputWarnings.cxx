@@ -19,6 +19,69 @@
 
 namespace camaron
 {
+namespace
+{
+constexpr int MaxComponents = 3; // of what is checked
+
+//------------------------------------------------------------------------------
+// What tuples are called in messages.
+struct TupleNames
+{
+  const char* Values;
+  const char* One;
+  const char* Many;
+};
+
+//------------------------------------------------------------------------------
+// See CheckSinglePrecision; getTuple(id, values) may be called in parallel.
+template <typename GetTuple>
+bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const TupleNames& names,
+  const std::string& path, Warnings& warnings, ScanError& error)
+{
+  constexpr vtkIdType ChunkSize = 1 << 16;
+  constexpr double Greatest = std::numeric_limits<float>::max();
+  const auto isTooLarge = [](double v) { return std::isfinite(v) && std::fabs(v) > Greatest; };
+  Tally rounded, tooLarge;
+  std::mutex mutex;
+  ParallelFor(size, ChunkSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const auto isExact = [](double v) { return !std::isfinite(v) || static_cast<float>(v) == v; };
+      Tally roundedHere, tooLargeHere;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        double x[MaxComponents];
+        getTuple(id, x);
+        if (std::any_of(x, x + components, isTooLarge))
+        {
+          tooLargeHere.Add(id);
+        }
+        else if (!std::all_of(x, x + components, isExact))
+        {
+          roundedHere.Add(id);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      rounded.Merge(roundedHere);
+      tooLarge.Merge(tooLargeHere);
+    });
+  if (tooLarge.Count > 0)
+  {
+    double x[MaxComponents];
+    getTuple(tooLarge.First, x);
+    std::string found;
+    AppendNumber(found, *std::find_if(x, x + components, isTooLarge));
+    error = { ErrorKind::Unsupported,
+      GetFileName(path) + ": expected " + names.Values +
+        " up to 3.4e38, as they are written in single precision, found " + found + " of " +
+        names.One + " " + std::to_string(tooLarge.First) };
+    return false;
+  }
+  warnings.Add(rounded, names.One, names.Many, "rounded to single precision");
+  return true;
+}
+}
+
 //------------------------------------------------------------------------------
 void WarnOfArrays(
   vtkDataSet* mesh, const char* format, Warnings& warnings, const std::vector<std::string>& written)
@@ -57,46 +120,30 @@ bool CheckSinglePrecision(
   {
     return true;
   }
-  constexpr vtkIdType ChunkSize = 1 << 16;
-  constexpr double Greatest = std::numeric_limits<float>::max();
-  const auto isTooLarge = [](double v) { return std::isfinite(v) && std::fabs(v) > Greatest; };
-  Tally rounded, tooLarge;
-  std::mutex mutex;
-  ParallelFor(view.GetNumberOfPoints(), ChunkSize,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      const auto isExact = [](double v) { return !std::isfinite(v) || static_cast<float>(v) == v; };
-      Tally roundedHere, tooLargeHere;
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        double x[3];
-        view.GetPoint(id, x);
-        if (std::any_of(x, x + 3, isTooLarge))
-        {
-          tooLargeHere.Add(id);
-        }
-        else if (!isExact(x[0]) || !isExact(x[1]) || !isExact(x[2]))
-        {
-          roundedHere.Add(id);
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      rounded.Merge(roundedHere);
-      tooLarge.Merge(tooLargeHere);
-    });
-  if (tooLarge.Count > 0)
+  return CheckTuples(
+    view.GetNumberOfPoints(), 3, [&view](vtkIdType id, double* x) { view.GetPoint(id, x); },
+    { "coordinates", "point", "points" }, path, warnings, error);
+}
+
+//------------------------------------------------------------------------------
+bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, const char* many,
+  const std::string& path, Warnings& warnings, ScanError& error)
+{
+  if (!array || array->GetDataType() == VTK_FLOAT)
   {
-    double x[3];
-    view.GetPoint(tooLarge.First, x);
-    std::string found;
-    AppendNumber(found, *std::find_if(x, x + 3, isTooLarge));
-    error = { ErrorKind::Unsupported,
-      GetFileName(path) + ": expected coordinates up to 3.4e38, as they are written in single " +
-        "precision, found " + found + " of point " + std::to_string(tooLarge.First) };
-    return false;
+    return true;
   }
-  warnings.Add(rounded, "point", "points", "rounded to single precision");
-  return true;
+  const int size = std::min(components, array->GetNumberOfComponents());
+  return CheckTuples(
+    array->GetNumberOfTuples(), size,
+    [array, size](vtkIdType id, double* values)
+    {
+      for (int c = 0; c < size; ++c)
+      {
+        values[c] = array->GetComponent(id, c);
+      }
+    },
+    { many, one, many }, path, warnings, error);
 }
 
 //------------------------------------------------------------------------------

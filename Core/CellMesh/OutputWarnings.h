@@ -12,6 +12,7 @@
 #include <string> // for names
 #include <vector> // for names
 
+class vtkDataArray;
 class vtkDataSet;
 
 namespace camaron
@@ -33,6 +34,14 @@ void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
  */
 bool CheckSinglePrecision(
   vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error);
+
+/**
+ * The same for an array, nullptr for none.
+ * @param components how many of each tuple are written
+ * @param one what a tuple is, e.g. "normal"
+ */
+bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, const char* many,
+  const std::string& path, Warnings& warnings, ScanError& error);
 
 /**
  * Warns where so many significant digits keep less than a millionth of the size of the mesh, as far from

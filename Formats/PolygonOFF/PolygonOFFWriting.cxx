@@ -255,7 +255,12 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
       GetFileName(path) + ": binary OFF files hold fewer than 2147483648 vertices and faces" };
     return false;
   }
-  if (isBinary && !CheckSinglePrecision(mesh, path, warnings, error))
+  if (isBinary &&
+    !(CheckSinglePrecision(mesh, path, warnings, error) &&
+      CheckSinglePrecision(
+        columns.Normals, 3, "normal", "normals", path, warnings, error) &&
+      CheckSinglePrecision(columns.Texture, 2, "texture coordinate", "texture coordinates", path,
+        warnings, error)))
   {
     return false;
   }

@@ -109,6 +109,19 @@ TEST(PolygonOFFWriter, ExactBytes)
   triangle->GetPoints()->SetPoint(1, 1e300, 0, 0);
   EXPECT_EQ(Write(triangle, WriteBinary).Bytes, "before");
   EXPECT_TRUE(Write(triangle).Success);
+
+  const Grid steep = MakeDecorated();
+  steep->GetPointData()->GetNormals()->SetComponent(3, 1, 1e39);
+  const Written refused = Write(steep,
+    [](vtkPolygonOFFWriter* w)
+    {
+      WriteEverything(w);
+      WriteBinary(w);
+    });
+  EXPECT_EQ(refused.Bytes, "before");
+  ASSERT_EQ(refused.Errors.size(), 1u);
+  EXPECT_NE(refused.Errors[0].find("found 1e+39 of normal 3"), std::string::npos)
+    << refused.Errors[0];
 }
 
 //------------------------------------------------------------------------------
@@ -138,7 +151,11 @@ TEST(PolygonOFFWriter, RoundTrips)
       WriteEverything(w);
       WriteBinary(w);
     });
-  ASSERT_EQ(binary.Warnings.size(), 1u); // of rounding
+  ASSERT_EQ(binary.Warnings.size(), 3u); // of rounding
+  EXPECT_NE(binary.Warnings[1].find("5 normals rounded to single precision"), std::string::npos)
+    << binary.Warnings[1];
+  EXPECT_NE(binary.Warnings[2].find("texture coordinates rounded"), std::string::npos)
+    << binary.Warnings[2];
   const Result again = ReadAgain(binary);
   ASSERT_TRUE(again.Errors.empty());
   EXPECT_EQ(again.Grid->GetPoint(3)[2], static_cast<float>(1.0 / 3));
