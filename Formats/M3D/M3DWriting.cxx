@@ -7,6 +7,7 @@
 #include "Scan/RealFormat.h"
 #include "Scan/WriteRows.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -53,7 +54,6 @@ public:
     }
   }
 
-  bool HasCells() const { return this->Cells != nullptr; }
   void Append(std::string& text, vtkIdType cell) const
   {
     if (this->Cells)
@@ -65,13 +65,14 @@ public:
       text += this->Common;
     }
   }
-
-private:
+  /// The array of materials, if there is one.
   static vtkDataArray* FindArray(vtkFieldData* data)
   {
     vtkDataArray* array = data->GetArray(MaterialName);
     return array && array->GetNumberOfComponents() == MaterialSize ? array : nullptr;
   }
+
+private:
   static void AppendTuple(std::string& text, vtkDataArray* array, vtkIdType tuple)
   {
     for (int c = 0; c < MaterialSize; ++c)
@@ -87,6 +88,23 @@ private:
   vtkDataArray* Cells;
   std::string Common = " 1000.0 0.45 1.0"; // what generators write
 };
+
+//------------------------------------------------------------------------------
+// Of arrays that have the name of materials and are none.
+void WarnOfOtherMaterials(vtkDataSet* mesh, Warnings& warnings)
+{
+  const std::string name = MaterialName, size = std::to_string(MaterialSize);
+  vtkAbstractArray* const ofCells = mesh->GetCellData()->GetAbstractArray(MaterialName);
+  if (ofCells && !MaterialText::FindArray(mesh->GetCellData()))
+  {
+    warnings.Add("not written: the array " + name + ": the material of an element has " + size +
+      " components, this array has " + std::to_string(ofCells->GetNumberOfComponents()));
+  }
+  if (mesh->GetPointData()->HasArray(MaterialName))
+  {
+    warnings.Add("not written: the array " + name + " of points: materials are those of elements");
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -109,10 +127,15 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
   const M3DDialect dialect = options.Dialect;
   const bool isMVM = dialect == M3DDialect::MVM;
   const MaterialText material(mesh);
-  const bool losesMaterial = !material.HasCells() &&
-    (mesh->GetCellData()->HasArray(MaterialName) || mesh->GetPointData()->HasArray(MaterialName));
-  WarnOfArrays(mesh, GetName(dialect), warnings,
-    isMVM || losesMaterial ? std::vector<std::string>() : std::vector<std::string>{ MaterialName });
+  if (isMVM)
+  {
+    WarnOfArrays(mesh, GetName(dialect), warnings);
+  }
+  else
+  {
+    WarnOfOtherMaterials(mesh, warnings);
+    WarnOfArrays(mesh, GetName(dialect), warnings, { MaterialName });
+  }
   WarnOfDigits(mesh, options.Digits, warnings);
 
   const CellConversion how{ GetName(dialect), GetTypes(dialect), options.Others };

@@ -149,6 +149,19 @@ TEST(M3DWriter, WritesMaterials)
   ASSERT_EQ(none.Warnings.size(), 1u);
   EXPECT_NE(none.Warnings[0].find("Material"), std::string::npos);
 
+  // An array of the name that is no material, as other readers have it, is told for what it is.
+  Grid number = MakeMixed();
+  vtkNew<vtkDoubleArray> numbers;
+  numbers->SetName("Material");
+  numbers->SetNumberOfTuples(number->GetNumberOfCells());
+  numbers->Fill(7);
+  number->GetCellData()->AddArray(numbers);
+  const Written unlike = Write(number, "test.m3d");
+  ASSERT_EQ(unlike.Warnings.size(), 1u);
+  EXPECT_NE(unlike.Warnings[0].find("an element has 3 components, this array has 1"), std::string::npos)
+    << unlike.Warnings[0];
+  EXPECT_NE(unlike.Bytes.find("1000.0 0.45 1.0"), std::string::npos);
+
   // Other arrays are not said to be all that there could be.
   Grid other = MakeMixed();
   vtkNew<vtkDoubleArray> pressure;
