@@ -152,8 +152,8 @@ void Planner::AddColours()
 //------------------------------------------------------------------------------
 void Planner::AddTextureCoordinates()
 {
-  const std::vector<std::string> pairs[] = { { "u", "v" }, { "s", "t" },
-    { "texture_u", "texture_v" }, { "texture_s", "texture_t" } };
+  const std::vector<std::string> pairs[] = { { "texture_u", "texture_v" }, { "u", "v" },
+    { "s", "t" }, { "texture_s", "texture_t" } };
   for (const auto& names : pairs)
   {
     const std::vector<int> found = this->FindAll(names);

@@ -101,7 +101,7 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   }
   if (textures)
   {
-    this->Add(textures, { "s", "t" });
+    this->Add(textures, { "texture_u", "texture_v" }); // as ParaView and MeshLab know them
   }
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {

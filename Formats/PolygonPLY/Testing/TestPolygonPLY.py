@@ -6,9 +6,13 @@
 import struct
 from pathlib import Path
 
+import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkIOPLY import vtkPLYReader
 
 import camaron_testing
+import gallery
 from camaron import formats, pipeline
 
 ENCODINGS = ["ASCII", "Binary Little Endian", "Binary Big Endian"]
@@ -86,6 +90,44 @@ class TestPolygonPLY(camaron_testing.TestCase):
         with pipeline.Messages() as messages:
             writer.UpdatePipeline()
         self.assertEqual(messages.errors, [])
+
+    def test_reader_of_paraview(self):
+        """ParaView's own reader, which others use, too, finds normals, colours and texture."""
+        if camaron_testing.rank_count() > 1:
+            self.skipTest("one process is enough")
+        random = numpy.random.default_rng(3)
+        grid = gallery.polygons()
+        points, cells = grid.GetPointData(), grid.GetCellData()
+        size = grid.GetNumberOfPoints()
+        arrays = {
+            "Normals": random.random((size, 3)).astype("f4"),
+            "TCoords": random.random((size, 2)).astype("f4"),
+            "RGB": random.integers(0, 256, (size, 3)).astype("u1"),
+        }
+        colours = random.integers(0, 256, (grid.GetNumberOfCells(), 3)).astype("u1")
+        for data, name, values in (
+            *((points, name, values) for name, values in arrays.items()),
+            (cells, "RGB", colours),
+        ):
+            array = numpy_to_vtk(values, deep=True)
+            array.SetName(name)
+            data.AddArray(array)
+        source = simple.TrivialProducer()
+        source.GetClientSideObject().SetOutput(grid)
+        for encoding in ENCODINGS:
+            path = self.folder / "p.ply"
+            self.save(path, source, Encoding=encoding)
+            reader = vtkPLYReader()
+            reader.SetFileName(str(path))
+            reader.Update()
+            read = reader.GetOutput()
+            for name, values in arrays.items():
+                found = read.GetPointData().GetArray(name)
+                self.assertIsNotNone(found, name)
+                numpy.testing.assert_array_equal(vtk_to_numpy(found), values)
+            numpy.testing.assert_array_equal(
+                vtk_to_numpy(read.GetCellData().GetArray("RGB")), colours
+            )
 
     def test_values(self):
         """The same cells and values on any number of ranks."""

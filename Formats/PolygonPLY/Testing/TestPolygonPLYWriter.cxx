@@ -159,7 +159,7 @@ TEST(PolygonPLYWriter, ArraysComeBack)
     ASSERT_TRUE(written.Success);
     EXPECT_TRUE(written.Warnings.empty());
     EXPECT_TRUE(Has(written, "property float nx\n") && Has(written, "property uchar alpha\n") &&
-      Has(written, "property double s\n") && Has(written, "property ushort d_2\n"));
+      Has(written, "property double texture_u\n") && Has(written, "property ushort d_2\n"));
     const Result again = Read(written);
     ASSERT_TRUE(again.Errors.empty()) << again.Errors[0];
     EXPECT_TRUE(again.Warnings.empty());
