@@ -17,11 +17,21 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A name beside the target that nobody else uses.
+// A name beside the target that nobody else uses, and that is not too long for file systems.
 std::string MakeTemporaryName(const std::string& target)
 {
+  constexpr std::size_t MaxLength = 200; // of what is added to; names have at most 255 bytes
   static std::atomic<unsigned int> number{ std::random_device()() };
-  return target + "." + std::to_string(number++) + ".part";
+  const std::size_t name = target.size() - GetFileName(target).size();
+  return target.substr(0, name + MaxLength) + "." + std::to_string(number++) + ".part";
+}
+
+//------------------------------------------------------------------------------
+// Whether the user has not protected a file that is there against writing.
+bool MayWrite(const std::string& path)
+{
+  std::FILE* const file = std::fopen(path.c_str(), "r+b");
+  return file && std::fclose(file) == 0;
 }
 }
 
@@ -45,7 +55,17 @@ OutputFile::OutputFile(const std::string& path)
   {
     if (fs::exists(status))
     {
+      if (!MayWrite(path))
+      {
+        this->Fail(errno);
+        return;
+      }
       const fs::path real = fs::canonical(path, error); // a link stays one
+      this->Target = error ? path : real.string();
+    }
+    else if (fs::is_symlink(fs::symlink_status(path, error)))
+    {
+      const fs::path real = fs::path(path).parent_path() / fs::read_symlink(path, error);
       this->Target = error ? path : real.string();
     }
     this->Temporary = MakeTemporaryName(this->Target);

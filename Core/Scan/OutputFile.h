@@ -5,8 +5,9 @@
  * @brief Writes a file that appears under its name only when it is complete.
  *
  * Everything goes into a temporary file beside the target, which Commit renames. Until then, and if
- * anything fails, a file of that name stays as it was, and no other is left behind. What is no regular
- * file (a device, a pipe) is written directly. The first error sticks.
+ * anything fails, a file of that name stays as it was, and no other is left behind. A link stays one. What
+ * is no regular file (a device, a pipe) is written directly. A file that is protected against writing is not
+ * replaced. The first error sticks.
  */
 #ifndef camaron_OutputFile_h
 #define camaron_OutputFile_h

@@ -155,9 +155,16 @@ def main(arguments: Sequence[str]) -> int:
         return 0
     except (ValueError, RuntimeError, OSError) as error:
         # Readers and writers name their options as the window does.
-        reason = str(error).replace("Unsupported Cells", "--unsupported-cells")
+        reason = _reason(error).replace("Unsupported Cells", "--unsupported-cells")
         print(f"camaron: {reason}", file=sys.stderr)
         return ERROR
+
+
+def _reason(error: Exception) -> str:
+    """What went wrong, of a file with its name first."""
+    if isinstance(error, OSError) and error.filename and error.strerror:
+        return f"{error.filename}: {error.strerror}"
+    return str(error)
 
 
 def _check_ranks(wanted: int | None) -> None:
@@ -192,7 +199,7 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
                 say=lambda words: print(f"camaron: {mesh}: {words}", file=sys.stderr, flush=True),
             )
         except (RuntimeError, OSError) as error:
-            print(f"camaron: {error}", file=sys.stderr)
+            print(f"camaron: {_reason(error)}", file=sys.stderr)
             status = ERROR  # the other meshes still get their reports
             continue
         if options.json:

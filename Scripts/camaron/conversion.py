@@ -11,7 +11,7 @@ from typing import Any, Optional
 
 from paraview import servermanager, simple
 
-from . import formats, pipeline, text
+from . import formats, pipeline, tables, text
 from .files import Staging, same_file
 
 #: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
@@ -21,6 +21,8 @@ FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".
 #: .stl, whose triangles share no points.
 FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
 GHOSTS = "vtkGhostType"
+#: Types of cells that have no triangles, as the tables of statistics call them.
+POINTS_AND_LINES = ("Vertex", "PolyVertex", "Line", "PolyLine", "QuadraticEdge", "CubicLine")
 
 
 def convert(
@@ -133,6 +135,8 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     if pipeline.is_composite(proxy) and suffix not in FORMATS_WITH_BLOCKS:
         proxy = append(simple.MergeBlocks(Input=proxy))
         notes.append("The blocks were merged.")
+    if suffix == ".stl":
+        notes += _without_triangles(proxy)
     if fits(proxy) and not (suffix == ".stl" and _is_volume(proxy)):
         proxy = without_ghosts(proxy)
         return append(simple.Triangulate(Input=proxy)) if suffix == ".stl" else proxy
@@ -186,6 +190,23 @@ def _has_volumes(proxy: Any) -> bool:
     low, high = counts.GetRange() if counts else (1, 0)
     simple.Delete(quality)
     return low <= high
+
+
+def _without_triangles(proxy: Any) -> list[str]:
+    """A sentence on cells of fewer than two dimensions, if there are any."""
+    quality = simple.ElementQuality(Input=proxy, Criteria=["CellTypeId"])
+    statistics = simple.QualityStatistics(
+        Input=quality, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1
+    )
+    counts = {row["Group"]: row["Count"] for row in tables.fetch(statistics)}
+    for made in (statistics, quality):
+        simple.Delete(made)
+    lost = [
+        f"{counts[label]} {text.cell_type(label, counts[label])}"
+        for label in POINTS_AND_LINES
+        if counts.get(label)
+    ]
+    return [f"Left out, as no triangles: {', '.join(lost)}."] if lost else []
 
 
 def writable_extensions(proxy: Any) -> set[str]:

@@ -27,11 +27,16 @@ class Staging:
 
     def __enter__(self) -> "Staging":
         folder = self.destination
-        while not folder.exists():
-            self.created.append(folder)
-            folder = folder.parent
-        self.destination.mkdir(parents=True, exist_ok=True)
-        self.path = Path(tempfile.mkdtemp(prefix=".camaron-", dir=self.destination))
+        try:
+            while not folder.exists():
+                self.created.append(folder)
+                folder = folder.parent
+            self.destination.mkdir(parents=True, exist_ok=True)
+            self.path = Path(tempfile.mkdtemp(prefix=".camaron-", dir=self.destination))
+        except OSError as error:
+            self._remove_created()
+            reason = f"{self.destination}: cannot write into this folder: {error.strerror}"
+            raise type(error)(reason) from None
         return self
 
     def names(self) -> list[str]:
@@ -41,21 +46,34 @@ class Staging:
     def publish(self) -> None:
         """Moves everything; files of the same names are replaced, others in a folder stay.
 
-        Raises OSError, with nothing moved, where a file and a folder have the same name.
+        A file that is replaced keeps its permissions, and a link stays one. Raises OSError, with
+        nothing moved, where a file and a folder have the same name or a file is write-protected.
         """
         moves = list(_moves(self.path, self.destination))
         for source, target in moves:
             target.parent.mkdir(exist_ok=True)
+            if target.exists():
+                shutil.copymode(target, source)
+            if target.is_symlink():
+                target = target.resolve()
+                beside = target.with_name(self.path.name + ".part")
+                shutil.move(source, beside)  # which may be on another disk
+                source = beside
             os.replace(source, target)
 
     def __exit__(self, kind, error, trace) -> None:
         shutil.rmtree(self.path, ignore_errors=True)
         if kind is not None:
-            for folder in self.created:
-                try:
-                    folder.rmdir()
-                except OSError:
-                    break
+            self._remove_created()
+
+    def _remove_created(self) -> None:
+        for folder in self.created:
+            try:
+                folder.rmdir()
+            except FileNotFoundError:
+                continue
+            except OSError:
+                break
 
 
 def _moves(source: Path, target: Path) -> Iterator[tuple[Path, Path]]:
@@ -65,6 +83,8 @@ def _moves(source: Path, target: Path) -> Iterator[tuple[Path, Path]]:
         if place.exists() and place.is_dir() != entry.is_dir():
             kind = "folder" if place.is_dir() else "file"
             raise FileExistsError(f"{place}: there is a {kind} of this name")
+        if place.is_file() and not os.access(place, os.W_OK):
+            raise PermissionError(f"{place}: the file is write-protected")
         if entry.is_dir():
             yield from _moves(entry, place)
         else:

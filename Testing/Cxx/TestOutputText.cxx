@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 using namespace camaron;
@@ -127,6 +128,41 @@ TEST(Bytes, StoresAndLoadsAnySize)
   EXPECT_EQ(Load<std::int16_t>(bytes.data() + 1, swap), -2);
   EXPECT_EQ(Load<std::int64_t>(bytes.data() + 7, swap), 0x0102030405060708);
   EXPECT_EQ(Load<double>(bytes.data() + 19, swap), -2.0);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, files cannot be saved under names that the system allows, or end up elsewhere.
+TEST(OutputFile, LongNamesAndLinks)
+{
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(::testing::TempDir()) / "camaron-output";
+  fs::remove_all(folder);
+  fs::create_directory(folder);
+  const auto write = [](const fs::path& path)
+  {
+    OutputFile file(path.string());
+    file.Write("new");
+    return file.Commit();
+  };
+  const fs::path longest = folder / (std::string(251, 'n') + ".off"); // 255 bytes
+  EXPECT_TRUE(write(longest));
+  EXPECT_EQ(fs::file_size(longest), 3u);
+
+  fs::create_symlink("later.off", folder / "link.off");
+  EXPECT_TRUE(write(folder / "link.off"));
+  EXPECT_TRUE(fs::is_symlink(folder / "link.off"));
+  EXPECT_EQ(fs::file_size(folder / "later.off"), 3u);
+
+  const fs::path kept = folder / "protected.off";
+  EXPECT_TRUE(write(kept));
+  fs::permissions(kept, fs::perms::owner_read);
+  if (!std::ofstream(kept, std::ios::app)) // may be written by some users all the same
+  {
+    EXPECT_FALSE(write(kept));
+  }
+  const auto count = std::distance(fs::directory_iterator(folder), fs::directory_iterator());
+  EXPECT_EQ(count, 4) << "something temporary was left";
+  fs::remove_all(folder);
 }
 
 //------------------------------------------------------------------------------

@@ -3,6 +3,7 @@
 """camaron.convert: formats, options of writers, errors."""
 
 import re
+import unittest.mock
 
 import camaron_testing
 import numpy
@@ -40,6 +41,17 @@ class TestConvert(camaron_testing.TestCase):
         for name, cells in (("q.vtp", 2), ("q.obj", 2), ("q.stl", 4)):
             self.assertEqual(convert(quads, self.folder / name), [], name)
             self.assertEqual(self.cells(self.folder / name), cells, name)
+
+    def test_lines(self):
+        """Formats of triangles say which cells they leave out."""
+        cells = [*TETRAHEDRA, (3, (0, 1)), (4, (5, 6, 7)), (1, (2,)), (1, (3,))]
+        source = camaron_testing.write_vtk(self.folder / "lines.vtk", CUBE, cells)
+        lost = "Left out, as no triangles: 2 vertices, 1 line, 1 poly line."
+        self.assertIn(lost, convert(source, self.folder / "lines.stl"))
+        surface = self.folder / "lines.vtp"
+        self.assertNotIn(lost, convert(source, surface))
+        self.assertEqual(convert(surface, self.folder / "again.stl"), [lost])
+        self.assertEqual(self.cells(self.folder / "again.stl"), 8)
 
     def test_surface_to_grid(self):
         convert(self.mesh(), self.folder / "two.stl")
@@ -121,6 +133,8 @@ class TestConvert(camaron_testing.TestCase):
         with self.assertRaises(ValueError):
             convert(self.mesh(), self.folder / "other" / "two.m3d", digits=1)
         self.assertFalse((self.folder / "other").exists())
+        with self.assertRaisesRegex(OSError, "two.vtk: cannot write into this folder: File exists"):
+            convert(self.mesh(), self.folder / "two.vtk" / "x.visf")
 
     def test_folders_of_pieces(self):
         """Pieces never replace those of another mesh, nor what else lies in their folder."""
@@ -140,6 +154,24 @@ class TestConvert(camaron_testing.TestCase):
         with self.assertRaisesRegex(OSError, "there is a folder of this name"):
             convert(self.mesh(), taken)
         self.assertEqual((taken / "mine.txt").read_text(), "mine")
+
+    def test_files_that_are_replaced(self):
+        """A link stays a link, permissions stay, and write-protected files are not replaced."""
+        source, link = self.mesh(), self.folder / "link.vtu"
+        (self.folder / "other").mkdir()
+        real = self.folder / "other" / "real.vtu"
+        real.write_text("old")
+        real.chmod(0o600)
+        link.symlink_to(real)
+        convert(source, link)
+        self.assertTrue(link.is_symlink())
+        self.assertEqual((self.cells(real), real.stat().st_mode & 0o777), (2, 0o600))
+        self.assertEqual(list((self.folder / "other").iterdir()), [real])
+        real.write_text("old")
+        with unittest.mock.patch("os.access", return_value=False):
+            with self.assertRaisesRegex(PermissionError, "real.vtu: the file is write-protected"):
+                convert(source, real)
+        self.assertEqual(real.read_text(), "old")
 
     def test_ghosts(self):
         """Ghost cells that pieces bring along are no cells of one file."""
