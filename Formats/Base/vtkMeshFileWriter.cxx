@@ -14,7 +14,11 @@
 #include "vtkInformationVector.h"
 #include "vtkMetaReader.h"
 #include "vtkMultiProcessController.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkXMLPUnstructuredDataReader.h"
+
+#include <algorithm>
 
 using vtkSDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -30,6 +34,21 @@ std::string AddNumber(const std::string& path, int number)
   const std::size_t dot = path.find_last_of('.');
   const std::size_t at = dot == std::string::npos || dot < name ? path.size() : dot;
   return path.substr(0, at) + "_" + std::to_string(number) + path.substr(at);
+}
+
+//------------------------------------------------------------------------------
+// How many pieces the file has that is written as it was read; 1 for other input.
+int CountFilePieces(vtkAlgorithm* writer)
+{
+  vtkAlgorithm* input = writer->GetInputAlgorithm();
+  while (input && input->IsA("vtkPVPostFilter")) // stands behind every source of ParaView
+  {
+    input = input->GetNumberOfInputConnections(0) > 0 ? input->GetInputAlgorithm() : nullptr;
+  }
+  auto* const series = vtkMetaReader::SafeDownCast(input);
+  auto* const reader =
+    vtkXMLPUnstructuredDataReader::SafeDownCast(series ? series->GetReader() : input);
+  return reader ? std::max(1, reader->GetNumberOfPieces()) : 1;
 }
 
 //------------------------------------------------------------------------------
@@ -83,14 +102,20 @@ vtkTypeBool vtkMeshFileWriter::ProcessRequest(
   {
     this->NumberOfTimeSteps =
       info->Has(vtkSDDP::TIME_STEPS()) ? info->Length(vtkSDDP::TIME_STEPS()) : 0;
+    const int processes = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+    this->NumberOfPieces = (CountFilePieces(this) + processes - 1) / processes;
+    this->Pieces->Initialize();
     return 1;
   }
   if (info && request->Has(vtkSDDP::REQUEST_UPDATE_EXTENT()))
   {
-    if (this->Controller)
+    if (this->Controller || this->NumberOfPieces > 1)
     {
-      info->Set(vtkSDDP::UPDATE_PIECE_NUMBER(), this->Controller->GetLocalProcessId());
-      info->Set(vtkSDDP::UPDATE_NUMBER_OF_PIECES(), this->Controller->GetNumberOfProcesses());
+      const int process = this->Controller ? this->Controller->GetLocalProcessId() : 0;
+      const int processes = this->Controller ? this->Controller->GetNumberOfProcesses() : 1;
+      const int piece = static_cast<int>(this->Pieces->GetNumberOfPartitions());
+      info->Set(vtkSDDP::UPDATE_PIECE_NUMBER(), process * this->NumberOfPieces + piece);
+      info->Set(vtkSDDP::UPDATE_NUMBER_OF_PIECES(), processes * this->NumberOfPieces);
       info->Set(vtkSDDP::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
     if (this->WriteTimeSteps && this->TimeStep < this->NumberOfTimeSteps)
@@ -123,6 +148,21 @@ int vtkMeshFileWriter::RequestData(
     return 1;
   }
 
+  if (this->NumberOfPieces > 1)
+  {
+    // The reader puts the next one into the same object.
+    const auto piece = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
+    piece->ShallowCopy(input);
+    const unsigned int size = this->Pieces->GetNumberOfPartitions();
+    this->Pieces->SetPartition(size, piece);
+    if (static_cast<int>(size) + 1 < this->NumberOfPieces)
+    {
+      request->Set(vtkSDDP::CONTINUE_EXECUTING(), 1);
+      return 1;
+    }
+    input = this->Pieces;
+  }
+
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
   const bool isSeries = this->WriteTimeSteps && this->NumberOfTimeSteps > 0;
   camaron::Warnings warnings;
@@ -138,6 +178,7 @@ int vtkMeshFileWriter::RequestData(
     this->Controller->Broadcast(&code, 1, 0);
     this->SetErrorCode(static_cast<unsigned long>(code));
   }
+  this->Pieces->Initialize();
   this->InvokeEvent(vtkCommand::EndEvent, nullptr);
   this->WriteTime.Modified();
 

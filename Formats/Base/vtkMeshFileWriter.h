@@ -15,18 +15,21 @@
  * In parallel every process asks for its piece, and the first one gathers all and writes one file. Ghost
  * and hidden cells are left out, points of the same global id and place are merged; where there are global
  * ids, points and cells are sorted by them. Without such ids points of different pieces at the same place are
- * merged, with a warning. All processes of the controller must call Write().
+ * merged, with a warning. So are the pieces of a file that is written as it was read (.pvtu, .pvtp), by
+ * one process, too. All processes of the controller must call Write().
  */
 #ifndef vtkMeshFileWriter_h
 #define vtkMeshFileWriter_h
 
 #include "CamaronFormatsModule.h" // for export macro
+#include "vtkNew.h" // for members
 #include "vtkWriter.h"
 
 #include <string> // for paths
 
 class vtkDataSet;
 class vtkMultiProcessController;
+class vtkPartitionedDataSet;
 
 namespace camaron
 {
@@ -94,6 +97,8 @@ private:
   int NumberOfTimeSteps = 0;
   int TimeStep = 0;
   vtkMultiProcessController* Controller = nullptr;
+  int NumberOfPieces = 1;              // that a process asks for, one after the other
+  vtkNew<vtkPartitionedDataSet> Pieces; // those that are there so far
 };
 
 #endif

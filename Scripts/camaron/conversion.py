@@ -65,6 +65,8 @@ def convert(
                 f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0,"
                 f" was taken (time {opened.time['value']:g})."
             )
+        if not formats.own_writer(target):
+            notes += _pieces_that_stay(Path(source))
         proxy = _suitable(made, target, notes)
         write(proxy, target, options, notes)
         return notes
@@ -91,6 +93,16 @@ def _check_ranks(target: Path) -> None:
 def _known_suffixes() -> set[str]:
     """Extensions of the formats that somebody writes, whatever the mesh."""
     return {kind.lower() for f in formats.known_formats() for kind in f.extensions if f.writers}
+
+
+def _pieces_that_stay(source: Path) -> list[str]:
+    """A sentence on a file of pieces, which ParaView puts side by side; our writers merge them."""
+    if source.suffix.lower() not in (".pvtu", ".pvtp"):
+        return []
+    pieces = len(re.findall(rb"<Piece\s", source.read_bytes()))
+    if pieces <= pipeline.rank_count():
+        return []
+    return [f"Points at the borders of the {pieces} pieces may be there several times."]
 
 
 def _writes_all_steps(options: dict[str, Any]) -> bool:

@@ -6,9 +6,11 @@
 import re
 
 import camaron_testing
+import gallery
 from camaron import convert, pipeline
 from paraview import simple
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter
 
 
 class TestConvertRanks(camaron_testing.TestCase):
@@ -38,6 +40,30 @@ class TestConvertRanks(camaron_testing.TestCase):
         points, faces, _ = (int(word) for word in lines[1].split())
         self.assertEqual((points, faces), (7**3, 3 * 7 * 6**2))
         self.assertEqual(len({tuple(line.split()) for line in lines[2 : 2 + points]}), points)
+
+    def test_file_of_pieces(self):
+        """A file of pieces without ids is one mesh again, however many processes read it."""
+        names = [f"piece{i}.vtu" for i in range(5)]
+        for i, name in enumerate(names):
+            corners = [(i + x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
+            writer = vtkXMLUnstructuredGridWriter()
+            writer.SetFileName(str(self.folder / name))
+            writer.SetInputData(gallery.make_grid(corners, [(VTK_HEXAHEDRON, range(8))]))
+            writer.Write()
+        pieces = self.folder / "row.pvtu"
+        pieces.write_text(
+            '<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid GhostLevel="0"><PPoints>'
+            '<PDataArray type="Float64" NumberOfComponents="3"/></PPoints>'
+            + "".join(f'<Piece Source="{name}"/>' for name in names)
+            + "</PUnstructuredGrid></VTKFile>"
+        )
+        target = self.folder / "row.visf"
+        (note,) = convert(pieces, target)
+        self.assertIn("16 points of pieces without global ids were taken for those of other", note)
+        points, faces, cells = camaron_testing.read_visf(target)
+        self.assertEqual((len(points), len(faces), len(cells)), (4 * 6, 5 * 5 + 1, 5))
+        apart = "Points at the borders of the 5 pieces may be there several times."
+        self.assertEqual(convert(pieces, self.folder / "row-again.pvtu"), [apart])
 
     def test_formats_of_one_process(self):
         """What several ranks would write wrong is refused, with a way out; nothing is left behind."""
