@@ -117,7 +117,7 @@ void AddNode(vtkSelection* selection, const camaron::ElementBlock& block,
 vtkSelectElements::vtkSelectElements()
   : Parameters(std::make_unique<camaron::SelectionParameters>())
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -143,6 +143,10 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
   os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
   os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
+  os << indent << "Placement: " << this->GetPlacement() << '\n';
+  os << indent << "InsideOut: " << this->GetInsideOut() << '\n';
+  os << indent << "Shape: " << this->GetShape() << '\n';
+  os << indent << "Number of planes: " << this->Parameters->Planes.size() << '\n';
   os << indent << "LeaveNulls: " << this->GetLeaveNulls() << '\n';
   os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
   os << indent << "Report: " << this->Report << '\n';
@@ -187,6 +191,63 @@ void vtkSelectElements::SetLeaveNulls(bool leave)
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkSelectElements::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->Parameters->Shape ? std::max(own, this->Parameters->Shape->GetMTime()) : own;
+}
+
+//------------------------------------------------------------------------------
+void vtkSelectElements::SetShape(vtkImplicitFunction* shape)
+{
+  if (this->Parameters->Shape != shape)
+  {
+    this->Parameters->Shape = shape;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImplicitFunction* vtkSelectElements::GetShape() const
+{
+  return this->Parameters->Shape;
+}
+
+//------------------------------------------------------------------------------
+void vtkSelectElements::AddPlane(
+  double x, double y, double z, double normalX, double normalY, double normalZ)
+{
+  this->Parameters->Planes.push_back({ { x, y, z, normalX, normalY, normalZ } });
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkSelectElements::ClearPlanes()
+{
+  if (!this->Parameters->Planes.empty())
+  {
+    this->Parameters->Planes.clear();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSelectElements::SetInsideOut(bool insideOut)
+{
+  if (this->Parameters->InsideOut != insideOut)
+  {
+    this->Parameters->InsideOut = insideOut;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSelectElements::GetInsideOut() const
+{
+  return this->Parameters->InsideOut;
+}
+
+//------------------------------------------------------------------------------
 bool vtkSelectElements::GetLeaveNulls() const
 {
   return this->Parameters->LeaveNulls;
@@ -217,6 +278,7 @@ CAMARON_TEXT_PROPERTY(RangesFile)
 CAMARON_TEXT_PROPERTY(LowerLimit)
 CAMARON_TEXT_PROPERTY(UpperLimit)
 CAMARON_TEXT_PROPERTY(WorstValues)
+CAMARON_TEXT_PROPERTY(Placement)
 #undef CAMARON_TEXT_PROPERTY
 
 //------------------------------------------------------------------------------
@@ -227,6 +289,10 @@ int vtkSelectElements::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
+  }
+  if (port == 2)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
@@ -278,6 +344,7 @@ int vtkSelectElements::RequestData(
     camaron::ElementBlocks blocks(input, reducer, GetKind(this->Parameters->ElementType));
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+    this->Parameters->Surface = vtkDataObject::GetData(inputVector[2]);
     const camaron::SelectionMarks marks = this->Select(
       input, vtkSelection::GetData(inputVector[1]), numberOfPieces, blocks, reducer);
 

@@ -4,8 +4,8 @@
  * @class vtkSelectElements
  * @brief Selects cells or points of a mesh by one of several strategies.
  *
- * Inputs: any vtkDataSet or composite of them (port 0); the selection so far (port 1, optional), any
- * vtkSelection. Without one the selection so far is what the array `Selected` of the mesh says, as one
+ * Inputs: any vtkDataSet or composite of them (port 0); a closed surface (port 2, optional); the selection so
+ * far (port 1, optional), any vtkSelection. Without one the selection so far is what the array `Selected` of the mesh says, as one
  * Select Elements after the other leaves it. Outputs:
  * 0. the mesh with the unsigned char array `Selected` of its cells or points, 1 for selected ones and 0
  * for others;
@@ -18,6 +18,8 @@
  * among equal ones; NaN never, infinite values take part;
  * - "Null": NaN in Array;
  * - "By id": a list of ids;
+ * - "Shape", "Half-spaces", "Surface": what lies in a sphere, box, cylinder or behind a plane; behind all
+ * planes of a list; in a closed surface, as Placement says;
  * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell has, in whatever
  * piece; or the points of these faces and edges;
  * - "All", "Current" (the selection so far), "Invert" (what is not in it).
@@ -34,6 +36,7 @@
 #include <string> // for the report
 #include <vector> // for marks
 
+class vtkImplicitFunction;
 class vtkSelection;
 
 namespace camaron
@@ -49,6 +52,7 @@ public:
   static vtkSelectElements* New();
   vtkTypeMacro(vtkSelectElements, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkMTimeType GetMTime() override;
 
   /// Name of the array that is added.
   static const char* GetSelectedArrayName() { return "Selected"; }
@@ -58,6 +62,9 @@ public:
   {
     this->SetInputConnection(1, selection);
   }
+
+  /// Surface: closed polygons, convex or not, on any processes.
+  void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(2, surface); }
 
   ///@{
   /// What to select: "Cells" (default) or "Points".
@@ -164,6 +171,39 @@ public:
    */
   void SetWorstValues(const char* name);
   const char* GetWorstValues() const;
+  ///@}
+
+  ///@{
+  /**
+   * Shape: a vtkSphere, vtkBox, vtkCylinder (without ends) or vtkPlane (the side that its normal points away
+   * from) and what ParaView derives from them. Default: none.
+   */
+  void SetShape(vtkImplicitFunction* shape);
+  vtkImplicitFunction* GetShape() const;
+  ///@}
+
+  ///@{
+  /// Half-spaces: a point of each plane and its normal, which points away from the inside. Default: none.
+  void AddPlane(double x, double y, double z, double normalX, double normalY, double normalZ);
+  void ClearPlanes();
+  ///@}
+
+  ///@{
+  /**
+   * Shape, Half-spaces, Surface: which cells are taken, those with "Any vertex inside", "All vertices
+   * inside", "Centroid inside" (default); "Intersects": with any point inside, be it of a face or an edge, or
+   * all of the shape within the cell; "Cut by boundary": with points inside and outside. What lies on
+   * the surface, up to 1e-12 of the diagonal of the mesh, is inside.
+   */
+  void SetPlacement(const char* name);
+  const char* GetPlacement() const;
+  ///@}
+
+  ///@{
+  /// Shape, Half-spaces, Surface: whether to take the other elements instead. Default: off.
+  void SetInsideOut(bool insideOut);
+  bool GetInsideOut() const;
+  vtkBooleanMacro(InsideOut, bool);
   ///@}
 
   ///@{

@@ -57,7 +57,7 @@ void MarkBoundary(const MeshPieces& pieces, std::size_t piece, int dimension, bo
 //------------------------------------------------------------------------------
 std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks)
 {
-  const MeshPieces& pieces = task.GetPieces();
+  const MeshPieces& pieces = task.GetLinkedPieces();
   for (std::size_t piece = 0; piece < marks.size(); ++piece)
   {
     for (const int dimension : { 2, 3 })

@@ -14,6 +14,9 @@
 #include "ElementBlocks.h"
 #include "MeshPieces.h"
 
+#include "vtkImplicitFunction.h" // for a shape
+
+#include <array>  // for planes
 #include <memory> // for the pieces
 #include <string> // for parameters
 #include <vector> // for marks
@@ -39,6 +42,11 @@ struct SelectionParameters
   int NumberOfWorst = 10;
   std::string WorstValues = "By criterion";
   bool LeaveNulls = false;
+  std::string Placement = "Centroid inside";
+  bool InsideOut = false;
+  vtkSmartPointer<vtkImplicitFunction> Shape;
+  std::vector<std::array<double, 6>> Planes; ///< a point and the normal to the outside of each
+  vtkDataObject* Surface = nullptr;
 };
 
 /// For each block of the input 1 for selected elements, else 0.
@@ -63,14 +71,18 @@ public:
   /// Array or PointArray, whichever belongs to the elements.
   const std::string& GetArrayName() const;
   bool HasCells() const { return this->Blocks.GetKind() == ElementKind::Cells; }
+  ///@{
   /**
-   * Collective. The blocks as meshes whose pieces know each other; piece i is block i. Made when
-   * first asked for.
+   * Collective. The blocks as meshes, piece i is block i, made when first asked for; also linked, so that
+   * pieces of a block know each other.
    */
   const MeshPieces& GetPieces() const;
+  const MeshPieces& GetLinkedPieces() const;
+  ///@}
 
 private:
   int NumberOfRequestedPieces;
+  mutable bool IsLinked = false;
   mutable std::unique_ptr<MeshPieces> Pieces;
 };
 
@@ -86,6 +98,9 @@ std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectNull(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
@@ -100,6 +115,9 @@ struct Strategy
 const std::vector<Strategy>& GetStrategies();
 /// Throws std::invalid_argument if there is none of that name.
 const Strategy& FindStrategy(const std::string& name);
+
+/// How SelectInShape and its like call the ways in which a cell may be placed; see Placement.
+std::vector<std::string> GetPlacementNames();
 
 /// Values of the array for the strategies that need one; throws if no process has it. Collective.
 BlockValues FindValues(const SelectionTask& task);

@@ -44,7 +44,18 @@ const MeshPieces& SelectionTask::GetPieces() const
     const std::vector<DataSetLeaf> leaves(this->Blocks.Get().begin(), this->Blocks.Get().end());
     this->Pieces = std::make_unique<MeshPieces>(
       leaves, EvaluationOptions(), this->NumberOfRequestedPieces, this->Reducer);
+  }
+  return *this->Pieces;
+}
+
+//------------------------------------------------------------------------------
+const MeshPieces& SelectionTask::GetLinkedPieces() const
+{
+  this->GetPieces();
+  if (!this->IsLinked)
+  {
     this->Pieces->Link(false);
+    this->IsLinked = true;
   }
   return *this->Pieces;
 }
@@ -57,6 +68,9 @@ const std::vector<Strategy>& GetStrategies()
     { "Worst N", &SelectWorst, true },
     { "Null", &SelectNull, true },
     { "By id", &SelectById, true },
+    { "Shape", &SelectInShape, true },
+    { "Half-spaces", &SelectInHalfSpaces, true },
+    { "Surface", &SelectInSurface, true },
     { "Boundary", &SelectBoundary, true },
     { "All", &SelectAll, true },
     { "Current", &SelectCurrent, true },

@@ -96,6 +96,9 @@ TEST(SelectElementsProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "Strategy"), filter->GetStrategy());
   EXPECT_EQ(ReadDefault(proxy, "ElementType"), filter->GetElementType());
   EXPECT_EQ(ReadDefault(proxy, "Combination"), filter->GetCombination());
+  EXPECT_EQ(ReadDefault(proxy, "Placement"), filter->GetPlacement());
+  EXPECT_EQ(ReadChoices(proxy, "Placement"), camaron::GetPlacementNames());
+  EXPECT_EQ(ReadDefault(proxy, "InsideOut"), std::to_string(filter->GetInsideOut()));
   EXPECT_EQ(ReadDefault(proxy, "LeaveNulls"), std::to_string(filter->GetLeaveNulls()));
   EXPECT_EQ(ReadDefault(proxy, "Ids"), filter->GetIds());
   EXPECT_EQ(ReadDefault(proxy, "IdSpace"), filter->GetIdSpace());

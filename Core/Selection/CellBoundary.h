@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellBoundary
+ * @brief A cell as the triangles of its faces, with which it is compared with solids.
+ *
+ * Faces and polygons of more than three points are triangles about the mean of their points. A 1D cell is
+ * its segments, a 0D cell its points. Holds its memory for the next cell: use one per thread.
+ */
+#ifndef camaron_CellBoundary_h
+#define camaron_CellBoundary_h
+
+#include "Mesh/CellFacets.h"
+#include "Mesh/MeshView.h"
+#include "Selection/Simplex.h"
+
+#include <vector> // for the triangles
+
+namespace camaron
+{
+class CellBoundary
+{
+public:
+  explicit CellBoundary(const MeshView& mesh)
+    : Mesh(mesh)
+    , Facets(mesh)
+  {
+  }
+
+  void Load(vtkIdType cell);
+
+  const std::vector<Simplex>& GetSimplices() const { return this->Simplices; }
+  const Bounds& GetBounds() const { return this->Box; }
+  /// The centroid of the segments of a 1D cell or of the points of a 0D cell.
+  Vector GetMiddle() const;
+  /// Whether a point lies in a 3D cell; false for other cells.
+  bool Contains(const Vector& point) const;
+
+private:
+  Vector GetPoint(vtkIdType id) const;
+  void AddPolygon(const vtkIdType* points, vtkIdType size);
+  void AddSimplex(const Simplex& simplex);
+
+  const MeshView& Mesh;
+  CellFacets Facets;
+  std::vector<vtkIdType> Polygon;
+  std::vector<Simplex> Simplices;
+  Bounds Box;
+  bool IsSolid = false;
+};
+}
+
+#endif

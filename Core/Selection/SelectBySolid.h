@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file SelectBySolid.h
+ * @brief Finds the cells that lie in a closed solid, partly or wholly.
+ */
+#ifndef camaron_SelectBySolid_h
+#define camaron_SelectBySolid_h
+
+#include "Criteria/CellGeometry.h"
+#include "Mesh/CellShape.h"
+#include "Mesh/MeshView.h"
+#include "Parallel.h"
+#include "Selection/Solids.h"
+
+#include <algorithm> // for all and any
+#include <vector>    // for marks
+
+namespace camaron
+{
+/// When a cell is taken; its vertices are its corners.
+enum class Placement
+{
+  AnyVertexInside,
+  AllVerticesInside,
+  CentroidInside,
+  Intersects,   ///< it has a point in common with the solid
+  CutByBoundary ///< it has a point in common with the solid, and another one with the rest of space
+};
+
+/// Of every point whether it is in the solid.
+template <typename Solid>
+std::vector<unsigned char> FindPointsInside(const MeshView& mesh, const Solid& solid)
+{
+  std::vector<unsigned char> inside(mesh.GetNumberOfPoints());
+  ParallelFor(mesh.GetNumberOfPoints(), 1 << 14,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType point = begin; point < end; ++point)
+      {
+        double x[3];
+        mesh.GetPoint(point, x);
+        inside[point] = solid.Contains({ x[0], x[1], x[2] });
+      }
+    });
+  return inside;
+}
+
+/// Tells where cells lie; one per thread.
+template <typename Solid>
+class CellPlacement
+{
+public:
+  CellPlacement(const MeshView& mesh, const Solid& solid, const std::vector<unsigned char>& inside)
+    : Mesh(mesh)
+    , Space(solid)
+    , Inside(inside)
+    , Boundary(mesh)
+  {
+  }
+
+  bool Has(vtkIdType cell, Placement placement)
+  {
+    if (placement == Placement::CentroidInside)
+    {
+      return this->HasCentroid(cell);
+    }
+    vtkIdType size = 0, count = 0;
+    this->CountVertices(cell, size, count);
+    switch (placement)
+    {
+      case Placement::AnyVertexInside:
+        return count > 0;
+      case Placement::AllVerticesInside:
+        return size > 0 && count == size;
+      case Placement::Intersects:
+        return count > 0 || this->MeetsWithoutVertex(cell);
+      default:
+        return count == 0 ? this->MeetsWithoutVertex(cell) : count < size || this->IsCrossed(cell);
+    }
+  }
+
+private:
+  void CountVertices(vtkIdType cell, vtkIdType& size, vtkIdType& count) const
+  {
+    const CellShape& shape = GetCellShape(this->Mesh.GetCellType(cell));
+    const IndexRange points = this->Mesh.GetCellPoints(cell);
+    size = shape.NumberOfCorners ? shape.NumberOfCorners : points.Size;
+    if (this->Mesh.GetCellType(cell) == VTK_QUADRATIC_POLYGON)
+    {
+      size /= 2;
+    }
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      count += this->Inside[points[i]];
+    }
+  }
+  bool HasCentroid(vtkIdType cell)
+  {
+    if (GetCellShape(this->Mesh.GetCellType(cell)).Dimension < 2)
+    {
+      this->Boundary.Load(cell);
+      return !this->Boundary.GetSimplices().empty() &&
+        this->Space.Contains(this->Boundary.GetMiddle());
+    }
+    const EvaluationOptions options;
+    this->Geometry.Load(this->Mesh, cell, options);
+    if (!this->Geometry.IsFinite() || this->Geometry.GetNumberOfPoints() == 0)
+    {
+      return false;
+    }
+    this->Geometry.Compute(NeedsCentroid);
+    return this->Space.Contains(this->Geometry.GetOrigin() + this->Geometry.GetCentroid());
+  }
+  bool MeetsWithoutVertex(vtkIdType cell)
+  {
+    Bounds box;
+    const IndexRange points = this->Mesh.GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      double x[3];
+      this->Mesh.GetPoint(points[i], x);
+      box.Add(Vector{ x[0], x[1], x[2] });
+    }
+    if (box.IsEmpty() || !this->Space.MayMeet(box))
+    {
+      return false;
+    }
+    this->Boundary.Load(cell);
+    return this->Space.Meets(this->Boundary);
+  }
+  bool IsCrossed(vtkIdType cell)
+  {
+    if (Solid::IsConvex)
+    {
+      return false;
+    }
+    this->Boundary.Load(cell);
+    return this->Space.Crosses(this->Boundary);
+  }
+
+  const MeshView& Mesh;
+  const Solid& Space;
+  const std::vector<unsigned char>& Inside;
+  CellBoundary Boundary;
+  CellGeometry Geometry;
+};
+
+/// Sets the marks, one per cell, to 1 for the cells that are placed like that and 0 for others.
+template <typename Solid>
+void MarkCells(
+  const MeshView& mesh, const Solid& solid, Placement placement, std::vector<unsigned char>& marks)
+{
+  std::vector<unsigned char> inside;
+  if (placement != Placement::CentroidInside)
+  {
+    inside = FindPointsInside(mesh, solid);
+  }
+  ParallelFor(mesh.GetNumberOfCells(), 1 << 12,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellPlacement<Solid> cells(mesh, solid, inside);
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        marks[cell] = cells.Has(cell, placement);
+      }
+    });
+}
+}
+
+#endif

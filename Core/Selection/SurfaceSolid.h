@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::SurfaceSolid
+ * @brief What a closed surface of triangles encloses, convex or not, of any number of parts and holes.
+ *
+ * A point is inside if the way upwards from it crosses the surface an odd number of times, so the
+ * triangles may run either way round. See Solids.h for what the methods mean.
+ */
+#ifndef camaron_SurfaceSolid_h
+#define camaron_SurfaceSolid_h
+
+#include "Selection/CellBoundary.h"
+
+#include <vector> // for triangles
+
+namespace camaron
+{
+class SurfaceSolid
+{
+public:
+  /// @a tolerance: distance up to which a point counts as on the surface.
+  SurfaceSolid(std::vector<Simplex>&& triangles, double tolerance);
+
+  /// Edges, by the coordinates of their ends, with an odd number of triangles; 0 if the surface is closed.
+  static std::size_t CountOpenEdges(const std::vector<Simplex>& triangles);
+
+  bool Contains(const Vector& point) const;
+  bool MayMeet(const Bounds& box) const;
+  bool Meets(const CellBoundary& cell) const;
+  static constexpr bool IsConvex = false;
+  bool Crosses(const CellBoundary& cell) const;
+
+private:
+  /// A box around some triangles, and where to go on in the list if nothing in it is wanted.
+  struct Node
+  {
+    Bounds Box;
+    std::size_t Next;
+    std::size_t First, Last; ///< triangles of a leaf; none for others
+  };
+  void AddNodes(std::size_t first, std::size_t last);
+  /// Calls visit(triangle) for the triangles whose boxes meet a box until it returns true.
+  template <typename Visit>
+  bool FindAny(const Bounds& box, Visit&& visit) const;
+
+  std::vector<Simplex> Triangles;
+  std::vector<Node> Nodes; ///< of a tree, parents before children
+  double Tolerance;
+};
+}
+
+#endif

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include "Mesh/CellFacets.h"
+#include "MeshInput.h"
+#include "RunTogether.h"
+#include "Selection/SelectBySolid.h"
+#include "Selection/SurfaceSolid.h"
+
+#include "vtkBox.h"
+#include "vtkCylinder.h"
+#include "vtkImplicitFunction.h"
+#include "vtkLinearTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkSphere.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+namespace camaron
+{
+namespace
+{
+constexpr double RelativeTolerance = 1e-12; // of the diagonal of the mesh
+
+//------------------------------------------------------------------------------
+struct PlacementName
+{
+  const char* Name;
+  Placement Value;
+};
+const PlacementName PlacementNames[] = {
+  { "Any vertex inside", Placement::AnyVertexInside },
+  { "All vertices inside", Placement::AllVerticesInside },
+  { "Centroid inside", Placement::CentroidInside },
+  { "Intersects", Placement::Intersects },
+  { "Cut by boundary", Placement::CutByBoundary },
+};
+
+Placement FindPlacement(const std::string& name)
+{
+  for (const PlacementName& known : PlacementNames)
+  {
+    if (name == known.Name)
+    {
+      return known.Value;
+    }
+  }
+  throw std::invalid_argument("there is no placement named '" + name + "'");
+}
+
+//------------------------------------------------------------------------------
+Vector GetVector(const double x[3])
+{
+  return { x[0], x[1], x[2] };
+}
+
+//------------------------------------------------------------------------------
+// The inside of Normal * x <= Offset, whatever the length of the normal.
+HalfSpace MakeHalfSpace(const Vector& normal, double offset)
+{
+  const double length = Norm(normal);
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset))
+  {
+    throw std::invalid_argument("a plane has no normal");
+  }
+  return { (1 / length) * normal, offset / length };
+}
+
+//------------------------------------------------------------------------------
+// Box around the points of all processes.
+Bounds FindBounds(const SelectionTask& task)
+{
+  Bounds own;
+  for (std::size_t piece = 0; piece < task.Blocks.Get().size(); ++piece)
+  {
+    const MeshView mesh(task.GetPieces().GetMesh(piece));
+    for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+    {
+      double x[3];
+      mesh.GetPoint(point, x);
+      if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+      {
+        own.Add(GetVector(x));
+      }
+    }
+  }
+  Bounds all;
+  for (const Bounds& bounds : task.Reducer.GatherItems(std::vector<Bounds>{ own }))
+  {
+    if (!bounds.IsEmpty())
+    {
+      all.Add(bounds);
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+template <typename Solid>
+std::string MarkInside(const SelectionTask& task, const Solid& solid, SelectionMarks& marks)
+{
+  const Placement placement = FindPlacement(task.Parameters.Placement);
+  for (std::size_t piece = 0; piece < marks.size(); ++piece)
+  {
+    const MeshView mesh(task.GetPieces().GetMesh(piece));
+    if (task.HasCells())
+    {
+      MarkCells(mesh, solid, placement, marks[piece]);
+    }
+    else
+    {
+      marks[piece] = FindPointsInside(mesh, solid);
+    }
+  }
+  if (task.Parameters.InsideOut)
+  {
+    MarkElements(marks, [&](std::size_t b, vtkIdType i) { return !marks[b][i]; });
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// Where a transform takes points of the world.
+vtkNew<vtkMatrix4x4> GetMatrix(vtkImplicitFunction* shape)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  if (vtkAbstractTransform* transform = shape->GetTransform())
+  {
+    auto* linear = vtkLinearTransform::SafeDownCast(transform);
+    if (!linear)
+    {
+      throw std::invalid_argument("the shape is bent");
+    }
+    matrix->DeepCopy(linear->GetMatrix());
+  }
+  return matrix;
+}
+
+//------------------------------------------------------------------------------
+std::vector<HalfSpace> GetSides(vtkBox* box)
+{
+  const vtkNew<vtkMatrix4x4> matrix = GetMatrix(box);
+  double bounds[6];
+  box->GetBounds(bounds);
+  std::vector<HalfSpace> sides;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector row = { matrix->GetElement(axis, 0), matrix->GetElement(axis, 1),
+      matrix->GetElement(axis, 2) };
+    const double shift = matrix->GetElement(axis, 3);
+    sides.push_back(MakeHalfSpace(-row, shift - bounds[2 * axis]));
+    sides.push_back(MakeHalfSpace(row, bounds[2 * axis + 1] - shift));
+  }
+  return sides;
+}
+
+//------------------------------------------------------------------------------
+using Solid = std::variant<BallSolid, CylinderSolid, HalfSpaceSolid>;
+
+Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
+{
+  const double tolerance = RelativeTolerance * bounds.GetDiagonal();
+  if (auto* sphere = vtkSphere::SafeDownCast(shape))
+  {
+    return BallSolid(GetVector(sphere->GetCenter()), sphere->GetRadius(), tolerance);
+  }
+  if (auto* cylinder = vtkCylinder::SafeDownCast(shape))
+  {
+    vtkNew<vtkMatrix4x4> toWorld;
+    vtkMatrix4x4::Invert(GetMatrix(cylinder), toWorld);
+    const double* c = cylinder->GetCenter();
+    const double* a = cylinder->GetAxis();
+    const double center[4] = { c[0], c[1], c[2], 1 }, axis[4] = { a[0], a[1], a[2], 0 };
+    double worldCenter[4], worldAxis[4];
+    toWorld->MultiplyPoint(center, worldCenter);
+    toWorld->MultiplyPoint(axis, worldAxis);
+    return CylinderSolid(
+      GetVector(worldCenter), GetVector(worldAxis), cylinder->GetRadius(), tolerance);
+  }
+  if (auto* box = vtkBox::SafeDownCast(shape))
+  {
+    return HalfSpaceSolid(GetSides(box), bounds, tolerance);
+  }
+  if (auto* plane = vtkPlane::SafeDownCast(shape))
+  {
+    // Its own function knows of an offset; the inside is where that is negative.
+    double* origin = plane->GetOrigin();
+    const Vector normal = GetVector(plane->GetNormal());
+    const double value = plane->EvaluateFunction(origin);
+    return HalfSpaceSolid(
+      { MakeHalfSpace(normal, Dot(normal, GetVector(origin)) - value) }, bounds, tolerance);
+  }
+  throw std::invalid_argument(shape
+      ? std::string("Shape is a sphere, box, cylinder or plane, not a ") + shape->GetClassName()
+      : std::string("there is no Shape"));
+}
+
+//------------------------------------------------------------------------------
+// Triangles of all processes' surfaces.
+std::vector<Simplex> GatherTriangles(const SelectionTask& task)
+{
+  std::vector<Simplex> triangles;
+  RunTogether(task.Reducer,
+    [&]
+    {
+      for (const DataSetLeaf& leaf : GetLeaves(task.Parameters.Surface))
+      {
+        const vtkSmartPointer<vtkDataSet> data = AsMesh(leaf.Data);
+        const MeshView mesh(data);
+        CellFacets facets(mesh);
+        CellBoundary boundary(mesh);
+        for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+        {
+          if (facets.GetDimension(cell) == 3)
+          {
+            throw std::invalid_argument("the Surface has 3D cells; take their surface first");
+          }
+          if (facets.GetDimension(cell) == 2)
+          {
+            boundary.Load(cell);
+            triangles.insert(triangles.end(), boundary.GetSimplices().begin(),
+              boundary.GetSimplices().end());
+          }
+        }
+      }
+    });
+  return task.Reducer.GatherItems(triangles);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks)
+{
+  const Solid solid = MakeSolid(task.Parameters.Shape, FindBounds(task));
+  return std::visit([&](const auto& known) { return MarkInside(task, known, marks); }, solid);
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
+{
+  const Bounds bounds = FindBounds(task);
+  std::vector<HalfSpace> halfSpaces;
+  for (const auto& plane : task.Parameters.Planes)
+  {
+    const Vector origin = GetVector(plane.data()), normal = GetVector(plane.data() + 3);
+    halfSpaces.push_back(MakeHalfSpace(normal, Dot(origin, normal)));
+  }
+  if (halfSpaces.empty())
+  {
+    throw std::invalid_argument("there are no Planes");
+  }
+  return MarkInside(
+    task, HalfSpaceSolid(halfSpaces, bounds, RelativeTolerance * bounds.GetDiagonal()), marks);
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks)
+{
+  const Bounds bounds = FindBounds(task);
+  std::vector<Simplex> triangles = GatherTriangles(task);
+  if (triangles.empty())
+  {
+    throw std::invalid_argument("there is no Surface, or it has no polygons");
+  }
+  if (const std::size_t open = SurfaceSolid::CountOpenEdges(triangles))
+  {
+    throw std::invalid_argument("the Surface is not closed: " + std::to_string(open) +
+      (open == 1 ? " edge has" : " edges have") + " an odd number of polygons");
+  }
+  const SurfaceSolid solid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal());
+  return MarkInside(task, solid, marks);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetPlacementNames()
+{
+  std::vector<std::string> names;
+  for (const PlacementName& known : PlacementNames)
+  {
+    names.emplace_back(known.Name);
+  }
+  return names;
+}
+}
