@@ -3,14 +3,11 @@
 #include "Criteria/LinkedPieces.h"
 
 #include "Criteria/CellNeighborhood.h"
+#include "Criteria/PieceBorders.h"
 #include "Mesh/CellFacets.h"
 #include "Parallel.h"
 
-#include "vtkDataSetAttributes.h"
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -20,25 +17,6 @@ namespace
 {
 constexpr vtkIdType CellChunk = 1 << 14;
 constexpr vtkIdType Grain = 1024;
-
-//------------------------------------------------------------------------------
-// The finalizer of splitmix64 (G. Steele et al., Fast splittable pseudorandom number generators, 2014).
-std::uint64_t Mix(std::uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15ull;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-  return x ^ (x >> 31);
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t GetBits(double value)
-{
-  value += 0.0; // -0 becomes 0
-  std::uint64_t bits;
-  std::memcpy(&bits, &value, sizeof(bits));
-  return bits;
-}
 
 //------------------------------------------------------------------------------
 // What all pieces with this facet, and no other facet, have in common.
@@ -82,34 +60,6 @@ struct Use
       this->Key, this->Cell.Process, this->Cell.Piece, this->Cell.Facet, this->Cell.Cell);
   }
 };
-
-struct Box
-{
-  std::int32_t Process, Piece, Block;
-  double Low[3], High[3];
-
-  bool Intersects(const Box& other) const
-  {
-    bool result = true;
-    for (int i = 0; i < 3; ++i)
-    {
-      result = result && this->Low[i] <= other.High[i] && other.Low[i] <= this->High[i];
-    }
-    return result;
-  }
-  bool Contains(const double x[3]) const
-  {
-    return this->Low[0] <= x[0] && x[0] <= this->High[0] && this->Low[1] <= x[1] &&
-      x[1] <= this->High[1] && this->Low[2] <= x[2] && x[2] <= this->High[2];
-  }
-};
-}
-
-//------------------------------------------------------------------------------
-bool LinkedPiece::IsCopy(vtkIdType cell) const
-{
-  return this->Options.Ghosts &&
-    (this->Options.Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
 }
 
 //------------------------------------------------------------------------------
@@ -120,13 +70,12 @@ public:
     : Pieces(pieces)
     , Reducer(reducer)
     , NumberOfProcesses(reducer.GetNumberOfProcesses())
+    , Borders(pieces, reducer)
   {
   }
 
   std::vector<PieceLinks> Link()
   {
-    this->FindWhatPointsHave();
-    this->FindBoxes();
     for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
     {
       this->FindCandidates(static_cast<std::int32_t>(piece));
@@ -137,135 +86,9 @@ public:
 
 private:
   //----------------------------------------------------------------------------
-  // Global ids are of use only if no piece is without.
-  void FindWhatPointsHave()
-  {
-    std::int64_t lacks[2] = { 0, 0 };
-    for (const LinkedPiece& piece : this->Pieces)
-    {
-      if (piece.Topology->GetMesh().GetNumberOfCells() > 0)
-      {
-        lacks[0] = lacks[0] || !piece.PointIds;
-        lacks[1] = lacks[1] || piece.Topology->GetMesh().HasFloatPoints();
-      }
-    }
-    this->Reducer.Max(lacks, 2);
-    this->UsesIds = !lacks[0];
-    this->UsesFloats = lacks[1] != 0;
-  }
-
-  //----------------------------------------------------------------------------
-  void GetPoint(const MeshView& mesh, vtkIdType id, double x[3]) const
-  {
-    mesh.GetPoint(id, x);
-    if (this->UsesFloats)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        x[i] = static_cast<float>(x[i]);
-      }
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  void FindBoxes()
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::vector<Box> own;
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
-    {
-      const LinkedPiece& piece = this->Pieces[p];
-      const MeshView& mesh = piece.Topology->GetMesh();
-      const Box empty = { this->Reducer.GetProcess(), static_cast<std::int32_t>(p), piece.Block,
-        { infinity, infinity, infinity }, { -infinity, -infinity, -infinity } };
-      std::vector<Box> parts((mesh.GetNumberOfCells() + CellChunk - 1) / CellChunk, empty);
-      ParallelFor(static_cast<vtkIdType>(parts.size()), 1,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType part = begin; part < end; ++part)
-          {
-            const vtkIdType last = std::min(mesh.GetNumberOfCells(), (part + 1) * CellChunk);
-            for (vtkIdType cell = part * CellChunk; cell < last; ++cell)
-            {
-              this->AddToBox(piece, cell, parts[part]);
-            }
-          }
-        });
-      Box whole = empty;
-      for (const Box& part : parts)
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          whole.Low[i] = std::min(whole.Low[i], part.Low[i]);
-          whole.High[i] = std::max(whole.High[i], part.High[i]);
-        }
-      }
-      own.push_back(whole);
-    }
-    this->Boxes = this->Reducer.GatherItems(own);
-  }
-
-  //----------------------------------------------------------------------------
-  void AddToBox(const LinkedPiece& piece, vtkIdType cell, Box& box) const
-  {
-    const MeshView& mesh = piece.Topology->GetMesh();
-    if (piece.IsCopy(cell) || GetCellShape(mesh.GetCellType(cell)).Dimension < 2)
-    {
-      return;
-    }
-    const IndexRange points = mesh.GetCellPoints(cell);
-    for (vtkIdType i = 0; i < points.Size; ++i)
-    {
-      double x[3];
-      this->GetPoint(mesh, points[i], x);
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        box.Low[axis] = std::min(box.Low[axis], x[axis]);
-        box.High[axis] = std::max(box.High[axis], x[axis]);
-      }
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  // Of every point whether it lies in the box of another piece of the block; empty if none does.
-  std::vector<unsigned char> FindNearPoints(std::int32_t piece) const
-  {
-    const auto isOwn = [&](const Box& box)
-    { return box.Process == this->Reducer.GetProcess() && box.Piece == piece; };
-    const Box& own = *std::find_if(this->Boxes.begin(), this->Boxes.end(), isOwn);
-    std::vector<Box> others;
-    for (const Box& box : this->Boxes)
-    {
-      if (!isOwn(box) && box.Block == own.Block && box.Intersects(own))
-      {
-        others.push_back(box);
-      }
-    }
-    std::vector<unsigned char> isNear;
-    if (others.empty())
-    {
-      return isNear;
-    }
-    const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
-    isNear.resize(mesh.GetNumberOfPoints());
-    ParallelFor(mesh.GetNumberOfPoints(), Grain,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType point = begin; point < end; ++point)
-        {
-          double x[3];
-          this->GetPoint(mesh, point, x);
-          isNear[point] = std::any_of(
-            others.begin(), others.end(), [&](const Box& box) { return box.Contains(x); });
-        }
-      });
-    return isNear;
-  }
-
-  //----------------------------------------------------------------------------
   void FindCandidates(std::int32_t piece)
   {
-    const std::vector<unsigned char> isNear = this->FindNearPoints(piece);
+    const std::vector<unsigned char> isNear = this->Borders.FindNearPoints(piece);
     if (isNear.empty())
     {
       return;
@@ -324,18 +147,6 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  std::uint64_t GetPointKey(const LinkedPiece& piece, vtkIdType point) const
-  {
-    if (this->UsesIds)
-    {
-      return Mix(static_cast<std::uint64_t>(piece.PointIds[point]));
-    }
-    double x[3];
-    this->GetPoint(piece.Topology->GetMesh(), point, x);
-    return Mix(Mix(Mix(GetBits(x[0])) ^ GetBits(x[1])) ^ GetBits(x[2]));
-  }
-
-  //----------------------------------------------------------------------------
   void AddCandidate(std::int32_t piece, const FacetTable& table, int dimension, Index facet,
     const vtkIdType* points, vtkIdType size, std::vector<std::uint64_t>& pointKeys,
     std::vector<Candidate>& candidates) const
@@ -344,7 +155,7 @@ private:
     pointKeys.clear();
     for (vtkIdType i = 0; i < size; ++i)
     {
-      pointKeys.push_back(this->GetPointKey(from, points[i]));
+      pointKeys.push_back(Hash(this->Borders.GetKey(piece, points[i])));
     }
     const bool descends = size == 2 && pointKeys[0] > pointKeys[1];
     std::sort(pointKeys.begin(), pointKeys.end());
@@ -599,9 +410,7 @@ private:
   const std::vector<LinkedPiece>& Pieces;
   camaron::Reducer& Reducer;
   const int NumberOfProcesses;
-  bool UsesIds = false;
-  bool UsesFloats = false;
-  std::vector<Box> Boxes; // of the pieces of all processes
+  const PieceBorders Borders;
   std::vector<Candidate> Candidates;
 };
 

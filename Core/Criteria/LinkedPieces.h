@@ -4,9 +4,7 @@
  * @file LinkedPieces.h
  * @brief Finds the cells of other pieces at the facets of each piece of a mesh.
  *
- * Pieces are what the processes have of a mesh, partitions of one process, and blocks if they are to be
- * connected. Facets of two pieces are the same when they have the same points: by global ids if all pieces
- * have them, else by coordinates that are equal (as float if some piece has floats). Each process computes
+ * Facets of two pieces are the same when they have the same points, see PieceBorders. Each process computes
  * what others need to know of its own cells, so it is the same, to the last bit, as in an undivided mesh.
  * Copies of cells (DUPLICATECELL) take no part.
  *
@@ -16,28 +14,14 @@
 #ifndef camaron_LinkedPieces_h
 #define camaron_LinkedPieces_h
 
-#include "Criteria/CellGeometry.h"
+#include "Criteria/LinkedPiece.h"
 #include "Mesh/FacetLinks.h"
-#include "Mesh/MeshTopology.h"
 #include "Statistics/Reducer.h"
 
 #include <vector> // for the pieces
 
 namespace camaron
 {
-/// A data set of this process.
-struct LinkedPiece
-{
-  const MeshTopology* Topology = nullptr;
-  EvaluationOptions Options;
-  int Block = 0;                       ///< pieces of one block, in all processes, are linked
-  const vtkIdType* PointIds = nullptr; ///< global ids, or none
-  const vtkIdType* CellIds = nullptr;  ///< global ids, or none
-
-  /// Whether a cell is a copy of one that belongs to another piece.
-  bool IsCopy(vtkIdType cell) const;
-};
-
 /// Collective. Of every piece the cells of others at its facets.
 std::vector<PieceLinks> LinkPieces(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 }

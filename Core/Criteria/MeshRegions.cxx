@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/MeshRegions.h"
 
+#include "Criteria/CellIds.h"
 #include "Criteria/LinkedComponents.h"
 
 #include <algorithm>
@@ -12,60 +13,6 @@ namespace camaron
 namespace
 {
 using Ids = std::vector<std::int64_t>;
-
-//------------------------------------------------------------------------------
-// Of each cell what it is known by in all pieces: these are different for all cells but copies.
-class CellIds
-{
-public:
-  CellIds(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
-    : Pieces(pieces)
-  {
-    struct Part
-    {
-      std::int64_t Block, NumberOfCells;
-    };
-    std::int64_t lacksIds = 0;
-    std::vector<Part> own;
-    for (const LinkedPiece& piece : pieces)
-    {
-      const vtkIdType size = piece.Topology->GetMesh().GetNumberOfCells();
-      lacksIds = lacksIds || (size > 0 && !piece.CellIds);
-      own.push_back({ piece.Block, size });
-    }
-    reducer.Max(&lacksIds, 1);
-    this->HasIds = !lacksIds;
-    const Ids sizes = reducer.GatherItems(Ids{ static_cast<std::int64_t>(own.size()) });
-    std::size_t ownFirst = 0;
-    for (int process = 0; process < reducer.GetProcess(); ++process)
-    {
-      ownFirst += static_cast<std::size_t>(sizes[process]);
-    }
-    const std::vector<Part> all = reducer.GatherItems(own);
-    for (std::size_t p = 0; p < own.size(); ++p)
-    {
-      std::int64_t first = 0;
-      for (std::size_t i = 0; i < all.size(); ++i)
-      {
-        const bool isBefore = all[i].Block != own[p].Block ? all[i].Block < own[p].Block
-                                                           : i < ownFirst + p;
-        first += isBefore ? all[i].NumberOfCells : 0;
-      }
-      this->First.push_back(first);
-    }
-  }
-
-  std::int64_t Get(std::size_t piece, std::size_t cell) const
-  {
-    return this->HasIds ? this->Pieces[piece].CellIds[cell]
-                        : this->First[piece] + static_cast<std::int64_t>(cell);
-  }
-
-private:
-  const std::vector<LinkedPiece>& Pieces;
-  bool HasIds = false;
-  Ids First; // without ids: number of the first cell of each piece
-};
 
 //------------------------------------------------------------------------------
 // The places of numbers among those of all processes. Each process sorts its share of their range.
