@@ -25,8 +25,14 @@ input carry and that has a good and a bad end: the worst value of the cells arou
 
 For criteria of polygons (areas, interior angles, ratios, ...) evaluate the faces with *Element Quality*.
 
-In parallel, elements that belong to another process are marked as ghosts. `DuplicatePoint` and `FaceMismatch` compare
-the points of one process and of its ghost cells.
+Elements and values do not depend on how a mesh is split over processes and partitions, with or without ghost cells:
+cells of other pieces of a block are found by their points, by global ids if all pieces have them, else by their places.
+An element between pieces belongs to the one whose cell has the smallest id; in the others it is marked as a ghost.
+Elements of copies of cells alone are left out. Faces run out of, and are seen from, their owner: the cell of the smaller
+id. Ids of cells are global ones; without them the cells of a block are counted piece after piece, so that a mesh that
+is split into ranges of cells keeps its numbers. `OwnerCell` and the points tell which element is the same in another
+partition; the numbers of elements in their data sets are those of one process, faces in the order of their owners.
+`DuplicatePoint` and `FaceMismatch` compare the points of one piece.
 """
 
 source = simple.CriteriaTable()

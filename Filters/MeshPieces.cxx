@@ -3,6 +3,8 @@
 #include "MeshPieces.h"
 
 #include "Criteria/CellNeighborhood.h"
+#include "Criteria/CompletedPieces.h"
+#include "Elements/ElementContext.h"
 #include "MeshInput.h"
 #include "RunTogether.h"
 
@@ -18,6 +20,7 @@ namespace camaron
 MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
   int numberOfRequestedPieces, camaron::Reducer& reducer)
   : Reducer(reducer)
+  , OthersAreUnknown(numberOfRequestedPieces > reducer.GetNumberOfProcesses())
 {
   RunTogether(reducer,
     [&]
@@ -28,6 +31,7 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
         vtkDataSet* mesh = this->Meshes.back();
         this->Topologies.push_back(std::make_unique<MeshTopology>(mesh));
         LinkedPiece piece;
+        piece.Data = mesh;
         piece.Topology = this->Topologies.back().get();
         piece.Options = options;
         piece.Block = leaf.Number;
@@ -35,8 +39,7 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
         {
           piece.Options.Ghosts = ghosts->GetPointer(0);
         }
-        piece.Options.IsPieceWithoutGhosts =
-          numberOfRequestedPieces > reducer.GetNumberOfProcesses() && !piece.Options.Ghosts;
+        piece.Options.IsPieceWithoutGhosts = this->OthersAreUnknown && !piece.Options.Ghosts;
         piece.PointIds = this->GetIds(mesh->GetPointData()->GetGlobalIds());
         piece.Options.GlobalIds = mesh->GetCellData()->GetGlobalIds();
         piece.CellIds = this->GetIds(piece.Options.GlobalIds);
@@ -65,11 +68,17 @@ const vtkIdType* MeshPieces::GetIds(vtkDataArray* ids)
 }
 
 //------------------------------------------------------------------------------
-void MeshPieces::Link(bool connectBlocks)
+bool MeshPieces::AreSeveral()
 {
   std::int64_t numberOfPieces = static_cast<std::int64_t>(this->Pieces.size());
   this->Reducer.Sum(&numberOfPieces, 1);
-  if (numberOfPieces < 2)
+  return numberOfPieces > 1;
+}
+
+//------------------------------------------------------------------------------
+void MeshPieces::Link(bool connectBlocks)
+{
+  if (!this->AreSeveral())
   {
     return;
   }
@@ -125,5 +134,40 @@ void MeshPieces::FindRegions()
   {
     this->Pieces[piece].Options.Regions = &this->Regions[piece];
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDataSet>> MeshPieces::Complete(const std::vector<std::string>& arrays)
+{
+  Completion completion;
+  completion.AsksOthers = this->AreSeveral() && !this->OthersAreUnknown;
+  completion.Arrays = arrays;
+  return CompletePieces(this->Pieces, completion, this->Reducer);
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned> MeshPieces::FindDimensions()
+{
+  struct Part
+  {
+    int Block;
+    unsigned Dimensions;
+  };
+  std::vector<Part> own;
+  for (const LinkedPiece& piece : this->Pieces)
+  {
+    own.push_back({ piece.Block, FindCellDimensions(piece.Topology->GetMesh()) });
+  }
+  const std::vector<Part> all = this->Reducer.GatherItems(own);
+  std::vector<unsigned> dimensions;
+  for (const Part& part : own)
+  {
+    dimensions.push_back(0);
+    for (const Part& other : all)
+    {
+      dimensions.back() |= other.Block == part.Block ? other.Dimensions : 0;
+    }
+  }
+  return dimensions;
 }
 }

@@ -23,6 +23,7 @@
 #include "vtkSmartPointer.h" // for the meshes
 
 #include <memory> // for the topologies
+#include <string> // for names of arrays
 #include <vector> // for the pieces
 
 class vtkDataArray;
@@ -58,10 +59,19 @@ public:
   /// Collective. After Link.
   void FindRegions();
 
+  /// Collective. Of every piece its mesh with the cells around it, see CompletePieces, unless the others cannot be
+  /// asked or there are none. @a arrays are the same on all processes.
+  std::vector<vtkSmartPointer<vtkDataSet>> Complete(const std::vector<std::string>& arrays);
+  /// Collective. Of every piece the CellDimensions that the pieces of its block have.
+  std::vector<unsigned> FindDimensions();
+
 private:
   const vtkIdType* GetIds(vtkDataArray* ids);
+  /// Collective. Whether there are several pieces.
+  bool AreSeveral();
 
   camaron::Reducer& Reducer;
+  bool OthersAreUnknown; // there are more pieces than processes
   std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
   std::vector<std::unique_ptr<MeshTopology>> Topologies;
   std::vector<vtkSmartPointer<vtkDataArray>> Ids;

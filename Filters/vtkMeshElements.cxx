@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshElements.h"
 
+#include "ControllerReducer.h"
 #include "Elements/MeshElements.h"
-#include "MeshInput.h"
+#include "MeshPieces.h"
+#include "PolyDataOutput.h"
 
+#include "vtkCellData.h"
 #include "vtkDataArraySelection.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -37,6 +40,25 @@ std::vector<std::string> GetTicked(vtkDataArraySelection* selection)
     if (selection->GetArraySetting(i))
     {
       names.emplace_back(selection->GetArrayName(i));
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+// The criteria of which pieces of this process have an array.
+std::vector<std::string> FindCriteria(const camaron::MeshPieces& pieces)
+{
+  std::vector<std::string> names;
+  for (const camaron::Criterion& criterion : camaron::GetCriteria())
+  {
+    for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
+    {
+      vtkDataArray* values = pieces.GetMesh(piece)->GetCellData()->GetArray(criterion.Name);
+      if (values && values->GetNumberOfComponents() == 1)
+      {
+        names.emplace_back(criterion.Name);
+      }
     }
   }
   return names;
@@ -138,6 +160,15 @@ vtkMTimeType vtkMeshElements::GetMTime()
 int vtkMeshElements::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshElements::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  camaron::MakePolyDataOutputs(inputVector, outputVector);
   return 1;
 }
 
@@ -148,7 +179,9 @@ int vtkMeshElements::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
-  if (outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  // Only pieces that no process has cannot be asked for their cells.
+  if (outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
+    camaron::ControllerReducer().GetNumberOfProcesses())
   {
     inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
       std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));
@@ -157,47 +190,65 @@ int vtkMeshElements::RequestUpdateExtent(
 }
 
 //------------------------------------------------------------------------------
-int vtkMeshElements::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* outputVector)
 {
-  vtkPolyData* outputs[3];
-  for (int port = 0; port < 3; ++port)
-  {
-    outputs[port] = vtkPolyData::GetData(outputVector, port);
-  }
-  camaron::EvaluationOptions options;
-  options.Angles =
+  camaron::EvaluationOptions common;
+  common.Angles =
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
-  try
+  camaron::ControllerReducer reducer;
+  const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  camaron::MeshPieces pieces(camaron::GetLeaves(input), common, numberOfPieces, reducer);
+  const std::vector<unsigned> dimensions = pieces.FindDimensions();
+  const std::vector<vtkSmartPointer<vtkDataSet>> meshes = pieces.Complete(
+    this->WorstOfCells ? reducer.GatherNames(FindCriteria(pieces)) : std::vector<std::string>());
+
+  const std::vector<vtkPolyData*> outputs[] = {
+    camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 0)),
+    camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 1)),
+    camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 2))
+  };
+  for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {
-    const vtkSmartPointer<vtkDataSet> mesh = camaron::AsMesh(vtkDataSet::GetData(inputVector[0]));
-    const camaron::MeshTopology topology(mesh);
-    const camaron::ElementContext context(mesh, topology, options, this->MergeTolerance);
-    const auto goesOn = [this](double done)
+    const camaron::MeshTopology topology(meshes[piece]);
+    const camaron::ElementContext context(meshes[piece], topology, pieces.GetOptions(piece),
+      this->MergeTolerance, { pieces.GetMesh(piece), dimensions[piece] });
+    const auto goesOn = [&](double done)
     {
-      this->UpdateProgress(done);
+      this->UpdateProgress(
+        (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
       return !this->CheckAbort();
     };
-    camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0]);
+    camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0][piece]);
     if (goesOn(0.5))
     {
-      camaron::MakeEdges(context, GetTicked(this->EdgeArrays), outputs[1]);
+      camaron::MakeEdges(context, GetTicked(this->EdgeArrays), outputs[1][piece]);
     }
     if (goesOn(0.8))
     {
-      camaron::MakeVertices(context, GetTicked(this->VertexArrays), outputs[2]);
+      camaron::MakeVertices(context, GetTicked(this->VertexArrays), outputs[2][piece]);
       if (this->WorstOfCells)
       {
-        camaron::AddWorstOfCells(context, outputs[2]);
+        camaron::AddWorstOfCells(context, outputs[2][piece]);
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshElements::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  try
+  {
+    this->TakeElements(vtkDataObject::GetData(inputVector[0]), outputVector);
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro("The elements of the mesh cannot be taken: " << error.what() << '.');
-    for (vtkPolyData* output : outputs)
+    for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
     {
-      output->Initialize();
+      vtkDataObject::GetData(outputVector, port)->Initialize();
     }
     return 0;
   }

@@ -4,30 +4,32 @@
  * @class vtkMeshElements
  * @brief Takes the faces, edges and vertices of a mesh as data sets of their own.
  *
- * Input: any vtkDataSet or composite of them. Outputs: vtkPolyData of the faces of the 3D cells (port 0;
- * of a surface its polygons), of the edges (port 1) and of the vertices (port 2), each once, in an order
- * that does not depend on the number of threads; see camaron::MakeFaces, MakeEdges and MakeVertices. Points
+ * Input: any vtkDataSet or composite of them. Outputs: vtkPolyData (of blocks: the same blocks of them) of the faces
+ * of the 3D cells (port 0; of a surface its polygons), of the edges (port 1) and of the vertices (port 2), each once,
+ * in an order that does not depend on the number of threads; see camaron::MakeFaces, MakeEdges and MakeVertices. Points
  * and their data are those of the mesh. Cell arrays tell what belongs to what, what lies at the boundary, and
  * the criteria of faces, edges and vertices; output port 3 of vtkCriteriaTable lists them. Only those that
  * are ticked are computed, and only if the mesh has cells for which they mean something. Criteria of polygons are
  * evaluated for the faces by vtkElementQuality.
  *
- * In parallel one level of ghost cells is asked for; elements that belong to another process are marked
- * as ghosts.
+ * Elements and their values are those of the undivided mesh, however it is split over processes and partitions: cells
+ * of other pieces of the block are found by their points (global ids, or coordinates) and need not be there as ghost
+ * cells. An element between pieces belongs to the one whose cell has the smallest global id, or without ids to the
+ * first one; in the others it is marked as a ghost. Blocks have nothing to do with each other.
  */
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
 
+#include "vtkDataObjectAlgorithm.h"
 #include "vtkNew.h" // for the selections
-#include "vtkPolyDataAlgorithm.h"
 
 class vtkDataArraySelection;
 
-class vtkMeshElements : public vtkPolyDataAlgorithm
+class vtkMeshElements : public vtkDataObjectAlgorithm
 {
 public:
   static vtkMeshElements* New();
-  vtkTypeMacro(vtkMeshElements, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkMeshElements, vtkDataObjectAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -90,11 +92,14 @@ protected:
   ~vtkMeshElements() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(
     vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  void TakeElements(vtkDataObject* input, vtkInformationVector* outputs);
+
   vtkMeshElements(const vtkMeshElements&) = delete;
   void operator=(const vtkMeshElements&) = delete;
 

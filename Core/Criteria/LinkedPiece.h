@@ -14,6 +14,8 @@
 
 #include "vtkDataSetAttributes.h" // for kinds of ghosts
 
+class vtkDataSet;
+
 namespace camaron
 {
 struct LinkedPiece
@@ -23,6 +25,7 @@ struct LinkedPiece
   int Block = 0;                       ///< pieces of one block, in all processes, are linked
   const vtkIdType* PointIds = nullptr; ///< global ids, or none
   const vtkIdType* CellIds = nullptr;  ///< global ids, or none
+  vtkDataSet* Data = nullptr;          ///< what Topology is of, or none where it is not asked for
 
   /// Whether a cell is a copy of one that belongs to another piece.
   bool IsCopy(vtkIdType cell) const

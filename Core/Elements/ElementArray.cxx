@@ -56,14 +56,13 @@ unsigned char* AddGhostArray(vtkPolyData* elements)
 void AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
   const std::vector<std::string>& names, vtkPolyData* elements)
 {
-  vtkDataSet* mesh = context.GetData();
-  if (vtkPointSet* points = vtkPointSet::SafeDownCast(mesh))
+  vtkDataSet* piece = context.GetPiece();
+  if (vtkPointSet* points = vtkPointSet::SafeDownCast(piece))
   {
     elements->SetPoints(points->GetPoints());
   }
-  elements->GetPointData()->ShallowCopy(mesh->GetPointData());
-  const unsigned dimensions = (context.HasCells(2) ? OfPolygons : 0u) |
-    (context.HasCells(3) ? OfPolyhedra : 0u);
+  elements->GetPointData()->ShallowCopy(piece->GetPointData());
+  const unsigned dimensions = context.GetDimensions();
   vtkCellData* data = elements->GetCellData();
   std::vector<const ElementArray*> ofFaces;
   std::vector<double*> faceValues;

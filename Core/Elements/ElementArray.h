@@ -18,20 +18,12 @@ class vtkPolyData;
 
 namespace camaron
 {
-/// Dimensions of cells, at least one of which the mesh must have for an array to be made.
-enum CellDimensions : unsigned
-{
-  OfPolygons = 1u << 2,
-  OfPolyhedra = 1u << 3,
-  OfAnyCells = OfPolygons | OfPolyhedra
-};
-
 /// One row of the tables of arrays. Text ends up in the documentation.
 struct ElementArray
 {
   const char* Name;        ///< array name, CamelCase, never changes
   const char* Description; ///< one sentence: definition, then remarks
-  unsigned Dimensions;     ///< CellDimensions
+  unsigned Dimensions;     ///< CellDimensions, at least one of which the mesh must have
   enum camaron::Unit Unit;
   bool IsDefault; ///< whether it is made unless the user says otherwise
 

@@ -187,25 +187,39 @@ const Table& GetOnce(std::optional<Table>& table, Make&& make)
 }
 
 //------------------------------------------------------------------------------
+unsigned FindCellDimensions(const MeshView& mesh)
+{
+  const CellFacets facets(mesh);
+  unsigned dimensions = 0;
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const int dimension = facets.GetDimension(cell);
+    dimensions |= dimension >= 2 ? 1u << dimension : 0;
+  }
+  return dimensions;
+}
+
+//------------------------------------------------------------------------------
 ElementContext::ElementContext(vtkDataSet* mesh, const MeshTopology& topology,
-  EvaluationOptions options, double mergeTolerance)
+  EvaluationOptions options, double mergeTolerance, const ElementSource& source)
   : Data(mesh)
   , Topology(topology)
   , Options(options)
   , MergeTolerance(mergeTolerance)
+  , Source(source)
 {
+  this->Source.Piece = source.Piece ? source.Piece : mesh;
+  this->Source.Dimensions |= FindCellDimensions(this->GetMesh());
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
   this->Options.Ghosts = ghosts ? ghosts->GetPointer(0) : nullptr;
   this->Options.GlobalIds = mesh->GetCellData()->GetGlobalIds();
-  const CellFacets facets(this->GetMesh());
-  for (vtkIdType cell = 0; cell < this->GetMesh().GetNumberOfCells(); ++cell)
-  {
-    const int dimension = facets.GetDimension(cell);
-    if (dimension >= 0)
-    {
-      this->Has[dimension] = true;
-    }
-  }
+}
+
+//------------------------------------------------------------------------------
+bool ElementContext::IsCopy(vtkIdType cell) const
+{
+  return this->Options.Ghosts &&
+    (this->Options.Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
 }
 
 //------------------------------------------------------------------------------
@@ -220,10 +234,7 @@ unsigned char ElementContext::BelongsToGhost(const std::vector<Index>& cells) co
 {
   const auto first = std::min_element(cells.begin(), cells.end(),
     [this](Index a, Index b) { return this->GetGlobalCell(a) < this->GetGlobalCell(b); });
-  return first != cells.end() && this->Options.Ghosts &&
-      (this->Options.Ghosts[*first] & vtkDataSetAttributes::DUPLICATECELL)
-    ? vtkDataSetAttributes::DUPLICATECELL
-    : 0;
+  return first != cells.end() && this->IsCopy(*first) ? vtkDataSetAttributes::DUPLICATECELL : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -289,8 +300,10 @@ const std::vector<vtkIdType>& ElementContext::GetCoincidentPoints() const
   return GetOnce(this->CoincidentPoints,
     [this]
     {
-      return FindCoincidentPoints(
-        this->GetMesh(), this->MergeTolerance, this->Data->GetPointData()->GetGlobalIds());
+      std::vector<vtkIdType> points = FindCoincidentPoints(MeshView(this->Source.Piece),
+        this->MergeTolerance, this->Source.Piece->GetPointData()->GetGlobalIds());
+      points.resize(static_cast<std::size_t>(this->GetMesh().GetNumberOfPoints()), -1);
+      return points;
     });
 }
 

@@ -21,6 +21,17 @@ class vtkDataSet;
 
 namespace camaron
 {
+/// Dimensions of cells, as bits.
+enum CellDimensions : unsigned
+{
+  OfPolygons = 1u << 2,
+  OfPolyhedra = 1u << 3,
+  OfAnyCells = OfPolygons | OfPolyhedra
+};
+
+/// Those that a mesh has.
+unsigned FindCellDimensions(const MeshView& mesh);
+
 /// How many cells, faces and polygon cells meet at an edge or vertex.
 struct ElementUses
 {
@@ -36,6 +47,13 @@ struct EdgeAngles
   std::vector<double> Min, Max, Sum;
 };
 
+/// Where a mesh is the piece of one, with cells of others: see CompletePieces.
+struct ElementSource
+{
+  vtkDataSet* Piece = nullptr;  ///< whose points and their data the elements get; the first ones of the mesh
+  unsigned Dimensions = 0;      ///< CellDimensions that other pieces have
+};
+
 class ElementContext
 {
 public:
@@ -43,18 +61,22 @@ public:
    * @param mesh whose ghosts and global ids count, whatever the options say of them
    * @param mergeTolerance distance up to which points coincide; 0 for 8 rounding units of their coordinates
    */
-  ElementContext(
-    vtkDataSet* mesh, const MeshTopology& topology, EvaluationOptions options, double mergeTolerance = 0);
+  ElementContext(vtkDataSet* mesh, const MeshTopology& topology, EvaluationOptions options,
+    double mergeTolerance = 0, const ElementSource& source = {});
 
   vtkDataSet* GetData() const { return this->Data; }
+  /// What the points of the elements and their data are.
+  vtkDataSet* GetPiece() const { return this->Source.Piece; }
   const MeshTopology& GetTopology() const { return this->Topology; }
   const MeshView& GetMesh() const { return this->Topology.GetMesh(); }
   const EvaluationOptions& GetOptions() const { return this->Options; }
   /// Whether the mesh has cells of that dimension, 2 or 3.
-  bool HasCells(int dimension) const { return this->Has[dimension]; }
+  bool HasCells(int dimension) const { return (this->Source.Dimensions >> dimension & 1) != 0; }
+  unsigned GetDimensions() const { return this->Source.Dimensions; }
   /// Global id of a cell of the mesh; its own if there are none.
   vtkIdType GetGlobalCell(vtkIdType cell) const;
-  bool IsGhost(vtkIdType cell) const { return this->Options.Ghosts && this->Options.Ghosts[cell]; }
+  /// Whether a cell is a copy of one that belongs to another piece.
+  bool IsCopy(vtkIdType cell) const;
   /// DUPLICATECELL if the cell of the smallest global id is a ghost, else 0.
   unsigned char BelongsToGhost(const std::vector<Index>& cells) const;
 
@@ -63,7 +85,7 @@ public:
   const ElementUses& GetVertexUses() const;
   const EdgeAngles& GetEdgeAngles() const;
   /// Of every point the lowest id (the global one if there are any) of all points that coincide with it, or -1 if
-  /// none does. See FindCoincidentPoints.
+  /// none does; of those of the piece only. See FindCoincidentPoints.
   const std::vector<vtkIdType>& GetCoincidentPoints() const;
   /// The 2D cells, which are the faces of a mesh without 3D cells.
   const std::vector<vtkIdType>& GetPolygonCells() const;
@@ -73,7 +95,7 @@ private:
   const MeshTopology& Topology;
   EvaluationOptions Options;
   double MergeTolerance;
-  bool Has[4] = { false, false, false, false };
+  ElementSource Source;
 
   mutable std::optional<EdgeFinder> Edges;
   mutable std::optional<ElementUses> EdgeUses, VertexUses;

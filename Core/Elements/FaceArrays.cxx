@@ -236,7 +236,7 @@ const std::vector<ElementArray>& GetFaceArrays()
   // clang-format off
   static const std::vector<ElementArray> arrays = {
     { "OwnerCell",
-      "Id of the first cell of the face, out of which it runs; global if the mesh has global ids.",
+      "Id of the cell of the face that has the smallest one; the face runs out of it.",
       OfAnyCells, Unit::None, true, CAMARON_IDS(OwnerCell) },
     { "NeighborCell", "Id of the cell on the other side; -1 for none.",
       OfPolyhedra, Unit::None, true, CAMARON_IDS(NeighborCell) },

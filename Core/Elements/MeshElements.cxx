@@ -11,6 +11,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt64Array.h"
@@ -99,34 +100,118 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkIdType size, int points)
 }
 
 //------------------------------------------------------------------------------
+// Leaves only the elements that are marked.
+void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<unsigned char>& isKept,
+  void (vtkPolyData::*set)(vtkCellArray*))
+{
+  vtkNew<vtkIdList> kept;
+  for (std::size_t i = 0; i < isKept.size(); ++i)
+  {
+    if (isKept[i])
+    {
+      kept->InsertNextId(static_cast<vtkIdType>(i));
+    }
+  }
+  if (kept->GetNumberOfIds() == elements->GetNumberOfCells())
+  {
+    return;
+  }
+  vtkNew<vtkCellArray> left;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    cells->GetCellAtId(kept->GetId(i), points);
+    left->InsertNextCell(points);
+  }
+  vtkNew<vtkCellData> data;
+  data->ShallowCopy(elements->GetCellData());
+  elements->GetCellData()->Initialize();
+  elements->GetCellData()->CopyAllocate(data, kept->GetNumberOfIds());
+  elements->GetCellData()->CopyData(data, kept, vtkIdType(0));
+  (elements->*set)(left);
+}
+
+//------------------------------------------------------------------------------
 // Edges belong to the cell of the smallest global id of all that have them.
-void MarkGhostEdges(const ElementContext& context, unsigned char* ghosts)
+void MarkGhostEdges(
+  const ElementContext& context, unsigned char* ghosts, std::vector<unsigned char>& isKept)
 {
   const EdgeFinder& finder = context.GetEdgeFinder();
   const MeshView& mesh = context.GetMesh();
   // Ids of cells, ghosts in the lowest bit.
-  Minima<vtkIdType> owners(context.GetTopology().GetEdges().size(), VTK_ID_MAX);
+  Minima<vtkIdType> owners(isKept.size(), VTK_ID_MAX);
+  Minima<unsigned char> areCopies(isKept.size(), 1);
   ParallelFor(mesh.GetNumberOfCells(), Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
       CellFacets facets(mesh);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        const vtkIdType owner = 2 * context.GetGlobalCell(cell) + context.IsGhost(cell);
+        const bool isCopy = context.IsCopy(cell);
+        const vtkIdType owner = 2 * context.GetGlobalCell(cell) + isCopy;
         facets.ForEachEdge(cell,
           [&](vtkIdType a, vtkIdType b)
           {
             if (a != b)
             {
-              owners.Add(finder.Find(a, b), owner);
+              const vtkIdType edge = finder.Find(a, b);
+              owners.Add(edge, owner);
+              areCopies.Add(edge, isCopy);
             }
           });
       }
     });
-  for (std::size_t edge = 0; edge < context.GetTopology().GetEdges().size(); ++edge)
+  for (std::size_t edge = 0; edge < isKept.size(); ++edge)
   {
     const bool isGhost = owners.Get(static_cast<vtkIdType>(edge)) & 1;
     ghosts[edge] = isGhost ? vtkDataSetAttributes::DUPLICATECELL : 0;
+    isKept[edge] = !areCopies.Get(static_cast<vtkIdType>(edge));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of every point of a mesh whether a cell has it.
+std::vector<unsigned char> FindUsedPoints(const MeshView& mesh)
+{
+  std::vector<unsigned char> isUsed(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const IndexRange points = mesh.GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      isUsed[points[i]] = 1;
+    }
+  }
+  return isUsed;
+}
+
+//------------------------------------------------------------------------------
+// Vertices, too; those of no cell as the point says. The copies of a piece, which are not in its completed mesh, may
+// have points that no other cell has.
+void MarkGhostVertices(
+  const ElementContext& context, unsigned char* ghosts, std::vector<unsigned char>& isKept)
+{
+  const PointCells& around = context.GetTopology().GetPointCells();
+  vtkUnsignedCharArray* ofPoints = context.GetPiece()->GetPointGhostArray();
+  const std::vector<unsigned char> isUsed = FindUsedPoints(MeshView(context.GetPiece()));
+  std::vector<Index> cells;
+  for (std::size_t point = 0; point < isKept.size(); ++point)
+  {
+    const auto begin = around.Cells.begin();
+    cells.assign(begin + around.Offsets[point], begin + around.Offsets[point + 1]);
+    const auto id = static_cast<vtkIdType>(point);
+    const bool isOwn = point < isUsed.size();
+    const unsigned char flags = ofPoints && isOwn ? ofPoints->GetValue(id) : 0;
+    ghosts[point] = flags & vtkDataSetAttributes::HIDDENPOINT ? vtkDataSetAttributes::HIDDENCELL : 0;
+    if (cells.empty() || !context.GetOptions().Ghosts)
+    {
+      ghosts[point] |= flags & vtkDataSetAttributes::DUPLICATEPOINT;
+      isKept[point] = isOwn && isUsed[point] == !cells.empty();
+      continue;
+    }
+    ghosts[point] |= context.BelongsToGhost(cells);
+    isKept[point] =
+      !std::all_of(cells.begin(), cells.end(), [&](Index cell) { return context.IsCopy(cell); });
   }
 }
 
@@ -136,6 +221,7 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
   vtkPolyData* vertices)
 {
   const PointCells& around = context.GetTopology().GetPointCells();
+  const IndexLists points(vertices->GetVerts());
   vtkNew<vtkDoubleArray> worst;
   worst->SetName((std::string("VertexWorst") + criterion.Name).c_str());
   worst->SetNumberOfValues(vertices->GetNumberOfCells());
@@ -145,8 +231,9 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
   ParallelFor(worst->GetNumberOfValues(), Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType point = begin; point < end; ++point)
+      for (vtkIdType vertex = begin; vertex < end; ++vertex)
       {
+        const vtkIdType point = points[vertex][0];
         double chosen = Null(NullReason::NotApplicable);
         for (vtkIdType use = around.Offsets[point]; use < around.Offsets[point + 1]; ++use)
         {
@@ -156,7 +243,7 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
             chosen = value;
           }
         }
-        to[point] = chosen;
+        to[vertex] = chosen;
       }
     });
   vertices->GetCellData()->AddArray(worst);
@@ -177,6 +264,7 @@ void MakeFaces(
     return;
   }
   unsigned char* ghosts = AddGhostArray(faces);
+  std::vector<unsigned char> isKept(static_cast<std::size_t>(faces->GetNumberOfCells()));
   std::vector<Index> cells;
   for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face)
   {
@@ -187,9 +275,13 @@ void MakeFaces(
     }
     else
     {
-      ghosts[face] = context.GetOptions().Ghosts[context.GetPolygonCells()[face]];
+      cells.assign(1, static_cast<Index>(context.GetPolygonCells()[face]));
+      ghosts[face] = context.GetOptions().Ghosts[cells[0]];
     }
+    isKept[face] =
+      !std::all_of(cells.begin(), cells.end(), [&](Index cell) { return context.IsCopy(cell); });
   }
+  Keep(faces, faces->GetPolys(), isKept, &vtkPolyData::SetPolys);
 }
 
 //------------------------------------------------------------------------------
@@ -207,7 +299,9 @@ void MakeEdges(
   AddElementArrays(context, GetEdgeArrays(), arrays, edges);
   if (context.GetOptions().Ghosts)
   {
-    MarkGhostEdges(context, AddGhostArray(edges));
+    std::vector<unsigned char> isKept(list.size());
+    MarkGhostEdges(context, AddGhostArray(edges), isKept);
+    Keep(edges, lines, isKept, &vtkPolyData::SetLines);
   }
 }
 
@@ -221,9 +315,11 @@ void MakeVertices(
   std::iota(ids, ids + size, 0);
   vertices->SetVerts(cells);
   AddElementArrays(context, GetVertexArrays(), arrays, vertices);
-  if (vtkUnsignedCharArray* ghosts = context.GetData()->GetPointGhostArray())
+  if (context.GetOptions().Ghosts || context.GetPiece()->GetPointGhostArray())
   {
-    std::copy_n(ghosts->GetPointer(0), size, AddGhostArray(vertices));
+    std::vector<unsigned char> isKept(static_cast<std::size_t>(size));
+    MarkGhostVertices(context, AddGhostArray(vertices), isKept);
+    Keep(vertices, cells, isKept, &vtkPolyData::SetVerts);
   }
 }
 

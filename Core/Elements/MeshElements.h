@@ -5,8 +5,8 @@
  * @brief The faces, edges and vertices of a mesh as data sets of their own.
  *
  * Each fills an empty vtkPolyData, which gets the points of the mesh with their data and those of the arrays of
- * ElementArray.h that are named. If the mesh has ghost cells, "vtkGhostType" marks the elements that belong to
- * another piece: faces and edges whose cell of the smallest id is a ghost, and ghost points.
+ * ElementArray.h that are named. If the mesh has ghost cells, elements that only copies of cells have are left out, and
+ * "vtkGhostType" marks those that belong to another piece: whose cell of the smallest id is a copy (DUPLICATECELL).
  */
 #ifndef camaron_MeshElements_h
 #define camaron_MeshElements_h

@@ -108,8 +108,13 @@ def ball_of_triangles(rings, spokes):
     return points, [(VTK_TRIANGLE, ids) for ids in cells]
 
 
+def list_ids(cell):
+    ids = cell.GetPointIds()
+    return [ids.GetId(i) for i in range(ids.GetNumberOfIds())]
+
+
 def mixed():
-    """Hexahedra, wedges and tetrahedra, which do not all meet in whole faces."""
+    """Hexahedra, wedges, tetrahedra and some of them as polyhedra, which do not all meet in whole faces."""
     import mesh_parts
 
     grid = mesh_parts.make_mesh()
@@ -117,8 +122,12 @@ def mixed():
     points = [gallery.warp(*(c / 4 for c in point)) for point in points]
     cells = []
     for i in range(grid.GetNumberOfCells()):
-        ids = grid.GetCell(i).GetPointIds()
-        cells.append((grid.GetCellType(i), [ids.GetId(j) for j in range(ids.GetNumberOfIds())]))
+        cell = grid.GetCell(i)
+        if i % 5 == 0:
+            faces = [list_ids(cell.GetFace(f)) for f in range(cell.GetNumberOfFaces())]
+            cells.append((VTK_POLYHEDRON, faces))
+        else:
+            cells.append((grid.GetCellType(i), list_ids(cell)))
     return points, cells
 
 
