@@ -26,39 +26,6 @@ namespace
 constexpr vtkIdType Grain = 65536;
 
 //------------------------------------------------------------------------------
-// The cells of a piece with its own indices of points.
-CellMesh Extract(const CellMesh& mesh, const CellPiece& piece)
-{
-  const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
-  const auto size = static_cast<vtkIdType>(cells.size());
-  CellMesh part;
-  part.NumberOfPoints = piece.GetNumberOfPoints();
-  part.NumberOfCells = size;
-  part.Types = Buffer<unsigned char>(size);
-  part.Offsets = Buffer<std::int32_t>(size + 1);
-  part.Offsets[0] = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    part.Types[i] = mesh.GetType(cells[i]);
-    part.Offsets[i + 1] = part.Offsets[i] + static_cast<std::int32_t>(mesh.GetSize(cells[i]));
-  }
-  part.Connectivity = Buffer<std::int32_t>(part.Offsets[size]);
-  ParallelFor(size, Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const std::int32_t* points = mesh.GetPoints(cells[i]);
-        for (vtkIdType at = part.Offsets[i]; at < part.Offsets[i + 1]; ++at)
-        {
-          part.Connectivity[at] = static_cast<std::int32_t>(piece.FindPoint(*points++));
-        }
-      }
-    });
-  return part;
-}
-
-//------------------------------------------------------------------------------
 void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
 {
   const vtkIdType size = mesh.NumberOfCells;
@@ -145,15 +112,11 @@ void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkU
   vtkNew<vtkPoints> gridPoints;
   gridPoints->SetData(points);
   grid->SetPoints(gridPoints);
-  if (piece.IsWhole())
+  SetCells(mesh, grid);
+  if (!piece.IsWhole())
   {
-    SetCells(mesh, grid);
-    return;
+    AddIds(piece, grid);
   }
-  CellMesh part = Extract(mesh, piece);
-  mesh = CellMesh(); // its memory is needed elsewhere
-  SetCells(part, grid);
-  AddIds(piece, grid);
 }
 
 //------------------------------------------------------------------------------

@@ -15,7 +15,7 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 /**
- * Fills @a grid, which must be empty, with a piece of @a mesh, whose arrays it takes over where it can.
+ * Fills @a grid, which must be empty, with @a mesh, the cells of a piece, whose arrays it takes over.
  * A piece that is not the whole mesh has "GlobalPointIds" and "GlobalCellIds", positions in the whole
  * mesh, and "vtkGhostType" if ghosts were asked for.
  * @param points coordinates of the points of the piece, in its order

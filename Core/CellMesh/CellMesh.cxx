@@ -7,32 +7,6 @@
 
 namespace camaron
 {
-namespace
-{
-//------------------------------------------------------------------------------
-bool HasRepeated(const std::int32_t* points, vtkIdType size, std::vector<std::int32_t>& scratch)
-{
-  constexpr vtkIdType Few = 8; // for which comparing all pairs is fastest
-  if (size <= Few)
-  {
-    for (vtkIdType i = 1; i < size; ++i)
-    {
-      for (vtkIdType j = 0; j < i; ++j)
-      {
-        if (points[i] == points[j])
-        {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-  scratch.assign(points, points + size);
-  std::sort(scratch.begin(), scratch.end());
-  return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
-}
-}
-
 //------------------------------------------------------------------------------
 CellMesh MakeCloud(vtkIdType numberOfPoints)
 {
@@ -50,28 +24,26 @@ CellMesh MakeCloud(vtkIdType numberOfPoints)
 }
 
 //------------------------------------------------------------------------------
-void WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings, const Progress& progress,
-  const char* one, const char* many)
+bool HasRepeatedPoints(const std::int32_t* points, vtkIdType size)
 {
-  Tally repeated;
-  std::mutex mutex;
-  constexpr vtkIdType Block = 4096;
-  progress.For((mesh.NumberOfCells + Block - 1) / Block,
-    [&](vtkIdType first, vtkIdType last)
+  constexpr vtkIdType Few = 8; // for which comparing all pairs is fastest
+  if (size <= Few)
+  {
+    for (vtkIdType i = 1; i < size; ++i)
     {
-      Tally local;
-      std::vector<std::int32_t> scratch;
-      const vtkIdType end = std::min(last * Block, mesh.NumberOfCells);
-      for (vtkIdType cell = first * Block; cell < end; ++cell)
+      for (vtkIdType j = 0; j < i; ++j)
       {
-        if (HasRepeated(mesh.GetPoints(cell), mesh.GetSize(cell), scratch))
+        if (points[i] == points[j])
         {
-          local.Add(cell);
+          return true;
         }
       }
-      const std::lock_guard<std::mutex> lock(mutex);
-      repeated.Merge(local);
-    });
-  warnings.Add(repeated, one, many, "with the same point more than once");
+    }
+    return false;
+  }
+  thread_local std::vector<std::int32_t> scratch;
+  scratch.assign(points, points + size);
+  std::sort(scratch.begin(), scratch.end());
+  return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
 }
 }

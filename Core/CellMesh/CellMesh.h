@@ -65,9 +65,8 @@ struct CellMesh
 /// One VTK_VERTEX per point.
 CellMesh MakeCloud(vtkIdType numberOfPoints);
 
-/// Warns of cells that have a point twice, named as in "hexahedron", "hexahedra".
-void WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings, const Progress& progress,
-  const char* one = "cell", const char* many = "cells");
+/// Whether a cell has a point twice.
+bool HasRepeatedPoints(const std::int32_t* points, vtkIdType size);
 }
 
 #endif

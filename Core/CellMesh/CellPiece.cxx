@@ -8,97 +8,185 @@ namespace camaron
 {
 namespace
 {
+constexpr vtkIdType Grain = 65536;
+
 //------------------------------------------------------------------------------
-// Calls visit(cell) for [begin, end) in parallel.
+// Calls visit(cell) for all cells in parallel.
 template <typename Visit>
-void ForCells(vtkIdType begin, vtkIdType end, const Progress& progress, Visit&& visit)
+void ForCells(vtkIdType size, const Progress& progress, Visit&& visit)
 {
   constexpr vtkIdType Block = 4096;
-  progress.For((end - begin + Block - 1) / Block,
+  progress.For((size + Block - 1) / Block,
     [&](vtkIdType first, vtkIdType last)
     {
-      const vtkIdType stop = std::min(begin + last * Block, end);
-      for (vtkIdType cell = begin + first * Block; cell < stop; ++cell)
+      const vtkIdType stop = std::min(last * Block, size);
+      for (vtkIdType cell = first * Block; cell < stop; ++cell)
       {
         visit(cell);
       }
     });
 }
+}
 
 //------------------------------------------------------------------------------
-void AddPoints(const CellMesh& mesh, vtkIdType cell, IdSet& points)
+void CellPiece::NoteFirstUse(vtkIdType cell, const std::int32_t* points, vtkIdType size)
 {
-  const std::int32_t* ids = mesh.GetPoints(cell);
-  for (vtkIdType i = 0; i < mesh.GetSize(cell); ++i)
+  for (vtkIdType i = 0; i < size; ++i)
   {
-    points.Add(ids[i]);
+    this->Used.Add(points[i]);
+  }
+  if (HasRepeatedPoints(points, size))
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Repeating.Add(cell);
   }
 }
+
+//------------------------------------------------------------------------------
+void CellPiece::Start(
+  vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request)
+{
+  this->NumberOfMeshPoints = numberOfPoints;
+  this->NumberOfMeshCells = numberOfCells;
+  this->Whole = request.NumberOfPieces <= 1;
+  this->Ghosts = !this->Whole && request.GhostLevels > 0;
+  this->IsFirst = request.Piece == 0;
+  this->Level = 0;
+  this->NumberOfLevels = request.GhostLevels;
+  this->Repeating = Tally();
+  this->Begin = 0;
+  this->End = numberOfCells;
+  if (this->Whole)
+  {
+    return;
+  }
+  const vtkIdType pieces = request.NumberOfPieces, piece = request.Piece;
+  const vtkIdType share = numberOfCells / pieces, rest = numberOfCells % pieces;
+  this->Begin = share * piece + std::min(piece, rest);
+  this->End = this->Begin + share + (piece < rest ? 1 : 0);
+  this->Cells = IdSet(numberOfCells);
+  for (IdSet* set : { &this->Points, &this->OwnedPoints, &this->LowerPoints, &this->Near })
+  {
+    *set = IdSet(numberOfPoints);
+  }
+  this->Used = IdSet(this->IsFirst ? numberOfPoints : 0);
 }
 
 //------------------------------------------------------------------------------
-void CellPiece::AddGhosts(const CellMesh& mesh, const Progress& progress)
+bool CellPiece::Continue()
 {
-  IdSet before(this->NumberOfMeshPoints);
-  before.AddAll(this->Points);
-  before.AddAll(this->LowerPoints);
-  ForCells(0, mesh.NumberOfCells, progress,
-    [&](vtkIdType cell)
-    {
-      const std::int32_t* ids = mesh.GetPoints(cell);
-      const std::int32_t* const end = ids + mesh.GetSize(cell);
-      if (!this->Cells.Contains(cell) &&
-        std::any_of(ids, end, [&](std::int32_t id) { return before.Contains(id); }))
-      {
-        this->Cells.Add(cell);
-        AddPoints(mesh, cell, cell < this->Begin ? this->LowerPoints : this->Points);
-      }
-    });
+  if (this->Whole)
+  {
+    return false;
+  }
+  if (this->Level == 0)
+  {
+    this->OwnedPoints.AddAll(this->Points);
+  }
+  if (this->Level < this->NumberOfLevels)
+  {
+    this->Near.AddAll(this->Points);
+    this->Near.AddAll(this->LowerPoints);
+    ++this->Level;
+    return true;
+  }
+  this->Points.AddAll(this->LowerPoints);
+  if (this->IsFirst)
+  {
+    this->Points.AddMissing(this->Used);
+    this->OwnedPoints.AddMissing(this->Used);
+  }
+  this->Points.Number();
+  this->Cells.Number();
+  return false;
 }
 
 //------------------------------------------------------------------------------
 bool CellPiece::Select(const CellMesh& mesh, const PieceRequest& request, const Progress& progress)
 {
-  this->NumberOfMeshPoints = mesh.NumberOfPoints;
-  this->NumberOfMeshCells = mesh.NumberOfCells;
-  this->Whole = request.NumberOfPieces <= 1;
-  this->End = mesh.NumberOfCells;
+  this->Start(mesh.NumberOfPoints, mesh.NumberOfCells, request);
   if (this->Whole)
   {
     return true;
   }
-  const vtkIdType pieces = request.NumberOfPieces, piece = request.Piece;
-  const vtkIdType share = mesh.NumberOfCells / pieces, rest = mesh.NumberOfCells % pieces;
-  this->Begin = share * piece + std::min(piece, rest);
-  this->End = this->Begin + share + (piece < rest ? 1 : 0);
-  this->Ghosts = request.GhostLevels > 0;
-
-  this->Cells = IdSet(mesh.NumberOfCells);
-  this->Points = IdSet(mesh.NumberOfPoints);
-  this->OwnedPoints = IdSet(mesh.NumberOfPoints);
-  this->LowerPoints = IdSet(mesh.NumberOfPoints);
-  ForCells(this->Begin, this->End, progress.Part(0, 0.2),
-    [&](vtkIdType cell)
-    {
-      this->Cells.Add(cell);
-      AddPoints(mesh, cell, this->Points);
-    });
-  this->OwnedPoints.AddAll(this->Points);
-  for (int level = 0; level < request.GhostLevels && !progress.IsStopped(); ++level)
+  do
   {
-    this->AddGhosts(mesh, progress.Part(0.2, 0.8));
-  }
-  this->Points.AddAll(this->LowerPoints);
-  if (piece == 0)
-  {
-    IdSet used(mesh.NumberOfPoints);
-    ForCells(0, mesh.NumberOfCells, progress.Part(0.8, 1),
-      [&](vtkIdType cell) { AddPoints(mesh, cell, used); });
-    this->Points.AddMissing(used);
-    this->OwnedPoints.AddMissing(used);
-  }
-  this->Points.Number();
-  this->Cells.Number();
+    ForCells(mesh.NumberOfCells, progress,
+      [&](vtkIdType cell) { this->Show(cell, mesh.GetPoints(cell), mesh.GetSize(cell)); });
+  } while (!progress.IsStopped() && this->Continue());
   return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+void CellPiece::WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings,
+  const Progress& progress, const char* one, const char* many) const
+{
+  Tally repeating = this->Repeating;
+  if (this->Whole)
+  {
+    std::mutex mutex;
+    ForCells(mesh.NumberOfCells, progress,
+      [&](vtkIdType cell)
+      {
+        if (HasRepeatedPoints(mesh.GetPoints(cell), mesh.GetSize(cell)))
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          repeating.Add(cell);
+        }
+      });
+  }
+  warnings.Add(repeating, one, many, "with the same point more than once");
+}
+
+//------------------------------------------------------------------------------
+void KeepPiece(CellMesh& mesh, const CellPiece& piece)
+{
+  if (piece.IsWhole())
+  {
+    return;
+  }
+  const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
+  const auto size = static_cast<vtkIdType>(cells.size());
+  CellMesh part;
+  part.NumberOfPoints = piece.GetNumberOfPoints();
+  part.NumberOfCells = size;
+  part.Types = Buffer<unsigned char>(size);
+  part.Offsets = Buffer<std::int32_t>(size + 1);
+  part.Offsets[0] = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    part.Types[i] = mesh.GetType(cells[i]);
+    part.Offsets[i + 1] = part.Offsets[i] + static_cast<std::int32_t>(mesh.GetSize(cells[i]));
+  }
+  part.Connectivity = Buffer<std::int32_t>(part.Offsets[size]);
+  ParallelFor(size, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const std::int32_t* points = mesh.GetPoints(cells[i]);
+        for (vtkIdType at = part.Offsets[i]; at < part.Offsets[i + 1]; ++at)
+        {
+          part.Connectivity[at] = static_cast<std::int32_t>(piece.FindPoint(*points++));
+        }
+      }
+    });
+  mesh = std::move(part);
+}
+
+//------------------------------------------------------------------------------
+CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellPiece& piece)
+{
+  piece.Start(numberOfPoints, numberOfPoints, request);
+  do
+  {
+    ForCells(piece.IsWhole() ? 0 : numberOfPoints, Progress(),
+      [&](vtkIdType cell)
+      {
+        const auto point = static_cast<std::int32_t>(cell);
+        piece.Show(cell, &point, 1);
+      });
+  } while (piece.Continue());
+  return MakeCloud(piece.GetNumberOfCells()); // which are as many as its points
 }
 }

@@ -8,22 +8,44 @@
  * those that share a point with it. Its points are those of its cells; the first piece also has the
  * points that no cell has. Cells and points are in the order of the file.
  *
- * Readers ask which rows of a table the piece has, and keep only these.
+ * Readers show all cells, once and once more for every level of ghosts, without keeping them. Then they
+ * ask which rows of a table the piece has, and keep only these. PieceRows.h does so for rows of text.
  */
 #ifndef camaron_CellPiece_h
 #define camaron_CellPiece_h
 
 #include "CellMesh/CellMesh.h"
-#include "Scan/PieceRequest.h"
 #include "Scan/IdSet.h"
+#include "Scan/PieceRequest.h"
+
+#include <algorithm> // for std::any_of
+#include <mutex>     // for what threads find
 
 namespace camaron
 {
 class CellPiece
 {
 public:
-  /// Finds the piece; false if stopped.
+  ///@{
+  /**
+   * Finds the piece: after Start, unless it is whole then, all cells are shown, in any order and by any
+   * thread, and again as long as Continue says so.
+   * @param points of the mesh
+   */
+  void Start(vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request);
+  void Show(vtkIdType cell, const std::int32_t* points, vtkIdType size);
+  bool Continue();
+  ///@}
+
+  /// Finds the piece of a mesh that is all there; false if stopped.
   bool Select(const CellMesh& mesh, const PieceRequest& request, const Progress& progress);
+
+  /**
+   * Warns of cells of the whole mesh that have a point twice, named as in "hexahedron", "hexahedra". Only
+   * for the first piece; @a mesh is looked at if that is whole.
+   */
+  void WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings, const Progress& progress,
+    const char* one = "cell", const char* many = "cells") const;
 
   /// True if the piece is all of the mesh: indices are those of the file then.
   bool IsWhole() const { return this->Whole; }
@@ -66,10 +88,18 @@ private:
   {
     return this->Whole ? id : members.Contains(id) ? members.GetNumber(id) : -1;
   }
-  void AddGhosts(const CellMesh& mesh, const Progress& progress);
+  bool AreNear(const std::int32_t* points, vtkIdType size) const
+  {
+    return std::any_of(
+      points, points + size, [this](std::int32_t id) { return this->Near.Contains(id); });
+  }
+  void NoteFirstUse(vtkIdType cell, const std::int32_t* points, vtkIdType size);
 
   bool Whole = true;
   bool Ghosts = false;
+  bool IsFirst = true;
+  int Level = 0; ///< that is being found; 0 for the owned cells
+  int NumberOfLevels = 0;
   vtkIdType NumberOfMeshPoints = 0;
   vtkIdType NumberOfMeshCells = 0;
   vtkIdType Begin = 0;
@@ -77,7 +107,38 @@ private:
   IdSet Cells, Points;
   IdSet OwnedPoints; ///< of owned cells
   IdSet LowerPoints; ///< of ghosts that come before the owned cells
+  IdSet Near;        ///< points of the levels before
+  IdSet Used;        ///< points of all cells; for the first piece only, as are those below
+  Tally Repeating;   ///< cells with a point twice
+  std::mutex Mutex;  ///< for these, of which there are few
 };
+
+/// Leaves the cells of the piece in a mesh, with indices of points of the piece.
+void KeepPiece(CellMesh& mesh, const CellPiece& piece);
+
+/// One VTK_VERTEX per point of the mesh: those of a piece, which is found.
+CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellPiece& piece);
+
+//------------------------------------------------------------------------------
+inline void CellPiece::Show(vtkIdType cell, const std::int32_t* points, vtkIdType size)
+{
+  const bool isOwned = !this->IsGhostCell(cell);
+  if (this->Level == 0 && this->IsFirst)
+  {
+    this->NoteFirstUse(cell, points, size);
+  }
+  if (this->Level == 0 ? !isOwned
+                       : isOwned || this->Cells.Contains(cell) || !this->AreNear(points, size))
+  {
+    return;
+  }
+  this->Cells.Add(cell);
+  IdSet& set = cell < this->Begin ? this->LowerPoints : this->Points;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    set.Add(points[i]);
+  }
+}
 }
 
 #endif

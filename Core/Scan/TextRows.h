@@ -84,6 +84,15 @@ public:
     return !word.empty();
   }
 
+  /// Leaves a line unread.
+  void Skip()
+  {
+    if (this->Scanner)
+    {
+      this->Scanner->SkipSpace();
+    }
+  }
+
   /// Whether the line goes on with something that is no comment.
   bool HasMore()
   {
@@ -224,6 +233,29 @@ bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
     scanner.SkipLine();
   }
   return !progress.IsStopped();
+}
+
+/**
+ * As ReadRows, but visits every row once, so that it can be counted, say. Where there are lines, rows
+ * must be one per line; else it fails without an error, and the text has to be read without lines.
+ */
+template <typename Visit>
+bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+  const Progress& progress, Visit&& visit, RowLayout layout = RowLayout::Free)
+{
+  if (!lines)
+  {
+    return ReadRows(scanner, nullptr, count, progress, visit, layout);
+  }
+  const TextLines::Section section = lines->Find(scanner.GetPosition(), count);
+  if (!section ||
+    !VisitRows(*lines, section, scanner.GetComment(), progress,
+      [&](vtkIdType row, vtkIdType, TextRow& text) { return visit(row, text); }))
+  {
+    return false;
+  }
+  scanner.SetPosition(section.End);
+  return true;
 }
 
 /**

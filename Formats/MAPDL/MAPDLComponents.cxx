@@ -200,7 +200,7 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
     const MAPDLComponent& component = deck.Components[i];
     const bool ofNodes = component.OfNodes;
     bytes +=
-      static_cast<std::size_t>(ofNodes ? mesh.Cells.NumberOfPoints : mesh.GetElementIds().size());
+      static_cast<std::size_t>(ofNodes ? mesh.GetNumberOfPoints() : mesh.GetNumberOfCells());
     if (bytes > bound)
     {
       ++leftOut;

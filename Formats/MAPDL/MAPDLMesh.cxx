@@ -3,7 +3,6 @@
 #include "MAPDLMesh.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 namespace camaron
 {
@@ -63,9 +62,38 @@ void MAPDLMesh::Note(const MAPDLFault& fault)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::Read(const Progress& progress)
+bool MAPDLMesh::Read(const PieceRequest& request, CellPiece& piece, const Progress& progress)
 {
-  return this->ReadNodeIds(progress.Part(0, 0.3)) && this->ReadElements(progress.Part(0.3, 1));
+  if (!this->ReadNodeIds(progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  this->NumberOfRows = this->MakeItems(this->Deck.ElementBlocks, this->ElementItems,
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      const auto first = [this](vtkIdType i)
+      {
+        return i < static_cast<vtkIdType>(this->Deck.Elements.size())
+          ? this->Deck.Elements[i].FirstNode
+          : static_cast<vtkIdType>(this->Deck.ElementNodes.size());
+      };
+      return first(end) - first(begin);
+    });
+  piece.Start(this->NodeIds.size(), this->NumberOfRows, request);
+  if (!this->ReadElements(piece, progress.Part(0.3, 0.8)))
+  {
+    return false;
+  }
+  this->LeaveOut();
+  this->AddMidpoints();
+  if (piece.IsWhole())
+  {
+    piece.Start(this->GetNumberOfPoints(), this->GetNumberOfCells(), request);
+    this->FinishWhole();
+    return progress.Report(1);
+  }
+  return this->FindPiece(request, piece, progress.Part(0.8, 0.9)) &&
+    this->ReadPiece(piece, progress.Part(0.9, 1));
 }
 
 //------------------------------------------------------------------------------
@@ -116,72 +144,50 @@ bool MAPDLMesh::ReadNodeIds(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::ReadElements(const Progress& progress)
+bool MAPDLMesh::ReadElements(CellPiece& piece, const Progress& progress)
 {
-  this->NumberOfRows = this->MakeItems(this->Deck.ElementBlocks, this->ElementItems,
-    [this](vtkIdType begin, vtkIdType end)
-    {
-      const auto first = [this](vtkIdType i)
-      {
-        return i < static_cast<vtkIdType>(this->Deck.Elements.size())
-          ? this->Deck.Elements[i].FirstNode
-          : static_cast<vtkIdType>(this->Deck.ElementNodes.size());
-      };
-      return first(end) - first(begin);
-    });
-  const vtkIdType nodes = this->ElementItems.empty()
-    ? 0
-    : this->ElementItems.back().FirstNode + this->ElementItems.back().NumberOfNodes;
+  const bool isWhole = piece.IsWhole();
   this->ElementIds = Buffer<std::int32_t>(this->NumberOfRows);
+  this->LeftOut = IdSet(this->NumberOfRows);
   this->Cells.Types = Buffer<unsigned char>(this->NumberOfRows);
-  this->Cells.Offsets = Buffer<std::int32_t>(this->NumberOfRows + 1);
-  this->Cells.Connectivity = Buffer<std::int32_t>(nodes);
+  if (isWhole)
+  {
+    const vtkIdType nodes = this->ElementItems.empty()
+      ? 0
+      : this->ElementItems.back().FirstNode + this->ElementItems.back().NumberOfNodes;
+    this->Cells.Offsets = Buffer<std::int32_t>(this->NumberOfRows + 1);
+    this->Cells.Connectivity = Buffer<std::int32_t>(nodes);
+  }
+  else
+  {
+    this->Sizes = Buffer<unsigned char>(this->NumberOfRows);
+  }
   this->Outcomes.resize(this->ElementItems.size());
-  const bool finished = progress.Part(0, 0.9).For(static_cast<vtkIdType>(this->ElementItems.size()),
-    [this](vtkIdType first, vtkIdType last)
+  const bool finished = this->ForEachElementItem(progress,
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = first; i < last; ++i)
+      if (isWhole)
       {
         this->ReadItem(this->ElementItems[i], this->Outcomes[i]);
       }
+      else
+      {
+        this->CheckItem(this->ElementItems[i], this->Outcomes[i], piece);
+      }
     });
+  vtkIdType points = 0;
   for (const Outcome& outcome : this->Outcomes)
   {
     this->Note(outcome.Fault);
-  }
-  if (!finished || this->Fault)
-  {
-    return false;
-  }
-  bool changes = this->ReplaceElements();
-  vtkIdType points = 0;
-  for (std::size_t i = 0; i < this->Outcomes.size(); ++i)
-  {
-    const Outcome& outcome = this->Outcomes[i];
     points += outcome.NumberOfPoints;
-    changes = changes || outcome.Dropped > 0 || !outcome.Points.empty() ||
-      outcome.NumberOfPoints != this->ElementItems[i].NumberOfNodes;
   }
-  if (points > INT32_MAX)
+  if (finished && !this->Fault && points > INT32_MAX)
   {
     const char* const place = this->Deck.ElementBlocks[0].Extent.Begin;
     return this->Fault.Set(place, ErrorKind::Unsupported,
       "elements with fewer than 2147483648 nodes altogether", std::to_string(points));
   }
-  if (changes)
-  {
-    this->Compact();
-  }
-  std::int32_t* const offsets = this->Cells.Offsets.data();
-  this->Cells.NumberOfCells = this->Cells.Types.size();
-  offsets[0] = 0;
-  for (vtkIdType cell = 0; cell < this->Cells.NumberOfCells; ++cell)
-  {
-    offsets[cell + 1] += offsets[cell];
-  }
-  this->Cells.NumberOfPoints = this->NodeIds.size();
-  this->AddMidpoints();
-  return progress.Report(1);
+  return finished && !this->Fault;
 }
 
 //------------------------------------------------------------------------------
@@ -200,46 +206,17 @@ void MAPDLMesh::MakePoints(const MAPDLElement& element, MAPDLCell& cell) const
 //------------------------------------------------------------------------------
 void MAPDLMesh::ReadItem(const Item& item, Outcome& outcome)
 {
-  std::int64_t knownType = -1;
-  int number = 0;
-  MAPDLClass elementClass = MAPDLClass::Undefined;
-  MAPDLCell cell;
-  this->ForEachElement(item, true, outcome.Fault,
-    [&](const char* place, vtkIdType row, const MAPDLElement& element)
+  this->ForEachCell(
+    item, outcome,
+    [&](vtkIdType row, const MAPDLElement& element, const MAPDLCell& cell)
     {
-      if (element.Type != knownType)
-      {
-        knownType = element.Type;
-        const auto found = this->Deck.Types.find(knownType);
-        const MAPDLType type = found == this->Deck.Types.end() ? MAPDLType() : found->second;
-        number = type.Element;
-        elementClass = GetMAPDLClass(number, type.Shape);
-      }
       this->ElementIds[row] = element.Id;
-      if (this->Options.SurfaceEffects || !IsMAPDLSurfaceEffect(number))
-      {
-        MakeMAPDLCell(
-          elementClass, element.Nodes, element.NumberOfNodes, this->Options.Linear, cell);
-        if (elementClass == MAPDLClass::Unknown)
-        {
-          ++outcome.Unknown[number];
-          if (this->Options.UnknownAsPoints)
-          {
-            this->MakePoints(element, cell);
-          }
-        }
-        outcome.Undefined += elementClass == MAPDLClass::Undefined;
-        outcome.WithoutNodes += element.NumberOfNodes == 0;
-      }
-      else
-      {
-        cell.Type = VTK_EMPTY_CELL;
-        cell.Size = 0;
-      }
       this->Cells.Types[row] = cell.Type;
       this->Cells.Offsets[row + 1] = cell.Size; // to be summed up
-      outcome.Dropped += cell.Type == VTK_EMPTY_CELL;
-
+      if (cell.Type == VTK_EMPTY_CELL)
+      {
+        this->LeftOut.Add(row);
+      }
       std::int32_t* points = this->Cells.Connectivity.data() + item.FirstNode;
       if (!outcome.Points.empty() || outcome.NumberOfPoints + cell.Size > item.NumberOfNodes)
       {
@@ -251,35 +228,19 @@ void MAPDLMesh::ReadItem(const Item& item, Outcome& outcome)
         outcome.Points.resize(static_cast<std::size_t>(outcome.NumberOfPoints + cell.Size));
         points = outcome.Points.data();
       }
-      points += outcome.NumberOfPoints;
-      outcome.NumberOfPoints += cell.Size;
-      for (std::int32_t i = 0; i < cell.Size; ++i)
-      {
-        points[i] = this->Nodes.Find(cell.Nodes[i]);
-        if (points[i] < 0)
-        {
-          const QuadraticEdges edges = GetQuadraticEdges(cell.Type);
-          if (cell.Nodes[i] != 0 || i < edges.NumberOfCorners || edges.NumberOfEdges == 0)
-          {
-            return outcome.Fault.Set(place, ErrorKind::Index,
-              "an element of nodes that are defined", "node " + std::to_string(cell.Nodes[i]));
-          }
-          const unsigned char* const edge = edges.Edges[i - edges.NumberOfCorners];
-          outcome.Missing.push_back({ row, i, { points[edge[0]], points[edge[1]] } });
-        }
-      }
-      return true;
-    });
+      return points + outcome.NumberOfPoints;
+    },
+    [](vtkIdType, const MAPDLCell&, const std::int32_t*, bool) {});
 }
 
 //------------------------------------------------------------------------------
-// Leaves out elements that are defined again later; returns whether there are such.
-bool MAPDLMesh::ReplaceElements()
+// Leaves out elements that are defined again later.
+void MAPDLMesh::ReplaceElements()
 {
   const std::int32_t* const ids = this->ElementIds.data();
   if (std::is_sorted(ids, ids + this->NumberOfRows, std::less_equal<std::int32_t>()))
   {
-    return false; // strictly ascending
+    return; // strictly ascending
   }
   IdMap map;
   map.Build(ids, this->NumberOfRows);
@@ -288,10 +249,45 @@ bool MAPDLMesh::ReplaceElements()
   {
     if (map.Find(ids[row]) != row)
     {
-      this->Cells.Types[row] = VTK_EMPTY_CELL;
+      this->LeftOut.Add(row);
     }
   }
-  return this->ReplacedElements > 0;
+}
+
+//------------------------------------------------------------------------------
+// Of rows that are no cells; cells are numbered anew then.
+void MAPDLMesh::LeaveOut()
+{
+  this->ReplaceElements();
+  if (this->LeftOut.Number() == 0)
+  {
+    return;
+  }
+  this->Kept = IdSet(this->NumberOfRows);
+  this->Kept.AddMissing(this->LeftOut);
+  Buffer<std::int32_t> ids(this->Kept.Number());
+  for (vtkIdType row = 0; row < this->NumberOfRows; ++row)
+  {
+    if (const vtkIdType cell = this->GetCell(row); cell >= 0)
+    {
+      ids[cell] = this->ElementIds[row];
+    }
+  }
+  this->ElementIds = std::move(ids);
+}
+
+//------------------------------------------------------------------------------
+// Whether there are gaps between the points of cells that are kept.
+bool MAPDLMesh::NeedsCompacting() const
+{
+  bool needs = this->Kept.GetLimit() > 0;
+  for (std::size_t i = 0; i < this->Outcomes.size() && !needs; ++i)
+  {
+    const Outcome& outcome = this->Outcomes[i];
+    needs =
+      !outcome.Points.empty() || outcome.NumberOfPoints != this->ElementItems[i].NumberOfNodes;
+  }
+  return needs;
 }
 
 //------------------------------------------------------------------------------
@@ -299,78 +295,88 @@ bool MAPDLMesh::ReplaceElements()
 void MAPDLMesh::Compact()
 {
   CellMesh& old = this->Cells;
-  Buffer<std::int32_t> oldIds = std::move(this->ElementIds);
-  this->CellOfRow = Buffer<std::int32_t>(this->NumberOfRows);
-  vtkIdType cells = 0, points = 0;
+  vtkIdType points = 0;
   std::vector<vtkIdType> firstPoints;
   for (const Item& item : this->ElementItems)
   {
     firstPoints.push_back(points);
     for (vtkIdType row = item.FirstRow; row < item.FirstRow + item.NumberOfRows; ++row)
     {
-      const bool isKept = old.Types[row] != VTK_EMPTY_CELL;
-      this->CellOfRow[row] = isKept ? static_cast<std::int32_t>(cells++) : -1;
-      points += isKept ? old.Offsets[row + 1] : 0;
+      points += this->GetCell(row) >= 0 ? old.Offsets[row + 1] : 0;
     }
   }
   CellMesh kept;
-  kept.Types = Buffer<unsigned char>(cells);
-  kept.Offsets = Buffer<std::int32_t>(cells + 1);
+  kept.Types = Buffer<unsigned char>(this->GetNumberOfCells());
+  kept.Offsets = Buffer<std::int32_t>(this->GetNumberOfCells() + 1);
   kept.Connectivity = Buffer<std::int32_t>(points);
-  this->ElementIds = Buffer<std::int32_t>(cells);
-  Progress().For(static_cast<vtkIdType>(this->ElementItems.size()),
-    [&](vtkIdType first, vtkIdType last)
+  this->ForEachElementItem(Progress(),
+    [&](vtkIdType i)
     {
-      for (vtkIdType i = first; i < last; ++i)
+      const Item& item = this->ElementItems[i];
+      const Outcome& outcome = this->Outcomes[i];
+      const std::int32_t* from =
+        outcome.Points.empty() ? old.Connectivity.data() + item.FirstNode : outcome.Points.data();
+      std::int32_t* to = kept.Connectivity.data() + firstPoints[i];
+      for (vtkIdType row = item.FirstRow; row < item.FirstRow + item.NumberOfRows; ++row)
       {
-        const Item& item = this->ElementItems[i];
-        const Outcome& outcome = this->Outcomes[i];
-        const std::int32_t* from =
-          outcome.Points.empty() ? old.Connectivity.data() + item.FirstNode : outcome.Points.data();
-        std::int32_t* to = kept.Connectivity.data() + firstPoints[i];
-        for (vtkIdType row = item.FirstRow; row < item.FirstRow + item.NumberOfRows; ++row)
+        const std::int32_t size = old.Offsets[row + 1];
+        const vtkIdType cell = this->GetCell(row);
+        if (cell >= 0)
         {
-          const std::int32_t size = old.Offsets[row + 1];
-          const std::int32_t cell = this->CellOfRow[row];
-          if (cell >= 0)
-          {
-            kept.Types[cell] = old.Types[row];
-            kept.Offsets[cell + 1] = size;
-            this->ElementIds[cell] = oldIds[row];
-            to = std::copy(from, from + size, to);
-          }
-          from += size;
+          kept.Types[cell] = old.Types[row];
+          kept.Offsets[cell + 1] = size;
+          to = std::copy(from, from + size, to);
         }
+        from += size;
       }
     });
   this->Cells = std::move(kept);
 }
 
 //------------------------------------------------------------------------------
-// Cells that share an edge share the point that stands for its missing node.
-void MAPDLMesh::AddMidpoints()
+void MAPDLMesh::FinishWhole()
 {
-  std::unordered_map<std::uint64_t, std::int32_t> known;
+  if (this->NeedsCompacting())
+  {
+    this->Compact();
+  }
+  std::int32_t* const offsets = this->Cells.Offsets.data();
+  this->Cells.NumberOfCells = this->GetNumberOfCells();
+  offsets[0] = 0;
+  for (vtkIdType cell = 0; cell < this->Cells.NumberOfCells; ++cell)
+  {
+    offsets[cell + 1] += offsets[cell];
+  }
   for (const Outcome& outcome : this->Outcomes)
   {
     for (const MissingNode& node : outcome.Missing)
     {
-      const vtkIdType cell = this->CellOfRow.size() > 0 ? this->CellOfRow[node.Row] : node.Row;
-      if (cell < 0)
+      if (const vtkIdType cell = this->GetCell(node.Row); cell >= 0)
       {
-        continue;
+        this->Cells.Connectivity[offsets[cell] + node.Place] =
+          this->MidpointOfEdge.find(node.GetKey())->second;
       }
-      const auto ends = std::minmax(node.Edge[0], node.Edge[1]);
-      const std::uint64_t key =
-        std::uint64_t(ends.first) << 32 | static_cast<std::uint32_t>(ends.second);
-      const auto next = static_cast<std::int32_t>(this->Cells.NumberOfPoints);
-      const auto added = known.emplace(key, next);
-      if (added.second)
+    }
+  }
+  this->Cells.NumberOfPoints = this->GetNumberOfPoints();
+}
+
+//------------------------------------------------------------------------------
+// Cells that share an edge share the point that stands for its missing node.
+void MAPDLMesh::AddMidpoints()
+{
+  for (const Outcome& outcome : this->Outcomes)
+  {
+    for (const MissingNode& node : outcome.Missing)
+    {
+      if (this->GetCell(node.Row) >= 0 &&
+        this->MidpointOfEdge
+          .emplace(node.GetKey(), static_cast<std::int32_t>(this->GetNumberOfPoints()))
+          .second)
       {
+        const auto ends = std::minmax(node.Edge[0], node.Edge[1]);
         this->Midpoints.push_back({ ends.first, ends.second });
-        ++this->Cells.NumberOfPoints;
       }
-      this->Cells.Connectivity[this->Cells.Offsets[cell] + node.Place] = added.first->second;
     }
   }
 }

@@ -5,7 +5,8 @@
  * @brief The nodes and cells of a deck.
  *
  * Rows are read in parallel, and more than once rather than kept: first ids of nodes, then elements
- * as cells, then, when it is known what a piece needs, coordinates and attributes of that only.
+ * as cells, then, when it is known what a piece needs, coordinates and attributes of that only. Of
+ * all elements no more than ids, types and sizes are kept, unless the piece is whole.
  */
 #ifndef camaron_MAPDLMesh_h
 #define camaron_MAPDLMesh_h
@@ -15,7 +16,9 @@
 #include "MAPDLReading.h"
 #include "Scan/IdMap.h"
 
-#include <array> // for edges
+#include <algorithm>     // for std::minmax
+#include <array>         // for edges
+#include <unordered_map> // for their midpoints
 
 class vtkUnstructuredGrid;
 
@@ -26,8 +29,8 @@ class MAPDLMesh
 public:
   MAPDLMesh(const MAPDLDeck& deck, const MAPDLOptions& options);
 
-  /// Fills Cells; false with what is wrong in Fault, or if stopped.
-  bool Read(const Progress& progress);
+  /// Finds a piece, whose cells it reads; false with what is wrong in Fault, or if stopped.
+  bool Read(const PieceRequest& request, CellPiece& piece, const Progress& progress);
   /// Coordinates of the points of a piece, x, y, z of each; an empty buffer after a fault.
   Buffer<double> ReadPoints(const CellPiece& piece, const Progress& progress);
   /// Adds the arrays of a piece to its grid.
@@ -35,9 +38,17 @@ public:
 
   void Warn(Warnings& warnings) const;
 
-  CellMesh Cells;
+  CellMesh Cells; ///< of the piece
   MAPDLFault Fault;
 
+  ///@{
+  /// Of the deck.
+  vtkIdType GetNumberOfPoints() const
+  {
+    return this->NodeIds.size() + static_cast<vtkIdType>(this->Midpoints.size());
+  }
+  vtkIdType GetNumberOfCells() const { return this->ElementIds.size(); }
+  ///@}
   ///@{
   /// Of all nodes, and of all cells, in order; points beyond the nodes are midpoints of edges.
   const Buffer<std::int32_t>& GetNodeIds() const { return this->NodeIds; }
@@ -62,6 +73,13 @@ private:
     vtkIdType Row;
     std::int32_t Place; ///< in the cell
     std::array<std::int32_t, 2> Edge;
+
+    /// The same for all cells that share the edge.
+    std::uint64_t GetKey() const
+    {
+      const auto ends = std::minmax(this->Edge[0], this->Edge[1]);
+      return std::uint64_t(ends.first) << 32 | static_cast<std::uint32_t>(ends.second);
+    }
   };
   /// What the elements of an item were.
   struct Outcome
@@ -71,7 +89,6 @@ private:
     std::vector<MissingNode> Missing;
     std::map<int, vtkIdType> Unknown; ///< numbers of elements that are no cells
     vtkIdType Undefined = 0;
-    vtkIdType Dropped = 0;
     vtkIdType WithoutNodes = 0;
     MAPDLFault Fault;
   };
@@ -85,12 +102,31 @@ private:
   bool ForEachElement(const Item& item, bool withNodes, MAPDLFault& fault, Visit&& visit) const;
   void Note(const MAPDLFault& fault);
 
+  /// Which cell the element of a row is, -1 if it is left out.
+  vtkIdType GetCell(vtkIdType row) const
+  {
+    return this->Kept.GetLimit() == 0 ? row
+      : this->Kept.Contains(row)      ? this->Kept.GetNumber(row)
+                                      : -1;
+  }
+  template <typename Provide, typename Take>
+  void ForEachCell(const Item& item, Outcome& outcome, Provide&& provide, Take&& take) const;
+  template <typename Visit>
+  bool ForEachElementItem(const Progress& progress, Visit&& visit) const;
   bool ReadNodeIds(const Progress& progress);
-  bool ReadElements(const Progress& progress);
+  bool ReadElements(CellPiece& piece, const Progress& progress);
   void ReadItem(const Item& item, Outcome& outcome);
-  bool ReplaceElements();
+  void CheckItem(const Item& item, Outcome& outcome, CellPiece& piece);
+  void ReplaceElements();
+  void LeaveOut();
+  bool NeedsCompacting() const;
   void Compact();
+  void FinishWhole();
   void AddMidpoints();
+  bool Show(CellPiece& piece, const Progress& progress) const;
+  bool FindPiece(const PieceRequest& request, CellPiece& piece, const Progress& progress);
+  void AllocatePiece(const CellPiece& piece);
+  bool ReadPiece(const CellPiece& piece, const Progress& progress);
   void MakePoints(const MAPDLElement& element, MAPDLCell& cell) const;
 
   const MAPDLDeck& Deck;
@@ -98,10 +134,13 @@ private:
   std::vector<Item> NodeItems, ElementItems;
   std::vector<Outcome> Outcomes; ///< of element items
   Buffer<std::int32_t> NodeIds, ElementIds;
-  Buffer<std::int32_t> NodeOfRow,
-    CellOfRow; ///< -1 for rows that are left out; none if all are kept
+  Buffer<std::int32_t> NodeOfRow; ///< -1 for rows that are left out; none if all are kept
+  IdSet LeftOut;                  ///< rows of elements
+  IdSet Kept;                     ///< the others, unless these are all
+  Buffer<unsigned char> Sizes;    ///< of the cells of all rows, if these are not kept themselves
   IdMap Nodes;
   std::vector<std::array<std::int32_t, 2>> Midpoints;
+  std::unordered_map<std::uint64_t, std::int32_t> MidpointOfEdge;
   vtkIdType NumberOfRows = 0; ///< of elements
   vtkIdType ReplacedNodes = 0, ReplacedElements = 0;
 };
@@ -153,6 +192,98 @@ bool MAPDLMesh::ForEachElement(
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(index) for all items of elements.
+template <typename Visit>
+bool MAPDLMesh::ForEachElementItem(const Progress& progress, Visit&& visit) const
+{
+  return progress.For(static_cast<vtkIdType>(this->ElementItems.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        visit(i);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Makes cells of the elements of an item: provide(row, element, cell) tells where its points go,
+// and then take(row, cell, points, isComplete) is called. Midpoints of which nothing is known so
+// far are noted as missing, and the cell is not complete.
+template <typename Provide, typename Take>
+void MAPDLMesh::ForEachCell(
+  const Item& item, Outcome& outcome, Provide&& provide, Take&& take) const
+{
+  std::int64_t knownType = -1;
+  int number = 0;
+  MAPDLClass elementClass = MAPDLClass::Undefined;
+  MAPDLCell cell;
+  this->ForEachElement(item, true, outcome.Fault,
+    [&](const char* place, vtkIdType row, const MAPDLElement& element)
+    {
+      if (element.Type != knownType)
+      {
+        knownType = element.Type;
+        const auto found = this->Deck.Types.find(knownType);
+        const MAPDLType type = found == this->Deck.Types.end() ? MAPDLType() : found->second;
+        number = type.Element;
+        elementClass = GetMAPDLClass(number, type.Shape);
+      }
+      if (this->Options.SurfaceEffects || !IsMAPDLSurfaceEffect(number))
+      {
+        MakeMAPDLCell(
+          elementClass, element.Nodes, element.NumberOfNodes, this->Options.Linear, cell);
+        if (elementClass == MAPDLClass::Unknown)
+        {
+          ++outcome.Unknown[number];
+          if (this->Options.UnknownAsPoints)
+          {
+            this->MakePoints(element, cell);
+          }
+        }
+        outcome.Undefined += elementClass == MAPDLClass::Undefined;
+        outcome.WithoutNodes += element.NumberOfNodes == 0;
+      }
+      else
+      {
+        cell.Type = VTK_EMPTY_CELL;
+        cell.Size = 0;
+      }
+
+      std::int32_t* const points = provide(row, element, cell);
+      outcome.NumberOfPoints += cell.Size;
+      bool isComplete = true;
+      for (std::int32_t i = 0; i < cell.Size; ++i)
+      {
+        points[i] = this->Nodes.Find(cell.Nodes[i]);
+        if (points[i] < 0)
+        {
+          const QuadraticEdges edges = GetQuadraticEdges(cell.Type);
+          if (cell.Nodes[i] != 0 || i < edges.NumberOfCorners || edges.NumberOfEdges == 0)
+          {
+            return outcome.Fault.Set(place, ErrorKind::Index,
+              "an element of nodes that are defined", "node " + std::to_string(cell.Nodes[i]));
+          }
+          const unsigned char* const edge = edges.Edges[i - edges.NumberOfCorners];
+          const MissingNode node = { row, i, { points[edge[0]], points[edge[1]] } };
+          const auto known = this->MidpointOfEdge.find(node.GetKey());
+          if (known != this->MidpointOfEdge.end())
+          {
+            points[i] = known->second;
+          }
+          else
+          {
+            outcome.Missing.push_back(node);
+            isComplete = false;
+          }
+        }
+      }
+      take(row, cell, points, isComplete);
+      return true;
+    });
 }
 }
 

@@ -88,8 +88,7 @@ bool MAPDLMesh::AddArrays(
   const CellPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
 {
   Buffer<int> nodeIds(piece.GetNumberOfPoints());
-  for (vtkIdType node = 0;
-       node < this->NodeIds.size() + static_cast<vtkIdType>(this->Midpoints.size()); ++node)
+  for (vtkIdType node = 0; node < this->GetNumberOfPoints(); ++node)
   {
     if (const vtkIdType point = piece.FindPoint(node); point >= 0)
     {
@@ -112,7 +111,7 @@ bool MAPDLMesh::AddArrays(
         this->ForEachElement(this->ElementItems[i], false, fault,
           [&](const char*, vtkIdType row, const MAPDLElement& element)
           {
-            const vtkIdType cell = this->CellOfRow.size() > 0 ? this->CellOfRow[row] : row;
+            const vtkIdType cell = this->GetCell(row);
             const vtkIdType at = cell < 0 ? -1 : piece.FindCell(cell);
             if (at < 0)
             {

@@ -110,14 +110,10 @@ bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progr
     return false;
   }
   MAPDLMesh mesh(deck, this->Options);
-  if (!mesh.Read(progress.Part(0.1, 0.6)))
+  CellPiece piece;
+  if (!mesh.Read(this->Request, piece, progress.Part(0.1, 0.65)))
   {
     return this->Fail(mesh.Fault, error);
-  }
-  CellPiece piece;
-  if (!piece.Select(mesh.Cells, this->Request, progress.Part(0.6, 0.65)))
-  {
-    return false;
   }
   Buffer<double> coordinates = mesh.ReadPoints(piece, progress.Part(0.65, 0.85));
   if (mesh.Fault || progress.IsStopped())
@@ -143,7 +139,7 @@ bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progr
       this->Messages.Add(sentence);
     }
     WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "node", "nodes");
-    WarnOfRepeatedPoints(mesh.Cells, this->Messages, progress.Part(0.97, 1));
+    piece.WarnOfRepeatedPoints(mesh.Cells, this->Messages, progress.Part(0.97, 1));
   }
   FillGrid(mesh.Cells, piece, points, this->Grid);
   return !progress.IsStopped();

@@ -89,12 +89,13 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
     warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "of two vertices, shown as a line");
     warnings.Add(faceCensus.WithOddColor, "face", "faces",
       "with something after the vertices that is no colour, left out");
-    WarnOfRepeatedPoints(faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
+    piece.WarnOfRepeatedPoints(faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
   }
 
   const bool isWhole = piece.IsWhole();
   OFFColors colors =
     isWhole || faces.Colors.size() == 0 ? std::move(faces.Colors) : faces.Colors.Extract(piece);
+  KeepPiece(faces.Mesh, piece);
   FillGrid(faces.Mesh, piece, points, grid);
   if (faceCensus.Colors.HasColors || faceCensus.Colors.HasIndices)
   {

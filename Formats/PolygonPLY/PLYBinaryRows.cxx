@@ -3,6 +3,7 @@
 #include "PLYBinaryRows.h"
 
 #include "PLYColumnWriting.h"
+#include "PLYLists.h"
 
 #include <algorithm>
 #include <atomic>
@@ -364,9 +365,10 @@ bool PLYBinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& pro
 
 //------------------------------------------------------------------------------
 template <typename In>
-bool PLYBinaryRows::ReadIdsAs(int property, const PLYSizes& sizes, const PLYIds& expected,
-  std::int32_t* ids, const Progress& progress)
+bool PLYBinaryRows::ReadIdsAs(
+  int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
 {
+  const PLYSizes& sizes = lists.Sizes;
   // Unsigned arithmetic checks both ends of the range at once; -1 comes first where it is allowed.
   using Wide = std::uint64_t;
   const Wide shift = expected.HasBreaks ? 1 : 0;
@@ -384,11 +386,13 @@ bool PLYBinaryRows::ReadIdsAs(int property, const PLYSizes& sizes, const PLYIds&
   const bool done = this->ForEachBlock(progress,
     [&](const Block& rows)
     {
-      if (rows.First >= bad)
+      if (rows.First >= bad || !lists.Needs(rows.First, rows.Count))
       {
         return;
       }
-      std::int32_t* id = ids + sizes.GetOffset(rows.First);
+      thread_local std::vector<std::int32_t> scratch;
+      std::int32_t* const ids = lists.Provide(rows.First, rows.Count, scratch);
+      std::int32_t* id = ids;
       bool valid = true;
       const auto read = [&](int i, const char* place, auto size)
       {
@@ -421,6 +425,11 @@ bool PLYBinaryRows::ReadIdsAs(int property, const PLYSizes& sizes, const PLYIds&
       }
       if (valid)
       {
+        for (int i = 0; !lists.IsInPlace() && i < rows.Count; ++i)
+        {
+          const vtkIdType row = rows.First + i;
+          lists.Take(row, ids + sizes.GetOffset(row) - sizes.GetOffset(rows.First));
+        }
         return;
       }
       vtkIdType row = INT64_MAX;
@@ -455,15 +464,15 @@ bool PLYBinaryRows::ReadIdsAs(int property, const PLYSizes& sizes, const PLYIds&
 }
 
 //------------------------------------------------------------------------------
-bool PLYBinaryRows::ReadIds(int property, const PLYSizes& sizes, const PLYIds& expected,
-  std::int32_t* ids, const Progress& progress)
+bool PLYBinaryRows::ReadIds(
+  int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
 {
   return WithType(this->Element.Properties[property].Type,
     [&](auto value)
     {
       if constexpr (std::is_integral<decltype(value)>::value)
       {
-        return this->ReadIdsAs<decltype(value)>(property, sizes, expected, ids, progress);
+        return this->ReadIdsAs<decltype(value)>(property, expected, lists, progress);
       }
       return false; // nobody asks for ids that are real numbers
     });

@@ -23,8 +23,8 @@ public:
   bool Locate(const Progress& progress) override;
   bool Check(const Progress&) override { return true; } // Locate has done so
   bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
-  bool ReadIds(int property, const PLYSizes& sizes, const PLYIds& expected, std::int32_t* ids,
-    const Progress& progress) override;
+  bool ReadIds(
+    int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress) override;
   bool ReadColumns(const std::vector<PLYColumn>& columns, const PLYTargets& targets,
     const Progress& progress) override;
   bool FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,
@@ -100,8 +100,8 @@ private:
   /// The length of the list, or the value, of a property.
   const char* GetPlace(vtkIdType row, int property) const;
   template <typename In>
-  bool ReadIdsAs(int property, const PLYSizes& sizes, const PLYIds& expected, std::int32_t* ids,
-    const Progress& progress);
+  bool ReadIdsAs(
+    int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress);
 
   BinaryScanner& Scanner;
   std::vector<Part> Parts;

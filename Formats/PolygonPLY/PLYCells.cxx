@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYCells.h"
 
+#include "PLYLists.h"
 #include "Scan/Number.h"
 
 #include <algorithm>
@@ -31,6 +32,12 @@ unsigned char GetPolygonType(vtkIdType size)
     default:
       return VTK_POLYGON;
   }
+}
+
+unsigned char GetType(PLYRole role, vtkIdType size)
+{
+  return role == PLYRole::Edges && size > 2 ? static_cast<unsigned char>(VTK_POLY_LINE)
+                                            : GetPolygonType(size);
 }
 
 //------------------------------------------------------------------------------
@@ -66,14 +73,26 @@ struct PLYCells::Extent
   PLYSizes Sizes;
   Tally Empty;
   Buffer<std::int32_t> Strips;
+  Buffer<std::int32_t> Edges; ///< both ends of each, where these are no lists
+
+  /// Of the cells of strips, or of the rows.
+  vtkIdType GetCellSize(vtkIdType i) const
+  {
+    return this->Strips.size() > 0 ? 3 : this->Sizes.GetSize(i);
+  }
+  vtkIdType GetCellOffset(vtkIdType i) const
+  {
+    return this->Strips.size() > 0 ? 3 * i : this->Sizes.GetOffset(i);
+  }
 };
 
 //------------------------------------------------------------------------------
 bool PLYCells::MeasureStrips(PLYPart& part, Extent& extent, const Progress& progress)
 {
   extent.Strips = Buffer<std::int32_t>(extent.Sizes.Total);
-  const PLYIds expected = { "a vertex of a strip", this->Mesh.NumberOfPoints, true };
-  if (!part.Rows->ReadIds(part.List, extent.Sizes, expected, extent.Strips.data(), progress))
+  const PLYIds expected = { "a vertex of a strip", this->NumberOfPoints, true };
+  const PLYLists lists(extent.Sizes, extent.Strips.data());
+  if (!part.Rows->ReadIds(part.List, expected, lists, progress))
   {
     return false;
   }
@@ -128,7 +147,7 @@ void PLYCells::CountFaces(PLYPart& part, Extent& extent)
 }
 
 //------------------------------------------------------------------------------
-bool PLYCells::Measure(PLYPart& part, Extent& extent, const Progress& progress)
+bool PLYCells::MeasurePart(PLYPart& part, Extent& extent, const Progress& progress)
 {
   part.NumberOfCells = part.Rows->GetCount();
   if (part.Role == PLYRole::Edges && part.List < 0)
@@ -170,15 +189,14 @@ bool PLYCells::ReadEdges(PLYPart& part, std::int32_t* ids, const Progress& progr
   {
     return false;
   }
-  const auto limit = static_cast<double>(this->Mesh.NumberOfPoints);
+  const auto limit = static_cast<double>(this->NumberOfPoints);
   for (vtkIdType i = 0; i < 2 * count; ++i)
   {
     const double end = ends[i];
     if (!(end >= 0 && end < limit && end == static_cast<std::int32_t>(end)))
     {
-      const std::string range = limit > 0
-        ? " from 0 to " + std::to_string(this->Mesh.NumberOfPoints - 1)
-        : " (there are none)";
+      const std::string range =
+        limit > 0 ? " from 0 to " + std::to_string(this->NumberOfPoints - 1) : " (there are none)";
       std::string found;
       AppendNumber(found, end);
       return part.Rows->FailAt(
@@ -190,9 +208,8 @@ bool PLYCells::ReadEdges(PLYPart& part, std::int32_t* ids, const Progress& progr
 }
 
 //------------------------------------------------------------------------------
-void PLYCells::FillStrips(PLYPart& part, const Extent& extent, vtkIdType firstId)
+void PLYCells::FillStrips(PLYPart& part, const Extent& extent, std::int32_t* id)
 {
-  std::int32_t* id = this->Mesh.Connectivity.data() + firstId;
   part.RowOfCell = Buffer<std::int32_t>(part.NumberOfCells);
   std::int32_t* rowOfCell = part.RowOfCell.data();
   for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
@@ -212,6 +229,15 @@ void PLYCells::FillStrips(PLYPart& part, const Extent& extent, vtkIdType firstId
 }
 
 //------------------------------------------------------------------------------
+PLYIds PLYCells::GetExpected(const PLYPart& part) const
+{
+  return { part.Role == PLYRole::Faces ? "a vertex of a face"
+      : part.Role == PLYRole::Edges    ? "a vertex of an edge"
+                                       : "a face of a cell",
+    this->NumberOfPoints };
+}
+
+//------------------------------------------------------------------------------
 bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const Progress& progress)
 {
   CellMesh& mesh = this->Mesh;
@@ -223,7 +249,7 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
   std::int32_t* const ids = mesh.Connectivity.data() + firstId;
   if (isStrips)
   {
-    this->FillStrips(part, extent, firstId);
+    this->FillStrips(part, extent, ids);
   }
   else if (part.List < 0)
   {
@@ -234,11 +260,8 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
   }
   else
   {
-    const PLYIds expected = { part.Role == PLYRole::Faces ? "a vertex of a face"
-        : part.Role == PLYRole::Edges                     ? "a vertex of an edge"
-                                                          : "a face of a cell",
-      mesh.NumberOfPoints };
-    if (!part.Rows->ReadIds(part.List, extent.Sizes, expected, ids, progress))
+    const PLYLists lists(extent.Sizes, ids);
+    if (!part.Rows->ReadIds(part.List, this->GetExpected(part), lists, progress))
     {
       return false;
     }
@@ -248,17 +271,6 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
     return true; // of one type
   }
 
-  // Cells without vertices are left out, those after them move up.
-  const bool drops = !this->KeepsEmpty && extent.Empty.Count > 0;
-  if (drops)
-  {
-    part.Items = Buffer<std::int32_t>(part.Rows->GetCount());
-    auto cell = static_cast<std::int32_t>(part.FirstCell);
-    for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
-    {
-      part.Items[row] = extent.Sizes.GetSize(row) > 0 ? cell++ : -1;
-    }
-  }
   // The lists of a part alone are those of the mesh.
   const bool takesOffsets = mesh.Offsets.size() == 0;
   ParallelFor(isStrips ? part.NumberOfCells : part.Rows->GetCount(), Grain,
@@ -266,19 +278,15 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
     {
       for (vtkIdType row = begin; row < end; ++row)
       {
-        const vtkIdType cell = drops ? part.Items[row] : part.FirstCell + row;
+        const vtkIdType cell = part.GetCell(row);
         if (cell < 0)
         {
           continue;
         }
-        const vtkIdType size = isStrips ? 3 : extent.Sizes.GetSize(row);
-        const vtkIdType offset = isStrips ? 3 * row : extent.Sizes.GetOffset(row);
-        const bool isLongEdge = part.Role == PLYRole::Edges && size > 2;
-        mesh.Types[cell] =
-          isLongEdge ? static_cast<unsigned char>(VTK_POLY_LINE) : GetPolygonType(size);
+        mesh.Types[cell] = GetType(part.Role, extent.GetCellSize(row));
         if (!takesOffsets)
         {
-          mesh.Offsets[cell] = static_cast<std::int32_t>(firstId + offset);
+          mesh.Offsets[cell] = static_cast<std::int32_t>(firstId + extent.GetCellOffset(row));
         }
       }
     });
@@ -290,28 +298,36 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
 }
 
 //------------------------------------------------------------------------------
-bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints, bool keepsEmpty,
-  const Progress& progress)
+// Finds how many cells and ids the parts have, and where in the mesh they are.
+bool PLYCells::Measure(const std::vector<PLYPart*>& parts, std::vector<Extent>& extents,
+  vtkIdType numberOfPoints, const Progress& progress)
 {
-  this->KeepsEmpty = keepsEmpty;
-  CellMesh& mesh = this->Mesh;
-  mesh = CellMesh();
-  mesh.NumberOfPoints = numberOfPoints;
-  std::vector<Extent> extents(parts.size());
-  vtkIdType numberOfCells = 0, numberOfIds = 0;
+  this->NumberOfPoints = numberOfPoints;
+  this->NumberOfCells = 0;
+  vtkIdType numberOfIds = 0;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     PLYPart& part = *parts[i];
-    if (!this->Measure(part, extents[i], progress.Part(0, 0.4)))
+    if (!this->MeasurePart(part, extents[i], progress))
     {
       return false;
     }
-    part.FirstCell = numberOfCells;
-    part.NumberOfCells -= keepsEmpty ? 0 : extents[i].Empty.Count;
-    numberOfCells += part.NumberOfCells;
+    part.FirstCell = this->NumberOfCells;
+    part.NumberOfCells -= this->KeepsEmpty ? 0 : extents[i].Empty.Count;
+    this->NumberOfCells += part.NumberOfCells;
     numberOfIds += extents[i].NumberOfIds;
+    if (!this->KeepsEmpty && extents[i].Empty.Count > 0)
+    {
+      // Cells without vertices are left out, those after them move up.
+      part.Items = Buffer<std::int32_t>(part.Rows->GetCount());
+      auto cell = static_cast<std::int32_t>(part.FirstCell);
+      for (vtkIdType row = 0; row < part.Rows->GetCount(); ++row)
+      {
+        part.Items[row] = extents[i].Sizes.GetSize(row) > 0 ? cell++ : -1;
+      }
+    }
   }
-  if (std::max(numberOfCells, numberOfIds) > INT32_MAX)
+  if (std::max(this->NumberOfCells, numberOfIds) > INT32_MAX)
   {
     const auto largest = std::max_element(extents.begin(), extents.end(),
       [](const Extent& a, const Extent& b) { return a.NumberOfIds < b.NumberOfIds; });
@@ -319,13 +335,45 @@ bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints
       "fewer than 2147483648 cells and vertices of all cells together",
       std::to_string(numberOfIds));
   }
+  return true;
+}
 
+//------------------------------------------------------------------------------
+// Whether all cells are lists of one length.
+bool PLYCells::HasOneKind(
+  const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents) const
+{
+  return parts.size() == 1 && extents[0].Sizes.Common > 0 && extents[0].Strips.size() == 0 &&
+    parts[0]->Role != PLYRole::Edges;
+}
+
+//------------------------------------------------------------------------------
+bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints, bool keepsEmpty,
+  const Progress& progress)
+{
+  this->KeepsEmpty = keepsEmpty;
+  this->Mesh = CellMesh();
+  this->Mesh.NumberOfPoints = numberOfPoints;
+  std::vector<Extent> extents(parts.size());
+  return this->Measure(parts, extents, numberOfPoints, progress.Part(0, 0.4)) &&
+    this->Fill(parts, extents, progress.Part(0.4, 1));
+}
+
+//------------------------------------------------------------------------------
+bool PLYCells::Fill(
+  const std::vector<PLYPart*>& parts, std::vector<Extent>& extents, const Progress& progress)
+{
+  CellMesh& mesh = this->Mesh;
+  const vtkIdType numberOfCells = this->NumberOfCells;
+  vtkIdType numberOfIds = 0;
+  for (const Extent& extent : extents)
+  {
+    numberOfIds += extent.NumberOfIds;
+  }
   mesh.NumberOfCells = numberOfCells;
   mesh.Connectivity = Buffer<std::int32_t>(numberOfIds);
   // Most files have faces only, and most of these are of one kind.
-  const bool isOne = parts.size() == 1 && extents[0].Sizes.Common > 0 &&
-    extents[0].Strips.size() == 0 && parts[0]->Role != PLYRole::Edges;
-  if (isOne)
+  if (this->HasOneKind(parts, extents))
   {
     mesh.CommonSize = extents[0].Sizes.Common;
     mesh.CommonType = GetPolygonType(mesh.CommonSize);
@@ -346,7 +394,7 @@ bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints
   vtkIdType firstId = 0;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
-    if (!this->FillPart(*parts[i], extents[i], firstId, progress.Part(0.4, 1)))
+    if (!this->FillPart(*parts[i], extents[i], firstId, progress))
     {
       return false;
     }
@@ -354,6 +402,136 @@ bool PLYCells::Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints
     extents[i] = Extent();
   }
   return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+// Shows the cells of a part to a piece, or stores those that it has in the mesh.
+bool PLYCells::PassPart(
+  PLYPart& part, const Extent& extent, CellPiece& piece, CellMesh* mesh, const Progress& progress)
+{
+  const vtkIdType rows = part.Rows->GetCount();
+  if (part.Role == PLYRole::Strips)
+  {
+    PLYSizes triangles;
+    triangles.Common = 3;
+    const PLYLists lists(triangles, part.FirstCell, nullptr, piece, mesh);
+    vtkIdType cell = 0;
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      ForEachTriangle(extent.Strips.data() + extent.Sizes.GetOffset(row), extent.Sizes.GetSize(row),
+        [&](std::int32_t a, std::int32_t b, std::int32_t c)
+        {
+          if (!IsDegenerate(a, b, c))
+          {
+            const std::int32_t ids[3] = { a, b, c };
+            part.RowOfCell[cell] = static_cast<std::int32_t>(row);
+            lists.Take(cell++, ids);
+          }
+        });
+    }
+    return progress.Report(1);
+  }
+  const PLYLists lists(
+    extent.Sizes, part.FirstCell, part.Items.size() > 0 ? part.Items.data() : nullptr, piece, mesh);
+  if (part.List >= 0)
+  {
+    return rows == 0 || part.Rows->ReadIds(part.List, this->GetExpected(part), lists, progress);
+  }
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    lists.Take(row, extent.Edges.data() + 2 * row);
+  }
+  return progress.Report(1);
+}
+
+//------------------------------------------------------------------------------
+void PLYCells::AllocatePiece(
+  const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents, const CellPiece& piece)
+{
+  const vtkIdType points = piece.GetNumberOfPoints(), cells = piece.GetNumberOfCells();
+  if (this->HasOneKind(parts, extents))
+  {
+    const std::int32_t size = extents[0].Sizes.Common;
+    this->Mesh = CellMesh(points, cells, GetPolygonType(size), size);
+    return;
+  }
+  this->Mesh.NumberOfPoints = points;
+  this->Mesh.NumberOfCells = cells;
+  this->Mesh.Types = Buffer<unsigned char>(cells);
+  this->Mesh.Offsets = Buffer<std::int32_t>(cells + 1);
+  std::int32_t sum = this->Mesh.Offsets[0] = 0;
+  vtkIdType next = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const vtkIdType rows =
+      parts[i]->Role == PLYRole::Strips ? parts[i]->NumberOfCells : parts[i]->Rows->GetCount();
+    for (vtkIdType row = 0; row < rows; ++row)
+    {
+      const vtkIdType cell = parts[i]->GetCell(row);
+      if (cell >= 0 && piece.FindCell(cell) >= 0)
+      {
+        const vtkIdType size = extents[i].GetCellSize(row);
+        sum += static_cast<std::int32_t>(size);
+        this->Mesh.Types[next] = GetType(parts[i]->Role, size);
+        this->Mesh.Offsets[++next] = sum;
+      }
+    }
+  }
+  this->Mesh.Connectivity = Buffer<std::int32_t>(sum);
+}
+
+//------------------------------------------------------------------------------
+bool PLYCells::ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints,
+  const PieceRequest& request, CellPiece& piece, const Progress& progress)
+{
+  this->KeepsEmpty = false;
+  this->Mesh = CellMesh();
+  std::vector<Extent> extents(parts.size());
+  if (!this->Measure(parts, extents, numberOfPoints, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  piece.Start(numberOfPoints, this->NumberOfCells, request);
+  if (piece.IsWhole())
+  {
+    this->Mesh.NumberOfPoints = numberOfPoints;
+    return this->Fill(parts, extents, progress.Part(0.3, 1));
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    PLYPart& part = *parts[i];
+    if (extents[i].Sizes.Common >= 0)
+    {
+      extents[i].Sizes.Offsets = Buffer<std::int32_t>(); // they follow from the size
+    }
+    part.RowOfCell = Buffer<std::int32_t>(part.Role == PLYRole::Strips ? part.NumberOfCells : 0);
+    if (part.Role == PLYRole::Edges && part.List < 0)
+    {
+      extents[i].Edges = Buffer<std::int32_t>(2 * part.Rows->GetCount());
+      if (!this->ReadEdges(part, extents[i].Edges.data(), progress.Part(0.3, 0.4)))
+      {
+        return false;
+      }
+    }
+  }
+  const auto pass = [&](CellMesh* mesh, const Progress& passProgress)
+  {
+    bool good = true;
+    for (std::size_t i = 0; i < parts.size() && good; ++i)
+    {
+      good = this->PassPart(*parts[i], extents[i], piece, mesh, passProgress);
+    }
+    return good;
+  };
+  do
+  {
+    if (!pass(nullptr, progress.Part(0.4, 0.8)))
+    {
+      return false;
+    }
+  } while (piece.Continue());
+  this->AllocatePiece(parts, extents, piece);
+  return pass(&this->Mesh, progress.Part(0.8, 1));
 }
 
 //------------------------------------------------------------------------------

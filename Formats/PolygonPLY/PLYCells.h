@@ -7,7 +7,7 @@
 #ifndef camaron_PLYCells_h
 #define camaron_PLYCells_h
 
-#include "CellMesh/CellMesh.h"
+#include "CellMesh/CellPiece.h"
 #include "PLYParts.h"
 
 namespace camaron
@@ -23,20 +23,40 @@ public:
   bool Read(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints, bool keepsEmpty,
     const Progress& progress);
 
+  /**
+   * Finds a piece of the cells of some elements and reads these; lists without vertices are left
+   * out. Other cells are not kept, but for edges and strips. The piece is not found if there are no
+   * cells.
+   */
+  bool ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints,
+    const PieceRequest& request, CellPiece& piece, const Progress& progress);
+
   CellMesh Mesh;
-  Tally Empty;      ///< lists without vertices
-  Tally Short;      ///< with one or two
+  vtkIdType NumberOfCells = 0; ///< of the file
+  Tally Empty;                 ///< lists without vertices
+  Tally Short;                 ///< with one or two
   Tally Degenerate; ///< triangles of strips with a vertex twice, which join parts of a strip
 
 private:
   struct Extent; // of a part, before the mesh is provided
-  bool Measure(PLYPart& part, Extent& extent, const Progress& progress);
+  bool Measure(const std::vector<PLYPart*>& parts, std::vector<Extent>& extents,
+    vtkIdType numberOfPoints, const Progress& progress);
+  bool MeasurePart(PLYPart& part, Extent& extent, const Progress& progress);
   bool MeasureStrips(PLYPart& part, Extent& extent, const Progress& progress);
+  PLYIds GetExpected(const PLYPart& part) const;
   bool ReadEdges(PLYPart& part, std::int32_t* ids, const Progress& progress);
-  void FillStrips(PLYPart& part, const Extent& extent, vtkIdType firstId);
+  void FillStrips(PLYPart& part, const Extent& extent, std::int32_t* ids);
   bool FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const Progress& progress);
+  bool PassPart(PLYPart& part, const Extent& extent, CellPiece& piece, CellMesh* mesh,
+    const Progress& progress);
+  bool HasOneKind(const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents) const;
+  bool Fill(
+    const std::vector<PLYPart*>& parts, std::vector<Extent>& extents, const Progress& progress);
+  void AllocatePiece(
+    const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents, const CellPiece& piece);
   void CountFaces(PLYPart& part, Extent& extent);
 
+  vtkIdType NumberOfPoints = 0; ///< of the file
   bool KeepsEmpty = false;
 };
 

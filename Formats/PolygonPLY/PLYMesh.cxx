@@ -166,23 +166,19 @@ bool PLYMesh::ReadCells(const Progress& progress)
     }
   }
   PLYCells cells;
-  if (!parts.empty() && !cells.Read(parts, numberOfPoints, false, progress.Part(0, 0.4)))
+  CellPiece piece;
+  if (!parts.empty() &&
+    !cells.ReadPiece(parts, numberOfPoints, this->Request, piece, progress.Part(0, 0.5)))
   {
     return false;
   }
   this->WarnOfCells(cells);
-  if (cells.Mesh.NumberOfCells == 0)
+  if (cells.NumberOfCells == 0)
   {
-    cells.Mesh = MakeCloud(numberOfPoints);
+    cells.Mesh = MakeCloud(numberOfPoints, this->Request, piece);
     parts.clear();
   }
-
-  CellPiece piece;
   PLYArrays pointArrays, cellArrays;
-  if (!piece.Select(cells.Mesh, this->Request, progress.Part(0.4, 0.5)))
-  {
-    return false;
-  }
   std::vector<PLYArrayPlan> plans = Plan(*this->FindPart(PLYRole::Points), this->Header);
   PLYTargets points, cellTargets;
   points.Kept = piece.IsWhole() ? nullptr : &piece.GetPoints();
@@ -200,7 +196,7 @@ bool PLYMesh::ReadCells(const Progress& progress)
     WarnOfPoints(coordinates, this->Messages, progress.Part(0.95, 0.97), Vertex, "vertices");
     if (!parts.empty())
     {
-      WarnOfRepeatedPoints(cells.Mesh, this->Messages, progress.Part(0.97, 1));
+      piece.WarnOfRepeatedPoints(cells.Mesh, this->Messages, progress.Part(0.97, 1));
     }
   }
   FillGrid(cells.Mesh, piece, coordinates, this->Grid);

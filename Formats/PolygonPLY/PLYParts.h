@@ -37,6 +37,10 @@ struct PLYPart
   vtkIdType FirstCell = 0;
   vtkIdType NumberOfCells = 0;
   Buffer<std::int32_t> Items;
+  vtkIdType GetCell(vtkIdType row) const
+  {
+    return this->Items.size() > 0 ? this->Items[row] : this->FirstCell + row;
+  }
   ///@}
   Buffer<std::int32_t> RowOfCell; ///< of strips
 };

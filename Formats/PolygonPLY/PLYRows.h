@@ -20,6 +20,8 @@
 
 namespace camaron
 {
+class PLYLists;
+
 /// What becomes of a value on its way into an array.
 enum class PLYConversion : unsigned char
 {
@@ -103,9 +105,9 @@ public:
   virtual bool Check(const Progress& progress) = 0;
   /// Reads how long the lists of a property are.
   virtual bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) = 0;
-  /// Reads the lists of a property to where @a sizes says.
-  virtual bool ReadIds(int property, const PLYSizes& sizes, const PLYIds& expected,
-    std::int32_t* ids, const Progress& progress) = 0;
+  /// Reads the lists of a property.
+  virtual bool ReadIds(
+    int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress) = 0;
   virtual bool ReadColumns(
     const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress) = 0;
   /// Says what is wrong with a property of a row; returns false.

@@ -3,6 +3,7 @@
 #include "PLYTextRows.h"
 
 #include "PLYColumnWriting.h"
+#include "PLYLists.h"
 
 #include <algorithm>
 #include <mutex>
@@ -234,9 +235,10 @@ bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progr
 }
 
 //------------------------------------------------------------------------------
-bool PLYTextRows::ReadIds(int property, const PLYSizes& sizes, const PLYIds& expected,
-  std::int32_t* ids, const Progress& progress)
+bool PLYTextRows::ReadIds(
+  int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
 {
+  const bool skips = this->IsChecked && this->Layout == RowLayout::OneLine;
   const std::int64_t least = expected.HasBreaks ? -1 : 0;
   const bool isUnsigned = WithType(this->Element.Properties[property].Type,
     [](auto value) { return std::is_unsigned<decltype(value)>::value; });
@@ -250,6 +252,11 @@ bool PLYTextRows::ReadIds(int property, const PLYSizes& sizes, const PLYIds& exp
   const bool good = this->ForEachRow(progress,
     [&](vtkIdType row, TextRow& text)
     {
+      if (skips && !lists.Needs(row))
+      {
+        text.Skip();
+        return true;
+      }
       bool rowIsGood = true;
       for (int i = 0; i < property && rowIsGood; ++i)
       {
@@ -257,7 +264,9 @@ bool PLYTextRows::ReadIds(int property, const PLYSizes& sizes, const PLYIds& exp
       }
       std::int64_t length = 0;
       rowIsGood = rowIsGood && this->ReadLength(text, property, length);
-      std::int32_t* id = ids + sizes.GetOffset(row);
+      thread_local std::vector<std::int32_t> scratch;
+      std::int32_t* const ids = lists.Provide(row, 1, scratch);
+      std::int32_t* id = ids;
       for (; rowIsGood && length > 0; --length)
       {
         std::int64_t value = 0;
@@ -271,6 +280,10 @@ bool PLYTextRows::ReadIds(int property, const PLYSizes& sizes, const PLYIds& exp
         *id++ = static_cast<std::int32_t>(value);
       }
       rowIsGood = rowIsGood && this->SkipRest(text, property + 1);
+      if (rowIsGood)
+      {
+        lists.Take(row, ids);
+      }
       this->Finish(row, text);
       return rowIsGood;
     });

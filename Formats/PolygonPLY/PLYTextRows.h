@@ -25,8 +25,8 @@ public:
   bool Locate(const Progress& progress) override;
   bool Check(const Progress& progress) override;
   bool ReadSizes(int property, PLYSizes& sizes, const Progress& progress) override;
-  bool ReadIds(int property, const PLYSizes& sizes, const PLYIds& expected, std::int32_t* ids,
-    const Progress& progress) override;
+  bool ReadIds(
+    int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress) override;
   bool ReadColumns(const std::vector<PLYColumn>& columns, const PLYTargets& targets,
     const Progress& progress) override;
   bool FailAt(vtkIdType row, int property, ErrorKind kind, const std::string& expected,

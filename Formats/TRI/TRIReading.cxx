@@ -3,6 +3,7 @@
 #include "TRIReading.h"
 
 #include "CellMesh/CellGrid.h"
+#include "CellMesh/PieceRows.h"
 #include "CellMesh/PointRows.h"
 #include "Scan/ReadMappedFile.h"
 
@@ -88,15 +89,17 @@ private:
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
   Header Counts;
+  CellPiece Piece;
   CellMesh Mesh;
-  Buffer<int> Components; // of triangles, in files of Cart3D that have them
+  bool HasComponents = false;
+  Buffer<int> Components; // of triangles of the piece, in files of Cart3D that have them
 };
 
 //------------------------------------------------------------------------------
 bool TRIReading::LooksOneBased(TextScanner scanner) const
 {
   std::int64_t least = INT64_MAX, greatest = -1;
-  const bool good = ReadRows(scanner, nullptr, this->Mesh.NumberOfCells, Progress(),
+  const bool good = ReadRows(scanner, nullptr, this->Counts.Triangles, Progress(),
     [&](vtkIdType, TextRow& row)
     {
       bool isGood = true;
@@ -122,7 +125,7 @@ bool TRIReading::ReadTriangles(
   {
     if (!scanner.SkipSpace())
     {
-      this->Mesh = MakeCloud(this->Counts.Vertices);
+      this->Mesh = MakeCloud(this->Counts.Vertices, this->Request, this->Piece);
       return true;
     }
     if (!scanner.ReadCount(triangles, TriangleBytes, "the number of triangles"))
@@ -131,18 +134,21 @@ bool TRIReading::ReadTriangles(
     }
     scanner.SkipLine();
   }
-  this->Mesh = CellMesh(this->Counts.Vertices, triangles, VTK_TRIANGLE, 3);
   const TextScanner start = scanner;
   const std::int64_t first = isCart3D ? 1 : 0, last = first + this->Counts.Vertices - 1;
-  std::int32_t* const points = this->Mesh.Connectivity.data();
-  if (ReadRows(scanner, lines, triangles, progress,
-        [&](vtkIdType i, TextRow& row)
-        {
-          return row.ReadId(points[3 * i], first, last, Vertex) &&
-            row.ReadId(points[3 * i + 1], first, last, Vertex) &&
-            row.ReadId(points[3 * i + 2], first, last, Vertex);
-        },
-        RowLayout::OneLine))
+  const auto read = [&](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
+  {
+    return row.ReadId(points[0], first, last, Vertex) &&
+      row.ReadId(points[1], first, last, Vertex) && row.ReadId(points[2], first, last, Vertex);
+  };
+  CellMesh shape;
+  shape.NumberOfPoints = this->Counts.Vertices;
+  shape.NumberOfCells = triangles;
+  shape.CommonType = VTK_TRIANGLE;
+  shape.CommonSize = 3;
+  const PieceRows rows(scanner, lines, shape);
+  if (rows.Find(scanner, this->Request, this->Piece, progress.Part(0, 0.5), read) &&
+    rows.Read(scanner, this->Piece, this->Mesh, progress.Part(0.5, 1), read))
   {
     return true;
   }
@@ -163,14 +169,19 @@ bool TRIReading::ReadComponents(
   {
     return true;
   }
+  const vtkIdType count = this->Counts.Triangles;
+  this->HasComponents = count > 0;
   this->Components = Buffer<int>(this->Mesh.NumberOfCells);
   const auto set = [&](vtkIdType i, std::int64_t component)
   {
-    this->Components[i] = static_cast<int>(component);
+    if (const vtkIdType cell = this->Piece.FindCell(i); cell >= 0)
+    {
+      this->Components[cell] = static_cast<int>(component);
+    }
     return component >= INT32_MIN && component <= INT32_MAX;
   };
   const TextLines::Section section =
-    lines ? lines->Find(scanner.GetPosition(), this->Mesh.NumberOfCells) : TextLines::Section();
+    lines ? lines->Find(scanner.GetPosition(), count) : TextLines::Section();
   if (section &&
     VisitRows(*lines, section, scanner.GetComment(), progress,
       [&](vtkIdType i, vtkIdType, TextRow& row)
@@ -182,7 +193,7 @@ bool TRIReading::ReadComponents(
     scanner.SetPosition(section.End);
     return true;
   }
-  for (vtkIdType i = 0; i < this->Mesh.NumberOfCells && !progress.IsStopped(); ++i)
+  for (vtkIdType i = 0; i < count && !progress.IsStopped(); ++i)
   {
     std::int64_t component;
     if (!scanner.ReadInteger(component, INT32_MIN, INT32_MAX, ErrorKind::Syntax, Component))
@@ -200,7 +211,7 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   this->Grid->Initialize();
   this->Messages = Warnings();
   this->Counts = Header();
-  this->Components = Buffer<int>();
+  this->HasComponents = false;
   if (!ReadHeader(scanner, this->Counts))
   {
     return false;
@@ -215,12 +226,7 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
     return false;
   }
 
-  CellPiece piece;
-  if (!piece.Select(this->Mesh, this->Request, progress.Part(0.5, 0.55)))
-  {
-    return false;
-  }
-  const auto points = vertices.Read(piece, progress.Part(0.55, 0.95));
+  const auto points = vertices.Read(this->Piece, progress.Part(0.5, 0.95));
   if (!points)
   {
     return false;
@@ -229,26 +235,17 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   if (this->Request.Piece == 0)
   {
     WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
-    WarnOfRepeatedPoints(
+    this->Piece.WarnOfRepeatedPoints(
       this->Mesh, this->Messages, progress.Part(0.97, 1), "triangle", "triangles");
     if (scanner.SkipSpace())
     {
       this->Messages.Add("there is more data after the end of the mesh");
     }
   }
-  const vtkIdType numberOfTriangles = this->Mesh.NumberOfCells;
-  FillGrid(this->Mesh, piece, points, this->Grid);
-  if (this->Components.size() > 0)
+  FillGrid(this->Mesh, this->Piece, points, this->Grid);
+  if (this->HasComponents)
   {
-    Buffer<int> kept(piece.GetNumberOfCells());
-    for (vtkIdType i = 0; i < numberOfTriangles; ++i)
-    {
-      if (const vtkIdType cell = piece.FindCell(i); cell >= 0)
-      {
-        kept[cell] = this->Components[i];
-      }
-    }
-    const auto array = kept.TakeArray<vtkIntArray>();
+    const auto array = this->Components.TakeArray<vtkIntArray>();
     array->SetName("Component");
     this->Grid->GetCellData()->AddArray(array);
   }

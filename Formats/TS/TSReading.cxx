@@ -3,6 +3,7 @@
 #include "TSReading.h"
 
 #include "CellMesh/CellGrid.h"
+#include "CellMesh/PieceRows.h"
 #include "CellMesh/PointRows.h"
 #include "Scan/ReadMappedFile.h"
 #include "TSurfReading.h"
@@ -83,11 +84,12 @@ public:
 private:
   bool ReadTetrahedra(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   bool ReadRow(TextRow& row, std::int32_t* points) const;
-  bool ReadAsManyAsThereAre(TextScanner& scanner, const Progress& progress);
+  vtkIdType CountTetrahedra(TextScanner scanner);
 
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
   Header Counts;
+  CellPiece Piece;
   CellMesh Mesh;
 };
 
@@ -101,51 +103,46 @@ bool TSReading::ReadRow(TextRow& row, std::int32_t* points) const
 
 //------------------------------------------------------------------------------
 // Camarón counts all polyhedra but writes the tetrahedra, and a remark at the end.
-bool TSReading::ReadAsManyAsThereAre(TextScanner& scanner, const Progress& progress)
+vtkIdType TSReading::CountTetrahedra(TextScanner scanner)
 {
-  std::vector<std::int32_t> points;
   const std::int64_t promised = this->Counts.Tetrahedra;
-  std::int64_t read = 0;
-  for (; read < promised && scanner.SkipSpace() && !progress.IsStopped(); ++read)
+  std::int64_t found = 0;
+  while (found < promised && scanner.SkipSpace())
   {
-    TextRow row(scanner, RowLayout::OneLine);
-    std::int32_t corners[4];
-    if (!this->ReadRow(row, corners))
-    {
-      return false;
-    }
-    points.insert(points.end(), corners, corners + 4);
+    ++found;
     scanner.SkipLine();
   }
-  if (read < promised)
+  if (found < promised)
   {
-    this->Messages.Add("the file has " + std::to_string(read) + " tetrahedra, not " +
+    this->Messages.Add("the file has " + std::to_string(found) + " tetrahedra, not " +
       std::to_string(promised) + " as it says; Camarón counts polyhedra that it does not write");
   }
-  this->Mesh = CellMesh(this->Counts.Vertices, read, VTK_TETRA, 4);
-  std::copy(points.begin(), points.end(), this->Mesh.Connectivity.data());
-  return !progress.IsStopped();
+  return found;
 }
 
 //------------------------------------------------------------------------------
 bool TSReading::ReadTetrahedra(
   TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
-  const std::int64_t promised = this->Counts.Tetrahedra;
-  if (!lines)
-  {
-    return this->ReadAsManyAsThereAre(scanner, progress);
-  }
-  const TextLines::Section section = lines->Find(scanner.GetPosition(), promised);
-  if (!section)
+  if (lines && !lines->Find(scanner.GetPosition(), this->Counts.Tetrahedra))
   {
     return false;
   }
-  this->Mesh = CellMesh(this->Counts.Vertices, promised, VTK_TETRA, 4);
-  scanner.SetPosition(section.End);
-  return VisitRows(*lines, section, scanner.GetComment(), progress,
-    [&](vtkIdType i, vtkIdType, TextRow& row)
-    { return this->ReadRow(row, this->Mesh.Connectivity.data() + 4 * i); });
+  CellMesh shape;
+  shape.NumberOfPoints = this->Counts.Vertices;
+  shape.NumberOfCells = lines ? this->Counts.Tetrahedra : this->CountTetrahedra(scanner);
+  shape.CommonType = VTK_TETRA;
+  shape.CommonSize = 4;
+  if (shape.NumberOfCells == 0)
+  {
+    this->Mesh = MakeCloud(this->Counts.Vertices, this->Request, this->Piece);
+    return true;
+  }
+  const auto read = [this](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
+  { return this->ReadRow(row, points); };
+  const PieceRows rows(scanner, lines, shape);
+  return rows.Find(scanner, this->Request, this->Piece, progress.Part(0, 0.5), read) &&
+    rows.Read(scanner, this->Piece, this->Mesh, progress.Part(0.5, 1), read);
 }
 
 //------------------------------------------------------------------------------
@@ -164,17 +161,8 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
   {
     return false;
   }
-  if (this->Mesh.NumberOfCells == 0)
-  {
-    this->Mesh = MakeCloud(this->Counts.Vertices);
-  }
 
-  CellPiece piece;
-  if (!piece.Select(this->Mesh, this->Request, progress.Part(0.5, 0.55)))
-  {
-    return false;
-  }
-  const auto points = vertices.Read(piece, progress.Part(0.55, 0.95));
+  const auto points = vertices.Read(this->Piece, progress.Part(0.5, 0.95));
   if (!points)
   {
     return false;
@@ -183,7 +171,7 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
   if (this->Request.Piece == 0)
   {
     WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
-    WarnOfRepeatedPoints(
+    this->Piece.WarnOfRepeatedPoints(
       this->Mesh, this->Messages, progress.Part(0.97, 1), "tetrahedron", "tetrahedra");
     if (scanner.SkipSpace())
     {
@@ -194,7 +182,7 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
   {
     this->Messages = Warnings();
   }
-  FillGrid(this->Mesh, piece, points, this->Grid);
+  FillGrid(this->Mesh, this->Piece, points, this->Grid);
   return !progress.IsStopped();
 }
 }

@@ -133,12 +133,13 @@ bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid
   {
     values.Warn(warnings);
     WarnOfPoints(points, warnings, progress.Part(0.9, 0.95), "vertex", "vertices");
-    WarnOfRepeatedPoints(mesh, warnings, progress.Part(0.95, 1), "triangle", "triangles");
+    piece.WarnOfRepeatedPoints(mesh, warnings, progress.Part(0.95, 1), "triangle", "triangles");
   }
   else
   {
     warnings = Warnings();
   }
+  KeepPiece(mesh, piece);
   FillGrid(mesh, piece, points, grid);
   values.AddArrays(grid->GetPointData());
   if (hasTriangles)

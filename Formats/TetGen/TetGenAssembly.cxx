@@ -42,19 +42,20 @@ bool TetGenAssembly::ReadNodes(const MappedFile& file, bool isLast, const Progre
 
 //------------------------------------------------------------------------------
 bool TetGenAssembly::ReadNeighbors(
-  const MappedFile& file, const TetGenCells& cells, const CellMesh& mesh, const Progress& progress)
+  const MappedFile& file, const TetGenCells& cells, const Progress& progress)
 {
   IdMap ids;
-  ids.Build(cells.GetIds().data(), cells.GetIds().size());
+  ids.Build(cells.GetAllIds().data(), cells.GetAllIds().size());
+  const bool isFirst = this->Request.Piece == 0; // which warns of all
   if (!this->ReadFile(file, progress.Part(0, 0.8),
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
-        { return this->Neighbors.Read(scanner, lines, cells, mesh, ids, part); }))
+        { return this->Neighbors.Read(scanner, lines, cells, this->Piece, isFirst, ids, part); }))
   {
     return false;
   }
-  if (this->Request.Piece == 0)
+  if (isFirst)
   {
-    this->Neighbors.Check(mesh, this->Messages, progress.Part(0.8, 1));
+    this->Neighbors.Check(cells.GetAll(), this->Messages, progress.Part(0.8, 1));
   }
   return !progress.IsStopped();
 }
@@ -76,14 +77,11 @@ void TetGenAssembly::OrderMidpoints(CellMesh& mesh, int corners)
 
 //------------------------------------------------------------------------------
 // Takes what the piece needs of the nodes and makes the grid, which has no arrays of cells so far.
-// Nodes on edges are put into order if there are any, that is if corners are given.
+// Nodes on edges are put into order if there are any, that is if corners are given; it has been
+// asked for those of the first cell then.
 bool TetGenAssembly::Fill(
   const MappedFile& nodes, CellMesh& mesh, int corners, const Progress& progress)
 {
-  if (corners > 0)
-  {
-    this->Nodes.Ask(mesh.GetPoints(0), static_cast<int>(mesh.GetSize(0)));
-  }
   if (!this->IsWhole() &&
     !this->ReadFile(nodes, progress.Part(0, 0.7),
       [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
@@ -100,7 +98,7 @@ bool TetGenAssembly::Fill(
   {
     this->Nodes.Warn(this->Messages);
     WarnOfPoints(points, this->Messages, progress.Part(0.7, 0.8), "node", "nodes");
-    WarnOfRepeatedPoints(mesh, this->Messages, progress.Part(0.8, 0.9));
+    this->Piece.WarnOfRepeatedPoints(mesh, this->Messages, progress.Part(0.8, 0.9));
     if (!this->More.empty())
     {
       this->Messages.Add(this->More);
@@ -112,15 +110,17 @@ bool TetGenAssembly::Fill(
 }
 
 //------------------------------------------------------------------------------
+bool TetGenAssembly::FillCloud(const MappedFile& nodes, const Progress& progress)
+{
+  CellMesh mesh = MakeCloud(this->Nodes.GetCount(), this->Request, this->Piece);
+  return this->Fill(nodes, mesh, 0, progress);
+}
+
+//------------------------------------------------------------------------------
 bool TetGenAssembly::ReadCloud(const MappedFile& nodes, const Progress& progress)
 {
-  if (!this->ReadNodes(nodes, true, progress.Part(0, 0.6)))
-  {
-    return false;
-  }
-  CellMesh mesh = MakeCloud(this->Nodes.GetCount());
-  return this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)) &&
-    this->Fill(nodes, mesh, 0, progress.Part(0.65, 1));
+  return this->ReadNodes(nodes, true, progress.Part(0, 0.6)) &&
+    this->FillCloud(nodes, progress.Part(0.6, 1));
 }
 
 //------------------------------------------------------------------------------
@@ -128,31 +128,24 @@ bool TetGenAssembly::ReadTable(const MappedFile& file, TetGenKind kind, const Ma
   const MappedFile* neighbors, const Progress& progress)
 {
   TetGenCells cells(kind);
+  cells.KeepAll(neighbors, neighbors && this->Request.Piece == 0);
   if (!this->ReadNodes(nodes, false, progress.Part(0, 0.3)) ||
-    !this->ReadFile(file, progress.Part(0.3, 0.6),
+    !this->ReadFile(file, progress.Part(0.3, 0.7),
       [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
       {
         this->More.clear();
-        const bool good = cells.Read(scanner, lines, this->Nodes, this->IsWhole(), part);
+        const bool good = cells.Read(scanner, lines, this->Nodes, this->Request, this->Piece, part);
         this->WarnOfMore(scanner, file);
         return good;
       }))
   {
     return false;
   }
-  CellMesh& mesh = cells.GetMesh();
-  if (kind == TetGenKind::Ele && mesh.NumberOfCells == 0)
+  if (kind == TetGenKind::Ele && cells.GetCount() == 0)
   {
-    mesh = MakeCloud(this->Nodes.GetCount());
-    return this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)) &&
-      this->Fill(nodes, mesh, 0, progress.Part(0.65, 1));
+    return this->FillCloud(nodes, progress.Part(0.7, 1));
   }
-  return this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)) &&
-    (this->IsWhole() || !cells.HasValues() ||
-      this->ReadFile(file, progress.Part(0.65, 0.7),
-        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
-        { return cells.ReadValues(scanner, lines, this->Piece, part); })) &&
-    (!neighbors || this->ReadNeighbors(*neighbors, cells, mesh, progress.Part(0.7, 0.8))) &&
+  return (!neighbors || this->ReadNeighbors(*neighbors, cells, progress.Part(0.7, 0.8))) &&
     this->FinishTable(cells, nodes, neighbors != nullptr, progress.Part(0.8, 1));
 }
 
@@ -160,10 +153,13 @@ bool TetGenAssembly::ReadTable(const MappedFile& file, TetGenKind kind, const Ma
 bool TetGenAssembly::FinishTable(
   TetGenCells& cells, const MappedFile& nodes, bool hasNeighbors, const Progress& progress)
 {
-  CellMesh& mesh = cells.GetMesh();
   const int corners = cells.GetNumberOfCorners();
-  const bool hasOrder = cells.IsQuadratic() && corners > 2 && mesh.NumberOfCells > 0;
-  if (!this->Fill(nodes, mesh, hasOrder ? corners : 0, progress))
+  const bool hasOrder = cells.IsQuadratic() && corners > 2 && cells.GetCount() > 0;
+  if (hasOrder)
+  {
+    this->Nodes.Ask(cells.GetFirstCell());
+  }
+  if (!this->Fill(nodes, cells.GetMesh(), hasOrder ? corners : 0, progress))
   {
     return false;
   }
@@ -171,7 +167,7 @@ bool TetGenAssembly::FinishTable(
   {
     cells.Warn(this->Messages);
   }
-  cells.AddArrays(this->Grid, this->Piece);
+  cells.AddArrays(this->Grid);
   if (hasNeighbors)
   {
     this->Neighbors.AddArrays(this->Grid, this->Piece);
@@ -207,8 +203,8 @@ bool TetGenAssembly::ReadComplex(
         {
           this->More.clear();
           const bool good = skipNodes(scanner) &&
-            (isFlat ? segments.Read(
-                        scanner, lines, this->Nodes, this->IsWhole(), part, ErrorKind::Syntax)
+            (isFlat ? segments.Read(scanner, lines, this->Nodes, this->Request, this->Piece, part,
+                        ErrorKind::Syntax)
                     : facets.Read(scanner, lines, this->Nodes, isSmesh, part)) &&
             seeds.Read(scanner, this->Nodes.GetDimension());
           this->WarnOfMore(scanner, file);
@@ -217,25 +213,21 @@ bool TetGenAssembly::ReadComplex(
   {
     return false;
   }
-  CellMesh& mesh = isFlat ? segments.GetMesh() : facets.GetMesh();
-  if (!this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.65)))
-  {
-    return false;
-  }
   if (isFlat)
   {
-    if ((!this->IsWhole() &&
-          !this->ReadFile(file, progress.Part(0.65, 0.7),
-            [&](TextScanner& scanner, const TextLines* lines, const Progress& part) {
-              return skipNodes(scanner) && segments.ReadValues(scanner, lines, this->Piece, part);
-            })) ||
-      !this->FinishTable(segments, nodes, false, progress.Part(0.7, 1)))
+    if (!this->FinishTable(segments, nodes, false, progress.Part(0.7, 1)))
     {
       return false;
     }
   }
   else
   {
+    CellMesh& mesh = facets.GetMesh();
+    if (!this->Piece.Select(mesh, this->Request, progress.Part(0.6, 0.7)))
+    {
+      return false;
+    }
+    KeepPiece(mesh, this->Piece);
     if (!this->Fill(nodes, mesh, 0, progress.Part(0.7, 1)))
     {
       return false;

@@ -46,10 +46,10 @@ private:
   }
   bool IsWhole() const { return this->Request.NumberOfPieces <= 1; }
   bool ReadNodes(const MappedFile& file, bool isLast, const Progress& progress);
-  bool ReadNeighbors(const MappedFile& file, const TetGenCells& cells, const CellMesh& mesh,
-    const Progress& progress);
+  bool ReadNeighbors(const MappedFile& file, const TetGenCells& cells, const Progress& progress);
   void OrderMidpoints(CellMesh& mesh, int corners);
   bool Fill(const MappedFile& nodes, CellMesh& mesh, int corners, const Progress& progress);
+  bool FillCloud(const MappedFile& nodes, const Progress& progress);
   bool FinishTable(
     TetGenCells& cells, const MappedFile& nodes, bool hasNeighbors, const Progress& progress);
   void WarnOfMore(TextScanner& scanner, const MappedFile& file);

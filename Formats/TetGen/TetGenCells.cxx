@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenCells.h"
 
+#include "CellMesh/PieceRows.h"
+
 #include "vtkCellData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -213,15 +215,17 @@ bool TetGenCells::HasMidpoints(TextScanner scanner, const TetGenNodes& nodes) co
 }
 
 //------------------------------------------------------------------------------
-bool TetGenCells::ReadRow(TextRow& row, vtkIdType number, const TetGenNodes& nodes)
+// Reads a row whose cell is in the piece, or -1 to check it only.
+bool TetGenCells::ReadRow(
+  TextRow& row, vtkIdType number, const TetGenNodes& nodes, std::int32_t* points, vtkIdType cell)
 {
   const Names& names = GetNames(this->Kind);
-  if (!ReadTetGenId(row, this->Ids[number], names.Id))
+  std::int32_t id;
+  if (!ReadTetGenId(row, id, names.Id))
   {
     return false;
   }
   const int size = this->Table.NumberOfNodes;
-  std::int32_t* const points = this->Mesh.Connectivity.data() + number * size;
   for (int i = 0; i < size; ++i)
   {
     if (!nodes.ReadPoint(row, points[i], names.Node))
@@ -229,12 +233,32 @@ bool TetGenCells::ReadRow(TextRow& row, vtkIdType number, const TetGenNodes& nod
       return false;
     }
   }
-  return true;
+  if (id != number && this->CountsFromZero.load(std::memory_order_relaxed))
+  {
+    this->CountsFromZero = false;
+  }
+  if (number == 0)
+  {
+    this->FirstCell.assign(points, points + size);
+  }
+  if (cell >= 0)
+  {
+    this->Ids[cell] = id;
+  }
+  if (this->AllIds.size() > 0)
+  {
+    this->AllIds[number] = id;
+  }
+  if (this->All.NumberOfCells > 0)
+  {
+    std::copy(points, points + size, this->All.Connectivity.data() + number * size);
+  }
+  return this->Columns.Read(row, number, cell);
 }
 
 //------------------------------------------------------------------------------
-bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
-  bool whole, const Progress& progress, ErrorKind notThis)
+bool TetGenCells::ReadHeaderAndColumns(
+  TextScanner& scanner, const TetGenNodes& nodes, ErrorKind notThis)
 {
   if (!ReadHeader(scanner, this->Kind, this->Table, notThis))
   {
@@ -270,48 +294,64 @@ bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGe
       std::to_string(table.Count * table.NumberOfNodes));
     return false;
   }
-  this->Mesh = CellMesh(nodes.GetCount(), table.Count, GetType(table.Corners, this->IsQuadratic()),
-    table.NumberOfNodes);
-  this->Ids = Buffer<std::int32_t>(table.Count);
-  this->Columns.Allocate(table.Columns, whole ? table.Count : 0);
-  return ReadRows(
-    scanner, lines, table.Count, progress,
-    [&](vtkIdType i, TextRow& row)
-    { return this->ReadRow(row, i, nodes) && (!whole || this->Columns.Read(row, i, i)); },
-    RowLayout::OneLine);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-bool TetGenCells::ReadValues(
-  TextScanner& scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
+  const PieceRequest& request, CellPiece& piece, const Progress& progress, ErrorKind notThis)
 {
-  Header header;
-  if (!ReadHeader(scanner, this->Kind, header))
+  if (!this->ReadHeaderAndColumns(scanner, nodes, notThis))
   {
     return false;
   }
-  this->Columns.Allocate(this->Table.Columns, piece.GetNumberOfCells());
-  return ReadRows(
-    scanner, lines, this->Table.Count, progress,
-    [&](vtkIdType i, TextRow& row)
-    {
-      std::int64_t id;
-      bool good = true;
-      for (int column = 0; column <= this->Table.NumberOfNodes && good; ++column)
-      {
-        good = row.ReadInteger(id, GetNames(this->Kind).Node);
-      }
-      return good && this->Columns.Read(row, i, piece.FindCell(i));
-    },
-    RowLayout::OneLine);
+  const vtkIdType count = this->Table.Count;
+  const unsigned char type = GetType(this->Table.Corners, this->IsQuadratic());
+  CellMesh shape;
+  shape.NumberOfPoints = nodes.GetCount();
+  shape.NumberOfCells = count;
+  shape.CommonType = type;
+  shape.CommonSize = this->Table.NumberOfNodes;
+  this->IsWhole = request.NumberOfPieces <= 1;
+  this->AllIds = Buffer<std::int32_t>(this->KeepsIds && !this->IsWhole ? count : 0);
+  this->All = CellMesh(
+    shape.NumberOfPoints, this->KeepsNodes && !this->IsWhole ? count : 0, type, shape.CommonSize);
+  this->CountsFromZero = true;
+  this->FirstCell.clear();
+  this->Columns.Start(this->Table.Columns);
+  const PieceRows rows(scanner, lines, shape);
+  if (!rows.Find(scanner, request, piece, progress.Part(0, 0.7),
+        [&](vtkIdType i, TextRow& row, std::int32_t* points)
+        { return this->ReadRow(row, i, nodes, points, -1); }))
+  {
+    return false;
+  }
+  this->Ids = Buffer<std::int32_t>(piece.GetNumberOfCells());
+  this->Columns.Allocate(piece.GetNumberOfCells());
+  if (!rows.Read(scanner, piece, this->Mesh, progress.Part(this->IsWhole ? 0 : 0.7, 1),
+        [&](vtkIdType i, TextRow& row, std::int32_t* points, vtkIdType cell)
+        { return this->ReadRow(row, i, nodes, points, cell); }))
+  {
+    return false;
+  }
+  // Rows of a whole mesh may have been read twice, and been others the first time.
+  vtkIdType same = 0;
+  while (this->IsWhole && same < count && this->Ids[same] == same)
+  {
+    ++same;
+  }
+  this->CountsFromZero = this->IsWhole ? same == count : this->CountsFromZero.load();
+  return true;
 }
 
 //------------------------------------------------------------------------------
-void TetGenCells::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+void TetGenCells::AddArrays(vtkUnstructuredGrid* grid)
 {
   this->Columns.AddTo(grid->GetCellData(), "Region");
-  AddTetGenIds(grid->GetCellData(), "OriginalCellId", this->Ids, piece.GetNumberOfCells(),
-    [&](vtkIdType i) { return piece.FindCell(i); });
+  if (!this->CountsFromZero)
+  {
+    AddIntegers(grid->GetCellData(), "OriginalCellId", std::move(this->Ids));
+  }
 }
 
 //------------------------------------------------------------------------------

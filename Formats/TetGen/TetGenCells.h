@@ -5,8 +5,7 @@
  * @brief A table of cells of one kind: a .ele, .face or .edge file, or the segments of a .poly
  * file.
  *
- * The points of all cells are read at once; for a piece, which of them it has is known then, and
- * the values of its cells are read in a second pass.
+ * Of a piece, all rows are checked, but only its own are kept.
  */
 #ifndef camaron_TetGenCells_h
 #define camaron_TetGenCells_h
@@ -38,35 +37,56 @@ public:
   {
   }
 
-  /// Reads the table from its header to its end; with all values if @a whole.
-  bool Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes, bool whole,
-    const Progress& progress, ErrorKind notThis = ErrorKind::NotThisFormat);
-  /// Whether there is something to read for a piece.
-  bool HasValues() const { return !this->Table.Columns.IsEmpty(); }
-  /// Reads the values of the cells of a piece, the scanner being where it was for Read.
-  bool ReadValues(
-    TextScanner& scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
+  /// What is kept of all cells, whatever the piece: their ids, and their nodes.
+  void KeepAll(bool ids, bool nodes)
+  {
+    this->KeepsIds = ids;
+    this->KeepsNodes = nodes;
+  }
+  /// Reads the table from its header to its end, of which the piece is found.
+  bool Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
+    const PieceRequest& request, CellPiece& piece, const Progress& progress,
+    ErrorKind notThis = ErrorKind::NotThisFormat);
 
   int GetNumberOfCorners() const { return this->Table.Corners; }
   /// Whether cells have nodes on their edges, which are in the order of the file.
   bool IsQuadratic() const { return this->Table.NumberOfNodes > this->Table.Corners; }
+  /// Number of cells in the file.
+  vtkIdType GetCount() const { return this->Table.Count; }
+  /// The cells of the piece.
   CellMesh& GetMesh() { return this->Mesh; }
-  const Buffer<std::int32_t>& GetIds() const { return this->Ids; }
+  /// Nodes of the first cell of the file.
+  const std::vector<std::int32_t>& GetFirstCell() const { return this->FirstCell; }
+  ///@{
+  /// Of all cells; only if they are kept.
+  const Buffer<std::int32_t>& GetAllIds() const { return this->IsWhole ? this->Ids : this->AllIds; }
+  const CellMesh& GetAll() const { return this->IsWhole ? this->Mesh : this->All; }
+  ///@}
 
   /// Adds "Region", "attr_i", "BoundaryMarker", "Tetrahedra", and "OriginalCellId" unless ids count
   /// from 0.
-  void AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece);
+  void AddArrays(vtkUnstructuredGrid* grid);
   void Warn(Warnings& warnings) const;
 
 private:
   bool HasMidpoints(TextScanner scanner, const TetGenNodes& nodes) const;
-  bool ReadRow(TextRow& row, vtkIdType number, const TetGenNodes& nodes);
+  bool ReadHeaderAndColumns(TextScanner& scanner, const TetGenNodes& nodes, ErrorKind notThis);
+  bool ReadRow(
+    TextRow& row, vtkIdType number, const TetGenNodes& nodes, std::int32_t* points, vtkIdType cell);
 
   TetGenKind Kind;
   Header Table;
   CellMesh Mesh;
-  Buffer<std::int32_t> Ids;
+  Buffer<std::int32_t> Ids; ///< of the cells of the piece
+  std::atomic<bool> CountsFromZero{ true };
+  std::vector<std::int32_t> FirstCell;
   TetGenColumns Columns;
+
+  bool IsWhole = true;
+  bool KeepsIds = false;
+  bool KeepsNodes = false;
+  Buffer<std::int32_t> AllIds;
+  CellMesh All;
 };
 }
 

@@ -47,7 +47,7 @@ bool TetGenNeighbors::ReadHeader(TextScanner& scanner, Header& header)
 
 //------------------------------------------------------------------------------
 bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
-  const CellMesh& mesh, const IdMap& ids, const Progress& progress)
+  const CellPiece& piece, bool all, const IdMap& ids, const Progress& progress)
 {
   Header header;
   const char* const begin = scanner.GetPosition();
@@ -55,18 +55,20 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
   {
     return false;
   }
-  if (header.Corners != cells.GetNumberOfCorners() || header.Count != mesh.NumberOfCells)
+  if (header.Corners != cells.GetNumberOfCorners() || header.Count != cells.GetCount())
   {
     const auto describe = [](std::int64_t count, int corners) {
       return std::to_string(corners) + " neighbors each of " + std::to_string(count) + " elements";
     };
     scanner.FailAt(begin, ErrorKind::Count,
-      describe(mesh.NumberOfCells, cells.GetNumberOfCorners()) + ", as the file of elements has",
+      describe(cells.GetCount(), cells.GetNumberOfCorners()) + ", as the file of elements has",
       describe(header.Count, header.Corners));
     return false;
   }
   this->Corners = header.Corners;
-  this->Neighbors = Buffer<std::int32_t>(header.Count * header.Corners);
+  this->HasAll = all || piece.IsWhole();
+  this->Neighbors =
+    Buffer<std::int32_t>(header.Corners * (this->HasAll ? header.Count : piece.GetNumberOfCells()));
   std::fill(this->Neighbors.data(), this->Neighbors.data() + this->Neighbors.size(), Unknown);
   return ReadRows(
     scanner, lines, header.Count, progress,
@@ -84,6 +86,7 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
       {
         return FailAtLastNumber(row, ErrorKind::Index, std::string(Element) + " of the mesh");
       }
+      const vtkIdType index = this->HasAll ? element : piece.FindCell(element);
       for (int i = 0; i < this->Corners; ++i)
       {
         if (!row.ReadInteger(id, Neighbor))
@@ -96,7 +99,10 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
           return FailAtLastNumber(
             row, ErrorKind::Index, std::string(Neighbor) + " of the mesh, or -1");
         }
-        this->Neighbors[vtkIdType(this->Corners) * element + i] = neighbor;
+        if (index >= 0)
+        {
+          this->Neighbors[this->Corners * index + i] = neighbor;
+        }
       }
       return true;
     },
@@ -171,7 +177,7 @@ void TetGenNeighbors::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piec
   {
     this->Neighbors[i] = std::max(this->Neighbors[i], None);
   }
-  if (!piece.IsWhole())
+  if (this->HasAll && !piece.IsWhole())
   {
     Buffer<std::int32_t> kept(corners * piece.GetNumberOfCells());
     for (vtkIdType i = 0; i < cells; ++i)

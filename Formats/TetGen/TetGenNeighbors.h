@@ -22,12 +22,11 @@ public:
   static bool ReadHeader(TextScanner& scanner, Header& header);
 
   /**
-   * Reads the neighbours of all elements.
-   * @param cells of the mesh
+   * Reads the neighbours of the elements of a piece, or of all to check them.
    * @param ids finds an element by its id
    */
   bool Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
-    const CellMesh& mesh, const IdMap& ids, const Progress& progress);
+    const CellPiece& piece, bool all, const IdMap& ids, const Progress& progress);
 
   /**
    * Warns of elements that are no neighbour of a neighbour, or do not share with a neighbour the
@@ -40,6 +39,7 @@ public:
 
 private:
   int Corners = 4;
+  bool HasAll = true;
   Buffer<std::int32_t> Neighbors; ///< in the order of elements
 };
 }

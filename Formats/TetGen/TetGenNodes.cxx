@@ -79,7 +79,8 @@ bool TetGenNodes::IsRow(TextScanner scanner, const Header& header)
 void TetGenNodes::Allocate(vtkIdType size)
 {
   this->Coordinates = Buffer<double>(3 * size);
-  this->Columns.Allocate(this->Table.Columns, size);
+  this->Columns.Start(this->Table.Columns);
+  this->Columns.Allocate(size);
 }
 
 //------------------------------------------------------------------------------

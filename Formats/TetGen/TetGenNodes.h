@@ -59,7 +59,7 @@ public:
    * Coordinates of some nodes, also of those that are not in a piece: asked for before the values
    * are read, and found in the same order afterwards.
    */
-  void Ask(const std::int32_t* rows, int size) { this->Asked.assign(rows, rows + size); }
+  void Ask(const std::vector<std::int32_t>& rows) { this->Asked = rows; }
   void GetAnswer(double (*x)[3]) const;
   ///@}
 

@@ -89,18 +89,24 @@ bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what)
 }
 
 //------------------------------------------------------------------------------
-void TetGenColumns::Allocate(const Layout& layout, vtkIdType size)
+void TetGenColumns::Start(const Layout& layout)
 {
   this->Columns = layout;
+  this->FirstIsInteger = true;
+  this->Missing.clear();
+  this->Allocate(0);
+}
+
+//------------------------------------------------------------------------------
+void TetGenColumns::Allocate(vtkIdType size)
+{
   this->Attributes.clear();
-  for (int i = 0; i < layout.Attributes; ++i)
+  for (int i = 0; i < this->Columns.Attributes; ++i)
   {
     this->Attributes.emplace_back(size);
   }
-  this->Markers = Buffer<std::int32_t>(layout.Markers ? size : 0);
-  this->Tetrahedra = Buffer<std::int32_t>(layout.Tetrahedra * size);
-  this->FirstIsInteger = true;
-  this->Missing.clear();
+  this->Markers = Buffer<std::int32_t>(this->Columns.Markers ? size : 0);
+  this->Tetrahedra = Buffer<std::int32_t>(this->Columns.Tetrahedra * size);
 }
 
 //------------------------------------------------------------------------------

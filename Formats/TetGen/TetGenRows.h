@@ -57,8 +57,10 @@ public:
     }
   };
 
-  /// Starts anew, with room for so many rows.
-  void Allocate(const Layout& layout, vtkIdType size);
+  /// Starts anew, without room for values.
+  void Start(const Layout& layout);
+  /// Provides room for so many rows.
+  void Allocate(vtkIdType size);
 
   /// Reads a row of the file; @a index is where its values go, -1 to drop them. Any thread may.
   bool Read(TextRow& row, vtkIdType number, vtkIdType index);

@@ -3,6 +3,7 @@
 // Meshes given by cells: read from text in parallel and as a stream, in pieces with ghosts.
 #include "CellMesh/CellGrid.h"
 #include "CellMesh/CellRows.h"
+#include "CellMesh/PieceRows.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -84,6 +85,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(int cells, const PieceRequest& re
     }
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  KeepPiece(mesh, piece);
   FillGrid(mesh, piece, points, grid);
   return grid;
 }
@@ -211,13 +213,103 @@ TEST(CellMesh, PiecesMakeTheWhole)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, what a rank has of a mesh depends on whether all cells were kept while it was
+// found.
+TEST(CellMesh, APieceOfRowsIsThatOfTheWhole)
+{
+  constexpr vtkIdType Cells = 600;
+  CellMesh whole(Cells + 4, Cells, VTK_TRIANGLE, 3); // the last two points are in no cell
+  std::string text = "# comment\n\n";
+  for (vtkIdType i = 0; i < Cells; ++i)
+  {
+    // Neighbours in the file meet, and some that are far apart.
+    const vtkIdType ids[3] = { i, i + 1, i % 50 == 0 ? (7 * i + 300) % Cells : i + 1 };
+    for (int j = 0; j < 3; ++j)
+    {
+      whole.Connectivity[3 * i + j] = static_cast<std::int32_t>(ids[j]);
+      text += std::to_string(ids[j]) + (j < 2 ? " " : i % 9 == 0 ? " more\n# comment\n" : "\n");
+    }
+  }
+  CellMesh shape;
+  shape.NumberOfPoints = whole.NumberOfPoints;
+  shape.NumberOfCells = Cells;
+  shape.CommonType = VTK_TRIANGLE;
+  shape.CommonSize = 3;
+  const auto read = [&](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
+  {
+    return row.ReadId(points[0], 0, Cells + 3, "a point") &&
+      row.ReadId(points[1], 0, Cells + 3, "a point") &&
+      row.ReadId(points[2], 0, Cells + 3, "a point");
+  };
+  for (const bool inParallel : { false, true })
+  {
+    for (const PieceRequest request : { PieceRequest{ 0, 1, 0 }, PieceRequest{ 0, 4, 0 },
+           PieceRequest{ 2, 4, 0 }, PieceRequest{ 0, 4, 1 }, PieceRequest{ 3, 4, 2 },
+           PieceRequest{ 5, 700, 1 }, PieceRequest{ 699, 700, 1 } })
+    {
+      TextScanner scanner("t", text.data(), text.data() + text.size(), '#');
+      const TextLines lines(scanner, Progress(), 200);
+      const PieceRows rows(scanner, inParallel ? &lines : nullptr, shape);
+      CellPiece piece, expectedPiece;
+      CellMesh mesh, expected(whole.NumberOfPoints, Cells, VTK_TRIANGLE, 3);
+      std::copy(whole.Connectivity.data(), whole.Connectivity.data() + 3 * Cells,
+        expected.Connectivity.data());
+      ASSERT_TRUE(rows.Find(scanner, request, piece, Progress(), read));
+      ASSERT_TRUE(rows.Read(scanner, piece, mesh, Progress(), read));
+      EXPECT_FALSE(scanner.SkipSpace());
+      ASSERT_TRUE(expectedPiece.Select(expected, request, Progress()));
+      Warnings warnings, expectedWarnings;
+      piece.WarnOfRepeatedPoints(mesh, warnings, Progress());
+      expectedPiece.WarnOfRepeatedPoints(expected, expectedWarnings, Progress());
+      EXPECT_EQ(warnings.GetSentences(), expectedWarnings.GetSentences());
+      EXPECT_EQ(warnings.GetSentences().size(), request.Piece == 0 ? 1u : 0u);
+      KeepPiece(expected, expectedPiece);
+      ASSERT_EQ(mesh.NumberOfCells, expected.NumberOfCells);
+      ASSERT_EQ(mesh.NumberOfPoints, expected.NumberOfPoints);
+      for (vtkIdType cell = 0; cell < mesh.NumberOfCells; ++cell)
+      {
+        ASSERT_TRUE(
+          std::equal(mesh.GetPoints(cell), mesh.GetPoints(cell) + 3, expected.GetPoints(cell)));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, whether a file is wrong depends on the piece that is read.
+TEST(CellMesh, APieceHasTheErrorOfTheWhole)
+{
+  const std::string text = "0 1\n1 2\n2 3\n3 4\n4 99\n5 6\n";
+  CellMesh shape;
+  shape.NumberOfPoints = 7;
+  shape.NumberOfCells = 6;
+  shape.CommonType = VTK_LINE;
+  shape.CommonSize = 2;
+  for (const PieceRequest request :
+    { PieceRequest{ 0, 1, 0 }, PieceRequest{ 0, 3, 0 }, PieceRequest{ 2, 3, 1 } })
+  {
+    TextScanner scanner("t", text.data(), text.data() + text.size());
+    const PieceRows rows(scanner, nullptr, shape);
+    CellPiece piece;
+    CellMesh mesh;
+    const auto read = [](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
+    { return row.ReadId(points[0], 0, 6, "a point") && row.ReadId(points[1], 0, 6, "a point"); };
+    EXPECT_FALSE(rows.Find(scanner, request, piece, Progress(), read) &&
+      rows.Read(scanner, piece, mesh, Progress(), read));
+    EXPECT_EQ(scanner.GetError().Message, "t:5: expected a point from 0 to 6, found 99");
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(CellMesh, OddThingsAreCounted)
 {
   CellMesh mesh(10, 3, VTK_TETRA, 4);
   const std::int32_t ids[] = { 0, 1, 2, 3, 0, 1, 1, 3, 4, 5, 6, 4 };
   std::copy(ids, ids + 12, mesh.Connectivity.data());
   Warnings warnings;
-  WarnOfRepeatedPoints(mesh, warnings, Progress(), "tetrahedron", "tetrahedra");
+  CellPiece piece;
+  ASSERT_TRUE(piece.Select(mesh, PieceRequest(), Progress()));
+  piece.WarnOfRepeatedPoints(mesh, warnings, Progress(), "tetrahedron", "tetrahedra");
   ASSERT_EQ(warnings.GetSentences().size(), 1u);
   EXPECT_NE(warnings.GetSentences()[0].find("2 tetrahedra"), std::string::npos);
   vtkNew<vtkDoubleArray> points;

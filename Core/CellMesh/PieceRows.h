@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PieceRows
+ * @brief Reads the cells of a piece from rows of text, each a cell of the same type.
+ *
+ * No more cells are kept than the piece has. If it is not whole, all rows are read to check them
+ * and to find the piece, once more for every level of ghosts, and then those of the piece to store
+ * them.
+ */
+#ifndef camaron_PieceRows_h
+#define camaron_PieceRows_h
+
+#include "CellMesh/CellPiece.h"
+#include "Scan/TextRows.h"
+
+namespace camaron
+{
+class PieceRows
+{
+public:
+  /**
+   * @param scanner where the rows begin
+   * @param lines of the text if it is large enough to read it in parallel, else nullptr
+   * @param mesh tells the number of points and cells of the file, and type and size of cells
+   */
+  PieceRows(const TextScanner& scanner, const TextLines* lines, const CellMesh& mesh)
+    : Start(scanner)
+    , Lines(lines)
+    , NumberOfPoints(mesh.NumberOfPoints)
+    , NumberOfCells(mesh.NumberOfCells)
+    , Type(mesh.CommonType)
+    , Size(mesh.CommonSize)
+  {
+  }
+
+  /**
+   * Finds the piece by @a visit(row, TextRow&, points), which reads the points of the mesh that a
+   * cell has, returns false when something is wrong, and may be called by several threads. False
+   * with the error in the scanner, or if stopped. Reads nothing if the piece is whole.
+   */
+  template <typename Visit>
+  bool Find(TextScanner& scanner, const PieceRequest& request, CellPiece& piece,
+    const Progress& progress, Visit&& visit) const;
+
+  /**
+   * Reads the cells of the piece into @a mesh by @a visit(row, TextRow&, points, cell), as above;
+   * @a cell is the index in the piece. Moves the scanner behind all rows.
+   */
+  template <typename Visit>
+  bool Read(TextScanner& scanner, const CellPiece& piece, CellMesh& mesh, const Progress& progress,
+    Visit&& visit) const;
+
+private:
+  static constexpr int MostPoints = 20; ///< of cells of one type
+
+  TextScanner Start;
+  const TextLines* Lines;
+  vtkIdType NumberOfPoints;
+  vtkIdType NumberOfCells;
+  unsigned char Type;
+  std::int32_t Size;
+};
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellPiece& piece,
+  const Progress& progress, Visit&& visit) const
+{
+  piece.Start(this->NumberOfPoints, this->NumberOfCells, request);
+  if (piece.IsWhole())
+  {
+    return true;
+  }
+  do
+  {
+    scanner = this->Start;
+    if (!ReadRowsOnce(
+          scanner, this->Lines, this->NumberOfCells, progress,
+          [&](vtkIdType row, TextRow& text)
+          {
+            std::int32_t points[MostPoints];
+            const bool good = visit(row, text, points);
+            if (good)
+            {
+              piece.Show(row, points, this->Size);
+            }
+            return good;
+          },
+          RowLayout::OneLine))
+    {
+      return false;
+    }
+  } while (piece.Continue());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+bool PieceRows::Read(TextScanner& scanner, const CellPiece& piece, CellMesh& mesh,
+  const Progress& progress, Visit&& visit) const
+{
+  const std::int32_t size = this->Size;
+  mesh = CellMesh(piece.GetNumberOfPoints(), piece.GetNumberOfCells(), this->Type, size);
+  scanner = this->Start;
+  if (piece.IsWhole())
+  {
+    return ReadRows(
+      scanner, this->Lines, this->NumberOfCells, progress,
+      [&](vtkIdType row, TextRow& text)
+      { return visit(row, text, mesh.Connectivity.data() + size * row, row); },
+      RowLayout::OneLine);
+  }
+  return ReadRowsOnce(
+    scanner, this->Lines, this->NumberOfCells, progress,
+    [&](vtkIdType row, TextRow& text)
+    {
+      const vtkIdType cell = piece.FindCell(row);
+      if (cell < 0)
+      {
+        text.Skip();
+        return true;
+      }
+      std::int32_t* const points = mesh.Connectivity.data() + size * cell;
+      const bool good = visit(row, text, points, cell);
+      for (std::int32_t i = 0; good && i < size; ++i)
+      {
+        points[i] = static_cast<std::int32_t>(piece.FindPoint(points[i]));
+      }
+      return good;
+    },
+    RowLayout::OneLine);
+}
+}
+
+#endif

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Cells of one of several pieces: elements are read again rather than kept.
+#include "MAPDLMesh.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+// Most decks have a cell in every row and all nodes that these name: then cells are known as they
+// are read first.
+void MAPDLMesh::CheckItem(const Item& item, Outcome& outcome, CellPiece& piece)
+{
+  std::int32_t points[MaxMAPDLNodes];
+  this->ForEachCell(
+    item, outcome,
+    [&](vtkIdType row, const MAPDLElement& element, const MAPDLCell& cell)
+    {
+      this->ElementIds[row] = element.Id;
+      this->Cells.Types[row] = cell.Type;
+      this->Sizes[row] = static_cast<unsigned char>(cell.Size);
+      if (cell.Type == VTK_EMPTY_CELL)
+      {
+        this->LeftOut.Add(row);
+      }
+      return points;
+    },
+    [&](vtkIdType row, const MAPDLCell& cell, const std::int32_t* ids, bool isComplete)
+    {
+      if (isComplete)
+      {
+        piece.Show(row, ids, cell.Size);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::Show(CellPiece& piece, const Progress& progress) const
+{
+  return this->ForEachElementItem(progress,
+    [&](vtkIdType i)
+    {
+      Outcome known;
+      std::int32_t points[MaxMAPDLNodes];
+      this->ForEachCell(
+        this->ElementItems[i], known,
+        [&](vtkIdType, const MAPDLElement&, const MAPDLCell&) { return points; },
+        [&](vtkIdType row, const MAPDLCell& cell, const std::int32_t* ids, bool)
+        {
+          if (const vtkIdType index = this->GetCell(row); index >= 0)
+          {
+            piece.Show(index, ids, cell.Size);
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::FindPiece(const PieceRequest& request, CellPiece& piece, const Progress& progress)
+{
+  if (this->Kept.GetLimit() > 0 || !this->Midpoints.empty())
+  {
+    piece.Start(this->GetNumberOfPoints(), this->GetNumberOfCells(), request);
+    if (!this->Show(piece, progress))
+    {
+      return false;
+    }
+  }
+  while (piece.Continue())
+  {
+    if (!this->Show(piece, progress))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void MAPDLMesh::AllocatePiece(const CellPiece& piece)
+{
+  const Buffer<unsigned char> types = std::move(this->Cells.Types);
+  const Buffer<unsigned char> sizes = std::move(this->Sizes);
+  const vtkIdType size = piece.GetNumberOfCells();
+  this->Cells.NumberOfPoints = piece.GetNumberOfPoints();
+  this->Cells.NumberOfCells = size;
+  this->Cells.Types = Buffer<unsigned char>(size);
+  this->Cells.Offsets = Buffer<std::int32_t>(size + 1);
+  std::int32_t sum = this->Cells.Offsets[0] = 0;
+  vtkIdType next = 0;
+  for (vtkIdType row = 0; row < this->NumberOfRows; ++row)
+  {
+    const vtkIdType cell = this->GetCell(row);
+    if (cell >= 0 && piece.FindCell(cell) >= 0)
+    {
+      sum += sizes[row];
+      this->Cells.Types[next] = types[row];
+      this->Cells.Offsets[++next] = sum;
+    }
+  }
+  this->Cells.Connectivity = Buffer<std::int32_t>(sum);
+}
+
+//------------------------------------------------------------------------------
+bool MAPDLMesh::ReadPiece(const CellPiece& piece, const Progress& progress)
+{
+  this->AllocatePiece(piece);
+  const auto find = [&](vtkIdType row)
+  {
+    const vtkIdType cell = this->GetCell(row);
+    return cell < 0 ? -1 : piece.FindCell(cell);
+  };
+  return this->ForEachElementItem(progress,
+    [&](vtkIdType i)
+    {
+      const Item& item = this->ElementItems[i];
+      vtkIdType row = item.FirstRow;
+      const vtkIdType end = row + item.NumberOfRows;
+      while (row < end && find(row) < 0)
+      {
+        ++row;
+      }
+      if (row == end)
+      {
+        return;
+      }
+      Outcome known;
+      std::int32_t others[MaxMAPDLNodes];
+      this->ForEachCell(
+        item, known,
+        [&](vtkIdType at, const MAPDLElement&, const MAPDLCell&)
+        {
+          const vtkIdType cell = find(at);
+          return cell < 0 ? others : this->Cells.Connectivity.data() + this->Cells.Offsets[cell];
+        },
+        [&](vtkIdType, const MAPDLCell& cell, std::int32_t* points, bool)
+        {
+          for (std::int32_t p = 0; points != others && p < cell.Size; ++p)
+          {
+            points[p] = static_cast<std::int32_t>(piece.FindPoint(points[p]));
+          }
+        });
+    });
+}
+}

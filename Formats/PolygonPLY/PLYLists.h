@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PLYLists
+ * @brief Takes the lists of an element: all, or the cells of a piece, which is found or whose cells
+ * are stored.
+ */
+#ifndef camaron_PLYLists_h
+#define camaron_PLYLists_h
+
+#include "CellMesh/CellPiece.h"
+#include "PLYRows.h"
+
+namespace camaron
+{
+class PLYLists
+{
+public:
+  /// All of them one after the other.
+  PLYLists(const PLYSizes& sizes, std::int32_t* all)
+    : Sizes(sizes)
+    , All(all)
+  {
+  }
+  /**
+   * As cells of a piece.
+   * @param items which cell of the mesh every row is, -1 for none; or nullptr if row 0 is @a
+   * firstCell and the others follow
+   * @param mesh whose cells are stored, or nullptr to show them to the piece
+   */
+  PLYLists(const PLYSizes& sizes, vtkIdType firstCell, const std::int32_t* items, CellPiece& piece,
+    CellMesh* mesh)
+    : Sizes(sizes)
+    , FirstCell(firstCell)
+    , Items(items)
+    , Piece(&piece)
+    , Mesh(mesh)
+  {
+  }
+
+  bool IsInPlace() const { return this->All != nullptr; }
+  /// Whether some of these rows are needed; the others can be left out.
+  bool Needs(vtkIdType row, vtkIdType rows = 1) const
+  {
+    bool needs = this->Mesh == nullptr;
+    for (vtkIdType end = row + rows; row < end && !needs; ++row)
+    {
+      const vtkIdType cell = this->GetCell(row);
+      needs = cell >= 0 && this->Piece->FindCell(cell) >= 0;
+    }
+    return needs;
+  }
+  /// Where the lists from a row on are to be written; @a scratch is for @a rows of them.
+  std::int32_t* Provide(vtkIdType row, vtkIdType rows, std::vector<std::int32_t>& scratch) const
+  {
+    const vtkIdType begin = this->Sizes.GetOffset(row);
+    if (this->All)
+    {
+      return this->All + begin;
+    }
+    scratch.resize(static_cast<std::size_t>(this->Sizes.GetOffset(row + rows) - begin));
+    return scratch.data();
+  }
+  /// Takes the list of a row, which has been written.
+  void Take(vtkIdType row, const std::int32_t* ids) const
+  {
+    const vtkIdType cell = this->All ? -1 : this->GetCell(row);
+    if (cell < 0)
+    {
+      return;
+    }
+    const vtkIdType size = this->Sizes.GetSize(row);
+    if (!this->Mesh)
+    {
+      this->Piece->Show(cell, ids, size);
+    }
+    else if (const vtkIdType index = this->Piece->FindCell(cell); index >= 0)
+    {
+      std::int32_t* const points = this->Mesh->Connectivity.data() + this->Mesh->GetBegin(index);
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        points[i] = static_cast<std::int32_t>(this->Piece->FindPoint(ids[i]));
+      }
+    }
+  }
+
+  const PLYSizes& Sizes;
+
+private:
+  vtkIdType GetCell(vtkIdType row) const
+  {
+    return this->Items ? this->Items[row] : this->FirstCell + row;
+  }
+
+  std::int32_t* All = nullptr;
+  vtkIdType FirstCell = 0;
+  const std::int32_t* Items = nullptr;
+  CellPiece* Piece = nullptr;
+  CellMesh* Mesh = nullptr;
+};
+}
+
+#endif

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a process needs that reads one of several pieces of a mesh. One program per format.
+#include "AllocationMeter.h"
+#include "FormatUnderTest.h"
+#include "MeshFiles.h"
+
+#include "vtkMeshFileReader.h"
+#include "vtkMeshFileWriter.h"
+
+#include "vtkCellType.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+// A row of cubes of six tetrahedra each, or of squares of two triangles each, along x.
+vtkSmartPointer<vtkUnstructuredGrid> MakeBar(bool isSurface)
+{
+  constexpr vtkIdType Across = 12;
+  const vtkIdType length = isSurface ? 5000 : 100, layers = isSurface ? 1 : Across;
+  const vtkIdType height = isSurface ? 1 : Across + 1;
+  vtkNew<vtkPoints> points;
+  for (vtkIdType i = 0; i <= length; ++i)
+  {
+    for (vtkIdType j = 0; j <= Across; ++j)
+    {
+      for (vtkIdType k = 0; k < height; ++k)
+      {
+        points->InsertNextPoint(
+          static_cast<double>(i), static_cast<double>(j), static_cast<double>(k));
+      }
+    }
+  }
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(points);
+  for (vtkIdType i = 0; i < length; ++i)
+  {
+    for (vtkIdType j = 0; j < Across; ++j)
+    {
+      for (vtkIdType k = 0; k < layers; ++k)
+      {
+        const auto at = [&](int corner)
+        {
+          return ((i + (corner & 1)) * (Across + 1) + j + (corner >> 1 & 1)) * height + k +
+            (corner >> 2);
+        };
+        if (isSurface)
+        {
+          const vtkIdType triangles[2][3] = { { at(0), at(1), at(3) }, { at(0), at(3), at(2) } };
+          grid->InsertNextCell(VTK_TRIANGLE, 3, triangles[0]);
+          grid->InsertNextCell(VTK_TRIANGLE, 3, triangles[1]);
+          continue;
+        }
+        // Around the diagonal from corner 0 to corner 7.
+        constexpr int Around[7] = { 1, 3, 2, 6, 4, 5, 1 };
+        for (int t = 0; t < 6; ++t)
+        {
+          const vtkIdType ids[4] = { at(0), at(Around[t]), at(Around[t + 1]), at(7) };
+          grid->InsertNextCell(VTK_TETRA, 4, ids);
+        }
+      }
+    }
+  }
+  return grid;
+}
+
+//------------------------------------------------------------------------------
+/// The most memory that was asked for while a piece was read.
+std::size_t MeasureReading(
+  const std::string& path, int piece, int pieces, int ghostLevels, vtkIdType& cells)
+{
+  const AllocationMeter meter;
+  const vtkSmartPointer<vtkMeshFileReader> reader = MakeReader();
+  reader->SetFileName(path.c_str());
+  reader->UpdatePiece(piece, pieces, ghostLevels);
+  cells = vtkUnstructuredGrid::SafeDownCast(reader->GetOutputDataObject(0))->GetNumberOfCells();
+  return meter.GetPeak();
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a process needs memory for the whole mesh to read its share, and a mesh that is
+// too large for one machine cannot be read by many.
+TEST(Pieces, NeedMemoryForTheirShareOnly)
+{
+  const vtkSmartPointer<vtkMeshFileWriter> writer = MakeWriter();
+  if (!writer || !AllocationMeter::IsAvailable())
+  {
+    GTEST_SKIP() << "there is no writer, or no way to measure";
+  }
+  const std::string name = GetFormat().Name;
+  if (const std::set<std::string> others = { "FluentMesh", "PolygonOFF", "Visf" };
+      others.count(name) > 0)
+  {
+    GTEST_SKIP() << "the reader of " << name << " goes through lists of all cells";
+  }
+  const Folder folder;
+  const std::string path = (folder.GetPath() / ("mesh." + GetFormat().Extensions[0])).string();
+  writer->SetController(nullptr);
+  writer->SetInputData(MakeBar(name == "PolygonOFF" || name == "PolygonPLY" || name == "TRI"));
+  writer->SetFileName(path.c_str());
+  ASSERT_TRUE(writer->Write());
+
+  constexpr int NumberOfPieces = 8;
+  vtkIdType wholeCells = 0;
+  MeasureReading(path, 0, 1, 0, wholeCells); // what is set up once
+  const std::size_t whole = MeasureReading(path, 0, 1, 0, wholeCells);
+  for (const int ghostLevels : { 0, 1 })
+  {
+    for (const int piece : { 0, 4, NumberOfPieces - 1 })
+    {
+      vtkIdType cells = 0;
+      const std::size_t peak = MeasureReading(path, piece, NumberOfPieces, ghostLevels, cells);
+      EXPECT_LT(cells, wholeCells / 4);
+      EXPECT_LT(peak, whole / 2) << "piece " << piece << ", ghost levels " << ghostLevels;
+    }
+  }
+}
