@@ -9,6 +9,7 @@ namespace camaron
 namespace
 {
 constexpr char Node[] = "a node of an element";
+constexpr char TooManyNodes[] = "fewer than 2147483648 nodes of all elements together";
 constexpr char Element[] = "an element (T, P, R, H, t or q)";
 constexpr char MVMElement[] = "an element (T, P, R, H or Q)";
 
@@ -81,13 +82,14 @@ const ElementKind* M3DElementRows::ReadSize(TextRow& row) const
 }
 
 //------------------------------------------------------------------------------
-bool M3DElementRows::ReadCell(TextRow& row, std::int32_t* points, MaterialTally& materials) const
+const ElementKind* M3DElementRows::ReadCell(
+  TextRow& row, std::int32_t* points, MaterialTally& materials) const
 {
   std::int32_t nodes[MaxElementNodes];
   const ElementKind* const kind = this->ReadElement(row, nodes);
   if (!kind)
   {
-    return false;
+    return nullptr;
   }
   const int* const order = kind->GetOrder();
   for (int i = 0; i < kind->NumberOfNodes; ++i)
@@ -98,7 +100,7 @@ bool M3DElementRows::ReadCell(TextRow& row, std::int32_t* points, MaterialTally&
   {
     materials.Add(row);
   }
-  return true;
+  return kind;
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +139,7 @@ bool M3DElementRows::ReadInParallel(const TextLines& lines, const TextLines::Sec
     [&](vtkIdType i, vtkIdType piece, TextRow& row)
     {
       mesh.Offsets[i] += static_cast<std::int32_t>(counts[piece].Before);
-      return this->ReadCell(row, mesh.Connectivity.data() + mesh.Offsets[i], materials);
+      return this->ReadCell(row, mesh.Connectivity.data() + mesh.Offsets[i], materials) != nullptr;
     });
 }
 
@@ -160,9 +162,7 @@ bool M3DElementRows::ReadOneByOne(
         sum += kind->NumberOfNodes;
       }
       return kind &&
-        (sum <= INT32_MAX ||
-          row.FailAt(row.GetPosition(), ErrorKind::Unsupported,
-            "fewer than 2147483648 nodes of all elements together"));
+        (sum <= INT32_MAX || row.FailAt(row.GetPosition(), ErrorKind::Unsupported, TooManyNodes));
     },
     this->Layout);
   if (!good)
@@ -173,13 +173,14 @@ bool M3DElementRows::ReadOneByOne(
   mesh.Connectivity = Buffer<std::int32_t>(sum);
   return ReadRows(
     sizes, nullptr, mesh.NumberOfCells, progress.Part(0.5, 1),
-    [&](vtkIdType i, TextRow& row)
-    { return this->ReadCell(row, mesh.Connectivity.data() + mesh.Offsets[i], materials); },
+    [&](vtkIdType i, TextRow& row) {
+      return this->ReadCell(row, mesh.Connectivity.data() + mesh.Offsets[i], materials) != nullptr;
+    },
     this->Layout);
 }
 
 //------------------------------------------------------------------------------
-bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+bool M3DElementRows::ReadWhole(TextScanner& scanner, const TextLines* lines, vtkIdType count,
   CellMesh& mesh, MaterialTally& materials, const Progress& progress) const
 {
   mesh = CellMesh();
@@ -199,5 +200,95 @@ bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdTyp
   }
   scanner.SetPosition(section.End);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool M3DElementRows::ReadPiece(TextScanner& scanner, const TextLines* lines,
+  const Buffer<unsigned char>& types, const CellPiece& piece, CellMesh& mesh,
+  MaterialTally& materials, const Progress& progress) const
+{
+  const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
+  const auto size = static_cast<vtkIdType>(cells.size());
+  mesh = CellMesh();
+  mesh.NumberOfPoints = piece.GetNumberOfPoints();
+  mesh.NumberOfCells = size;
+  mesh.Types = Buffer<unsigned char>(size);
+  mesh.Offsets = Buffer<std::int32_t>(size + 1);
+  mesh.Offsets[0] = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    mesh.Types[i] = types[cells[i]];
+    mesh.Offsets[i + 1] = mesh.Offsets[i] + this->GetSize(mesh.Types[i]);
+  }
+  mesh.Connectivity = Buffer<std::int32_t>(mesh.Offsets[size]);
+  return ReadRowsOnce(
+    scanner, lines, types.size(), progress,
+    [&](vtkIdType i, TextRow& row)
+    {
+      const vtkIdType cell = piece.FindCell(i);
+      if (cell < 0 && this->Layout == RowLayout::OneLine)
+      {
+        row.Skip();
+        return true;
+      }
+      std::int32_t others[MaxElementNodes];
+      std::int32_t* const points =
+        cell < 0 ? others : mesh.Connectivity.data() + mesh.Offsets[cell];
+      const ElementKind* const kind = this->ReadCell(row, points, materials);
+      for (int p = 0; kind && cell >= 0 && p < kind->NumberOfNodes; ++p)
+      {
+        points[p] = static_cast<std::int32_t>(piece.FindPoint(points[p]));
+      }
+      return kind != nullptr;
+    },
+    this->Layout);
+}
+
+//------------------------------------------------------------------------------
+bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+  const PieceRequest& request, CellPiece& piece, CellMesh& mesh, MaterialTally& materials,
+  const Progress& progress) const
+{
+  piece.Start(this->NumberOfNodes, count, request);
+  if (piece.IsWhole())
+  {
+    return this->ReadWhole(scanner, lines, count, mesh, materials, progress);
+  }
+  // All rows are read to check them and to find the piece, then those of the piece to store them.
+  const TextScanner start = scanner;
+  Buffer<unsigned char> types(count);
+  do
+  {
+    scanner = start;
+    if (!ReadRowsOnce(
+          scanner, lines, count, progress.Part(0, 0.7),
+          [&](vtkIdType i, TextRow& row)
+          {
+            std::int32_t points[MaxElementNodes];
+            const ElementKind* const kind = this->ReadCell(row, points, materials);
+            if (kind)
+            {
+              types[i] = kind->Type;
+              piece.Show(i, points, kind->NumberOfNodes);
+            }
+            return kind != nullptr;
+          },
+          this->Layout))
+    {
+      return false;
+    }
+  } while (piece.Continue());
+  std::int64_t sum = 0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    sum += this->GetSize(types[i]);
+  }
+  if (sum > INT32_MAX)
+  {
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::Unsupported, TooManyNodes);
+    return false;
+  }
+  scanner = start;
+  return this->ReadPiece(scanner, lines, types, piece, mesh, materials, progress.Part(0.7, 1));
 }
 }

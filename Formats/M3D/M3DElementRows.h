@@ -7,7 +7,7 @@
 #ifndef camaron_M3DElementRows_h
 #define camaron_M3DElementRows_h
 
-#include "CellMesh/CellMesh.h"
+#include "CellMesh/CellPiece.h"
 #include "M3DElements.h"
 #include "Scan/TextRows.h"
 
@@ -27,21 +27,33 @@ public:
   const ElementKind* ReadElement(TextRow& row, std::int32_t* nodes) const;
 
   /**
-   * Sets the points and cells of @a mesh, and tells @a materials what follows them. The letters are
-   * read first, so that there is one copy of all nodes only. False with the error in the scanner,
-   * or if stopped.
+   * Sets the points and cells of @a mesh to those of a piece, which is found, and tells @a
+   * materials what follows the nodes of all elements. False with the error in the scanner, or if
+   * stopped.
    */
-  bool Read(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
-    MaterialTally& materials, const Progress& progress) const;
+  bool Read(TextScanner& scanner, const TextLines* lines, vtkIdType count,
+    const PieceRequest& request, CellPiece& piece, CellMesh& mesh, MaterialTally& materials,
+    const Progress& progress) const;
 
 private:
+  /// Letters are read first, so that there is one copy of all nodes only.
+  bool ReadWhole(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
+    MaterialTally& materials, const Progress& progress) const;
+  bool ReadPiece(TextScanner& scanner, const TextLines* lines, const Buffer<unsigned char>& types,
+    const CellPiece& piece, CellMesh& mesh, MaterialTally& materials,
+    const Progress& progress) const;
   const ElementKind* ReadKind(TextRow& row) const;
   const ElementKind* ReadSize(TextRow& row) const;
-  bool ReadCell(TextRow& row, std::int32_t* points, MaterialTally& materials) const;
+  const ElementKind* ReadCell(TextRow& row, std::int32_t* points, MaterialTally& materials) const;
   bool ReadInParallel(const TextLines& lines, const TextLines::Section& section, char comment,
     CellMesh& mesh, MaterialTally& materials, const Progress& progress) const;
   bool ReadOneByOne(
     TextScanner& scanner, CellMesh& mesh, MaterialTally& materials, const Progress& progress) const;
+
+  std::int32_t GetSize(unsigned char type) const
+  {
+    return FindElementKind(type, this->Dialect)->NumberOfNodes;
+  }
 
   M3DDialect Dialect;
   vtkIdType NumberOfNodes;

@@ -83,6 +83,7 @@ private:
   std::int64_t NumberOfNodes = 0;
   std::int64_t NumberOfElements = 0;
   OtherSections Others;
+  CellPiece Piece;
   CellMesh Mesh;
   std::unique_ptr<MaterialTally> Found;
   const char* NodesEnd = nullptr;
@@ -97,11 +98,12 @@ bool M3DReading::ReadElements(
   this->Found = std::make_unique<MaterialTally>(scanner.GetEnd());
   if (this->NumberOfElements == 0)
   {
-    this->Mesh = MakeCloud(this->NumberOfNodes);
+    this->Mesh = MakeCloud(this->NumberOfNodes, this->Request, this->Piece);
     return true;
   }
   const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
-  return rows.Read(scanner, lines, this->NumberOfElements, this->Mesh, *this->Found, progress);
+  return rows.Read(scanner, lines, this->NumberOfElements, this->Request, this->Piece, this->Mesh,
+    *this->Found, progress);
 }
 
 //------------------------------------------------------------------------------
@@ -284,14 +286,13 @@ bool M3DReading::Read(
     }
   }
   const TextScanner elements = scanner;
-  if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.4)))
+  if (!this->ReadElements(scanner, lines, progress.Part(0.05, 0.5)))
   {
     return false;
   }
 
-  CellPiece piece;
-  if (!piece.Select(this->Mesh, this->Request, progress.Part(0.4, 0.5)) ||
-    !this->ReadNodes(nodes, lines, piece, progress.Part(0.5, 0.7)) ||
+  const CellPiece& piece = this->Piece;
+  if (!this->ReadNodes(nodes, lines, piece, progress.Part(0.5, 0.7)) ||
     (this->HasCodes && !this->ReadCodes(nodes, lines, piece, progress.Part(0.7, 0.8))))
   {
     return false;
@@ -317,7 +318,6 @@ bool M3DReading::Read(
   {
     this->Messages = Warnings();
   }
-  KeepPiece(this->Mesh, piece);
   FillGrid(this->Mesh, piece, this->Points, this->Grid);
   if (this->HasCodes)
   {
