@@ -235,10 +235,11 @@ void CellGeometry::AddSolidAngle(
     const int f = topology.Spokes[s].Face;
     if (topology.GetFaceSize(f) > 3)
     {
-      const Vector& area = this->FaceVectors[merged ? this->MergedFaces[f] : f];
+      const int number = merged ? topology.FaceNumbers[f] : f;
+      const Vector& area = this->FaceVectors[number];
       const double turn = Dot(Cross(next, spoke), area);
       constexpr double straight = 1e-9;
-      const double flat = straight * this->FaceAreas[merged ? this->MergedFaces[f] : f];
+      const double flat = straight * this->FaceAreas[number];
       if (turn < -flat || (turn < 0 && Dot(spoke, next) > 0))
       {
         this->Spokes[numberOfSpokes++] = Unit(-(spoke + next));
@@ -302,7 +303,6 @@ void CellGeometry::MergeCollapsedEdges()
   }
   this->MergedTopology.Clear();
   this->MergedTopology.NumberOfPoints = topology.NumberOfPoints;
-  this->MergedFaces.clear();
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
     const int* face = topology.GetFace(f);
@@ -311,14 +311,9 @@ void CellGeometry::MergeCollapsedEdges()
     {
       this->Ring.push_back(find(face[i]));
     }
-    const int before = this->MergedTopology.GetNumberOfFaces();
     this->MergedTopology.AddFace(this->Ring.data(), static_cast<int>(this->Ring.size()));
-    if (this->MergedTopology.GetNumberOfFaces() > before)
-    {
-      this->MergedFaces.push_back(f);
-    }
   }
-  this->MergedTopology.FindEdges();
+  this->MergedTopology.Finish();
   this->MergedTopology.MakeVertexFigures();
 }
 }

@@ -16,12 +16,6 @@ constexpr double Pi = 3.141592653589793238462643383279502884;
 constexpr double MinRelativeTolerance = 1e-12; // quality criteria, section 1
 constexpr double RoundingUnits = 8;
 constexpr int MaxStandardPoints = 12;
-
-//------------------------------------------------------------------------------
-std::size_t Hash(vtkIdType id)
-{
-  return static_cast<std::size_t>(static_cast<std::uint64_t>(id) * 0x9e3779b97f4a7c15ull >> 32);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -51,7 +45,7 @@ const CellGeometry::StandardCell* CellGeometry::GetStandardCells()
       }
       if (shape.NumberOfFaces > 0)
       {
-        topology.FindEdges();
+        topology.Finish();
         topology.MakeVertexFigures();
         result[type].Shapes = Polyhedra | FindSimpleShape(topology);
       }
@@ -112,24 +106,6 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
 }
 
 //------------------------------------------------------------------------------
-inline int CellGeometry::AddPoint(const MeshView& mesh, vtkIdType id)
-{
-  double x[3];
-  mesh.GetPoint(id, x);
-  if (this->NumberOfPoints == 0)
-  {
-    this->Origin = { x[0], x[1], x[2] };
-  }
-  const Vector point = { x[0] - this->Origin.X, x[1] - this->Origin.Y, x[2] - this->Origin.Z };
-  if (this->NumberOfPoints == static_cast<int>(this->Points.size()))
-  {
-    this->Points.resize(2 * this->Points.size());
-  }
-  this->Points[this->NumberOfPoints] = point;
-  return this->NumberOfPoints++;
-}
-
-//------------------------------------------------------------------------------
 void CellGeometry::LoadStandard(
   const MeshView& mesh, const CellShape& shape, const IndexRange& points)
 {
@@ -171,72 +147,26 @@ void CellGeometry::LoadStandard(
 void CellGeometry::LoadCollapsed(
   const MeshView& mesh, const CellShape& shape, const IndexRange& points)
 {
-  int locals[MaxStandardPoints];
-  this->StartHashTable(shape.NumberOfCorners);
+  this->CornerIds.resize(shape.NumberOfCorners);
   for (int i = 0; i < shape.NumberOfCorners; ++i)
   {
-    locals[i] = this->FindOrAddPoint(mesh, points[i]);
+    this->CornerIds[i] = points[i];
   }
+  int locals[MaxStandardPoints];
+  this->NumberPoints(mesh, locals);
   this->OwnTopology.Clear();
   for (int f = 0; f < shape.NumberOfFaces; ++f)
   {
-    this->LocalFace.clear();
+    int face[CellShape::MaxFacePoints];
+    int size = 0;
     for (int i = shape.FaceOffsets[f]; i < shape.FaceOffsets[f + 1]; ++i)
     {
-      this->LocalFace.push_back(locals[shape.FacePoints[i]]);
+      face[size++] = locals[shape.FacePoints[i]];
     }
-    this->AddFace(this->LocalFace.data(), static_cast<int>(this->LocalFace.size()));
+    this->OwnTopology.AddFace(face, size);
   }
   this->FinishOwnTopology();
   this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
-}
-
-//------------------------------------------------------------------------------
-// Local numbers of points are found by an open hash table with at least twice as many places as points.
-void CellGeometry::StartHashTable(vtkIdType expectedPoints)
-{
-  std::size_t places = 16;
-  while (places < 2 * static_cast<std::size_t>(expectedPoints + 1))
-  {
-    places *= 2;
-  }
-  this->HashTable.assign(places, -1);
-  this->PointIds.clear();
-}
-
-//------------------------------------------------------------------------------
-inline int CellGeometry::FindOrAddPoint(const MeshView& mesh, vtkIdType id)
-{
-  const std::size_t mask = this->HashTable.size() - 1;
-  std::size_t place = Hash(id) & mask;
-  while (this->HashTable[place] >= 0)
-  {
-    if (this->PointIds[this->HashTable[place]] == id)
-    {
-      return this->HashTable[place];
-    }
-    place = (place + 1) & mask;
-  }
-  const int local = this->AddPoint(mesh, id);
-  this->HashTable[place] = local;
-  this->PointIds.push_back(id);
-  if (2 * this->PointIds.size() > this->HashTable.size())
-  {
-    // The cell has more points than its own list says.
-    const std::vector<vtkIdType> ids(this->PointIds);
-    this->StartHashTable(2 * static_cast<vtkIdType>(ids.size()));
-    for (const vtkIdType known : ids)
-    {
-      place = Hash(known) & (this->HashTable.size() - 1);
-      while (this->HashTable[place] >= 0)
-      {
-        place = (place + 1) & (this->HashTable.size() - 1);
-      }
-      this->HashTable[place] = static_cast<int>(this->PointIds.size());
-      this->PointIds.push_back(known);
-    }
-  }
-  return local;
 }
 
 //------------------------------------------------------------------------------
@@ -246,49 +176,77 @@ void CellGeometry::LoadPolygon(
   const int size = static_cast<int>(shape.NumberOfCorners ? shape.NumberOfCorners
       : this->CellType == VTK_QUADRATIC_POLYGON           ? points.Size / 2
                                                           : points.Size);
-  this->OwnTopology.Clear();
-  this->LocalFace.resize(size);
-  this->StartHashTable(size);
+  this->CornerIds.resize(size);
   for (int i = 0; i < size; ++i)
   {
-    const int node = this->CellType == VTK_PIXEL && i > 1 ? 5 - i : i;
-    this->LocalFace[i] = this->FindOrAddPoint(mesh, points[node]);
+    this->CornerIds[i] = points[this->CellType == VTK_PIXEL && i > 1 ? 5 - i : i];
   }
-  this->AddFace(this->LocalFace.data(), size);
+  this->OwnTopology.Clear();
+  this->OwnTopology.AddFace(size);
+  this->OwnTopology.FacePoints.resize(size);
+  this->NumberPoints(mesh, this->OwnTopology.FacePoints.data());
   this->FinishOwnTopology();
 }
 
 //------------------------------------------------------------------------------
 void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
 {
-  this->OwnTopology.Clear();
-  this->StartHashTable(mesh.GetCellPoints(cell).Size);
+  CellTopology& topology = this->OwnTopology;
+  topology.Clear();
   const IndexRange faces = mesh.GetPolyhedronFaces(cell);
   for (vtkIdType f = 0; f < faces.Size; ++f)
   {
+    topology.AddFace(static_cast<int>(mesh.GetPolyhedronFacePoints(faces[f]).Size));
+  }
+  const int size = topology.FaceOffsets.back();
+  topology.FacePoints.resize(size);
+  this->CornerIds.resize(size);
+  vtkIdType* to = this->CornerIds.data();
+  for (vtkIdType f = 0; f < faces.Size; ++f)
+  {
     const IndexRange points = mesh.GetPolyhedronFacePoints(faces[f]);
-    this->LocalFace.resize(points.Size);
     for (vtkIdType i = 0; i < points.Size; ++i)
     {
-      this->LocalFace[i] = this->FindOrAddPoint(mesh, points[i]);
+      *to++ = points[i];
     }
-    this->AddFace(this->LocalFace.data(), static_cast<int>(points.Size));
   }
+  this->NumberPoints(mesh, topology.FacePoints.data());
   this->FinishOwnTopology();
   this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::AddFace(const int* points, int size)
+// Takes the different points of CornerIds; @a numbers are their local numbers.
+void CellGeometry::NumberPoints(const MeshView& mesh, int* numbers)
 {
-  this->HasRepeatedPoint = this->OwnTopology.AddFace(points, size) || this->HasRepeatedPoint;
+  const vtkIdType* ids = this->CornerIds.data();
+  const int count = this->PointNumbers.Number(
+    static_cast<int>(this->CornerIds.size()), [ids](int i) { return ids[i]; }, numbers);
+  this->NumberOfPoints = count;
+  this->PointIds.resize(count);
+  if (this->Points.size() < static_cast<std::size_t>(count))
+  {
+    this->Points.resize(2 * count);
+  }
+  double x[3];
+  for (int point = 0; point < count; ++point)
+  {
+    const vtkIdType id = ids[this->PointNumbers.GetFirst(point)];
+    this->PointIds[point] = id;
+    mesh.GetPoint(id, x);
+    if (point == 0)
+    {
+      this->Origin = { x[0], x[1], x[2] };
+    }
+    this->Points[point] = { x[0] - this->Origin.X, x[1] - this->Origin.Y, x[2] - this->Origin.Z };
+  }
 }
 
 //------------------------------------------------------------------------------
 void CellGeometry::FinishOwnTopology()
 {
   this->OwnTopology.NumberOfPoints = this->NumberOfPoints;
-  this->OwnTopology.FindEdges();
+  this->HasRepeatedPoint = this->OwnTopology.Finish();
   this->Topology = &this->OwnTopology;
 }
 

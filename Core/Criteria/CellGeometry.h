@@ -19,6 +19,7 @@
 #include "Criteria/Criterion.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/CellTopology.h"
+#include "Mesh/LocalNumbers.h"
 #include "Mesh/MeshView.h"
 #include "Mesh/Vector.h"
 
@@ -193,10 +194,7 @@ private:
   void LoadCollapsed(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolygon(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolyhedron(const MeshView& mesh, vtkIdType cell);
-  int AddPoint(const MeshView& mesh, vtkIdType id);
-  void StartHashTable(vtkIdType expectedPoints);
-  int FindOrAddPoint(const MeshView& mesh, vtkIdType id);
-  void AddFace(const int* points, int size);
+  void NumberPoints(const MeshView& mesh, int* numbers);
   void FinishOwnTopology();
 
   bool IsQuadrilateral() const
@@ -262,8 +260,8 @@ private:
   std::vector<Vector> Points;     // grows to the largest cell
   std::vector<vtkIdType> PointIds; // with OwnTopology
   IndexRange Nodes;                // without
-  std::vector<int> HashTable;
-  std::vector<int> LocalFace;
+  std::vector<vtkIdType> CornerIds; // of nodes or corners of faces
+  LocalNumbers PointNumbers;
   const CellTopology* Topology = nullptr; // that of the standard type, or OwnTopology
   CellTopology OwnTopology;
 
@@ -279,8 +277,7 @@ private:
   AngleRange DihedralAngles;
   AngleRange HalfSolidAngles;
 
-  CellTopology MergedTopology;  // without collapsed edges
-  std::vector<int> MergedFaces; // their numbers in Topology
+  CellTopology MergedTopology; // without collapsed edges; its FaceNumbers are those in Topology
   std::vector<int> Representatives, Ring;
   std::vector<Vector> EdgeDirections, Spokes;
 };

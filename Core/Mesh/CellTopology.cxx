@@ -3,6 +3,7 @@
 #include "Mesh/CellTopology.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace camaron
 {
@@ -12,85 +13,149 @@ void CellTopology::Clear()
   this->NumberOfPoints = 0;
   this->FaceOffsets.assign(1, 0);
   this->FacePoints.clear();
-  this->FaceNumbers.clear();
-  this->Reversed.clear();
-  this->NumberOfAddedFaces = 0;
   this->Edges.clear();
   this->HasVertexFigures = false;
 }
 
 //------------------------------------------------------------------------------
-bool CellTopology::AddFace(const int* points, int size)
+void CellTopology::AddFace(const int* points, int size)
 {
-  const int begin = this->FaceOffsets.back();
-  const int number = this->NumberOfAddedFaces++;
-  for (int i = 0; i < size; ++i)
-  {
-    if (points[i] != points[i > 0 ? i - 1 : size - 1])
-    {
-      this->FacePoints.push_back(points[i]);
-    }
-  }
-  const int end = static_cast<int>(this->FacePoints.size());
-  if (end - begin < 3)
-  {
-    this->FacePoints.resize(begin);
-    return true;
-  }
-  this->FaceOffsets.push_back(end);
-  this->FaceNumbers.push_back(number);
-  this->Reversed.push_back(0);
-  return end - begin < size;
+  this->FacePoints.insert(this->FacePoints.end(), points, points + size);
+  this->AddFace(size);
 }
 
 //------------------------------------------------------------------------------
-void CellTopology::FindEdges()
+bool CellTopology::Finish()
 {
-  this->Edges.clear();
-  this->NextEdges.clear();
-  this->FirstEdges.assign(this->NumberOfPoints, -1);
-  this->FaceEdges.resize(this->FacePoints.size());
-  bool manifold = true, consistent = true;
   const int numberOfFaces = this->GetNumberOfFaces();
+  this->FaceNumbers.resize(numberOfFaces);
+  std::iota(this->FaceNumbers.begin(), this->FaceNumbers.end(), 0);
+  this->ListCorners();
+  bool isRepeated = false;
+  for (std::size_t i = 0; i < this->FacePoints.size(); ++i)
+  {
+    isRepeated |= this->FacePoints[i] == this->NextPoints[i];
+  }
+  for (int f = 0; f < numberOfFaces; ++f)
+  {
+    isRepeated |= this->GetFaceSize(f) < 3;
+  }
+  const bool wasRepeated = isRepeated && this->DropRepeatedPoints();
+  this->Reversed.assign(this->GetNumberOfFaces(), 0);
+  this->FindEdges();
+  return wasRepeated;
+}
+
+//------------------------------------------------------------------------------
+bool CellTopology::DropRepeatedPoints()
+{
+  const std::vector<int> offsets(this->FaceOffsets), points(this->FacePoints);
+  bool isRepeated = false;
+  this->FaceOffsets.assign(1, 0);
+  this->FaceNumbers.clear();
+  int end = 0;
+  for (int f = 0; f + 1 < static_cast<int>(offsets.size()); ++f)
+  {
+    const int begin = end;
+    for (int i = offsets[f]; i < offsets[f + 1]; ++i)
+    {
+      if (points[i] != points[i > offsets[f] ? i - 1 : offsets[f + 1] - 1])
+      {
+        this->FacePoints[end++] = points[i];
+      }
+    }
+    isRepeated = isRepeated || end - begin < 3 || end - begin < offsets[f + 1] - offsets[f];
+    if (end - begin < 3)
+    {
+      end = begin;
+      continue;
+    }
+    this->FaceOffsets.push_back(end);
+    this->FaceNumbers.push_back(f);
+  }
+  this->FacePoints.resize(end);
+  this->ListCorners();
+  return isRepeated;
+}
+
+//------------------------------------------------------------------------------
+void CellTopology::ListCorners()
+{
+  const int* points = this->FacePoints.data();
+  const int numberOfFaces = this->GetNumberOfFaces();
+  this->NextPoints.resize(this->FacePoints.size());
+  this->CornerFaces.resize(this->FacePoints.size());
   for (int f = 0; f < numberOfFaces; ++f)
   {
     const int begin = this->FaceOffsets[f], end = this->FaceOffsets[f + 1];
     for (int i = begin; i < end; ++i)
     {
-      const int a = this->FacePoints[i], b = this->FacePoints[i + 1 < end ? i + 1 : begin];
-      // Edges are listed by their smaller point; a low list is short.
-      const int low = std::min(a, b), sum = a + b;
-      int e = this->FirstEdges[low];
-      while (e >= 0 && this->Edges[e].Points[0] + this->Edges[e].Points[1] != sum)
-      {
-        e = this->NextEdges[e];
-      }
-      if (e < 0)
-      {
-        e = static_cast<int>(this->Edges.size());
-        this->Edges.push_back({ { a, b }, { f, -1 }, 1, false });
-        this->NextEdges.push_back(this->FirstEdges[low]);
-        this->FirstEdges[low] = e;
-      }
-      else
-      {
-        Edge& edge = this->Edges[e];
-        if (++edge.Uses == 2)
-        {
-          edge.Faces[1] = f;
-          edge.Consistent = edge.Points[0] == b;
-        }
-      }
-      this->FaceEdges[i] = e;
+      this->NextPoints[i] = points[i + 1 < end ? i + 1 : begin];
+      this->CornerFaces[i] = f;
     }
   }
-  for (const Edge& edge : this->Edges)
+}
+
+//------------------------------------------------------------------------------
+void CellTopology::FindEdges()
+{
+  const int size = static_cast<int>(this->FacePoints.size());
+  const int *points = this->FacePoints.data(), *nexts = this->NextPoints.data();
+  this->FaceEdges.resize(size);
+  int* const edgeOf = this->FaceEdges.data();
+  const int numberOfEdges = this->EdgeNumbers.Number(
+    size,
+    [&](int i)
+    {
+      const std::int64_t a = points[i], b = nexts[i];
+      return std::min(a, b) << 32 | std::max(a, b);
+    },
+    edgeOf);
+  this->EdgeUses.assign(numberOfEdges, 0);
+  this->LastCorners.resize(numberOfEdges);
+  for (int i = 0; i < size; ++i)
   {
-    manifold = manifold && edge.Uses == 2;
-    consistent = consistent && edge.Consistent;
+    ++this->EdgeUses[edgeOf[i]];
+    this->LastCorners[edgeOf[i]] = i;
   }
-  this->IsManifold = manifold && numberOfFaces > 0;
-  this->IsClosed = numberOfFaces > 0 && (manifold ? consistent : this->IsBalanced());
+  this->Edges.resize(numberOfEdges);
+  bool consistent = true, simple = true;
+  this->IsManifold = size > 0;
+  for (int e = 0; e < numberOfEdges; ++e)
+  {
+    const int first = this->EdgeNumbers.GetFirst(e), last = this->LastCorners[e];
+    const int uses = this->EdgeUses[e];
+    Edge& edge = this->Edges[e];
+    edge.Points[0] = points[first];
+    edge.Points[1] = nexts[first];
+    edge.Faces[0] = this->CornerFaces[first];
+    edge.Faces[1] = uses > 1 ? this->CornerFaces[last] : -1;
+    edge.Uses = uses;
+    edge.Consistent = uses > 1 && points[last] == nexts[first];
+    consistent &= edge.Consistent;
+    simple &= uses <= 2;
+    this->IsManifold &= uses == 2;
+  }
+  if (!simple)
+  {
+    this->FindSecondFaces();
+  }
+  this->IsClosed = size > 0 && (this->IsManifold ? consistent : this->IsBalanced());
+}
+
+//------------------------------------------------------------------------------
+// Of edges with more than two faces, which the last one was taken for the second of.
+void CellTopology::FindSecondFaces()
+{
+  for (int i = static_cast<int>(this->FacePoints.size()) - 1; i >= 0; --i)
+  {
+    Edge& edge = this->Edges[this->FaceEdges[i]];
+    if (edge.Uses > 2 && i > this->EdgeNumbers.GetFirst(this->FaceEdges[i]))
+    {
+      edge.Faces[1] = this->CornerFaces[i];
+      edge.Consistent = edge.Points[0] == this->NextPoints[i];
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -154,6 +219,7 @@ void CellTopology::MakeConsistent()
       }
     }
   }
+  this->ListCorners();
   this->FindEdges();
 }
 

@@ -10,6 +10,8 @@
 #ifndef camaron_CellTopology_h
 #define camaron_CellTopology_h
 
+#include "Mesh/LocalNumbers.h"
+
 #include <vector> // for the tables
 
 namespace camaron
@@ -35,7 +37,11 @@ public:
   int NumberOfPoints = 0;
   std::vector<int> FaceOffsets, FacePoints;
   std::vector<int> FaceNumbers; ///< of every face, among all that were added
-  std::vector<int> FaceEdges; ///< parallel to FacePoints: the edge from this point to the next
+  ///@{
+  /// Parallel to FacePoints.
+  std::vector<int> FaceEdges;   ///< the edge from this point to the next
+  std::vector<int> CornerFaces; ///< the face
+  ///@}
   std::vector<Edge> Edges;
   /// Every edge has two faces, or more of them in balance, which run along it in opposite directions.
   bool IsClosed = false;
@@ -56,13 +62,15 @@ public:
 
   /// Starts a new cell.
   void Clear();
+  /// Adds a face of points that FacePoints gets later, before Finish.
+  void AddFace(int size) { this->FaceOffsets.push_back(this->FaceOffsets.back() + size); }
+  void AddFace(const int* points, int size);
   /**
-   * Adds a face, in which a point that follows itself counts once. Less than three points are no face.
+   * Ends a cell. In its faces a point that follows itself counts once, and less than three points are no face.
+   * Finds the edges and whether the cell is closed.
    * @return whether a point followed itself
    */
-  bool AddFace(const int* points, int size);
-  /// Finds the edges and whether the cell is closed.
-  void FindEdges();
+  bool Finish();
   /**
    * Reverses faces so that neighbours agree, as far as the faces reach over edges that have exactly two
    * of them. Each such group keeps the direction of its first face; GetGroup tells the groups apart.
@@ -78,11 +86,16 @@ public:
   void MakeVertexFigures();
 
 private:
-  int NumberOfAddedFaces = 0;
+  bool DropRepeatedPoints();
+  void ListCorners();
+  void FindEdges();
+  void FindSecondFaces();
   bool IsBalanced() const;
   void ReverseFace(int face);
 
-  std::vector<int> FirstEdges, NextEdges; // edges by their smaller point
+  std::vector<int> NextPoints; // parallel to FacePoints
+  LocalNumbers EdgeNumbers;
+  std::vector<int> EdgeUses, LastCorners; // of edges
   std::vector<int> Groups, Stack;
   std::vector<unsigned char> Reversed;
   int NumberOfGroups = 0;

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/LocalNumbers.h"
+
+namespace camaron
+{
+namespace
+{
+constexpr int PlacesPerKey = 8;
+constexpr int SmallestBits = 6; // of the table
+constexpr std::uint64_t FirstFactor = 0x9e3779b97f4a7c15u; // odd, without a pattern
+}
+
+//------------------------------------------------------------------------------
+void LocalNumbers::Start(int size)
+{
+  int bits = SmallestBits;
+  while ((std::size_t(1) << bits) < static_cast<std::size_t>(size) * PlacesPerKey)
+  {
+    ++bits;
+  }
+  this->Shift = 64 - bits;
+  if (this->Table.size() < std::size_t(1) << bits)
+  {
+    this->Table.resize(std::size_t(1) << bits);
+  }
+  if (this->Keys.size() < static_cast<std::size_t>(size))
+  {
+    this->Keys.resize(2 * static_cast<std::size_t>(size));
+    this->Firsts.resize(this->Keys.size());
+    this->Open.resize(this->Keys.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Leaves in Firsts the first position of every key.
+void LocalNumbers::FindFirsts(int size)
+{
+  const std::uint64_t* const keys = this->Keys.data();
+  int *const table = this->Table.data(), *const firsts = this->Firsts.data(),
+             *const open = this->Open.data();
+  const int shift = this->Shift;
+  std::uint64_t factor = FirstFactor;
+  for (int i = size - 1; i >= 0; --i)
+  {
+    table[keys[i] * factor >> shift] = i;
+  }
+  int numberOfOpen = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    const int first = table[keys[i] * factor >> shift];
+    firsts[i] = first;
+    open[numberOfOpen] = i;
+    numberOfOpen += keys[first] != keys[i];
+  }
+  while (numberOfOpen > 0)
+  {
+    factor = factor * FirstFactor | 1;
+    for (int k = numberOfOpen - 1; k >= 0; --k)
+    {
+      table[keys[open[k]] * factor >> shift] = open[k];
+    }
+    int numberLeft = 0;
+    for (int k = 0; k < numberOfOpen; ++k)
+    {
+      const int i = open[k], first = table[keys[i] * factor >> shift];
+      firsts[i] = first;
+      open[numberLeft] = i;
+      numberLeft += keys[first] != keys[i];
+    }
+    numberOfOpen = numberLeft;
+  }
+}
+}

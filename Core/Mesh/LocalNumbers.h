@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::LocalNumbers
+ * @brief Numbers the different keys of a short list in the order in which they first occur.
+ *
+ * For the points and edges of one cell. Whether a key is new is as hard to foresee as the mesh is irregular, so
+ * nothing branches on it: every key writes its position into a hash table, the first of the list last, and what
+ * it then finds there is the first position of the same key. The few keys whose place another key has taken go
+ * through the same with another hash. Holds its memory for the next list.
+ */
+#ifndef camaron_LocalNumbers_h
+#define camaron_LocalNumbers_h
+
+#include <cstdint> // for keys
+#include <vector>  // for the table
+
+namespace camaron
+{
+class LocalNumbers
+{
+public:
+  /// Sets numbers[i] for i in [0, size) from the keys key(i); returns how many differ.
+  template <typename Key>
+  int Number(int size, Key&& key, int* numbers)
+  {
+    this->Start(size);
+    std::uint64_t* const keys = this->Keys.data();
+    int* const firsts = this->Firsts.data();
+    for (int i = 0; i < size; ++i)
+    {
+      keys[i] = static_cast<std::uint64_t>(key(i));
+    }
+    this->FindFirsts(size);
+    int count = 0;
+    for (int i = 0; i < size; ++i)
+    {
+      const int first = firsts[i]; // at most i: what is written to firsts below was read before
+      numbers[i] = count;
+      numbers[i] = numbers[first];
+      firsts[count] = i; // overwritten unless the key is new
+      count += first == i;
+    }
+    return count;
+  }
+
+  /// Where in the list a number occurs first.
+  int GetFirst(int number) const { return this->Firsts[number]; }
+
+private:
+  void Start(int size);
+  void FindFirsts(int size);
+
+  std::vector<std::uint64_t> Keys; // grows to the longest list
+  std::vector<int> Table, Firsts, Open;
+  int Shift = 0; // of a hash to its place in the table
+};
+}
+
+#endif
