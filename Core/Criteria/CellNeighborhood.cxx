@@ -14,6 +14,25 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType Grain = 1024;
+
+//------------------------------------------------------------------------------
+bool HasCenter(const CellGeometry& geometry)
+{
+  return (geometry.GetShapes() & PolygonsAndPolyhedra) && geometry.IsFinite();
+}
+
+//------------------------------------------------------------------------------
+void ReadCenter(const CellGeometry& geometry, Vector& centroid, double& size)
+{
+  if (!HasCenter(geometry))
+  {
+    centroid = Vector();
+    size = Null(NullReason::NotApplicable);
+    return;
+  }
+  centroid = geometry.GetOrigin() + geometry.GetCentroid();
+  size = (geometry.GetShapes() & Polygons) ? geometry.GetPolygonArea() : geometry.GetVolume();
+}
 }
 
 //------------------------------------------------------------------------------
@@ -35,15 +54,11 @@ void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions
   CellGeometry& scratch, Vector& centroid, double& size)
 {
   scratch.Load(mesh, cell, options);
-  if (!(scratch.GetShapes() & PolygonsAndPolyhedra) || !scratch.IsFinite())
+  if (HasCenter(scratch))
   {
-    centroid = Vector();
-    size = Null(NullReason::NotApplicable);
-    return;
+    scratch.Compute(CellNeighborhood::BaseNeeds);
   }
-  scratch.Compute(CellNeighborhood::BaseNeeds);
-  centroid = scratch.GetOrigin() + scratch.GetCentroid();
-  size = (scratch.GetShapes() & Polygons) ? scratch.GetPolygonArea() : scratch.GetVolume();
+  ReadCenter(scratch, centroid, size);
 }
 
 //------------------------------------------------------------------------------
@@ -63,9 +78,15 @@ Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptio
 }
 
 //------------------------------------------------------------------------------
+CellCenters::CellCenters(vtkIdType numberOfCells)
+  : Centroids(numberOfCells)
+  , Sizes(numberOfCells)
+{
+}
+
+//------------------------------------------------------------------------------
 CellCenters::CellCenters(const MeshView& mesh, const EvaluationOptions& options)
-  : Centroids(mesh.GetNumberOfCells())
-  , Sizes(mesh.GetNumberOfCells())
+  : CellCenters(mesh.GetNumberOfCells())
 {
   ParallelFor(mesh.GetNumberOfCells(), Grain,
     [&](vtkIdType begin, vtkIdType end)
@@ -76,6 +97,12 @@ CellCenters::CellCenters(const MeshView& mesh, const EvaluationOptions& options)
         GetCellCenter(mesh, id, options, cell, this->Centroids[id], this->Sizes[id]);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void CellCenters::Set(vtkIdType cell, const CellGeometry& geometry)
+{
+  ReadCenter(geometry, this->Centroids[cell], this->Sizes[cell]);
 }
 
 //------------------------------------------------------------------------------

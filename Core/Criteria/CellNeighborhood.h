@@ -27,7 +27,11 @@ struct CellCenters
   std::vector<Vector> Centroids; ///< not relative to anything
   std::vector<double> Sizes;     ///< null where the cell is not closed
 
+  /// None yet.
+  explicit CellCenters(vtkIdType numberOfCells);
   CellCenters(const MeshView& mesh, const EvaluationOptions& options);
+  /// Takes them from the geometry of a cell with CellNeighborhood::BaseNeeds.
+  void Set(vtkIdType cell, const CellGeometry& geometry);
 };
 
 /// Whether the mesh has cells of that dimension.

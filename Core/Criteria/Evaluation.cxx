@@ -11,6 +11,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace camaron
@@ -39,11 +40,14 @@ bool NeedAny(const std::vector<CriterionValues>& criteria, unsigned need)
 class CellEvaluation
 {
 public:
+  /// Leaves the centres of the cells in @a centers, if given.
   CellEvaluation(const MeshView& mesh, const EvaluationOptions& options,
-    const std::vector<CriterionValues>& criteria)
+    const std::vector<CriterionValues>& criteria, CellCenters* centers)
     : Mesh(mesh)
     , Options(options)
     , Criteria(criteria)
+    , Centers(centers)
+    , Needs(centers ? CellNeighborhood::BaseNeeds : 0)
   {
     for (const CriterionValues& row : criteria)
     {
@@ -62,6 +66,10 @@ public:
       {
         block[i].Load(this->Mesh, first + i, this->Options);
         block[i].Compute(this->Needs);
+        if (this->Centers)
+        {
+          this->Centers->Set(first + i, block[i]);
+        }
         common &= block[i].IsFinite() ? block[i].GetShapes() | AnyCell : 0u;
       }
       for (const CriterionValues& row : this->Criteria)
@@ -97,7 +105,8 @@ private:
   const MeshView& Mesh;
   const EvaluationOptions& Options;
   const std::vector<CriterionValues>& Criteria;
-  unsigned Needs = 0;
+  CellCenters* Centers;
+  unsigned Needs;
 };
 
 //------------------------------------------------------------------------------
@@ -105,12 +114,11 @@ class NeighborEvaluation
 {
 public:
   NeighborEvaluation(const MeshTopology& topology, const EvaluationOptions& options,
-    const std::vector<CriterionValues>& criteria)
+    const std::vector<CriterionValues>& criteria, const CellCenters& centers)
     : Mesh(topology.GetMesh())
     , Options(options)
     , Criteria(criteria)
-    , Centers(topology.GetMesh(), options)
-    , Neighborhood(topology, this->Centers, options)
+    , Neighborhood(topology, centers, options)
   {
     for (const CriterionValues& row : criteria)
     {
@@ -145,7 +153,6 @@ private:
   const EvaluationOptions& Options;
   const std::vector<CriterionValues>& Criteria;
   unsigned Needs = CellNeighborhood::BaseNeeds;
-  CellCenters Centers;
   CellNeighborhood Neighborhood;
 };
 }
@@ -209,14 +216,23 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
     return true;
   };
 
-  if (!ofCells.empty() && !inSlabs(CellEvaluation(mesh, options, ofCells)))
+  std::unique_ptr<CellCenters> centers;
+  if (!ofNeighbors.empty())
+  {
+    // With other criteria they come along, as the geometry of every cell is there then.
+    centers = ofCells.empty() ? std::make_unique<CellCenters>(mesh, options)
+                              : std::make_unique<CellCenters>(numberOfCells);
+  }
+  if (!ofCells.empty() && !inSlabs(CellEvaluation(mesh, options, ofCells, centers.get())))
   {
     return false;
   }
-  if (!ofNeighbors.empty() && !inSlabs(NeighborEvaluation(topology, options, ofNeighbors)))
+  if (!ofNeighbors.empty() &&
+    !inSlabs(NeighborEvaluation(topology, options, ofNeighbors, *centers)))
   {
     return false;
   }
+  centers.reset();
   if (!ofMesh.empty())
   {
     const MeshContext context(topology, options);
