@@ -25,6 +25,8 @@ constexpr int MaxShares = 64;
 constexpr int MaxListBits = 3;
 constexpr Index NodesPerBlock = 4096;
 
+constexpr vtkIdType MaxUnsorted = 12; // points of a facet that are compared pair by pair
+
 constexpr std::uint32_t DownBit = 0x80000000u;
 // Values of the last part of a key where it is not the fourth point.
 constexpr std::uint32_t HashedBit = 0x80000000u;
@@ -64,6 +66,41 @@ void SortDistinct(Points& points)
 }
 
 //------------------------------------------------------------------------------
+bool HasRepeatedPoints(const vtkIdType* points, vtkIdType size)
+{
+  bool isRepeated = false;
+  for (vtkIdType i = 1; i < size; ++i)
+  {
+    for (vtkIdType j = 0; j < i; ++j)
+    {
+      isRepeated |= points[i] == points[j];
+    }
+  }
+  return isRepeated;
+}
+
+//------------------------------------------------------------------------------
+// Whether one ring of points is the other one, in the same direction or against it.
+bool IsSameRing(const vtkIdType* a, const vtkIdType* b, vtkIdType size)
+{
+  const vtkIdType start = std::find(b, b + size, a[0]) - b;
+  if (start == size)
+  {
+    return false;
+  }
+  bool isSame = true, isReversed = true;
+  vtkIdType forward = start, backward = start;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    isSame &= a[i] == b[forward];
+    isReversed &= a[i] == b[backward];
+    forward = forward + 1 < size ? forward + 1 : 0;
+    backward = backward > 0 ? backward - 1 : size - 1;
+  }
+  return isSame || isReversed;
+}
+
+//------------------------------------------------------------------------------
 // What tells a facet from the others with its smallest point: of up to four points the other ones, of more
 // a hash.
 struct FacetKey
@@ -72,47 +109,63 @@ struct FacetKey
   bool Down; // see RunsDown
 };
 
+std::uint32_t Part(vtkIdType id)
+{
+  return static_cast<std::uint32_t>(id);
+}
+
 //------------------------------------------------------------------------------
+// Of more than four different points, in whatever order.
+FacetKey MakeHashedKey(const vtkIdType* points, vtkIdType size, bool down)
+{
+  std::uint64_t sum = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    sum += Mix(1, static_cast<std::uint64_t>(points[i]));
+  }
+  const std::uint64_t hash = Mix(sum, static_cast<std::uint64_t>(size));
+  return { { static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
+             HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33) },
+    down };
+}
+
+//------------------------------------------------------------------------------
+// Sorting is for facets of few points, and for the rare ones that come to a point twice. Of others its branches
+// would be as hard to foresee as the numbering of the points.
 FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& sorted)
 {
-  const auto part = [](vtkIdType id) { return static_cast<std::uint32_t>(id); };
   if (size == 3)
   {
-    // Without branches, which would be as hard to foresee as the numbering of the points. An odd number
-    // of inversions means that the triangle runs from its smallest point to the largest one.
+    // An odd number of inversions means that the triangle runs from its smallest point to the largest one.
     const vtkIdType a = points[0], b = points[1], c = points[2];
     const vtkIdType low = std::min(a, std::min(b, c)), high = std::max(a, std::max(b, c));
     const vtkIdType middle = a + b + c - low - high;
     const bool down = (a > b) ^ (b > c) ^ (a > c);
     if (low != middle && middle != high)
     {
-      return { { part(middle), part(high), ThreePoints }, down };
+      return { { Part(middle), Part(high), ThreePoints }, down };
     }
+  }
+  const bool down = RunsDown(points, size);
+  if (size > 4 && size <= MaxUnsorted && !HasRepeatedPoints(points, size))
+  {
+    return MakeHashedKey(points, size, down);
   }
   sorted.assign(points, points + size);
   SortDistinct(sorted);
-  const bool down = RunsDown(points, size);
   switch (sorted.size())
   {
     case 1:
       return { { 0, 0, OnePoint }, down };
     case 2:
-      return { { part(sorted[1]), 0, TwoPoints }, down };
+      return { { Part(sorted[1]), 0, TwoPoints }, down };
     case 3:
-      return { { part(sorted[1]), part(sorted[2]), ThreePoints }, down };
+      return { { Part(sorted[1]), Part(sorted[2]), ThreePoints }, down };
     case 4:
-      return { { part(sorted[1]), part(sorted[2]), part(sorted[3]) }, down };
+      return { { Part(sorted[1]), Part(sorted[2]), Part(sorted[3]) }, down };
     default:
-      break;
+      return MakeHashedKey(sorted.data(), static_cast<vtkIdType>(sorted.size()), down);
   }
-  std::uint64_t hash = sorted.size();
-  for (const vtkIdType point : sorted)
-  {
-    hash = Mix(hash, static_cast<std::uint64_t>(point));
-  }
-  return { { static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
-             HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33) },
-    down };
 }
 
 //------------------------------------------------------------------------------
@@ -336,9 +389,10 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
       NodePool nodes(this->NumberOfUses, numberOfShares);
       const auto matchShare = [&](int share)
       {
-        CellFacets facets(this->Mesh);
-        std::vector<vtkIdType> sorted, scratch;
+        CellFacets facets(this->Mesh), others(this->Mesh);
+        std::vector<vtkIdType> scratch;
         Index lastNode = -1;
+        vtkIdType cell = 0;
         const auto match = [&](std::uint32_t use, const vtkIdType* points, vtkIdType size)
         {
           if (size == 0)
@@ -351,7 +405,7 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
           {
             return;
           }
-          const FacetKey key = MakeKey(points, size, sorted);
+          const FacetKey key = MakeKey(points, size, scratch);
           const std::uint32_t which = (key.Parts[0] ^ key.Parts[1]) & ((1u << listBits) - 1);
           Index& list = lists[(smallest << listBits) + which];
           Index found = list;
@@ -360,7 +414,7 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
             const Node& node = nodes[found];
             if (node.Key[0] == key.Parts[0] && node.Key[1] == key.Parts[1] &&
               node.Key[2] == key.Parts[2] &&
-              (!(key.Parts[2] & HashedBit) || this->HasPoints(GetUse(node.Item), sorted, scratch)))
+              (!(key.Parts[2] & HashedBit) || this->HasPoints(node, points, size, others, scratch)))
             {
               break;
             }
@@ -369,7 +423,7 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
           {
             lastNode = nodes.GetNext(lastNode);
             nodes[lastNode] = { { key.Parts[0], key.Parts[1], key.Parts[2] }, list,
-              use | (key.Down ? DownBit : 0u) };
+              use | (key.Down ? DownBit : 0u), static_cast<Index>(cell) };
             list = lastNode;
             this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
             return;
@@ -378,7 +432,7 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
           this->Table.CellFacets[use] =
             CellFacet(GetUse(first), ((first & DownBit) != 0) != key.Down);
         };
-        for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
+        for (; cell < this->Mesh.GetNumberOfCells(); ++cell)
         {
           forEachItem(facets, cell, match);
         }
@@ -395,23 +449,20 @@ void FacetTableBuilder::Match(ForEachItem&& forEachItem)
 }
 
 //------------------------------------------------------------------------------
-bool FacetTableBuilder::HasPoints(
-  Index use, std::vector<vtkIdType>& sortedPoints, std::vector<vtkIdType>& scratch) const
+// Whether the first use of a facet has the same points, each however often.
+bool FacetTableBuilder::HasPoints(const Node& node, const vtkIdType* points, vtkIdType size,
+  CellFacets& facets, std::vector<vtkIdType>& first) const
 {
-  vtkIdType cell = 0;
-  if (this->Table.Stride)
+  first.clear();
+  facets.GetFacet(node.Cell, GetUse(node.Item) - this->Table.GetOffset(node.Cell), first);
+  if (static_cast<vtkIdType>(first.size()) == size && IsSameRing(points, first.data(), size))
   {
-    cell = use / this->Table.Stride;
+    return true;
   }
-  else
-  {
-    const auto& offsets = this->Table.CellOffsets;
-    cell = std::upper_bound(offsets.begin(), offsets.end(), vtkIdType(use)) - offsets.begin() - 1;
-  }
-  scratch.clear();
-  CellFacets(this->Mesh).GetFacet(cell, use - this->Table.GetOffset(cell), scratch);
-  SortDistinct(scratch);
-  return scratch == sortedPoints;
+  std::vector<vtkIdType> sorted(points, points + size);
+  SortDistinct(sorted);
+  SortDistinct(first);
+  return first == sorted;
 }
 
 //------------------------------------------------------------------------------

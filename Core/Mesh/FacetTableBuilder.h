@@ -5,7 +5,7 @@
  * @brief Finds the unique facets of a mesh.
  *
  * Facets are listed by their smallest point id and compared within a list by their other points, so that
- * time and memory stay proportional to the mesh; 20 bytes per unique facet are needed meanwhile. Cells
+ * time and memory stay proportional to the mesh; 24 bytes per unique facet are needed meanwhile. Cells
  * are visited in order, so that a mesh whose neighbours are near in memory is read from the cache. Every
  * thread visits all cells, but takes care of its own share of the points only.
  */
@@ -39,6 +39,7 @@ private:
     std::uint32_t Key[3]; ///< what tells it from other facets with its smallest point
     Index Next;           ///< in its list, -1 at the end
     std::uint32_t Item;   ///< its first use; the top bit says that this use runs downwards
+    Index Cell;           ///< of that use
   };
   class NodePool;
 
@@ -49,7 +50,8 @@ private:
   void ListCells();
   template <typename ForEachItem>
   void Match(ForEachItem&& forEachItem);
-  bool HasPoints(Index use, std::vector<vtkIdType>& sortedPoints, std::vector<vtkIdType>& scratch) const;
+  bool HasPoints(const Node& node, const vtkIdType* points, vtkIdType size,
+    CellFacets& facets, std::vector<vtkIdType>& first) const;
 
   const MeshView& Mesh;
   int Dimension;

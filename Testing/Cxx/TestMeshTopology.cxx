@@ -163,6 +163,34 @@ TEST(MeshTopology, LargeFaces)
   EXPECT_EQ(CountBoundary(MeshTopology(polyhedra).GetFaces()), 4 * 8 - 6);
 }
 
+// The same face is a set of points, whether listed along a ring, with a point twice or in another order.
+TEST(MeshTopology, LargeFacesAreSets)
+{
+  Points points;
+  for (int i = 0; i < 14; ++i)
+  {
+    points.push_back({ 1. * i, 1. * i * i, 1. * i * i * i });
+  }
+  const std::vector<std::vector<vtkIdType>> bases = { { 0, 1, 2, 3, 4 }, { 2, 1, 0, 4, 3 },
+    { 3, 4, 0, 1, 2 }, { 0, 1, 1, 2, 3, 4 }, { 0, 2, 4, 1, 3 }, { 4, 0, 2, 1, 3 }, { 0, 1, 2, 3, 13 } };
+  std::vector<Faces> cells;
+  for (std::size_t c = 0; c < bases.size(); ++c)
+  {
+    const auto apex = static_cast<vtkIdType>(5 + c);
+    cells.push_back({ bases[c] });
+    for (vtkIdType i = 0; i < 4; ++i)
+    {
+      cells.back().push_back({ i, i + 1, apex });
+    }
+  }
+  const auto grid = MakePolyhedra(MakePoints(points), cells);
+  const FacetTable& faces = MeshTopology(grid).GetFaces();
+  EXPECT_EQ(faces.GetNumberOfFacets(), 4 * 7 + 2);
+  std::vector<Index> sharing;
+  faces.GetCells(faces.GetCellFacets(5)[0].Facet(), sharing);
+  EXPECT_EQ(sharing, (std::vector<Index>{ 0, 1, 2, 3, 4, 5 }));
+}
+
 // The same table for every number of threads, and when a reader hands its faces over.
 TEST(MeshTopology, SameForAnyThreadsAndGivenFaces)
 {
