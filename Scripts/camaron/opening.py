@@ -30,6 +30,9 @@ def make_reader(path: Path, notes: list[str]) -> Any:
     knows, it goes to the plugin's reader all the same, whose error says what is wrong with it. Adds
     to `notes` if another format than the name says is read.
     """
+    if path.exists() and not path.is_file() and not path.is_dir():
+        # Readers look at the beginning of files before they read them, which pipes do not have twice.
+        raise NotReadable("this is a pipe or a device: copy its content into a file")
     if path.is_file() and path.stat().st_size == 0 and path.suffix not in EMPTY_FILES:
         raise NotReadable("the file is empty")
     own = formats.own_readers(path)

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.convert: formats, options of writers, errors."""
 
+import os
 import re
 import unittest.mock
 
@@ -269,11 +270,13 @@ class TestConvert(camaron_testing.TestCase):
         (self.folder / "empty.visf").write_text("")
         (self.folder / "text.visf").write_text("Dear diary")
         (self.folder / "x.unheard").write_text("Dear diary")
+        os.mkfifo(self.folder / "pipe.visf")
         for name, reason in (
             ("empty.visf", "the file is empty"),
             ("text.visf", "expected a Visf file"),
             ("x.unheard", r"no reader knows files named \*.unheard; camaron convert --help"),
             (".", "this is a folder, not a mesh"),
+            ("pipe.visf", "this is a pipe or a device"),
         ):
             with self.assertRaisesRegex(RuntimeError, reason):
                 convert(self.folder / name, self.folder / "y.vtu")
