@@ -84,13 +84,20 @@ double MinTetVolume(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MinTetMeanRatio(const CellGeometry& cell)
 {
-  return MinOfTetrahedra(cell,
+  // The volume by the power 3/2 of the squared edges is smallest in the same tetrahedron, and so one cube root
+  // is enough.
+  const double smallest = MinOfTetrahedra(cell,
     [](const Vector& a, const Vector& b, const Vector& c, double volume)
     {
       const double squares = Norm2(a) + Norm2(b) + Norm2(c) + Norm2(a - b) + Norm2(b - c) + Norm2(c - a);
-      const double root = std::cbrt(3 * std::abs(volume));
-      return std::copysign(12 * root * root / squares, volume);
+      return volume / (squares * std::sqrt(squares));
     });
+  if (std::isnan(smallest))
+  {
+    return smallest;
+  }
+  const double root = std::cbrt(3 * std::abs(smallest));
+  return std::copysign(12 * root * root, smallest);
 }
 
 //------------------------------------------------------------------------------

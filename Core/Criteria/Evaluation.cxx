@@ -18,7 +18,8 @@ namespace camaron
 {
 namespace
 {
-constexpr int BlockSize = 16;         // cells whose geometry is held at once
+constexpr int MaxBlockSize = 16;      // cells whose geometry is held at once
+constexpr int MaxBlockPoints = 64;    // about; the geometry of more would not stay in the nearest cache
 constexpr vtkIdType SlabSize = 65536; // cells between two reports of progress, at least
 constexpr vtkIdType Grain = 1024;
 constexpr vtkIdType NumberOfReports = 100;
@@ -57,20 +58,24 @@ public:
 
   void operator()(vtkIdType begin, vtkIdType end) const
   {
-    std::vector<CellGeometry> block(BlockSize);
-    for (vtkIdType first = begin; first < end; first += BlockSize)
+    std::vector<CellGeometry> block(MaxBlockSize);
+    int size = 0;
+    for (vtkIdType first = begin; first < end; first += size)
     {
-      const int size = static_cast<int>(std::min<vtkIdType>(BlockSize, end - first));
+      const int limit = static_cast<int>(std::min<vtkIdType>(MaxBlockSize, end - first));
       unsigned common = ~0u; // shapes that all cells of the block have
-      for (int i = 0; i < size; ++i)
+      int points = 0;
+      for (size = 0; size < limit && points < MaxBlockPoints; ++size)
       {
-        block[i].Load(this->Mesh, first + i, this->Options);
-        block[i].Compute(this->Needs);
+        CellGeometry& cell = block[size];
+        cell.Load(this->Mesh, first + size, this->Options);
+        cell.Compute(this->Needs);
         if (this->Centers)
         {
-          this->Centers->Set(first + i, block[i]);
+          this->Centers->Set(first + size, cell);
         }
-        common &= block[i].IsFinite() ? block[i].GetShapes() | AnyCell : 0u;
+        points += cell.GetNumberOfPoints();
+        common &= cell.IsFinite() ? cell.GetShapes() | AnyCell : 0u;
       }
       for (const CriterionValues& row : this->Criteria)
       {

@@ -45,16 +45,13 @@ double MaxWarpage(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MaxFaceConcavity(const CellGeometry& cell)
 {
-  double largest = Null(NullReason::Degenerate);
+  AngleRange angles;
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
-    const double value = GetFaceConcavity(cell, f);
-    if (!std::isnan(value))
-    {
-      largest = std::isnan(largest) ? value : std::max(largest, value);
-    }
+    angles.Add(cell.GetFaceAngles(f));
   }
-  return std::isnan(largest) ? largest : cell.ToAngleUnit(largest);
+  const double largest = angles.GetMax();
+  return angles.IsEmpty() ? largest : cell.ToAngleUnit(std::max(0.0, largest - Pi));
 }
 
 //------------------------------------------------------------------------------

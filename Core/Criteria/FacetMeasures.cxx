@@ -31,12 +31,23 @@ bool IsZeroFacet(const CellNeighborhood& cell, const Facet& facet)
 }
 
 //------------------------------------------------------------------------------
-double GetNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
+bool AddNonOrthogonality(const CellNeighborhood& cell, const Facet& facet, AngleRange& angles)
 {
   const Vector line = facet.OtherCentroid - cell.GetCentroid();
-  return IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(line))
-    ? Null(NullReason::Degenerate)
-    : GetAngle(line, facet.Area);
+  if (IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(line)))
+  {
+    return false;
+  }
+  angles.Add(Norm(Cross(line, facet.Area)), Dot(line, facet.Area));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double GetNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
+{
+  AngleRange angle;
+  AddNonOrthogonality(cell, facet, angle);
+  return angle.GetMax();
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,9 @@ namespace camaron
 bool IsZeroFacet(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// Angle between the line to the other centroid and the vector area.
 double GetNonOrthogonality(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+/// The same into a range; false where it is null.
+bool AddNonOrthogonality(
+  const CellNeighborhood& cell, const CellNeighborhood::Facet& facet, AngleRange& angles);
 /// Angle between the line to the centre of the facet and the vector area.
 double GetBoundaryNonOrthogonality(
   const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);

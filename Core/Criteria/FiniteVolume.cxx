@@ -76,9 +76,11 @@ double WorstOfInnerFacets(const CellNeighborhood& cell, bool largest, Measure&& 
 //------------------------------------------------------------------------------
 double MaxNonOrthogonality(const CellNeighborhood& cell)
 {
-  const double angle = WorstOfInnerFacets(
-    cell, true, [&](const Facet& facet) { return GetNonOrthogonality(cell, facet); });
-  return std::isnan(angle) ? angle : cell.GetGeometry().ToAngleUnit(angle);
+  AngleRange angles; // of which only the largest costs an arc tangent
+  const double found = WorstOfInnerFacets(cell, true,
+    [&](const Facet& facet)
+    { return AddNonOrthogonality(cell, facet, angles) ? 0 : Null(NullReason::Degenerate); });
+  return std::isnan(found) ? found : cell.GetGeometry().ToAngleUnit(angles.GetMax());
 }
 
 //------------------------------------------------------------------------------

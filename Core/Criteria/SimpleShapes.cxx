@@ -44,6 +44,10 @@ bool Contains(const int* points, int size, int point)
 unsigned FindSimpleShape(const CellTopology& topology)
 {
   const int points = topology.NumberOfPoints, faces = topology.GetNumberOfFaces();
+  if (points > MaxSimpleNodes)
+  {
+    return 0;
+  }
   int triangles = 0, quads = 0;
   for (int f = 0; f < faces; ++f)
   {
