@@ -44,6 +44,7 @@ public:
     int numberOfRequestedPieces, Reducer& reducer);
   ~MeshPieces();
 
+  const std::vector<LinkedPiece>& Get() const { return this->Pieces; }
   std::size_t GetSize() const { return this->Pieces.size(); }
   /// A vtkUnstructuredGrid or vtkPolyData with the cells of the data set.
   vtkDataSet* GetMesh(std::size_t piece) const { return this->Meshes[piece]; }

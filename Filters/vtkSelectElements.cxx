@@ -143,6 +143,12 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
   os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
   os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
+  os << indent << "Adjacency: " << this->GetAdjacency() << '\n';
+  os << indent << "NumberOfRings: " << this->GetNumberOfRings() << '\n';
+  os << indent << "FeatureAngle: " << this->GetFeatureAngle() << '\n';
+  os << indent << "OnlyBoundary: " << this->GetOnlyBoundary() << '\n';
+  os << indent << "OnlyInRange: " << this->GetOnlyInRange() << '\n';
+  os << indent << "PartNumber: " << this->GetPartNumber() << '\n';
   os << indent << "Placement: " << this->GetPlacement() << '\n';
   os << indent << "InsideOut: " << this->GetInsideOut() << '\n';
   os << indent << "Shape: " << this->GetShape() << '\n';
@@ -159,33 +165,6 @@ void vtkSelectElements::SetText(std::string& member, const char* text)
   if (member != value)
   {
     member = value;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSelectElements::SetNumberOfWorst(int number)
-{
-  number = std::max(number, 0);
-  if (this->Parameters->NumberOfWorst != number)
-  {
-    this->Parameters->NumberOfWorst = number;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-int vtkSelectElements::GetNumberOfWorst() const
-{
-  return this->Parameters->NumberOfWorst;
-}
-
-//------------------------------------------------------------------------------
-void vtkSelectElements::SetLeaveNulls(bool leave)
-{
-  if (this->Parameters->LeaveNulls != leave)
-  {
-    this->Parameters->LeaveNulls = leave;
     this->Modified();
   }
 }
@@ -232,28 +211,6 @@ void vtkSelectElements::ClearPlanes()
 }
 
 //------------------------------------------------------------------------------
-void vtkSelectElements::SetInsideOut(bool insideOut)
-{
-  if (this->Parameters->InsideOut != insideOut)
-  {
-    this->Parameters->InsideOut = insideOut;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-bool vtkSelectElements::GetInsideOut() const
-{
-  return this->Parameters->InsideOut;
-}
-
-//------------------------------------------------------------------------------
-bool vtkSelectElements::GetLeaveNulls() const
-{
-  return this->Parameters->LeaveNulls;
-}
-
-//------------------------------------------------------------------------------
 // Properties that are text.
 #define CAMARON_TEXT_PROPERTY(name)                                                                \
   void vtkSelectElements::Set##name(const char* text)                                              \
@@ -279,7 +236,34 @@ CAMARON_TEXT_PROPERTY(LowerLimit)
 CAMARON_TEXT_PROPERTY(UpperLimit)
 CAMARON_TEXT_PROPERTY(WorstValues)
 CAMARON_TEXT_PROPERTY(Placement)
+CAMARON_TEXT_PROPERTY(Adjacency)
 #undef CAMARON_TEXT_PROPERTY
+
+//------------------------------------------------------------------------------
+// Numbers, no smaller than the least one, and choices.
+#define CAMARON_NUMBER_PROPERTY(name, type, least)                                                 \
+  void vtkSelectElements::Set##name(type value)                                                    \
+  {                                                                                                \
+    value = std::max<type>(value, least);                                                          \
+    if (this->Parameters->name != value)                                                           \
+    {                                                                                              \
+      this->Parameters->name = value;                                                              \
+      this->Modified();                                                                            \
+    }                                                                                              \
+  }                                                                                                \
+  type vtkSelectElements::Get##name() const                                                        \
+  {                                                                                                \
+    return this->Parameters->name;                                                                 \
+  }
+CAMARON_NUMBER_PROPERTY(NumberOfWorst, int, 0)
+CAMARON_NUMBER_PROPERTY(NumberOfRings, int, 0)
+CAMARON_NUMBER_PROPERTY(PartNumber, int, 1)
+CAMARON_NUMBER_PROPERTY(FeatureAngle, double, 0)
+CAMARON_NUMBER_PROPERTY(LeaveNulls, bool, false)
+CAMARON_NUMBER_PROPERTY(InsideOut, bool, false)
+CAMARON_NUMBER_PROPERTY(OnlyBoundary, bool, false)
+CAMARON_NUMBER_PROPERTY(OnlyInRange, bool, false)
+#undef CAMARON_NUMBER_PROPERTY
 
 //------------------------------------------------------------------------------
 int vtkSelectElements::FillInputPortInformation(int port, vtkInformation* info)

@@ -20,6 +20,8 @@
  * - "By id": a list of ids;
  * - "Shape", "Half-spaces", "Surface": what lies in a sphere, box, cylinder or behind a plane; behind all
  * planes of a list; in a closed surface, as Placement says;
+ * - "Expand", "Shrink": the selection so far with rings of neighbours, or without;
+ * - "Connected": all that hangs together with the selection so far; "Part": of its parts the n-th largest;
  * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell has, in whatever
  * piece; or the points of these faces and edges;
  * - "All", "Current" (the selection so far), "Invert" (what is not in it).
@@ -204,6 +206,49 @@ public:
   void SetInsideOut(bool insideOut);
   bool GetInsideOut() const;
   vtkBooleanMacro(InsideOut, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Expand, Shrink, Connected, Part: cells are neighbours over a common "Face" (default; of 2D cells an edge),
+   * "Edge" or "Vertex". Points are on a face, an edge or (Vertex) a cell.
+   */
+  void SetAdjacency(const char* name);
+  const char* GetAdjacency() const;
+  ///@}
+
+  ///@{
+  /// Expand, Shrink: how often. Default: 1.
+  void SetNumberOfRings(int rings);
+  int GetNumberOfRings() const;
+  ///@}
+
+  ///@{
+  /**
+   * Expand, Shrink, Connected, Part, over Faces: 2D cells whose normals differ by more than this angle in degrees are no
+   * neighbours. Default: 180, all are.
+   */
+  void SetFeatureAngle(double degrees);
+  double GetFeatureAngle() const;
+  ///@}
+
+  ///@{
+  /**
+   * Expand, Connected: whether to stay within the elements of Boundary, and within those that By criterion would
+   * select. Default: off.
+   */
+  void SetOnlyBoundary(bool only);
+  bool GetOnlyBoundary() const;
+  vtkBooleanMacro(OnlyBoundary, bool);
+  void SetOnlyInRange(bool only);
+  bool GetOnlyInRange() const;
+  vtkBooleanMacro(OnlyInRange, bool);
+  ///@}
+
+  ///@{
+  /// Part: which one, 1 (default) for the largest; of equally large ones that with the smallest id first.
+  void SetPartNumber(int number);
+  int GetPartNumber() const;
   ///@}
 
   ///@{

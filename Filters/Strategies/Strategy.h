@@ -44,6 +44,12 @@ struct SelectionParameters
   bool LeaveNulls = false;
   std::string Placement = "Centroid inside";
   bool InsideOut = false;
+  std::string Adjacency = "Face";
+  int NumberOfRings = 1;
+  double FeatureAngle = 180;
+  bool OnlyBoundary = false;
+  bool OnlyInRange = false;
+  int PartNumber = 1;
   vtkSmartPointer<vtkImplicitFunction> Shape;
   std::vector<std::array<double, 6>> Planes; ///< a point and the normal to the outside of each
   vtkDataObject* Surface = nullptr;
@@ -98,11 +104,15 @@ std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectNull(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectPart(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
 
 struct Strategy

@@ -98,6 +98,12 @@ TEST(SelectElementsProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "Combination"), filter->GetCombination());
   EXPECT_EQ(ReadDefault(proxy, "Placement"), filter->GetPlacement());
   EXPECT_EQ(ReadChoices(proxy, "Placement"), camaron::GetPlacementNames());
+  EXPECT_EQ(ReadDefault(proxy, "Adjacency"), filter->GetAdjacency());
+  EXPECT_EQ(ReadDefault(proxy, "NumberOfRings"), std::to_string(filter->GetNumberOfRings()));
+  EXPECT_EQ(std::stod(ReadDefault(proxy, "FeatureAngle")), filter->GetFeatureAngle());
+  EXPECT_EQ(ReadDefault(proxy, "PartNumber"), std::to_string(filter->GetPartNumber()));
+  EXPECT_EQ(ReadDefault(proxy, "OnlyBoundary"), std::to_string(filter->GetOnlyBoundary()));
+  EXPECT_EQ(ReadDefault(proxy, "OnlyInRange"), std::to_string(filter->GetOnlyInRange()));
   EXPECT_EQ(ReadDefault(proxy, "InsideOut"), std::to_string(filter->GetInsideOut()));
   EXPECT_EQ(ReadDefault(proxy, "LeaveNulls"), std::to_string(filter->GetLeaveNulls()));
   EXPECT_EQ(ReadDefault(proxy, "Ids"), filter->GetIds());

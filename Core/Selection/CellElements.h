@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellElements
+ * @brief The elements over which cells of a mesh are neighbours: their facets, edges or vertices, numbered.
+ *
+ * Facets are the faces of 3D cells and, after them, the edges of 2D cells.
+ */
+#ifndef camaron_CellElements_h
+#define camaron_CellElements_h
+
+#include "Mesh/CellFacets.h"
+#include "Mesh/MeshTopology.h"
+
+#include <vector> // for the edges
+
+namespace camaron
+{
+class CellElements
+{
+public:
+  /// Borrows the topology. Builds the tables that are needed.
+  CellElements(const MeshTopology& topology, Adjacency adjacency);
+
+  vtkIdType GetSize() const { return this->Size; }
+
+  /// Calls @a visit(element) for the elements of a cell, as its other overload.
+  template <typename Visit>
+  void ForEach(vtkIdType cell, Visit&& visit) const
+  {
+    if (this->Kind == Adjacency::Vertex)
+    {
+      const IndexRange points = this->Mesh.GetCellPoints(cell);
+      for (vtkIdType i = 0, size = this->GetNumberOfCorners(cell, points); i < size; ++i)
+      {
+        visit(points[i]);
+      }
+    }
+    else if (this->Kind == Adjacency::Edge)
+    {
+      for (vtkIdType i = this->EdgeOffsets[cell]; i < this->EdgeOffsets[cell + 1]; ++i)
+      {
+        visit(this->Edges[i]);
+      }
+    }
+    else
+    {
+      this->ForEachFacet(this->Faces, 0, cell, visit);
+      this->ForEachFacet(this->SurfaceEdges, this->NumberOfFaces, cell, visit);
+    }
+  }
+
+  /// Calls @a visit(element, points, numberOfPoints) for the elements of a cell; @a facets is of the same mesh.
+  template <typename Visit>
+  void ForEach(vtkIdType cell, CellFacets& facets, Visit&& visit) const
+  {
+    if (this->Kind == Adjacency::Vertex)
+    {
+      this->ForEach(cell, [&](vtkIdType point) { visit(point, &point, vtkIdType(1)); });
+    }
+    else if (this->Kind == Adjacency::Edge)
+    {
+      vtkIdType next = cell < static_cast<vtkIdType>(this->EdgeOffsets.size()) - 1
+        ? this->EdgeOffsets[cell]
+        : 0;
+      facets.ForEachEdge(cell,
+        [&](vtkIdType a, vtkIdType b)
+        {
+          const vtkIdType ends[2] = { a, b };
+          visit(this->Edges[next++], ends, vtkIdType(2));
+        });
+    }
+    else
+    {
+      const bool isSolid = facets.GetDimension(cell) == 3;
+      const FacetTable* table = isSolid ? this->Faces : this->SurfaceEdges;
+      const vtkIdType first = isSolid ? 0 : this->NumberOfFaces;
+      facets.ForEach(cell,
+        [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+        {
+          const Index facet = table->GetCellFacets(cell)[static_cast<Index>(local)].Facet();
+          visit(first + facet, points, size);
+        });
+    }
+  }
+
+private:
+  template <typename Visit>
+  static void ForEachFacet(
+    const FacetTable* table, vtkIdType first, vtkIdType cell, Visit&& visit)
+  {
+    if (table)
+    {
+      for (const CellFacet use : table->GetCellFacets(cell))
+      {
+        visit(first + use.Facet());
+      }
+    }
+  }
+  vtkIdType GetNumberOfCorners(vtkIdType cell, const IndexRange& points) const;
+  void FindEdges(const MeshTopology& topology);
+
+  const MeshView& Mesh;
+  Adjacency Kind;
+  const FacetTable* Faces = nullptr;
+  const FacetTable* SurfaceEdges = nullptr;
+  vtkIdType NumberOfFaces = 0, Size = 0;
+  std::vector<vtkIdType> EdgeOffsets; ///< of the cells; an edge comes twice if two faces have it
+  std::vector<Index> Edges;
+};
+}
+
+#endif

@@ -1,0 +1,502 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Selection/Growth.h"
+
+#include "Criteria/CellNeighborhood.h"
+#include "Criteria/MeshContext.h"
+#include "Mesh/DisjointSets.h"
+#include "Mesh/FacetLinks.h"
+#include "Parallel.h"
+#include "Selection/SharedElements.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1 << 14;
+constexpr std::int64_t None = std::numeric_limits<std::int64_t>::max();
+constexpr double DegreesPerRadian = 57.295779513082320876798154814105;
+
+/// Calls function(cell) for the cells of a mesh, with all threads.
+template <typename Function>
+void ForEachCell(const LinkedPiece& piece, Function&& function)
+{
+  ParallelFor(piece.Topology->GetMesh().GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        function(cell);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+/// Edges of a surface over which it turns too much.
+class Creases
+{
+public:
+  Creases(const LinkedPiece& piece, const Neighborhood& neighborhood)
+  {
+    const MeshView& mesh = piece.Topology->GetMesh();
+    if (neighborhood.Adjacency != Adjacency::Facet || !(neighborhood.FeatureAngle < 180) ||
+      !HasCellsOfDimension(mesh, 2))
+    {
+      return;
+    }
+    const FacetTable& edges = piece.Topology->GetSurfaceEdges();
+    this->First = HasCellsOfDimension(mesh, 3) ? piece.Topology->GetFaces().GetNumberOfFacets() : 0;
+    this->IsCrease.resize(edges.GetNumberOfFacets());
+    const MeshContext context(*piece.Topology, piece.Options);
+    const std::vector<Vector>& areas = context.GetCellVectors();
+    std::vector<Vector> around;
+    std::vector<Index> cells;
+    for (Index edge = 0; edge < edges.GetNumberOfFacets(); ++edge)
+    {
+      this->FindNormals(piece, edges, edge, areas, cells, around);
+      this->IsCrease[edge] = Turns(around, neighborhood.FeatureAngle);
+    }
+  }
+
+  bool Has(vtkIdType element) const
+  {
+    return element >= this->First && !this->IsCrease.empty() &&
+      this->IsCrease[element - this->First];
+  }
+
+private:
+  /// Of all cells at an edge, as if each ran along it in the direction in which the owner does not.
+  static void FindNormals(const LinkedPiece& piece, const FacetTable& edges, Index edge,
+    const std::vector<Vector>& areas, std::vector<Index>& cells, std::vector<Vector>& normals)
+  {
+    normals.clear();
+    edges.GetCells(edge, cells);
+    for (const Index cell : cells)
+    {
+      if (piece.IsCopy(cell))
+      {
+        continue; // it comes with the links
+      }
+      for (const CellFacet use : edges.GetCellFacets(cell))
+      {
+        if (use.Facet() == edge)
+        {
+          normals.push_back(use.IsReversed() ? areas[cell] : -areas[cell]);
+        }
+      }
+    }
+    if (piece.Options.Links)
+    {
+      piece.Options.Links->Edges.ForEach(edge,
+        [&](const LinkedCell& cell, bool isReversed)
+        { normals.push_back(isReversed ? cell.Area : -cell.Area); });
+    }
+  }
+
+  static bool Turns(const std::vector<Vector>& normals, double limit)
+  {
+    for (std::size_t i = 0; i < normals.size(); ++i)
+    {
+      for (std::size_t k = i + 1; k < normals.size(); ++k)
+      {
+        // Cells that continue each other run along their edge in opposite directions.
+        const Vector other = -normals[k];
+        const double angle = std::atan2(Norm(Cross(normals[i], other)), Dot(normals[i], other));
+        if (angle * DegreesPerRadian > limit)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  vtkIdType First = 0;
+  std::vector<bool> IsCrease;
+};
+
+//------------------------------------------------------------------------------
+/// What leads from cell to cell.
+class Bridges
+{
+public:
+  Bridges(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, Reducer& reducer)
+    : Elements(MakeElements(pieces, neighborhood.Adjacency))
+    , Shared(pieces, this->Elements, reducer)
+  {
+    for (const LinkedPiece& piece : pieces)
+    {
+      this->CreasesOf.emplace_back(piece, neighborhood);
+    }
+  }
+
+  vtkIdType GetSize(std::size_t piece) const { return this->Elements[piece].GetSize(); }
+
+  /// Calls visit(element) for those of a cell that lead on.
+  template <typename Visit>
+  void ForEach(std::size_t piece, vtkIdType cell, Visit&& visit) const
+  {
+    const Creases& creases = this->CreasesOf[piece];
+    this->Elements[piece].ForEach(cell,
+      [&](vtkIdType element)
+      {
+        if (!creases.Has(element))
+        {
+          visit(element);
+        }
+      });
+  }
+
+  SharedElements& GetShared() { return this->Shared; }
+
+private:
+  static std::vector<CellElements> MakeElements(
+    const std::vector<LinkedPiece>& pieces, Adjacency adjacency)
+  {
+    std::vector<CellElements> elements;
+    elements.reserve(pieces.size());
+    for (const LinkedPiece& piece : pieces)
+    {
+      elements.emplace_back(*piece.Topology, adjacency);
+    }
+    return elements;
+  }
+
+  std::vector<CellElements> Elements;
+  SharedElements Shared;
+  std::vector<Creases> CreasesOf;
+};
+
+//------------------------------------------------------------------------------
+/// The parts of a set of cells that hang together, with labels that all pieces know them by.
+class Parts
+{
+public:
+  Parts(Bridges& bridges, const CellMarks& cells, Reducer& reducer)
+    : Cells(cells)
+  {
+    this->Join(bridges);
+    this->JoinPieces(bridges, reducer);
+  }
+
+  std::int64_t GetLabel(std::size_t piece, vtkIdType cell)
+  {
+    return this->Labels[piece][this->Sets[piece].Find(cell)];
+  }
+  /// The process that has the label.
+  static int GetProcess(std::int64_t label) { return static_cast<int>(label >> CellBits >> PieceBits); }
+
+  /// Calls visit(piece, cell) for the cells of the set.
+  template <typename Visit>
+  void ForEach(Visit&& visit) const
+  {
+    for (std::size_t piece = 0; piece < this->Cells.size(); ++piece)
+    {
+      for (std::size_t cell = 0; cell < this->Cells[piece].size(); ++cell)
+      {
+        if (this->Cells[piece][cell])
+        {
+          visit(piece, static_cast<vtkIdType>(cell));
+        }
+      }
+    }
+  }
+
+private:
+  static constexpr int CellBits = 31, PieceBits = 14; // which leaves 18 bits for processes
+
+  void Join(const Bridges& bridges)
+  {
+    for (std::size_t piece = 0; piece < this->Cells.size(); ++piece)
+    {
+      this->Sets.emplace_back(this->Cells[piece].size());
+      this->FirstCells.emplace_back(bridges.GetSize(piece), -1);
+    }
+    this->ForEach(
+      [&](std::size_t piece, vtkIdType cell)
+      {
+        DisjointSets& sets = this->Sets[piece];
+        sets.Insert(cell);
+        bridges.ForEach(piece, cell,
+          [&](vtkIdType element)
+          {
+            Index& first = this->FirstCells[piece][element];
+            if (first < 0)
+            {
+              first = static_cast<Index>(cell);
+            }
+            sets.Join(first, cell);
+          });
+      });
+  }
+
+  // Smaller labels spread over shared elements until nothing changes.
+  void JoinPieces(Bridges& bridges, Reducer& reducer)
+  {
+    for (std::size_t piece = 0; piece < this->Cells.size(); ++piece)
+    {
+      const std::int64_t first =
+        ((static_cast<std::int64_t>(reducer.GetProcess()) << PieceBits) + static_cast<std::int64_t>(piece))
+        << CellBits;
+      this->Labels.emplace_back(this->Cells[piece].size());
+      for (std::size_t cell = 0; cell < this->Cells[piece].size(); ++cell)
+      {
+        this->Labels[piece][cell] = first + static_cast<std::int64_t>(cell);
+      }
+    }
+    const std::vector<SharedElements::Element>& shared = bridges.GetShared().Get();
+    std::vector<std::int64_t> values;
+    for (std::int64_t hasChanged = 1; hasChanged;)
+    {
+      values.clear();
+      for (const SharedElements::Element& element : shared)
+      {
+        const Index cell = this->FirstCells[element.Piece][element.Number];
+        values.push_back(cell < 0 ? None : this->GetLabel(element.Piece, cell));
+      }
+      bridges.GetShared().Minimize(values);
+      hasChanged = 0;
+      for (std::size_t i = 0; i < shared.size(); ++i)
+      {
+        const Index cell = this->FirstCells[shared[i].Piece][shared[i].Number];
+        if (cell >= 0 && values[i] < this->GetLabel(shared[i].Piece, cell))
+        {
+          this->Labels[shared[i].Piece][this->Sets[shared[i].Piece].Find(cell)] = values[i];
+          hasChanged = 1;
+        }
+      }
+      reducer.Max(&hasChanged, 1);
+    }
+  }
+
+  const CellMarks& Cells;
+  std::vector<DisjointSets> Sets;             // of the cells of each piece
+  std::vector<std::vector<Index>> FirstCells; // of each element
+  std::vector<std::vector<std::int64_t>> Labels; // of the sets, at the cells they are known by
+};
+}
+
+//------------------------------------------------------------------------------
+void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, int rings,
+  const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
+{
+  Bridges bridges(pieces, neighborhood, reducer);
+  const std::vector<SharedElements::Element>& shared = bridges.GetShared().Get();
+  std::vector<std::vector<std::atomic<unsigned char>>> reached;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    reached.emplace_back(bridges.GetSize(piece));
+  }
+  CellMarks isNew = marks; // 1 for the cells of the last ring
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    {
+      ForEachCell(pieces[piece],
+        [&](vtkIdType cell)
+        {
+          if (isNew[piece][cell])
+          {
+            bridges.ForEach(piece, cell,
+              [&](vtkIdType element)
+              { reached[piece][element].store(1, std::memory_order_relaxed); });
+          }
+        });
+    }
+    std::vector<std::int64_t> values;
+    for (const SharedElements::Element& element : shared)
+    {
+      values.push_back(reached[element.Piece][element.Number] ? 0 : 1);
+    }
+    bridges.GetShared().Minimize(values);
+    for (std::size_t i = 0; i < shared.size(); ++i)
+    {
+      reached[shared[i].Piece][shared[i].Number] = values[i] == 0;
+    }
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    {
+      ForEachCell(pieces[piece],
+        [&](vtkIdType cell)
+        {
+          isNew[piece][cell] = 0;
+          if (marks[piece][cell] || !allowed[piece][cell] || pieces[piece].IsCopy(cell))
+          {
+            return;
+          }
+          bool isReached = false;
+          bridges.ForEach(piece, cell,
+            [&](vtkIdType element)
+            { isReached |= reached[piece][element].load(std::memory_order_relaxed) != 0; });
+          isNew[piece][cell] = isReached;
+          marks[piece][cell] = isReached;
+        });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
+  Reducer& reducer, CellMarks& marks)
+{
+  std::vector<CellElements> points;
+  for (const LinkedPiece& piece : pieces)
+  {
+    points.emplace_back(*piece.Topology, Adjacency::Vertex);
+  }
+  SharedElements shared(pieces, points, reducer);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    CellMarks next = marks;
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+    {
+      const MeshView& mesh = pieces[piece].Topology->GetMesh();
+      CellFacets facets(mesh);
+      const auto spread = [&](const vtkIdType* group, vtkIdType size)
+      {
+        if (std::any_of(group, group + size, [&](vtkIdType p) { return marks[piece][p] != 0; }))
+        {
+          std::for_each(group, group + size, [&](vtkIdType p) { next[piece][p] = 1; });
+        }
+      };
+      std::vector<vtkIdType> corners;
+      for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+      {
+        if (adjacency == Adjacency::Vertex)
+        {
+          corners.clear();
+          points[piece].ForEach(cell, [&](vtkIdType point) { corners.push_back(point); });
+          spread(corners.data(), static_cast<vtkIdType>(corners.size()));
+        }
+        else if (adjacency == Adjacency::Facet)
+        {
+          facets.ForEach(cell,
+            [&](const vtkIdType* group, vtkIdType size, vtkIdType) { spread(group, size); });
+        }
+        else
+        {
+          facets.ForEachEdge(cell,
+            [&](vtkIdType a, vtkIdType b)
+            {
+              const vtkIdType ends[2] = { a, b };
+              spread(ends, 2);
+            });
+        }
+      }
+    }
+    std::vector<std::int64_t> values;
+    for (const SharedElements::Element& point : shared.Get())
+    {
+      values.push_back(next[point.Piece][point.Number] ? 0 : 1);
+    }
+    shared.Minimize(values);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      next[shared.Get()[i].Piece][shared.Get()[i].Number] = values[i] == 0;
+    }
+    marks.swap(next);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Flood(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
+  const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
+{
+  Bridges bridges(pieces, neighborhood, reducer);
+  CellMarks cells = marks;
+  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  {
+    ForEachCell(pieces[piece],
+      [&](vtkIdType cell)
+      { cells[piece][cell] |= allowed[piece][cell] && !pieces[piece].IsCopy(cell); });
+  }
+  Parts parts(bridges, cells, reducer);
+  std::vector<std::int64_t> seeds;
+  parts.ForEach(
+    [&](std::size_t piece, vtkIdType cell)
+    {
+      if (marks[piece][cell])
+      {
+        seeds.push_back(parts.GetLabel(piece, cell));
+      }
+    });
+  const auto sortOut = [&seeds]
+  {
+    std::sort(seeds.begin(), seeds.end());
+    seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  };
+  sortOut();
+  seeds = reducer.GatherItems(seeds);
+  sortOut();
+  parts.ForEach(
+    [&](std::size_t piece, vtkIdType cell)
+    {
+      marks[piece][cell] =
+        std::binary_search(seeds.begin(), seeds.end(), parts.GetLabel(piece, cell));
+    });
+}
+
+//------------------------------------------------------------------------------
+std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,
+  std::int64_t rank, const std::vector<std::vector<vtkIdType>>& ids, Reducer& reducer,
+  CellMarks& marks)
+{
+  struct Part
+  {
+    std::int64_t Label, Size, Id;
+    bool operator<(const Part& other) const
+    {
+      return std::make_tuple(-this->Size, this->Id) < std::make_tuple(-other.Size, other.Id);
+    }
+  };
+  const auto add = [](std::map<std::int64_t, Part>& parts, const Part& part)
+  {
+    Part& known = parts.emplace(part.Label, Part{ part.Label, 0, None }).first->second;
+    known.Size += part.Size;
+    known.Id = std::min(known.Id, part.Id);
+  };
+
+  Bridges bridges(pieces, neighborhood, reducer);
+  Parts parts(bridges, marks, reducer);
+  std::map<std::int64_t, Part> own, whole;
+  parts.ForEach([&](std::size_t piece, vtkIdType cell)
+    { add(own, { parts.GetLabel(piece, cell), 1, ids[piece][cell] }); });
+
+  // Every process puts the parts together that it has the labels of.
+  std::vector<std::vector<Part>> sent(reducer.GetNumberOfProcesses());
+  for (const auto& part : own)
+  {
+    sent[Parts::GetProcess(part.first)].push_back(part.second);
+  }
+  for (const std::vector<Part>& list : reducer.ExchangeItems(std::move(sent)))
+  {
+    for (const Part& part : list)
+    {
+      add(whole, part);
+    }
+  }
+  std::vector<Part> largest;
+  for (const auto& part : whole)
+  {
+    largest.push_back(part.second);
+  }
+  auto numberOfParts = static_cast<std::int64_t>(largest.size());
+  std::sort(largest.begin(), largest.end());
+  largest.resize(static_cast<std::size_t>(std::min(rank, numberOfParts)));
+  reducer.Sum(&numberOfParts, 1);
+  largest = reducer.GatherItems(largest);
+  std::sort(largest.begin(), largest.end());
+  const std::int64_t label =
+    rank <= static_cast<std::int64_t>(largest.size()) ? largest[rank - 1].Label : -1;
+  parts.ForEach(
+    [&](std::size_t piece, vtkIdType cell)
+    { marks[piece][cell] = parts.GetLabel(piece, cell) == label; });
+  return numberOfParts;
+}
+}

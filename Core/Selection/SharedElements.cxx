@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Selection/SharedElements.h"
+
+#include "Criteria/PieceBorders.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+SharedElements::SharedElements(const std::vector<LinkedPiece>& pieces,
+  const std::vector<CellElements>& elements, camaron::Reducer& reducer)
+  : Reducer(reducer)
+{
+  std::vector<Candidate> candidates;
+  this->FindCandidates(pieces, elements, candidates);
+  this->FindGroups(candidates);
+}
+
+//------------------------------------------------------------------------------
+// Elements all of whose points lie in the box of another piece, each once.
+void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
+  const std::vector<CellElements>& elements, std::vector<Candidate>& candidates)
+{
+  const PieceBorders borders(pieces, this->Reducer);
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const std::vector<unsigned char> isNear = borders.FindNearPoints(p);
+    if (isNear.empty())
+    {
+      continue;
+    }
+    const MeshView& mesh = pieces[p].Topology->GetMesh();
+    CellFacets facets(mesh);
+    std::vector<bool> isKnown(elements[p].GetSize());
+    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+    {
+      if (pieces[p].IsCopy(cell))
+      {
+        continue;
+      }
+      elements[p].ForEach(cell, facets,
+        [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
+        {
+          if (isKnown[element] ||
+            !std::all_of(points, points + size, [&](vtkIdType point) { return isNear[point]; }))
+          {
+            return;
+          }
+          isKnown[element] = true;
+          Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p), element };
+          for (vtkIdType i = 0; i < size; ++i)
+          {
+            // Sums, as the points come in any order.
+            const std::uint64_t hash = Hash(borders.GetKey(p, points[i]));
+            candidate.Hash[0] += hash;
+            candidate.Hash[1] += Mix(hash);
+          }
+          candidates.push_back(candidate);
+        });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void SharedElements::FindGroups(const std::vector<Candidate>& candidates)
+{
+  const auto numberOfProcesses = static_cast<std::size_t>(this->Reducer.GetNumberOfProcesses());
+  std::vector<std::vector<Candidate>> sent(numberOfProcesses);
+  for (const Candidate& candidate : candidates)
+  {
+    sent[candidate.Hash[0] % numberOfProcesses].push_back(candidate);
+  }
+  std::vector<std::vector<Candidate>> kept = sent;
+  const auto received = this->Reducer.ExchangeItems(std::move(sent));
+
+  struct Item
+  {
+    std::uint64_t Hash[2];
+    std::int32_t Block;
+    std::size_t Process, Number;
+    auto GetKey() const { return std::tie(this->Hash[0], this->Hash[1], this->Block); }
+  };
+  std::vector<Item> items;
+  for (std::size_t process = 0; process < received.size(); ++process)
+  {
+    for (std::size_t i = 0; i < received[process].size(); ++i)
+    {
+      const Candidate& candidate = received[process][i];
+      items.push_back(
+        { { candidate.Hash[0], candidate.Hash[1] }, candidate.Block, process, i });
+    }
+  }
+  std::sort(items.begin(), items.end(),
+    [](const Item& a, const Item& b) { return a.GetKey() < b.GetKey(); });
+
+  // Groups of one are dropped, here and where they come from.
+  std::vector<std::vector<vtkIdType>> groups(numberOfProcesses);
+  for (std::size_t process = 0; process < received.size(); ++process)
+  {
+    groups[process].assign(received[process].size(), -1);
+  }
+  for (std::size_t first = 0; first < items.size();)
+  {
+    std::size_t last = first + 1;
+    while (last < items.size() && items[last].GetKey() == items[first].GetKey())
+    {
+      ++last;
+    }
+    for (std::size_t i = first; i < last && last - first > 1; ++i)
+    {
+      groups[items[i].Process][items[i].Number] = this->NumberOfGroups;
+    }
+    this->NumberOfGroups += last - first > 1;
+    first = last;
+  }
+  auto answers = groups;
+  const auto verdicts = this->Reducer.ExchangeItems(std::move(answers));
+  this->SentTo.assign(numberOfProcesses, 0);
+  for (std::size_t process = 0; process < numberOfProcesses; ++process)
+  {
+    for (std::size_t i = 0; i < kept[process].size(); ++i)
+    {
+      if (verdicts[process][i] >= 0)
+      {
+        this->Elements.push_back({ kept[process][i].Piece, kept[process][i].Number });
+        ++this->SentTo[process];
+      }
+    }
+    groups[process].erase(
+      std::remove(groups[process].begin(), groups[process].end(), vtkIdType(-1)),
+      groups[process].end());
+  }
+  this->Groups = std::move(groups);
+}
+
+//------------------------------------------------------------------------------
+void SharedElements::Minimize(std::vector<std::int64_t>& values)
+{
+  std::vector<std::vector<std::int64_t>> sent;
+  auto next = values.cbegin();
+  for (const std::size_t size : this->SentTo)
+  {
+    sent.emplace_back(next, next + static_cast<std::ptrdiff_t>(size));
+    next += static_cast<std::ptrdiff_t>(size);
+  }
+  auto lists = this->Reducer.ExchangeItems(std::move(sent));
+  std::vector<std::int64_t> smallest(
+    this->NumberOfGroups, std::numeric_limits<std::int64_t>::max());
+  for (std::size_t process = 0; process < lists.size(); ++process)
+  {
+    for (std::size_t i = 0; i < lists[process].size(); ++i)
+    {
+      std::int64_t& value = smallest[this->Groups[process][i]];
+      value = std::min(value, lists[process][i]);
+    }
+  }
+  for (std::size_t process = 0; process < lists.size(); ++process)
+  {
+    for (std::size_t i = 0; i < lists[process].size(); ++i)
+    {
+      lists[process][i] = smallest[this->Groups[process][i]];
+    }
+  }
+  lists = this->Reducer.ExchangeItems(std::move(lists));
+  values.clear();
+  for (const std::vector<std::int64_t>& list : lists)
+  {
+    values.insert(values.end(), list.begin(), list.end());
+  }
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::SharedElements
+ * @brief The facets, edges or vertices that pieces of a mesh have in common, and values that they agree on.
+ *
+ * Elements are the same when all of their points are; see PieceBorders. They are compared by a hash of 128
+ * bits, every process its share. Cells that are copies of others take no part.
+ */
+#ifndef camaron_SharedElements_h
+#define camaron_SharedElements_h
+
+#include "Criteria/LinkedPiece.h"
+#include "Selection/CellElements.h"
+#include "Statistics/Reducer.h"
+
+#include <cstdint> // for values
+#include <vector>  // for the elements
+
+namespace camaron
+{
+class SharedElements
+{
+public:
+  struct Element
+  {
+    std::int32_t Piece;
+    vtkIdType Number; ///< in CellElements of the piece
+  };
+
+  /// Collective. @a elements: of each piece.
+  SharedElements(const std::vector<LinkedPiece>& pieces, const std::vector<CellElements>& elements,
+    Reducer& reducer);
+
+  /// Those of this process' pieces.
+  const std::vector<Element>& Get() const { return this->Elements; }
+  /// Collective. Replaces the value of each of Get() by the smallest one that any piece has for it.
+  void Minimize(std::vector<std::int64_t>& values);
+
+private:
+  struct Candidate
+  {
+    std::uint64_t Hash[2];
+    std::int32_t Block, Piece;
+    vtkIdType Number;
+  };
+  void FindCandidates(const std::vector<LinkedPiece>& pieces,
+    const std::vector<CellElements>& elements, std::vector<Candidate>& candidates);
+  void FindGroups(const std::vector<Candidate>& candidates);
+
+  camaron::Reducer& Reducer;
+  std::vector<Element> Elements;     // by the process that compares them
+  std::vector<std::size_t> SentTo;   // of the elements to every process
+  std::vector<std::vector<vtkIdType>> Groups; // of what this process compares, by sender
+  vtkIdType NumberOfGroups = 0;
+};
+}
+
+#endif

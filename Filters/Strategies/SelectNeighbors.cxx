@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include "Selection/Growth.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+Adjacency FindAdjacency(const SelectionTask& task)
+{
+  const std::string& name = task.Parameters.Adjacency;
+  if (name == "Face")
+  {
+    return Adjacency::Facet;
+  }
+  if (name == "Edge")
+  {
+    return Adjacency::Edge;
+  }
+  if (name == "Vertex")
+  {
+    return Adjacency::Vertex;
+  }
+  throw std::invalid_argument("Adjacency is Face, Edge or Vertex, not '" + name + "'");
+}
+
+//------------------------------------------------------------------------------
+Neighborhood FindNeighborhood(const SelectionTask& task)
+{
+  return { FindAdjacency(task), task.Parameters.FeatureAngle };
+}
+
+//------------------------------------------------------------------------------
+/// Only angles between cells need to know what lies in other pieces.
+const std::vector<LinkedPiece>& FindPieces(const SelectionTask& task)
+{
+  return task.Parameters.FeatureAngle < 180 ? task.GetLinkedPieces().Get()
+                                            : task.GetPieces().Get();
+}
+
+//------------------------------------------------------------------------------
+/// Elements to which a selection may grow.
+SelectionMarks FindAllowed(const SelectionTask& task)
+{
+  SelectionMarks allowed = MakeMarks(task.Blocks);
+  SelectAll(task, allowed);
+  const auto keep = [&](SelectFunction select)
+  {
+    SelectionMarks marks = MakeMarks(task.Blocks);
+    select(task, marks);
+    MarkElements(allowed, [&](std::size_t b, vtkIdType i) { return allowed[b][i] && marks[b][i]; });
+  };
+  if (task.Parameters.OnlyBoundary)
+  {
+    keep(&SelectBoundary);
+  }
+  if (task.Parameters.OnlyInRange)
+  {
+    keep(&SelectByCriterion);
+  }
+  MarkElements(allowed,
+    [&](std::size_t b, vtkIdType i) { return allowed[b][i] && !task.Blocks.Get()[b].IsGhost(i); });
+  return allowed;
+}
+
+//------------------------------------------------------------------------------
+void Expand(const SelectionTask& task, const SelectionMarks& allowed, SelectionMarks& marks)
+{
+  const int rings = task.Parameters.NumberOfRings;
+  if (task.HasCells())
+  {
+    Grow(FindPieces(task), FindNeighborhood(task), rings, allowed, task.Reducer, marks);
+    return;
+  }
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    const SelectionMarks before = marks;
+    GrowPoints(task.GetPieces().Get(), FindAdjacency(task), 1, task.Reducer, marks);
+    MarkElements(marks,
+      [&](std::size_t b, vtkIdType i) { return before[b][i] || (marks[b][i] && allowed[b][i]); });
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks)
+{
+  marks = task.Current;
+  Expand(task, FindAllowed(task), marks);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// What is left when the others expand.
+std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks)
+{
+  SelectionMarks all = MakeMarks(task.Blocks);
+  SelectAll(task, all);
+  const auto isOther = [&](std::size_t b, vtkIdType i)
+  { return !task.Current[b][i] && !task.Blocks.Get()[b].IsGhost(i); };
+  MarkElements(marks, isOther);
+  Expand(task, all, marks);
+  MarkElements(marks, [&](std::size_t b, vtkIdType i) { return task.Current[b][i] && !marks[b][i]; });
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks)
+{
+  marks = task.Current;
+  Flood(FindPieces(task), FindNeighborhood(task), FindAllowed(task), task.Reducer, marks);
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string SelectPart(const SelectionTask& task, SelectionMarks& marks)
+{
+  marks = task.Current;
+  std::vector<std::vector<vtkIdType>> ids;
+  for (const ElementBlock& block : task.Blocks.Get())
+  {
+    const ValueBlock values = task.Blocks.GetValueBlock(block);
+    ids.emplace_back(values.Size);
+    for (vtkIdType cell = 0; cell < values.Size; ++cell)
+    {
+      ids.back()[cell] = values.GetId(cell);
+    }
+  }
+  const int number = task.Parameters.PartNumber;
+  const std::int64_t parts =
+    KeepPart(FindPieces(task), FindNeighborhood(task), number, ids, task.Reducer, marks);
+  return number <= parts
+    ? ""
+    : "the selection has " + std::to_string(parts) + (parts == 1 ? " part" : " parts");
+}
+}

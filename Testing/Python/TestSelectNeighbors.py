@@ -1,0 +1,247 @@
+# ranks: 1 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rings of neighbours and what hangs together, against sets in Python, however the mesh is split.
+
+No min and max here: programmable sources replace them in the main module.
+"""
+
+import functools
+
+import camaron_testing
+import numpy
+import rank_meshes
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+SPLITS = (
+    {},
+    {"scattered": True, "global_ids": True},
+    {"scattered": True, "ghosts": True},
+    {"ghosts": True, "empty_rank": True},
+)
+if camaron_testing.rank_count() == 1:
+    MESHES, SPLITS = ("voronoi", "tetrahedra", "overlapping", "surfaces", "mixed"), SPLITS[:1]
+else:
+    MESHES, SPLITS = ("voronoi", "surfaces", "mixed"), SPLITS[1:]
+KINDS = ("Face", "Edge", "Vertex")
+
+
+@functools.lru_cache
+def whole(mesh):
+    points, cells = rank_meshes.MESHES[mesh]()
+    return rank_meshes.take(points, cells, list(range(len(cells))))
+
+
+@functools.lru_cache
+def elements_of(mesh):
+    """Of every cell its facets, edges and vertices, each a set of coordinates."""
+    grid, found = whole(mesh), []
+    for i in range(grid.GetNumberOfCells()):
+        cell = grid.GetCell(i)
+        solid = cell.GetCellDimension() == 3
+
+        def sets(count, get):
+            return {
+                frozenset(map(grid.GetPoint, rank_meshes.list_ids(get(j)))) for j in range(count)
+            }
+
+        edges = sets(cell.GetNumberOfEdges(), cell.GetEdge)
+        facets = sets(cell.GetNumberOfFaces(), cell.GetFace) if solid else edges
+        vertices = {frozenset([grid.GetPoint(p)]) for p in rank_meshes.list_ids(cell)}
+        found.append({"Face": facets, "Edge": edges, "Vertex": vertices})
+    return found
+
+
+def rings(mesh, kind, seeds, count, allowed=None):
+    """The seeds with rings of neighbours; count None for all of them."""
+    elements = elements_of(mesh)
+    found = set(seeds)
+    while count is None or count > 0:
+        reached = set().union(*(elements[i][kind] for i in found)) if found else set()
+        new = {
+            i
+            for i in range(len(elements))
+            if i not in found
+            and (allowed is None or i in allowed)
+            and elements[i][kind] & reached
+        }
+        if not new:
+            break
+        found |= new
+        count = None if count is None else count - 1
+    return found
+
+
+def parts(mesh, kind, cells):
+    """The parts of some cells, the largest first, then by their first cell."""
+    rest, found = set(cells), []
+    while rest:
+        part = rings(mesh, kind, {sorted(rest)[0]}, None, rest)
+        found.append(part)
+        rest -= part
+    return sorted(found, key=lambda part: (-len(part), sorted(part)[0]))
+
+
+class TestSelectNeighbors(camaron_testing.TestCase):
+    def numbers(self, select):
+        """Which cells of the whole mesh are selected."""
+        with camaron_testing.pipeline.Messages() as messages:
+            select.UpdatePipeline()
+        self.assertEqual(messages.errors, [])
+        select.UpdatePropertyInformation()
+        found = []
+        for rank in range(camaron_testing.rank_count()):
+            data = servermanager.Fetch(select, rank).GetCellData()
+            if data.GetArray("Number"):  # a rank without cells has none
+                marks = vtk_to_numpy(data.GetArray("Selected")) == 1
+                found += vtk_to_numpy(data.GetArray("Number"))[marks].tolist()
+        self.assertEqual(len(found), len(set(found)), "a cell that is selected twice")
+        self.assertEqual(select.GetPropertyValue("NumberOfSelectedElements"), len(found))
+        return set(found)
+
+    def seed(self, source, first, last):
+        return simple.SelectElements(
+            Input=source,
+            Array="Number",
+            Range="Custom",
+            Side="Inside",
+            LowerLimit=str(first),
+            UpperLimit=str(last),
+        )
+
+    def splits(self):
+        for mesh in MESHES:
+            count = whole(mesh).GetNumberOfCells()
+            for options in SPLITS:
+                yield mesh, count, rank_meshes.split_source(mesh, **options), f"{mesh} {options}"
+
+    def test_expand_and_shrink(self):
+        for mesh, count, source, message in self.splits():
+            middle = count // 2
+            some = self.seed(source, middle, middle + 3)
+            many = self.seed(source, middle // 2, count)
+            others = set(range(middle // 2))
+            for kind in KINDS:
+                for number in (1, 3):
+                    options = {"Adjacency": kind, "NumberOfRings": number}
+                    found = self.numbers(
+                        simple.SelectElements(Input=some, Strategy="Expand", **options)
+                    )
+                    expected = rings(mesh, kind, range(middle, sorted((middle + 4, count))[0]), number)
+                    self.assertEqual(found, expected, f"{message} {options}")
+                found = self.numbers(
+                    simple.SelectElements(Input=many, Strategy="Shrink", Adjacency=kind)
+                )
+                expected = set(range(count)) - rings(mesh, kind, others, 1)
+                self.assertEqual(found, expected, f"{message} {kind}")
+
+    def test_stay_within(self):
+        for mesh, count, source, message in self.splits():
+            some = self.seed(source, count // 2, count // 2)
+            allowed = set(range(count // 4, 3 * count // 4))
+            found = self.numbers(
+                simple.SelectElements(
+                    Input=some,
+                    Strategy="Expand",
+                    NumberOfRings=4,
+                    OnlyInRange=True,
+                    Array="Number",
+                    Range="Custom",
+                    Side="Inside",
+                    LowerLimit=str(count // 4),
+                    UpperLimit=str(3 * count // 4 - 1),
+                )
+            )
+            self.assertEqual(found, rings(mesh, "Face", {count // 2}, 4, allowed), message)
+
+    def test_connected_and_parts(self):
+        for mesh, count, source, message in self.splits():
+            low = count // 3
+            some = self.seed(source, low, low + count // 3)
+            domain = set(range(low, low + count // 3 + 1))
+            for kind in KINDS:
+                expected = parts(mesh, kind, domain)
+                sizes = [len(part) for part in expected]
+                for number in {1, 2, len(expected)} & set(range(1, len(expected) + 1)):
+                    if "scattered" in message and sizes.count(sizes[number - 1]) > 1:
+                        continue  # which comes first is a matter of ids
+                    part = simple.SelectElements(
+                        Input=some, Strategy="Part", Adjacency=kind, PartNumber=number
+                    )
+                    self.assertEqual(
+                        self.numbers(part), expected[number - 1], f"{message} {kind} {number}"
+                    )
+                seeds = self.seed(source, low, low)
+                flood = simple.SelectElements(
+                    Input=seeds,
+                    Strategy="Connected",
+                    Adjacency=kind,
+                    OnlyInRange=True,
+                    Array="Number",
+                    Range="Custom",
+                    Side="Inside",
+                    LowerLimit=str(low),
+                    UpperLimit=str(low + count // 3),
+                )
+                self.assertEqual(
+                    self.numbers(flood),
+                    next(part for part in expected if low in part),
+                    f"{message} {kind}",
+                )
+
+    def test_cases_of_specification(self):
+        """Corner of 2 x 2 x 2 cubes: 4, 7, 8 cells; middle of 3 x 3 x 3 cubes: 7, 19, 27."""
+        for side, cell, sizes in ((2, 0, (4, 7, 8)), (3, 13, (7, 19, 27))):
+            cubes = simple.Wavelet(WholeExtent=[0, side] * 3)
+            seed = simple.SelectElements(Input=cubes, Strategy="By id", Ids=str(cell))
+            for kind, size in zip(KINDS, sizes):
+                grown = simple.SelectElements(Input=seed, Strategy="Expand", Adjacency=kind)
+                grown.UpdatePipeline()
+                grown.UpdatePropertyInformation()
+                if camaron_testing.rank_count() == 1:  # images are numbered anew on every rank
+                    self.assertEqual(grown.GetPropertyValue("NumberOfSelectedElements"), size)
+
+    def test_feature_angle(self):
+        """The sides of a box, each cut into squares, are 90 degrees apart."""
+        box = simple.ExtractSurface(
+            Input=simple.Wavelet(WholeExtent=[0, 3] * 3), NonlinearSubdivisionLevel=0
+        )
+        box.UpdatePipeline()
+        if camaron_testing.rank_count() > 1:
+            return
+        seed = simple.SelectElements(Input=box, Strategy="By id", Ids="0")
+        for angle, size in ((180, 54), (91, 54), (89, 9), (0, 9)):
+            grown = simple.SelectElements(Input=seed, Strategy="Connected", FeatureAngle=angle)
+            grown.UpdatePipeline()
+            grown.UpdatePropertyInformation()
+            self.assertEqual(grown.GetPropertyValue("NumberOfSelectedElements"), size, angle)
+
+    def test_points(self):
+        """Corner of 2 x 2 x 2 cubes: points on its edges, faces, cell."""
+        if camaron_testing.rank_count() > 1:
+            return
+        cubes = simple.Wavelet(WholeExtent=[0, 2] * 3)
+        seed = simple.SelectElements(
+            Input=cubes, ElementType="Points", Strategy="By id", Ids="0"
+        )
+        for kind, expected in (
+            ("Edge", {0, 1, 3, 9}),
+            ("Face", {0, 1, 3, 4, 9, 10, 12}),
+            ("Vertex", {0, 1, 3, 4, 9, 10, 12, 13}),
+        ):
+            grown = simple.SelectElements(
+                Input=seed, ElementType="Points", Strategy="Expand", Adjacency=kind
+            )
+            grown.UpdatePipeline()
+            marks = vtk_to_numpy(self.fetch(grown).GetPointData().GetArray("Selected"))
+            self.assertEqual(set(numpy.flatnonzero(marks).tolist()), expected)
+        everything = simple.SelectElements(Input=cubes, ElementType="Points", Strategy="All")
+        less = simple.SelectElements(Input=everything, ElementType="Points", Strategy="Shrink")
+        less.UpdatePipeline()
+        less.UpdatePropertyInformation()
+        self.assertEqual(less.GetPropertyValue("NumberOfSelectedElements"), 27)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
