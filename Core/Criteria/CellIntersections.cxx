@@ -55,6 +55,7 @@ bool HasPoint(const CellTopology& topology, int face, int point)
 }
 
 //------------------------------------------------------------------------------
+// Edges that share a point are next to each other, also if edges of no length lie between them.
 bool HasIntersectingEdges(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
@@ -64,7 +65,12 @@ bool HasIntersectingEdges(const CellGeometry& cell)
     const int size = topology.GetFaceSize(f);
     for (int i = 0; i + 2 < size; ++i)
     {
-      const Vector &p = cell.GetPoint(ring[i]), u = cell.GetPoint(ring[i + 1]) - p;
+      const Vector &p = cell.GetPoint(ring[i]), &pEnd = cell.GetPoint(ring[i + 1]);
+      const auto isAt = [&](const Vector& place, int from, int to)
+      {
+        return std::all_of(ring + from, ring + to,
+          [&](int point) { return cell.IsZeroLength(Norm(cell.GetPoint(point) - place)); });
+      };
       for (int j = i + 2; j < size; ++j)
       {
         const int a = ring[j], b = ring[j + 1 < size ? j + 1 : 0];
@@ -73,7 +79,8 @@ bool HasIntersectingEdges(const CellGeometry& cell)
           continue;
         }
         const Vector& q = cell.GetPoint(a);
-        if (cell.IsZeroLength(GetDistance(p, u, q, cell.GetPoint(b) - q)))
+        const bool meet = cell.IsZeroLength(GetDistance(p, pEnd - p, q, cell.GetPoint(b) - q));
+        if (meet && !isAt(pEnd, i + 2, j + 1) && !(isAt(p, j + 1, size) && isAt(p, 0, i)))
         {
           return true;
         }

@@ -11,7 +11,7 @@ namespace camaron
 {
 class CellGeometry;
 
-/// Whether two edges of a face meet that have no point in common.
+/// Whether two edges of a face meet that are not next to each other.
 bool HasIntersectingEdges(const CellGeometry& cell);
 /// Whether an edge goes through a face with which it has no point in common. With NeedsFaces.
 bool HasIntersectingFaces(const CellGeometry& cell);

@@ -65,7 +65,7 @@ unsigned CheckFaces(const CellGeometry& cell)
   }
   const double tolerance = cell.ToAngleUnit(cell.GetOptions().ConvexityTolerance * HalfTurn / 180);
   return Flag(isDegenerate, DegenerateFaces) | Flag(HasPointTwiceInFace(topology), NoncontiguousEdges) |
-    Flag(HasIntersectingEdges(cell), IntersectingEdges) |
+    Flag(HasIntersectingEdges(cell), IntersectingEdges | Nonconvex) |
     Flag(MaxWarpage(cell) > cell.GetOptions().PlanarityTolerance, NonPlanarFaces) |
     Flag(MaxFaceConcavity(cell) > tolerance, Nonconvex);
 }
@@ -200,8 +200,11 @@ std::vector<Criterion> ValidityCriteria()
       { "sum of bits, each of one test of the cell",
         "Has a value for every polygon and polyhedron; of one with coordinates that are not finite "
         "only that bit.",
-        "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6; the tests are "
-        "ours, as VTK's answers for warped and thin cells are not reliable." } },
+        "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For cells with planar "
+        "faces the answers are the same, except that VTK calls cells with inward faces not convex, and the "
+        "faces of a cell that has a face not convex wrongly oriented; does not look how the faces of "
+        "tetrahedra are oriented; counts ids twice; and does not find all faces that intersect. Warped faces, "
+        "which are 64 here, often make a cell not convex there." } },
     { "FaceOrientationStatus", "Orientation of faces",
       "0 if all faces point outward, 1 inward, 2 some of both, 3 they cannot be made to agree.",
       Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
@@ -214,7 +217,7 @@ std::vector<Criterion> ValidityCriteria()
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
       { "1 if CellStatus has none of 16, 4096, 8192 and 262144",
-        "1 for flat and collapsed cells, 0 for open ones.",
+        "1 for flat and collapsed cells, 0 for open ones and those that cut through themselves.",
         "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },
     { "IsWatertight", "Watertight", "1 if every edge of the cell has at least two faces, else 0.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,

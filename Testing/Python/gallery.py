@@ -53,8 +53,11 @@ def warp(x, y, z):
     )
 
 
-def make_grid(points, cells):
-    """A grid of cells (type, ids), ids of a polyhedron being its faces."""
+def make_grid(points, cells, turns=True):
+    """A grid of cells (type, ids), ids of a polyhedron being its faces.
+
+    Unless `turns` is false, what is inside out is turned.
+    """
     grid = vtkUnstructuredGrid()
     array = vtkPoints()
     array.SetDataTypeToDouble()
@@ -69,8 +72,8 @@ def make_grid(points, cells):
             grid.InsertNextCell(kind, stream)
             continue
         grid.InsertNextCell(kind, len(ids), ids)
-        # The order of VTK's wedge depends on its version: turn what is inside out.
-        if kind in MIRRORS and volume(grid, grid.GetNumberOfCells() - 1) < 0:
+        # The order of VTK's wedge depends on its version.
+        if turns and kind in MIRRORS and volume(grid, grid.GetNumberOfCells() - 1) < 0:
             turned = vtkIdList()
             for node in MIRRORS[kind]:
                 turned.InsertNextId(ids[node])
