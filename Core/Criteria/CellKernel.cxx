@@ -14,7 +14,6 @@ namespace
 /// Half-spaces times points above which it is not worthwhile to find out first that a cell is
 /// convex.
 constexpr double MaxConvexityChecks = 1e6;
-constexpr int NumberOfReports = 100;
 
 //------------------------------------------------------------------------------
 bool ContainAll(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
@@ -239,16 +238,7 @@ bool CellKernel::MakePolyhedron(const CellGeometry& cell, const std::function<bo
     return true;
   }
   this->Polyhedron.SetBox(this->Low, this->High);
-  const std::size_t size = this->HalfSpaces.size(), part = size / NumberOfReports + 1;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    if (i % part == 0 && !goesOn(static_cast<double>(i) / size))
-    {
-      return false;
-    }
-    this->Polyhedron.Clip(this->HalfSpaces[i], cell.GetZeroLength());
-  }
-  return true;
+  return this->Polyhedron.Clip(this->HalfSpaces, cell.GetZeroLength(), goesOn);
 }
 
 //------------------------------------------------------------------------------

@@ -47,7 +47,7 @@ public:
   ///@{
   /**
    * Makes the kernel itself, of convex cells, too. It is empty for an empty kernel.
-   * Called a hundred times, @a goesOn stops it by returning false: the answer is false then.
+   * Called up to a hundred times, @a goesOn stops it by returning false: the answer is false then.
    */
   bool MakePolyhedron(const CellGeometry& cell, const std::function<bool(double)>& goesOn);
   const ConvexPolyhedron& GetPolyhedron() const { return this->Polyhedron; }

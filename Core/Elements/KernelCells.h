@@ -60,8 +60,8 @@ enum class SurfaceKernel
 /**
  * Fills @a kernel, which must be empty, with the kernel of what the polygons enclose: one VTK_POLYHEDRON
  * with the cell array "KernelRatio". Corners with the same coordinates are one. The result does not depend
- * on the order of the polygons nor on where they start. The time is up to the number of polygons times the
- * size of the kernel; with an empty kernel it is linear.
+ * on the order of the polygons nor on where they start. The time is n log n for n polygons; with an empty
+ * kernel it is linear.
  */
 SurfaceKernel MakeSurfaceKernel(const SurfacePolygons& polygons, const EvaluationOptions& options,
   const std::function<bool(double)>& goesOn, vtkUnstructuredGrid* kernel);

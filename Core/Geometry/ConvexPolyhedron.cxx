@@ -3,109 +3,231 @@
 #include "Geometry/ConvexPolyhedron.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <utility>
 
 namespace camaron
 {
+namespace
+{
+constexpr std::size_t NumberOfReports = 100;
+constexpr std::size_t MaxInOrder = 1000; // half-spaces; of so few, any order is fast enough
+}
+
 //------------------------------------------------------------------------------
 void ConvexPolyhedron::Clear()
 {
   this->Points.clear();
-  this->FaceOffsets.assign(1, 0);
-  this->FacePoints.clear();
+  this->Faces.clear();
+  this->Corners.clear();
+  this->Neighbors.clear();
 }
 
 //------------------------------------------------------------------------------
 void ConvexPolyhedron::SetBox(const Vector& low, const Vector& high)
 {
-  this->Points.clear();
+  this->Clear();
   for (int corner = 0; corner < 8; ++corner)
   {
     this->Points.push_back(
       { corner & 1 ? high.X : low.X, corner & 2 ? high.Y : low.Y, corner & 4 ? high.Z : low.Z });
   }
-  this->FaceOffsets = { 0, 4, 8, 12, 16, 20, 24 };
-  this->FacePoints = { 0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6 };
+  for (int face = 0; face < 6; ++face)
+  {
+    this->Faces.push_back({ 4 * face, 4, -1, 0 });
+  }
+  this->Corners = { 0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6 };
+  this->Neighbors = { 2, 5, 3, 4, 4, 3, 5, 2, 4, 1, 5, 0, 0, 5, 1, 4, 0, 3, 1, 2, 2, 1, 3, 0 };
 }
 
 //------------------------------------------------------------------------------
-void ConvexPolyhedron::Clip(const HalfSpace& halfSpace, double tolerance)
+bool ConvexPolyhedron::Clip(const std::vector<HalfSpace>& halfSpaces, double tolerance,
+  const std::function<bool(double)>& goesOn)
 {
-  this->Distances.clear();
-  double low = 0, high = 0;
-  for (const Vector& point : this->Points)
+  this->HalfSpaces = &halfSpaces;
+  this->Tolerance = tolerance;
+  this->Step = 0;
+  this->Marks.assign(this->Points.size(), Mark{ -1, 0, -1 });
+  this->Shuffle(halfSpaces.size());
+  this->StartConflicts();
+  const std::size_t size = halfSpaces.size(), part = size / NumberOfReports + 1;
+  for (std::size_t i = 0; i < size && !this->IsEmpty(); ++i)
   {
-    const double distance = halfSpace.GetDistance(point);
-    this->Distances.push_back(distance);
-    low = std::min(low, distance);
-    high = std::max(high, distance);
+    if (i % part == 0 && !goesOn(static_cast<double>(i) / size))
+    {
+      return false;
+    }
+    if (this->Conflicts[this->Order[i]] >= 0)
+    {
+      this->CutOff(this->Order[i]);
+    }
   }
-  if (high <= tolerance)
+  this->DropUnused();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ConvexPolyhedron::Shuffle(std::size_t size)
+{
+  this->Order.resize(size);
+  std::iota(this->Order.begin(), this->Order.end(), 0);
+  std::uint64_t random = 1;
+  for (std::size_t i = size > MaxInOrder ? size : 0; i-- > 1;)
   {
-    return;
+    random = random * 6364136223846793005u + 1442695040888963407u; // Knuth, MMIX
+    std::swap(this->Order[i], this->Order[(random >> 33) % (i + 1)]);
   }
-  if (low >= -tolerance)
+}
+
+//------------------------------------------------------------------------------
+void ConvexPolyhedron::StartConflicts()
+{
+  for (Face& face : this->Faces)
+  {
+    face.FirstConflict = -1;
+    face.Step = 0;
+  }
+  const std::size_t size = this->HalfSpaces->size();
+  this->Conflicts.assign(size, -1);
+  this->NextConflicts.resize(size);
+  for (std::size_t h = 0; h < size; ++h)
+  {
+    for (int face = 0; face < this->GetNumberOfFaces(); ++face)
+    {
+      if (this->AddConflict(face, static_cast<int>(h)))
+      {
+        break;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Returns false if the face has no point outside of the half-space.
+bool ConvexPolyhedron::AddConflict(int face, int halfSpace)
+{
+  Face& of = this->Faces[face];
+  const HalfSpace& plane = (*this->HalfSpaces)[halfSpace];
+  const int* points = this->Corners.data() + of.Begin;
+  if (std::none_of(points, points + of.Size,
+        [&](int p) { return plane.GetDistance(this->Points[p]) > this->Tolerance; }))
+  {
+    return false;
+  }
+  this->NextConflicts[halfSpace] = of.FirstConflict;
+  of.FirstConflict = halfSpace;
+  this->Conflicts[halfSpace] = face;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ConvexPolyhedron::CutOff(int halfSpace)
+{
+  ++this->Step;
+  if (!this->FindFacesToCut(halfSpace))
   {
     this->Clear();
     return;
   }
   this->Cuts.clear();
-  this->FirstCuts.assign(this->Points.size(), -1);
   this->Rim.clear();
-  std::swap(this->FaceOffsets, this->OldOffsets);
-  std::swap(this->FacePoints, this->OldFaces);
-  this->FaceOffsets.assign(1, 0);
-  this->FacePoints.clear();
-  const int numberOfFaces = static_cast<int>(this->OldOffsets.size()) - 1;
-  for (int face = 0; face < numberOfFaces; ++face)
+  for (const int face : this->Affected)
   {
-    this->ClipFace(face, tolerance);
+    this->ClipFace(face);
   }
+  const int firstNewFace = this->GetNumberOfFaces();
   this->CloseHole();
-  this->DropUnusedPoints();
+  this->MoveConflicts(halfSpace, firstNewFace);
+}
+
+//------------------------------------------------------------------------------
+// From the conflict of the half-space on across all edges that are not inside of it. Returns false
+// if no point is inside.
+bool ConvexPolyhedron::FindFacesToCut(int halfSpace)
+{
+  const HalfSpace& plane = (*this->HalfSpaces)[halfSpace];
+  bool hasInside = false;
+  const auto isInside = [&](int point)
+  {
+    Mark& mark = this->Marks[point];
+    if (mark.Step != this->Step)
+    {
+      mark = { this->Step, plane.GetDistance(this->Points[point]), -1 };
+    }
+    return mark.Distance < -this->Tolerance;
+  };
+  this->Affected.assign(1, this->Conflicts[halfSpace]);
+  this->Faces[this->Affected[0]].Step = this->Step;
+  for (std::size_t i = 0; i < this->Affected.size(); ++i)
+  {
+    const Face& face = this->Faces[this->Affected[i]];
+    bool wasInside = isInside(this->Corners[face.Begin + face.Size - 1]);
+    for (int corner = face.Begin; corner < face.Begin + face.Size; ++corner)
+    {
+      const bool isNowInside = isInside(this->Corners[corner]);
+      const int neighbor = this->Neighbors[corner > face.Begin ? corner - 1 : face.Begin + face.Size - 1];
+      if (!(wasInside && isNowInside) && this->Faces[neighbor].Step != this->Step)
+      {
+        this->Faces[neighbor].Step = this->Step;
+        this->Affected.push_back(neighbor);
+      }
+      hasInside = hasInside || isNowInside;
+      wasInside = isNowInside;
+    }
+  }
+  return hasInside;
 }
 
 //------------------------------------------------------------------------------
 // Faces without a point inside go: they lie in the plane or outside of it, where the new face
 // comes.
-void ConvexPolyhedron::ClipFace(int face, double tolerance)
+void ConvexPolyhedron::ClipFace(int id)
 {
-  const int* points = this->OldFaces.data() + this->OldOffsets[face];
-  const int size = this->OldOffsets[face + 1] - this->OldOffsets[face];
-  if (std::none_of(points, points + size, [&](int p) { return this->Distances[p] < -tolerance; }))
+  Face& face = this->Faces[id];
+  const int* points = this->Corners.data() + face.Begin;
+  const int* neighbors = this->Neighbors.data() + face.Begin;
+  if (std::none_of(points, points + face.Size,
+        [&](int p) { return this->Marks[p].Distance < -this->Tolerance; }))
   {
+    face.Size = 0;
     return;
   }
-  const auto isOn = [&](int p)
+  this->Ring.clear();
+  this->RingNeighbors.clear();
+  for (int i = 0; i < face.Size; ++i)
   {
-    // Points that this clipping has made lie on the plane and have no distance.
-    return p >= static_cast<int>(this->Distances.size()) || this->Distances[p] >= -tolerance;
-  };
-  const std::size_t begin = this->FacePoints.size();
-  for (int i = 0; i < size; ++i)
-  {
-    const int here = points[i], there = points[i + 1 < size ? i + 1 : 0];
-    const double distance = this->Distances[here], next = this->Distances[there];
-    if (distance <= tolerance)
+    const int here = points[i], there = points[i + 1 < face.Size ? i + 1 : 0];
+    const double distance = this->Marks[here].Distance, next = this->Marks[there].Distance;
+    if (distance <= this->Tolerance)
     {
-      this->FacePoints.push_back(here);
+      this->Ring.push_back(here);
+      this->RingNeighbors.push_back(neighbors[i]);
     }
-    if (distance < -tolerance && next > tolerance)
+    if ((distance < -this->Tolerance && next > this->Tolerance) ||
+      (distance > this->Tolerance && next < -this->Tolerance))
     {
-      this->FacePoints.push_back(this->AddCut(here, there));
-    }
-    else if (distance > tolerance && next < -tolerance)
-    {
-      this->FacePoints.push_back(this->AddCut(there, here));
+      this->Ring.push_back(distance < next ? this->AddCut(here, there) : this->AddCut(there, here));
+      this->RingNeighbors.push_back(neighbors[i]);
     }
   }
-  const std::size_t end = this->FacePoints.size();
-  this->FaceOffsets.push_back(static_cast<int>(end));
-  for (std::size_t i = begin; i < end; ++i)
+  const int size = static_cast<int>(this->Ring.size());
+  if (size > face.Size)
   {
-    const int here = this->FacePoints[i], there = this->FacePoints[i + 1 < end ? i + 1 : begin];
+    face.Begin = static_cast<int>(this->Corners.size());
+    this->Corners.resize(face.Begin + size);
+    this->Neighbors.resize(face.Begin + size);
+  }
+  face.Size = size;
+  std::copy(this->Ring.begin(), this->Ring.end(), this->Corners.begin() + face.Begin);
+  std::copy(this->RingNeighbors.begin(), this->RingNeighbors.end(), this->Neighbors.begin() + face.Begin);
+  const auto isOn = [&](int p) { return this->Marks[p].Distance >= -this->Tolerance; };
+  for (int i = 0; i < size; ++i)
+  {
+    const int here = this->Ring[i], there = this->Ring[i + 1 < size ? i + 1 : 0];
     if (isOn(here) && isOn(there))
     {
-      this->Rim.emplace_back(here, there);
+      this->Rim.push_back({ there, here, id, face.Begin + i });
     }
   }
 }
@@ -113,20 +235,20 @@ void ConvexPolyhedron::ClipFace(int face, double tolerance)
 //------------------------------------------------------------------------------
 int ConvexPolyhedron::AddCut(int inside, int outside)
 {
-  for (int cut = this->FirstCuts[outside]; cut >= 0; cut = this->Cuts[cut].Next)
+  for (int cut = this->Marks[outside].FirstCut; cut >= 0; cut = this->Cuts[cut].Next)
   {
     if (this->Cuts[cut].Inside == inside)
     {
       return this->Cuts[cut].Point;
     }
   }
-  const double low = this->Distances[inside], high = this->Distances[outside];
-  const Vector point =
-    this->Points[inside] + (low / (low - high)) * (this->Points[outside] - this->Points[inside]);
+  const double low = this->Marks[inside].Distance, high = this->Marks[outside].Distance;
   const int id = static_cast<int>(this->Points.size());
-  this->Points.push_back(point);
-  this->Cuts.push_back({ inside, id, this->FirstCuts[outside] });
-  this->FirstCuts[outside] = static_cast<int>(this->Cuts.size()) - 1;
+  this->Points.push_back(
+    this->Points[inside] + (low / (low - high)) * (this->Points[outside] - this->Points[inside]));
+  this->Marks.push_back({ this->Step, 0, -1 });
+  this->Cuts.push_back({ inside, id, this->Marks[outside].FirstCut });
+  this->Marks[outside].FirstCut = static_cast<int>(this->Cuts.size()) - 1;
   return id;
 }
 
@@ -136,20 +258,20 @@ int ConvexPolyhedron::AddCut(int inside, int outside)
 // as into it.
 void ConvexPolyhedron::CloseHole()
 {
-  for (auto& edge : this->Rim)
-  {
-    std::swap(edge.first, edge.second);
-  }
   std::sort(this->Rim.begin(), this->Rim.end());
-  const auto find = [&](int from, int to)
-  { return std::binary_search(this->Rim.begin(), this->Rim.end(), std::make_pair(from, to)); };
-  std::vector<std::pair<int, int>>& open = this->OpenRim;
+  std::vector<RimEdge>& open = this->OpenRim;
   open.clear();
-  for (const auto& edge : this->Rim)
+  for (const RimEdge& edge : this->Rim)
   {
-    if (!find(edge.second, edge.first))
+    const RimEdge reversed = { edge.To, edge.From, 0, 0 };
+    const auto other = std::lower_bound(this->Rim.begin(), this->Rim.end(), reversed);
+    if (other == this->Rim.end() || reversed < *other)
     {
       open.push_back(edge);
+    }
+    else
+    {
+      this->Neighbors[edge.Corner] = other->Face;
     }
   }
   this->Used.assign(open.size(), 0);
@@ -159,52 +281,96 @@ void ConvexPolyhedron::CloseHole()
     {
       continue;
     }
+    const int id = this->GetNumberOfFaces();
+    const int begin = static_cast<int>(this->Corners.size());
     for (std::size_t edge = first; edge < open.size();)
     {
       this->Used[edge] = 1;
-      this->FacePoints.push_back(open[edge].first);
-      const int end = open[edge].second;
-      if (end == open[first].first)
+      this->Corners.push_back(open[edge].From);
+      this->Neighbors.push_back(open[edge].Face);
+      this->Neighbors[open[edge].Corner] = id;
+      const int end = open[edge].To;
+      if (end == open[first].From)
       {
         break;
       }
       edge = static_cast<std::size_t>(
-        std::lower_bound(open.begin(), open.end(), std::make_pair(end, 0)) - open.begin());
-      while (edge < open.size() && open[edge].first == end && this->Used[edge])
+        std::lower_bound(open.begin(), open.end(), RimEdge{ end, 0, 0, 0 }) - open.begin());
+      while (edge < open.size() && open[edge].From == end && this->Used[edge])
       {
         ++edge;
       }
-      if (edge < open.size() && open[edge].first != end)
+      if (edge < open.size() && open[edge].From != end)
       {
         break;
       }
     }
-    this->FaceOffsets.push_back(static_cast<int>(this->FacePoints.size()));
+    this->Faces.push_back({ begin, static_cast<int>(this->Corners.size()) - begin, -1, this->Step });
   }
 }
 
 //------------------------------------------------------------------------------
-void ConvexPolyhedron::DropUnusedPoints()
+// A half-space that has lost the points outside of it that a cut face had has others on the new
+// face, or none at all: the points outside of a plane hang together.
+void ConvexPolyhedron::MoveConflicts(int halfSpace, int firstNewFace)
 {
-  this->NewIds.assign(this->Points.size(), -1);
-  for (const int point : this->FacePoints)
+  for (const int face : this->Affected)
   {
-    this->NewIds[point] = 0;
+    for (int h = std::exchange(this->Faces[face].FirstConflict, -1); h >= 0;)
+    {
+      const int next = this->NextConflicts[h];
+      this->Conflicts[h] = -1;
+      bool isPlaced = h == halfSpace || this->AddConflict(face, h);
+      for (int f = firstNewFace; !isPlaced && f < this->GetNumberOfFaces(); ++f)
+      {
+        isPlaced = this->AddConflict(f, h);
+      }
+      h = next;
+    }
   }
-  int kept = 0;
+}
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void ConvexPolyhedron::ForCorners(Visit&& visit)
+{
+  for (const Face& face : this->Faces)
+  {
+    for (int corner = face.Begin; corner < face.Begin + face.Size; ++corner)
+    {
+      visit(corner);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ConvexPolyhedron::DropUnused()
+{
+  this->NewIds.resize(this->Faces.size());
+  int faces = 0;
+  for (std::size_t f = 0; f < this->Faces.size(); ++f)
+  {
+    this->NewIds[f] = faces;
+    if (this->Faces[f].Size > 0)
+    {
+      this->Faces[faces++] = this->Faces[f];
+    }
+  }
+  this->Faces.resize(faces);
+  this->ForCorners([this](int corner) { this->Neighbors[corner] = this->NewIds[this->Neighbors[corner]]; });
+  this->NewIds.assign(this->Points.size(), -1);
+  this->ForCorners([this](int corner) { this->NewIds[this->Corners[corner]] = 0; });
+  int points = 0;
   for (std::size_t p = 0; p < this->Points.size(); ++p)
   {
     if (this->NewIds[p] == 0)
     {
-      this->Points[kept] = this->Points[p];
-      this->NewIds[p] = kept++;
+      this->Points[points] = this->Points[p];
+      this->NewIds[p] = points++;
     }
   }
-  this->Points.resize(kept);
-  for (int& point : this->FacePoints)
-  {
-    point = this->NewIds[point];
-  }
+  this->Points.resize(points);
+  this->ForCorners([this](int corner) { this->Corners[corner] = this->NewIds[this->Corners[corner]]; });
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,6 @@
 #include "Criteria/CellStatusBits.h"
 #include "Criteria/Evaluation.h"
 #include "Geometry/Ball.h"
-#include "Geometry/ConvexPolyhedron.h"
 #include "Geometry/LargestCircle.h"
 
 #include "ReferenceShapes.h"
@@ -544,58 +543,6 @@ TEST(Kernel, LargestCircle)
   // The corridor's corners are wider: a circle about (r, r) that touches (1, 1).
   EXPECT_NEAR(search.Find(polygons[25]).Radius, 2 - std::sqrt(2.0), 1e-6);
   EXPECT_EQ(search.Find({}).Radius, 0);
-}
-
-// Half-spaces cut a polyhedron in two that together have its volume, through corners and along
-// edges and faces, too; the surface stays closed.
-TEST(Kernel, ClippedParts)
-{
-  std::mt19937 random(11);
-  std::uniform_int_distribution<int> small(-2, 2);
-  for (int trial = 0; trial < 300; ++trial)
-  {
-    ConvexPolyhedron polyhedron;
-    polyhedron.SetBox({ -2, -2, -2 }, { 2, 2, 2 });
-    EXPECT_EQ(polyhedron.GetVolume(), 64);
-    for (int cut = 0; cut < 12; ++cut)
-    {
-      const Vector direction = { double(small(random)), double(small(random)),
-        double(small(random)) };
-      if (Norm2(direction) == 0)
-      {
-        continue;
-      }
-      HalfSpace halfSpace = { Unit(direction), small(random) / Norm(direction) };
-      ConvexPolyhedron other = polyhedron;
-      const double volume = polyhedron.GetVolume();
-      other.Clip({ -halfSpace.Normal, -halfSpace.Offset }, 1e-12);
-      polyhedron.Clip(halfSpace, 1e-12);
-      EXPECT_NEAR(polyhedron.GetVolume() + other.GetVolume(), volume, 1e-11) << trial;
-      std::map<std::pair<int, int>, int> edges;
-      for (int f = 0; f < polyhedron.GetNumberOfFaces(); ++f)
-      {
-        const int size = polyhedron.GetFaceSize(f);
-        EXPECT_GE(size, 3);
-        for (int i = 0; i < size; ++i)
-        {
-          const int a = polyhedron.GetFace(f)[i], b = polyhedron.GetFace(f)[(i + 1) % size];
-          ++edges[{ a, b }];
-          --edges[{ b, a }];
-        }
-      }
-      for (const auto& edge : edges)
-      {
-        EXPECT_EQ(edge.second, 0) << trial;
-      }
-      // Euler.
-      if (!polyhedron.IsEmpty())
-      {
-        EXPECT_EQ(static_cast<int>(polyhedron.GetPoints().size()) -
-            static_cast<int>(edges.size()) / 2 + polyhedron.GetNumberOfFaces(),
-          2);
-      }
-    }
-  }
 }
 
 // Turned, moved far away and scaled, cells that are not convex keep their values.
