@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of edges.
+#include "Elements/Counters.h"
 #include "Elements/ElementArray.h"
+#include "Elements/FacetValues.h"
 #include "Mesh/CellFacets.h"
 #include "Parallel.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace camaron
 {
@@ -214,6 +217,63 @@ void EdgeAngleSum(const ElementContext& context, double* values)
   const std::vector<double>& angles = context.GetEdgeAngles().Sum;
   std::copy(angles.begin(), angles.end(), values);
 }
+
+//------------------------------------------------------------------------------
+// Of edges between polygons the worse of what both see, each in its plane: the largest (Sign -1) or
+// smallest (1). Null is what the first one says.
+template <int Sign, double (*Value)(const CellNeighborhood&, const CellNeighborhood::Facet&)>
+void OfFacets(const ElementContext& context, double* values)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const MeshTopology& topology = context.GetTopology();
+  const FacetTable& table = topology.GetSurfaceEdges();
+  const EdgeFinder& finder = context.GetEdgeFinder();
+  const std::size_t size = topology.GetEdges().size();
+  std::fill_n(values, size, Null(NullReason::NotApplicable));
+  Minima<double> worst(size, none);
+  const CellCenters centers(topology.GetMesh(), context.GetOptions());
+  const CellNeighborhood prototype(topology, centers, context.GetOptions());
+  ParallelFor(topology.GetMesh().GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      CellNeighborhood neighborhood = prototype;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const FacetTable::Range uses = table.GetCellFacets(id);
+        cell.Load(topology.GetMesh(), id, context.GetOptions());
+        if (uses.size() == 0 || !cell.IsFinite())
+        {
+          continue;
+        }
+        cell.Compute(CellNeighborhood::BaseNeeds);
+        neighborhood.Load(id, cell);
+        for (const CellNeighborhood::Facet& facet : neighborhood.GetFacets())
+        {
+          const Index number = uses[facet.Number].Facet();
+          const int* ring = cell.GetTopology().GetFace(0);
+          const int next = facet.Number + 1 < uses.size() ? facet.Number + 1 : 0;
+          const vtkIdType edge =
+            finder.Find(cell.GetPointId(ring[facet.Number]), cell.GetPointId(ring[next]));
+          const double value = Value(neighborhood, facet);
+          if (!std::isnan(value))
+          {
+            worst.Add(edge, Sign * value);
+          }
+          else if (table.GetCells(number).First == id &&
+            table.GetOwnerLocalFacet(number) == facet.Number)
+          {
+            values[edge] = value;
+          }
+        }
+      }
+    });
+  for (vtkIdType edge = 0; edge < static_cast<vtkIdType>(size); ++edge)
+  {
+    const double value = worst.Get(edge);
+    values[edge] = value < none ? Sign * value : values[edge];
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -244,9 +304,27 @@ const std::vector<ElementArray>& GetEdgeArrays()
     { "EdgeMaxDihedralAngle", "Largest dihedral angle that a cell has at the edge.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMaxDihedralAngle) },
     { "EdgeAngleSum",
-      "Sum of the dihedral angles of the cells at the edge; 360 degrees inside the mesh, else cells overlap or leave "
-      "a gap. Null if one of them is.",
+      "Sum of the dihedral angles of the cells at the edge; 360 degrees inside a mesh with planar faces, else cells "
+      "overlap or leave a gap (around warped faces, which have one normal for all of them, not quite 360). Null if one "
+      "of them is.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeAngleSum) },
+    { "NonOrthogonality",
+      "Of an edge between two polygons: angle between the line of their centroids and the normal of the edge in the "
+      "plane of one of them, the larger one of both; null at the boundary.",
+      OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Inside<GetNonOrthogonality>>)) },
+    { "BoundaryNonOrthogonality",
+      "Angle between the line from the centroid of the polygon to the middle of the edge and its normal; null inside.",
+      OfPolygons, Unit::Angle, false, CAMARON_REALS((OfFacets<-1, Boundary<GetBoundaryNonOrthogonality>>)) },
+    { "FaceSkewness",
+      "Distance of the middle of the edge from the line of the centroids, relative to the size of the edge in that "
+      "direction.",
+      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<-1, InsideOrBoundary<GetFaceSkewness>>)) },
+    { "FaceWeight",
+      "Smaller distance of the edge from the two centroids, along its normal, divided by the sum of both; null at "
+      "the boundary.",
+      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetFaceWeight>>)) },
+    { "VolumeRatio", "Smaller divided by larger area of the two polygons; null at the boundary.",
+      OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetVolumeRatio>>)) },
   };
   // clang-format on
   return arrays;

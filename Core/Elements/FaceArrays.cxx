@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of faces.
 #include "Criteria/FaceShape.h"
-#include "Criteria/FacetMeasures.h"
 #include "Elements/ElementArray.h"
+#include "Elements/FacetValues.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -14,7 +14,6 @@ namespace
 {
 constexpr vtkIdType Grain = 1024;
 using Facet = CellNeighborhood::Facet;
-using Side = CellNeighborhood::Side;
 
 //------------------------------------------------------------------------------
 // Calls fill(face) for all faces of 3D cells in parallel.
@@ -105,33 +104,6 @@ void FaceMismatch(const ElementContext& context, unsigned char* values)
       values[places[i].second] = values[places[i - 1].second] = 1;
     }
   }
-}
-
-//------------------------------------------------------------------------------
-// A value between two cells; null where there is no other.
-template <double (*Measure)(const CellNeighborhood&, const Facet&)>
-double Inside(const CellNeighborhood& cell, const Facet& facet)
-{
-  return facet.Other == Side::Cell ? Measure(cell, facet)
-                                   : Null(facet.Other == Side::Missing ? NullReason::MissingGhosts
-                                         : facet.Other == Side::Boundary
-                                         ? NullReason::NoNeighbor
-                                         : NullReason::InvalidTopology);
-}
-
-//------------------------------------------------------------------------------
-// A value that takes the boundary into account.
-template <double (*Measure)(const CellNeighborhood&, const Facet&)>
-double InsideOrBoundary(const CellNeighborhood& cell, const Facet& facet)
-{
-  return facet.Other == Side::Boundary ? Measure(cell, facet) : Inside<Measure>(cell, facet);
-}
-
-//------------------------------------------------------------------------------
-double BoundaryNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
-{
-  return facet.Other == Side::Boundary ? GetBoundaryNonOrthogonality(cell, facet)
-                                       : Null(NullReason::NotApplicable);
 }
 
 //------------------------------------------------------------------------------
@@ -249,7 +221,7 @@ const std::vector<ElementArray>& GetFaceArrays()
       OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Inside<GetNonOrthogonality>) },
     { "BoundaryNonOrthogonality",
       "Angle between the line from the centroid of the cell to the centre of the face and its normal; null inside.",
-      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(BoundaryNonOrthogonality) },
+      OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Boundary<GetBoundaryNonOrthogonality>) },
     { "FaceSkewness",
       "Distance of the centre of the face from the line of the centroids, relative to its size in that direction.",
       OfPolyhedra, Unit::None, true, CAMARON_FACETS(InsideOrBoundary<GetFaceSkewness>) },

@@ -378,6 +378,81 @@ TEST(MeshElements, AnglesAroundInnerElements)
 }
 
 //------------------------------------------------------------------------------
+// Edges between polygons are to 2D meshes what faces are to 3D ones. By hand for a square and a sheared one
+// of twice the area; for any sheet the worst edge of all is the worst one of a polygon.
+TEST(MeshElements, FiniteVolumesOfPolygons)
+{
+  const double pi = std::acos(-1.0);
+  const Grid pair =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 3, 1, 0 }, { 3, 2, 0 } },
+      { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_QUAD, { 2, 1, 4, 5 } } });
+  const Elements two(pair);
+  int inner = 0;
+  for (vtkIdType i = 0; i < two.Edges->GetNumberOfCells(); ++i)
+  {
+    const bool isInner = Get(two.Edges, "EdgeCellCount", i) == 2;
+    inner += isInner;
+    for (const char* name : { "NonOrthogonality", "FaceWeight", "VolumeRatio" })
+    {
+      EXPECT_EQ(GetNullReason(Get(two.Edges, name, i)), isInner ? NullReason::Value : NullReason::NoNeighbor);
+    }
+    EXPECT_EQ(std::isnan(Get(two.Edges, "BoundaryNonOrthogonality", i)), isInner);
+    if (isInner)
+    {
+      // Centroids (0.5, 0.5) and (2, 1); the line between them meets the edge at height 2/3.
+      EXPECT_NEAR(Get(two.Edges, "NonOrthogonality", i), std::atan2(0.5, 1.5) * 180 / pi, 1e-12);
+      EXPECT_NEAR(Get(two.Edges, "FaceWeight", i), 1.0 / 3, 1e-15);
+      EXPECT_NEAR(Get(two.Edges, "VolumeRatio", i), 0.5, 1e-15);
+      EXPECT_NEAR(Get(two.Edges, "FaceSkewness", i), (2.0 / 3 - 0.5) / 0.5, 1e-12);
+    }
+  }
+  EXPECT_EQ(inner, 1);
+
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> noise(-0.25, 0.25);
+  Points points;
+  Cells cells;
+  const int size = 20;
+  for (vtkIdType i = 0; i < (size + 1) * (size + 1); ++i)
+  {
+    const double x = i % (size + 1), y = i / (size + 1);
+    points.push_back({ x + noise(random), y + noise(random), noise(random) });
+    if (x < size && y < size)
+    {
+      cells.push_back({ VTK_QUAD, { i, i + 1, i + size + 2, i + size + 1 } });
+    }
+  }
+  const Grid sheet = MakeGrid(points, cells);
+  const Elements elements(sheet);
+  const struct
+  {
+    const char *OfEdges, *OfCells;
+    bool IsLargest;
+  } rows[] = { { "NonOrthogonality", "MaxNonOrthogonality", true },
+    { "BoundaryNonOrthogonality", "MaxBoundaryNonOrthogonality", true },
+    { "FaceSkewness", "MaxFaceSkewness", true },
+    { "FaceWeight", "MinFaceWeight", false }, { "VolumeRatio", "MinVolumeRatio", false } };
+  for (const auto& row : rows)
+  {
+    std::vector<double> values(sheet->GetNumberOfCells());
+    ASSERT_TRUE(Evaluate(MeshTopology(sheet), {}, { { FindCriterion(row.OfCells), values.data() } },
+      [](double) { return true; }));
+    const double sign = row.IsLargest ? 1 : -1;
+    double ofCells = -1e9, ofEdges = -1e9;
+    for (const double value : values)
+    {
+      ofCells = std::isnan(value) ? ofCells : std::max(ofCells, sign * value);
+    }
+    for (vtkIdType i = 0; i < elements.Edges->GetNumberOfCells(); ++i)
+    {
+      const double value = Get(elements.Edges, row.OfEdges, i);
+      ofEdges = std::isnan(value) ? ofEdges : std::max(ofEdges, sign * value);
+    }
+    EXPECT_NEAR(ofEdges, ofCells, 1e-9) << row.OfEdges;
+  }
+}
+
+//------------------------------------------------------------------------------
 // Of a closed surface the angles that are missing to 360 degrees are two full circles together.
 TEST(MeshElements, AngleDefects)
 {

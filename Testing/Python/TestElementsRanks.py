@@ -51,6 +51,11 @@ ARRAYS = {
         "EdgeMinDihedralAngle",
         "EdgeMaxDihedralAngle",
         "EdgeAngleSum",
+        "NonOrthogonality",
+        "BoundaryNonOrthogonality",
+        "FaceSkewness",
+        "FaceWeight",
+        "VolumeRatio",
     ],
     "Vertex": [
         "VertexCellCount",
