@@ -81,7 +81,8 @@ int GetSimpleNodes(const CellTopology& topology, unsigned shape, int nodes[MaxSi
 {
   const int base = shape & (Pyramids | Hexahedra) ? 4 : 3;
   const int* face = topology.GetFace(FindFace(topology, base));
-  std::reverse_copy(face, face + base, nodes);
+  nodes[0] = face[0]; // of faces as VTK gives them, the nodes of its pyramid
+  std::reverse_copy(face + 1, face + base, nodes + 1);
   int size = base;
   if (shape & (Tetrahedra | Pyramids))
   {

@@ -309,7 +309,8 @@ constexpr Measure Measures[] = {
       { "1 / the worst condition number or aspect Frobenius",
         "0 for a flat, collapsed or inverted cell (10⁻³⁰ for a triangle).",
         "VTK's Mesh Quality and Cell Quality. Of a triangle `BhatiaLawrence`, of a tetrahedron "
-        "`TetMeanRatio` are the same." } },
+        "`TetMeanRatio` are the same. Of a pyramid with a warped base the result depends on the order of the "
+        "nodes." } },
     { "VerdictShapeAndSize", "Verdict shape and size",
       "Product of Verdict's shape and relative size squared.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.2, Infinity }, {},
