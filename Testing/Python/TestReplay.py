@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A trace, a Python state and a state file bring a pipeline of the filters back, with the same numbers."""
+
+import camaron_testing
+from camaron_testing import EXAMPLES
+from paraview import servermanager, simple, smstate, smtrace
+
+#: What the filters are set to.
+PROPERTIES = {
+    "ElementQuality": {
+        "Criteria": ["KernelRatio", "MaxDihedralAngle", "VertexCount"],
+        "AngleUnits": "Radians",
+        "WriteNullMask": 1,
+    },
+    "MeshElements": {
+        "FaceArrays": ["FaceCellCount", "NonOrthogonality"],
+        "EdgeArrays": ["EdgeAngleSum"],
+        "VertexArrays": ["VertexAngleSum", "IsBoundary"],
+    },
+    "MeshKernel": {"KernelOf": "Each Cell", "ChosenBy": "VertexCount"},
+}
+
+
+def make_pipeline():
+    mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))
+    quality = simple.ElementQuality(
+        registrationName="ElementQuality", Input=mesh, **PROPERTIES["ElementQuality"]
+    )
+    for name in ("MeshElements", "MeshKernel"):
+        getattr(simple, name)(registrationName=name, Input=quality, **PROPERTIES[name])
+
+
+def summary():
+    """Of all outputs of the filters the numbers of points and cells, the arrays and their ranges."""
+    found = {}
+    for name, properties in PROPERTIES.items():
+        source = simple.FindSource(name)
+        for key, value in properties.items():
+            actual = source.GetPropertyValue(key)
+            found[name, key] = list(actual) if isinstance(value, list) else actual
+        source.UpdatePipeline()
+        for port in range(source.GetNumberOfOutputPorts()):
+            data = servermanager.Fetch(source, idx=port)
+            arrays = data.GetCellData()
+            ranges = {
+                arrays.GetArrayName(i): arrays.GetArray(i).GetFiniteRange()
+                for i in range(arrays.GetNumberOfArrays())
+            }
+            found[name, port] = data.GetNumberOfPoints(), data.GetNumberOfCells(), ranges
+    return found
+
+
+class TestReplay(camaron_testing.TestCase):
+    def setUp(self):
+        super().setUp()
+        simple.ResetSession()
+        camaron_testing.pipeline.load_plugin()
+
+    def check(self, expected):
+        for name, properties in PROPERTIES.items():
+            for key, value in properties.items():
+                self.assertEqual(expected[name, key], value)
+        self.assertIn(("MeshElements", 2), expected)
+        self.assertEqual(summary(), expected)
+
+    def replay(self, text):
+        simple.ResetSession()
+        camaron_testing.pipeline.load_plugin()
+        exec(compile(text, "replayed", "exec"), {})
+
+    def test_trace(self):
+        smtrace.start_trace(preamble="")
+        make_pipeline()
+        text = smtrace.stop_trace()
+        expected = summary()
+        self.replay(text)
+        self.check(expected)
+
+    def test_python_state(self):
+        make_pipeline()
+        expected = summary()
+        self.replay(smstate.get_state())
+        self.check(expected)
+
+    def test_state_file(self):
+        make_pipeline()
+        expected = summary()
+        path = str(self.folder / "state.pvsm")
+        simple.SaveState(path)
+        simple.ResetSession()
+        camaron_testing.pipeline.load_plugin()
+        simple.LoadState(path)
+        self.check(expected)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
