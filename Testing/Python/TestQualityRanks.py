@@ -231,6 +231,32 @@ class TestQualityRanks(camaron_testing.TestCase):
             source = rank_meshes.block_source(mesh, parts=parts, global_ids=global_ids)
             self.check(mesh, source, "connected blocks", ConnectBlocks=1)
 
+    def test_mixed_precision(self):
+        """Neighbours find each other where one has points in single precision and the other in double.
+
+        The points of the polyhedra are single anyway, so that nothing changes but what is too small to
+        count, unless that is given; those of the tetrahedra are rounded, and values with them.
+        """
+        made = {
+            "pieces": (rank_meshes.split_source, {}),
+            "scattered": (rank_meshes.split_source, {"scattered": True}),
+            "blocks": (rank_meshes.block_source, {"parts": 2}),
+        }
+        for text, (make, options) in made.items():
+            properties = {"ConnectBlocks": 1} if text == "blocks" else {}
+            source = make("voronoi", mixed_precision=True, **options)
+            tolerance = {"DegeneracyTolerance": 1e-12}  # the default of double precision
+            self.check("voronoi", source, f"mixed precision, {text}", **properties, **tolerance)
+            expected, _ = self.reference["tetrahedra"]
+            source = make("tetrahedra", mixed_precision=True, **options)
+            found = values_of(fetch_all(evaluate(source, **properties)))
+            for name in CRITERIA:
+                reasons = found[name + "_Null"]
+                numpy.testing.assert_array_equal(reasons, expected[name + "_Null"], f"{name}, {text}")
+                if name not in ("RegionId", "DuplicateCell"):
+                    values, others = (of[name].view(float)[reasons == 0] for of in (found, expected))
+                    numpy.testing.assert_allclose(values, others, rtol=1e-4, atol=1e-5, err_msg=name)
+
     def test_blocks_differ(self):
         """The option changes something, and only at cells between blocks."""
         connected, apart = self.reference["tetrahedra"][0], self.reference["blocks"][0]

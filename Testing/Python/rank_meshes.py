@@ -13,6 +13,7 @@ import gallery
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_POLYGON,
     VTK_POLYHEDRON,
@@ -148,10 +149,10 @@ def points_of(cell):
     return set(i for face in ids for i in face) if kind == VTK_POLYHEDRON else set(ids)
 
 
-def take(points, cells, numbers, copies=(), first_id=None):
+def take(points, cells, numbers, copies=(), first_id=None, is_float=False):
     """A grid of the cells of these numbers, then of copies as ghosts, with points in an order of its own.
 
-    With `first_id`, points and cells have global ids.
+    With `first_id`, points and cells have global ids; with `is_float`, points have single precision.
     """
     chosen = [*numbers, *copies]
     places = {}
@@ -165,6 +166,11 @@ def take(points, cells, numbers, copies=(), first_id=None):
     grid = gallery.make_grid(
         [points[i] for i in places], [(cells[n][0], renumber(cells[n][1])) for n in chosen]
     )
+    if is_float:
+        rounded = vtkPoints()
+        rounded.SetDataTypeToFloat()
+        rounded.DeepCopy(grid.GetPoints())
+        grid.SetPoints(rounded)
     add_array(grid.GetCellData(), "Number", numpy.array(chosen, numpy.int64))
     if copies:
         flags = numpy.array([0] * len(numbers) + [1] * len(copies), numpy.uint8)
@@ -202,10 +208,11 @@ def make_part(
     global_ids=False,
     broken_ids=False,
     empty_rank=False,
+    mixed_precision=False,
 ):
     """What a rank has; with `empty_rank` the first of several has no cell.
 
-    With `broken_ids` ranks do not agree on the ids of points.
+    With `broken_ids` ranks do not agree on the ids of points, with `mixed_precision` not on their type.
     """
     points, cells = MESHES[mesh]()
     skipped = 1 if empty_rank and ranks > 1 else 0
@@ -218,13 +225,15 @@ def make_part(
             n for n in range(len(cells)) if owners[n] != rank and points_of(cells[n]) & touched
         ]
     first_id = 1000 + broken_ids * rank if global_ids else None
-    return take(points, cells, own, copies, first_id) if own else vtkUnstructuredGrid()
+    is_float = mixed_precision and rank % 2 == 1
+    return take(points, cells, own, copies, first_id, is_float) if own else vtkUnstructuredGrid()
 
 
-def make_blocks(mesh, rank, ranks, parts=1, global_ids=False):
+def make_blocks(mesh, rank, ranks, parts=1, global_ids=False, mixed_precision=False):
     """Two blocks, of one kind of cells each in every other place; rank 1 has nothing of the second.
 
-    With `parts`, each block comes in so many partitions.
+    With `parts`, each block comes in so many partitions; with `mixed_precision`, the second block has
+    points in single precision.
     """
     points, cells = MESHES[mesh]()
     of_block = numpy.array([n * 2 // len(cells) for n in range(len(cells))])
@@ -238,7 +247,9 @@ def make_blocks(mesh, rank, ranks, parts=1, global_ids=False):
         own = numpy.array_split(numbers, len(having))[having.index(rank)]
         for part, chosen in enumerate(numpy.array_split(own, parts)):
             if len(chosen):
-                grid = take(points, cells, chosen.tolist(), (), 1000 if global_ids else None)
+                first_id = 1000 if global_ids else None
+                is_float = mixed_precision and block == 1
+                grid = take(points, cells, chosen.tolist(), (), first_id, is_float)
                 collection.SetPartition(block, part, grid)
     return collection
 
