@@ -5,10 +5,16 @@
 #include "Mesh/MeshView.h"
 #include "vtkCamaronCompat.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
 
+#include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -16,8 +22,11 @@ namespace camaron
 {
 namespace
 {
+constexpr int NoKey = std::numeric_limits<int>::min(); // of cells that are in no group but that of all
+constexpr std::size_t Any = std::numeric_limits<std::size_t>::max();
+
 //------------------------------------------------------------------------------
-void GetCellTypes(const ElementBlock& block, std::vector<int>& keys)
+void GetCellTypes(const ElementBlock& block, const std::string&, std::vector<int>& keys)
 {
   const vtkIdType size = block.Data->GetNumberOfCells();
   const MeshView mesh(block.Data);
@@ -35,7 +44,36 @@ std::string GetTypeLabelOfKey(const ElementBlock&, int cellType)
 }
 
 //------------------------------------------------------------------------------
-void GetBlockNumber(const ElementBlock& block, std::vector<int>& keys)
+// Whole numbers are keys, whatever the type of the array; a region may be a double.
+void GetArrayValues(
+  const ElementBlock& block, const std::string& arrayName, std::vector<int>& keys)
+{
+  keys.assign(block.Data->GetNumberOfCells(), NoKey);
+  vtkDataArray* array = block.GetArray(arrayName);
+  if (!array)
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> values;
+  values->DeepCopy(array);
+  for (std::size_t cell = 0; cell < keys.size(); ++cell)
+  {
+    const double value = values->GetValue(static_cast<vtkIdType>(cell));
+    // False for NaN.
+    if (std::abs(value) <= std::numeric_limits<int>::max() && std::trunc(value) == value)
+    {
+      keys[cell] = static_cast<int>(value);
+    }
+  }
+}
+
+std::string GetNumberLabel(const ElementBlock&, int key)
+{
+  return std::to_string(key);
+}
+
+//------------------------------------------------------------------------------
+void GetBlockNumber(const ElementBlock& block, const std::string&, std::vector<int>& keys)
 {
   keys.assign(1, block.Number);
 }
@@ -50,13 +88,16 @@ std::string GetBlockLabel(const ElementBlock& block, int)
 struct Way
 {
   const char* Name;
-  void (*GetKeys)(const ElementBlock& block, std::vector<int>& keys); ///< one, or one per cell
+  /// One key, or one per cell.
+  void (*GetKeys)(const ElementBlock& block, const std::string& arrayName, std::vector<int>& keys);
   std::string (*GetLabel)(const ElementBlock& block, int key);
+  std::size_t MaxNumberOfGroups; ///< more are an error
 };
 const Way Ways[] = {
-  { "None", nullptr, nullptr },
-  { "Cell type", GetCellTypes, GetTypeLabelOfKey },
-  { "Block", GetBlockNumber, GetBlockLabel },
+  { "None", nullptr, nullptr, Any },
+  { "Cell type", GetCellTypes, GetTypeLabelOfKey, Any },
+  { "Block", GetBlockNumber, GetBlockLabel, Any },
+  { "Cell array", GetArrayValues, GetNumberLabel, 1000 }, // else these are ids, or were measured
 };
 
 const Way& FindWay(const std::string& name)
@@ -76,25 +117,29 @@ const Way& FindWay(const std::string& name)
 std::vector<std::pair<int, std::string>> GatherLabels(
   const std::set<std::pair<int, std::string>>& labels, Reducer& reducer)
 {
-  constexpr int width = 10; // digits of an int, so that the names sort like the numbers
+  // Names sort like the numbers: all have as many digits, and the smallest int is 0.
+  constexpr int width = 10;
+  constexpr std::int64_t offset = -std::int64_t(std::numeric_limits<int>::min());
   std::vector<std::string> names;
   for (const auto& label : labels)
   {
     char number[width + 1];
-    std::snprintf(number, sizeof(number), "%0*d", width, label.first);
+    std::snprintf(number, sizeof(number), "%0*u", width, static_cast<unsigned>(label.first + offset));
     names.push_back(number + label.second);
   }
   std::vector<std::pair<int, std::string>> result;
   for (const std::string& name : reducer.GatherNames(names))
   {
-    result.emplace_back(std::atoi(name.substr(0, width).c_str()), name.substr(width));
+    const std::int64_t number = std::atoll(name.substr(0, width).c_str());
+    result.emplace_back(static_cast<int>(number - offset), name.substr(width));
   }
   return result;
 }
 }
 
 //------------------------------------------------------------------------------
-Grouping::Grouping(const std::string& name, const ElementBlocks& blocks, Reducer& reducer)
+Grouping::Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
+  Reducer& reducer)
   : Blocks(blocks)
   , Labels(1, "All")
   , Keys(1, 0)
@@ -108,16 +153,15 @@ Grouping::Grouping(const std::string& name, const ElementBlocks& blocks, Reducer
   for (const ElementBlock& block : blocks.Get())
   {
     std::vector<int> keys;
-    way.GetKeys(block, keys);
-    int last = -1;
-    for (std::size_t cell = 0; cell < keys.size(); ++cell)
+    way.GetKeys(block, arrayName, keys);
+    const bool perCell = static_cast<vtkIdType>(keys.size()) == block.Data->GetNumberOfCells();
+    std::set<int> found = { NoKey };
+    for (std::size_t cell = 0; cell < keys.size() && labels.size() <= way.MaxNumberOfGroups; ++cell)
     {
-      const bool perCell = static_cast<vtkIdType>(keys.size()) == block.Data->GetNumberOfCells();
       const bool isGhost = perCell && block.IsGhost(static_cast<vtkIdType>(cell));
-      if (!isGhost && keys[cell] != last)
+      if (!isGhost && found.insert(keys[cell]).second)
       {
-        last = keys[cell];
-        labels.emplace(last, way.GetLabel(block, last));
+        labels.emplace(keys[cell], way.GetLabel(block, keys[cell]));
       }
     }
     this->BlockKeys.push_back(keys);
@@ -126,6 +170,11 @@ Grouping::Grouping(const std::string& name, const ElementBlocks& blocks, Reducer
   {
     this->Keys.push_back(label.first);
     this->Labels.push_back(label.second);
+  }
+  if (this->Keys.size() - 1 > way.MaxNumberOfGroups)
+  {
+    throw std::invalid_argument("the cell array '" + arrayName + "' has more than " +
+      std::to_string(way.MaxNumberOfGroups) + " different values, too many to group by");
   }
 }
 

@@ -21,10 +21,13 @@ class Grouping
 {
 public:
   /**
-   * Collective. @a name: "None", "Cell type" or "Block"; throws std::invalid_argument for any
-   * other. Keeps a reference to @a blocks.
+   * Collective. @a name: "None", "Cell type", "Block" or "Cell array"; throws std::invalid_argument for
+   * any other, on all processes alike. By cell array there is a group for each whole number that the
+   * array @a arrayName with one component holds; throws if there are more than 1000. Keeps a reference
+   * to @a blocks.
    */
-  Grouping(const std::string& name, const ElementBlocks& blocks, Reducer& reducer);
+  Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
+    Reducer& reducer);
 
   /// Labels of all groups, the same on every process.
   const std::vector<std::string>& GetLabels() const { return this->Labels; }

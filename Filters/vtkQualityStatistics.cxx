@@ -7,6 +7,7 @@
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
 #include "Grouping.h"
+#include "Statistics/MissingValues.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsTables.h"
 
@@ -22,6 +23,7 @@
 #include <algorithm>
 #include <cassert>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkQualityStatistics);
@@ -201,6 +203,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << '\n' << indent << "Preset: " << this->Preset << '\n';
   os << indent << "RangesFile: " << this->RangesFile << '\n';
   os << indent << "GroupBy: " << this->GroupBy << '\n';
+  os << indent << "GroupArray: " << this->GroupArray << '\n';
   os << indent << "Quantiles (%):";
   for (const double percent : this->Quantiles)
   {
@@ -294,7 +297,9 @@ int vtkQualityStatistics::RequestData(
     settings.NumberOfBins = this->NumberOfBins;
     settings.Scale = ToBinScale(this->HistogramScale);
     ToBinRange(this->HistogramRange, this->CustomRange, {});
-    camaron::FindWorstEnd("", this->WorstValues);
+    const bool listsNull = this->WorstValues == "Null";
+    const std::string worstValues = listsNull ? "Smallest" : this->WorstValues;
+    camaron::FindWorstEnd("", worstValues);
     std::vector<double> fractions;
     for (const double percent : this->Quantiles)
     {
@@ -305,7 +310,7 @@ int vtkQualityStatistics::RequestData(
     const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
     const bool isRoot = reducer.GetProcess() == 0;
     const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
-    camaron::Grouping groups(this->GroupBy, blocks, reducer);
+    camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
     const auto blockNames = camaron::GetBlockNames(blocks, reducer);
     std::string missing;
     const std::vector<StatisticsArray> arrays =
@@ -319,7 +324,7 @@ int vtkQualityStatistics::RequestData(
     {
       const StatisticsArray& array = arrays[a];
       const auto acceptable = ranges.Find(array.Name, array.Unit);
-      const auto worstEnd = camaron::FindWorstEnd(array.Name, this->WorstValues);
+      const auto worstEnd = camaron::FindWorstEnd(array.Name, worstValues);
       settings.OfIntegers = array.OfIntegers;
       settings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
       const camaron::BlockValues values(blocks, array.Name);
@@ -340,7 +345,9 @@ int vtkQualityStatistics::RequestData(
         std::vector<camaron::WorstElement> worst;
         if (worstEnd)
         {
-          worst = camaron::FindWorst(population, this->NumberOfWorst, *worstEnd, reducer,
+          const camaron::MissingValues missingValues(listsNull ? population : camaron::Population());
+          worst = camaron::FindWorst(listsNull ? missingValues.Get() : population, this->NumberOfWorst,
+            *worstEnd, reducer,
             [&](camaron::WorstElement& element)
             {
               const camaron::ElementBlock& block =
@@ -349,6 +356,10 @@ int vtkQualityStatistics::RequestData(
               element.CellType = block.Data->GetCellType(element.Index);
               GetPlace(block.Data, element.Index, element.Place);
             });
+          for (camaron::WorstElement& element : worst)
+          {
+            element.Value = listsNull ? std::numeric_limits<double>::quiet_NaN() : element.Value;
+          }
         }
         if (isRoot)
         {

@@ -66,9 +66,21 @@ public:
   ///@}
 
   ///@{
-  /// Rows per group of cells besides the one of all: "None" (default), "Cell type" or "Block".
+  /**
+   * Rows per group of cells besides the one of all: "None" (default), "Cell type", "Block" or "Cell
+   * array", by the whole numbers in GroupArray.
+   */
   void SetGroupBy(const char* choice) { this->SetText(this->GroupBy, choice); }
   const char* GetGroupBy() const { return this->GroupBy.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Cell array with one component to group by, such as a material or a region; up to 1000 different
+   * values. Cells with other values than whole numbers of 32 bits are in no group. Default: empty.
+   */
+  void SetGroupArray(const char* name) { this->SetText(this->GroupArray, name); }
+  const char* GetGroupArray() const { return this->GroupArray.c_str(); }
   ///@}
 
   ///@{
@@ -114,7 +126,8 @@ public:
   ///@{
   /**
    * Which values are worst: "By criterion" (default, the end that the table of criteria calls
-   * worse), "Largest" or "Smallest".
+   * worse), "Largest", "Smallest", or "Null": those that are missing though the criterion has a meaning
+   * for the cell, in the order of the ids.
    */
   void SetWorstValues(const char* choice) { this->SetText(this->WorstValues, choice); }
   const char* GetWorstValues() const { return this->WorstValues.c_str(); }
@@ -137,6 +150,7 @@ private:
   std::string Preset;
   std::string RangesFile;
   std::string GroupBy = "None";
+  std::string GroupArray;
   std::vector<double> Quantiles = { 0, 1, 5, 25, 50, 75, 95, 99, 100 };
   int NumberOfBins = 50;
   std::string HistogramRange = "Automatic";

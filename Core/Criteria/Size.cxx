@@ -111,6 +111,39 @@ double CellTypeId(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+// The linear cell of VTK with the topology of the cell, else with the corners of its type: a tetrahedron
+// of which two points are one remains a tetrahedron.
+double CellFamilyId(const CellGeometry& cell)
+{
+  const unsigned shapes = cell.GetShapes();
+  const CellShape& type = GetCellShape(cell.GetCellType());
+  const int corners = type.ListsFaces ? 0 : type.NumberOfCorners;
+  if (shapes & Polygons)
+  {
+    return shapes & Triangles || corners == 3  ? VTK_TRIANGLE
+      : shapes & Quadrilaterals || corners == 4 ? VTK_QUAD
+                                                : VTK_POLYGON;
+  }
+  struct Family
+  {
+    unsigned Shape;
+    int Corners;
+    int CellType;
+  };
+  constexpr Family families[] = { { Tetrahedra, 4, VTK_TETRA }, { Pyramids, 5, VTK_PYRAMID },
+    { Wedges, 6, VTK_WEDGE }, { Hexahedra, 8, VTK_HEXAHEDRON } };
+  const bool isSimple = (shapes & (Tetrahedra | Pyramids | Wedges | Hexahedra)) != 0;
+  for (const Family& family : families)
+  {
+    if (isSimple ? (shapes & family.Shape) != 0 : corners == family.Corners)
+    {
+      return family.CellType;
+    }
+  }
+  return VTK_POLYHEDRON;
+}
+
+//------------------------------------------------------------------------------
 double MinFaceVertexCount(const CellGeometry& cell)
 {
   return ChooseOfFaces(
@@ -269,6 +302,16 @@ std::vector<Criterion> SizeCriteria()
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(CellTypeId),
       { "the number of vtkCellType.h",
         "Has a value for every cell, vertices and lines included.",
+        "VTK's own numbers." } },
+    { "CellFamilyId", "Cell family",
+      "VTK's number of the linear cell with the same topology, for grouping: a polyhedron of four triangles is a "
+      "tetrahedron, and so is a quadratic tetrahedron.",
+      PolygonsAndPolyhedra, Unit::None, { 5, 42 }, None, Better::Neither,
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(CellFamilyId),
+      { "5 triangle, 9 quadrangle, 7 any other polygon, 10 tetrahedron, 14 pyramid, 13 wedge, 12 hexahedron, "
+        "42 any other polyhedron",
+        "A standard cell that has lost its topology, such as a tetrahedron of which two points are one, is what its "
+        "type says.",
         "VTK's own numbers." } },
   };
   // clang-format on

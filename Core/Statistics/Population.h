@@ -7,6 +7,7 @@
 #ifndef camaron_Population_h
 #define camaron_Population_h
 
+#include "Criteria/Criterion.h"
 #include "Parallel.h"
 
 #include "vtkType.h" // for vtkIdType
@@ -31,6 +32,12 @@ struct ValueBlock
 
   bool Contains(vtkIdType i) const { return !this->Skip || !this->Skip[i]; }
   vtkIdType GetId(vtkIdType i) const { return this->Ids ? this->Ids[i] : this->FirstId + i; }
+  /// Of an element whose value is NaN.
+  NullReason GetNullReason(vtkIdType i) const
+  {
+    return this->NullReasons ? static_cast<NullReason>(this->NullReasons[i])
+                             : camaron::GetNullReason(this->Values[i]);
+  }
 };
 
 /// All blocks of this process.

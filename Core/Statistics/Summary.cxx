@@ -30,9 +30,7 @@ struct Totals
     if (std::isnan(value))
     {
       ++this->Counts.NullCount;
-      const auto reason =
-        block.NullReasons ? static_cast<NullReason>(block.NullReasons[i]) : GetNullReason(value);
-      this->Counts.NotApplicableCount += reason == NullReason::NotApplicable;
+      this->Counts.NotApplicableCount += block.GetNullReason(i) == NullReason::NotApplicable;
     }
     else
     {

@@ -242,6 +242,73 @@ class TestStatistics(camaron_testing.TestCase):
         }
         self.assertEqual(edges["All"], edges["Wedge"])
 
+    def test_groups_by_array(self):
+        """A group for each whole number in an array of any type, in order; others have none."""
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())
+        ids = numpy.arange(len(values["Volume"]))
+        for name in ("Material", "EdgeLengthRatio"):
+            keys = values[name].astype(float)
+            whole = [key for key in numpy.unique(keys) if key == numpy.floor(key)]
+            statistics, _, worst = self.tables(
+                mesh_parts.producer(grid), Arrays=["Volume"], GroupBy="Cell array", GroupArray=name
+            )
+            labels = [row["Group"] for row in statistics]
+            self.assertEqual(labels, ["All", *(str(int(key)) for key in whole)])
+            self.assertGreater(len(whole), 0)
+            for row, key in zip(statistics[1:], whole):
+                here = keys == key
+                self.assertEqual(row["Count"], here.sum())
+                if here.sum() > 1:
+                    self.check_statistics(row, values["Volume"][here], ids[here])
+                first = next(r for r in worst if r["Group"] == row["Group"])
+                self.assertEqual(first["Value"], values["Volume"][here].min())
+        statistics, _, _ = self.tables(
+            mesh_parts.producer(grid), Arrays=["Volume"], GroupBy="Cell array", GroupArray="None"
+        )
+        self.assertEqual([row["Group"] for row in statistics], ["All"])
+
+    def test_too_many_groups(self):
+        """An array of measured values or of ids is no way to group; 1000 values are."""
+        for cells, is_error in (((10, 10, 10), False), ((7, 11, 13), True)):
+            image = simple.Wavelet(WholeExtent=[0, cells[0], 0, cells[1], 0, cells[2]])
+            numbered = simple.PointAndCellIds(Input=image)
+            statistics = simple.QualityStatistics(
+                Input=numbered,
+                Arrays=["CellIds"],
+                GroupBy="Cell array",
+                GroupArray="CellIds",
+                NumberOfBins=1,
+            )
+            with camaron_testing.pipeline.Messages() as messages:
+                statistics.UpdatePipeline()
+            message = "'CellIds' has more than 1000 different values"
+            self.assertEqual(any(message in text for text in messages.errors), is_error)
+            self.assertEqual(self.fetch(statistics).GetNumberOfRows(), 0 if is_error else 1001)
+
+    def test_null_values_as_worst(self):
+        """Listed by id, without those for which the criterion has no meaning."""
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())["EdgeLengthRatio"]
+        missing = numpy.flatnonzero(numpy.isnan(values)).tolist()
+        properties = {"Arrays": ["EdgeLengthRatio", "FaceCount"], "WorstValues": "Null"}
+        _, _, worst = self.tables(mesh_parts.producer(grid), NumberOfWorst=1000, **properties)
+        self.assertEqual([row["Id"] for row in worst], missing)
+        self.assertTrue(all(math.isnan(row["Value"]) for row in worst))
+        kinds = {12: "Hexahedron", 13: "Wedge", 10: "Tetra"}
+        self.assertEqual(
+            [row["CellType"] for row in worst], [kinds[grid.GetCellType(i)] for i in missing]
+        )
+        _, _, worst = self.tables(mesh_parts.producer(grid), NumberOfWorst=3, **properties)
+        self.assertEqual([(row["Rank"], row["Id"]) for row in worst], [*enumerate(missing[:3], 1)])
+        # Not applicable is not missing, whether the value tells or the mask.
+        for mask in (0, 1):
+            quality = simple.ElementQuality(
+                Input=mesh_parts.producer(grid), Criteria=["TetRadiusRatio"], WriteNullMask=mask
+            )
+            _, _, worst = self.tables(quality, Arrays=["TetRadiusRatio"], WorstValues="Null")
+            self.assertEqual(worst, [])
+
     def test_blocks(self):
         """A collection has the statistics of the whole and of each block; empty blocks have none."""
         values = mesh_parts.make_values(mesh_parts.make_mesh().GetNumberOfCells())

@@ -28,6 +28,7 @@ CRITERIA = [
     "CellDeterminant",
 ]
 EXAMPLES = ("flange.visf", "voronoi-ball.visf")
+NULL_BY_MATERIAL = {"GroupBy": "Cell array", "GroupArray": "Material", "WorstValues": "Null"}
 PORTS = ("statistics", "histogram", "worst")
 RANK = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
 
@@ -62,6 +63,9 @@ def save_reference(folder):
         target.mkdir()
         whole = mesh_parts.split_source(global_ids=global_ids)
         save_tables(whole, target, GroupBy="Cell type", WorstValues="Largest")
+        target = folder / f"null-{global_ids}"
+        target.mkdir()
+        save_tables(whole, target, **NULL_BY_MATERIAL)
     target = folder / "blocks"
     target.mkdir()
     save_tables(make_blocks(), target, GroupBy="Block")
@@ -100,6 +104,17 @@ class TestRanks(camaron_testing.TestCase):
         for name, expected in self.reference(global_ids).items():
             self.assertGreaterEqual(len(expected), len(ARRAYS))
             self.assertEqual(tables[name], expected, f"{name} with {options}")
+
+    def test_null_by_material(self):
+        """Groups are the same wherever the cells are; so are the cells without a value."""
+        for global_ids in (False, True):
+            source = mesh_parts.split_source(global_ids=global_ids, ghost_layer=40, empty_rank=True)
+            tables = save_tables(source, self.folder, **NULL_BY_MATERIAL)
+            self.reference(global_ids)
+            expected = read_tables(self.folder / "reference" / f"null-{global_ids}")
+            self.assertGreater(len(expected["worst"]), 100)
+            for name in PORTS:
+                self.assertEqual(tables[name], expected[name], name)
 
     def test_pieces(self):
         """Consecutive ranges of cells: ids are their places in the whole mesh."""
