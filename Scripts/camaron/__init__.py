@@ -6,11 +6,14 @@
 >>> summary = camaron.inspect("part.visf", "part-report")
 >>> summary["worst_criterion"]
 'MinDihedralAngle'
+>>> camaron.check("part.visf", "fem.rules")["verdict"]
+'fail'
 >>> camaron.convert("part.visf", "part.vtu")
 []
 """
 
+from .checking import check
 from .conversion import convert
 from .inspection import inspect
 
-__all__ = ["convert", "inspect"]
+__all__ = ["check", "convert", "inspect"]

@@ -7,12 +7,15 @@ from __future__ import annotations
 import argparse
 import os
 import sys
+from datetime import datetime
 from pathlib import Path
 from typing import Any, Sequence
 
 from . import ranking, text
 
 ERROR = 2
+#: Of `check`, by the verdict on all meshes.
+EXIT_STATUS = {"pass": 0, "fail": 1, "error": ERROR}
 
 INSPECT_HELP = """\
 Reads meshes, evaluates their quality and writes a report for each: report.html (one file, with
@@ -23,6 +26,21 @@ cell array for each criterion.
   camaron inspect part.visf --preset 'FEM tetrahedra' -o part-quality
   camaron inspect part.visf --criteria Volume,MinDihedralAngle --ranks 4
   camaron inspect part.visf --ranges solver.txt"""
+
+CHECK_HELP = """\
+Holds meshes to rules and says which of them fail, and where: for the scripts that make meshes. The
+exit status is 0 if all meshes keep to all rules, 1 if not, 2 if a mesh cannot be read or a rule is
+wrong.
+
+  camaron check part.visf --rules fem.rules
+  camaron check part.visf --preset 'Finite volume' --tolerate 0.1%
+  camaron check *.vtu --rules fem.rules --junit check.xml --json > check.json
+
+A rule is a line such as
+
+  MinDihedralAngle >= 10 of tetrahedra tolerate 0.1%   # at most one in a thousand
+
+Documentation/check.md tells all that a rule can say."""
 
 CONVERT_HELP = """\
 Writes a mesh in another format, which the name of the target tells. Further options are those of
@@ -80,6 +98,32 @@ def _parser() -> argparse.ArgumentParser:
         "--json", action="store_true", help="print the summary as JSON instead of the table"
     )
     inspect.add_argument("--no-pictures", action="store_true", help="leave out the pictures")
+
+    check = commands.add_parser(
+        "check",
+        help="pass or fail by rules",
+        description=CHECK_HELP,
+        formatter_class=style,
+    )
+    check.add_argument("meshes", nargs="+", metavar="MESH", help="file that ParaView can open")
+    which = check.add_mutually_exclusive_group(required=True)
+    which.add_argument("--rules", metavar="FILE", help="file of rules")
+    which.add_argument("--preset", metavar="P", help="the acceptable ranges of a preset")
+    check.add_argument(
+        "--tolerate",
+        metavar="SHARE",
+        help="what rules tolerate that do not say it: 0.1%%, or a number of cells (0)",
+    )
+    check.add_argument(
+        "--worst",
+        type=_positive,
+        default=5,
+        metavar="N",
+        help="length of the lists of cells that fail (%(default)s)",
+    )
+    _add_common(check)
+    check.add_argument("--json", action="store_true", help="print JSON instead of tables")
+    check.add_argument("--junit", metavar="FILE", help="write a report for build servers, too")
 
     convert = commands.add_parser(
         "convert",
@@ -145,9 +189,7 @@ def main(arguments: Sequence[str]) -> int:
         arguments, rest = _split_writer_options(arguments)
     options = parser.parse_args(arguments)
     try:
-        return {"inspect": _inspect, "convert": _convert, "criteria": _criteria}[options.command](
-            options, rest
-        )
+        return COMMANDS[options.command](options, rest)
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:  # of `camaron ... | head`
@@ -155,9 +197,14 @@ def main(arguments: Sequence[str]) -> int:
         return 0
     except (ValueError, RuntimeError, OSError) as error:
         # Readers and writers name their options as the window does.
-        reason = _reason(error).replace("Unsupported Cells", "--unsupported-cells")
-        print(f"camaron: {reason}", file=sys.stderr)
+        _complain(_reason(error).replace("Unsupported Cells", "--unsupported-cells"))
         return ERROR
+
+
+def _complain(reason: str) -> None:
+    """Each line of an error on the standard error."""
+    for line in reason.splitlines():
+        print(f"camaron: {line}", file=sys.stderr, flush=True)
 
 
 def _reason(error: Exception) -> str:
@@ -179,7 +226,8 @@ def _check_ranks(wanted: int | None) -> None:
 
 
 def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
-    from .inspection import inspect, to_json
+    from .inspection import inspect
+    from .json_text import to_json
 
     _check_ranks(options.ranks)
     folders = _report_folders(options.meshes, options.output)
@@ -209,6 +257,40 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
             print(f"\nReport: {Path(folder) / 'report.html'}")
         sys.stdout.flush()
     return status
+
+
+def _check(options: argparse.Namespace, _rest: list[str]) -> int:
+    from . import checking, junit, verdict_table
+    from .json_text import to_json
+
+    _check_ranks(options.ranks)
+    rules = checking.read_rules(options.rules, options.preset, options.tolerate)
+    started = datetime.now()
+    results = []
+    for mesh in options.meshes:
+        try:
+            result = checking.check(
+                mesh,
+                rules,
+                worst=options.worst,
+                time=options.time,
+                say=lambda words: _complain(f"{mesh}: {words}"),
+            )
+        except (ValueError, RuntimeError, OSError) as error:
+            _complain(_reason(error))
+            result = checking.failed_to_check(mesh, _reason(error))
+        else:
+            if not options.json:
+                print(("\n" if results else "") + verdict_table.describe(result, _wants_color()))
+                sys.stdout.flush()
+        results.append(result)
+    verdict = checking.worst_verdict(results)
+    if options.json:
+        preset = options.preset and rules[0].preset
+        print(to_json(checking.summary(results, options.rules, preset)))
+    if options.junit:
+        junit.write(options.junit, results, started)
+    return EXIT_STATUS[verdict]
 
 
 def _wants_color() -> bool:
@@ -385,10 +467,13 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
         return 0
     notes = tables.known_notes()
     for name in options.names:
-        c = known[tables.lookup(name, list(known), "criterion")]
+        c = known[text.lookup(name, list(known), "criterion")]
         print(f"{c['name']}: {c['label']}, of {c['applies_to']}\n  {c['description']}")
         if c["acceptable_source"]:
             limits = _ascii(text.interval(*c["acceptable"], c["unit"]))
             print(f"  acceptable {limits} ({c['acceptable_source']})")
         print(f"  {notes[c['name']]['formula']}\n  Degenerate cells: {notes[c['name']]['degenerate']}")
     return 0
+
+
+COMMANDS = {"inspect": _inspect, "check": _check, "convert": _convert, "criteria": _criteria}

@@ -7,7 +7,6 @@ from __future__ import annotations
 import csv
 import datetime
 import json
-import math
 import os
 import shutil
 from pathlib import Path
@@ -15,15 +14,10 @@ from typing import Any, Callable, Iterable, Optional
 
 from paraview import simple
 
-from . import conversion, facts, pictures, pipeline, ranking, report, tables, text
+from . import conversion, facts, pictures, pipeline, ranking, report, tables
+from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria
 from .files import Staging, same_file
-
-#: Evaluated for the facts about the mesh, and no quality.
-NOT_REPORTED = ("CellTypeId",)
-#: Preset whose criteria are evaluated unless asked otherwise, and the word for all there are.
-GENERAL, ALL = "General", "all"
-#: Seconds from which on people should know how long it will take.
-LONG = 10.0
+from .json_text import to_json
 
 
 def inspect(
@@ -63,19 +57,18 @@ def inspect(
     criteria = None if criteria is None else list(criteria)
     pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
-    opened = pipeline.open_mesh(mesh, time)
-    made = [opened.source]
-    try:
-        quality = simple.ElementQuality(Input=opened.source)
-        surface = simple.MeshSurface(Input=quality)
-        statistics = simple.QualityStatistics(Input=quality, NumberOfWorst=worst, NumberOfBins=bins)
-        made += [quality, surface, statistics]
+    with Evaluation(mesh, time) as evaluated:
+        opened, quality = evaluated.opened, evaluated.quality
+        surface = evaluated.make(simple.MeshSurface)
+        statistics = evaluated.make(
+            simple.QualityStatistics, NumberOfWorst=worst, NumberOfBins=bins
+        )
         preset = choose_criteria(quality, preset, criteria, limits)
         if preset:
             statistics.Preset = preset
         if ranges is not None:
             statistics.RangesFile = str(ranges)
-        _announce(quality, say)
+        evaluated.announce(say)
         with pipeline.Messages() as messages:
             rows = tables.read(statistics, preset)
             described = facts.describe(mesh, opened, surface)
@@ -115,50 +108,6 @@ def inspect(
                 if path.name not in published and not same_file(path, mesh):
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
         return summary
-    finally:
-        for proxy in reversed(made):
-            simple.Delete(proxy)
-
-
-def choose_criteria(
-    quality: Any,
-    preset: Optional[str],
-    criteria: Optional[Iterable[str]],
-    more: Iterable[str] = (),
-) -> Optional[str]:
-    """Sets the criteria to evaluate, returns the name of the preset as it is written.
-
-    `more` are evaluated besides those of a preset, not besides criteria that were named.
-
-    ValueError tells the name that comes closest to a wrong one.
-    """
-    known = list(quality.GetProperty("Criteria").Available)
-    if preset is not None:
-        presets = list(quality.GetProperty("Preset").Available)[1:]
-        quality.Preset = preset = tables.lookup(preset, presets, "preset")
-        if more:  # a preset has room for its own criteria only
-            quality.Preset = quality.GetProperty("Preset").Available[0]
-            quality.Criteria = [*dict.fromkeys([*tables.known_presets()[preset]["rules"], *more])]
-    elif criteria == [ALL]:
-        quality.Criteria = known
-    elif criteria is not None:
-        quality.Criteria = [tables.lookup(name.strip(), known, "criterion") for name in criteria]
-    else:
-        general = tables.known_presets()[GENERAL]["rules"]
-        quality.Criteria = [*dict.fromkeys([*general, *more, *NOT_REPORTED])]
-    return preset
-
-
-def _announce(quality: Any, say: Callable[[str], None]) -> None:
-    """Says how long the evaluation will take, if that is long."""
-    quality.UpdatePropertyInformation()
-    seconds = quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
-    if seconds >= LONG:
-        cells = pipeline.data_information(quality.Input).GetNumberOfCells()
-        say(
-            f"the criteria take about {text.duration(seconds)}"
-            f" for {text.plural(cells, 'cell', ',')}"
-        )
 
 
 def _earlier_mesh(directory: Path) -> list[Path]:
@@ -227,20 +176,3 @@ def _arrays_to_write(quality, criteria) -> dict[str, Any]:
         "CellDataArrays": [name for name in names if name not in left_out],
         "PointDataArrays": [array.Name for array in quality.PointData],
     }
-
-
-def to_json(summary: dict[str, Any]) -> str:
-    """The summary as JSON; infinite numbers become "Infinity" and "-Infinity"."""
-
-    def plain(value):
-        if isinstance(value, dict):
-            return {key: plain(item) for key, item in value.items()}
-        if isinstance(value, (list, tuple)):
-            return [plain(item) for item in value]
-        if isinstance(value, float) and math.isinf(value):
-            return "Infinity" if value > 0 else "-Infinity"
-        if isinstance(value, float) and math.isnan(value):
-            return None
-        return value
-
-    return json.dumps(plain(summary), indent=1, ensure_ascii=False, allow_nan=False)

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import difflib
 import math
 import os
 from typing import Any, Optional, Sequence
@@ -181,13 +180,3 @@ def _criterion(
         },
         "worst": [],
     }
-
-
-def lookup(name: str, known: Sequence[str], kind: str) -> str:
-    """The known name, whatever its upper and lower case."""
-    by_lower = {k.lower(): k for k in known}
-    if name.lower() in by_lower:
-        return by_lower[name.lower()]
-    close = difflib.get_close_matches(name.lower(), list(by_lower), 1)
-    hint = f"did you mean {by_lower[close[0]]}?" if close else f"known are {', '.join(known)}"
-    raise ValueError(f"unknown {kind} {name}: {hint}")

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import difflib
 import math
 import re
 from typing import Iterable, Optional, Sequence
@@ -144,3 +145,20 @@ def table(header: Sequence[str], rows: Iterable[Sequence[str]], left: int = 1) -
         ]
         lines.append("  ".join(cells).rstrip())
     return lines
+
+
+def similar(name: str, known: Sequence[str]) -> Optional[str]:
+    """The known name that is meant, if one comes close, whatever its upper and lower case."""
+    by_lower = {k.lower(): k for k in known}
+    close = difflib.get_close_matches(name.lower(), list(by_lower), 1)
+    return by_lower[close[0]] if close else None
+
+
+def lookup(name: str, known: Sequence[str], kind: str) -> str:
+    """The known name, whatever its upper and lower case."""
+    by_lower = {k.lower(): k for k in known}
+    if name.lower() in by_lower:
+        return by_lower[name.lower()]
+    close = similar(name, known)
+    hint = f"did you mean {close}?" if close else f"known are {', '.join(known)}"
+    raise ValueError(f"unknown {kind} {name}: {hint}")

@@ -48,6 +48,10 @@ for ranks in "" "--ranks 2"; do
   message=$(timeout 100 "$camaron" inspect missing.visf $ranks 2>&1)
   expect "status of inspect $ranks on a missing mesh" 2 $?
   expect "message of inspect $ranks" "camaron: missing.visf: there is no such file" "$message"
+  echo 'Volume < 0' >my.rules
+  # shellcheck disable=SC2086
+  timeout 100 "$camaron" check "$1/Examples/voronoi-ball.visf" --rules my.rules $ranks >/dev/null 2>&1
+  expect "status of check $ranks on a mesh that fails" 1 $?
 done
 
 # Names that look like options.

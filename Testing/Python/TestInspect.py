@@ -11,7 +11,7 @@ from html.parser import HTMLParser
 
 import camaron_testing
 import numpy
-from camaron import convert, inspect, inspection
+from camaron import convert, evaluation, inspect
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -285,13 +285,13 @@ class TestInspect(camaron_testing.TestCase):
         quality = simple.ElementQuality(Input=self.open(BALL))
         estimates = []
         for criteria in (["Volume"], ["Volume", "MinSolidAngle"], ["all"]):
-            inspection.choose_criteria(quality, None, criteria)
+            evaluation.choose_criteria(quality, None, criteria)
             quality.UpdatePropertyInformation()
             estimates.append(quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0))
         self.assertGreater(estimates[0], 0)
         self.assertLess(estimates[0], estimates[1])
         self.assertLess(estimates[1], estimates[2])
-        with unittest.mock.patch.object(inspection, "LONG", estimates[0] / 2):
+        with unittest.mock.patch.object(evaluation, "LONG", estimates[0] / 2):
             self.inspect(BALL, criteria=["Volume"], say=said.append)
         self.assertEqual(said, ["the criteria take about 1 s for 800 cells"])
 

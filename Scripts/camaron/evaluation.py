@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A mesh that is read and evaluated, as every command that judges meshes begins."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any, Callable, Iterable, Optional
+
+from paraview import simple
+
+from . import pipeline, tables, text
+
+#: Evaluated for groups and facts about the mesh, and no quality.
+CELL_TYPE, CELL_FAMILY = NOT_REPORTED = ("CellTypeId", "CellFamilyId")
+#: Preset whose criteria are evaluated unless asked otherwise, and the word for all there are.
+GENERAL, ALL = "General", "all"
+#: Seconds from which on people should know how long it will take.
+LONG = 10.0
+
+
+class Evaluation:
+    """A mesh, its Element Quality, and what else is made of them; all of it is gone at the end.
+
+    >>> with Evaluation("part.visf") as evaluated:
+    ...     evaluated.quality.Criteria = ["Volume"]
+    ...     statistics = evaluated.make(simple.QualityStatistics, NumberOfWorst=0)
+    """
+
+    def __init__(self, mesh: os.PathLike | str, time: str = "last"):
+        """Reads the mesh; raises what `pipeline.open_mesh` does."""
+        pipeline.load_plugin()
+        self.mesh = Path(mesh)
+        self.opened = pipeline.open_mesh(mesh, time)
+        self.quality = simple.ElementQuality(Input=self.opened.source)
+        self._made = [self.opened.source, self.quality]
+
+    def make(self, create: Callable[..., Any], **properties: Any) -> Any:
+        """A filter of the Element Quality that lives as long as this object."""
+        self._made.append(create(Input=self.quality, **properties))
+        return self._made[-1]
+
+    def __enter__(self) -> "Evaluation":
+        return self
+
+    def __exit__(self, kind, error, trace) -> None:
+        for proxy in reversed(self._made):
+            simple.Delete(proxy)
+
+    def announce(self, say: Callable[[str], None]) -> None:
+        """Says how long the evaluation will take, if that is long."""
+        self.quality.UpdatePropertyInformation()
+        seconds = self.quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
+        if seconds >= LONG:
+            cells = pipeline.data_information(self.opened.source).GetNumberOfCells()
+            say(
+                f"the criteria take about {text.duration(seconds)}"
+                f" for {text.plural(cells, 'cell', ',')}"
+            )
+
+
+def choose_criteria(
+    quality: Any,
+    preset: Optional[str],
+    criteria: Optional[Iterable[str]],
+    more: Iterable[str] = (),
+) -> Optional[str]:
+    """Sets the criteria to evaluate, returns the name of the preset as it is written.
+
+    `more` are evaluated besides those of a preset, not besides criteria that were named.
+
+    ValueError tells the name that comes closest to a wrong one.
+    """
+    known = list(quality.GetProperty("Criteria").Available)
+    if preset is not None:
+        presets = list(quality.GetProperty("Preset").Available)[1:]
+        quality.Preset = preset = text.lookup(preset, presets, "preset")
+        if more:  # a preset has room for its own criteria only
+            quality.Preset = quality.GetProperty("Preset").Available[0]
+            quality.Criteria = [*dict.fromkeys([*tables.known_presets()[preset]["rules"], *more])]
+    elif criteria == [ALL]:
+        quality.Criteria = known
+    elif criteria is not None:
+        quality.Criteria = [text.lookup(name.strip(), known, "criterion") for name in criteria]
+    else:
+        general = tables.known_presets()[GENERAL]["rules"]
+        quality.Criteria = [*dict.fromkeys([*general, *more, CELL_TYPE])]
+    return preset
