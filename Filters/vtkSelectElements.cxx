@@ -142,6 +142,8 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LowerLimit: " << this->GetLowerLimit() << '\n';
   os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
   os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
+  os << indent << "WorstShare: " << this->GetWorstShare() << '\n';
+  os << indent << "StatusBits: " << this->GetStatusBits() << '\n';
   os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
   os << indent << "Adjacency: " << this->GetAdjacency() << '\n';
   os << indent << "NumberOfRings: " << this->GetNumberOfRings() << '\n';
@@ -237,6 +239,7 @@ CAMARON_TEXT_PROPERTY(UpperLimit)
 CAMARON_TEXT_PROPERTY(WorstValues)
 CAMARON_TEXT_PROPERTY(Placement)
 CAMARON_TEXT_PROPERTY(Adjacency)
+CAMARON_TEXT_PROPERTY(StatusBits)
 #undef CAMARON_TEXT_PROPERTY
 
 //------------------------------------------------------------------------------
@@ -259,6 +262,7 @@ CAMARON_NUMBER_PROPERTY(NumberOfWorst, int, 0)
 CAMARON_NUMBER_PROPERTY(NumberOfRings, int, 0)
 CAMARON_NUMBER_PROPERTY(PartNumber, int, 1)
 CAMARON_NUMBER_PROPERTY(FeatureAngle, double, 0)
+CAMARON_NUMBER_PROPERTY(WorstShare, double, 0)
 CAMARON_NUMBER_PROPERTY(LeaveNulls, bool, false)
 CAMARON_NUMBER_PROPERTY(InsideOut, bool, false)
 CAMARON_NUMBER_PROPERTY(OnlyBoundary, bool, false)

@@ -16,6 +16,8 @@
  *   values take part;
  * - "Worst N": the NumberOfWorst worst values of Array in exact order, the smaller identity first
  * among equal ones; NaN never, infinite values take part;
+ * - "Worst share": the WorstShare percent that are worst of those with a value, rounded down;
+ * - "Status": cells of whose CellStatus a bit is set, any or those that StatusBits names;
  * - "Null": NaN in Array;
  * - "By id": a list of ids;
  * - "Shape", "Half-spaces", "Surface": what lies in a sphere, box, cylinder or behind a plane; behind all
@@ -167,8 +169,20 @@ public:
   ///@}
 
   ///@{
+  /// Worst share: how many percent, 0 to 100. Default: 1.
+  void SetWorstShare(double percent);
+  double GetWorstShare() const;
+  ///@}
+
+  ///@{
+  /// Status: names of camaron::CellStatusBits, such as "InvertedOrZeroVolume, OpenCell". Default: empty, all.
+  void SetStatusBits(const char* names);
+  const char* GetStatusBits() const;
+  ///@}
+
+  ///@{
   /**
-   * Worst N: "By criterion" (default, the end that the table of criteria calls worse), "Largest" or
+   * Worst N, Worst share: "By criterion" (default, the end that the table of criteria calls worse), "Largest" or
    * "Smallest".
    */
   void SetWorstValues(const char* name);

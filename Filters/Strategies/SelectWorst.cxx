@@ -4,26 +4,63 @@
 
 #include "AcceptableRanges.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace camaron
 {
-//------------------------------------------------------------------------------
-std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks)
+namespace
 {
-  const BlockValues values = FindValues(task);
+//------------------------------------------------------------------------------
+/// Marks the worst values; returns how many there are.
+std::int64_t MarkWorst(
+  const SelectionTask& task, const BlockValues& values, std::int64_t count, SelectionMarks& marks)
+{
   const auto end = FindWorstEnd(task.GetArrayName(), task.Parameters.WorstValues);
   if (!end)
   {
     throw std::invalid_argument("no end of '" + task.GetArrayName() +
       "' is known to be the worse one; choose Largest or Smallest for Worst Values");
   }
-  const WorstLimit limit = FindWorstLimit(values.Get(), task.Parameters.NumberOfWorst, *end, task.Reducer);
+  const WorstLimit limit = FindWorstLimit(values.Get(), count, *end, task.Reducer);
   MarkValues(
     values, marks, [&](const ValueBlock& block, vtkIdType i) { return limit.Contains(block, i); });
-  return limit.Count < task.Parameters.NumberOfWorst
-    ? "there are only " + std::to_string(limit.Count) +
+  return limit.Count;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks)
+{
+  const int wanted = task.Parameters.NumberOfWorst;
+  const std::int64_t count = MarkWorst(task, FindValues(task), wanted, marks);
+  return count < wanted ? "there are only " + std::to_string(count) +
       (task.HasCells() ? " cells" : " points") + " with a value"
-    : "";
+                        : "";
+}
+
+//------------------------------------------------------------------------------
+std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks)
+{
+  const double percent = task.Parameters.WorstShare;
+  if (!(percent >= 0 && percent <= 100))
+  {
+    throw std::invalid_argument("Worst Share is 0 to 100 percent");
+  }
+  const BlockValues values = FindValues(task);
+  std::int64_t count = 0;
+  for (const ValueBlock& block : values.Get())
+  {
+    for (vtkIdType i = 0; i < block.Size; ++i)
+    {
+      count += block.Contains(i) && !std::isnan(block.Values[i]);
+    }
+  }
+  task.Reducer.Sum(&count, 1);
+  // Whole numbers of percent give whole numbers of elements where they should.
+  const auto wanted = static_cast<std::int64_t>(
+    std::floor(percent * static_cast<double>(count) / 100 * (1 + 1e-15)));
+  MarkWorst(task, values, wanted, marks);
+  return "";
 }
 }

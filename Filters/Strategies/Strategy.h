@@ -40,7 +40,9 @@ struct SelectionParameters
   std::string LowerLimit;
   std::string UpperLimit;
   int NumberOfWorst = 10;
+  double WorstShare = 1;
   std::string WorstValues = "By criterion";
+  std::string StatusBits;
   bool LeaveNulls = false;
   std::string Placement = "Centroid inside";
   bool InsideOut = false;
@@ -102,6 +104,7 @@ using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks
 std::string SelectAll(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
@@ -114,6 +117,7 @@ std::string SelectNull(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectPart(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks);
 
 struct Strategy
 {

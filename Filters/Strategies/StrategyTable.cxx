@@ -67,6 +67,8 @@ const std::vector<Strategy>& GetStrategies()
     { "By criterion", &SelectByCriterion, true },
     { "Worst N", &SelectWorst, true },
     { "Null", &SelectNull, true },
+    { "Worst share", &SelectWorstShare, true },
+    { "Status", &SelectByStatus, false },
     { "By id", &SelectById, true },
     { "Shape", &SelectInShape, true },
     { "Half-spaces", &SelectInHalfSpaces, true },

@@ -109,6 +109,38 @@ class TestSelect(camaron_testing.TestCase):
                     self.assertEqual(cells, sorted(order[:number]), f"{name} {number}")
                 self.assertIn("there are only", self.messages.warnings[0])
 
+    def test_worst_share(self):
+        """Percent of the values that are not null, rounded down."""
+        values = self.values["EdgeLengthRatio"]
+        order = sorted(
+            (i for i in range(self.count) if not math.isnan(values[i])),
+            key=lambda i: (values[i], self.ids[i]),
+        )
+        for percent in (0, 0.05, 1, 29, 100):
+            _, cells = self.select(
+                Strategy="Worst share", Array="EdgeLengthRatio", WorstShare=percent
+            )
+            wanted = int(percent * len(order) / 100 + 1e-9)
+            self.assertEqual(cells, sorted(order[:wanted]), percent)
+
+    def test_status(self):
+        status = numpy.array([0, 0x8000, 0x80, 0x8080, 1, 0x80000, 0, math.nan], float)
+        grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, len(status))
+        array = numpy_to_vtk(status, deep=True)
+        array.SetName("CellStatus")
+        grid.GetCellData().AddArray(array)
+        source = mesh_parts.producer(grid)
+        for names, expected in (
+            ("", [1, 2, 3, 4, 5]),
+            ("InvertedOrZeroVolume", [1, 3]),
+            ("OpenCell, DegenerateFaces", [2, 3, 5]),
+            ("NotStarShaped", []),
+        ):
+            _, cells = self.select(source, Strategy="Status", StatusBits=names)
+            self.assertEqual(cells, expected, names)
+        self.assert_error("let Element Quality make it", Strategy="Status")
+        self.assert_error("found 'Wrong'", Strategy="Status", StatusBits="OpenCell Wrong")
+
     def test_by_id(self):
         select, cells = self.select(Strategy="By id", Ids="3, 10-20, 40")
         self.assertEqual(cells, [3, *range(10, 21), 40])
