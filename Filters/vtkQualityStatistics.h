@@ -7,8 +7,8 @@
  * Input: any vtkDataSet or composite of them. By default every cell array that is named like a
  * quality criterion is evaluated, see AddArray(). Ghost cells (DUPLICATECELL, HIDDENCELL,
  * REFINEDCELL) do not count. NaN is null: counted, but in no other number. Infinite values are
- * counted apart; they are outside of any acceptable range and may be the worst, but enter no
- * moment, quantile or bin.
+ * counted apart; they are outside of any acceptable range that ends on their side and may be the
+ * worst, but enter no moment, quantile or bin.
  *
  * Outputs, each a vtkTable:
  * 0. statistics, one row per array and group;
