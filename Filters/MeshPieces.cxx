@@ -137,10 +137,24 @@ void MeshPieces::FindRegions()
 }
 
 //------------------------------------------------------------------------------
+void MeshPieces::FindPointRegions()
+{
+  if (!this->CanAskOthers())
+  {
+    return;
+  }
+  this->PointGroups = camaron::FindPointRegions(this->Pieces, this->Reducer);
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    this->Pieces[piece].Options.PointGroups = &this->PointGroups[piece];
+  }
+}
+
+//------------------------------------------------------------------------------
 std::vector<vtkSmartPointer<vtkDataSet>> MeshPieces::Complete(const std::vector<std::string>& arrays)
 {
   Completion completion;
-  completion.AsksOthers = this->AreSeveral() && !this->OthersAreUnknown;
+  completion.AsksOthers = this->CanAskOthers();
   completion.Arrays = arrays;
   return CompletePieces(this->Pieces, completion, this->Reducer);
 }

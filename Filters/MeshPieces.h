@@ -16,6 +16,7 @@
 #include "Criteria/LinkedPieces.h"
 #include "Criteria/MeanSizes.h"
 #include "Criteria/MeshRegions.h"
+#include "Criteria/PointRegions.h"
 #include "Criteria/SurfaceSides.h"
 #include "ElementBlocks.h"
 
@@ -59,6 +60,8 @@ public:
   void FindSurfaceSides();
   /// Collective. After Link.
   void FindRegions();
+  /// Collective. After Link.
+  void FindPointRegions();
 
   /// Collective. Of every piece its mesh with the cells around it, see CompletePieces, unless the others cannot be
   /// asked or there are none. @a arrays are the same on all processes.
@@ -68,8 +71,11 @@ public:
 
 private:
   const vtkIdType* GetIds(vtkDataArray* ids);
-  /// Collective. Whether there are several pieces.
+  ///@{
+  /// Collective. Whether there are several pieces, and they can be asked.
   bool AreSeveral();
+  bool CanAskOthers() { return this->AreSeveral() && !this->OthersAreUnknown; }
+  ///@}
 
   camaron::Reducer& Reducer;
   bool OthersAreUnknown; // there are more pieces than processes
@@ -81,6 +87,7 @@ private:
   MeanSizes Means;
   std::vector<SurfaceSides> Sides;
   std::vector<MeshRegions> Regions;
+  std::vector<PointRegions> PointGroups;
 };
 }
 

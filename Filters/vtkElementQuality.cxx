@@ -294,6 +294,10 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
   {
     pieces.FindRegions();
   }
+  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsPointRegions) != 0; }))
+  {
+    pieces.FindPointRegions();
+  }
 
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {

@@ -18,8 +18,7 @@
  * or partitions of one block, criteria with neighbours find the cells of other pieces by the points of their
  * faces: by global ids if all points have them, else by equal coordinates. No ghost cells are needed
  * or made for that. Those of the input, of which one level is asked for, get values, too; where these depend on
- * cells that are not there they are null with reason 5. PointRegionCount needs
- * ghost cells at borders, and is null there without.
+ * cells that are not there they are null with reason 5.
  *
  * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen. Criteria with
  * neighbours compare the faces within the boxes of other pieces once, shared out among the processes.

@@ -31,6 +31,7 @@ namespace camaron
 {
 struct MeanSizes;
 struct MeshRegions;
+struct PointRegions;
 struct PieceLinks;
 struct SurfaceSides;
 
@@ -62,6 +63,8 @@ struct EvaluationOptions
   const SurfaceSides* Sides = nullptr;
   /// The regions of all pieces; if none, those of the mesh that is evaluated.
   const MeshRegions* Regions = nullptr;
+  /// The groups of cells at points over all pieces; if none, those of the mesh that is evaluated.
+  const PointRegions* PointGroups = nullptr;
 };
 
 class CellGeometry

@@ -3,6 +3,7 @@
 // Where a cell is in the mesh, and whether it is there twice.
 #include "Criteria/CriterionRows.h"
 #include "Criteria/MeshRegions.h"
+#include "Criteria/PointRegions.h"
 #include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 
@@ -129,8 +130,8 @@ void DuplicateCell(const MeshContext& mesh, vtkIdType begin, vtkIdType end, doub
 //------------------------------------------------------------------------------
 void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
-  const std::vector<Index>& counts = mesh.Topology.GetPointRegionCounts();
-  const std::vector<unsigned char>& isUnknown = mesh.GetUnknownPoints();
+  const std::vector<Index>& counts =
+    mesh.Options.PointGroups ? mesh.Options.PointGroups->Counts : mesh.Topology.GetPointRegionCounts();
   const MeshView& view = mesh.Topology.GetMesh();
   ForFacetCells(mesh, begin, end, values,
     [&](vtkIdType cell, int)
@@ -139,10 +140,6 @@ void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, d
       const IndexRange points = view.GetCellPoints(cell);
       for (vtkIdType i = 0; i < points.Size; ++i)
       {
-        if (!isUnknown.empty() && isUnknown[points[i]])
-        {
-          return Null(NullReason::MissingGhosts);
-        }
         largest = std::max(largest, counts[points[i]]);
       }
       return double(largest);
@@ -168,11 +165,10 @@ std::vector<Criterion> ConnectivityCriteria()
       "Largest number of groups of cells that meet at a point of the cell without a common face (polygons: edge) "
       "at it; more than 1 where the mesh is pinched.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 1, Better::Smaller,
-      { -Infinity, 1 }, "no pinched points", Cited, Integer, Cost::Neighbors, NeedsPoints, CAMARON_MESH(PointRegionCount),
+      { -Infinity, 1 }, "no pinched points", Cited, Integer, Cost::Neighbors, NeedsPointRegions, CAMARON_MESH(PointRegionCount),
       { "max over the points of the cell of the components of the graph of the cells around the point and "
         "their common facets with that point",
-        "0 for a polyhedron without faces; null (piece not known) at a face to another piece if there are no "
-        "ghost cells, without which pinches between pieces are not seen, either.",
+        "0 for a polyhedron without faces.",
         "OpenFOAM's checkMesh calls such points multiply connected, at the boundary only." } },
     { "DuplicateCell", "Cell with the same points",
       "Lowest id of all cells that have exactly the points of this cell, if there is another one; else -1. The id "

@@ -83,7 +83,8 @@ enum Needs : unsigned
   NeedsCentroid = 64u,  ///< with NeedsVolume for a polyhedron
   NeedsMeanSizes = 128u,   ///< of all cells of the mesh
   NeedsSurfaceSides = 256u, ///< which side of a closed surface is the outer one
-  NeedsRegions = 512u       ///< what hangs together
+  NeedsRegions = 512u,      ///< what hangs together
+  NeedsPointRegions = 1024u ///< what hangs together at points
 };
 
 /// Why a value is null, as written to the mask arrays.

@@ -3,9 +3,7 @@
 #include "Criteria/MeshContext.h"
 
 #include "Criteria/CellNeighborhood.h"
-#include "Mesh/CellFacets.h"
 #include "Mesh/DuplicateCells.h"
-#include "Mesh/FacetLinks.h"
 #include "Parallel.h"
 
 #include "vtkDataArray.h"
@@ -32,44 +30,6 @@ std::vector<Vector> ComputeCellVectors(const MeshView& mesh, const EvaluationOpt
       }
     });
   return vectors;
-}
-
-//------------------------------------------------------------------------------
-std::vector<unsigned char> FindUnknownPoints(
-  const MeshTopology& topology, const EvaluationOptions& options)
-{
-  std::vector<unsigned char> isUnknown;
-  if (options.Ghosts || !options.Links)
-  {
-    return isUnknown;
-  }
-  const MeshView& view = topology.GetMesh();
-  isUnknown.resize(view.GetNumberOfPoints());
-  CellFacets facets(view);
-  for (vtkIdType cell = 0; cell < view.GetNumberOfCells(); ++cell)
-  {
-    const int dimension = facets.GetDimension(cell);
-    if (dimension < 2)
-    {
-      continue;
-    }
-    const FacetTable& table = topology.GetFacets(dimension);
-    const FacetLinks& links = options.Links->GetFacets(dimension);
-    const FacetTable::Range uses = table.GetCellFacets(cell);
-    if (std::none_of(uses.begin(), uses.end(), [&](CellFacet use) { return links.Has(use.Facet()); }))
-    {
-      continue;
-    }
-    facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-      {
-        for (vtkIdType i = 0; i < size && links.Has(uses[static_cast<Index>(local)].Facet()); ++i)
-        {
-          isUnknown[points[i]] = 1;
-        }
-      });
-  }
-  return isUnknown;
 }
 }
 
@@ -110,13 +70,5 @@ const std::vector<double>& MeshContext::GetDuplicateIds() const
       }
     });
   return this->DuplicateIds;
-}
-
-//------------------------------------------------------------------------------
-const std::vector<unsigned char>& MeshContext::GetUnknownPoints() const
-{
-  std::call_once(this->UnknownPointsOnce,
-    [this] { this->UnknownPoints = FindUnknownPoints(this->Topology, this->Options); });
-  return this->UnknownPoints;
 }
 }

@@ -36,15 +36,11 @@ public:
   const std::vector<Vector>& GetCellVectors() const;
   /// Of every cell the lowest id of all cells with the same points, or -1 if it is the only one.
   const std::vector<double>& GetDuplicateIds() const;
-  /// Of every point whether cells at it lie in another piece and are not known; empty if there are ghost cells,
-  /// or no other pieces.
-  const std::vector<unsigned char>& GetUnknownPoints() const;
 
 private:
-  mutable std::once_flag CellVectorsOnce, DuplicateIdsOnce, UnknownPointsOnce;
+  mutable std::once_flag CellVectorsOnce, DuplicateIdsOnce;
   mutable std::vector<Vector> CellVectors;
   mutable std::vector<double> DuplicateIds;
-  mutable std::vector<unsigned char> UnknownPoints;
 };
 }
 

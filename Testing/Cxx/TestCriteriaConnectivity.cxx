@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What cells have to do with each other: parts of a mesh, pinched points, cells that are there twice.
+#include "Criteria/PointRegions.h"
 #include "CriteriaTesting.h"
 
 #include "vtkIdTypeArray.h"
+
+#include <memory>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -60,6 +63,54 @@ TEST(CriteriaConnectivity, Regions)
     EXPECT_EQ(values.at("RegionId"), (std::vector<double>{ 0, 1, 2, 0, 1 }));
     EXPECT_EQ(values.at("PointRegionCount"), std::vector<double>(5, 2));
   }
+}
+
+//------------------------------------------------------------------------------
+// The same for pieces of a cube or two each, which know of each other by the places of their points only.
+TEST(CriteriaConnectivity, PinchedBetweenPieces)
+{
+  using Places = std::vector<std::array<int, 3>>;
+  const auto count = [](const std::vector<Places>& parts)
+  {
+    std::vector<Grid> grids;
+    std::vector<std::unique_ptr<MeshTopology>> topologies;
+    std::vector<LinkedPiece> pieces;
+    for (const Places& places : parts)
+    {
+      grids.push_back(MakeCubes(2, places, pieces.size() % 2 == 1));
+      topologies.push_back(std::make_unique<MeshTopology>(grids.back()));
+      pieces.emplace_back();
+      pieces.back().Data = grids.back();
+      pieces.back().Topology = topologies.back().get();
+    }
+    Reducer alone;
+    std::vector<std::vector<int>> points; // of every piece how many points have 1, 2, 3, 4 groups
+    for (const PointRegions& regions : FindPointRegions(pieces, alone))
+    {
+      points.push_back({ 0, 0, 0, 0 });
+      for (const Index groups : regions.Counts)
+      {
+        EXPECT_LE(groups, 4);
+        if (groups > 0)
+        {
+          ++points.back()[groups - 1];
+        }
+      }
+    }
+    return points;
+  };
+  using Counts = std::vector<std::vector<int>>;
+  const auto expect = [&](const std::vector<Places>& parts, const Counts& expected)
+  { EXPECT_EQ(count(parts), expected); };
+  expect({ { { { 0, 0, 0 } } }, { { { 1, 0, 0 } } } }, { { 8, 0, 0, 0 }, { 8, 0, 0, 0 } });
+  expect({ { { { 0, 0, 0 } } }, { { { 1, 1, 0 } } } }, { { 6, 2, 0, 0 }, { 6, 2, 0, 0 } });
+  expect({ { { { 0, 0, 0 } } }, { { { 1, 1, 1 } } } }, { { 7, 1, 0, 0 }, { 7, 1, 0, 0 } });
+  // The second and the third piece share a face, so that there are two groups at the first one.
+  expect({ { { { 0, 0, 0 } } }, { { { 1, 1, 0 } } }, { { { 1, 1, 1 } } } },
+    { { 6, 2, 0, 0 }, { 6, 2, 0, 0 }, { 7, 1, 0, 0 } });
+  // Alternate cubes meet in edges, and all four in the middle.
+  expect({ { { { 0, 0, 0 } } }, { { { 1, 1, 0 } }, { { 1, 0, 1 } } }, { { { 0, 1, 1 } } } },
+    { { 4, 3, 0, 1 }, { 8, 5, 0, 1 }, { 4, 3, 0, 1 } });
 }
 
 //------------------------------------------------------------------------------

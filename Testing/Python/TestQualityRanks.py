@@ -39,6 +39,7 @@ CRITERIA = [
     "CellDeterminant",
     "IsBoundary",
     "RegionId",
+    "PointRegionCount",
     "DuplicateCell",
     "VerdictRelativeSizeSquared",
     "VerdictShapeAndSize",
@@ -170,6 +171,9 @@ class TestQualityRanks(camaron_testing.TestCase):
         for mesh in ("voronoi", "tetrahedra", "mixed"):
             self.assertGreater(count(mesh, "MaxNonOrthogonality", 0), 100)
             self.assertGreater(count(mesh, "RelativeSize", 0), 100)
+        groups = lambda mesh: self.reference[mesh][0]["PointRegionCount"].view(float)
+        self.assertGreater((groups("tetrahedra") == 1).sum(), 100)
+        self.assertGreater((groups("sparse") > 1).sum(), 100)
         self.assertGreater(count("surfaces", "MaxSurfaceDihedralAngle", 0), 100)
         self.assertGreater(count("surfaces", "MaxSurfaceDihedralAngle", 3), 100)
         self.assertGreater(count("surfaces", "MaxNeighborNormalAngle", 0), 100)
@@ -182,7 +186,7 @@ class TestQualityRanks(camaron_testing.TestCase):
 
     def test_scattered(self):
         """Cells anywhere, so that almost every face is a border."""
-        for mesh in ("voronoi", "tetrahedra", "overlapping", "surfaces"):
+        for mesh in ("voronoi", "sparse", "overlapping", "surfaces"):
             self.check(mesh, rank_meshes.split_source(mesh, scattered=True), "scattered")
 
     def test_ghosts(self):

@@ -42,6 +42,12 @@ def tetrahedra():
     return points, [(VTK_TETRA, [cube[i] for i in cut]) for cube in cubes for cut in cuts]
 
 
+def sparse():
+    """Some of the tetrahedra, many of which have no more than an edge or a point in common."""
+    points, cells = tetrahedra()
+    return points, [cell for n, cell in enumerate(cells) if n * 7 % 12 < 5]
+
+
 def overlapping():
     """Tetrahedra, and some of them once more: faces with three and four cells."""
     points, cells = tetrahedra()
@@ -140,7 +146,7 @@ def pair():
 
 MESHES = {
     function.__name__: functools.lru_cache(function)
-    for function in (voronoi, tetrahedra, overlapping, surfaces, mixed, pair)
+    for function in (voronoi, tetrahedra, sparse, overlapping, surfaces, mixed, pair)
 }
 
 
