@@ -4,6 +4,7 @@
 
 #include "Criteria/CellIds.h"
 #include "Criteria/PieceBorders.h"
+#include "Criteria/SharedPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -28,48 +29,6 @@ namespace
 struct KeyHash
 {
   std::size_t operator()(const PointKey& key) const { return static_cast<std::size_t>(Hash(key)); }
-};
-
-// A piece of any process.
-struct PieceAt
-{
-  std::int32_t Process, Piece;
-  bool operator==(const PieceAt& other) const
-  {
-    return this->Process == other.Process && this->Piece == other.Piece;
-  }
-  bool operator<(const PieceAt& other) const
-  {
-    return std::tie(this->Process, this->Piece) < std::tie(other.Process, other.Piece);
-  }
-};
-
-// A point of a piece that some other piece may have, too.
-struct Candidate
-{
-  PointKey Key;
-  std::int32_t Block, Piece;
-  vtkIdType Point;
-};
-
-struct CandidateKey
-{
-  PointKey Key;
-  std::int32_t Block, Piece;
-};
-
-// "The piece has your candidate, too."
-struct Verdict
-{
-  std::int64_t Candidate;
-  PieceAt Other;
-};
-
-// That a point of a piece is a point of another one.
-struct Sharing
-{
-  vtkIdType Point;
-  PieceAt Other;
 };
 
 // A cell of another piece, in the words of its message.
@@ -235,8 +194,7 @@ public:
   {
     if (this->Options.AsksOthers)
     {
-      this->FindCandidates();
-      this->FindSharings();
+      this->Sharings = FindSharedPoints(this->Pieces, this->Borders, this->Reducer);
       this->ExchangeCells();
     }
     std::vector<vtkSmartPointer<vtkDataSet>> meshes;
@@ -251,125 +209,6 @@ private:
   bool Takes(std::size_t piece, vtkIdType cell) const
   {
     return !this->Options.AsksOthers || !this->Pieces[piece].IsCopy(cell);
-  }
-
-  //----------------------------------------------------------------------------
-  // The points of own cells that lie near other pieces.
-  void FindCandidates()
-  {
-    constexpr unsigned char isUsed = 2;
-    for (std::size_t p = 0; p < this->Pieces.size(); ++p)
-    {
-      std::vector<unsigned char> marks = this->Borders.FindNearPoints(p);
-      if (marks.empty())
-      {
-        continue;
-      }
-      const MeshView& mesh = this->Pieces[p].Topology->GetMesh();
-      for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
-      {
-        const IndexRange points = mesh.GetCellPoints(cell);
-        for (vtkIdType i = 0; i < points.Size && this->Takes(p, cell); ++i)
-        {
-          marks[points[i]] |= isUsed;
-        }
-      }
-      for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
-      {
-        if (marks[point] == (isUsed | 1))
-        {
-          this->Candidates.push_back({ this->Borders.GetKey(p, point), this->Pieces[p].Block,
-            static_cast<std::int32_t>(p), point });
-        }
-      }
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  void FindSharings()
-  {
-    std::vector<std::vector<CandidateKey>> sent(this->NumberOfProcesses);
-    std::vector<std::vector<std::size_t>> numbers(this->NumberOfProcesses);
-    for (std::size_t i = 0; i < this->Candidates.size(); ++i)
-    {
-      const Candidate& candidate = this->Candidates[i];
-      const std::size_t judge = Hash(candidate.Key) % this->NumberOfProcesses;
-      sent[judge].push_back({ candidate.Key, candidate.Block, candidate.Piece });
-      numbers[judge].push_back(i);
-    }
-    const auto verdicts =
-      this->Reducer.ExchangeItems(Judge(this->Reducer.ExchangeItems(std::move(sent))));
-    for (std::size_t judge = 0; judge < verdicts.size(); ++judge)
-    {
-      for (const Verdict& verdict : verdicts[judge])
-      {
-        const Candidate& candidate = this->Candidates[numbers[judge][verdict.Candidate]];
-        this->Sharings[candidate.Piece].push_back({ candidate.Point, verdict.Other });
-      }
-    }
-    std::vector<Candidate>().swap(this->Candidates);
-    for (std::vector<Sharing>& sharings : this->Sharings)
-    {
-      std::sort(sharings.begin(), sharings.end(),
-        [](const Sharing& a, const Sharing& b)
-        { return std::tie(a.Point, a.Other) < std::tie(b.Point, b.Other); });
-    }
-  }
-
-  //----------------------------------------------------------------------------
-  // Tells every process which other pieces have its candidates.
-  static std::vector<std::vector<Verdict>> Judge(
-    const std::vector<std::vector<CandidateKey>>& candidates)
-  {
-    struct Item
-    {
-      PointKey Key;
-      std::int32_t Block;
-      PieceAt From;
-      std::int64_t Number;
-      auto GetPlace() const { return std::tie(this->Block, this->Key); }
-      bool operator<(const Item& other) const
-      {
-        return std::tie(this->Block, this->Key, this->From, this->Number) <
-          std::tie(other.Block, other.Key, other.From, other.Number);
-      }
-    };
-    std::vector<Item> items;
-    for (std::size_t process = 0; process < candidates.size(); ++process)
-    {
-      for (std::size_t i = 0; i < candidates[process].size(); ++i)
-      {
-        const CandidateKey& candidate = candidates[process][i];
-        items.push_back({ candidate.Key, candidate.Block,
-          { static_cast<std::int32_t>(process), candidate.Piece }, static_cast<std::int64_t>(i) });
-      }
-    }
-    std::sort(items.begin(), items.end());
-    std::vector<std::vector<Verdict>> verdicts(candidates.size());
-    std::vector<PieceAt> having;
-    for (auto first = items.begin(); first != items.end();)
-    {
-      auto last = first;
-      having.clear();
-      for (; last != items.end() && last->GetPlace() == first->GetPlace(); ++last)
-      {
-        if (having.empty() || !(having.back() == last->From))
-        {
-          having.push_back(last->From);
-        }
-      }
-      for (; first != last; ++first)
-      {
-        for (const PieceAt& other : having)
-        {
-          if (!(other == first->From))
-          {
-            verdicts[first->From.Process].push_back({ first->Number, other });
-          }
-        }
-      }
-    }
-    return verdicts;
   }
 
   //----------------------------------------------------------------------------
@@ -392,7 +231,7 @@ private:
     std::vector<std::unordered_map<PointKey, vtkIdType, KeyHash>> points(this->Pieces.size());
     for (std::size_t p = 0; p < this->Pieces.size(); ++p)
     {
-      for (const Sharing& sharing : this->Sharings[p])
+      for (const SharedPoint& sharing : this->Sharings[p])
       {
         points[p].emplace(this->Borders.GetKey(p, sharing.Point), sharing.Point);
       }
@@ -412,14 +251,14 @@ private:
   std::map<PieceAt, std::vector<Index>> FindCellsForOthers(std::size_t piece)
   {
     std::map<PieceAt, std::vector<Index>> cells;
-    const std::vector<Sharing>& sharings = this->Sharings[piece];
+    const std::vector<SharedPoint>& sharings = this->Sharings[piece];
     if (sharings.empty())
     {
       return cells;
     }
     const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
     std::vector<std::size_t> first(static_cast<std::size_t>(mesh.GetNumberOfPoints()) + 1, 0);
-    for (const Sharing& sharing : sharings)
+    for (const SharedPoint& sharing : sharings)
     {
       ++first[sharing.Point + 1];
     }
@@ -737,8 +576,7 @@ private:
   const std::size_t NumberOfProcesses;
   const PieceBorders Borders;
   const CellIds Ids;
-  std::vector<Candidate> Candidates;
-  std::vector<std::vector<Sharing>> Sharings; // by piece
+  std::vector<std::vector<SharedPoint>> Sharings; // by piece
   std::vector<std::vector<std::int64_t>> Integers; // from each process
   std::vector<std::vector<double>> Reals;
   std::vector<Addition> Additions;                     // by piece

@@ -8,8 +8,8 @@
  * more than a point. Points are the same as PieceBorders says. Copies that a piece has of cells of others
  * (DUPLICATECELL) take no part; the cells that are added take their place.
  *
- * Points within the box of another piece are compared by their keys; every process compares its share of them. Memory,
- * messages and time for that are proportional to these points, those for the cells to the cells at the border.
+ * Memory, messages and time are proportional to the points within the box of another piece, see SharedPoints, and to
+ * the cells at the border; a piece that gets cells is copied.
  */
 #ifndef camaron_CompletedPieces_h
 #define camaron_CompletedPieces_h
