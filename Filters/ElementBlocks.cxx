@@ -16,6 +16,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 
 namespace camaron
@@ -311,5 +312,45 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     this->Values.push_back(values);
     this->Numbers.push_back(number);
   }
+}
+
+//------------------------------------------------------------------------------
+BlockWeights::BlockWeights(
+  const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer)
+  : Values(blocks, arrayName)
+{
+  std::int64_t counts[2] = { static_cast<std::int64_t>(this->Values.Get().size()),
+    static_cast<std::int64_t>(blocks.Get().size()) };
+  vtkIdType largest = 0;
+  for (const ElementBlock& block : blocks.Get())
+  {
+    largest = std::max(largest, block.GetSize());
+  }
+  if (counts[0] < counts[1])
+  {
+    this->Zeros.resize(largest);
+  }
+  reducer.Sum(counts, 2);
+  if (counts[0] == 0 && counts[1] > 0)
+  {
+    throw std::invalid_argument(
+      "there is no array with one component named '" + arrayName + "' to weigh by");
+  }
+}
+
+//------------------------------------------------------------------------------
+Population BlockWeights::GetPopulation(const BlockValues& values) const
+{
+  const std::vector<std::size_t>& having = this->Values.GetBlockNumbers();
+  Population weights;
+  for (std::size_t v = 0; v < values.Get().size(); ++v)
+  {
+    ValueBlock block = values.Get()[v];
+    const auto found = std::find(having.begin(), having.end(), values.GetBlockNumbers()[v]);
+    block.Values = found == having.end() ? this->Zeros.data()
+                                         : this->Values.Get()[found - having.begin()].Values;
+    weights.push_back(block);
+  }
+  return weights;
 }
 }

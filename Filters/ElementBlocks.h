@@ -124,6 +124,21 @@ private:
   std::vector<std::size_t> Numbers;
   std::vector<vtkSmartPointer<vtkDataArray>> Owners;
 };
+
+/// The values of an array by which elements count.
+class BlockWeights
+{
+public:
+  /// Collective. Throws std::invalid_argument if no process has the array.
+  BlockWeights(const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer);
+
+  /// For each block of @a values its weights; 0 where there are none.
+  Population GetPopulation(const BlockValues& values) const;
+
+private:
+  BlockValues Values;
+  std::vector<double> Zeros; // as many as the largest block has elements
+};
 }
 
 #endif

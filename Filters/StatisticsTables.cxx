@@ -63,7 +63,8 @@ double Percent(std::int64_t part, std::int64_t whole)
 }
 
 //------------------------------------------------------------------------------
-void AddStatisticsColumns(vtkTable* table, const std::vector<double>& percents)
+void AddStatisticsColumns(
+  vtkTable* table, const std::vector<double>& percents, const std::string& weightArray)
 {
   AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
   AddColumns<vtkIdTypeArray>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
@@ -82,11 +83,17 @@ void AddStatisticsColumns(vtkTable* table, const std::vector<double>& percents)
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
   AddColumns<vtkIdTypeArray>(table, { "BelowCount", "AboveCount" });
   AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
+  if (!weightArray.empty())
+  {
+    const std::string badFraction = "Bad" + weightArray + "Fraction";
+    AddColumns<vtkDoubleArray>(table, { "Weight", "WeightedMean", badFraction.c_str() });
+  }
 }
 
 //------------------------------------------------------------------------------
 void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
-  const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable)
+  const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable,
+  const std::optional<WeightedSummary>& weighted)
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   Row row(labels);
@@ -114,6 +121,12 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   row.Add(acceptable
       ? Percent(summary.BelowCount + summary.AboveCount, summary.GetApplicableCount())
       : unknown);
+  if (weighted)
+  {
+    row.Add(weighted->Weight);
+    row.Add(weighted->Mean);
+    row.Add(acceptable ? weighted->BadFraction : unknown);
+  }
   row.AppendTo(table);
 }
 

@@ -9,6 +9,7 @@
 
 #include "Statistics/Histogram.h"
 #include "Statistics/Summary.h"
+#include "Statistics/Weights.h"
 #include "Statistics/Worst.h"
 
 #include <optional> // for what may be unknown
@@ -29,14 +30,16 @@ struct RowLabels
 };
 
 ///@{
-/// Give an empty table its columns. @a percents: a column P<percent> for each.
-void AddStatisticsColumns(vtkTable* table, const std::vector<double>& percents);
+/// Give an empty table its columns. @a percents: a column P<percent> for each; @a weightArray may be empty.
+void AddStatisticsColumns(
+  vtkTable* table, const std::vector<double>& percents, const std::string& weightArray);
 void AddHistogramColumns(vtkTable* table);
 void AddWorstColumns(vtkTable* table);
 ///@}
 
 void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
-  const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable);
+  const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable,
+  const std::optional<WeightedSummary>& weighted);
 void AddHistogramRows(
   vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram);
 /// @a blockNames: by the block number of the elements.

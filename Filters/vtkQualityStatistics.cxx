@@ -9,6 +9,7 @@
 #include "Grouping.h"
 #include "Statistics/MissingValues.h"
 #include "Statistics/Quantiles.h"
+#include "Statistics/Weights.h"
 #include "StatisticsTables.h"
 
 #include "vtkCellData.h"
@@ -204,6 +205,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RangesFile: " << this->RangesFile << '\n';
   os << indent << "GroupBy: " << this->GroupBy << '\n';
   os << indent << "GroupArray: " << this->GroupArray << '\n';
+  os << indent << "WeightArray: " << this->WeightArray << '\n';
   os << indent << "Quantiles (%):";
   for (const double percent : this->Quantiles)
   {
@@ -285,7 +287,7 @@ int vtkQualityStatistics::RequestData(
   {
     tables[port] = vtkTable::GetData(outputVector, port);
   }
-  camaron::AddStatisticsColumns(tables[0], this->Quantiles);
+  camaron::AddStatisticsColumns(tables[0], this->Quantiles, this->WeightArray);
   camaron::AddHistogramColumns(tables[1]);
   camaron::AddWorstColumns(tables[2]);
 
@@ -320,6 +322,10 @@ int vtkQualityStatistics::RequestData(
       vtkWarningMacro("There are no cell arrays with one component named: " << missing << '.');
     }
 
+    const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
+      ? std::nullopt
+      : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);
+
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {
       const StatisticsArray& array = arrays[a];
@@ -334,6 +340,12 @@ int vtkQualityStatistics::RequestData(
         const camaron::Population population = groups.GetPopulation(g, values);
         const camaron::Summary summary =
           camaron::Summarize(population, acceptable ? *acceptable : camaron::ValueRange(), reducer);
+        std::optional<camaron::WeightedSummary> weighted;
+        if (weights)
+        {
+          weighted = camaron::SummarizeWeighted(population, summary, weights->GetPopulation(values),
+            acceptable ? *acceptable : camaron::ValueRange(), reducer);
+        }
         const std::vector<double> quantiles =
           camaron::GetQuantiles(population, summary, fractions, reducer);
         if (g == 0)
@@ -365,7 +377,7 @@ int vtkQualityStatistics::RequestData(
         {
           const camaron::RowLabels labels{ array.Name, array.Unit, groups.GetLabels()[g],
             blocks.GetIdSpace() };
-          camaron::AddStatisticsRow(tables[0], labels, summary, quantiles, acceptable);
+          camaron::AddStatisticsRow(tables[0], labels, summary, quantiles, acceptable, weighted);
           camaron::AddHistogramRows(tables[1], labels, bins, histogram);
           camaron::AddWorstRows(tables[2], labels, worst, blockNames);
         }

@@ -84,6 +84,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Cell array with one component by which cells count in further columns: "Weight", "WeightedMean" and
+   * "Bad<name>Fraction", the share of it outside of the acceptable range. Default: none.
+   */
+  void SetWeightArray(const char* name) { this->SetText(this->WeightArray, name); }
+  const char* GetWeightArray() const { return this->WeightArray.c_str(); }
+  ///@}
+
+  ///@{
   /// Quantiles in percent, 0 to 100. Default: 0, 1, 5, 25, 50, 75, 95, 99, 100.
   void AddQuantile(double percent);
   void ClearQuantiles();
@@ -151,6 +160,7 @@ private:
   std::string RangesFile;
   std::string GroupBy = "None";
   std::string GroupArray;
+  std::string WeightArray;
   std::vector<double> Quantiles = { 0, 1, 5, 25, 50, 75, 95, 99, 100 };
   int NumberOfBins = 50;
   std::string HistogramRange = "Automatic";

@@ -71,6 +71,7 @@ TEST(QualityStatisticsProxy, AgreesWithClass)
   vtkNew<vtkQualityStatistics> filter;
   EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
+  EXPECT_EQ(ReadDefault(proxy, "WeightArray"), filter->GetWeightArray());
   EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));
   EXPECT_EQ(ReadDefault(proxy, "HistogramRange"), filter->GetHistogramRange());
   EXPECT_EQ(ReadDefault(proxy, "HistogramScale"), filter->GetHistogramScale());

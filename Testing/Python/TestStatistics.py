@@ -82,6 +82,48 @@ class TestStatistics(camaron_testing.TestCase):
             bins[-1]["CumulativePercent"], 100 * (first["Underflow"] + sum(counts)) / len(values)
         )
 
+    def test_weights(self):
+        """Means by volume and the share of the volume that is bad, with exact sums."""
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())
+        source = mesh_parts.producer(grid)
+        table, _, _ = self.tables(source, WeightArray="Volume", Arrays=list(values))
+        weights = [Fraction(w) for w in values["Volume"].tolist()]
+        for row in table:
+            data = values[row["Criterion"]].astype(float).tolist()
+            known = [(w, x) for w, x in zip(weights, data) if not math.isnan(x)]
+            total = sum(w for w, _ in known)
+            self.assertAlmostEqual(row["Weight"], float(total), delta=1e-14 * float(total))
+            finite = [(w, Fraction(x)) for w, x in known if math.isfinite(x)]
+            if not finite:
+                self.assertTrue(math.isnan(row["WeightedMean"]))
+                continue
+            mean = sum(w * x for w, x in finite) / sum(w for w, _ in finite)
+            size = sum(w * abs(x) for w, x in finite) / sum(w for w, _ in finite)
+            error = abs(Fraction(row["WeightedMean"]) - mean)
+            self.assertLess(error, size * Fraction(1, 10**13), row["Criterion"])
+            low, high = row["AcceptableLow"], row["AcceptableHigh"]
+            if math.isnan(low):
+                self.assertTrue(math.isnan(row["BadVolumeFraction"]))
+            else:
+                bad = sum(w for w, x in known if x < low or x > high)
+                self.assertAlmostEqual(row["BadVolumeFraction"], float(bad / total), delta=1e-14)
+        bad = [row["BadVolumeFraction"] for row in table if row["Criterion"] == "EdgeLengthRatio"]
+        self.assertTrue(0 < bad[0] < 1)
+
+    def test_negative_and_missing_weights(self):
+        grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, 4)
+        for name, data in (("W", [1.0, -3.0, math.nan, math.inf]), ("X", [1.0, 2.0, 3.0, 4.0])):
+            mesh_parts.add_arrays(grid, {name: numpy.array(data)})
+        (row,) = self.tables(mesh_parts.producer(grid), WeightArray="W", Arrays=["X"])[0]
+        self.assertEqual((row["Weight"], row["WeightedMean"]), (4, 1.75))
+        statistics = simple.QualityStatistics(
+            Input=mesh_parts.producer(grid), Arrays=["X"], WeightArray="Y"
+        )
+        with camaron_testing.pipeline.Messages() as messages:
+            statistics.UpdatePipeline()
+        self.assertIn("named 'Y' to weigh by", messages.errors[0])
+
     def test_against_numpy(self):
         grid = mesh_parts.make_full_mesh()
         values = mesh_parts.make_values(grid.GetNumberOfCells())

@@ -38,7 +38,7 @@ def save_tables(source, folder, **properties):
 
     ParaView's writer sorts the columns by name when there are several ranks.
     """
-    properties = {"Arrays": ARRAYS, "NumberOfWorst": 30, **properties}
+    properties = {"Arrays": ARRAYS, "NumberOfWorst": 30, "WeightArray": "Volume", **properties}
     statistics = simple.QualityStatistics(Input=source, **properties)
     statistics.UpdatePipeline()
     for port, name in enumerate(PORTS):
