@@ -26,8 +26,10 @@ void ReadCenter(const CellGeometry& geometry, Vector& centroid, double& size)
 {
   if (!HasCenter(geometry))
   {
-    centroid = Vector();
-    size = Null(NullReason::NotApplicable);
+    // No place that a neighbour could take for the centroid.
+    const double none = Null(NullReason::NotApplicable);
+    centroid = { none, none, none };
+    size = none;
     return;
   }
   centroid = geometry.GetOrigin() + geometry.GetCentroid();

@@ -24,7 +24,7 @@ struct PieceLinks;
 /// Centroid and volume or area of every cell of a mesh.
 struct CellCenters
 {
-  std::vector<Vector> Centroids; ///< not relative to anything
+  std::vector<Vector> Centroids; ///< not relative to anything; NaN where there is none
   std::vector<double> Sizes;     ///< null where the cell is not closed
 
   /// None yet.

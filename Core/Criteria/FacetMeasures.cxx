@@ -34,7 +34,8 @@ bool IsZeroFacet(const CellNeighborhood& cell, const Facet& facet)
 bool AddNonOrthogonality(const CellNeighborhood& cell, const Facet& facet, AngleRange& angles)
 {
   const Vector line = facet.OtherCentroid - cell.GetCentroid();
-  if (IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(line)))
+  const double length = Norm(line); // NaN where the other cell has no centroid
+  if (IsZeroFacet(cell, facet) || std::isnan(length) || cell.GetGeometry().IsZeroLength(length))
   {
     return false;
   }

@@ -223,8 +223,9 @@ std::vector<Criterion> FiniteVolumeCriteria()
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxNonOrthogonality),
       { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbour N; the "
         "largest of the inner faces",
-        "Null (no neighbour) for a cell without neighbours. Collapsed faces and centroids in the same "
-        "place are passed over; null (degenerate) when nothing is left.",
+        "Null (no neighbour) for a cell without neighbours. Collapsed faces, centroids in the same "
+        "place and neighbours with coordinates that are not finite are passed over; null (degenerate) "
+        "when nothing is left.",
         "checkMesh's for planar faces, to the digits it prints. Fluent reports the cosine: see "
         "`OrthogonalQuality`." } },
     { "MaxBoundaryNonOrthogonality", "Largest non-orthogonality at the boundary",

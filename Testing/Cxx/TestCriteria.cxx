@@ -615,6 +615,36 @@ TEST(Criteria, NonFinitePoints)
   }
 }
 
+//------------------------------------------------------------------------------
+// If this fails, the centroid of a cell with coordinates that are not finite is taken to lie somewhere, and its
+// neighbours get numbers that depend on where the mesh lies.
+TEST(Criteria, NonFiniteNeighbor)
+{
+  const Grid row = MakeHexahedra(3, 1, 1, false); // cubes along x
+  double x[3];
+  for (vtkIdType i = 0; i < row->GetNumberOfPoints(); ++i)
+  {
+    row->GetPoint(i, x);
+    if (x[0] == row->GetBounds()[1])
+    {
+      row->GetPoints()->SetPoint(i, x[0], std::numeric_limits<double>::quiet_NaN(), x[2]);
+      break;
+    }
+  }
+  const Values values = EvaluateAll(row);
+  const auto expectCubes = [&](const char* name, double inGrid)
+  {
+    EXPECT_NEAR(values.at(name)[0], inGrid, 1e-12) << name;
+    EXPECT_NEAR(values.at(name)[1], inGrid, 1e-12) << name;
+    EXPECT_TRUE(std::isnan(values.at(name)[2])) << name;
+  };
+  expectCubes("MaxNonOrthogonality", 0);
+  expectCubes("MaxFaceSkewness", 0);
+  expectCubes("MinFaceWeight", 0.5);
+  expectCubes("MinVolumeRatio", 1);
+  expectCubes("OrthogonalQuality", 1);
+}
+
 // A triangle with a repeated id has a collapsed edge.
 TEST(Criteria, RepeatedIdInTriangle)
 {
