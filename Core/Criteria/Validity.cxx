@@ -71,6 +71,16 @@ unsigned CheckFaces(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+// By Euler's formula one closed surface without handles has 2, every further one 2 more, of which 1 is lost
+// where it shares a point.
+bool HasSeveralSurfaces(const CellTopology& topology)
+{
+  const int characteristic =
+    topology.NumberOfPoints - static_cast<int>(topology.Edges.size()) + topology.GetNumberOfFaces();
+  return topology.IsManifold && characteristic > 2;
+}
+
+//------------------------------------------------------------------------------
 unsigned CheckPolyhedron(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
@@ -88,8 +98,9 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
   status |= Flag(Openness(cell) > OpennessLimit, OpenCell);
   status |= Flag(hasVolume && GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology,
     NonManifoldVertex);
-  status |= Flag(
-    cell.GetMaxDihedralAngle() > HalfTurn + tolerance || CellConcavity(cell) > tolerance, Nonconvex);
+  status |= Flag(cell.GetMaxDihedralAngle() > HalfTurn + tolerance || CellConcavity(cell) > tolerance ||
+      HasSeveralSurfaces(topology),
+    Nonconvex);
   return status;
 }
 }
@@ -213,11 +224,13 @@ std::vector<Criterion> ValidityCriteria()
         "Null (invalid topology) for an open cell. A standard cell in wrong order has 1, a flat one "
         "0.",
         "VTK's Validate Cells has one bit for 1 to 3." } },
-    { "IsConvex", "Convex", "1 if neither faces nor edges bend inward (within ConvexityTolerance), else 0.",
+    { "IsConvex", "Convex",
+      "1 if neither faces nor edges bend inward (within ConvexityTolerance) and the cell has one surface, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
       { "1 if CellStatus has none of 16, 4096, 8192 and 262144",
-        "1 for flat and collapsed cells, 0 for open ones and those that cut through themselves.",
+        "1 for flat and collapsed cells; 0 for open ones, those that cut through themselves, and those of several "
+        "surfaces, also where these touch in a point.",
         "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },
     { "IsWatertight", "Watertight", "1 if every edge of the cell has at least two faces, else 0.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,

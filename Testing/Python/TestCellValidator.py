@@ -46,6 +46,7 @@ MISSED = "lets faces of which two edges cross pass for faces that do not interse
 MEETING = "takes triangles with coincident corners for triangles that intersect"
 SADDLE = "takes warped faces (64 here) for bent inward where a corner sticks out of the plane of a face"
 ANGLES = "measures angles between faces, of which a face without an area has none"
+PIECES = "measures angles between faces, which are those of convex cells also where a cell is in two pieces"
 
 SQUARE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)]
 CUBE = [(x, y, z) for z in (0, 1) for x, y, _ in SQUARE]
@@ -181,9 +182,9 @@ SHAPES = (
         VTK_POLYHEDRON,
         [*CORNERS, (-1, 0, 0), (0, -1, 0), (0, 0, -1)],
         [(0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3), (0, 4, 5), (0, 5, 6), (0, 6, 4), (4, 6, 5)],
-        0,
-        0,
-        (),
+        CONVEX,
+        CONVEX,
+        (PIECES,),
     ),
 )
 #: Small enough for VTK, which takes up to 16 ms for a polyhedron.
