@@ -865,20 +865,29 @@ TEST(Criteria, Registry)
   }
 }
 
-// The values of the reference shapes lie in the range that the registry promises.
+// The values of the reference shapes, also inside out, lie in the range that the registry promises.
 TEST(Criteria, ValuesInRange)
 {
-  for (const ReferenceShape& shape : GetReferenceShapes())
+  const auto expectInRange = [](const Values& values, const std::string& shape)
   {
-    const Values values = EvaluateAll(shape.Polyhedron);
     for (const Criterion& criterion : GetCriteria())
     {
       const double value = values.at(criterion.Name)[0];
       if (!std::isnan(value))
       {
-        EXPECT_GE(value, criterion.Range[0] - 1e-12) << shape.Name << ' ' << criterion.Name;
-        EXPECT_LE(value, criterion.Range[1] + 1e-12) << shape.Name << ' ' << criterion.Name;
+        EXPECT_GE(value, criterion.Range[0] - 1e-12) << shape << ' ' << criterion.Name;
+        EXPECT_LE(value, criterion.Range[1] + 1e-12) << shape << ' ' << criterion.Name;
       }
+    }
+  };
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    expectInRange(EvaluateAll(shape.Polyhedron), shape.Name);
+    if (shape.Standard)
+    {
+      expectInRange(EvaluateAll(Transform(shape.Standard,
+                      [](const Point& p) { return Point{ -p[0], p[1], p[2] }; })),
+        std::string(shape.Name) + " inside out");
     }
   }
 }

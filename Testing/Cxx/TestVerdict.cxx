@@ -254,6 +254,10 @@ TEST(Verdict, PitfallsAreMended)
   const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
   EXPECT_EQ(EvaluateOne(flat, "VerdictAspectRatio"), std::numeric_limits<double>::infinity());
+  // Verdict's condition of an inverted tetrahedron is below 0, which is not less than 4 in the good sense.
+  const Grid inverted = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 2, 1, 3 } } });
+  EXPECT_LT(EvaluateOne(inverted, "VerdictCondition"), FindCriterion("VerdictCondition")->Acceptable[0]);
   // What has no such measure is null, and not -1.
   EXPECT_EQ(GetNullReason(EvaluateOne(flat, "VerdictMaxAngle")), NullReason::NotApplicable);
   // A tetrahedron is one whatever its VTK type.
