@@ -22,6 +22,10 @@ struct Moments
     this->XY += v.X * v.Y, this->YZ += v.Y * v.Z, this->ZX += v.Z * v.X;
   }
   double GetTrace() const { return this->XX + this->YY + this->ZZ; }
+  Moments Scaled(double s) const
+  {
+    return { s * this->XX, s * this->YY, s * this->ZZ, s * this->XY, s * this->YZ, s * this->ZX };
+  }
   double GetDeterminant() const
   {
     return this->XX * (this->YY * this->ZZ - this->YZ * this->YZ) -
@@ -83,7 +87,7 @@ double CellIsotropy(const CellGeometry& cell)
   const double trace = moments.GetTrace();
   return cell.IsZeroArea(std::sqrt(trace))
     ? Null(NullReason::Degenerate)
-    : std::max(0.0, 27 * moments.GetDeterminant() / (trace * trace * trace));
+    : std::max(0.0, 27 * moments.Scaled(1 / trace).GetDeterminant());
 }
 
 //------------------------------------------------------------------------------

@@ -893,6 +893,18 @@ TEST(Criteria, ValuesInRange)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, powers of the size leave the range of numbers: a product of twelve lengths.
+TEST(Criteria, IsotropyOfAnySize)
+{
+  for (const double size : { 1e-40, 1e40 })
+  {
+    const Grid hexahedron = Transform(FindReferenceShape("sheared hex").Standard,
+      [size](const Point& p) { return Point{ size * p[0], size * p[1], size * p[2] }; });
+    EXPECT_NEAR(EvaluateAll(hexahedron).at("CellIsotropy")[0], 0.421875, 1e-12) << size;
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, cells are compared with another mean than that of all cells of their dimension.
 TEST(Criteria, RelativeSize)
 {
