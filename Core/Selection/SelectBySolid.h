@@ -97,7 +97,12 @@ private:
   }
   bool HasCentroid(vtkIdType cell)
   {
-    if (GetCellShape(this->Mesh.GetCellType(cell)).Dimension < 2)
+    const unsigned char type = this->Mesh.GetCellType(cell);
+    if (type == VTK_TETRA || type == VTK_TRIANGLE)
+    {
+      return this->Space.Contains(this->GetMeanPoint(cell)); // the same, and much faster
+    }
+    if (GetCellShape(type).Dimension < 2)
     {
       this->Boundary.Load(cell);
       return !this->Boundary.GetSimplices().empty() &&
@@ -111,6 +116,20 @@ private:
     }
     this->Geometry.Compute(NeedsCentroid);
     return this->Space.Contains(this->Geometry.GetOrigin() + this->Geometry.GetCentroid());
+  }
+  Vector GetMeanPoint(vtkIdType cell) const
+  {
+    const IndexRange points = this->Mesh.GetCellPoints(cell);
+    double first[3], x[3];
+    this->Mesh.GetPoint(points[0], first);
+    const Vector origin = { first[0], first[1], first[2] };
+    Vector sum;
+    for (vtkIdType i = 1; i < points.Size; ++i)
+    {
+      this->Mesh.GetPoint(points[i], x);
+      sum += Vector{ x[0], x[1], x[2] } - origin;
+    }
+    return origin + (1.0 / static_cast<double>(points.Size)) * sum;
   }
   bool MeetsWithoutVertex(vtkIdType cell)
   {
