@@ -5,6 +5,7 @@
 #include "Criteria/CellNeighborhood.h"
 #include "Criteria/CompletedPieces.h"
 #include "Elements/ElementContext.h"
+#include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
 #include "RunTogether.h"
 
@@ -27,6 +28,7 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
     {
       for (const DataSetLeaf& leaf : leaves)
       {
+        CheckPointIds(leaf.Data);
         this->Meshes.push_back(AsMesh(leaf.Data));
         vtkDataSet* mesh = this->Meshes.back();
         this->Topologies.push_back(std::make_unique<MeshTopology>(mesh));

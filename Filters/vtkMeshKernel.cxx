@@ -5,7 +5,9 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Elements/KernelCells.h"
+#include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
+#include "RunTogether.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
@@ -93,6 +95,14 @@ int vtkMeshKernel::RequestData(
   {
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
+    camaron::RunTogether(reducer,
+      [&]
+      {
+        for (const camaron::ElementBlock& block : blocks.Get())
+        {
+          camaron::CheckPointIds(block.Data);
+        }
+      });
     std::int64_t hasOthers = std::any_of(blocks.Get().begin(), blocks.Get().end(),
       [](const camaron::ElementBlock& block) { return !vtkPolyData::SafeDownCast(block.Data); });
     reducer.Max(&hasOthers, 1);

@@ -3,6 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "Mesh/CellFacets.h"
+#include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
 #include "RunTogether.h"
 #include "Selection/SelectBySolid.h"
@@ -210,6 +211,7 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
     {
       for (const DataSetLeaf& leaf : GetLeaves(task.Parameters.Surface))
       {
+        CheckPointIds(leaf.Data);
         const vtkSmartPointer<vtkDataSet> data = AsMesh(leaf.Data);
         const MeshView mesh(data);
         CellFacets facets(mesh);

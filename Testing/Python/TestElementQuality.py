@@ -31,6 +31,29 @@ class TestElementQuality(camaron_testing.TestCase):
     def evaluate(self, source, **properties):
         return arrays(self.fetch(simple.ElementQuality(Input=source, **properties)))
 
+    def test_points_that_do_not_exist(self):
+        """Ids of points beyond the mesh are an error of every filter, not a crash."""
+        points = [(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)]
+        good = [(10, [0, 1, 2, 4])] * 3
+        faces = [4, 3, 0, 1, 2, 3, 0, 1, 4, 3, 1, 2, 99, 3, 0, 2, 4]
+        for cell, bad in (((10, [0, 1, -1, 4]), -1), ((5, [0, 1, 8]), 8), ((42, faces), 99)):
+            path = camaron_testing.write_vtk(self.folder / "bad.vtk", points, [*good, cell])
+            source = simple.LegacyVTKReader(FileNames=[str(path)])
+            for make in (
+                simple.ElementQuality,
+                simple.MeshElements,
+                simple.MeshKernel,
+                simple.MeshSurface,
+                lambda Input: simple.SelectElements(Input=Input, Strategy="Boundary"),
+            ):
+                made = make(Input=source)
+                with camaron_testing.pipeline.Messages() as messages:
+                    made.UpdatePipeline()
+                reason = f"cell 3 has the point {bad}, and the mesh has 8 points"
+                self.assertTrue(
+                    any(reason in error for error in messages.errors), (bad, messages.errors)
+                )
+
     def test_defaults_show_something(self):
         """The first Apply evaluates criteria that no polygon or polyhedron lacks, and colours by one."""
         data = self.fetch(simple.ElementQuality(Input=simple.Sphere()))
