@@ -25,6 +25,12 @@ using namespace camaron::testing;
 
 namespace
 {
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool MapsFiles = false; // they are read into memory then, which this test would count
+#else
+constexpr bool MapsFiles = true;
+#endif
+
 //------------------------------------------------------------------------------
 // A row of cubes of six tetrahedra each, or of squares of two triangles each, along x.
 vtkSmartPointer<vtkUnstructuredGrid> MakeBar(bool isSurface)
@@ -97,7 +103,7 @@ std::size_t MeasureReading(
 TEST(Pieces, NeedMemoryForTheirShareOnly)
 {
   const vtkSmartPointer<vtkMeshFileWriter> writer = MakeWriter();
-  if (!writer || !AllocationMeter::IsAvailable())
+  if (!writer || !AllocationMeter::IsAvailable() || !MapsFiles)
   {
     GTEST_SKIP() << "there is no writer, or no way to measure";
   }
