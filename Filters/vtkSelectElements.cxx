@@ -143,6 +143,8 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpperLimit: " << this->GetUpperLimit() << '\n';
   os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
   os << indent << "WorstShare: " << this->GetWorstShare() << '\n';
+  os << indent << "CellTypes: " << this->GetCellTypes() << '\n';
+  os << indent << "ByTopology: " << this->GetByTopology() << '\n';
   os << indent << "StatusBits: " << this->GetStatusBits() << '\n';
   os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
   os << indent << "Adjacency: " << this->GetAdjacency() << '\n';
@@ -240,6 +242,7 @@ CAMARON_TEXT_PROPERTY(WorstValues)
 CAMARON_TEXT_PROPERTY(Placement)
 CAMARON_TEXT_PROPERTY(Adjacency)
 CAMARON_TEXT_PROPERTY(StatusBits)
+CAMARON_TEXT_PROPERTY(CellTypes)
 #undef CAMARON_TEXT_PROPERTY
 
 //------------------------------------------------------------------------------
@@ -265,6 +268,7 @@ CAMARON_NUMBER_PROPERTY(FeatureAngle, double, 0)
 CAMARON_NUMBER_PROPERTY(WorstShare, double, 0)
 CAMARON_NUMBER_PROPERTY(LeaveNulls, bool, false)
 CAMARON_NUMBER_PROPERTY(InsideOut, bool, false)
+CAMARON_NUMBER_PROPERTY(ByTopology, bool, false)
 CAMARON_NUMBER_PROPERTY(OnlyBoundary, bool, false)
 CAMARON_NUMBER_PROPERTY(OnlyInRange, bool, false)
 #undef CAMARON_NUMBER_PROPERTY

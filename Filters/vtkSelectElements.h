@@ -18,6 +18,7 @@
  * among equal ones; NaN never, infinite values take part;
  * - "Worst share": the WorstShare percent that are worst of those with a value, rounded down;
  * - "Status": cells of whose CellStatus a bit is set, any or those that StatusBits names;
+ * - "Cell type": cells of CellTypes;
  * - "Null": NaN in Array;
  * - "By id": a list of ids;
  * - "Shape", "Half-spaces", "Surface": what lies in a sphere, box, cylinder or behind a plane; behind all
@@ -172,6 +173,18 @@ public:
   /// Worst share: how many percent, 0 to 100. Default: 1.
   void SetWorstShare(double percent);
   double GetWorstShare() const;
+  ///@}
+
+  ///@{
+  /**
+   * Cell type: VTK's names without "vtk", or numbers, such as "Tetra, Hexahedron, 42". ByTopology (default: off) takes
+   * a polyhedron or a cell of higher order for the linear cell that it has the topology of. Default: none.
+   */
+  void SetCellTypes(const char* names);
+  const char* GetCellTypes() const;
+  void SetByTopology(bool byTopology);
+  bool GetByTopology() const;
+  vtkBooleanMacro(ByTopology, bool);
   ///@}
 
   ///@{

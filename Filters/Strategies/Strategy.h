@@ -43,6 +43,8 @@ struct SelectionParameters
   double WorstShare = 1;
   std::string WorstValues = "By criterion";
   std::string StatusBits;
+  std::string CellTypes;
+  bool ByTopology = false;
   bool LeaveNulls = false;
   std::string Placement = "Centroid inside";
   bool InsideOut = false;
@@ -106,6 +108,7 @@ std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByType(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks);

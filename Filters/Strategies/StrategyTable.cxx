@@ -69,6 +69,7 @@ const std::vector<Strategy>& GetStrategies()
     { "Null", &SelectNull, true },
     { "Worst share", &SelectWorstShare, true },
     { "Status", &SelectByStatus, false },
+    { "Cell type", &SelectByType, false },
     { "By id", &SelectById, true },
     { "Shape", &SelectInShape, true },
     { "Half-spaces", &SelectInHalfSpaces, true },

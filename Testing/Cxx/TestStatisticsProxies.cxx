@@ -106,6 +106,8 @@ TEST(SelectElementsProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "OnlyBoundary"), std::to_string(filter->GetOnlyBoundary()));
   EXPECT_EQ(ReadDefault(proxy, "OnlyInRange"), std::to_string(filter->GetOnlyInRange()));
   EXPECT_EQ(std::stod(ReadDefault(proxy, "WorstShare")), filter->GetWorstShare());
+  EXPECT_EQ(ReadDefault(proxy, "CellTypes"), filter->GetCellTypes());
+  EXPECT_EQ(ReadDefault(proxy, "ByTopology"), std::to_string(filter->GetByTopology()));
   EXPECT_EQ(ReadDefault(proxy, "StatusBits"), filter->GetStatusBits());
   EXPECT_EQ(ReadDefault(proxy, "InsideOut"), std::to_string(filter->GetInsideOut()));
   EXPECT_EQ(ReadDefault(proxy, "LeaveNulls"), std::to_string(filter->GetLeaveNulls()));

@@ -123,6 +123,29 @@ class TestSelect(camaron_testing.TestCase):
             wanted = int(percent * len(order) / 100 + 1e-9)
             self.assertEqual(cells, sorted(order[:wanted]), percent)
 
+    def test_cell_type(self):
+        """By VTK's type, or by topology: of polyhedra the linear cell that each is."""
+        types = numpy.array([self.grid.GetCellType(i) for i in range(self.count)])
+        for names, kinds in (("Tetra", [10]), ("wedge; 12", [12, 13]), ("Polyhedron", [])):
+            _, cells = self.select(Strategy="Cell type", CellTypes=names)
+            self.assertEqual(cells, self.cells(numpy.isin(types, kinds)), names)
+        tetrahedron = (42, [4, 3, 0, 1, 2, 3, 0, 1, 3, 3, 1, 2, 3, 3, 0, 2, 3])
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        path = camaron_testing.write_vtk(
+            self.folder / "a.vtk", points, [(10, [0, 1, 2, 3]), tetrahedron, (3, [0, 1])]
+        )
+        source = simple.LegacyVTKReader(FileNames=[str(path)])
+        for names, by_type, by_topology in (
+            ("Tetra", [0], [0, 1]),
+            ("Polyhedron", [1], []),
+            ("Line, Tetra", [0, 2], [0, 1, 2]),
+        ):
+            properties = {"Strategy": "Cell type", "CellTypes": names}
+            self.assertEqual(self.select(source, **properties)[1], by_type)
+            self.assertEqual(self.select(source, ByTopology=True, **properties)[1], by_topology)
+        self.assert_error("found 'Cube'", Strategy="Cell type", CellTypes="Tetra Cube")
+        self.assert_error("there are no Cell Types", Strategy="Cell type")
+
     def test_status(self):
         status = numpy.array([0, 0x8000, 0x80, 0x8080, 1, 0x80000, 0, math.nan], float)
         grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, len(status))
