@@ -175,6 +175,24 @@ private:
 };
 
 //------------------------------------------------------------------------------
+/// Marks in all pieces what is marked in one of them. @a marks: of each piece and element.
+template <typename Mark>
+void ShareMarks(SharedElements& shared, std::vector<std::vector<Mark>>& marks)
+{
+  std::vector<std::int64_t> values;
+  for (const SharedElements::Element& element : shared.Get())
+  {
+    values.push_back(marks[element.Piece][element.Number] ? 0 : 1);
+  }
+  shared.Minimize(values);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const SharedElements::Element& element = shared.Get()[i];
+    marks[element.Piece][element.Number] = values[i] == 0;
+  }
+}
+
+//------------------------------------------------------------------------------
 /// The parts of a set of cells that hang together, with labels that all pieces know them by.
 class Parts
 {
@@ -288,7 +306,6 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
   const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
 {
   Bridges bridges(pieces, neighborhood, reducer);
-  const std::vector<SharedElements::Element>& shared = bridges.GetShared().Get();
   std::vector<std::vector<std::atomic<unsigned char>>> reached;
   for (std::size_t piece = 0; piece < pieces.size(); ++piece)
   {
@@ -310,16 +327,7 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
           }
         });
     }
-    std::vector<std::int64_t> values;
-    for (const SharedElements::Element& element : shared)
-    {
-      values.push_back(reached[element.Piece][element.Number] ? 0 : 1);
-    }
-    bridges.GetShared().Minimize(values);
-    for (std::size_t i = 0; i < shared.size(); ++i)
-    {
-      reached[shared[i].Piece][shared[i].Number] = values[i] == 0;
-    }
+    ShareMarks(bridges.GetShared(), reached);
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
       ForEachCell(pieces[piece],
@@ -343,7 +351,7 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
 
 //------------------------------------------------------------------------------
 void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
-  Reducer& reducer, CellMarks& marks)
+  const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
 {
   std::vector<CellElements> points;
   for (const LinkedPiece& piece : pieces)
@@ -390,17 +398,14 @@ void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int
         }
       }
     }
-    std::vector<std::int64_t> values;
-    for (const SharedElements::Element& point : shared.Get())
+    ShareMarks(shared, next);
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
-      values.push_back(next[point.Piece][point.Number] ? 0 : 1);
+      for (std::size_t point = 0; point < marks[piece].size(); ++point)
+      {
+        marks[piece][point] |= next[piece][point] & allowed[piece][point];
+      }
     }
-    shared.Minimize(values);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      next[shared.Get()[i].Piece][shared.Get()[i].Number] = values[i] == 0;
-    }
-    marks.swap(next);
   }
 }
 

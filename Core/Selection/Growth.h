@@ -36,9 +36,10 @@ struct Neighborhood
 void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, int rings,
   const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
 
-/// Adds to @a marks, of points, @a rings times the points on a facet, an edge or (Vertex) a cell with a marked one.
+/// Adds to @a marks, of points, @a rings times the @a allowed points on a facet, an edge or (Vertex) a cell with a
+/// marked one.
 void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
-  Reducer& reducer, CellMarks& marks);
+  const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
 
 /// Adds to @a marks all @a allowed cells to which neighbours lead from marked ones.
 void Flood(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,

@@ -78,13 +78,8 @@ void Expand(const SelectionTask& task, const SelectionMarks& allowed, SelectionM
     Grow(FindPieces(task), FindNeighborhood(task), rings, allowed, task.Reducer, marks);
     return;
   }
-  for (int ring = 0; ring < rings; ++ring)
-  {
-    const SelectionMarks before = marks;
-    GrowPoints(task.GetPieces().Get(), FindAdjacency(task), 1, task.Reducer, marks);
-    MarkElements(marks,
-      [&](std::size_t b, vtkIdType i) { return before[b][i] || (marks[b][i] && allowed[b][i]); });
-  }
+  GrowPoints(
+    task.GetPieces().Get(), FindAdjacency(task), rings, allowed, task.Reducer, marks);
 }
 }
 
