@@ -4,6 +4,7 @@
 #include "Elements/Counters.h"
 #include "Elements/ElementArray.h"
 #include "Elements/FacetValues.h"
+#include "Elements/NeighborhoodPass.h"
 #include "Mesh/CellFacets.h"
 #include "Parallel.h"
 
@@ -231,40 +232,26 @@ void OfFacets(const ElementContext& context, double* values)
   const std::size_t size = topology.GetEdges().size();
   std::fill_n(values, size, Null(NullReason::NotApplicable));
   Minima<double> worst(size, none);
-  const CellCenters centers(topology.GetMesh(), context.GetOptions());
-  const CellNeighborhood prototype(topology, centers, context.GetOptions());
-  ParallelFor(topology.GetMesh().GetNumberOfCells(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
+  ForEachNeighborhood(context, table, 0,
+    [&](vtkIdType id, const FacetTable::Range& uses, const CellGeometry& cell,
+      const CellNeighborhood& neighborhood)
     {
-      CellGeometry cell;
-      CellNeighborhood neighborhood = prototype;
-      for (vtkIdType id = begin; id < end; ++id)
+      for (const CellNeighborhood::Facet& facet : neighborhood.GetFacets())
       {
-        const FacetTable::Range uses = table.GetCellFacets(id);
-        cell.Load(topology.GetMesh(), id, context.GetOptions());
-        if (uses.size() == 0 || !cell.IsFinite())
+        const Index number = uses[facet.Number].Facet();
+        const int* ring = cell.GetTopology().GetFace(0);
+        const int next = facet.Number + 1 < uses.size() ? facet.Number + 1 : 0;
+        const vtkIdType edge =
+          finder.Find(cell.GetPointId(ring[facet.Number]), cell.GetPointId(ring[next]));
+        const double value = Value(neighborhood, facet);
+        if (!std::isnan(value))
         {
-          continue;
+          worst.Add(edge, Sign * value);
         }
-        cell.Compute(CellNeighborhood::BaseNeeds);
-        neighborhood.Load(id, cell);
-        for (const CellNeighborhood::Facet& facet : neighborhood.GetFacets())
+        else if (table.GetCells(number).First == id &&
+          table.GetOwnerLocalFacet(number) == facet.Number)
         {
-          const Index number = uses[facet.Number].Facet();
-          const int* ring = cell.GetTopology().GetFace(0);
-          const int next = facet.Number + 1 < uses.size() ? facet.Number + 1 : 0;
-          const vtkIdType edge =
-            finder.Find(cell.GetPointId(ring[facet.Number]), cell.GetPointId(ring[next]));
-          const double value = Value(neighborhood, facet);
-          if (!std::isnan(value))
-          {
-            worst.Add(edge, Sign * value);
-          }
-          else if (table.GetCells(number).First == id &&
-            table.GetOwnerLocalFacet(number) == facet.Number)
-          {
-            values[edge] = value;
-          }
+          values[edge] = value;
         }
       }
     });

@@ -4,6 +4,7 @@
 #include "Criteria/FaceShape.h"
 #include "Elements/ElementArray.h"
 #include "Elements/FacetValues.h"
+#include "Elements/NeighborhoodPass.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -156,38 +157,23 @@ void EvaluateFacets(const ElementContext& context, const std::vector<const Eleme
   }
   const bool needsCorners = std::any_of(
     rows.begin(), rows.end(), [](const ElementArray* row) { return row->ShapeFunction != nullptr; });
-  const unsigned needs = CellNeighborhood::BaseNeeds | (needsCorners ? NeedsEdges | NeedsCorners : 0u);
-  const CellCenters centers(topology.GetMesh(), context.GetOptions());
-  const CellNeighborhood prototype(topology, centers, context.GetOptions());
-  ParallelFor(topology.GetMesh().GetNumberOfCells(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
+  ForEachNeighborhood(context, table, needsCorners ? NeedsEdges | NeedsCorners : 0u,
+    [&](vtkIdType id, const FacetTable::Range& uses, const CellGeometry& cell,
+      const CellNeighborhood& neighborhood)
     {
-      CellGeometry cell;
-      CellNeighborhood neighborhood = prototype;
-      for (vtkIdType id = begin; id < end; ++id)
+      for (const Facet& facet : neighborhood.GetFacets())
       {
-        const FacetTable::Range uses = table.GetCellFacets(id);
-        cell.Load(topology.GetMesh(), id, context.GetOptions());
-        if (uses.size() == 0 || !cell.IsFinite())
+        const int local = cell.GetTopology().FaceNumbers[facet.Number];
+        const Index face = uses[local].Facet();
+        if (table.GetCells(face).First != id || table.GetOwnerLocalFacet(face) != local)
         {
           continue;
         }
-        cell.Compute(needs);
-        neighborhood.Load(id, cell);
-        for (const Facet& facet : neighborhood.GetFacets())
+        for (std::size_t row = 0; row < rows.size(); ++row)
         {
-          const int local = cell.GetTopology().FaceNumbers[facet.Number];
-          const Index face = uses[local].Facet();
-          if (table.GetCells(face).First != id || table.GetOwnerLocalFacet(face) != local)
-          {
-            continue;
-          }
-          for (std::size_t row = 0; row < rows.size(); ++row)
-          {
-            values[row][face] = rows[row]->FacetFunction
-              ? rows[row]->FacetFunction(neighborhood, facet)
-              : rows[row]->ShapeFunction(cell, facet.Number);
-          }
+          values[row][face] = rows[row]->FacetFunction
+            ? rows[row]->FacetFunction(neighborhood, facet)
+            : rows[row]->ShapeFunction(cell, facet.Number);
         }
       }
     });

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file NeighborhoodPass.h
+ * @brief One parallel pass over the cells that have facets, each with its geometry and its neighbours.
+ */
+#ifndef camaron_NeighborhoodPass_h
+#define camaron_NeighborhoodPass_h
+
+#include "Criteria/CellNeighborhood.h"
+#include "Elements/ElementContext.h"
+#include "Parallel.h"
+
+namespace camaron
+{
+/**
+ * Calls @a visit(id, uses, cell, neighborhood) for the cells with facets in @a table, but for those with coordinates
+ * that are not finite. Several threads call it, each for different cells.
+ * @param uses FacetTable::Range of the cell
+ * @param cell CellGeometry, with CellNeighborhood::BaseNeeds and @a needs
+ * @param neighborhood CellNeighborhood
+ */
+template <typename Visit>
+void ForEachNeighborhood(
+  const ElementContext& context, const FacetTable& table, unsigned needs, Visit&& visit)
+{
+  constexpr vtkIdType grain = 1 << 10;
+  const MeshView& mesh = context.GetMesh();
+  const CellCenters centers(mesh, context.GetOptions());
+  const CellNeighborhood prototype(context.GetTopology(), centers, context.GetOptions());
+  ParallelFor(mesh.GetNumberOfCells(), grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry cell;
+      CellNeighborhood neighborhood = prototype;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const FacetTable::Range uses = table.GetCellFacets(id);
+        cell.Load(mesh, id, context.GetOptions());
+        if (uses.size() == 0 || !cell.IsFinite())
+        {
+          continue;
+        }
+        cell.Compute(CellNeighborhood::BaseNeeds | needs);
+        neighborhood.Load(id, cell);
+        visit(id, uses, cell, neighborhood);
+      }
+    });
+}
+}
+
+#endif
