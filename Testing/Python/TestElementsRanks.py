@@ -79,18 +79,6 @@ def take_elements(source):
     return simple.MeshElements(Input=quality, WorstOfCells=1, **properties)
 
 
-def leaves(data):
-    if not data.IsA("vtkCompositeDataSet"):
-        return [data]
-    found = []
-    it = data.NewIterator()
-    it.InitTraversal()
-    while not it.IsDoneWithTraversal():
-        found.append(it.GetCurrentDataObject())
-        it.GoToNextItem()
-    return found
-
-
 def elements_of(leaf, global_ids):
     """Of the elements of a data set that are no ghosts: a list of their points, and values as bits by name."""
     cells = leaf.GetCellData()
@@ -122,7 +110,7 @@ def fetch_elements(source, global_ids=False):
         parts = [
             elements_of(leaf, global_ids)
             for rank in range(camaron_testing.rank_count())
-            for leaf in leaves(servermanager.Fetch(source, rank, idx=port))
+            for leaf in camaron_testing.leaves(servermanager.Fetch(source, rank, idx=port))
             if leaf.GetNumberOfCells()
         ]
         places = [place for part in parts for place in part[0]]

@@ -60,22 +60,10 @@ def fetch_all(source):
     return [servermanager.Fetch(source, rank) for rank in range(camaron_testing.rank_count())]
 
 
-def leaves(data):
-    if not data.IsA("vtkCompositeDataSet"):
-        return [data]
-    found = []
-    it = data.NewIterator()
-    it.InitTraversal()
-    while not it.IsDoneWithTraversal():
-        found.append(it.GetCurrentDataObject())
-        it.GoToNextItem()
-    return found
-
-
 def values_of(data_of_ranks):
     """By criterion, the bits and the reasons of all cells that are no ghosts, in the order of cells."""
     parts = []
-    for leaf in (leaf for data in data_of_ranks for leaf in leaves(data)):
+    for leaf in (leaf for data in data_of_ranks for leaf in camaron_testing.leaves(data)):
         cells = leaf.GetCellData()
         if leaf.GetNumberOfCells() == 0:
             continue
@@ -102,7 +90,7 @@ def surface_of(source):
     parts = [
         vtk_to_numpy(leaf.GetCellData().GetArray("Number"))
         for data in fetch_all(surface)
-        for leaf in leaves(data)
+        for leaf in camaron_testing.leaves(data)
         if leaf.GetNumberOfCells()
     ]
     return numpy.sort(numpy.concatenate(parts)).tolist()

@@ -71,6 +71,19 @@ def rank_count():
     return pipeline.rank_count()
 
 
+def leaves(data):
+    """The data sets of composite data, or the one that there is."""
+    if not data.IsA("vtkCompositeDataSet"):
+        return [data]
+    found = []
+    it = data.NewIterator()
+    it.InitTraversal()
+    while not it.IsDoneWithTraversal():
+        found.append(it.GetCurrentDataObject())
+        it.GoToNextItem()
+    return found
+
+
 def require_display():
     """Decorator: skips a test that renders where there is no display."""
     has_display = bool(os.environ.get("DISPLAY")) or sys.platform in ("win32", "darwin")
