@@ -46,6 +46,7 @@ const CellGeometry::StandardCell* CellGeometry::GetStandardCells()
       if (shape.NumberOfFaces > 0)
       {
         topology.Finish();
+        topology.FindShells();
         topology.MakeVertexFigures();
         result[type].Shapes = Polyhedra | FindSimpleShape(topology);
       }
@@ -263,14 +264,10 @@ void CellGeometry::Compute(unsigned needs)
     needs |= isPolyhedron ? NeedsFaces | NeedsVolume : NeedsFaces;
   }
   const unsigned oriented = NeedsVolume | NeedsDihedral | NeedsSolidAngle;
-  if (isPolyhedron && !this->IsStandard && !this->TrustFaceOrientation && (needs & oriented) &&
-    !this->Topology->IsClosed)
+  if (isPolyhedron && (needs & oriented) && this->Topology == &this->OwnTopology)
   {
-    this->OwnTopology.MakeConsistent();
-  }
-  else if (isPolyhedron && !this->IsStandard)
-  {
-    this->OwnTopology.MakeOneGroup();
+    this->IsToBeOriented() && !this->Topology->IsClosed ? this->OwnTopology.MakeConsistent()
+                                                        : this->OwnTopology.FindShells();
   }
   if (needs & (NeedsEdges | NeedsCorners | NeedsDihedral | NeedsSolidAngle))
   {
@@ -485,58 +482,6 @@ double CellGeometry::GetSurfaceArea() const
     }
   }
   return this->SurfaceArea;
-}
-
-//------------------------------------------------------------------------------
-// Volume under the faces of a group, or of all groups; also right for a group alone when it is closed.
-double CellGeometry::SumVolume(int group) const
-{
-  double sum = 0;
-  for (int f = 0; f < this->Topology->GetNumberOfFaces(); ++f)
-  {
-    if (group < 0 || this->Topology->GetGroup(f) == group)
-    {
-      sum += Dot(this->FaceVectors[f], this->FaceCenters[f]);
-    }
-  }
-  return sum / 3;
-}
-
-//------------------------------------------------------------------------------
-void CellGeometry::ComputeVolume()
-{
-  if (!this->Topology->IsClosed || this->Topology->GetNumberOfFaces() < 4)
-  {
-    this->Volume = Null(NullReason::InvalidTopology);
-    return;
-  }
-  if (!this->IsStandard && !this->TrustFaceOrientation)
-  {
-    this->OrientPolyhedron();
-  }
-  this->Volume = this->IsStandard && (this->Shapes & Tetrahedra)
-    ? Dot(this->Points[1], Cross(this->Points[2], this->Points[3])) / 6
-    : this->SumVolume(-1);
-  this->OrientationSign = this->Volume < 0 ? -1 : 1;
-}
-
-//------------------------------------------------------------------------------
-void CellGeometry::OrientPolyhedron()
-{
-  for (int group = 0; group < this->OwnTopology.GetNumberOfGroups(); ++group)
-  {
-    if (this->SumVolume(group) < 0)
-    {
-      this->OwnTopology.ReverseFaces(group);
-      for (int f = 0; f < this->OwnTopology.GetNumberOfFaces(); ++f)
-      {
-        if (this->OwnTopology.GetGroup(f) == group)
-        {
-          this->FaceVectors[f] = -this->FaceVectors[f];
-        }
-      }
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -5,8 +5,8 @@
  * @brief Geometry of one cell, computed once and shared by all criteria of that cell.
  *
  * A polygon cell is a shape with one face. Coordinates are relative to the cell's first point and
- * always double. The faces of a polyhedron are made consistent and then outward, unless the user trusts
- * them; those of a standard type are as VTK's node order says, and where that makes the volume negative
+ * always double. The faces of a polyhedron are made consistent and then outward, those around a void into it,
+ * unless the user trusts them; those of a standard type are as VTK's node order says, and where that makes the volume negative
  * the angles are nevertheless those of the cell turned inside out.
  *
  * Load() and Compute() keep all memory; a loop over cells does not allocate.
@@ -218,7 +218,8 @@ private:
   void ComputeEdges();
   void ComputeFaces();
   void ComputeVolume();
-  double SumVolume(int group) const;
+  double SumVolume() const;
+  bool IsToBeOriented() const { return !this->IsStandard && !this->TrustFaceOrientation; }
   void OrientPolyhedron();
   void ComputeCentroid();
   void ComputeCorners();
@@ -274,6 +275,7 @@ private:
   std::vector<Vector> FaceVectors, FaceCenters;
   std::vector<double> FaceAreas;
   double Volume = 0;
+  std::vector<unsigned char> ReversedShells;
   double OrientationSign = 1;
   Vector Centroid;
   std::vector<AngleRange> FaceAngles;

@@ -215,7 +215,8 @@ std::vector<Criterion> SizeCriteria()
       { Positive, Infinity }, "neither flat nor inverted", Cited, Real, Cost::Edges, NeedsVolume, CAMARON_CELLS(Volume),
       { "V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point",
         "0 for a flat cell, negative for a standard cell in wrong order. A polyhedron whose faces "
-        "point inward is turned first unless Trust Face Orientation is on. Null (invalid topology) "
+        "point inward is turned first unless Trust Face Orientation is on; of several closed surfaces each, so "
+        "that voids are subtracted and parts beside each other added. Null (invalid topology) "
         "where an edge has one face only, or there are fewer than four faces.",
         "OpenFOAM's checkMesh and, also for hexahedra with warped faces, Verdict (`VerdictVolume`). "
         "VTK's Cell Size gives the convex hull of a polyhedron: 3.5 instead of 3 for an L-shaped "

@@ -71,16 +71,6 @@ unsigned CheckFaces(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// By Euler's formula one closed surface without handles has 2, every further one 2 more, of which 1 is lost
-// where it shares a point.
-bool HasSeveralSurfaces(const CellTopology& topology)
-{
-  const int characteristic =
-    topology.NumberOfPoints - static_cast<int>(topology.Edges.size()) + topology.GetNumberOfFaces();
-  return topology.IsManifold && characteristic > 2;
-}
-
-//------------------------------------------------------------------------------
 unsigned CheckPolyhedron(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
@@ -99,7 +89,7 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
   status |= Flag(hasVolume && GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology,
     NonManifoldVertex);
   status |= Flag(cell.GetMaxDihedralAngle() > HalfTurn + tolerance || CellConcavity(cell) > tolerance ||
-      HasSeveralSurfaces(topology),
+      (hasVolume && topology.GetNumberOfShells() > 1),
     Nonconvex);
   return status;
 }
@@ -222,7 +212,7 @@ std::vector<Criterion> ValidityCriteria()
       { -Infinity, 0 }, "outward", Cited, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus),
       { "0 outward, 1 inward, 2 mixed, 3 not orientable",
         "Null (invalid topology) for an open cell. A standard cell in wrong order has 1, a flat one "
-        "0.",
+        "0. Outward of a void is into the void.",
         "VTK's Validate Cells has one bit for 1 to 3." } },
     { "IsConvex", "Convex",
       "1 if neither faces nor edges bend inward (within ConvexityTolerance) and the cell has one surface, else 0.",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace camaron
 {
@@ -172,62 +173,115 @@ bool CellTopology::IsBalanced() const
 }
 
 //------------------------------------------------------------------------------
-void CellTopology::MakeConsistent()
+void CellTopology::FindShells(bool makeConsistent)
 {
   const int numberOfFaces = this->GetNumberOfFaces();
-  this->Groups.assign(numberOfFaces, -1);
-  this->NumberOfGroups = 0;
-  // Edges by face, as a list per face through the edge table, would cost more than this: the loop runs
-  // only for cells whose faces disagree.
+  this->Shells.assign(numberOfFaces, -1);
+  this->NumberOfShells = 0;
+  bool isReversed = false;
   for (int first = 0; first < numberOfFaces; ++first)
   {
-    if (this->Groups[first] >= 0)
+    if (this->Shells[first] < 0)
     {
-      continue;
-    }
-    const int group = this->NumberOfGroups++;
-    this->Groups[first] = group;
-    this->Stack.assign(1, first);
-    while (!this->Stack.empty())
-    {
-      const int face = this->Stack.back();
-      this->Stack.pop_back();
-      for (Edge& edge : this->Edges)
-      {
-        if (edge.Uses != 2 || (edge.Faces[0] != face && edge.Faces[1] != face))
-        {
-          continue;
-        }
-        const int other = edge.Faces[0] == face ? edge.Faces[1] : edge.Faces[0];
-        if (this->Groups[other] < 0)
-        {
-          if (!edge.Consistent)
-          {
-            this->ReverseFace(other);
-            for (Edge& touched : this->Edges)
-            {
-              const bool first0 = touched.Faces[0] == other, second0 = touched.Faces[1] == other;
-              if (touched.Uses == 2 && first0 != second0)
-              {
-                touched.Consistent = !touched.Consistent;
-              }
-            }
-          }
-          this->Groups[other] = group;
-          this->Stack.push_back(other);
-        }
-      }
+      isReversed |= this->FloodShell(this->NumberOfShells++, first, makeConsistent);
     }
   }
-  this->ListCorners();
-  this->FindEdges();
+  if (isReversed)
+  {
+    this->ListCorners();
+    this->FindEdges();
+  }
+  if (this->NumberOfShells > 1 && !this->IsManifold)
+  {
+    this->JoinOpenShells();
+  }
 }
 
 //------------------------------------------------------------------------------
-void CellTopology::MakeOneGroup()
+// Returns whether a face was reversed.
+bool CellTopology::FloodShell(int shell, int first, bool makeConsistent)
 {
-  this->Groups.assign(this->GetNumberOfFaces(), 0);
-  this->NumberOfGroups = 1;
+  bool isReversed = false;
+  this->Shells[first] = shell;
+  this->Stack.assign(1, first);
+  while (!this->Stack.empty())
+  {
+    const int face = this->Stack.back();
+    this->Stack.pop_back();
+    for (int i = this->FaceOffsets[face]; i < this->FaceOffsets[face + 1]; ++i)
+    {
+      const Edge& edge = this->Edges[this->FaceEdges[i]];
+      const int other = edge.Faces[0] == face ? edge.Faces[1] : edge.Faces[0];
+      if (edge.Uses != 2 || this->Shells[other] >= 0)
+      {
+        continue;
+      }
+      if (makeConsistent && edge.Consistent == (this->Reversed[face] != this->Reversed[other]))
+      {
+        this->ReverseFace(other);
+        isReversed = true;
+      }
+      this->Shells[other] = shell;
+      this->Stack.push_back(other);
+    }
+  }
+  return isReversed;
+}
+
+//------------------------------------------------------------------------------
+// Groups of faces that end at an edge of more than two faces are one shell there. Only for the rare cell.
+void CellTopology::JoinOpenShells()
+{
+  std::vector<int> joined(this->NumberOfShells);
+  std::iota(joined.begin(), joined.end(), 0);
+  const auto find = [&joined](int shell)
+  {
+    while (joined[shell] != shell)
+    {
+      shell = joined[shell] = joined[joined[shell]];
+    }
+    return shell;
+  };
+  struct Use
+  {
+    int Edge, Shell, Direction;
+  };
+  std::vector<Use> uses;
+  for (std::size_t i = 0; i < this->FacePoints.size(); ++i)
+  {
+    const int e = this->FaceEdges[i];
+    if (this->Edges[e].Uses != 2)
+    {
+      const bool isForward = this->FacePoints[i] == this->Edges[e].Points[0];
+      uses.push_back({ e, this->Shells[this->CornerFaces[i]], isForward ? 1 : -1 });
+    }
+  }
+  std::sort(uses.begin(), uses.end(), [](const Use& a, const Use& b)
+    { return std::pair<int, int>(a.Edge, a.Shell) < std::pair<int, int>(b.Edge, b.Shell); });
+  int open = -1, edge = -1; // an open shell at the edge
+  for (std::size_t i = 0, end = 0; i < uses.size(); i = end)
+  {
+    int balance = 0;
+    for (; end < uses.size() && uses[end].Edge == uses[i].Edge && uses[end].Shell == uses[i].Shell; ++end)
+    {
+      balance += uses[end].Direction;
+    }
+    open = uses[i].Edge == edge ? open : -1;
+    edge = uses[i].Edge;
+    if (balance != 0)
+    {
+      joined[find(uses[i].Shell)] = find(open >= 0 ? open : uses[i].Shell);
+      open = uses[i].Shell;
+    }
+  }
+  std::vector<int> numbers(this->NumberOfShells, -1);
+  this->NumberOfShells = 0;
+  for (int& shell : this->Shells)
+  {
+    int& number = numbers[find(shell)];
+    number = number < 0 ? this->NumberOfShells++ : number;
+    shell = number;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -247,18 +301,18 @@ int CellTopology::GetNumberOfReversedFaces() const
 }
 
 //------------------------------------------------------------------------------
-void CellTopology::ReverseFaces(int group)
+void CellTopology::ReverseShells(const std::vector<unsigned char>& areReversed)
 {
   for (int f = 0; f < this->GetNumberOfFaces(); ++f)
   {
-    if (this->Groups[f] == group)
+    if (areReversed[this->Shells[f]])
     {
       this->ReverseFace(f);
     }
   }
   for (Edge& edge : this->Edges)
   {
-    if (this->Groups[edge.Faces[0]] == group)
+    if (areReversed[this->Shells[edge.Faces[0]]])
     {
       std::swap(edge.Points[0], edge.Points[1]);
     }

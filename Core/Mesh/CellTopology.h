@@ -71,18 +71,21 @@ public:
    * @return whether a point followed itself
    */
   bool Finish();
+  ///@{
   /**
-   * Reverses faces so that neighbours agree, as far as the faces reach over edges that have exactly two
-   * of them. Each such group keeps the direction of its first face; GetGroup tells the groups apart.
+   * The shells of the cell: faces that hang together over edges that have exactly two of them, and, where such
+   * a group is not closed for itself, the groups that close it.
    */
-  void MakeConsistent();
-  /// For a cell whose faces agree already.
-  void MakeOneGroup();
-  int GetGroup(int face) const { return this->Groups[face]; }
-  int GetNumberOfGroups() const { return this->NumberOfGroups; }
+  void FindShells() { this->FindShells(false); }
+  /// Reverses faces so that neighbours agree; each shell keeps the direction of its first face.
+  void MakeConsistent() { this->FindShells(true); }
+  int GetShell(int face) const { return this->Shells[face]; }
+  int GetNumberOfShells() const { return this->NumberOfShells; }
+  ///@}
   /// Faces that run against the order in which they were added.
   int GetNumberOfReversedFaces() const;
-  void ReverseFaces(int group);
+  /// Reverses the faces of shells by their numbers.
+  void ReverseShells(const std::vector<unsigned char>& areReversed);
   void MakeVertexFigures();
 
 private:
@@ -91,14 +94,17 @@ private:
   void FindEdges();
   void FindSecondFaces();
   bool IsBalanced() const;
+  void FindShells(bool makeConsistent);
+  bool FloodShell(int shell, int first, bool makeConsistent);
+  void JoinOpenShells();
   void ReverseFace(int face);
 
   std::vector<int> NextPoints; // parallel to FacePoints
   LocalNumbers EdgeNumbers;
   std::vector<int> EdgeUses, LastCorners; // of edges
-  std::vector<int> Groups, Stack;
+  std::vector<int> Shells, Stack;
   std::vector<unsigned char> Reversed;
-  int NumberOfGroups = 0;
+  int NumberOfShells = 0;
   struct Corner
   {
     int Face, PreviousEdge, NextEdge, NextCorner;
