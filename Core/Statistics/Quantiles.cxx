@@ -39,27 +39,10 @@ double Interpolate(double a, double b, double weight)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
-  const std::vector<double>& fractions, Reducer& reducer)
+std::vector<double> GetOrderStatistics(const Population& population, const Summary& summary,
+  const std::vector<std::int64_t>& positions, Reducer& reducer)
 {
   const std::int64_t count = summary.GetFiniteCount();
-  if (count == 0)
-  {
-    return std::vector<double>(fractions.size(), std::numeric_limits<double>::quiet_NaN());
-  }
-  std::vector<std::int64_t> positions;
-  for (const double fraction : fractions)
-  {
-    const Place place(fraction, count);
-    positions.push_back(place.Position);
-    if (place.Weight > 0)
-    {
-      positions.push_back(place.Position + 1);
-    }
-  }
-  std::sort(positions.begin(), positions.end());
-  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-
   // The ends are known; without them the windows are fewer.
   const std::int64_t low = ToKey(summary.Min), high = ToKey(summary.Max);
   std::vector<std::int64_t> inner;
@@ -88,14 +71,41 @@ std::vector<double> GetQuantiles(const Population& population, const Summary& su
     ? SelectKeys(population, getKey, getBin, low, high, inner, reducer)
     : SelectKeys(population, getKey, low, high, inner, reducer);
 
-  const auto valueAt = [&](std::int64_t position)
+  std::vector<double> values;
+  auto key = keys.begin();
+  for (const std::int64_t position : positions)
   {
-    if (position == 0 || position == count - 1)
+    const bool isEnd = position == 0 || position == count - 1;
+    values.push_back(!isEnd ? FromKey(*key++) : position == 0 ? summary.Min : summary.Max);
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
+  const std::vector<double>& fractions, Reducer& reducer)
+{
+  const std::int64_t count = summary.GetFiniteCount();
+  if (count == 0)
+  {
+    return std::vector<double>(fractions.size(), std::numeric_limits<double>::quiet_NaN());
+  }
+  std::vector<std::int64_t> positions;
+  for (const double fraction : fractions)
+  {
+    const Place place(fraction, count);
+    positions.push_back(place.Position);
+    if (place.Weight > 0)
     {
-      return position == 0 ? summary.Min : summary.Max;
+      positions.push_back(place.Position + 1);
     }
-    return FromKey(keys[std::lower_bound(inner.begin(), inner.end(), position) - inner.begin()]);
-  };
+  }
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+
+  const std::vector<double> values = GetOrderStatistics(population, summary, positions, reducer);
+  const auto valueAt = [&](std::int64_t position)
+  { return values[std::lower_bound(positions.begin(), positions.end(), position) - positions.begin()]; };
   std::vector<double> quantiles;
   for (const double fraction : fractions)
   {

@@ -23,6 +23,10 @@ namespace camaron
  */
 std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
   const std::vector<double>& fractions, Reducer& reducer);
+
+/// The finite values at @a positions of their sorted list: ascending, without repetition, from 0. Collective.
+std::vector<double> GetOrderStatistics(const Population& population, const Summary& summary,
+  const std::vector<std::int64_t>& positions, Reducer& reducer);
 }
 
 #endif

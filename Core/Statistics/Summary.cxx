@@ -89,38 +89,66 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
 
 // Sums counts and limbs of parts and processes at once.
 constexpr std::size_t NumberOfCounts = 7;
-using CountsAndLimbs =
-  std::array<std::int64_t, NumberOfCounts + std::tuple_size<ExactSum::Limbs>::value>;
+constexpr std::size_t NumberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
+using CountsAndLimbs = std::array<std::int64_t, NumberOfCounts + NumberOfLimbs>;
 
-void AddLimbs(CountsAndLimbs& sums, ExactSum& sum)
+void AddLimbs(std::int64_t* sums, ExactSum& sum)
 {
   const ExactSum::Limbs limbs = sum.GetLimbs();
   for (std::size_t i = 0; i < limbs.size(); ++i)
   {
-    sums[NumberOfCounts + i] += limbs[i];
+    sums[i] += limbs[i];
   }
 }
 
-ExactSum::Limbs GetLimbs(const CountsAndLimbs& sums)
+ExactSum::Limbs GetLimbs(const std::int64_t* sums)
 {
   ExactSum::Limbs limbs;
-  std::copy(sums.begin() + NumberOfCounts, sums.end(), limbs.begin());
+  std::copy_n(sums, NumberOfLimbs, limbs.begin());
   return limbs;
 }
 
-// The second pass: deviations from the mean in units of 2^exponent, and the places of the extremes.
-struct Deviations
+// The element with the smallest identity among some.
+struct FirstElement
 {
-  ExactSum SquareSum;
-  vtkIdType ArgMin = std::numeric_limits<vtkIdType>::max();
-  vtkIdType ArgMax = std::numeric_limits<vtkIdType>::max();
+  vtkIdType Id = std::numeric_limits<vtkIdType>::max();
+  ElementPlace Place;
+
+  void Add(vtkIdType id, const ElementPlace& place)
+  {
+    if (id < this->Id)
+    {
+      *this = { id, place };
+    }
+  }
 };
 
-void AddDeviations(Deviations& deviations, const ValueBlock& block, vtkIdType begin, vtkIdType end,
+// The second pass: powers of the deviations from the mean in units of 2^exponent, logarithms if all values are
+// positive, and the places of the extremes.
+struct Deviations
+{
+  enum
+  {
+    First,
+    Square,
+    Cube,
+    Fourth,
+    Logarithm,
+    NumberOfSums
+  };
+  std::array<ExactSum, NumberOfSums> Sums;
+  FirstElement ArgMin, ArgMax;
+};
+
+void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNumber, vtkIdType begin, vtkIdType end,
   const Summary& summary, double unit)
 {
   const double mean = summary.Mean * unit;
-  deviations.SquareSum.Reserve(end - begin);
+  const bool hasLogarithms = summary.Min > 0;
+  for (ExactSum& sum : deviations.Sums)
+  {
+    sum.Reserve(end - begin);
+  }
   for (vtkIdType i = begin; i < end; ++i)
   {
     const double value = block.Values[i];
@@ -129,15 +157,79 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, vtkIdType be
       continue;
     }
     const double deviation = value * unit - mean;
-    deviations.SquareSum.Add(deviation * deviation);
+    const double square = deviation * deviation;
+    deviations.Sums[Deviations::First].Add(deviation);
+    deviations.Sums[Deviations::Square].Add(square);
+    deviations.Sums[Deviations::Cube].Add(square * deviation);
+    deviations.Sums[Deviations::Fourth].Add(square * square);
+    if (hasLogarithms)
+    {
+      deviations.Sums[Deviations::Logarithm].Add(std::log(value));
+    }
     if (value == summary.Min)
     {
-      deviations.ArgMin = std::min(deviations.ArgMin, block.GetId(i));
+      deviations.ArgMin.Add(block.GetId(i), { blockNumber, i });
     }
     if (value == summary.Max)
     {
-      deviations.ArgMax = std::min(deviations.ArgMax, block.GetId(i));
+      deviations.ArgMax.Add(block.GetId(i), { blockNumber, i });
     }
+  }
+}
+
+// Sums of deviations over all parts and processes.
+class DeviationSums
+{
+public:
+  DeviationSums(std::vector<Deviations>& parts, Reducer& reducer)
+  {
+    for (Deviations& part : parts)
+    {
+      for (std::size_t s = 0; s < part.Sums.size(); ++s)
+      {
+        AddLimbs(&this->Limbs[s * NumberOfLimbs], part.Sums[s]);
+      }
+    }
+    reducer.Sum(this->Limbs.data(), this->Limbs.size());
+  }
+
+  double Divide(int sum, std::int64_t divisor) const
+  {
+    return ExactSum::Divide(GetLimbs(&this->Limbs[sum * NumberOfLimbs]), divisor);
+  }
+
+private:
+  std::array<std::int64_t, Deviations::NumberOfSums * NumberOfLimbs> Limbs = {};
+};
+
+// From sums in units of 2^exponent.
+void SetMoments(const DeviationSums& sums, int exponent, Summary& summary)
+{
+  const std::int64_t count = summary.GetFiniteCount();
+  // The deviations are from the rounded mean, which is this far from the mean of the values.
+  const double d = sums.Divide(Deviations::First, count);
+  const double raw2 = sums.Divide(Deviations::Square, count), raw3 = sums.Divide(Deviations::Cube, count),
+               raw4 = sums.Divide(Deviations::Fourth, count);
+  const double m2 = std::max(raw2 - d * d, 0.0);
+  const double m3 = raw3 - 3 * d * raw2 + 2 * d * d * d;
+  const double m4 = raw4 - 4 * d * raw3 + 6 * d * d * raw2 - 3 * d * d * d * d;
+  summary.RootMeanSquare = std::ldexp(std::hypot(std::ldexp(summary.Mean, -exponent), std::sqrt(m2)), exponent);
+  if (summary.Min > 0)
+  {
+    const double mean = std::exp(sums.Divide(Deviations::Logarithm, count));
+    summary.GeometricMean = std::min(std::max(mean, summary.Min), summary.Max);
+  }
+  if (count > 1)
+  {
+    const double correction = d * d * (static_cast<double>(count) / static_cast<double>(count - 1));
+    const double variance = std::max(sums.Divide(Deviations::Square, count - 1) - correction, 0.0);
+    summary.Variance = std::ldexp(variance, 2 * exponent);
+    summary.StandardDeviation = std::ldexp(std::sqrt(variance), exponent);
+  }
+  if (m2 > 0)
+  {
+    summary.Skewness = m3 / m2 / std::sqrt(m2);
+    summary.Kurtosis = m4 / m2 / m2 - 3;
   }
 }
 
@@ -159,7 +251,7 @@ void SumUp(
     {
       sums[i] += list[i];
     }
-    AddLimbs(sums, part.Sum);
+    AddLimbs(&sums[NumberOfCounts], part.Sum);
     extremes[0] = std::min(extremes[0], part.Min);
     extremes[1] = std::min(extremes[1], -part.Max);
     extremes[2] = std::min(extremes[2], part.MinPositive);
@@ -181,8 +273,8 @@ void SumUp(
     summary.Max = 0.0 - FromKey(keys[1]); // not -0
     const double minPositive = FromKey(keys[2]);
     summary.MinPositive = minPositive < Infinity ? minPositive : summary.MinPositive;
-    summary.Sum = ExactSum::Round(GetLimbs(sums));
-    summary.Mean = ExactSum::Divide(GetLimbs(sums), summary.GetFiniteCount());
+    summary.Sum = ExactSum::Round(GetLimbs(&sums[NumberOfCounts]));
+    summary.Mean = ExactSum::Divide(GetLimbs(&sums[NumberOfCounts]), summary.GetFiniteCount());
   }
 }
 }
@@ -202,29 +294,27 @@ Summary Summarize(const Population& population, const ValueRange& acceptable, Re
 
   std::vector<Deviations> parts = ForEachChunk<Deviations>(population,
     [&](Deviations& deviations, const ValueBlock& block, vtkIdType begin, vtkIdType end)
-    { AddDeviations(deviations, block, begin, end, summary, unit); });
-  CountsAndLimbs sums = {};
-  std::int64_t ids[2] = { std::numeric_limits<vtkIdType>::max(),
-    std::numeric_limits<vtkIdType>::max() };
-  for (Deviations& part : parts)
+    {
+      const int number = static_cast<int>(&block - population.data());
+      AddDeviations(deviations, block, number, begin, end, summary, unit);
+    });
+  FirstElement argMin, argMax;
+  for (const Deviations& part : parts)
   {
-    AddLimbs(sums, part.SquareSum);
-    ids[0] = std::min<std::int64_t>(ids[0], part.ArgMin);
-    ids[1] = std::min<std::int64_t>(ids[1], part.ArgMax);
+    argMin.Add(part.ArgMin.Id, part.ArgMin.Place);
+    argMax.Add(part.ArgMax.Id, part.ArgMax.Place);
   }
-  reducer.Sum(sums.data(), sums.size());
+  const DeviationSums sums(parts, reducer);
+  std::int64_t ids[2] = { argMin.Id, argMax.Id };
   reducer.Min(ids, 2);
 
   if (summary.GetFiniteCount() > 0)
   {
     summary.ArgMin = static_cast<vtkIdType>(ids[0]);
     summary.ArgMax = static_cast<vtkIdType>(ids[1]);
-  }
-  if (summary.GetFiniteCount() > 1)
-  {
-    const double variance = ExactSum::Divide(GetLimbs(sums), summary.GetFiniteCount() - 1);
-    summary.Variance = std::ldexp(variance, 2 * exponent);
-    summary.StandardDeviation = std::ldexp(std::sqrt(variance), exponent);
+    summary.ArgMinPlace = argMin.Id == summary.ArgMin ? argMin.Place : ElementPlace();
+    summary.ArgMaxPlace = argMax.Id == summary.ArgMax ? argMax.Place : ElementPlace();
+    SetMoments(sums, exponent, summary);
   }
   return summary;
 }

@@ -5,7 +5,8 @@
  * @brief Counts, extremes and moments of a population.
  *
  * Every number is the same bit for bit for any number of threads and processes and any order of the
- * elements: sums are exact before they are rounded once, deviations are taken from the final mean.
+ * elements: sums are exact before they are rounded once, deviations are taken from the final mean. Central moments
+ * mk are means of the k-th powers of the deviations.
  */
 #ifndef camaron_Summary_h
 #define camaron_Summary_h
@@ -23,6 +24,13 @@ struct ValueRange
 {
   double Low = -std::numeric_limits<double>::infinity();
   double High = std::numeric_limits<double>::infinity();
+};
+
+/// Where a process has an element: block of the population and place in the block; -1 on other processes.
+struct ElementPlace
+{
+  int Block = -1;
+  vtkIdType Index = -1;
 };
 
 struct Summary
@@ -47,6 +55,10 @@ struct Summary
   double Mean = std::numeric_limits<double>::quiet_NaN();
   double StandardDeviation = std::numeric_limits<double>::quiet_NaN(); ///< divisor count - 1
   double Variance = std::numeric_limits<double>::quiet_NaN();
+  double Skewness = std::numeric_limits<double>::quiet_NaN(); ///< m3 / m2^1.5, NaN also of constant values
+  double Kurtosis = std::numeric_limits<double>::quiet_NaN(); ///< m4 / m2^2 - 3, NaN also of constant values
+  double RootMeanSquare = std::numeric_limits<double>::quiet_NaN();
+  double GeometricMean = std::numeric_limits<double>::quiet_NaN(); ///< NaN also unless all values are above 0
   double Sum = 0;
   ///@}
 
@@ -54,10 +66,11 @@ struct Summary
   /// Smallest identity among the elements with the smallest and largest finite value, else -1.
   vtkIdType ArgMin = -1;
   vtkIdType ArgMax = -1;
+  ElementPlace ArgMinPlace, ArgMaxPlace;
   ///@}
 };
 
-/// Collective. Two passes over the values, about 3 ns per value and pass.
+/// Collective. Two passes over the values.
 Summary Summarize(const Population& population, const ValueRange& acceptable, Reducer& reducer);
 }
 

@@ -3,7 +3,7 @@
 #include "Statistics/Weights.h"
 
 #include "Statistics/ExactSum.h"
-#include "Statistics/OrderedKey.h"
+#include "Statistics/WeightUnit.h"
 
 #include <algorithm>
 #include <array>
@@ -19,39 +19,6 @@ struct Sums
 {
   ExactSum Weight, FiniteWeight, BadWeight, Product;
 };
-
-double GetWeight(const ValueBlock& weights, vtkIdType i)
-{
-  const double weight = std::abs(weights.Values[i]);
-  return std::isfinite(weight) ? weight : 0;
-}
-
-/// A power of two, times which a magnitude is below 1; limited so that it is a normal number.
-double GetUnit(double magnitude)
-{
-  int exponent = 0;
-  std::frexp(magnitude, &exponent);
-  return std::ldexp(1.0, -std::max(exponent, -1000));
-}
-
-double FindLargestWeight(const Population& weights, Reducer& reducer)
-{
-  double largest = 0;
-  for (const double part : ForEachChunk<double>(weights,
-         [](double& maximum, const ValueBlock& block, vtkIdType begin, vtkIdType end)
-         {
-           for (vtkIdType i = begin; i < end; ++i)
-           {
-             maximum = block.Contains(i) ? std::max(maximum, GetWeight(block, i)) : maximum;
-           }
-         }))
-  {
-    largest = std::max(largest, part);
-  }
-  std::int64_t key = ToKey(largest);
-  reducer.Max(&key, 1);
-  return FromKey(key);
-}
 }
 
 //------------------------------------------------------------------------------

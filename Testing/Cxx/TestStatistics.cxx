@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Statistics of random and difficult values against brute force, and on simulated processes.
 #include "Criteria/Criterion.h"
+#include "Statistics/Cumulative.h"
 #include "Statistics/ExactSum.h"
 #include "Statistics/Histogram.h"
 #include "Statistics/OrderedKey.h"
@@ -149,13 +150,18 @@ Results ComputeAll(const Population& population, Reducer& reducer)
   Results results;
   const Summary summary = Summarize(population, { 0.25, 0.75 }, reducer);
   results.Numbers = { summary.Min, summary.Max, summary.MinPositive, summary.Mean,
-    summary.StandardDeviation, summary.Variance, summary.Sum };
+    summary.StandardDeviation, summary.Variance, summary.Skewness, summary.Kurtosis, summary.RootMeanSquare,
+    summary.GeometricMean, summary.Sum };
   results.Integers = { summary.Count, summary.NullCount, summary.NotApplicableCount,
     summary.InfCount, summary.BelowCount, summary.AboveCount, summary.NonIntegerCount != 0,
     summary.ArgMin, summary.ArgMax };
   const std::vector<double> quantiles =
     GetQuantiles(population, summary, DefaultFractions, reducer);
   results.Numbers.insert(results.Numbers.end(), quantiles.begin(), quantiles.end());
+  const CumulativeCurve curve = MakeCumulativeCurve(population, summary, 30, &population, reducer);
+  results.Numbers.insert(results.Numbers.end(), curve.Values.begin(), curve.Values.end());
+  results.Numbers.insert(results.Numbers.end(), curve.WeightsUpTo.begin(), curve.WeightsUpTo.end());
+  results.Integers.insert(results.Integers.end(), curve.CountsUpTo.begin(), curve.CountsUpTo.end());
   for (const BinScale scale : { BinScale::Linear, BinScale::Logarithmic })
   {
     const Bins bins = MakeBins(summary, { 20, scale, {} });
@@ -623,6 +629,72 @@ TEST(Statistics, MomentsAreStable)
 }
 
 //------------------------------------------------------------------------------
+// Moments of known distributions, also far from 0, where powers of the values would lose all digits.
+TEST(Statistics, HigherMoments)
+{
+  Reducer serial;
+  Summary summary = Summarize(OneBlock({ 1, 10, 100, 1000, 10000, NaN, Infinity }), {}, serial);
+  EXPECT_NEAR(summary.GeometricMean, 100, 1e-12);
+  EXPECT_NEAR(summary.RootMeanSquare, std::sqrt(101010101 / 5.0), 1e-11);
+  summary = Summarize(OneBlock({ -3, 4 }), {}, serial);
+  EXPECT_DOUBLE_EQ(summary.RootMeanSquare, std::sqrt(12.5));
+  EXPECT_TRUE(std::isnan(summary.GeometricMean));
+  EXPECT_EQ(summary.Skewness, 0);
+  EXPECT_EQ(summary.Kurtosis, -2);
+  summary = Summarize(OneBlock({ 0.1, 0.1, 0.1 }), {}, serial);
+  EXPECT_TRUE(std::isnan(summary.Skewness) && std::isnan(summary.Kurtosis));
+  EXPECT_EQ(summary.GeometricMean, 0.1);
+  EXPECT_NEAR(summary.RootMeanSquare, 0.1, 1e-17);
+
+  // A coin that shows 1 in one of ten throws: skewness 0.8 / 0.3, kurtosis (1 - 6 * 0.09) / 0.09.
+  for (const double shift : { 0.0, 1e6, 1e12, -3e15 })
+  {
+    std::vector<double> values(1000, shift);
+    for (std::size_t i = 0; i < values.size(); i += 10)
+    {
+      values[i] += 1;
+    }
+    summary = Summarize(OneBlock(values), {}, serial);
+    EXPECT_NEAR(summary.Skewness, 0.8 / 0.3, 1e-13) << shift;
+    EXPECT_NEAR(summary.Kurtosis, 0.46 / 0.09, 1e-12) << shift;
+    EXPECT_NEAR(summary.Variance, 0.09 * 1000 / 999, 1e-15) << shift;
+  }
+}
+
+//------------------------------------------------------------------------------
+// A curve that skips values, counts ties twice or loses infinite ones would not be the distribution function.
+TEST(Statistics, CumulativeCurve)
+{
+  Reducer serial;
+  const std::vector<double> values = { 4, 1, NaN, 3, Infinity, 3, -Infinity, 2, 3 };
+  const std::vector<double> weights = { -1, 10, 5, 100, 7, NaN, 1000, 1e4, 1e5 };
+  const Population population = OneBlock(values), weighing = OneBlock(weights);
+  const Summary summary = Summarize(population, {}, serial);
+  CumulativeCurve curve = MakeCumulativeCurve(population, summary, 100, &weighing, serial);
+  EXPECT_EQ(curve.Values, (std::vector<double>{ 1, 2, 3, 4 }));
+  EXPECT_EQ(curve.CountsUpTo, (std::vector<std::int64_t>{ 2, 3, 6, 7 }));
+  EXPECT_EQ(curve.WeightsUpTo, (std::vector<double>{ 1010, 11010, 111110, 111111 }));
+  curve = MakeCumulativeCurve(population, summary, 3, nullptr, serial);
+  EXPECT_EQ(curve.Values, (std::vector<double>{ 1, 3, 4 }));
+  EXPECT_EQ(curve.CountsUpTo, (std::vector<std::int64_t>{ 2, 6, 7 }));
+  EXPECT_TRUE(curve.WeightsUpTo.empty());
+  EXPECT_TRUE(MakeCumulativeCurve(population, summary, 0, nullptr, serial).Values.empty());
+
+  for (const std::vector<double>& list : DifficultLists(3000))
+  {
+    const Summary all = Summarize(OneBlock(list), {}, serial);
+    const CumulativeCurve points = MakeCumulativeCurve(OneBlock(list), all, 50, nullptr, serial);
+    EXPECT_EQ(points.Values.empty(), all.GetFiniteCount() == 0);
+    for (std::size_t p = 0; p < points.Values.size(); ++p)
+    {
+      const double value = points.Values[p];
+      EXPECT_EQ(points.CountsUpTo[p],
+        std::count_if(list.begin(), list.end(), [&](double other) { return other <= value; }));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Skipped elements, blocks and identities: ghosts must not count, ties go to the smallest identity.
 TEST(Statistics, BlocksAndIdentities)
 {
@@ -642,7 +714,11 @@ TEST(Statistics, BlocksAndIdentities)
   EXPECT_EQ(summary.Count, 6);
   EXPECT_EQ(summary.Min, 1);
   EXPECT_EQ(summary.ArgMin, 3);
+  EXPECT_EQ(summary.ArgMinPlace.Block, 1);
+  EXPECT_EQ(summary.ArgMinPlace.Index, 0);
   EXPECT_EQ(summary.ArgMax, 4);
+  EXPECT_EQ(summary.ArgMaxPlace.Block, 1);
+  EXPECT_EQ(summary.ArgMaxPlace.Index, 1);
   const auto worst = FindWorst({ a, b }, 2, WorstEnd::Largest, serial, [](WorstElement&) {});
   ASSERT_EQ(worst.size(), 2u);
   EXPECT_EQ(worst[0].Id, 4);
