@@ -48,7 +48,7 @@ std::string GetTypeLabelOfKey(const ElementBlock&, int cellType)
 void GetArrayValues(
   const ElementBlock& block, const std::string& arrayName, std::vector<int>& keys)
 {
-  keys.assign(block.Data->GetNumberOfCells(), NoKey);
+  keys.assign(block.GetSize(), NoKey);
   vtkDataArray* array = block.GetArray(arrayName);
   if (!array)
   {
@@ -92,12 +92,13 @@ struct Way
   void (*GetKeys)(const ElementBlock& block, const std::string& arrayName, std::vector<int>& keys);
   std::string (*GetLabel)(const ElementBlock& block, int key);
   std::size_t MaxNumberOfGroups; ///< more are an error
+  bool IsForPoints;
 };
 const Way Ways[] = {
-  { "None", nullptr, nullptr, Any },
-  { "Cell type", GetCellTypes, GetTypeLabelOfKey, Any },
-  { "Block", GetBlockNumber, GetBlockLabel, Any },
-  { "Cell array", GetArrayValues, GetNumberLabel, 1000 }, // else these are ids, or were measured
+  { "None", nullptr, nullptr, Any, true },
+  { "Cell type", GetCellTypes, GetTypeLabelOfKey, Any, false },
+  { "Block", GetBlockNumber, GetBlockLabel, Any, true },
+  { "Cell array", GetArrayValues, GetNumberLabel, 1000, true }, // else these are ids, or were measured
 };
 
 const Way& FindWay(const std::string& name)
@@ -149,12 +150,16 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
   {
     return;
   }
+  if (blocks.GetKind() == ElementKind::Points && !way.IsForPoints)
+  {
+    throw std::invalid_argument("points are not grouped by '" + name + "'");
+  }
   std::set<std::pair<int, std::string>> labels;
   for (const ElementBlock& block : blocks.Get())
   {
     std::vector<int> keys;
     way.GetKeys(block, arrayName, keys);
-    const bool perCell = static_cast<vtkIdType>(keys.size()) == block.Data->GetNumberOfCells();
+    const bool perCell = static_cast<vtkIdType>(keys.size()) == block.GetSize();
     std::set<int> found = { NoKey };
     for (std::size_t cell = 0; cell < keys.size() && labels.size() <= way.MaxNumberOfGroups; ++cell)
     {
@@ -173,7 +178,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
   }
   if (this->Keys.size() - 1 > way.MaxNumberOfGroups)
   {
-    throw std::invalid_argument("the cell array '" + arrayName + "' has more than " +
+    throw std::invalid_argument("the array '" + arrayName + "' has more than " +
       std::to_string(way.MaxNumberOfGroups) + " different values, too many to group by");
   }
 }

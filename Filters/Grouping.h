@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Grouping
- * @brief Divides the cells of a mesh into groups that have statistics of their own.
+ * @brief Divides the cells or points of a mesh into groups that have statistics of their own.
  *
  * The first group is always that of all cells. A way to group is a row of the table in
  * Grouping.cxx: a key for each cell and a label for the key.
@@ -22,9 +22,9 @@ class Grouping
 public:
   /**
    * Collective. @a name: "None", "Cell type", "Block" or "Cell array"; throws std::invalid_argument for
-   * any other, on all processes alike. By cell array there is a group for each whole number that the
-   * array @a arrayName with one component holds; throws if there are more than 1000. Keeps a reference
-   * to @a blocks.
+   * any other, and for points by cell type, on all processes alike. By cell array, of points by point
+   * array, there is a group for each whole number that the array @a arrayName with one component holds;
+   * throws if there are more than 1000. Keeps a reference to @a blocks.
    */
   Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
     Reducer& reducer);

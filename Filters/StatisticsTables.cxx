@@ -39,6 +39,10 @@ class Row
 public:
   explicit Row(const RowLabels& labels)
   {
+    if (labels.Time)
+    {
+      this->Add(*labels.Time);
+    }
     this->Add(labels.Criterion);
     this->Add(labels.Unit);
     this->Add(labels.Group);
@@ -49,12 +53,30 @@ public:
   {
     this->Values->InsertNextValue(vtkVariant(static_cast<vtkIdType>(count)));
   }
+  void Add(const std::array<double, 3>& place)
+  {
+    for (const double coordinate : place)
+    {
+      this->Add(coordinate);
+    }
+  }
   void AppendTo(vtkTable* table) { table->InsertNextRow(this->Values); }
 
 private:
   vtkNew<vtkVariantArray> Values;
 };
 
+//------------------------------------------------------------------------------
+void AddLabelColumns(vtkTable* table, const TableLayout& layout)
+{
+  if (layout.HasTime)
+  {
+    AddColumns<vtkDoubleArray>(table, { "Time" });
+  }
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+}
+
+//------------------------------------------------------------------------------
 double Percent(std::int64_t part, std::int64_t whole)
 {
   return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole)
@@ -63,17 +85,18 @@ double Percent(std::int64_t part, std::int64_t whole)
 }
 
 //------------------------------------------------------------------------------
-void AddStatisticsColumns(
-  vtkTable* table, const std::vector<double>& percents, const std::string& weightArray)
+void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std::vector<double>& percents)
 {
-  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+  AddLabelColumns(table, layout);
   AddColumns<vtkIdTypeArray>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
   AddColumns<vtkDoubleArray>(table, { "Min" });
   AddColumns<vtkIdTypeArray>(table, { "ArgMin" });
-  AddColumns<vtkDoubleArray>(table, { "Max" });
+  AddColumns<vtkDoubleArray>(table, { "ArgMinX", "ArgMinY", "ArgMinZ", "Max" });
   AddColumns<vtkIdTypeArray>(table, { "ArgMax" });
+  AddColumns<vtkDoubleArray>(table, { "ArgMaxX", "ArgMaxY", "ArgMaxZ" });
   AddColumns<vtkStringArray>(table, { "IdSpace" });
-  AddColumns<vtkDoubleArray>(table, { "Mean", "StdDev", "Variance", "Sum" });
+  AddColumns<vtkDoubleArray>(table,
+    { "Mean", "StdDev", "Variance", "Skewness", "Kurtosis", "RootMeanSquare", "GeometricMean", "Sum" });
   for (const double percent : percents)
   {
     char name[32];
@@ -83,15 +106,15 @@ void AddStatisticsColumns(
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
   AddColumns<vtkIdTypeArray>(table, { "BelowCount", "AboveCount" });
   AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
-  if (!weightArray.empty())
+  if (!layout.WeightArray.empty())
   {
-    const std::string badFraction = "Bad" + weightArray + "Fraction";
+    const std::string badFraction = "Bad" + layout.WeightArray + "Fraction";
     AddColumns<vtkDoubleArray>(table, { "Weight", "WeightedMean", badFraction.c_str() });
   }
 }
 
 //------------------------------------------------------------------------------
-void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
+void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary, const ExtremePlaces& places,
   const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable,
   const std::optional<WeightedSummary>& weighted)
 {
@@ -103,12 +126,18 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   row.Add(summary.GetApplicableCount());
   row.Add(summary.Min);
   row.Add(std::int64_t(summary.ArgMin));
+  row.Add(places.Min);
   row.Add(summary.Max);
   row.Add(std::int64_t(summary.ArgMax));
+  row.Add(places.Max);
   row.Add(labels.IdSpace);
   row.Add(summary.Mean);
   row.Add(summary.StandardDeviation);
   row.Add(summary.Variance);
+  row.Add(summary.Skewness);
+  row.Add(summary.Kurtosis);
+  row.Add(summary.RootMeanSquare);
+  row.Add(summary.GeometricMean);
   row.Add(summary.Sum);
   for (const double quantile : quantiles)
   {
@@ -131,9 +160,9 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
 }
 
 //------------------------------------------------------------------------------
-void AddHistogramColumns(vtkTable* table)
+void AddHistogramColumns(vtkTable* table, const TableLayout& layout)
 {
-  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+  AddLabelColumns(table, layout);
   AddColumns<vtkIdTypeArray>(table, { "Bin" });
   AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
   AddColumns<vtkIdTypeArray>(table, { "Count" });
@@ -186,9 +215,9 @@ void AddHistogramRows(
 }
 
 //------------------------------------------------------------------------------
-void AddWorstColumns(vtkTable* table)
+void AddWorstColumns(vtkTable* table, const TableLayout& layout)
 {
-  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+  AddLabelColumns(table, layout);
   AddColumns<vtkIdTypeArray>(table, { "Rank", "Id" });
   AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
   AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z" });
@@ -208,11 +237,44 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
     row.Add(std::int64_t(element.Id));
     row.Add(labels.IdSpace);
     row.Add(block == blockNames.end() ? std::string() : block->second);
-    row.Add(GetCellTypeLabel(element.CellType));
+    row.Add(element.CellType == PointCellType ? std::string("Point") : GetCellTypeLabel(element.CellType));
     row.Add(element.Value);
     row.Add(element.Place[0]);
     row.Add(element.Place[1]);
     row.Add(element.Place[2]);
+    row.AppendTo(table);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddCurveColumns(vtkTable* table, const TableLayout& layout)
+{
+  AddLabelColumns(table, layout);
+  AddColumns<vtkDoubleArray>(table, { "Value" });
+  AddColumns<vtkIdTypeArray>(table, { "Count" });
+  AddColumns<vtkDoubleArray>(table, { "Percent" });
+  if (!layout.WeightArray.empty())
+  {
+    AddColumns<vtkDoubleArray>(table, { "Weight", "WeightPercent" });
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve, const Summary& summary,
+  const std::optional<WeightedSummary>& weighted)
+{
+  for (std::size_t point = 0; point < curve.Values.size(); ++point)
+  {
+    Row row(labels);
+    row.Add(curve.Values[point]);
+    row.Add(curve.CountsUpTo[point]);
+    row.Add(Percent(curve.CountsUpTo[point], summary.Count - summary.NullCount));
+    if (weighted)
+    {
+      row.Add(curve.WeightsUpTo[point]);
+      row.Add(weighted->Weight > 0 ? 100 * (curve.WeightsUpTo[point] / weighted->Weight)
+                                   : std::numeric_limits<double>::quiet_NaN());
+    }
     row.AppendTo(table);
   }
 }

@@ -7,11 +7,13 @@
 #ifndef camaron_StatisticsTables_h
 #define camaron_StatisticsTables_h
 
+#include "Statistics/Cumulative.h"
 #include "Statistics/Histogram.h"
 #include "Statistics/Summary.h"
 #include "Statistics/Weights.h"
 #include "Statistics/Worst.h"
 
+#include <array>    // for coordinates
 #include <optional> // for what may be unknown
 #include <string>   // for names
 #include <vector>   // for lists
@@ -27,24 +29,43 @@ struct RowLabels
   std::string Unit;
   std::string Group;
   std::string IdSpace;
+  std::optional<double> Time; ///< for tables with that column
+};
+
+/// Centres of the elements with the smallest and the largest value.
+struct ExtremePlaces
+{
+  std::array<double, 3> Min, Max;
+};
+
+/// What the columns of all tables depend on.
+struct TableLayout
+{
+  bool HasTime = false;
+  std::string WeightArray; ///< empty if nothing weighs
 };
 
 ///@{
-/// Give an empty table its columns. @a percents: a column P<percent> for each; @a weightArray may be empty.
-void AddStatisticsColumns(
-  vtkTable* table, const std::vector<double>& percents, const std::string& weightArray);
-void AddHistogramColumns(vtkTable* table);
-void AddWorstColumns(vtkTable* table);
+/// Give an empty table its columns. @a percents: a column P<percent> for each.
+void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std::vector<double>& percents);
+void AddHistogramColumns(vtkTable* table, const TableLayout& layout);
+void AddWorstColumns(vtkTable* table, const TableLayout& layout);
+void AddCurveColumns(vtkTable* table, const TableLayout& layout);
 ///@}
 
-void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
+void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary, const ExtremePlaces& places,
   const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable,
   const std::optional<WeightedSummary>& weighted);
 void AddHistogramRows(
   vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram);
-/// @a blockNames: by the block number of the elements.
+/// @a blockNames: by the block number of the elements. A point has PointCellType.
 void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
   const std::vector<std::pair<int, std::string>>& blockNames);
+/// @a weighted: of the same elements, if the curve has weights.
+void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve, const Summary& summary,
+  const std::optional<WeightedSummary>& weighted);
+
+constexpr int PointCellType = -1;
 }
 
 #endif

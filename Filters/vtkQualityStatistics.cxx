@@ -6,23 +6,29 @@
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
+#include "ElementPlaces.h"
 #include "Grouping.h"
+#include "OwnPoints.h"
+#include "Statistics/Cumulative.h"
 #include "Statistics/MissingValues.h"
 #include "Statistics/Quantiles.h"
 #include "Statistics/Weights.h"
+#include "StatisticsArrays.h"
 #include "StatisticsTables.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkIdList.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <exception>
 #include <limits>
 #include <stdexcept>
@@ -31,130 +37,6 @@ vtkStandardNewMacro(vtkQualityStatistics);
 
 namespace
 {
-// An array to evaluate, which some process may not have.
-struct StatisticsArray
-{
-  std::string Name;
-  std::string Unit;
-  bool OfIntegers = true; // a count of the registry, or an array of an integer type
-};
-
-//------------------------------------------------------------------------------
-bool IsIntegral(int dataType)
-{
-  return dataType != VTK_FLOAT && dataType != VTK_DOUBLE;
-}
-
-//------------------------------------------------------------------------------
-// All numeric cell arrays with one component that any process has, with their units.
-std::vector<StatisticsArray> FindArrays(
-  const camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
-{
-  constexpr char separator = '\1'; // sorts before all characters of a name
-  std::vector<std::string> own;
-  for (const camaron::ElementBlock& block : blocks.Get())
-  {
-    vtkCellData* data = block.Data->GetCellData();
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = data->GetArray(i);
-      if (array && array->GetName() && array->GetNumberOfComponents() == 1)
-      {
-        const bool hasUnit =
-          array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL());
-        const camaron::Criterion* criterion = camaron::FindCriterion(array->GetName());
-        const bool ofIntegers = criterion ? criterion->IsInteger : IsIntegral(array->GetDataType());
-        own.push_back(std::string(array->GetName()) + separator +
-          (hasUnit ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : "") +
-          (ofIntegers ? 'i' : 'r'));
-      }
-    }
-  }
-  std::vector<StatisticsArray> arrays;
-  for (const std::string& entry : reducer.GatherNames(own))
-  {
-    const std::size_t end = entry.find(separator);
-    const StatisticsArray array{ entry.substr(0, end),
-      entry.substr(end + 1, entry.size() - end - 2), entry.back() == 'i' };
-    if (arrays.empty() || arrays.back().Name != array.Name)
-    {
-      arrays.push_back(array);
-    }
-    else
-    {
-      arrays.back().Unit = std::max(arrays.back().Unit, array.Unit); // rather one than none
-      arrays.back().OfIntegers = arrays.back().OfIntegers && array.OfIntegers;
-    }
-  }
-  return arrays;
-}
-
-//------------------------------------------------------------------------------
-// Those that the user wants, in his order, else criteria in the order of their table.
-std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& present,
-  const std::vector<std::string>& wanted, std::string& missing)
-{
-  std::vector<StatisticsArray> chosen;
-  const auto choose = [&](const std::string& name)
-  {
-    const auto found = std::find_if(present.begin(), present.end(),
-      [&](const StatisticsArray& array) { return array.Name == name; });
-    if (found != present.end())
-    {
-      chosen.push_back(*found);
-      const camaron::Criterion* criterion = camaron::FindCriterion(name);
-      if (criterion && found->Unit.empty())
-      {
-        chosen.back().Unit = criterion->UnitLabel();
-      }
-    }
-    return found != present.end();
-  };
-  for (const std::string& name : wanted)
-  {
-    if (!choose(name))
-    {
-      missing += (missing.empty() ? "" : ", ") + name;
-    }
-  }
-  if (wanted.empty())
-  {
-    for (const camaron::Criterion& criterion : camaron::GetCriteria())
-    {
-      choose(criterion.Name);
-    }
-  }
-  return chosen;
-}
-
-//------------------------------------------------------------------------------
-// Mean of the points, added in the order of their coordinates: the order in the cell may depend on
-// how the mesh was split.
-void GetPlace(vtkDataSet* data, vtkIdType cell, double place[3])
-{
-  vtkNew<vtkIdList> ids;
-  data->GetCellPoints(cell, ids);
-  std::vector<double> coordinates[3];
-  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
-  {
-    double point[3];
-    data->GetPoint(ids->GetId(i), point);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      coordinates[axis].push_back(point[axis]);
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::sort(coordinates[axis].begin(), coordinates[axis].end());
-    place[axis] = 0;
-    for (const double coordinate : coordinates[axis])
-    {
-      place[axis] += coordinate / static_cast<double>(coordinates[axis].size());
-    }
-  }
-}
-
 //------------------------------------------------------------------------------
 camaron::BinScale ToBinScale(const std::string& name)
 {
@@ -180,13 +62,77 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
   }
   return name == "Acceptable" && acceptable ? *acceptable : camaron::ValueRange();
 }
+
+//------------------------------------------------------------------------------
+camaron::ElementKind ToElementKind(const std::string& name)
+{
+  if (name != "Cells" && name != "Points")
+  {
+    throw std::invalid_argument("Element Type is Cells or Points, not '" + name + "'");
+  }
+  return name == "Cells" ? camaron::ElementKind::Cells : camaron::ElementKind::Points;
+}
+
+//------------------------------------------------------------------------------
+// Collective. Of every element of every block whether it is selected.
+std::vector<std::vector<unsigned char>> FindSelected(
+  const camaron::ElementBlocks& blocks, const std::string& arrayName, camaron::Reducer& reducer)
+{
+  std::vector<std::vector<unsigned char>> marks;
+  std::int64_t numberOfArrays = 0;
+  for (const camaron::ElementBlock& block : blocks.Get())
+  {
+    marks.emplace_back(block.GetSize(), 0);
+    if (vtkDataArray* array = block.GetArray(arrayName))
+    {
+      ++numberOfArrays;
+      vtkNew<vtkDoubleArray> values;
+      values->DeepCopy(array);
+      std::transform(values->GetPointer(0), values->GetPointer(0) + block.GetSize(), marks.back().begin(),
+        [](double value) { return value != 0 && !std::isnan(value); });
+    }
+  }
+  std::int64_t counts[2] = { numberOfArrays, static_cast<std::int64_t>(marks.size()) };
+  reducer.Sum(counts, 2);
+  if (counts[0] == 0 && counts[1] > 0)
+  {
+    throw std::invalid_argument(
+      "there is no array with one component named '" + arrayName + "' to tell what is selected");
+  }
+  return marks;
+}
+
+//------------------------------------------------------------------------------
+// Collective. @a listsNull: those without a value instead.
+std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& population, bool listsNull,
+  int count, camaron::WorstEnd end, const camaron::ElementBlocks& blocks,
+  const camaron::BlockValues& values, camaron::Reducer& reducer)
+{
+  const camaron::MissingValues missing(listsNull ? population : camaron::Population());
+  std::vector<camaron::WorstElement> worst =
+    camaron::FindWorst(listsNull ? missing.Get() : population, count, end, reducer,
+      [&](camaron::WorstElement& element)
+      {
+        const camaron::ElementBlock& block = blocks.Get()[values.GetBlockNumbers()[element.Block]];
+        element.BlockNumber = block.Number;
+        element.CellType = blocks.GetKind() == camaron::ElementKind::Points
+          ? camaron::PointCellType
+          : block.Data->GetCellType(element.Index);
+        camaron::GetPlace(block, element.Index, element.Place);
+      });
+  for (camaron::WorstElement& element : worst)
+  {
+    element.Value = listsNull ? std::numeric_limits<double>::quiet_NaN() : element.Value;
+  }
+  return worst;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkQualityStatistics::vtkQualityStatistics()
   : Preset(camaron::GetDefaultRangesName())
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 //------------------------------------------------------------------------------
@@ -196,6 +142,11 @@ vtkQualityStatistics::~vtkQualityStatistics() = default;
 void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ElementType: " << this->ElementType << '\n';
+  os << indent << "OnlySelected: " << this->OnlySelected << '\n';
+  os << indent << "SelectionArray: " << this->SelectionArray << '\n';
+  os << indent << "AllTimeSteps: " << this->AllTimeSteps << '\n';
+  os << indent << "CurvePoints: " << this->CurvePoints << '\n';
   os << indent << "Arrays:";
   for (const std::string& name : this->Arrays)
   {
@@ -279,116 +230,212 @@ int vtkQualityStatistics::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-int vtkQualityStatistics::RequestData(
+// What the properties mean.
+struct vtkQualityStatistics::Settings
+{
+  camaron::ElementKind Kind;
+  camaron::BinSettings Bins;
+  bool ListsNull;
+  std::string WorstValues;
+  std::vector<double> Fractions;
+};
+
+//------------------------------------------------------------------------------
+struct vtkQualityStatistics::Tables
+{
+  vtkTable *Statistics, *Histogram, *Worst, *Curve;
+  std::optional<double> Time; // of the rows to add
+};
+
+//------------------------------------------------------------------------------
+vtkQualityStatistics::Settings vtkQualityStatistics::CheckSettings() const
+{
+  Settings settings;
+  settings.Kind = ToElementKind(this->ElementType);
+  settings.Bins.NumberOfBins = this->NumberOfBins;
+  settings.Bins.Scale = ToBinScale(this->HistogramScale);
+  ToBinRange(this->HistogramRange, this->CustomRange, {});
+  settings.ListsNull = this->WorstValues == "Null";
+  settings.WorstValues = settings.ListsNull ? "Smallest" : this->WorstValues;
+  camaron::FindWorstEnd("", settings.WorstValues);
+  for (const double percent : this->Quantiles)
+  {
+    settings.Fractions.push_back(percent / 100);
+  }
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityStatistics::RequestInformation(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkTable* tables[3];
-  for (int port = 0; port < 3; ++port)
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = inputVector[0]->GetInformationObject(0);
+  this->TimeSteps.clear();
+  if (const int size = info->Length(Pipeline::TIME_STEPS()))
   {
-    tables[port] = vtkTable::GetData(outputVector, port);
+    this->TimeSteps.resize(size);
+    info->Get(Pipeline::TIME_STEPS(), this->TimeSteps.data());
   }
-  camaron::AddStatisticsColumns(tables[0], this->Quantiles, this->WeightArray);
-  camaron::AddHistogramColumns(tables[1]);
-  camaron::AddWorstColumns(tables[2]);
+  for (int port = 0; port < this->GetNumberOfOutputPorts() && this->AllTimeSteps; ++port)
+  {
+    // The tables are those of all times.
+    outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_STEPS());
+    outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_RANGE());
+  }
+  return 1;
+}
 
-  // Whatever may be wrong with the properties is found before the first collective call, by every
-  // process.
+//------------------------------------------------------------------------------
+int vtkQualityStatistics::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  if (this->TimeStep < this->GetNumberOfSteps())
+  {
+    inputVector[0]->GetInformationObject(0)->Set(
+      vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), this->TimeSteps[this->TimeStep]);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityStatistics::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  Tables tables = { vtkTable::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
+    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3), {} };
+  if (this->TimeStep == 0)
+  {
+    const camaron::TableLayout layout = { this->AllTimeSteps, this->WeightArray };
+    for (vtkTable* table : { tables.Statistics, tables.Histogram, tables.Worst, tables.Curve })
+    {
+      table->Initialize();
+    }
+    camaron::AddStatisticsColumns(tables.Statistics, layout, this->Quantiles);
+    camaron::AddHistogramColumns(tables.Histogram, layout);
+    camaron::AddWorstColumns(tables.Worst, layout);
+    camaron::AddCurveColumns(tables.Curve, layout);
+  }
+  if (this->AllTimeSteps)
+  {
+    tables.Time = this->TimeStep < this->GetNumberOfSteps() ? this->TimeSteps[this->TimeStep]
+                                                            : std::numeric_limits<double>::quiet_NaN();
+  }
   try
   {
-    camaron::BinSettings settings;
-    settings.NumberOfBins = this->NumberOfBins;
-    settings.Scale = ToBinScale(this->HistogramScale);
-    ToBinRange(this->HistogramRange, this->CustomRange, {});
-    const bool listsNull = this->WorstValues == "Null";
-    const std::string worstValues = listsNull ? "Smallest" : this->WorstValues;
-    camaron::FindWorstEnd("", worstValues);
-    std::vector<double> fractions;
-    for (const double percent : this->Quantiles)
-    {
-      fractions.push_back(percent / 100);
-    }
-
-    camaron::ControllerReducer reducer;
-    const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
-    const bool isRoot = reducer.GetProcess() == 0;
-    const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
-    camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
-    const auto blockNames = camaron::GetBlockNames(blocks, reducer);
-    std::string missing;
-    const std::vector<StatisticsArray> arrays =
-      ChooseArrays(FindArrays(blocks, reducer), this->Arrays, missing);
-    if (!missing.empty() && isRoot)
-    {
-      vtkWarningMacro("There are no cell arrays with one component named: " << missing << '.');
-    }
-
-    const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
-      ? std::nullopt
-      : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);
-
-    for (std::size_t a = 0; a < arrays.size(); ++a)
-    {
-      const StatisticsArray& array = arrays[a];
-      const auto acceptable = ranges.Find(array.Name, array.Unit);
-      const auto worstEnd = camaron::FindWorstEnd(array.Name, worstValues);
-      settings.OfIntegers = array.OfIntegers;
-      settings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
-      const camaron::BlockValues values(blocks, array.Name);
-      camaron::Bins bins;
-      for (std::size_t g = 0; g < groups.GetLabels().size(); ++g)
-      {
-        const camaron::Population population = groups.GetPopulation(g, values);
-        const camaron::Summary summary =
-          camaron::Summarize(population, acceptable ? *acceptable : camaron::ValueRange(), reducer);
-        std::optional<camaron::WeightedSummary> weighted;
-        if (weights)
-        {
-          weighted = camaron::SummarizeWeighted(population, summary, weights->GetPopulation(values),
-            acceptable ? *acceptable : camaron::ValueRange(), reducer);
-        }
-        const std::vector<double> quantiles =
-          camaron::GetQuantiles(population, summary, fractions, reducer);
-        if (g == 0)
-        {
-          bins = camaron::MakeBins(summary, settings); // all groups share those of all cells
-        }
-        const camaron::Histogram histogram = camaron::CountBins(population, bins, reducer);
-        assert(histogram.GetTotal() == summary.Count);
-        std::vector<camaron::WorstElement> worst;
-        if (worstEnd)
-        {
-          const camaron::MissingValues missingValues(listsNull ? population : camaron::Population());
-          worst = camaron::FindWorst(listsNull ? missingValues.Get() : population, this->NumberOfWorst,
-            *worstEnd, reducer,
-            [&](camaron::WorstElement& element)
-            {
-              const camaron::ElementBlock& block =
-                blocks.Get()[values.GetBlockNumbers()[element.Block]];
-              element.BlockNumber = block.Number;
-              element.CellType = block.Data->GetCellType(element.Index);
-              GetPlace(block.Data, element.Index, element.Place);
-            });
-          for (camaron::WorstElement& element : worst)
-          {
-            element.Value = listsNull ? std::numeric_limits<double>::quiet_NaN() : element.Value;
-          }
-        }
-        if (isRoot)
-        {
-          const camaron::RowLabels labels{ array.Name, array.Unit, groups.GetLabels()[g],
-            blocks.GetIdSpace() };
-          camaron::AddStatisticsRow(tables[0], labels, summary, quantiles, acceptable, weighted);
-          camaron::AddHistogramRows(tables[1], labels, bins, histogram);
-          camaron::AddWorstRows(tables[2], labels, worst, blockNames);
-        }
-      }
-      this->UpdateProgress(static_cast<double>(a + 1) / static_cast<double>(arrays.size()));
-    }
+    // Whatever may be wrong with the properties is found before the first collective call, by every
+    // process.
+    const Settings settings = this->CheckSettings();
+    const int numberOfPieces =
+      outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+    this->AddRows(vtkDataObject::GetData(inputVector[0]), numberOfPieces, settings, tables);
   }
   catch (const std::exception& error)
   {
+    request->Remove(Pipeline::CONTINUE_EXECUTING());
+    this->TimeStep = 0;
     vtkErrorMacro("The statistics cannot be made: " << error.what() << '.');
     return 0;
   }
+  if (++this->TimeStep < this->GetNumberOfSteps())
+  {
+    request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+  }
+  else
+  {
+    request->Remove(Pipeline::CONTINUE_EXECUTING());
+    this->TimeStep = 0;
+  }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// Collective.
+void vtkQualityStatistics::AddRows(
+  vtkDataObject* input, int numberOfPieces, const Settings& settings, const Tables& tables)
+{
+  camaron::ControllerReducer reducer;
+  const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
+  const bool isRoot = reducer.GetProcess() == 0;
+  camaron::ElementBlocks blocks(input, reducer, settings.Kind);
+  if (settings.Kind == camaron::ElementKind::Points)
+  {
+    blocks.Restrict(camaron::FindOwnPoints(blocks, numberOfPieces, reducer));
+  }
+  camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
+  if (this->OnlySelected)
+  {
+    blocks.Restrict(FindSelected(blocks, this->SelectionArray, reducer));
+  }
+  const auto blockNames = camaron::GetBlockNames(blocks, reducer);
+  std::string missing;
+  const std::vector<camaron::StatisticsArray> arrays =
+    camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
+  if (!missing.empty() && isRoot && this->TimeStep == 0)
+  {
+    const bool areCells = settings.Kind == camaron::ElementKind::Cells;
+    vtkWarningMacro(
+      "There are no " << (areCells ? "cell" : "point") << " arrays with one component named: " << missing << '.');
+  }
+  const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
+    ? std::nullopt
+    : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);
+  camaron::BinSettings binSettings = settings.Bins;
+
+  for (std::size_t a = 0; a < arrays.size(); ++a)
+  {
+    const camaron::StatisticsArray& array = arrays[a];
+    const auto acceptable = ranges.Find(array.Name, array.Unit);
+    const camaron::ValueRange limits = acceptable ? *acceptable : camaron::ValueRange();
+    const auto worstEnd = camaron::FindWorstEnd(array.Name, settings.WorstValues);
+    binSettings.OfIntegers = array.OfIntegers;
+    binSettings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
+    const camaron::BlockValues values(blocks, array.Name);
+    camaron::Bins bins;
+    for (std::size_t g = 0; g < groups.GetLabels().size(); ++g)
+    {
+      const camaron::Population population = groups.GetPopulation(g, values);
+      const camaron::Summary summary = camaron::Summarize(population, limits, reducer);
+      const auto places =
+        camaron::FindPlaces({ summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
+      std::optional<camaron::WeightedSummary> weighted;
+      camaron::Population weightsOfValues;
+      if (weights)
+      {
+        weightsOfValues = weights->GetPopulation(values);
+        weighted =
+          camaron::SummarizeWeighted(population, summary, weightsOfValues, limits, reducer);
+      }
+      const std::vector<double> quantiles =
+        camaron::GetQuantiles(population, summary, settings.Fractions, reducer);
+      if (g == 0)
+      {
+        bins = camaron::MakeBins(summary, binSettings); // all groups share those of all cells
+      }
+      const camaron::Histogram histogram = camaron::CountBins(population, bins, reducer);
+      assert(histogram.GetTotal() == summary.Count);
+      const camaron::CumulativeCurve curve = camaron::MakeCumulativeCurve(
+        population, summary, this->CurvePoints, weights ? &weightsOfValues : nullptr, reducer);
+      std::vector<camaron::WorstElement> worst;
+      if (worstEnd)
+      {
+        worst = FindWorstElements(
+          population, settings.ListsNull, this->NumberOfWorst, *worstEnd, blocks, values, reducer);
+      }
+      if (isRoot)
+      {
+        const camaron::RowLabels labels{ array.Name, array.Unit, groups.GetLabels()[g],
+          blocks.GetIdSpace(), tables.Time };
+        camaron::AddStatisticsRow(tables.Statistics, labels, summary, { places[0], places[1] },
+          quantiles, acceptable, weighted);
+        camaron::AddHistogramRows(tables.Histogram, labels, bins, histogram);
+        camaron::AddWorstRows(tables.Worst, labels, worst, blockNames);
+        camaron::AddCurveRows(tables.Curve, labels, curve, summary, weighted);
+      }
+    }
+    const int numberOfSteps = std::max(this->GetNumberOfSteps(), 1);
+    const double share = static_cast<double>(a + 1) / static_cast<double>(arrays.size());
+    this->UpdateProgress((this->TimeStep + share) / numberOfSteps);
+  }
 }

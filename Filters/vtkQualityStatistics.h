@@ -2,18 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkQualityStatistics
- * @brief Makes tables of statistics, histograms and worst cells of cell arrays.
+ * @brief Makes tables of statistics, histograms and worst elements of cell or point arrays.
  *
  * Input: any vtkDataSet or composite of them. By default every cell array that is named like a
  * quality criterion is evaluated, see AddArray(). Ghost cells (DUPLICATECELL, HIDDENCELL,
- * REFINEDCELL) do not count. NaN is null: counted, but in no other number. Infinite values are
+ * REFINEDCELL) do not count. Faces, edges and vertices are cells of the outputs of vtkMeshElements. NaN is null: counted, but in no other number. Infinite values are
  * counted apart; they are outside of any acceptable range that ends on their side and may be the
  * worst, but enter no moment, quantile or bin.
  *
  * Outputs, each a vtkTable:
  * 0. statistics, one row per array and group;
  * 1. histogram, one row per array, group and bin;
- * 2. worst cells, one row per array, group and rank; arrays without a worse end have none.
+ * 2. worst cells, one row per array, group and rank; arrays without a worse end have none;
+ * 3. cumulative curve, one row per array, group and point, see SetCurvePoints.
+ *
+ * With AllTimeSteps the tables have the rows of all time steps, one step after the other.
  *
  * The columns are listed in Documentation/statistics.md. A cell is named by its *Id*: its global id
  * if all cells have one, else its index among the cells of all blocks and processes, which for a
@@ -31,6 +34,8 @@
 #include <string> // for choices
 #include <vector> // for lists
 
+class vtkDataObject;
+
 class vtkQualityStatistics : public vtkTableAlgorithm
 {
 public:
@@ -40,8 +45,17 @@ public:
 
   ///@{
   /**
-   * Cell arrays with one component to evaluate. Default: none, which means every one that is named
-   * like a criterion.
+   * What has statistics: "Cells" (default) or "Points", by their arrays. A point that several pieces have counts once:
+   * as vtkGhostType of the points says, else with the first piece that has it.
+   */
+  void SetElementType(const char* choice) { this->SetText(this->ElementType, choice); }
+  const char* GetElementType() const { return this->ElementType.c_str(); }
+  ///@}
+
+  ///@{
+  /**
+   * Arrays with one component to evaluate. Default: none, which means every one that is named
+   * like a criterion, or like a measure of faces, edges or vertices that vtkMeshElements makes.
    */
   void AddArray(const char* name);
   void ClearArrays();
@@ -90,6 +104,35 @@ public:
    */
   void SetWeightArray(const char* name) { this->SetText(this->WeightArray, name); }
   const char* GetWeightArray() const { return this->WeightArray.c_str(); }
+  ///@}
+
+  ///@{
+  /// Whether only the elements count whose value of SelectionArray is neither 0 nor NaN. Default: off.
+  vtkSetMacro(OnlySelected, bool);
+  vtkGetMacro(OnlySelected, bool);
+  vtkBooleanMacro(OnlySelected, bool);
+  ///@}
+
+  ///@{
+  /// Array with one component for OnlySelected. Default: "Selected", which vtkSelectElements makes.
+  void SetSelectionArray(const char* name) { this->SetText(this->SelectionArray, name); }
+  const char* GetSelectionArray() const { return this->SelectionArray.c_str(); }
+  ///@}
+
+  ///@{
+  /// Whether all time steps of the input are evaluated, and the tables have a column "Time". Default: off.
+  vtkSetMacro(AllTimeSteps, bool);
+  vtkGetMacro(AllTimeSteps, bool);
+  vtkBooleanMacro(AllTimeSteps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Points of the cumulative curve of each array and group, which are values of elements: the share of the elements,
+   * or of their weight, with values up to there. Default: 0, no curve.
+   */
+  vtkSetClampMacro(CurvePoints, int, 0, 100000);
+  vtkGetMacro(CurvePoints, int);
   ///@}
 
   ///@{
@@ -147,14 +190,27 @@ protected:
   ~vtkQualityStatistics() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
   vtkQualityStatistics(const vtkQualityStatistics&) = delete;
   void operator=(const vtkQualityStatistics&) = delete;
 
-  void SetText(std::string& member, const char* text);
+  struct Settings;
+  struct Tables;
 
+  void SetText(std::string& member, const char* text);
+  Settings CheckSettings() const;
+  void AddRows(vtkDataObject* input, int numberOfPieces, const Settings& settings, const Tables& tables);
+  int GetNumberOfSteps() const { return this->AllTimeSteps ? static_cast<int>(this->TimeSteps.size()) : 0; }
+
+  std::string ElementType = "Cells";
+  bool OnlySelected = false;
+  std::string SelectionArray = "Selected";
+  bool AllTimeSteps = false;
+  int CurvePoints = 0;
   std::vector<std::string> Arrays;
   std::string Preset;
   std::string RangesFile;
@@ -168,6 +224,9 @@ private:
   std::string HistogramScale = "Linear";
   int NumberOfWorst = 10;
   std::string WorstValues = "By criterion";
+
+  std::vector<double> TimeSteps; // of the input
+  int TimeStep = 0;              // the one at work, with AllTimeSteps
 };
 
 #endif

@@ -70,6 +70,11 @@ TEST(QualityStatisticsProxy, AgreesWithClass)
   const std::string proxy = "QualityStatistics";
   vtkNew<vtkQualityStatistics> filter;
   EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
+  EXPECT_EQ(ReadDefault(proxy, "ElementType"), filter->GetElementType());
+  EXPECT_EQ(ReadDefault(proxy, "OnlySelected"), std::to_string(filter->GetOnlySelected()));
+  EXPECT_EQ(ReadDefault(proxy, "SelectionArray"), filter->GetSelectionArray());
+  EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
+  EXPECT_EQ(ReadDefault(proxy, "CurvePoints"), std::to_string(filter->GetCurvePoints()));
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
   EXPECT_EQ(ReadDefault(proxy, "WeightArray"), filter->GetWeightArray());
   EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));

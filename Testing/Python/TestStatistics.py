@@ -9,6 +9,7 @@ import camaron_testing
 import mesh_parts
 import numpy
 from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
 PERCENTS = [0, 1, 5, 25, 50, 75, 95, 99, 100]
@@ -59,11 +60,33 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertAlmostEqual(row["StdDev"] / expected, 1, delta=1e-12)
         else:
             self.assertEqual(row["StdDev"], 0)
+        self.check_higher_moments(row, [Fraction(x) for x in finite.tolist()])
         with numpy.errstate(over="ignore", invalid="ignore"):
             expected = numpy.percentile(finite, PERCENTS)
         for percent, value in zip(PERCENTS, expected):
             if math.isfinite(value):  # numpy overflows where the values are huge
                 self.assertEqual(row[f"P{percent}"], value, f"{percent} %")
+
+    def check_higher_moments(self, row, values):
+        count, largest = len(values), max(abs(x) for x in values)
+        if largest:
+            root = math.sqrt(sum((x / largest) ** 2 for x in values) / count)
+            self.assertAlmostEqual(row["RootMeanSquare"] / float(largest), root, delta=1e-14)
+        if min(values) > 0:
+            logarithms = math.fsum(map(math.log, values)) / count
+            self.assertAlmostEqual(math.log(row["GeometricMean"]), logarithms, delta=1e-12)
+        else:
+            self.assertTrue(math.isnan(row["GeometricMean"]))
+        values = [x / (largest or 1) for x in values]  # in the range of numbers
+        mean = sum(values) / count
+        m2, m3, m4 = (sum((x - mean) ** power for x in values) / count for power in (2, 3, 4))
+        if m2 == 0:
+            self.assertTrue(math.isnan(row["Skewness"]) and math.isnan(row["Kurtosis"]))
+        else:
+            skewness = math.copysign(math.sqrt(m3**2 / m2**3), m3)
+            self.assertAlmostEqual(row["Skewness"], skewness, delta=1e-10 * (1 + abs(skewness)))
+            kurtosis = float(m4 / m2**2 - 3)
+            self.assertAlmostEqual(row["Kurtosis"], kurtosis, delta=1e-10 * (1 + abs(kurtosis)))
 
     def check_histogram(self, bins, values):
         """Rows of one array: counts by numpy on the same edges, and nothing lost."""
@@ -110,6 +133,148 @@ class TestStatistics(camaron_testing.TestCase):
                 self.assertAlmostEqual(row["BadVolumeFraction"], float(bad / total), delta=1e-14)
         bad = [row["BadVolumeFraction"] for row in table if row["Criterion"] == "EdgeLengthRatio"]
         self.assertTrue(0 < bad[0] < 1)
+
+    def test_places_of_extremes(self):
+        """The centre of the very cell that ArgMin and ArgMax name."""
+        grid = mesh_parts.make_full_mesh()
+        table, _, _ = self.tables(mesh_parts.producer(grid), Arrays=["Volume", "AllNull"])
+        for end in ("ArgMin", "ArgMax"):
+            points = vtk_to_numpy(grid.GetCell(table[0][end]).GetPoints().GetData())
+            place = [table[0][end + axis] for axis in "XYZ"]
+            numpy.testing.assert_allclose(place, points.mean(axis=0), atol=1e-14)
+            self.assertTrue(all(math.isnan(table[1][end + axis]) for axis in "XYZ"))
+
+    def test_cumulative_curve(self):
+        """Shares of elements and of volume up to values of elements, by counting."""
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())
+        statistics = simple.QualityStatistics(
+            Input=mesh_parts.producer(grid),
+            Arrays=list(values),
+            CurvePoints=21,
+            WeightArray="Volume",
+            GroupBy="Cell type",
+        )
+        curve = rows(self.fetch(statistics, 3))
+        kinds = numpy.array([grid.GetCellType(i) for i in range(grid.GetNumberOfCells())])
+        groups = {"All": kinds > 0, "Tetra": kinds == 10, "Hexahedron": kinds == 12}
+        seen = 0
+        for row in curve:
+            if row["Group"] not in groups:
+                continue
+            seen += 1
+            here = groups[row["Group"]]
+            data = values[row["Criterion"]].astype(float)[here]
+            weights, known = values["Volume"][here], ~numpy.isnan(data)
+            self.assertIn(row["Value"], data)
+            up_to = data <= row["Value"]
+            self.assertEqual(row["Count"], up_to.sum())
+            self.assertAlmostEqual(row["Percent"], 100 * up_to.sum() / known.sum(), delta=1e-12)
+            self.assertAlmostEqual(row["Weight"] / math.fsum(weights[up_to]), 1, delta=1e-12)
+            share = 100 * math.fsum(weights[up_to]) / math.fsum(weights[known])
+            self.assertAlmostEqual(row["WeightPercent"], share, delta=1e-10)
+        self.assertGreater(seen, 300)
+        lengths = [r for r in curve if r["Criterion"] == "Volume" and r["Group"] == "All"]
+        self.assertEqual((len(lengths), lengths[-1]["Percent"]), (21, 100))
+        self.assertEqual(self.fetch(self.statistics(grid, Arrays=["Volume"]), 3).GetNumberOfRows(), 0)
+
+    def statistics(self, grid, **properties):
+        return simple.QualityStatistics(Input=mesh_parts.producer(grid), **properties)
+
+    def test_only_selected(self):
+        """As if the mesh had no other cells, but for their ids; null is not selected."""
+        grid = mesh_parts.make_full_mesh()
+        values = mesh_parts.make_values(grid.GetNumberOfCells())
+        source = mesh_parts.producer(grid)
+        picked = simple.SelectElements(
+            Input=source, Strategy="By criterion", Array="EdgeLengthRatio", Range="Custom"
+        )
+        picked.LowerLimit, picked.UpperLimit, picked.Side = "0.2", "0.6", "Inside"
+        here = (values["EdgeLengthRatio"] >= 0.2) & (values["EdgeLengthRatio"] <= 0.6)
+        ids = numpy.arange(len(here))
+        self.assertTrue(0 < here.sum() < len(here))
+        table, bins, worst = self.tables(picked, OnlySelected=1, Arrays=["Volume"])
+        self.check_statistics(table[0], values["Volume"][here], ids[here])
+        self.check_histogram(bins, values["Volume"][here])
+        self.assertTrue({row["Id"] for row in worst} <= set(ids[here].tolist()))
+        mask = values["EdgeLengthRatio"]
+        here = ~numpy.isnan(mask) & (mask != 0)
+        table, _, _ = self.tables(
+            source, OnlySelected=1, SelectionArray="EdgeLengthRatio", Arrays=["Volume"]
+        )
+        self.check_statistics(table[0], values["Volume"][here], ids[here])
+        with camaron_testing.pipeline.Messages() as messages:
+            self.tables(source, OnlySelected=1, Arrays=["Volume"])
+        self.assertIn("named 'Selected' to tell what is selected", messages.errors[0])
+
+    def test_points(self):
+        """Arrays of points, without ghosts; groups by a point array, not by cell type."""
+        grid = mesh_parts.make_mesh()
+        count = grid.GetNumberOfPoints()
+        random = numpy.random.default_rng(3)
+        data = {"Field": random.standard_normal(count), "Zone": random.integers(0, 3, count)}
+        ghosts = numpy.zeros(count, numpy.uint8)
+        ghosts[::10] = 1
+        for name, numbers in {**data, "vtkGhostType": ghosts}.items():
+            array = numpy_to_vtk(numbers, deep=True)
+            array.SetName(name)
+            grid.GetPointData().AddArray(array)
+        source = mesh_parts.producer(grid)
+        properties = {"ElementType": "Points", "Arrays": ["Field"], "WorstValues": "Largest"}
+        table, bins, worst = self.tables(
+            source, GroupBy="Cell array", GroupArray="Zone", **properties
+        )
+        own = ghosts == 0
+        ids = numpy.cumsum(own) - 1
+        self.check_statistics(table[0], data["Field"][own], ids[own])
+        for zone in range(3):
+            here = own & (data["Zone"] == zone)
+            self.check_statistics(table[1 + zone], data["Field"][here], ids[here])
+        largest = numpy.flatnonzero(own)[data["Field"][own].argmax()]
+        self.assertEqual([worst[0][axis] for axis in "XYZ"], list(grid.GetPoint(largest)))
+        self.assertEqual((worst[0]["CellType"], worst[0]["Id"]), ("Point", ids[largest]))
+        with camaron_testing.pipeline.Messages() as messages:
+            self.tables(source, GroupBy="Cell type", **properties)
+        self.assertIn("points are not grouped by 'Cell type'", messages.errors[0])
+
+    def test_faces_and_edges(self):
+        """Measures of Mesh Elements have statistics without being named."""
+        elements = simple.MeshElements(Input=mesh_parts.producer(mesh_parts.make_mesh()))
+        elements.FaceArrays = ["OwnerCell", "NonOrthogonality", "Warpage"]
+        elements.EdgeArrays = ["EdgeLength"]
+        elements.UpdatePipeline()
+        for port, names in ((0, ["NonOrthogonality", "Warpage"]), (1, ["EdgeLength"])):
+            table, _, _ = self.tables(simple.servermanager.OutputPort(elements, port))
+            self.assertEqual([row["Criterion"] for row in table], names)
+            cells = self.fetch(elements, port)
+            for row in table:
+                data = vtk_to_numpy(cells.GetCellData().GetArray(row["Criterion"])).astype(float)
+                self.check_statistics(row, data)
+
+    def test_all_time_steps(self):
+        """Rows of each step are those of the step alone; changing back leaves one step."""
+        source = simple.TimeSource(Growing=1)
+        source.UpdatePipelineInformation()
+        times = list(source.TimestepValues)
+        self.assertGreater(len(times), 3)
+        properties = {"Arrays": ["Cell Value"], "CurvePoints": 5, "WorstValues": "Largest"}
+        every = simple.QualityStatistics(Input=source, AllTimeSteps=1, **properties)
+        one = simple.QualityStatistics(Input=source, **properties)
+        every.UpdatePipeline(times[2])
+        self.assertFalse(hasattr(every, "TimestepValues"))
+        for port in range(4):
+            found = rows(self.fetch(every, port))
+            self.assertEqual(sorted({row["Time"] for row in found}), times)
+            for time in times:
+                one.UpdatePipeline(time)
+                expected = rows(self.fetch(one, port))
+                here = [{k: v for k, v in r.items() if k != "Time"} for r in found if r["Time"] == time]
+                self.assertEqual(str(here), str(expected))
+        every.UpdatePipeline(times[0])
+        self.assertEqual(len(rows(self.fetch(every))), len(times))
+        every.AllTimeSteps = 0
+        every.UpdatePipeline(times[1])
+        self.assertEqual(len(rows(self.fetch(every))), 1)
 
     def test_negative_and_missing_weights(self):
         grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, 4)

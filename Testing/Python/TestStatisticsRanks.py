@@ -10,9 +10,11 @@ from pathlib import Path
 
 import camaron_testing
 import mesh_parts
+import numpy
 from camaron import pipeline, tables
 from paraview import servermanager, simple
 from paraview.servermanager import OutputPort
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 ARRAYS = list(mesh_parts.make_values(1))
 CRITERIA = [
@@ -29,16 +31,16 @@ CRITERIA = [
 ]
 EXAMPLES = ("flange.visf", "voronoi-ball.visf")
 NULL_BY_MATERIAL = {"GroupBy": "Cell array", "GroupArray": "Material", "WorstValues": "Null"}
-PORTS = ("statistics", "histogram", "worst")
+PORTS = ("statistics", "histogram", "worst", "curve")
 RANK = servermanager.vtkProcessModule.GetProcessModule().GetPartitionId()
 
 
 def save_tables(source, folder, **properties):
-    """Writes the three tables as a user would; returns their columns as text.
+    """Writes the tables as a user would; returns their columns as text.
 
     ParaView's writer sorts the columns by name when there are several ranks.
     """
-    properties = {"Arrays": ARRAYS, "NumberOfWorst": 30, "WeightArray": "Volume", **properties}
+    properties = {"Arrays": ARRAYS, "NumberOfWorst": 30, "WeightArray": "Volume", "CurvePoints": 20, **properties}
     statistics = simple.QualityStatistics(Input=source, **properties)
     statistics.UpdatePipeline()
     for port, name in enumerate(PORTS):
@@ -88,6 +90,10 @@ def evaluate_example(name):
     """Criteria of an example, one of them with neighbours, for which readers provide ghost cells."""
     source = simple.OpenDataFile(str(camaron_testing.EXAMPLES / name))
     return simple.ElementQuality(Input=source, Criteria=CRITERIA)
+
+
+def points_of_cells(grid):
+    return numpy.unique(vtk_to_numpy(grid.GetCells().GetConnectivityArray()))
 
 
 class TestRanks(camaron_testing.TestCase):
@@ -149,6 +155,51 @@ class TestRanks(camaron_testing.TestCase):
         expected = read_tables(self.folder / "reference" / "blocks")
         for name in PORTS:
             self.assertEqual(tables[name], expected[name], name)
+
+    def test_points(self):
+        """A point at the border of pieces counts once, with and without ghost cells around them."""
+        whole = mesh_parts.make_mesh()
+        x, y, z = vtk_to_numpy(whole.GetPoints().GetData()).T
+        field_of_all = 0.1 * x + 17 * y + 0.3 * z * x
+        for options in ({}, {"ghost_layer": 40}, {"empty_rank": True}, {"global_ids": True}):
+            field = simple.Calculator(
+                Input=mesh_parts.split_source(**options),
+                ResultArrayName="Field",
+                Function="0.1*coordsX + 17*coordsY + 0.3*coordsZ*coordsX",
+            )
+            statistics = simple.QualityStatistics(
+                Input=field, ElementType="Points", Arrays=["Field"], CurvePoints=11
+            )
+            (row,) = tables.fetch(statistics)
+            # Parts of the mesh come without the point that no cell has.
+            is_whole = camaron_testing.rank_count() - options.get("empty_rank", False) <= 1
+            values = field_of_all if is_whole else field_of_all[points_of_cells(whole)]
+            with self.subTest(**options):
+                self.assertEqual(row["Count"], len(values))
+                self.assertEqual((row["Min"], row["Max"]), (values.min(), values.max()))
+                self.assertAlmostEqual(row["Mean"], values.mean(), delta=1e-12)
+                self.assertAlmostEqual(row["StdDev"], values.std(ddof=1), delta=1e-12)
+                for percent in (1, 25, 50, 99):
+                    expected = numpy.percentile(values, percent)
+                    self.assertAlmostEqual(row[f"P{percent}"], expected, delta=1e-12)
+                curve = tables.fetch(statistics, 3)
+                self.assertEqual(
+                    [p["Count"] for p in curve], [(values <= p["Value"]).sum() for p in curve]
+                )
+
+    def test_all_time_steps(self):
+        """Every rank goes through all steps, also one that has no part of the mesh."""
+        steps = simple.TimeSource(Growing=1)
+        moved = simple.RedistributeDataSet(Input=steps, GenerateGlobalCellIds=0)
+        properties = {"Arrays": ["Cell Value"], "AllTimeSteps": 1}
+        expected = tables.fetch(simple.QualityStatistics(Input=steps, **properties))
+        found = tables.fetch(simple.QualityStatistics(Input=moved, **properties))
+        self.assertGreater(len(expected), 3)
+        keys = ("Time", "Count", "Min", "Max", "Sum", "StdDev", "Skewness", "P50")
+        self.assertEqual(
+            [[str(row[key]) for key in keys] for row in found],
+            [[str(row[key]) for key in keys] for row in expected],
+        )
 
     def test_examples(self):
         """From the file to the tables: pieces and ghosts as the reader makes them."""

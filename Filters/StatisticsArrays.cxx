@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StatisticsArrays.h"
+
+#include "Criteria/Criterion.h"
+#include "Elements/ElementArray.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+bool IsIntegral(int dataType)
+{
+  return dataType != VTK_FLOAT && dataType != VTK_DOUBLE;
+}
+
+//------------------------------------------------------------------------------
+// Names of the arrays of Mesh Elements that are no ids, counts or flags, without those that criteria have, too.
+std::vector<std::string> GetMeasuresOfElements()
+{
+  std::vector<std::string> names;
+  for (const auto* rows : { &GetFaceArrays(), &GetEdgeArrays(), &GetVertexArrays() })
+  {
+    for (const ElementArray& row : *rows)
+    {
+      const bool isMeasure = row.RealFunction || row.FacetFunction || row.ShapeFunction;
+      if (isMeasure && !FindCriterion(row.Name) && std::find(names.begin(), names.end(), row.Name) == names.end())
+      {
+        names.emplace_back(row.Name);
+      }
+    }
+  }
+  return names;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& reducer)
+{
+  constexpr char separator = '\1'; // sorts before all characters of a name
+  std::vector<std::string> own;
+  for (const ElementBlock& block : blocks.Get())
+  {
+    vtkDataSetAttributes* data = block.GetAttributes();
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = data->GetArray(i);
+      if (array && array->GetName() && array->GetNumberOfComponents() == 1)
+      {
+        const bool hasUnit =
+          array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL());
+        const Criterion* criterion = FindCriterion(array->GetName());
+        const bool ofIntegers = criterion ? criterion->IsInteger : IsIntegral(array->GetDataType());
+        own.push_back(std::string(array->GetName()) + separator +
+          (hasUnit ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : "") +
+          (ofIntegers ? 'i' : 'r'));
+      }
+    }
+  }
+  std::vector<StatisticsArray> arrays;
+  for (const std::string& entry : reducer.GatherNames(own))
+  {
+    const std::size_t end = entry.find(separator);
+    const StatisticsArray array{ entry.substr(0, end),
+      entry.substr(end + 1, entry.size() - end - 2), entry.back() == 'i' };
+    if (arrays.empty() || arrays.back().Name != array.Name)
+    {
+      arrays.push_back(array);
+    }
+    else
+    {
+      arrays.back().Unit = std::max(arrays.back().Unit, array.Unit); // rather one than none
+      arrays.back().OfIntegers = arrays.back().OfIntegers && array.OfIntegers;
+    }
+  }
+  return arrays;
+}
+
+//------------------------------------------------------------------------------
+std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& present,
+  const std::vector<std::string>& wanted, std::string& missing)
+{
+  std::vector<StatisticsArray> chosen;
+  const auto choose = [&](const std::string& name)
+  {
+    const auto found = std::find_if(present.begin(), present.end(),
+      [&](const StatisticsArray& array) { return array.Name == name; });
+    if (found != present.end())
+    {
+      chosen.push_back(*found);
+      const Criterion* criterion = FindCriterion(name);
+      if (criterion && found->Unit.empty())
+      {
+        chosen.back().Unit = criterion->UnitLabel();
+      }
+    }
+    return found != present.end();
+  };
+  for (const std::string& name : wanted)
+  {
+    if (!choose(name))
+    {
+      missing += (missing.empty() ? "" : ", ") + name;
+    }
+  }
+  if (wanted.empty())
+  {
+    for (const Criterion& criterion : GetCriteria())
+    {
+      choose(criterion.Name);
+    }
+    for (const std::string& name : GetMeasuresOfElements())
+    {
+      choose(name);
+    }
+  }
+  return chosen;
+}
+}
