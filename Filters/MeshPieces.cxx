@@ -4,7 +4,9 @@
 
 #include "Criteria/CellNeighborhood.h"
 #include "Criteria/CompletedPieces.h"
+#include "Elements/CoincidentPoints.h"
 #include "Elements/ElementContext.h"
+#include "Elements/MismatchedFaces.h"
 #include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
 #include "RunTogether.h"
@@ -13,7 +15,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
-
 
 namespace camaron
 {
@@ -159,6 +160,46 @@ std::vector<vtkSmartPointer<vtkDataSet>> MeshPieces::Complete(const std::vector<
   completion.AsksOthers = this->CanAskOthers();
   completion.Arrays = arrays;
   return CompletePieces(this->Pieces, completion, this->Reducer);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<vtkIdType>> MeshPieces::FindCoincidentPoints(double tolerance)
+{
+  if (this->CanAskOthers())
+  {
+    return camaron::FindCoincidentPoints(this->Pieces, tolerance, this->Reducer);
+  }
+  std::vector<std::vector<vtkIdType>> points;
+  for (const LinkedPiece& piece : this->Pieces)
+  {
+    PointNumbers numbers;
+    numbers.Ids = piece.PointIds;
+    points.push_back(
+      camaron::FindCoincidentPoints(piece.Topology->GetMesh(), tolerance, numbers));
+  }
+  return points;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<Index>> MeshPieces::FindMismatchedFaces(
+  const std::vector<vtkSmartPointer<vtkDataSet>>& completed, double tolerance)
+{
+  const bool canAskOthers = this->CanAskOthers();
+  std::vector<MeshTopology> topologies(completed.begin(), completed.end());
+  std::vector<PieceOfFaces> pieces;
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    vtkUnsignedCharArray* ghosts = completed[piece]->GetCellGhostArray();
+    const auto isOwn = [=](Index cell)
+    {
+      return !canAskOthers || !ghosts ||
+        !(ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL);
+    };
+    const int block = canAskOthers ? this->Pieces[piece].Block : static_cast<int>(piece);
+    pieces.push_back({ &topologies[piece], block, isOwn });
+  }
+  camaron::Reducer alone;
+  return camaron::FindMismatchedFaces(pieces, tolerance, canAskOthers ? this->Reducer : alone);
 }
 
 //------------------------------------------------------------------------------

@@ -66,6 +66,11 @@ public:
   /// Collective. Of every piece its mesh with the cells around it, see CompletePieces, unless the others cannot be
   /// asked or there are none. @a arrays are the same on all processes.
   std::vector<vtkSmartPointer<vtkDataSet>> Complete(const std::vector<std::string>& arrays);
+  /// Collective. The points of every piece that lie in one place, see CoincidentPoints.h.
+  std::vector<std::vector<vtkIdType>> FindCoincidentPoints(double tolerance);
+  /// Collective. The faces of every mesh of Complete that lie in one place, see MismatchedFaces.h.
+  std::vector<std::vector<Index>> FindMismatchedFaces(
+    const std::vector<vtkSmartPointer<vtkDataSet>>& completed, double tolerance);
   /// Collective. Of every piece the CellDimensions that the pieces of its block have.
   std::vector<unsigned> FindDimensions();
 

@@ -203,6 +203,17 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   const std::vector<vtkSmartPointer<vtkDataSet>> meshes = pieces.Complete(
     this->WorstOfCells ? reducer.GatherNames(FindCriteria(pieces)) : std::vector<std::string>());
 
+  std::vector<std::vector<vtkIdType>> points(pieces.GetSize());
+  if (this->VertexArrays->ArrayIsEnabled("DuplicatePoint"))
+  {
+    points = pieces.FindCoincidentPoints(this->MergeTolerance);
+  }
+  std::vector<std::vector<camaron::Index>> faces(pieces.GetSize());
+  if (this->FaceArrays->ArrayIsEnabled("FaceMismatch"))
+  {
+    faces = pieces.FindMismatchedFaces(meshes, this->MergeTolerance);
+  }
+
   const std::vector<vtkPolyData*> outputs[] = {
     camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 0)),
     camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 1)),
@@ -212,7 +223,8 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   {
     const camaron::MeshTopology topology(meshes[piece]);
     const camaron::ElementContext context(meshes[piece], topology, pieces.GetOptions(piece),
-      this->MergeTolerance, { pieces.GetMesh(piece), dimensions[piece] });
+      this->MergeTolerance,
+      { pieces.GetMesh(piece), dimensions[piece], &points[piece], &faces[piece] });
     const auto goesOn = [&](double done)
     {
       this->UpdateProgress(

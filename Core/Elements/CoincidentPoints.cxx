@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/CoincidentPoints.h"
 
-#include "Mesh/Vector.h"
 #include "Parallel.h"
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <tuple>
 
 namespace camaron
@@ -18,7 +17,6 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType Grain = 4096;
-constexpr double RoundingUnits = 8; // quality criteria, section 1
 
 //------------------------------------------------------------------------------
 // A point in a bucket, all points of a cube of space.
@@ -35,37 +33,26 @@ struct Entry
 };
 
 //------------------------------------------------------------------------------
-// Looks points up by their places. Two cubes may share a bucket: distances are compared in any case.
+// Looks points up by their places.
 class PointBuckets
 {
 public:
-  PointBuckets(const MeshView& mesh, double tolerance, vtkDataArray* ids)
+  PointBuckets(const MeshView& mesh, const PlaceGrid& grid, const PointNumbers& numbers,
+    const std::vector<unsigned char>& isLeftOut)
     : Mesh(mesh)
-    , Tolerance(tolerance)
-    , Rounding(RoundingUnits *
-        (mesh.HasFloatPoints() ? std::numeric_limits<float>::epsilon()
-                               : std::numeric_limits<double>::epsilon()))
+    , Grid(grid)
     , Entries(static_cast<std::size_t>(mesh.GetNumberOfPoints()))
   {
-    double largest = 0;
-    for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
-    {
-      const double size = GetSize(this->GetPoint(point));
-      largest = std::isfinite(size) ? std::max(largest, size) : largest;
-    }
-    // Few points have neighbours of their cube within reach, and numbers of cubes are exact.
-    constexpr double CubesPerReach = 8;
-    this->Reach = std::max(tolerance, this->Rounding * largest);
-    this->Cube = this->Reach > 0 ? CubesPerReach * this->Reach : 1;
     ParallelFor(mesh.GetNumberOfPoints(), Grain,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType point = begin; point < end; ++point)
         {
           const Vector place = this->GetPoint(point);
-          const vtkIdType id = ids ? static_cast<vtkIdType>(ids->GetComponent(point, 0)) : point;
-          const bool isFinite = std::isfinite(GetSize(place));
-          this->Entries[point] = { isFinite ? this->GetBucket(place) : 0, id, isFinite ? point : -1 };
+          const bool counts =
+            std::isfinite(PlaceGrid::GetSize(place)) && (isLeftOut.empty() || !isLeftOut[point]);
+          this->Entries[point] = { counts ? grid.GetHash(place) : 0, numbers(point),
+            counts ? point : -1 };
         }
       });
     WithThreads([this] { vtkSMPTools::Sort(this->Entries.begin(), this->Entries.end()); });
@@ -75,59 +62,27 @@ public:
   vtkIdType FindLowest(vtkIdType point) const
   {
     const Vector place = this->GetPoint(point);
-    if (!std::isfinite(GetSize(place)))
+    if (!std::isfinite(PlaceGrid::GetSize(place)))
     {
       return -1;
     }
     vtkIdType lowest = -1;
     bool hasOther = false;
-    const Vector reach = { this->Reach, this->Reach, this->Reach };
-    const Vector low = this->GetCube(place - reach), high = this->GetCube(place + reach);
-    for (double x = low.X; x <= high.X; ++x)
-    {
-      for (double y = low.Y; y <= high.Y; ++y)
-      {
-        for (double z = low.Z; z <= high.Z; ++z)
-        {
-          this->Search(Hash({ x, y, z }), point, place, lowest, hasOther);
-        }
-      }
-    }
+    this->Grid.ForNear(
+      place, [&](std::uint64_t bucket) { this->Search(bucket, point, place, lowest, hasOther); });
     return hasOther ? lowest : -1;
   }
 
 private:
-  static double GetSize(const Vector& v)
-  {
-    const double sum = std::abs(v.X) + std::abs(v.Y) + std::abs(v.Z); // NaN if one is
-    return std::isfinite(sum) ? std::max({ std::abs(v.X), std::abs(v.Y), std::abs(v.Z) }) : sum;
-  }
   Vector GetPoint(vtkIdType point) const
   {
     double x[3];
     this->Mesh.GetPoint(point, x);
     return { x[0], x[1], x[2] };
   }
-  Vector GetCube(const Vector& place) const
-  {
-    return { std::floor(place.X / this->Cube), std::floor(place.Y / this->Cube),
-      std::floor(place.Z / this->Cube) };
-  }
-  std::uint64_t GetBucket(const Vector& place) const { return Hash(this->GetCube(place)); }
-  static std::uint64_t Hash(const Vector& cube)
-  {
-    std::uint64_t hash = 0;
-    for (const double number : { cube.X, cube.Y, cube.Z })
-    {
-      // The multiplier of Knuth's linear congruential generator MMIX.
-      hash = (hash ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(number))) *
-        6364136223846793005ull;
-      hash ^= hash >> 32;
-    }
-    return hash;
-  }
 
-  // A bucket is in the order of ids: its lowest is the first within reach, and one more tells that there is another.
+  // A bucket is in the order of ids: its lowest is the first within reach, and one more tells that
+  // there is another.
   void Search(std::uint64_t bucket, vtkIdType point, const Vector& place, vtkIdType& lowest,
     bool& hasOther) const
   {
@@ -136,15 +91,7 @@ private:
     bool isFirst = true;
     for (; entry != this->Entries.end() && entry->Bucket == bucket; ++entry)
     {
-      if (entry->Point < 0)
-      {
-        continue;
-      }
-      const Vector other = this->GetPoint(entry->Point);
-      const double reach = this->Tolerance > 0
-        ? this->Tolerance
-        : this->Rounding * std::max(GetSize(place), GetSize(other));
-      if (Norm(other - place) > reach)
+      if (entry->Point < 0 || !this->Grid.AreNear(place, this->GetPoint(entry->Point)))
       {
         continue;
       }
@@ -162,18 +109,40 @@ private:
   }
 
   const MeshView& Mesh;
-  double Tolerance, Rounding;
-  double Reach = 0; // of any point
-  double Cube = 1;
+  const PlaceGrid& Grid;
   std::vector<Entry> Entries;
 };
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> FindCoincidentPoints(
-  const MeshView& mesh, double tolerance, vtkDataArray* ids)
+vtkIdType PointNumbers::operator()(vtkIdType point) const
 {
-  const PointBuckets buckets(mesh, tolerance, ids);
+  return this->Array ? static_cast<vtkIdType>(this->Array->GetComponent(point, 0))
+    : this->Ids      ? this->Ids[point]
+                     : this->First + point;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> FindCoincidentPoints(
+  const MeshView& mesh, double tolerance, const PointNumbers& numbers)
+{
+  double largest = 0;
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  {
+    double x[3];
+    mesh.GetPoint(point, x);
+    const double size = PlaceGrid::GetSize({ x[0], x[1], x[2] });
+    largest = std::isfinite(size) ? std::max(largest, size) : largest;
+  }
+  const PlaceGrid grid(tolerance, mesh.HasFloatPoints(), largest);
+  return FindCoincidentPoints(mesh, grid, numbers, {});
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PlaceGrid& grid,
+  const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut)
+{
+  const PointBuckets buckets(mesh, grid, numbers, isLeftOut);
   std::vector<vtkIdType> lowest(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
   ParallelFor(mesh.GetNumberOfPoints(), Grain,
     [&](vtkIdType begin, vtkIdType end)

@@ -4,6 +4,7 @@
 
 #include "Elements/CoincidentPoints.h"
 #include "Elements/Counters.h"
+#include "Elements/MismatchedFaces.h"
 #include "Mesh/CellFacets.h"
 #include "Parallel.h"
 
@@ -300,10 +301,29 @@ const std::vector<vtkIdType>& ElementContext::GetCoincidentPoints() const
   return GetOnce(this->CoincidentPoints,
     [this]
     {
-      std::vector<vtkIdType> points = FindCoincidentPoints(MeshView(this->Source.Piece),
-        this->MergeTolerance, this->Source.Piece->GetPointData()->GetGlobalIds());
+      PointNumbers numbers;
+      numbers.Array = this->Source.Piece->GetPointData()->GetGlobalIds();
+      std::vector<vtkIdType> points = this->Source.CoincidentPoints
+        ? *this->Source.CoincidentPoints
+        : FindCoincidentPoints(MeshView(this->Source.Piece), this->MergeTolerance, numbers);
       points.resize(static_cast<std::size_t>(this->GetMesh().GetNumberOfPoints()), -1);
       return points;
+    });
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Index>& ElementContext::GetMismatchedFaces() const
+{
+  return GetOnce(this->MismatchedFaces,
+    [this]
+    {
+      if (this->Source.MismatchedFaces)
+      {
+        return *this->Source.MismatchedFaces;
+      }
+      Reducer alone;
+      const PieceOfFaces whole = { &this->Topology, 0, [](Index) { return true; } };
+      return FindMismatchedFaces({ whole }, this->MergeTolerance, alone)[0];
     });
 }
 

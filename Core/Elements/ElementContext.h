@@ -52,6 +52,11 @@ struct ElementSource
 {
   vtkDataSet* Piece = nullptr;  ///< whose points and their data the elements get; the first ones of the mesh
   unsigned Dimensions = 0;      ///< CellDimensions that other pieces have
+  ///@{
+  /// What is known of all pieces, if it is asked for: see CoincidentPoints.h and MismatchedFaces.h.
+  const std::vector<vtkIdType>* CoincidentPoints = nullptr;
+  const std::vector<Index>* MismatchedFaces = nullptr;
+  ///@}
 };
 
 class ElementContext
@@ -84,9 +89,10 @@ public:
   const ElementUses& GetEdgeUses() const;
   const ElementUses& GetVertexUses() const;
   const EdgeAngles& GetEdgeAngles() const;
-  /// Of every point the lowest id (the global one if there are any) of all points that coincide with it, or -1 if
-  /// none does; of those of the piece only. See FindCoincidentPoints.
+  /// See CoincidentPoints.h; those that only added cells have coincide with none.
   const std::vector<vtkIdType>& GetCoincidentPoints() const;
+  /// See MismatchedFaces.h.
+  const std::vector<Index>& GetMismatchedFaces() const;
   /// The 2D cells, which are the faces of a mesh without 3D cells.
   const std::vector<vtkIdType>& GetPolygonCells() const;
 
@@ -101,6 +107,7 @@ private:
   mutable std::optional<ElementUses> EdgeUses, VertexUses;
   mutable std::optional<EdgeAngles> Angles;
   mutable std::optional<std::vector<vtkIdType>> CoincidentPoints, PolygonCells;
+  mutable std::optional<std::vector<Index>> MismatchedFaces;
 };
 }
 

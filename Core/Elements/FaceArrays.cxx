@@ -73,37 +73,11 @@ void IsBoundaryFace(const ElementContext& context, unsigned char* values)
 }
 
 //------------------------------------------------------------------------------
-// Boundary faces are compared by what lies in the places of their points.
 void FaceMismatch(const ElementContext& context, unsigned char* values)
 {
-  const FacetTable& table = context.GetTopology().GetFaces();
-  const std::vector<vtkIdType>& coincident = context.GetCoincidentPoints();
-  std::vector<std::pair<std::vector<vtkIdType>, Index>> places;
-  std::vector<vtkIdType> points;
-  for (Index face = 0; face < table.GetNumberOfFacets(); ++face)
+  for (const Index face : context.GetMismatchedFaces())
   {
-    if (!table.IsBoundary(face))
-    {
-      continue;
-    }
-    context.GetTopology().GetFacePoints(face, points);
-    const bool isDoubled = std::all_of(
-      points.begin(), points.end(), [&](vtkIdType point) { return coincident[point] >= 0; });
-    if (isDoubled)
-    {
-      std::transform(points.begin(), points.end(), points.begin(),
-        [&](vtkIdType point) { return coincident[point]; });
-      std::sort(points.begin(), points.end());
-      places.emplace_back(points, face);
-    }
-  }
-  std::sort(places.begin(), places.end());
-  for (std::size_t i = 1; i < places.size(); ++i)
-  {
-    if (places[i].first == places[i - 1].first)
-    {
-      values[places[i].second] = values[places[i - 1].second] = 1;
-    }
+    values[face] = 1;
   }
 }
 
@@ -232,8 +206,8 @@ const std::vector<ElementArray>& GetFaceArrays()
     { "FaceConcavity", "By how much the largest angle of the face exceeds 180 degrees; 0 for a convex one.",
       OfAnyCells, Unit::Angle, false, CAMARON_SHAPES(OfShape<GetFaceConcavity>) },
     { "FaceMismatch",
-      "1 for a boundary face all of whose points coincide with those of another boundary face: cells that should "
-      "be connected, or a baffle. Else 0.",
+      "1 for a boundary face all of whose points are within MergeTolerance of those of another boundary face: cells "
+      "that should be connected, or a baffle. Else 0.",
       OfPolyhedra, Unit::None, false, CAMARON_FLAGS(FaceMismatch) },
   };
   // clang-format on

@@ -178,7 +178,8 @@ const std::vector<ElementArray>& GetVertexArrays()
       OfAnyCells, Unit::None, false, CAMARON_IDS(PointRegionCount) },
     { "DuplicatePoint",
       "Lowest id of all points within MergeTolerance of the point, if there is another one; else -1. The id is the "
-      "global one if there are global ids. Only points of the same piece are compared.",
+      "global one if there are global ids, else that in the block whose pieces come one after the other. Without global "
+      "ids, points of two pieces that lie in exactly the same place are the same point.",
       OfAnyCells, Unit::None, false, CAMARON_IDS(DuplicatePoint) },
     { "VertexAngleSum",
       "Sum of the solid angles of the 3D cells at the point, 4 pi inside the mesh; of a mesh without 3D cells that of "

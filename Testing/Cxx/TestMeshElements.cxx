@@ -507,6 +507,14 @@ TEST(MeshElements, PointsAndFacesInOnePlace)
   expectDoubled(Elements(make(1e-12), 1e-6), true);
   expectDoubled(Elements(make(1e-3), 1e-6), false);
 
+  // Two of four points merged: the faces still lie in one place and are not connected.
+  Grid zipped = make(1e-12);
+  const vtkIdType second[] = { 4, 12, 13, 5, 11, 15, 14, 10 };
+  zipped->GetCells()->ReplaceCellAtId(1, 8, second);
+  const Elements merged(zipped, 1e-6);
+  EXPECT_EQ(Sum(merged.Faces, "FaceMismatch"), 2);
+  EXPECT_EQ(Get(merged.Vertices, "DuplicatePoint", 6), 6);
+
   // The lowest id within reach: what is near to a point need not be near to what is near to it.
   Points chain;
   for (const double x : { 0.0, 3.0, 0.75, 1.5, 2.25, 3.0 })

@@ -79,6 +79,17 @@ def take_elements(source):
     return simple.MeshElements(Input=quality, WorstOfCells=1, **properties)
 
 
+def take_coincident(source):
+    """What lies in one place; the tolerance tears some places of three and more points apart."""
+    return simple.MeshElements(
+        Input=source,
+        FaceArrays=["FaceMismatch"],
+        EdgeArrays=[],
+        VertexArrays=["DuplicatePoint"],
+        MergeTolerance=1e-6,
+    )
+
+
 def elements_of(leaf, global_ids):
     """Of the elements of a data set that are no ghosts: a list of their points, and values as bits by name."""
     cells = leaf.GetCellData()
@@ -129,6 +140,9 @@ def save_reference(folder):
         for mesh in rank_meshes.MESHES
     }
     reference["blocks"] = fetch_elements(take_elements(rank_meshes.block_source("tetrahedra")))
+    for mesh in rank_meshes.LOOSE:
+        source = rank_meshes.split_source(mesh, global_ids=True)
+        reference[mesh] = fetch_elements(take_coincident(source))
     (folder / "reference").write_bytes(pickle.dumps(reference))
 
 
@@ -220,6 +234,44 @@ class TestElementsRanks(camaron_testing.TestCase):
         for parts in (1, 3):
             source = rank_meshes.block_source("tetrahedra", parts=parts)
             self.check("blocks", source, f"{parts} parts")
+
+    def check_coincident(self, mesh, source, text, global_ids):
+        elements = take_coincident(source)
+        found = fetch_elements(elements)
+        for kind, own, expected in zip(PORTS, found, self.reference[mesh]):
+            self.assertTrue(own[0] == expected[0], f"{kind} of {mesh}, {text}")
+            for name, values in expected[1].items():
+                if name == "DuplicatePoint" and not global_ids:
+                    numpy.testing.assert_array_equal(own[1][name] >= 0, values >= 0, text)
+                elif name != "vtkGhostType":
+                    numpy.testing.assert_array_equal(own[1][name], values, f"{name}, {text}")
+        simple.Delete(elements)
+        simple.Delete(source)
+
+    def test_coincident(self):
+        """Points and faces that lie in one place are found, also where they are in different pieces."""
+        duplicates = self.values("torn", "Vertex", "DuplicatePoint")
+        self.assertGreater((duplicates < 0).sum(), 10)
+        self.assertGreater((duplicates >= 0).sum(), 100)
+        mismatches = self.values("torn", "Face", "FaceMismatch")
+        self.assertGreater(mismatches.sum(), 10)
+        self.assertGreater((mismatches == 0).sum(), 50)
+        cells = 4 * 3 * 3
+        inner = 3 * cells - (4 * 3 + 4 * 3 + 3 * 3)
+        self.assertEqual(self.values("doubled", "Face", "FaceMismatch").sum(), 2 * inner)
+        for mesh in rank_meshes.LOOSE:
+            for options in (
+                {"global_ids": True},
+                {"global_ids": True, "scattered": True},
+                {"global_ids": True, "scattered": True, "ghosts": True},
+                {"global_ids": True, "empty_rank": True},
+                {"scattered": True},
+                {"ghosts": True},
+            ):
+                has_ids = "global_ids" in options
+                if has_ids or mesh == "torn":
+                    source = rank_meshes.split_source(mesh, **options)
+                    self.check_coincident(mesh, source, str(options), has_ids)
 
 
 if __name__ == "__main__":

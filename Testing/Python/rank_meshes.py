@@ -15,6 +15,7 @@ from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
     VTK_POLYGON,
     VTK_POLYHEDRON,
     VTK_QUAD,
@@ -144,10 +145,29 @@ def pair():
     return points, cells[:2]
 
 
+def torn(gap=1.2e-6):
+    """Hexahedra with points of their own, which lie up to a gap from where those of their neighbours do."""
+    places, cubes = gallery.lattice(4, 3, 3)
+    shifts = numpy.random.default_rng(5).uniform(-gap, gap, (8 * len(cubes), 3)) / 2
+    points = [
+        tuple(x + dx for x, dx in zip(places[i], shifts[8 * n + k]))
+        for n, cube in enumerate(cubes)
+        for k, i in enumerate(cube)
+    ]
+    return points, [(VTK_HEXAHEDRON, list(range(8 * n, 8 * n + 8))) for n in range(len(cubes))]
+
+
+def doubled():
+    """The same without a gap: only ids tell that the points are different."""
+    return torn(0)
+
+
 MESHES = {
     function.__name__: functools.lru_cache(function)
     for function in (voronoi, tetrahedra, sparse, overlapping, surfaces, mixed, pair)
 }
+#: For what tells about points that lie in one place.
+LOOSE = {function.__name__: functools.lru_cache(function) for function in (torn, doubled)}
 
 
 def points_of(cell):
@@ -220,7 +240,7 @@ def make_part(
 
     With `broken_ids` ranks do not agree on the ids of points, with `mixed_precision` not on their type.
     """
-    points, cells = MESHES[mesh]()
+    points, cells = {**MESHES, **LOOSE}[mesh]()
     skipped = 1 if empty_rank and ranks > 1 else 0
     owners = owners_of(cells, ranks - skipped, scattered) + skipped
     own = [n for n in range(len(cells)) if owners[n] == rank]

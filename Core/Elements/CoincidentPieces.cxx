@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Coincident points of several pieces.
+#include "Elements/CoincidentPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace camaron
+{
+namespace
+{
+/// What all processes know of a piece.
+struct PieceSummary
+{
+  double Low[3], High[3]; // of finite coordinates
+  double Largest;
+  std::int64_t NumberOfPoints;
+  std::int32_t Process, Piece, Block;
+  bool HasFloats, HasIds;
+};
+
+/// A point of a piece, sent to who compares the points of its cube.
+struct PlacedPoint
+{
+  Vector Place;
+  std::int64_t Id;
+  std::uint64_t Bucket;
+  std::int32_t Block, Process, Piece;
+  bool IsTwiceInPiece; // found by who compares
+
+  auto GetPlace() const { return std::tie(this->Place.X, this->Place.Y, this->Place.Z); }
+};
+
+/// Asks for the points of one cube near a place.
+struct Question
+{
+  Vector Place;
+  std::int64_t Id;
+  std::uint64_t Bucket;
+  std::int32_t Block;
+};
+
+struct Answer
+{
+  std::int64_t Lowest; // -1 if there is none
+  std::int64_t HasOther;
+};
+
+//------------------------------------------------------------------------------
+Vector GetPlace(const MeshView& mesh, vtkIdType point, bool asFloat)
+{
+  double x[3];
+  mesh.GetPoint(point, x);
+  for (double& coordinate : x)
+  {
+    coordinate = asFloat ? static_cast<float>(coordinate) : coordinate;
+  }
+  return { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 }; // -0 becomes 0
+}
+
+//------------------------------------------------------------------------------
+// The points that only copies of cells have.
+std::vector<unsigned char> FindCopiedPoints(const LinkedPiece& piece)
+{
+  enum : unsigned char
+  {
+    OfCopy = 1,
+    OfOwn = 2
+  };
+  const MeshView& mesh = piece.Topology->GetMesh();
+  std::vector<unsigned char> marks(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const IndexRange points = mesh.GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      marks[points[i]] |= piece.IsCopy(cell) ? OfCopy : OfOwn;
+    }
+  }
+  for (unsigned char& mark : marks)
+  {
+    mark = mark == OfCopy;
+  }
+  return marks;
+}
+
+//------------------------------------------------------------------------------
+PieceSummary Summarize(const LinkedPiece& piece, const std::vector<unsigned char>& isLeftOut)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const MeshView& mesh = piece.Topology->GetMesh();
+  PieceSummary summary = {};
+  std::fill_n(summary.Low, 3, infinity);
+  std::fill_n(summary.High, 3, -infinity);
+  summary.NumberOfPoints = mesh.GetNumberOfPoints();
+  summary.Block = piece.Block;
+  summary.HasFloats = mesh.HasFloatPoints();
+  summary.HasIds = piece.PointIds || mesh.GetNumberOfPoints() == 0;
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  {
+    const Vector place = GetPlace(mesh, point, false);
+    const double size = PlaceGrid::GetSize(place);
+    if (isLeftOut[point] || !std::isfinite(size))
+    {
+      continue;
+    }
+    summary.Largest = std::max(summary.Largest, size);
+    const double x[3] = { place.X, place.Y, place.Z };
+    for (int i = 0; i < 3; ++i)
+    {
+      summary.Low[i] = std::min(summary.Low[i], x[i]);
+      summary.High[i] = std::max(summary.High[i], x[i]);
+    }
+  }
+  return summary;
+}
+
+//------------------------------------------------------------------------------
+bool IsNearBox(const Vector& place, const PieceSummary& box, double reach)
+{
+  const double x[3] = { place.X, place.Y, place.Z };
+  bool isNear = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    isNear = isNear && x[i] >= box.Low[i] - reach && x[i] <= box.High[i] + reach;
+  }
+  return isNear;
+}
+
+//------------------------------------------------------------------------------
+// Compares the points of some cubes.
+class Judge
+{
+public:
+  Judge(const std::vector<std::vector<PlacedPoint>>& lists, const PlaceGrid& grid, bool hasIds)
+    : Grid(grid)
+    , HasIds(hasIds)
+  {
+    for (const auto& list : lists)
+    {
+      this->Points.insert(this->Points.end(), list.begin(), list.end());
+    }
+    this->MarkTwice();
+    std::sort(this->Points.begin(), this->Points.end(),
+      [](const PlacedPoint& a, const PlacedPoint& b)
+      { return std::tie(a.Block, a.Bucket, a.Id) < std::tie(b.Block, b.Bucket, b.Id); });
+  }
+
+  Answer operator()(const Question& question) const
+  {
+    Answer answer = { -1, 0 };
+    auto point = std::lower_bound(this->Points.begin(), this->Points.end(), question,
+      [](const PlacedPoint& known, const Question& wanted)
+      { return std::tie(known.Block, known.Bucket) < std::tie(wanted.Block, wanted.Bucket); });
+    for (; point != this->Points.end() && point->Block == question.Block &&
+         point->Bucket == question.Bucket && !answer.HasOther;
+         ++point)
+    {
+      if (this->Grid.AreNear(question.Place, point->Place))
+      {
+        answer.Lowest = answer.Lowest < 0 ? point->Id : answer.Lowest;
+        answer.HasOther = point->IsTwiceInPiece || !this->IsSame(question, *point);
+      }
+    }
+    return answer;
+  }
+
+private:
+  // Without ids, points of one piece in one place are different, although those of two pieces are
+  // the same.
+  void MarkTwice()
+  {
+    const auto key = [this](const PlacedPoint& point)
+    {
+      return std::tuple_cat(std::tie(point.Block, point.Process, point.Piece), point.GetPlace(),
+        std::make_tuple(this->HasIds ? point.Id : 0));
+    };
+    std::sort(this->Points.begin(), this->Points.end(),
+      [&](const PlacedPoint& a, const PlacedPoint& b) { return key(a) < key(b); });
+    for (std::size_t i = 1; i < this->Points.size(); ++i)
+    {
+      if (key(this->Points[i - 1]) == key(this->Points[i]))
+      {
+        this->Points[i - 1].IsTwiceInPiece = this->Points[i].IsTwiceInPiece = true;
+      }
+    }
+  }
+
+  bool IsSame(const Question& question, const PlacedPoint& point) const
+  {
+    const Vector& place = question.Place;
+    return this->HasIds ? question.Id == point.Id
+                        : std::tie(place.X, place.Y, place.Z) == point.GetPlace();
+  }
+
+  const PlaceGrid& Grid;
+  const bool HasIds;
+  std::vector<PlacedPoint> Points;
+};
+
+//------------------------------------------------------------------------------
+// What this process asks, and who asks it.
+struct Inquiry
+{
+  std::vector<std::vector<PlacedPoint>> Points; // by process
+  std::vector<std::vector<Question>> Questions; // by process
+  std::vector<std::vector<std::pair<std::size_t, vtkIdType>>>
+    Askers; // piece and point of every question
+
+  explicit Inquiry(std::size_t numberOfProcesses)
+    : Points(numberOfProcesses)
+    , Questions(numberOfProcesses)
+    , Askers(numberOfProcesses)
+  {
+  }
+
+  void Add(const PlaceGrid& grid, const PlacedPoint& point, vtkIdType local)
+  {
+    const std::size_t numberOfProcesses = this->Points.size();
+    this->Points[point.Bucket % numberOfProcesses].push_back(point);
+    grid.ForNear(point.Place,
+      [&](std::uint64_t bucket)
+      {
+        const std::size_t judge = bucket % numberOfProcesses;
+        this->Questions[judge].push_back({ point.Place, point.Id, bucket, point.Block });
+        this->Askers[judge].emplace_back(static_cast<std::size_t>(point.Piece), local);
+      });
+  }
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
+  const std::vector<LinkedPiece>& pieces, double tolerance, Reducer& reducer)
+{
+  std::vector<std::vector<unsigned char>> areLeftOut;
+  std::vector<PieceSummary> own;
+  for (const LinkedPiece& piece : pieces)
+  {
+    areLeftOut.push_back(FindCopiedPoints(piece));
+    own.push_back(Summarize(piece, areLeftOut.back()));
+    own.back().Process = reducer.GetProcess();
+    own.back().Piece = static_cast<std::int32_t>(own.size() - 1);
+  }
+  const std::vector<PieceSummary> all = reducer.GatherItems(own);
+  double largest = 0;
+  bool hasFloats = false, hasIds = true;
+  for (const PieceSummary& piece : all)
+  {
+    largest = std::max(largest, piece.Largest);
+    hasFloats = hasFloats || piece.HasFloats;
+    hasIds = hasIds && piece.HasIds;
+  }
+  const PlaceGrid grid(tolerance, hasFloats, largest);
+
+  std::vector<std::vector<vtkIdType>> lowest;
+  std::vector<PointNumbers> numbers;
+  Inquiry inquiry(static_cast<std::size_t>(reducer.GetNumberOfProcesses()));
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const MeshView& mesh = pieces[p].Topology->GetMesh();
+    PointNumbers ofPiece;
+    ofPiece.Ids = hasIds ? pieces[p].PointIds : nullptr;
+    std::vector<PieceSummary> others;
+    for (const PieceSummary& other : all)
+    {
+      const auto place = std::tie(other.Process, other.Piece);
+      const auto ownPlace = std::tie(own[p].Process, own[p].Piece);
+      if (other.Block == pieces[p].Block && place != ownPlace)
+      {
+        ofPiece.First += place < ownPlace ? other.NumberOfPoints : 0;
+        others.push_back(other);
+      }
+    }
+    numbers.push_back(ofPiece);
+    lowest.push_back(FindCoincidentPoints(mesh, grid, ofPiece, areLeftOut[p]));
+    for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+    {
+      const Vector place = GetPlace(mesh, point, hasFloats);
+      const bool isNear = !areLeftOut[p][point] && std::isfinite(PlaceGrid::GetSize(place)) &&
+        std::any_of(others.begin(), others.end(),
+          [&](const PieceSummary& box) { return IsNearBox(place, box, 2 * grid.GetReach()); });
+      if (isNear)
+      {
+        inquiry.Add(grid,
+          { place, ofPiece(point), grid.GetHash(place), pieces[p].Block, own[p].Process,
+            own[p].Piece, false },
+          point);
+      }
+    }
+  }
+
+  const Judge judge(reducer.ExchangeItems(std::move(inquiry.Points)), grid, hasIds);
+  std::vector<std::vector<Answer>> answers;
+  for (const auto& questions : reducer.ExchangeItems(std::move(inquiry.Questions)))
+  {
+    answers.emplace_back();
+    std::transform(questions.begin(), questions.end(), std::back_inserter(answers.back()), judge);
+  }
+  answers = reducer.ExchangeItems(std::move(answers));
+
+  // A point may have one other in its piece and a lower one elsewhere.
+  std::vector<std::vector<std::int64_t>> elsewhere;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    elsewhere.emplace_back(lowest[p].size(), -1);
+  }
+  for (std::size_t process = 0; process < answers.size(); ++process)
+  {
+    for (std::size_t i = 0; i < answers[process].size(); ++i)
+    {
+      const Answer& answer = answers[process][i];
+      const auto& [piece, point] = inquiry.Askers[process][i];
+      if (answer.Lowest >= 0)
+      {
+        std::int64_t& known = elsewhere[piece][point];
+        known = known < 0 ? answer.Lowest : std::min(known, answer.Lowest);
+      }
+      if (answer.HasOther && lowest[piece][point] < 0)
+      {
+        lowest[piece][point] = numbers[piece](point);
+      }
+    }
+  }
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    for (std::size_t point = 0; point < lowest[p].size(); ++point)
+    {
+      if (lowest[p][point] >= 0 && elsewhere[p][point] >= 0)
+      {
+        lowest[p][point] = std::min<vtkIdType>(lowest[p][point], elsewhere[p][point]);
+      }
+    }
+  }
+  return lowest;
+}
+}

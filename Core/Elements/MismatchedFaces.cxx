@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Elements/MismatchedFaces.h"
+
+#include "Elements/PlaceGrid.h"
+#include "Mesh/MeshTopology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace camaron
+{
+namespace
+{
+/// A face by its centre, and where its points are in a list.
+struct PlacedFace
+{
+  Vector Center;
+  std::uint64_t Bucket; // a cube that the centre is near
+  std::int64_t Number;  // by which the sender knows the face
+  std::int64_t FirstPoint;
+  std::int32_t Size, Block;
+};
+
+struct PlacedFaces
+{
+  std::vector<PlacedFace> Faces;
+  std::vector<Vector> Points;
+};
+
+/// What all processes know of a piece.
+struct PieceBox
+{
+  double Low[3], High[3]; // of the centres
+  double Largest;         // of the coordinates
+  std::int32_t Process, Piece, Block;
+  std::int32_t HasFloats;
+};
+
+//------------------------------------------------------------------------------
+// The boundary faces of own cells, with their facets for numbers.
+PlacedFaces ListFaces(const PieceOfFaces& piece)
+{
+  const FacetTable& table = piece.Topology->GetFaces();
+  const MeshView& mesh = piece.Topology->GetMesh();
+  PlacedFaces result;
+  std::vector<vtkIdType> points;
+  for (Index face = 0; face < table.GetNumberOfFacets(); ++face)
+  {
+    if (!table.IsBoundary(face) || !piece.IsOwn(table.GetCells(face).First))
+    {
+      continue;
+    }
+    piece.Topology->GetFacePoints(face, points);
+    Vector center;
+    const auto first = static_cast<std::int64_t>(result.Points.size());
+    for (const vtkIdType point : points)
+    {
+      double x[3];
+      mesh.GetPoint(point, x);
+      result.Points.push_back({ x[0], x[1], x[2] });
+      center += result.Points.back();
+    }
+    center = (1.0 / static_cast<double>(points.size())) * center;
+    result.Faces.push_back(
+      { center, 0, face, first, static_cast<std::int32_t>(points.size()), piece.Block });
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+bool HasCenter(const PlacedFace& face)
+{
+  return std::isfinite(PlaceGrid::GetSize(face.Center));
+}
+
+//------------------------------------------------------------------------------
+PieceBox GetBox(const PieceOfFaces& piece, const PlacedFaces& list)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  PieceBox box = { { infinity, infinity, infinity }, { -infinity, -infinity, -infinity }, 0, 0, 0,
+    piece.Block, piece.Topology->GetMesh().HasFloatPoints() };
+  for (const PlacedFace& face : list.Faces)
+  {
+    const double x[3] = { face.Center.X, face.Center.Y, face.Center.Z };
+    for (int i = 0; i < 3 && HasCenter(face); ++i)
+    {
+      box.Low[i] = std::min(box.Low[i], x[i]);
+      box.High[i] = std::max(box.High[i], x[i]);
+    }
+  }
+  for (const Vector& point : list.Points)
+  {
+    const double size = PlaceGrid::GetSize(point);
+    box.Largest = std::isfinite(size) ? std::max(box.Largest, size) : box.Largest;
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+bool IsNearBox(const Vector& place, const PieceBox& box, double reach)
+{
+  const double x[3] = { place.X, place.Y, place.Z };
+  bool isNear = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    isNear = isNear && x[i] >= box.Low[i] - reach && x[i] <= box.High[i] + reach;
+  }
+  return isNear;
+}
+
+//------------------------------------------------------------------------------
+// Finds faces in one place among some that are listed once for each cube that they are near.
+class FaceMatcher
+{
+public:
+  /// @a centers: by what faces were put into cubes.
+  FaceMatcher(const PlaceGrid& grid, const PlaceGrid& centers)
+    : Grid(grid)
+    , Reach(centers.GetReach())
+  {
+  }
+
+  /// Takes a list from sender @a list.
+  void Add(std::size_t list, const std::vector<PlacedFace>& faces, const Vector* points)
+  {
+    for (const PlacedFace& face : faces)
+    {
+      this->Items.push_back({ face, points + face.FirstPoint, list });
+    }
+  }
+
+  /// Calls @a visit(list, number) for every face that lies in the place of another one; perhaps
+  /// more than once.
+  template <typename Visit>
+  void Match(Visit&& visit)
+  {
+    std::sort(this->Items.begin(), this->Items.end(),
+      [](const Item& a, const Item& b)
+      {
+        return std::tie(a.Face.Block, a.Face.Bucket, a.Face.Center.X) <
+          std::tie(b.Face.Block, b.Face.Bucket, b.Face.Center.X);
+      });
+    this->Next.resize(this->Items.size() + 1);
+    std::iota(this->Next.begin(), this->Next.end(), std::size_t(0));
+    std::vector<unsigned char> isMatched(this->Items.size(), 0);
+    const auto mark = [&](std::size_t i)
+    {
+      if (!isMatched[i])
+      {
+        isMatched[i] = 1;
+        this->Next[i] = i + 1;
+        visit(this->Items[i].List, this->Items[i].Face.Number);
+      }
+    };
+    for (std::size_t i = 0; i < this->Items.size(); ++i)
+    {
+      // One that is matched already can do no more than match others: those are passed over
+      // quickly.
+      for (std::size_t j = isMatched[i] ? this->FindNext(i + 1) : i + 1;
+           j < this->Items.size() && this->AreClose(this->Items[i].Face, this->Items[j].Face);
+           j = isMatched[i] ? this->FindNext(j + 1) : j + 1)
+      {
+        if (this->AreInOnePlace(this->Items[i], this->Items[j]))
+        {
+          mark(i);
+          mark(j);
+        }
+      }
+    }
+  }
+
+private:
+  struct Item
+  {
+    PlacedFace Face;
+    const Vector* Points;
+    std::size_t List;
+  };
+
+  // The first one from here on that is not matched.
+  std::size_t FindNext(std::size_t i)
+  {
+    while (this->Next[i] != i)
+    {
+      i = this->Next[i] = this->Next[this->Next[i]];
+    }
+    return i;
+  }
+
+  bool AreClose(const PlacedFace& a, const PlacedFace& b) const
+  {
+    return a.Block == b.Block && a.Bucket == b.Bucket && b.Center.X - a.Center.X <= this->Reach;
+  }
+
+  bool AreInOnePlace(const Item& a, const Item& b) const
+  {
+    const bool isSame = a.List == b.List && a.Face.Number == b.Face.Number;
+    return !isSame && a.Face.Size == b.Face.Size &&
+      Norm(a.Face.Center - b.Face.Center) <= this->Reach && this->Covers(a, b) &&
+      this->Covers(b, a);
+  }
+
+  // Whether every point of the first one is near one of the second.
+  bool Covers(const Item& a, const Item& b) const
+  {
+    return std::all_of(a.Points, a.Points + a.Face.Size,
+      [&](const Vector& point)
+      {
+        return std::any_of(b.Points, b.Points + b.Face.Size,
+          [&](const Vector& other) { return this->Grid.AreNear(point, other); });
+      });
+  }
+
+  const PlaceGrid& Grid;
+  const double Reach;
+  std::vector<Item> Items;
+  std::vector<std::size_t> Next;
+};
+
+//------------------------------------------------------------------------------
+// The same faces, each for every cube that it is near.
+std::vector<PlacedFace> PutIntoCubes(const std::vector<PlacedFace>& faces, const PlaceGrid& centers)
+{
+  std::vector<PlacedFace> result;
+  for (const PlacedFace& face : faces)
+  {
+    if (HasCenter(face))
+    {
+      centers.ForNear(face.Center,
+        [&](std::uint64_t bucket)
+        {
+          result.push_back(face);
+          result.back().Bucket = bucket;
+        });
+    }
+  }
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::vector<Index>> FindMismatchedFaces(
+  const std::vector<PieceOfFaces>& pieces, double tolerance, Reducer& reducer)
+{
+  std::vector<PlacedFaces> lists;
+  std::vector<PieceBox> own;
+  for (const PieceOfFaces& piece : pieces)
+  {
+    lists.push_back(ListFaces(piece));
+    own.push_back(GetBox(piece, lists.back()));
+    own.back().Process = reducer.GetProcess();
+    own.back().Piece = static_cast<std::int32_t>(own.size() - 1);
+  }
+  const std::vector<PieceBox> all = reducer.GatherItems(own);
+  double largest = 0;
+  bool hasFloats = false;
+  for (const PieceBox& box : all)
+  {
+    largest = std::max(largest, box.Largest);
+    hasFloats = hasFloats || box.HasFloats;
+  }
+  const PlaceGrid grid(tolerance, hasFloats, largest);
+  // Where points are within reach, so are centres, but for rounding.
+  const PlaceGrid centers(2 * grid.GetReach(), hasFloats, largest);
+
+  const auto numberOfPieces = static_cast<std::int64_t>(pieces.size());
+  const auto numberOfProcesses = static_cast<std::size_t>(reducer.GetNumberOfProcesses());
+  std::vector<std::vector<PlacedFace>> sentFaces(numberOfProcesses);
+  std::vector<std::vector<Vector>> sentPoints(numberOfProcesses);
+  std::vector<std::vector<Index>> mismatched(pieces.size());
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const std::vector<PlacedFace> faces = PutIntoCubes(lists[p].Faces, centers);
+    FaceMatcher matcher(grid, centers);
+    matcher.Add(0, faces, lists[p].Points.data());
+    matcher.Match(
+      [&](std::size_t, std::int64_t face) { mismatched[p].push_back(static_cast<Index>(face)); });
+    const auto isOther = [&](const PieceBox& box)
+    {
+      return box.Block == own[p].Block &&
+        (box.Process != own[p].Process || box.Piece != own[p].Piece);
+    };
+    for (PlacedFace face : faces)
+    {
+      const bool isNear = std::any_of(all.begin(), all.end(),
+        [&](const PieceBox& box)
+        { return isOther(box) && IsNearBox(face.Center, box, 2 * centers.GetReach()); });
+      if (isNear)
+      {
+        const std::size_t process = face.Bucket % numberOfProcesses;
+        const auto points = lists[p].Points.begin() + face.FirstPoint;
+        face.FirstPoint = static_cast<std::int64_t>(sentPoints[process].size());
+        sentPoints[process].insert(sentPoints[process].end(), points, points + face.Size);
+        face.Number = face.Number * numberOfPieces + static_cast<std::int64_t>(p);
+        sentFaces[process].push_back(face);
+      }
+    }
+  }
+
+  const auto faces = reducer.ExchangeItems(std::move(sentFaces));
+  const auto points = reducer.ExchangeItems(std::move(sentPoints));
+  FaceMatcher matcher(grid, centers);
+  for (std::size_t process = 0; process < numberOfProcesses; ++process)
+  {
+    matcher.Add(process, faces[process], points[process].data());
+  }
+  std::vector<std::vector<std::int64_t>> answers(numberOfProcesses);
+  matcher.Match(
+    [&](std::size_t process, std::int64_t number) { answers[process].push_back(number); });
+  for (const auto& numbers : reducer.ExchangeItems(std::move(answers)))
+  {
+    for (const std::int64_t number : numbers)
+    {
+      mismatched[number % numberOfPieces].push_back(static_cast<Index>(number / numberOfPieces));
+    }
+  }
+  for (std::vector<Index>& list : mismatched)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return mismatched;
+}
+}
