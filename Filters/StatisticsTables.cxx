@@ -3,38 +3,24 @@
 #include "StatisticsTables.h"
 
 #include "Grouping.h"
+#include "TableRows.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
-#include "vtkVariant.h"
-#include "vtkVariantArray.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <initializer_list>
+#include <stdexcept>
 
 namespace camaron
 {
 namespace
 {
 //------------------------------------------------------------------------------
-template <typename Array>
-void AddColumns(vtkTable* table, std::initializer_list<const char*> names)
-{
-  for (const char* name : names)
-  {
-    vtkNew<Array> column;
-    column->SetName(name);
-    table->AddColumn(column);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Values in the order of the columns.
-class Row
+// A row that begins with labels.
+class Row : public TableRow
 {
 public:
   explicit Row(const RowLabels& labels)
@@ -47,23 +33,6 @@ public:
     this->Add(labels.Unit);
     this->Add(labels.Group);
   }
-  void Add(const std::string& text) { this->Values->InsertNextValue(vtkVariant(text)); }
-  void Add(double number) { this->Values->InsertNextValue(vtkVariant(number)); }
-  void Add(std::int64_t count)
-  {
-    this->Values->InsertNextValue(vtkVariant(static_cast<vtkIdType>(count)));
-  }
-  void Add(const std::array<double, 3>& place)
-  {
-    for (const double coordinate : place)
-    {
-      this->Add(coordinate);
-    }
-  }
-  void AppendTo(vtkTable* table) { table->InsertNextRow(this->Values); }
-
-private:
-  vtkNew<vtkVariantArray> Values;
 };
 
 //------------------------------------------------------------------------------
@@ -74,13 +43,6 @@ void AddLabelColumns(vtkTable* table, const TableLayout& layout)
     AddColumns<vtkDoubleArray>(table, { "Time" });
   }
   AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
-}
-
-//------------------------------------------------------------------------------
-double Percent(std::int64_t part, std::int64_t whole)
-{
-  return whole > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(whole)
-                   : std::numeric_limits<double>::quiet_NaN();
 }
 }
 
@@ -277,5 +239,15 @@ void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurv
     }
     row.AppendTo(table);
   }
+}
+
+//------------------------------------------------------------------------------
+BinScale ToBinScale(const std::string& name)
+{
+  if (name != "Linear" && name != "Logarithmic")
+  {
+    throw std::invalid_argument("Histogram Scale is Linear or Logarithmic, not '" + name + "'");
+  }
+  return name == "Linear" ? BinScale::Linear : BinScale::Logarithmic;
 }
 }

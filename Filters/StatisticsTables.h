@@ -66,6 +66,9 @@ void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurv
   const std::optional<WeightedSummary>& weighted);
 
 constexpr int PointCellType = -1;
+
+/// What the user calls "Linear" or "Logarithmic"; throws std::invalid_argument for any other name.
+BinScale ToBinScale(const std::string& name);
 }
 
 #endif

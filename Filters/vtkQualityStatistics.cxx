@@ -38,16 +38,6 @@ vtkStandardNewMacro(vtkQualityStatistics);
 namespace
 {
 //------------------------------------------------------------------------------
-camaron::BinScale ToBinScale(const std::string& name)
-{
-  if (name != "Linear" && name != "Logarithmic")
-  {
-    throw std::invalid_argument("Histogram Scale is Linear or Logarithmic, not '" + name + "'");
-  }
-  return name == "Linear" ? camaron::BinScale::Linear : camaron::BinScale::Logarithmic;
-}
-
-//------------------------------------------------------------------------------
 camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
   const std::optional<camaron::ValueRange>& acceptable)
 {
@@ -253,7 +243,7 @@ vtkQualityStatistics::Settings vtkQualityStatistics::CheckSettings() const
   Settings settings;
   settings.Kind = ToElementKind(this->ElementType);
   settings.Bins.NumberOfBins = this->NumberOfBins;
-  settings.Bins.Scale = ToBinScale(this->HistogramScale);
+  settings.Bins.Scale = camaron::ToBinScale(this->HistogramScale);
   ToBinRange(this->HistogramRange, this->CustomRange, {});
   settings.ListsNull = this->WorstValues == "Null";
   settings.WorstValues = settings.ListsNull ? "Smallest" : this->WorstValues;

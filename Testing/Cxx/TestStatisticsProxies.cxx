@@ -4,6 +4,7 @@
 #include "AcceptableRanges.h"
 #include "Criteria/Criterion.h"
 #include "Strategies/Strategy.h"
+#include "vtkCompareQuality.h"
 #include "vtkQualityStatistics.h"
 #include "vtkSelectElements.h"
 
@@ -91,6 +92,19 @@ TEST(QualityStatisticsProxy, AgreesWithClass)
     quantiles << (quantiles.tellp() > 0 ? " " : "") << percent;
   }
   EXPECT_EQ(ReadDefault(proxy, "Quantiles"), quantiles.str());
+  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
+}
+
+//------------------------------------------------------------------------------
+TEST(CompareQualityProxy, AgreesWithClass)
+{
+  const std::string proxy = "CompareQuality";
+  vtkNew<vtkCompareQuality> filter;
+  EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
+  EXPECT_EQ(ReadDefault(proxy, "RangesFile"), filter->GetRangesFile());
+  EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));
+  EXPECT_EQ(ReadDefault(proxy, "HistogramScale"), filter->GetHistogramScale());
+  EXPECT_EQ(std::stod(ReadDefault(proxy, "Tolerance")), filter->GetTolerance());
   EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }
 

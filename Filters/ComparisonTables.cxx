@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ComparisonTables.h"
+
+#include "TableRows.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkStringArray.h"
+
+namespace camaron
+{
+namespace
+{
+constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+
+//------------------------------------------------------------------------------
+// Columns for A, B and B - A.
+template <typename Array>
+void AddTriples(vtkTable* table, std::initializer_list<std::string> names)
+{
+  for (const std::string& name : names)
+  {
+    AddColumns<Array>(table, { name + "A", name + "B", name + "Difference" });
+  }
+}
+
+//------------------------------------------------------------------------------
+template <typename Number>
+void AddTriple(TableRow& row, Number a, Number b)
+{
+  row.Add(a);
+  row.Add(b);
+  row.Add(b - a);
+}
+
+//------------------------------------------------------------------------------
+double GetOutOfRangePercent(const ArrayComparison& comparison, int mesh)
+{
+  const Summary& summary = comparison.Summaries[mesh];
+  return comparison.Acceptable
+    ? Percent(summary.BelowCount + summary.AboveCount, summary.GetApplicableCount())
+    : Unknown;
+}
+
+//------------------------------------------------------------------------------
+// Share of the elements with a value.
+double GetFraction(const Histogram& histogram, std::int64_t count)
+{
+  const std::int64_t total = histogram.GetTotal() - histogram.NullCount;
+  return total > 0 ? static_cast<double>(count) / static_cast<double>(total) : Unknown;
+}
+
+//------------------------------------------------------------------------------
+std::string GetBetterName(Better better)
+{
+  return better == Better::Bigger ? "Bigger" : better == Better::Smaller ? "Smaller" : "Neither";
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<double>& GetComparedPercents()
+{
+  static const std::vector<double> percents = { 1, 5, 50, 95, 99 };
+  return percents;
+}
+
+//------------------------------------------------------------------------------
+void AddComparisonColumns(vtkTable* table)
+{
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Better" });
+  AddTriples<vtkIdTypeArray>(table, { "Count", "NullCount", "InfCount" });
+  AddTriples<vtkDoubleArray>(table, { "Min", "Max", "Mean", "StdDev", "Sum" });
+  for (const double percent : GetComparedPercents())
+  {
+    AddTriples<vtkDoubleArray>(table, { "P" + std::to_string(static_cast<int>(percent)) });
+  }
+  AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
+  AddTriples<vtkIdTypeArray>(table, { "OutOfRangeCount" });
+  AddTriples<vtkDoubleArray>(table, { "OutOfRangePercent" });
+  AddColumns<vtkDoubleArray>(table, { "Distance", "DistanceValue" });
+  AddColumns<vtkIdTypeArray>(
+    table, { "SameCells", "ComparedCount", "ImprovedCount", "WorsenedCount", "UnchangedCount" });
+}
+
+//------------------------------------------------------------------------------
+void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
+{
+  const Summary &a = comparison.Summaries[0], &b = comparison.Summaries[1];
+  TableRow row;
+  row.Add(comparison.Name);
+  row.Add(comparison.Unit);
+  row.Add(GetBetterName(comparison.Better));
+  AddTriple(row, a.Count, b.Count);
+  AddTriple(row, a.NullCount, b.NullCount);
+  AddTriple(row, a.InfCount, b.InfCount);
+  AddTriple(row, a.Min, b.Min);
+  AddTriple(row, a.Max, b.Max);
+  AddTriple(row, a.Mean, b.Mean);
+  AddTriple(row, a.StandardDeviation, b.StandardDeviation);
+  AddTriple(row, a.Sum, b.Sum);
+  for (std::size_t q = 0; q < GetComparedPercents().size(); ++q)
+  {
+    AddTriple(row, comparison.Quantiles[0][q], comparison.Quantiles[1][q]);
+  }
+  row.Add(comparison.Acceptable ? comparison.Acceptable->Low : Unknown);
+  row.Add(comparison.Acceptable ? comparison.Acceptable->High : Unknown);
+  AddTriple(row, a.BelowCount + a.AboveCount, b.BelowCount + b.AboveCount);
+  AddTriple(row, GetOutOfRangePercent(comparison, 0), GetOutOfRangePercent(comparison, 1));
+  row.Add(comparison.Distance.Distance);
+  row.Add(comparison.Distance.Value);
+  const ValueChanges changes = comparison.Changes ? *comparison.Changes : ValueChanges();
+  row.Add(std::int64_t(comparison.Changes.has_value()));
+  for (const std::int64_t count : { changes.Compared, changes.Improved, changes.Worsened, changes.Unchanged })
+  {
+    row.Add(count);
+  }
+  row.AppendTo(table);
+}
+
+//------------------------------------------------------------------------------
+void AddCommonHistogramColumns(vtkTable* table)
+{
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit" });
+  AddColumns<vtkIdTypeArray>(table, { "Bin" });
+  AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
+  AddColumns<vtkIdTypeArray>(table, { "CountA", "CountB" });
+  AddColumns<vtkDoubleArray>(table, { "FractionA", "FractionB", "FractionDifference" });
+  AddColumns<vtkIdTypeArray>(table, { "UnderflowA", "UnderflowB" });
+}
+
+//------------------------------------------------------------------------------
+void AddCommonHistogramRows(vtkTable* table, const ArrayComparison& comparison)
+{
+  const Histogram &a = comparison.Histograms[0], &b = comparison.Histograms[1];
+  for (std::size_t bin = 0; bin < comparison.Bins.GetSize(); ++bin)
+  {
+    TableRow row;
+    row.Add(comparison.Name);
+    row.Add(comparison.Unit);
+    row.Add(static_cast<std::int64_t>(bin));
+    row.Add(comparison.Bins.GetEdges()[bin]);
+    row.Add(comparison.Bins.GetEdges()[bin + 1]);
+    row.Add(comparison.Bins.GetCenter(bin));
+    row.Add(a.Counts[bin]);
+    row.Add(b.Counts[bin]);
+    AddTriple(row, GetFraction(a, a.Counts[bin]), GetFraction(b, b.Counts[bin]));
+    row.Add(a.Underflow);
+    row.Add(b.Underflow);
+    row.AppendTo(table);
+  }
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file ComparisonTables.h
+ * @brief Columns and rows of the tables that vtkCompareQuality makes.
+ */
+#ifndef camaron_ComparisonTables_h
+#define camaron_ComparisonTables_h
+
+#include "Criteria/Criterion.h"
+#include "Statistics/DistributionDistance.h"
+#include "Statistics/Histogram.h"
+#include "Statistics/Summary.h"
+#include "Statistics/ValueChanges.h"
+
+#include <array>    // for both meshes
+#include <optional> // for what may be unknown
+#include <string>   // for names
+#include <vector>   // for quantiles
+
+class vtkTable;
+
+namespace camaron
+{
+/// What there is to know of an array of both meshes, A and B.
+struct ArrayComparison
+{
+  std::string Name;
+  std::string Unit;
+  camaron::Better Better = Better::Neither;
+  std::optional<ValueRange> Acceptable;
+  std::array<Summary, 2> Summaries;
+  std::array<std::vector<double>, 2> Quantiles; ///< of GetComparedPercents()
+  DistributionDistance Distance;
+  std::optional<ValueChanges> Changes; ///< if both have the same cells
+  camaron::Bins Bins;
+  std::array<Histogram, 2> Histograms;
+};
+
+const std::vector<double>& GetComparedPercents();
+
+void AddComparisonColumns(vtkTable* table);
+void AddCommonHistogramColumns(vtkTable* table);
+void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison);
+void AddCommonHistogramRows(vtkTable* table, const ArrayComparison& comparison);
+}
+
+#endif

@@ -1,0 +1,187 @@
+# ranks: 1 2 3 4
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Compare Quality against numpy: the same numbers on any number of ranks, with and without ghosts."""
+
+import math
+
+import camaron_testing
+import mesh_parts
+import numpy
+from camaron import pipeline, tables
+from paraview import servermanager, simple
+from vtkmodules.numpy_interface import dataset_adapter
+
+RATIO, SKEWNESS, SIZE = "EdgeLengthRatio", "EquiangleSkewness", "Volume"
+WHOLE = mesh_parts.make_values(mesh_parts.make_mesh().GetNumberOfCells())
+
+
+def changed(values):
+    """What `change` makes of the values of EdgeLengthRatio."""
+    return numpy.where(values > 0.5, values, 0.9 * values)
+
+
+def change(source):
+    return simple.Calculator(
+        Input=source,
+        AttributeType="Cell Data",
+        ResultArrayName=RATIO,
+        ReplaceInvalidResults=0,
+        Function=f"{RATIO}*(0.9 + 0.1*({RATIO} > 0.5))",
+    )
+
+
+def distance(a, b):
+    """By definition: the largest difference of the shares of values up to each value."""
+    a, b = numpy.sort(a[~numpy.isnan(a)]), numpy.sort(b[~numpy.isnan(b)])
+    places = numpy.unique(numpy.concatenate([a, b]))
+    shares = [numpy.searchsorted(data, places, side="right") / len(data) for data in (a, b)]
+    difference = numpy.abs(shares[0] - shares[1])
+    return difference.max(), places[difference.argmax()]
+
+
+class TestCompareQuality(camaron_testing.TestCase):
+    def compare(self, a, b, **properties):
+        comparison = simple.CompareQuality(Input=a, Other=b, **properties)
+        comparison.UpdatePipeline()
+        rows = {row["Criterion"]: row for row in tables.fetch(comparison)}
+        return comparison, rows, tables.fetch(comparison, 1)
+
+    def check_row(self, row, a, b):
+        for mesh, values in (("A", a), ("B", b)):
+            finite = values[numpy.isfinite(values)]
+            self.assertEqual(row["Count" + mesh], len(values))
+            self.assertEqual(row["NullCount" + mesh], numpy.isnan(values).sum())
+            self.assertEqual(row["InfCount" + mesh], numpy.isinf(values).sum())
+            self.assertEqual(row["Min" + mesh], finite.min())
+            self.assertEqual(row["P95" + mesh], numpy.percentile(finite, 95))
+            mean = math.fsum(finite) / len(finite)
+            self.assertAlmostEqual(row["Mean" + mesh] / mean, 1, delta=1e-14)
+            bad = (values < row["AcceptableLow"]) | (values > row["AcceptableHigh"])
+            self.assertEqual(row["OutOfRangeCount" + mesh], bad.sum())
+        for name in ("Count", "NullCount", "Min", "Mean", "P50", "OutOfRangePercent"):
+            self.assertEqual(row[name + "Difference"], row[name + "B"] - row[name + "A"])
+        expected, where = distance(a, b)
+        self.assertAlmostEqual(row["Distance"], expected, delta=1e-15)
+        if expected:
+            self.assertEqual(row["DistanceValue"], where)
+
+    def test_same_cells(self):
+        """Cells are matched one by one; ghosts have differences but do not count."""
+        a, b = WHOLE[RATIO], changed(WHOLE[RATIO])
+        for options in ({}, {"ghost_layer": 40}, {"empty_rank": True}, {"global_ids": True}):
+            source = mesh_parts.split_source(**options)
+            comparison, rows, _ = self.compare(source, change(source))
+            with self.subTest(**options):
+                self.assertEqual(set(rows), {SIZE, RATIO, SKEWNESS, "FaceCount"})
+                self.check_row(rows[RATIO], a, b)
+                row = rows[RATIO]
+                self.assertEqual(row["SameCells"], 1)
+                self.assertEqual(row["ComparedCount"], (~numpy.isnan(a)).sum())
+                self.assertEqual(row["WorsenedCount"], (b < a).sum())
+                self.assertEqual(row["UnchangedCount"], (a == b).sum())
+                self.assertEqual(row["ImprovedCount"], 0)
+                self.assertEqual(rows[SIZE]["Distance"], 0)
+                self.assertEqual(rows[SIZE]["UnchangedCount"], len(a))
+                self.check_deltas(comparison)
+
+    def check_deltas(self, comparison):
+        """Of the cells that this rank has."""
+        mesh = comparison.GetClientSideObject().GetOutputDataObject(2)
+        data = dataset_adapter.WrapDataObject(mesh).CellData
+        if mesh.GetNumberOfCells():
+            cells = numpy.asarray(data["Number"])
+            expected = changed(WHOLE[RATIO]) - WHOLE[RATIO]
+            numpy.testing.assert_array_equal(data[RATIO + "_Delta"], expected[cells])
+            infinite = WHOLE[SKEWNESS][cells]
+            numpy.testing.assert_array_equal(data[SKEWNESS + "_Delta"], 0 * numpy.isinf(infinite))
+
+    def test_other_cells(self):
+        """Without the same cells there are distributions only; B is passed on as it is."""
+        source = mesh_parts.split_source(ghost_layer=30)
+        part = simple.Threshold(Input=source, Scalars=["CELLS", "Number"])
+        part.LowerThreshold, part.UpperThreshold = 100, 500
+        comparison, rows, histogram = self.compare(
+            source, part, Arrays=[RATIO, SKEWNESS, SIZE, "Single"], NumberOfBins=13
+        )
+        for name in (RATIO, SKEWNESS, SIZE):
+            self.check_row(rows[name], WHOLE[name], WHOLE[name][100:501])
+        self.assertEqual({row["SameCells"] for row in rows.values()}, {0})
+        self.assertEqual(rows[RATIO]["ComparedCount"], 0)
+        arrays = servermanager.OutputPort(comparison, 2).GetDataInformation()
+        names = arrays.GetCellDataInformation()
+        self.assertIsNotNone(names.GetArrayInformation(RATIO))
+        self.assertIsNone(names.GetArrayInformation(RATIO + "_Delta"))
+        for name in (RATIO, SKEWNESS, "Single"):
+            bins = [row for row in histogram if row["Criterion"] == name]
+            self.assertEqual(len(bins), 13)
+            edges = [row["LowerEdge"] for row in bins] + [bins[-1]["UpperEdge"]]
+            for mesh, values in (("A", WHOLE[name]), ("B", WHOLE[name][100:501])):
+                values = values.astype(float)
+                counts = numpy.histogram(values[numpy.isfinite(values)], edges)[0]
+                self.assertEqual([row["Count" + mesh] for row in bins], counts.tolist())
+                known = (~numpy.isnan(values)).sum()
+                self.assertEqual([row["Fraction" + mesh] for row in bins], (counts / known).tolist())
+
+    def test_redistributed(self):
+        """The same mesh elsewhere has the same distributions."""
+        source = mesh_parts.split_source(global_ids=True)
+        moved = simple.RedistributeDataSet(Input=source, GenerateGlobalCellIds=0)
+        _, rows, histogram = self.compare(source, change(moved))
+        self.check_row(rows[RATIO], WHOLE[RATIO], changed(WHOLE[RATIO]))
+        self.assertEqual(rows[SIZE]["Distance"], 0)
+        for row in histogram:
+            if row["Criterion"] == SIZE:
+                self.assertEqual(row["CountA"], row["CountB"])
+
+    def test_blocks(self):
+        """Blocks are matched by their place; the sizes of all blocks count together."""
+        def blocks(first, second):
+            return simple.GroupDatasets(
+                Input=[first, second], OutputType="vtkPartitionedDataSetCollection"
+            )
+
+        source = mesh_parts.split_source()
+        _, rows, _ = self.compare(blocks(source, source), blocks(source, change(source)))
+        a = numpy.concatenate([WHOLE[RATIO], WHOLE[RATIO]])
+        b = numpy.concatenate([WHOLE[RATIO], changed(WHOLE[RATIO])])
+        self.check_row(rows[RATIO], a, b)
+        self.assertEqual(rows[RATIO]["WorsenedCount"], (b < a).sum())
+        _, rows, _ = self.compare(blocks(source, source), source)
+        self.check_row(rows[RATIO], a, WHOLE[RATIO])
+        self.assertEqual(rows[RATIO]["SameCells"], 0)
+
+    def test_moved_points(self):
+        """The points may be elsewhere: smoothing is what people compare."""
+        tetrahedra = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[0, 6, 0, 6, 0, 6]))
+        stretched = simple.Transform(Input=tetrahedra)
+        stretched.Transform.Scale = [1, 1, 3]
+        criteria = ["EdgeLengthRatio", "Volume", "MinDihedralAngle"]
+        qualities = [simple.ElementQuality(Input=s) for s in (tetrahedra, stretched)]
+        for quality in qualities:
+            quality.Criteria = criteria
+        _, rows, _ = self.compare(*qualities)
+        self.assertEqual({row["SameCells"] for row in rows.values()}, {1})
+        self.assertAlmostEqual(rows["Volume"]["MeanB"] / rows["Volume"]["MeanA"], 3, delta=1e-12)
+        cells = rows["MinDihedralAngle"]["CountA"]
+        self.assertEqual(rows["MinDihedralAngle"]["WorsenedCount"], cells)
+        self.assertEqual(rows["Volume"]["ImprovedCount"], 0)
+        self.assertEqual(rows["Volume"]["UnchangedCount"], 0)
+        self.assertEqual(rows["Volume"]["Distance"], 1)
+
+    def test_messages(self):
+        source = mesh_parts.split_source()
+        with pipeline.Messages() as messages:
+            self.compare(source, source, Arrays=["Volume", "NotThere"])
+        if pipeline.servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0:
+            self.assertIn("NotThere", messages.warnings[0])
+        comparison = simple.CompareQuality(Input=source, Other=source)
+        comparison.SMProxy.GetProperty("HistogramScale").SetElement(0, "Cubic")
+        comparison.SMProxy.UpdateVTKObjects()
+        with pipeline.Messages() as messages:
+            comparison.UpdatePipeline()
+        self.assertIn("not 'Cubic'", messages.errors[0])
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
