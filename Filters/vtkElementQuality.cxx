@@ -5,6 +5,7 @@
 #include "ControllerReducer.h"
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
+#include "Criteria/UnitLabel.h"
 #include "MeshInput.h"
 #include "MeshPieces.h"
 #include "Parallel.h"
@@ -309,8 +310,7 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
       arrays.push_back(vtkSmartPointer<vtkDoubleArray>::New());
       arrays.back()->SetName(criterion->Name);
       arrays.back()->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
-      arrays.back()->GetInformation()->Set(
-        vtkDataArray::UNITS_LABEL(), criterion->UnitLabel(common.Angles));
+      camaron::SetUnitLabel(arrays.back(), criterion->UnitLabel(common.Angles).c_str());
       rows.push_back({ criterion, arrays.back()->GetPointer(0) });
     }
     const bool isFinished = camaron::Evaluate(topology, pieces.GetOptions(piece), rows,

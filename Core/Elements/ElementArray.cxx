@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/ElementArray.h"
 
+#include "Criteria/UnitLabel.h"
+
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -34,7 +36,7 @@ auto* Add(vtkPolyData* elements, const char* name)
 // Sets the unit of an array of reals, and gives angles in it.
 void SetUnit(vtkDoubleArray* array, enum Unit unit, AngleUnit angles)
 {
-  array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), GetUnitLabel(unit, angles));
+  SetUnitLabel(array, GetUnitLabel(unit, angles));
   if (unit == Unit::Angle && angles == AngleUnit::Degrees)
   {
     constexpr double degree = 180 / 3.141592653589793238462643383279502884;
