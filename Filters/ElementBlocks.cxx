@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ElementBlocks.h"
 
+#include "MeshPieces.h"
+#include "Selection/SharedElements.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
@@ -16,6 +19,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <tuple>
 
@@ -147,6 +151,10 @@ ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind
   {
     this->AddBlock(leaf);
   }
+  if (kind == ElementKind::Points)
+  {
+    this->FindCopiesOfPoints(reducer);
+  }
   this->FindGlobalIds(reducer);
   this->FindIndices(reducer);
 }
@@ -172,6 +180,60 @@ void ElementBlocks::AddBlock(const DataSetLeaf& leaf)
       [mask](unsigned char ghost) { return static_cast<unsigned char>(ghost & mask); });
   }
   this->Blocks.push_back(block);
+}
+
+//------------------------------------------------------------------------------
+void ElementBlocks::SkipPointsOfCopies(ElementBlock& block, const LinkedPiece& piece)
+{
+  if (!piece.Options.Ghosts)
+  {
+    return;
+  }
+  const MeshView& mesh = piece.Topology->GetMesh();
+  std::vector<unsigned char> uses(block.GetSize()); // 1 by copies, 2 by others
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const IndexRange points = mesh.GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      uses[points[i]] |= piece.IsCopy(cell) ? 1 : 2;
+    }
+  }
+  block.Skip.resize(block.GetSize());
+  for (std::size_t point = 0; point < uses.size(); ++point)
+  {
+    block.Skip[point] |= uses[point] == 1 ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
+{
+  const MeshPieces pieces({ this->Blocks.begin(), this->Blocks.end() }, EvaluationOptions(),
+    reducer.GetNumberOfProcesses(), reducer);
+  for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
+  {
+    this->SkipPointsOfCopies(this->Blocks[piece], pieces.Get()[piece]);
+  }
+  SharedElements shared = SharedElements::OfPoints(pieces.Get(), reducer);
+  std::vector<std::int64_t> owners;
+  for (const SharedElements::Element& point : shared.Get())
+  {
+    owners.push_back(this->Blocks[point.Piece].IsGhost(point.Number)
+        ? std::numeric_limits<std::int64_t>::max()
+        : (static_cast<std::int64_t>(reducer.GetProcess()) << 32) + point.Piece);
+  }
+  const std::vector<std::int64_t> own = owners;
+  shared.Minimize(owners);
+  for (std::size_t i = 0; i < owners.size(); ++i)
+  {
+    ElementBlock& block = this->Blocks[shared.Get()[i].Piece];
+    if (owners[i] != own[i])
+    {
+      block.Skip.resize(block.GetSize());
+      block.Skip[shared.Get()[i].Number] |= vtkDataSetAttributes::DUPLICATEPOINT;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

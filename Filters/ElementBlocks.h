@@ -10,6 +10,9 @@
  * what that would be. Its *identity* is its global id if all cells have one, else its index. The same
  * holds for points.
  *
+ * Points that several pieces of a block have are copies in all but one of them, that of the lowest process, and so are
+ * points of nothing but copies of cells, whether or not they are marked as such.
+ *
  * Ghosts (vtkGhostType with DUPLICATECELL, HIDDENCELL or REFINEDCELL; DUPLICATEPOINT or HIDDENPOINT)
  * take part in nothing.
  */
@@ -32,6 +35,8 @@ class vtkDoubleArray;
 
 namespace camaron
 {
+struct LinkedPiece;
+
 /// A data set of any input.
 struct DataSetLeaf
 {
@@ -96,6 +101,8 @@ public:
 
 private:
   void AddBlock(const DataSetLeaf& leaf);
+  void FindCopiesOfPoints(Reducer& reducer);
+  void SkipPointsOfCopies(ElementBlock& block, const LinkedPiece& piece);
   void FindGlobalIds(Reducer& reducer);
   void FindIndices(Reducer& reducer);
 

@@ -46,7 +46,7 @@ camaron::ElementKind GetKind(const std::string& elementType)
 }
 
 //------------------------------------------------------------------------------
-// Copy of a data set with the marks; no marks stand for no elements.
+// Copy of a data set with the marks; no marks stand for no elements. There is one selection: marks of the other kind go.
 vtkSmartPointer<vtkDataSet> CopyWithMarks(
   vtkDataSet* data, camaron::ElementKind kind, const std::vector<unsigned char>& marks)
 {
@@ -56,6 +56,7 @@ vtkSmartPointer<vtkDataSet> CopyWithMarks(
   std::copy(marks.begin(), marks.end(), selected->GetPointer(0));
   auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
   copy->ShallowCopy(data);
+  copy->GetAttributes(static_cast<int>(camaron::GetOtherKind(kind)))->RemoveArray(selected->GetName());
   copy->GetAttributes(static_cast<int>(kind))->AddArray(selected);
   return copy;
 }
@@ -87,24 +88,29 @@ void AddMarks(
 }
 
 //------------------------------------------------------------------------------
-void AddNode(vtkSelection* selection, const camaron::ElementBlock& block,
-  const std::vector<unsigned char>& marks, bool composite, int process)
+// By global ids if there are any, as these stay what they are when the mesh is split in another way.
+void AddNode(vtkSelection* selection, const camaron::ElementBlocks& blocks, std::size_t number,
+  const std::vector<unsigned char>& marks, int process)
 {
+  const camaron::ElementBlock& block = blocks.Get()[number];
+  const camaron::ValueBlock values = blocks.GetValueBlock(block);
   vtkNew<vtkIdTypeArray> ids;
   for (std::size_t i = 0; i < marks.size(); ++i)
   {
     if (marks[i])
     {
-      ids->InsertNextValue(static_cast<vtkIdType>(i));
+      const auto index = static_cast<vtkIdType>(i);
+      ids->InsertNextValue(blocks.HasGlobalIds() ? values.GetId(index) : index);
     }
   }
   vtkNew<vtkSelectionNode> node;
-  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetContentType(
+    blocks.HasGlobalIds() ? vtkSelectionNode::GLOBALIDS : vtkSelectionNode::INDICES);
   node->SetFieldType(block.Kind == camaron::ElementKind::Cells ? vtkSelectionNode::CELL
                                                                : vtkSelectionNode::POINT);
   node->SetSelectionList(ids);
   node->GetProperties()->Set(vtkSelectionNode::PROCESS_ID(), process);
-  if (composite)
+  if (blocks.IsComposite())
   {
     node->GetProperties()->Set(
       vtkSelectionNode::COMPOSITE_INDEX(), static_cast<int>(block.FlatIndex));
@@ -117,7 +123,7 @@ void AddNode(vtkSelection* selection, const camaron::ElementBlock& block,
 vtkSelectElements::vtkSelectElements()
   : Parameters(std::make_unique<camaron::SelectionParameters>())
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(4);
   this->SetNumberOfOutputPorts(2);
 }
 
@@ -153,6 +159,7 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OnlyBoundary: " << this->GetOnlyBoundary() << '\n';
   os << indent << "OnlyInRange: " << this->GetOnlyInRange() << '\n';
   os << indent << "PartNumber: " << this->GetPartNumber() << '\n';
+  os << indent << "Quantifier: " << this->GetQuantifier() << '\n';
   os << indent << "Placement: " << this->GetPlacement() << '\n';
   os << indent << "InsideOut: " << this->GetInsideOut() << '\n';
   os << indent << "Shape: " << this->GetShape() << '\n';
@@ -240,6 +247,7 @@ CAMARON_TEXT_PROPERTY(LowerLimit)
 CAMARON_TEXT_PROPERTY(UpperLimit)
 CAMARON_TEXT_PROPERTY(WorstValues)
 CAMARON_TEXT_PROPERTY(Placement)
+CAMARON_TEXT_PROPERTY(Quantifier)
 CAMARON_TEXT_PROPERTY(Adjacency)
 CAMARON_TEXT_PROPERTY(StatusBits)
 CAMARON_TEXT_PROPERTY(CellTypes)
@@ -282,7 +290,7 @@ int vtkSelectElements::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
-  if (port == 2)
+  if (port > 1)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
@@ -336,9 +344,10 @@ int vtkSelectElements::RequestData(
     camaron::ElementBlocks blocks(input, reducer, GetKind(this->Parameters->ElementType));
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-    this->Parameters->Surface = vtkDataObject::GetData(inputVector[2]);
-    const camaron::SelectionMarks marks = this->Select(
-      input, vtkSelection::GetData(inputVector[1]), numberOfPieces, blocks, reducer);
+    const camaron::SelectionInputs inputs = { input, vtkSelection::GetData(inputVector[1]),
+      vtkDataObject::GetData(inputVector[2]), vtkDataObject::GetData(inputVector[3]) };
+    camaron::SelectionTask task(*this->Parameters, inputs, blocks, numberOfPieces, reducer);
+    camaron::SelectionMarks marks = this->Select(task, blocks);
 
     std::int64_t selected = 0;
     std::map<unsigned int, std::size_t> blockOfFlatIndex; // without the empty ones
@@ -346,7 +355,7 @@ int vtkSelectElements::RequestData(
     {
       blockOfFlatIndex[blocks.Get()[b].FlatIndex] = b;
       selected += std::count(marks[b].begin(), marks[b].end(), 1);
-      AddNode(selection, blocks.Get()[b], marks[b], blocks.IsComposite(), reducer.GetProcess());
+      AddNode(selection, blocks, b, marks[b], reducer.GetProcess());
     }
     reducer.Sum(&selected, 1);
     this->NumberOfSelectedElements = static_cast<vtkIdType>(selected);
@@ -354,6 +363,7 @@ int vtkSelectElements::RequestData(
     {
       vtkWarningMacro("" << this->Report << '.');
     }
+    camaron::MarkCopies(task, marks);
     AddMarks(input, blocks.GetKind(), output,
       [&](unsigned int flatIndex)
       {
@@ -371,8 +381,8 @@ int vtkSelectElements::RequestData(
 }
 
 //------------------------------------------------------------------------------
-camaron::SelectionMarks vtkSelectElements::Select(vtkDataObject* input, vtkSelection* selection,
-  int numberOfPieces, camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
+camaron::SelectionMarks vtkSelectElements::Select(
+  camaron::SelectionTask& task, camaron::ElementBlocks& blocks)
 {
   const camaron::Strategy& strategy = camaron::FindStrategy(this->Parameters->Strategy);
   if (blocks.GetKind() == camaron::ElementKind::Points && !strategy.IsForPoints)
@@ -380,22 +390,15 @@ camaron::SelectionMarks vtkSelectElements::Select(vtkDataObject* input, vtkSelec
     throw std::invalid_argument(
       "the strategy '" + this->Parameters->Strategy + "' is for cells, and Element Type is Points");
   }
-  camaron::SelectionMarks current;
-  camaron::RunTogether(reducer,
-    [&]
-    {
-      current = camaron::FindCurrentSelection(
-        input, selection, GetSelectedArrayName(), reducer.GetProcess(), blocks);
-    });
+  task.Current = camaron::FindCurrentSelection(task);
   if (this->Parameters->Combination == "Refine")
   {
-    blocks.Restrict(current);
+    blocks.Restrict(task.Current);
   }
   camaron::SelectionMarks marks = camaron::MakeMarks(blocks);
-  this->Report = strategy.Select(
-    camaron::SelectionTask(*this->Parameters, blocks, current, numberOfPieces, reducer), marks);
+  this->Report = strategy.Select(task, marks);
   camaron::MarkElements(marks,
     [&](std::size_t b, vtkIdType i) { return marks[b][i] && !blocks.Get()[b].IsGhost(i); });
-  camaron::CombineSelections(this->Parameters->Combination, current, marks);
+  camaron::CombineSelections(this->Parameters->Combination, task.Current, marks);
   return marks;
 }

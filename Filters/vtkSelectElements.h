@@ -4,12 +4,14 @@
  * @class vtkSelectElements
  * @brief Selects cells or points of a mesh by one of several strategies.
  *
- * Inputs: any vtkDataSet or composite of them (port 0); a closed surface (port 2, optional); the selection so
- * far (port 1, optional), any vtkSelection. Without one the selection so far is what the array `Selected` of the mesh says, as one
- * Select Elements after the other leaves it. Outputs:
+ * Inputs: any vtkDataSet or composite of them (port 0); the selection so far (port 1, optional), any
+ * vtkSelection; a closed surface (port 2, optional); other elements of the mesh (port 3, optional). Without port 1
+ * the selection so far is what the array `Selected` of the mesh says, as one Select Elements after the other
+ * leaves it. Outputs:
  * 0. the mesh with the unsigned char array `Selected` of its cells or points, 1 for selected ones and 0
- * for others;
- * 1. a vtkSelection of the selected elements by index, with a node for each data set of this process.
+ * for others; as there is one selection, an array `Selected` of the other kind is left out;
+ * 1. a vtkSelection of the selected elements with a node for each data set of this process: by global id if all
+ * elements have one, else by index.
  *
  * Strategies, by name:
  * - "By criterion": values of Array inside or outside of a range; NaN is on neither side, infinite
@@ -25,6 +27,7 @@
  * planes of a list; in a closed surface, as Placement says;
  * - "Expand", "Shrink": the selection so far with rings of neighbours, or without;
  * - "Connected": all that hangs together with the selection so far; "Part": of its parts the n-th largest;
+ * - "Change kind": cells with any or all of their faces, edges or points selected, or these of cells;
  * - "Boundary": 3D cells with a face, and 2D cells with an edge, that no other cell has, in whatever
  * piece; or the points of these faces and edges;
  * - "All", "Current" (the selection so far), "Invert" (what is not in it).
@@ -42,12 +45,11 @@
 #include <vector> // for marks
 
 class vtkImplicitFunction;
-class vtkSelection;
 
 namespace camaron
 {
 class ElementBlocks;
-class Reducer;
+class SelectionTask;
 struct SelectionParameters;
 }
 
@@ -70,6 +72,17 @@ public:
 
   /// Surface: closed polygons, convex or not, on any processes.
   void SetSurfaceConnection(vtkAlgorithmOutput* surface) { this->SetInputConnection(2, surface); }
+
+  /**
+   * Change kind: a data set with the points of the mesh, of whose cells (or, if these have no array `Selected`,
+   * points) the selected ones are changed to elements of the mesh: the mesh with its selected cells where this
+   * mesh is the faces or edges of vtkMeshElements, or the other way round. Without it the cells of the mesh are
+   * changed to its points or its points to its cells, as Selection or else the array `Selected` has them.
+   */
+  void SetElementsConnection(vtkAlgorithmOutput* elements)
+  {
+    this->SetInputConnection(3, elements);
+  }
 
   ///@{
   /// What to select: "Cells" (default) or "Points".
@@ -229,6 +242,16 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Change kind: whether "Any" (default) or "All" of the elements of the other kind must be selected: of a cell's
+   * faces, edges or points, or of the cells that have the face, edge or point, in whatever piece. What has none of
+   * them is not selected.
+   */
+  void SetQuantifier(const char* name);
+  const char* GetQuantifier() const;
+  ///@}
+
+  ///@{
   /// Shape, Half-spaces, Surface: whether to take the other elements instead. Default: off.
   void SetInsideOut(bool insideOut);
   bool GetInsideOut() const;
@@ -304,8 +327,8 @@ private:
   void operator=(const vtkSelectElements&) = delete;
 
   void SetText(std::string& member, const char* text);
-  std::vector<std::vector<unsigned char>> Select(vtkDataObject* input, vtkSelection* selection,
-    int numberOfPieces, camaron::ElementBlocks& blocks, camaron::Reducer& reducer);
+  std::vector<std::vector<unsigned char>> Select(
+    camaron::SelectionTask& task, camaron::ElementBlocks& blocks);
 
   std::unique_ptr<camaron::SelectionParameters> Parameters;
   vtkIdType NumberOfSelectedElements = 0;

@@ -175,24 +175,6 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Marks in all pieces what is marked in one of them. @a marks: of each piece and element.
-template <typename Mark>
-void ShareMarks(SharedElements& shared, std::vector<std::vector<Mark>>& marks)
-{
-  std::vector<std::int64_t> values;
-  for (const SharedElements::Element& element : shared.Get())
-  {
-    values.push_back(marks[element.Piece][element.Number] ? 0 : 1);
-  }
-  shared.Minimize(values);
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    const SharedElements::Element& element = shared.Get()[i];
-    marks[element.Piece][element.Number] = values[i] == 0;
-  }
-}
-
-//------------------------------------------------------------------------------
 /// The parts of a set of cells that hang together, with labels that all pieces know them by.
 class Parts
 {
@@ -327,7 +309,7 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
           }
         });
     }
-    ShareMarks(bridges.GetShared(), reached);
+    bridges.GetShared().Share(reached);
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
       ForEachCell(pieces[piece],
@@ -351,7 +333,7 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
 
 //------------------------------------------------------------------------------
 void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
-  const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
+  CellMarks allowed, Reducer& reducer, CellMarks& marks)
 {
   std::vector<CellElements> points;
   for (const LinkedPiece& piece : pieces)
@@ -359,6 +341,8 @@ void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int
     points.emplace_back(*piece.Topology, Adjacency::Vertex);
   }
   SharedElements shared(pieces, points, reducer);
+  shared.Share(allowed);
+  shared.Share(marks);
   for (int ring = 0; ring < rings; ++ring)
   {
     CellMarks next = marks;
@@ -398,7 +382,7 @@ void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int
         }
       }
     }
-    ShareMarks(shared, next);
+    shared.Share(next);
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
       for (std::size_t point = 0; point < marks[piece].size(); ++point)

@@ -37,9 +37,9 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
   const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
 
 /// Adds to @a marks, of points, @a rings times the @a allowed points on a facet, an edge or (Vertex) a cell with a
-/// marked one.
+/// marked one. What holds for a point of one piece holds for its copies in others, and is marked there.
 void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int rings,
-  const CellMarks& allowed, Reducer& reducer, CellMarks& marks);
+  CellMarks allowed, Reducer& reducer, CellMarks& marks);
 
 /// Adds to @a marks all @a allowed cells to which neighbours lead from marked ones.
 void Flood(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood,

@@ -21,6 +21,18 @@ SharedElements::SharedElements(const std::vector<LinkedPiece>& pieces,
 }
 
 //------------------------------------------------------------------------------
+SharedElements SharedElements::OfPoints(
+  const std::vector<LinkedPiece>& pieces, camaron::Reducer& reducer)
+{
+  std::vector<CellElements> points;
+  for (const LinkedPiece& piece : pieces)
+  {
+    points.emplace_back(*piece.Topology, Adjacency::Vertex);
+  }
+  return { pieces, points, reducer };
+}
+
+//------------------------------------------------------------------------------
 // Elements all of whose points lie in the box of another piece, each once.
 void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
   const std::vector<CellElements>& elements, std::vector<Candidate>& candidates)

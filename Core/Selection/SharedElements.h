@@ -32,10 +32,30 @@ public:
   SharedElements(const std::vector<LinkedPiece>& pieces, const std::vector<CellElements>& elements,
     Reducer& reducer);
 
+  /// Collective. The points of the cells.
+  static SharedElements OfPoints(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
+
   /// Those of this process' pieces.
   const std::vector<Element>& Get() const { return this->Elements; }
   /// Collective. Replaces the value of each of Get() by the smallest one that any piece has for it.
   void Minimize(std::vector<std::int64_t>& values);
+
+  /// Collective. Marks in all pieces what is marked in one of them. @a marks: of each piece and element, converted to
+  /// bool and assigned from it.
+  template <typename Mark>
+  void Share(std::vector<std::vector<Mark>>& marks)
+  {
+    std::vector<std::int64_t> values;
+    for (const Element& element : this->Elements)
+    {
+      values.push_back(marks[element.Piece][element.Number] ? 0 : 1);
+    }
+    this->Minimize(values);
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      marks[this->Elements[i].Piece][this->Elements[i].Number] = values[i] == 0;
+    }
+  }
 
 private:
   struct Candidate

@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/CurrentSelection.h"
 
+#include "RunTogether.h"
+#include "Selection/SharedElements.h"
+#include "Strategies/ChangeKind.h"
+#include "vtkSelectElements.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExecutive.h"
-#include "vtkIdList.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPVExtractSelection.h"
@@ -67,53 +71,17 @@ void MarkNonzero(vtkDataArray* array, std::vector<unsigned char>& marks)
 }
 
 //------------------------------------------------------------------------------
-// Points of the selected cells, or cells of the selected points.
-void MarkIncident(vtkDataSet* data, ElementKind kind, vtkDataArray* selected, std::vector<unsigned char>& marks)
-{
-  vtkNew<vtkIdList> points;
-  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
-  {
-    if (kind == ElementKind::Points && selected->GetComponent(cell, 0) == 0)
-    {
-      continue;
-    }
-    data->GetCellPoints(cell, points);
-    for (const vtkIdType point : *points)
-    {
-      if (kind == ElementKind::Points)
-      {
-        marks[point] = 1;
-      }
-      else if (selected->GetComponent(point, 0) != 0)
-      {
-        marks[cell] = 1;
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void MarkSelected(
-  vtkDataObject* evaluated, const ElementBlocks& blocks, SelectionMarks& marks)
+void MarkEvaluated(vtkDataObject* evaluated, ElementKind kind, const ElementBlocks& blocks, SelectionMarks& marks)
 {
   constexpr const char* inside = "vtkInsidedness"; // of vtkExtractSelection
   const std::vector<DataSetLeaf> leaves = GetLeaves(evaluated);
   for (std::size_t b = 0; b < marks.size(); ++b)
   {
-    const ElementBlock& block = blocks.Get()[b];
     const auto leaf = std::find_if(leaves.begin(), leaves.end(),
-      [&](const DataSetLeaf& other) { return other.FlatIndex == block.FlatIndex; });
-    if (leaf == leaves.end())
+      [&](const DataSetLeaf& other) { return other.FlatIndex == blocks.Get()[b].FlatIndex; });
+    if (leaf != leaves.end()) // else nothing of it is selected
     {
-      continue; // nothing of it is selected
-    }
-    const bool isOfCells = block.Kind == ElementKind::Cells;
-    const auto kind = static_cast<int>(block.Kind);
-    const int other = isOfCells ? vtkDataObject::POINT : vtkDataObject::CELL;
-    MarkNonzero(leaf->Data->GetAttributes(kind)->GetArray(inside), marks[b]);
-    if (vtkDataArray* selected = leaf->Data->GetAttributes(other)->GetArray(inside))
-    {
-      MarkIncident(leaf->Data, block.Kind, selected, marks[b]);
+      MarkNonzero(leaf->Data->GetAttributes(static_cast<int>(kind))->GetArray(inside), marks[b]);
     }
   }
 }
@@ -138,30 +106,78 @@ const Combination Combinations[] = {
 }
 
 //------------------------------------------------------------------------------
-SelectionMarks FindCurrentSelection(vtkDataObject* input, vtkSelection* selection,
-  const char* arrayName, int process, const ElementBlocks& blocks)
+ElementKind GetOtherKind(ElementKind kind)
 {
-  SelectionMarks marks = MakeMarks(blocks);
-  if (!selection)
-  {
-    for (std::size_t b = 0; b < marks.size(); ++b)
+  return kind == ElementKind::Cells ? ElementKind::Points : ElementKind::Cells;
+}
+
+//------------------------------------------------------------------------------
+void MarkSelected(vtkDataSet* data, ElementKind kind, std::vector<unsigned char>& marks)
+{
+  MarkNonzero(data->GetAttributes(static_cast<int>(kind))
+                ->GetArray(vtkSelectElements::GetSelectedArrayName()),
+    marks);
+}
+
+//------------------------------------------------------------------------------
+SelectionMarks FindSelected(const SelectionTask& task, ElementKind kind)
+{
+  SelectionMarks marks;
+  RunTogether(task.Reducer,
+    [&]
     {
-      MarkNonzero(blocks.Get()[b].GetArray(arrayName), marks[b]);
-    }
-  }
-  else if (const auto own = TakeOwnNodes(selection, process))
-  {
-    MarkSelected(Evaluate(input, own), blocks, marks);
-  }
-  for (std::size_t b = 0; b < marks.size(); ++b)
-  {
-    const std::vector<unsigned char>& skip = blocks.Get()[b].Skip;
-    for (std::size_t i = 0; i < skip.size(); ++i)
-    {
-      marks[b][i] = marks[b][i] && !skip[i];
-    }
-  }
+      for (const ElementBlock& block : task.Blocks.Get())
+      {
+        marks.emplace_back(block.Data->GetNumberOfElements(static_cast<int>(kind)));
+        if (!task.Inputs.Selection)
+        {
+          MarkSelected(block.Data, kind, marks.back());
+        }
+      }
+      if (task.Inputs.Selection)
+      {
+        if (const auto own = TakeOwnNodes(task.Inputs.Selection, task.Reducer.GetProcess()))
+        {
+          MarkEvaluated(Evaluate(task.Inputs.Mesh, own), kind, task.Blocks, marks);
+        }
+      }
+    });
   return marks;
+}
+
+//------------------------------------------------------------------------------
+SelectionMarks FindCurrentSelection(const SelectionTask& task)
+{
+  const ElementKind kind = task.Blocks.GetKind();
+  SelectionMarks marks = FindSelected(task, kind);
+  if (task.Inputs.Selection)
+  {
+    const SelectionMarks others = FindSelected(task, GetOtherKind(kind));
+    std::int64_t hasOthers = 0;
+    for (const std::vector<unsigned char>& block : others)
+    {
+      hasOthers |= std::find(block.begin(), block.end(), 1) != block.end();
+    }
+    task.Reducer.Max(&hasOthers, 1);
+    if (hasOthers)
+    {
+      const SelectionMarks changed = ChangeKindOf(task, others, Quantifier::Any);
+      MarkElements(marks, [&](std::size_t b, vtkIdType i) { return marks[b][i] | changed[b][i]; });
+    }
+  }
+  MarkCopies(task, marks);
+  MarkElements(marks,
+    [&](std::size_t b, vtkIdType i) { return marks[b][i] && !task.Blocks.Get()[b].IsGhost(i); });
+  return marks;
+}
+
+//------------------------------------------------------------------------------
+void MarkCopies(const SelectionTask& task, SelectionMarks& marks)
+{
+  if (task.Blocks.GetKind() == ElementKind::Points)
+  {
+    SharedElements::OfPoints(task.GetPieces().Get(), task.Reducer).Share(marks);
+  }
 }
 
 //------------------------------------------------------------------------------

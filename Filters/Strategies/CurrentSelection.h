@@ -14,15 +14,27 @@ class vtkSelection;
 namespace camaron
 {
 /**
- * The elements of @a selection, whatever describes them (ids, values, places, queries, expressions of
+ * Collective. The elements of the Selection, whatever describes them (ids, values, places, queries, expressions of
  * these); where it is of the other kind, the cells with a selected point or the points of the selected
- * cells. Without a selection the elements for which the array @a arrayName of the input is not 0, and
+ * cells. Without a Selection the elements for which the array "Selected" of the mesh is not 0, and
  * none without that.
  *
- * No ghosts. Throws std::invalid_argument when the selection cannot be evaluated.
+ * No ghosts. Throws std::runtime_error when the selection cannot be evaluated.
  */
-SelectionMarks FindCurrentSelection(vtkDataObject* input, vtkSelection* selection,
-  const char* arrayName, int process, const ElementBlocks& blocks);
+SelectionMarks FindCurrentSelection(const SelectionTask& task);
+
+/// Collective. What the Selection, or without one the mesh, says of the elements of one kind, ghosts included: of each
+/// block. Throws as above.
+SelectionMarks FindSelected(const SelectionTask& task, ElementKind kind);
+
+/// Collective. Of points marks the copies in other pieces, too.
+void MarkCopies(const SelectionTask& task, SelectionMarks& marks);
+
+/// Which elements of a data set its array "Selected" marks; none without it.
+void MarkSelected(vtkDataSet* data, ElementKind kind, std::vector<unsigned char>& marks);
+
+/// The other one.
+ElementKind GetOtherKind(ElementKind kind);
 
 /**
  * Replaces @a marks by their combination with @a current: "Replace" (as they are), "Add", "Subtract",

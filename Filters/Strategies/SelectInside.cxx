@@ -209,7 +209,7 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
   RunTogether(task.Reducer,
     [&]
     {
-      for (const DataSetLeaf& leaf : GetLeaves(task.Parameters.Surface))
+      for (const DataSetLeaf& leaf : GetLeaves(task.Inputs.Surface))
       {
         CheckPointIds(leaf.Data);
         const vtkSmartPointer<vtkDataSet> data = AsMesh(leaf.Data);

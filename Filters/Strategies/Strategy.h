@@ -21,6 +21,8 @@
 #include <string> // for parameters
 #include <vector> // for marks
 
+class vtkSelection;
+
 namespace camaron
 {
 /// All properties of vtkSelectElements; a strategy reads its own. See there what they mean.
@@ -54,9 +56,18 @@ struct SelectionParameters
   bool OnlyBoundary = false;
   bool OnlyInRange = false;
   int PartNumber = 1;
+  std::string Quantifier = "Any";
   vtkSmartPointer<vtkImplicitFunction> Shape;
   std::vector<std::array<double, 6>> Planes; ///< a point and the normal to the outside of each
+};
+
+/// What the inputs of vtkSelectElements are, all but the mesh or none.
+struct SelectionInputs
+{
+  vtkDataObject* Mesh = nullptr;
+  vtkSelection* Selection = nullptr;
   vtkDataObject* Surface = nullptr;
+  vtkDataObject* Elements = nullptr;
 };
 
 /// For each block of the input 1 for selected elements, else 0.
@@ -69,13 +80,14 @@ SelectionMarks MakeMarks(const ElementBlocks& blocks);
 class SelectionTask
 {
 public:
-  /// @a blocks, @a current and @a reducer are borrowed. @a numberOfRequestedPieces: see MeshPieces.
-  SelectionTask(const SelectionParameters& parameters, const ElementBlocks& blocks,
-    const SelectionMarks& current, int numberOfRequestedPieces, camaron::Reducer& reducer);
+  /// All but the inputs is borrowed. @a numberOfRequestedPieces: see MeshPieces.
+  SelectionTask(const SelectionParameters& parameters, const SelectionInputs& inputs,
+    const ElementBlocks& blocks, int numberOfRequestedPieces, camaron::Reducer& reducer);
 
   const SelectionParameters& Parameters;
+  const SelectionInputs Inputs;
   const ElementBlocks& Blocks;
-  const SelectionMarks& Current; ///< the selection so far; no ghosts are in it
+  SelectionMarks Current; ///< the selection so far, set after the rest; no ghosts are in it
   camaron::Reducer& Reducer;
 
   /// Array or PointArray, whichever belongs to the elements.
@@ -89,6 +101,8 @@ public:
   const MeshPieces& GetPieces() const;
   const MeshPieces& GetLinkedPieces() const;
   ///@}
+  /// Collective. The same of any blocks.
+  std::unique_ptr<MeshPieces> MakePieces(const std::vector<DataSetLeaf>& leaves) const;
 
 private:
   int NumberOfRequestedPieces;
@@ -103,6 +117,7 @@ private:
  */
 using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks& marks);
 
+std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectAll(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);

@@ -20,11 +20,11 @@ SelectionMarks MakeMarks(const ElementBlocks& blocks)
 }
 
 //------------------------------------------------------------------------------
-SelectionTask::SelectionTask(const SelectionParameters& parameters, const ElementBlocks& blocks,
-  const SelectionMarks& current, int numberOfRequestedPieces, camaron::Reducer& reducer)
+SelectionTask::SelectionTask(const SelectionParameters& parameters, const SelectionInputs& inputs,
+  const ElementBlocks& blocks, int numberOfRequestedPieces, camaron::Reducer& reducer)
   : Parameters(parameters)
+  , Inputs(inputs)
   , Blocks(blocks)
-  , Current(current)
   , Reducer(reducer)
   , NumberOfRequestedPieces(numberOfRequestedPieces)
 {
@@ -37,13 +37,18 @@ const std::string& SelectionTask::GetArrayName() const
 }
 
 //------------------------------------------------------------------------------
+std::unique_ptr<MeshPieces> SelectionTask::MakePieces(const std::vector<DataSetLeaf>& leaves) const
+{
+  return std::make_unique<MeshPieces>(
+    leaves, EvaluationOptions(), this->NumberOfRequestedPieces, this->Reducer);
+}
+
+//------------------------------------------------------------------------------
 const MeshPieces& SelectionTask::GetPieces() const
 {
   if (!this->Pieces)
   {
-    const std::vector<DataSetLeaf> leaves(this->Blocks.Get().begin(), this->Blocks.Get().end());
-    this->Pieces = std::make_unique<MeshPieces>(
-      leaves, EvaluationOptions(), this->NumberOfRequestedPieces, this->Reducer);
+    this->Pieces = this->MakePieces({ this->Blocks.Get().begin(), this->Blocks.Get().end() });
   }
   return *this->Pieces;
 }
@@ -78,6 +83,7 @@ const std::vector<Strategy>& GetStrategies()
     { "Shrink", &SelectShrunk, true },
     { "Connected", &SelectConnected, false },
     { "Part", &SelectPart, false },
+    { "Change kind", &ChangeKind, true },
     { "Boundary", &SelectBoundary, true },
     { "All", &SelectAll, true },
     { "Current", &SelectCurrent, true },

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Selection/KindChange.h"
+
+#include "Criteria/PieceBorders.h"
+#include "Parallel.h"
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1 << 14;
+
+//------------------------------------------------------------------------------
+/// What elements with the same points have in common, in whatever order.
+struct PointsHash
+{
+  std::uint64_t Low = 0, High = 0;
+
+  void Add(vtkIdType point)
+  {
+    const std::uint64_t hash = Mix(static_cast<std::uint64_t>(point));
+    this->Low += hash;
+    this->High += Mix(hash);
+  }
+  bool operator==(const PointsHash& other) const
+  {
+    return this->Low == other.Low && this->High == other.High;
+  }
+};
+
+//------------------------------------------------------------------------------
+/// Finds the cells of one dimension by their points.
+class CellFinder
+{
+public:
+  /// @a next: gets of each cell the next one with the same points, or -1.
+  CellFinder(const LinkedPiece& piece, int dimension, std::vector<vtkIdType>& next)
+  {
+    const MeshTopology& topology = *piece.Topology;
+    const MeshView& mesh = topology.GetMesh();
+    const CellElements corners(topology, Adjacency::Vertex);
+    const vtkIdType size = mesh.GetNumberOfCells();
+    while (this->Slots.size() < 2 * static_cast<std::size_t>(size) + 1)
+    {
+      this->Slots.resize(std::max<std::size_t>(16, 2 * this->Slots.size()), -1);
+    }
+    this->Hashes.resize(size);
+    next.assign(size, -1);
+    for (vtkIdType cell = 0; cell < size; ++cell)
+    {
+      if (piece.IsCopy(cell) || GetCellShape(mesh.GetCellType(cell)).Dimension != dimension)
+      {
+        continue;
+      }
+      PointsHash& hash = this->Hashes[cell];
+      corners.ForEach(cell, [&](vtkIdType point) { hash.Add(point); });
+      vtkIdType& slot = this->Slots[this->FindSlot(hash)];
+      next[cell] = slot;
+      slot = cell;
+    }
+  }
+
+  /// The last one, or -1.
+  vtkIdType Find(const PointsHash& hash) const { return this->Slots[this->FindSlot(hash)]; }
+
+private:
+  std::size_t FindSlot(const PointsHash& hash) const
+  {
+    const std::size_t mask = this->Slots.size() - 1;
+    std::size_t slot = hash.Low & mask;
+    while (this->Slots[slot] >= 0 && !(this->Hashes[this->Slots[slot]] == hash))
+    {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
+  }
+
+  std::vector<vtkIdType> Slots; // a power of two of them
+  std::vector<PointsHash> Hashes;
+};
+
+//------------------------------------------------------------------------------
+Adjacency GetAdjacency(int dimension)
+{
+  return dimension == 2 ? Adjacency::Facet : dimension == 1 ? Adjacency::Edge : Adjacency::Vertex;
+}
+
+//------------------------------------------------------------------------------
+std::vector<CellElements> MakeElements(const std::vector<LinkedPiece>& pieces, int dimension)
+{
+  std::vector<CellElements> elements;
+  for (const LinkedPiece& piece : pieces)
+  {
+    elements.emplace_back(*piece.Topology, GetAdjacency(dimension));
+  }
+  return elements;
+}
+
+//------------------------------------------------------------------------------
+template <typename Function>
+void ForEachId(vtkIdType size, Function&& function)
+{
+  ParallelFor(size, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        function(id);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool Holds(Quantifier quantifier, bool hasSelected, bool hasOther)
+{
+  return hasSelected && (quantifier == Quantifier::Any || !hasOther);
+}
+}
+
+//------------------------------------------------------------------------------
+KindChange::KindChange(
+  const std::vector<LinkedPiece>& pieces, const BoundingElements& bounding, Reducer& reducer)
+  : Pieces(pieces)
+  , Bounding(bounding)
+  , Elements(MakeElements(pieces, bounding.Dimension))
+  , Shared(pieces, this->Elements, reducer)
+{
+  for (std::size_t piece = 0; piece < pieces.size() && bounding.Pieces; ++piece)
+  {
+    this->FindBounding(piece);
+  }
+}
+
+//------------------------------------------------------------------------------
+void KindChange::FindBounding(std::size_t piece)
+{
+  this->Next.emplace_back();
+  const CellFinder finder((*this->Bounding.Pieces)[piece], this->Bounding.Dimension, this->Next[piece]);
+  this->First.emplace_back(this->Elements[piece].GetSize(), -1);
+  std::vector<bool> isKnown(this->First[piece].size());
+  CellFacets facets(this->Pieces[piece].Topology->GetMesh());
+  for (vtkIdType cell = 0; cell < this->Pieces[piece].Topology->GetMesh().GetNumberOfCells(); ++cell)
+  {
+    if (!this->TakesPart(piece, cell))
+    {
+      continue;
+    }
+    this->Elements[piece].ForEach(cell, facets,
+      [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
+      {
+        if (!isKnown[element])
+        {
+          isKnown[element] = true;
+          PointsHash hash;
+          std::for_each(points, points + size, [&](vtkIdType point) { hash.Add(point); });
+          this->First[piece][element] = finder.Find(hash);
+        }
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+bool KindChange::TakesPart(std::size_t piece, vtkIdType cell) const
+{
+  const unsigned char type = this->Pieces[piece].Topology->GetMesh().GetCellType(cell);
+  const int dimension = GetCellShape(type).Dimension;
+  return !this->Pieces[piece].IsCopy(cell) &&
+    (dimension > this->Bounding.Dimension || (dimension == 0 && !this->Bounding.Pieces));
+}
+
+//------------------------------------------------------------------------------
+KindChange::Flags KindChange::MakeFlags() const
+{
+  Flags flags;
+  for (const CellElements& elements : this->Elements)
+  {
+    flags.emplace_back(elements.GetSize());
+  }
+  return flags;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(id) for the bounding elements with the points of an element.
+template <typename Visit>
+void KindChange::ForEachBounding(std::size_t piece, vtkIdType element, Visit&& visit) const
+{
+  if (!this->Bounding.Pieces)
+  {
+    visit(element);
+    return;
+  }
+  for (vtkIdType id = this->First[piece][element]; id >= 0; id = this->Next[piece][id])
+  {
+    visit(id);
+  }
+}
+
+//------------------------------------------------------------------------------
+CellMarks KindChange::MarkCells(const CellMarks& marks, Quantifier quantifier)
+{
+  Flags hasSelected = this->MakeFlags(), hasOther = this->MakeFlags();
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    ForEachId(this->Elements[piece].GetSize(),
+      [&](vtkIdType element)
+      {
+        this->ForEachBounding(piece, element,
+          [&](vtkIdType id) { (marks[piece][id] ? hasSelected : hasOther)[piece][element] = 1; });
+      });
+  }
+  this->Shared.Share(hasSelected);
+  this->Shared.Share(hasOther);
+  CellMarks cells;
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    cells.emplace_back(this->Pieces[piece].Topology->GetMesh().GetNumberOfCells());
+    ForEachId(static_cast<vtkIdType>(cells[piece].size()),
+      [&](vtkIdType cell)
+      {
+        bool isAny = false, isNotAll = false;
+        if (this->TakesPart(piece, cell))
+        {
+          this->Elements[piece].ForEach(cell,
+            [&](vtkIdType element)
+            {
+              // Copies of a point are the same point, whichever is marked.
+              const bool isSelected = hasSelected[piece][element] != 0;
+              isAny |= isSelected;
+              isNotAll |= hasOther[piece][element] && (this->Bounding.Pieces || !isSelected);
+            });
+        }
+        cells[piece][cell] = Holds(quantifier, isAny, isNotAll);
+      });
+  }
+  return cells;
+}
+
+//------------------------------------------------------------------------------
+CellMarks KindChange::MarkBounding(const CellMarks& marks, Quantifier quantifier)
+{
+  Flags hasSelected = this->MakeFlags(), hasOther = this->MakeFlags();
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    ForEachId(static_cast<vtkIdType>(marks[piece].size()),
+      [&](vtkIdType cell)
+      {
+        if (this->TakesPart(piece, cell))
+        {
+          Flags& flags = marks[piece][cell] ? hasSelected : hasOther;
+          this->Elements[piece].ForEach(cell,
+            [&](vtkIdType element) { flags[piece][element].store(1, std::memory_order_relaxed); });
+        }
+      });
+  }
+  this->Shared.Share(hasSelected);
+  this->Shared.Share(hasOther);
+  CellMarks bounding;
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+  {
+    const vtkIdType size = this->Elements[piece].GetSize();
+    bounding.emplace_back(this->Bounding.Pieces ? static_cast<vtkIdType>(this->Next[piece].size()) : size);
+    ForEachId(size,
+      [&](vtkIdType element)
+      {
+        const bool holds =
+          Holds(quantifier, hasSelected[piece][element] != 0, hasOther[piece][element] != 0);
+        this->ForEachBounding(piece, element, [&](vtkIdType id) { bounding[piece][id] = holds; });
+      });
+  }
+  return bounding;
+}
+}
