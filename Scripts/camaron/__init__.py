@@ -8,12 +8,15 @@
 'MinDihedralAngle'
 >>> camaron.check("part.visf", "fem.rules")["verdict"]
 'fail'
+>>> camaron.compare("before.visf", "after.visf")["worse"]
+['MaxNonOrthogonality']
 >>> camaron.convert("part.visf", "part.vtu")
 []
 """
 
 from .checking import check
+from .comparison import compare
 from .conversion import convert
 from .inspection import inspect
 
-__all__ = ["check", "convert", "inspect"]
+__all__ = ["check", "compare", "convert", "inspect"]

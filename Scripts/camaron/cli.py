@@ -42,6 +42,15 @@ A rule is a line such as
 
 Documentation/check.md tells all that a rule can say."""
 
+COMPARE_HELP = """\
+Puts the quality of two meshes side by side, A before and B after: a table, and a report with
+histograms over the same bins (report.html, summary.json). Where both have the same cells, counts
+which are better and worse. The exit status is 0, or 2 if a mesh cannot be read or an option is
+wrong; with --fail-if-worse 1 if B has a larger share of cells outside an acceptable range than A.
+
+  camaron compare before.visf after.visf
+  camaron compare before.visf after.visf --preset 'Finite volume' --fail-if-worse"""
+
 CONVERT_HELP = """\
 Writes a mesh in another format, which the name of the target tells. Further options are those of
 the format, as listed below, each with its default; yes/no options need no value. File names that
@@ -125,6 +134,44 @@ def _parser() -> argparse.ArgumentParser:
     check.add_argument("--json", action="store_true", help="print JSON instead of tables")
     check.add_argument("--junit", metavar="FILE", help="write a report for build servers, too")
 
+    compare = commands.add_parser(
+        "compare",
+        help="two meshes side by side",
+        description=COMPARE_HELP,
+        formatter_class=style,
+    )
+    compare.add_argument("a", metavar="A", help="file that ParaView can open")
+    compare.add_argument("b", metavar="B", help="another one")
+    compare.add_argument(
+        "-o", "--output", metavar="DIR", help="folder of the report; default: A-B-comparison"
+    )
+    which = compare.add_mutually_exclusive_group()
+    which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
+    which.add_argument(
+        "--criteria", metavar="A,B", help="names of criteria, or all; default: those of the preset General"
+    )
+    compare.add_argument(
+        "--ranges",
+        metavar="FILE",
+        help="acceptable ranges of your own, lines of: criterion lowest highest",
+    )
+    compare.add_argument(
+        "--bins",
+        type=_positive,
+        default=50,
+        metavar="N",
+        help="bins of the histograms (%(default)s)",
+    )
+    _add_common(compare)
+    compare.add_argument(
+        "--json", action="store_true", help="print the summary as JSON instead of the table"
+    )
+    compare.add_argument(
+        "--fail-if-worse",
+        action="store_true",
+        help="exit with 1 if B has a larger share of cells outside an acceptable range",
+    )
+
     convert = commands.add_parser(
         "convert",
         help="from one format to another",
@@ -182,7 +229,7 @@ _positive.__name__ = "positive number"  # argparse says "invalid positive number
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Runs the command; returns its exit status: 0 done, 2 error, 130 interrupted."""
+    """Runs the command; returns its exit status: 0 done, 2 error, 130 interrupted; 1 is a verdict."""
     parser = _parser()
     rest: list[str] = []
     if list(arguments[:1]) == ["convert"]:
@@ -291,6 +338,32 @@ def _check(options: argparse.Namespace, _rest: list[str]) -> int:
     if options.junit:
         junit.write(options.junit, results, started)
     return EXIT_STATUS[verdict]
+
+
+def _compare(options: argparse.Namespace, _rest: list[str]) -> int:
+    from . import comparison, comparison_table
+    from .json_text import to_json
+
+    _check_ranks(options.ranks)
+    stems = [Path(mesh).stem for mesh in (options.a, options.b)]
+    folder = Path(options.output or "-".join([*stems, "comparison"]))
+    summary = comparison.compare(
+        options.a,
+        options.b,
+        folder,
+        preset=options.preset,
+        criteria=options.criteria.split(",") if options.criteria else None,
+        ranges=options.ranges,
+        bins=options.bins,
+        time=options.time,
+        say=_complain,
+    )
+    if options.json:
+        print(to_json(summary))
+    else:
+        print(comparison_table.describe(summary, _wants_color()))
+        print(f"\nReport: {folder / 'report.html'}")
+    return 1 if options.fail_if_worse and summary["worse"] else 0
 
 
 def _wants_color() -> bool:
@@ -476,4 +549,10 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
     return 0
 
 
-COMMANDS = {"inspect": _inspect, "check": _check, "convert": _convert, "criteria": _criteria}
+COMMANDS = {
+    "inspect": _inspect,
+    "check": _check,
+    "compare": _compare,
+    "convert": _convert,
+    "criteria": _criteria,
+}

@@ -236,6 +236,56 @@ def _quantile_marks(quantiles, axis, base) -> list[str]:
     return parts
 
 
+def comparison(criterion: dict[str, Any]) -> str:
+    """Shares of two meshes in the same bins: B as bars, A as a line over them."""
+    data = criterion["histogram"]
+    edges, name = data["edges"], escape(criterion["label"])
+    if not data["a"]:
+        return '<p class="description">No finite value.</p>'
+    axis, base = _Axis(edges, LEFT, WIDTH - RIGHT), HEIGHT - BOTTOM
+    top = max([*data["a"], *data["b"]]) or 1.0
+    height = lambda share: (base - TOP) * share / top
+    parts = [
+        f'<svg class="histogram" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
+        f'aria-label="Histograms of {name}">'
+    ]
+    for tick in ticks(0.0, 100.0 * top, 4):
+        y = base - height(tick / 100.0)
+        parts.append(
+            f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>'
+            f'<text class="tick" x="{LEFT - 8}" y="{y + 4:.1f}" text-anchor="end">'
+            f"{text.number(tick)}{text.THIN}%</text>"
+        )
+    line = [f"M{axis.bar(edges[0], edges[1])[0]:.2f} {base}"]
+    for lower, upper, a, b in zip(edges, edges[1:], data["a"], data["b"]):
+        x, width = axis.bar(lower, upper)
+        span = f"{text.number(lower)} – {text.number(upper)}"
+        shares = f"A {text.number(100 * a, 3)} %, B {text.number(100 * b, 3)} %"
+        parts.append(
+            f'<rect class="inside" x="{x:.2f}" width="{max(width - 1.0, 0.6):.2f}" '
+            f'y="{base - height(b):.2f}" height="{height(b):.2f}"/>'
+            f'<rect class="hover" x="{x:.2f}" width="{width:.2f}" y="{TOP}" height="{base - TOP}">'
+            f"<title>{span}: {shares}</title></rect>"
+        )
+        line.append(f"V{base - height(a):.2f}H{x + width:.2f}")
+    parts.append(f'<path class="before" d="{"".join(line)}V{base}"/>')
+    for limit in criterion["acceptable"]:
+        if limit is not None and axis.low < limit < axis.high:
+            x = axis(limit)
+            parts.append(f'<line class="limit" x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{base}"/>')
+    marks = ticks(axis.low, axis.high, 8) if edges[-1] > edges[0] else [edges[0]]
+    step = marks[1] - marks[0] if len(marks) > 1 else abs(marks[0]) * 1e-3 or 1.0
+    for tick in marks:
+        x = axis(tick)
+        parts.append(
+            f'<line class="axis" x1="{x:.1f}" x2="{x:.1f}" y1="{base}" y2="{base + 4}"/>'
+            f'<text class="tick" x="{x:.1f}" y="{base + 16}" text-anchor="middle">'
+            f"{_axis_label(tick, step)}</text>"
+        )
+    parts.append(f'<line class="axis" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{base}" y2="{base}"/></svg>')
+    return "".join(parts)
+
+
 def sparkline(criterion: dict[str, Any], width: int = 120, height: int = 26) -> str:
     """The histogram's outline in a line of a table."""
     data = criterion["histogram"]

@@ -96,6 +96,17 @@ def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
         simple.Delete(table)
 
 
+def range_sources(preset: Optional[str], ranges: Any) -> dict[str, str]:
+    """Who says so, by criterion, of the ranges that do not come from the table of criteria."""
+    sources = {}
+    if preset:
+        described = known_presets()[preset]
+        sources.update(dict.fromkeys(described["rules"], described["description"]))
+    if ranges:
+        sources.update(dict.fromkeys(known_ranges(ranges), os.path.basename(ranges)))
+    return sources
+
+
 def _finite(value: float) -> Optional[float]:
     """None for NaN and infinite numbers: unknown, or no limit."""
     return float(value) if math.isfinite(value) else None
@@ -109,13 +120,7 @@ def _number(value: float) -> Optional[float]:
 def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
     """All of Quality Statistics: one dictionary for each criterion, in the registry's order."""
     known = known_criteria()
-    sources = {}  # of the ranges that do not come from the table of criteria
-    if preset:
-        described = known_presets()[preset]
-        sources.update(dict.fromkeys(described["rules"], described["description"]))
-    if statistics.RangesFile:
-        name = os.path.basename(statistics.RangesFile)
-        sources.update(dict.fromkeys(known_ranges(statistics.RangesFile), name))
+    sources = range_sources(preset, statistics.RangesFile)
     criteria = {}
     for row in fetch(statistics, 0):
         if row["Group"] == "All" and row["Criterion"] in known:

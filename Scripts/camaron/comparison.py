@@ -1,0 +1,182 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Two meshes side by side."""
+
+from __future__ import annotations
+
+import datetime
+import math
+import os
+from pathlib import Path
+from typing import Any, Callable, Iterable, Optional
+
+from paraview import simple
+
+from . import comparison_report, facts, pipeline, tables
+from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria
+from .files import Staging, same_file
+from .json_text import to_json
+
+#: Keys of summary.json of what Compare Quality knows of both meshes.
+OF_BOTH = {
+    "count": "Count",
+    "null": "NullCount",
+    "inf": "InfCount",
+    "min": "Min",
+    "p1": "P1",
+    "p5": "P5",
+    "median": "P50",
+    "p95": "P95",
+    "p99": "P99",
+    "max": "Max",
+    "mean": "Mean",
+    "std_dev": "StdDev",
+    "out_of_range": "OutOfRangeCount",
+    "out_of_range_percent": "OutOfRangePercent",
+}
+
+
+def compare(
+    a: os.PathLike | str,
+    b: os.PathLike | str,
+    directory: Optional[os.PathLike | str] = None,
+    *,
+    preset: Optional[str] = None,
+    criteria: Optional[Iterable[str]] = None,
+    ranges: Optional[os.PathLike | str] = None,
+    bins: int = 50,
+    time: str = "last",
+    say: Callable[[str], None] = lambda words: None,
+) -> dict[str, Any]:
+    """Compares the quality of two meshes; writes report.html and summary.json.
+
+    The meshes are any files that ParaView can open, A what there was before and B what there is now.
+    `directory` is made if needed; by default it is A-B-comparison in the current folder, with the
+    names of the meshes. The other arguments are those of `inspect`.
+
+    Returns what summary.json holds (Documentation/compare.md). Raises ValueError for a name that does
+    not exist and RuntimeError for a file that cannot be read or written.
+
+    >>> summary = camaron.compare("before.visf", "after.visf", criteria=["MinDihedralAngle"])
+    >>> summary["criteria"][0]["improved"], summary["criteria"][0]["worsened"]
+    (1204, 31)
+    """
+    paths = [Path(a), Path(b)]
+    if directory is None:
+        directory = "-".join([*(path.stem for path in paths), "comparison"])
+    directory = Path(directory)
+    if preset is not None and criteria is not None:
+        raise ValueError("a preset and criteria exclude each other")
+    criteria = None if criteria is None else list(criteria)
+    pipeline.load_plugin()
+    limits = tables.known_ranges(ranges) if ranges is not None else {}
+    with Evaluation(paths[0], time) as first, Evaluation(paths[1], time) as second:
+        meshes = [first, second]
+        surfaces = [mesh.make(simple.MeshSurface) for mesh in meshes]
+        for mesh in meshes:
+            chosen = choose_criteria(mesh.quality, preset, criteria, limits)
+            mesh.announce(lambda words, name=mesh.mesh: say(f"{name}: {words}"))
+        comparison = first.make(simple.CompareQuality, Other=second.quality, NumberOfBins=bins)
+        if chosen:
+            comparison.Preset = chosen
+        if ranges is not None:
+            comparison.RangesFile = str(ranges)
+        with pipeline.Messages() as messages:
+            rows = _read(comparison, chosen, ranges)
+            described = [
+                facts.describe(path, mesh.opened, surface)
+                for path, mesh, surface in zip(paths, meshes, surfaces)
+            ]
+        if messages.errors:
+            raise RuntimeError(f"{a}, {b}: {messages.errors[0]}")
+        if chosen is None and (criteria is None or criteria == [ALL]):
+            rows = [row for row in rows if _has_values(row) and row["name"] not in NOT_REPORTED]
+        notes = messages.warnings
+        for path, mesh in zip(paths, meshes):
+            more = mesh.opened.warnings + facts.notes(mesh.opened)
+            notes = notes + [f"{path.name}: {note}" for note in more]
+        summary = {
+            "version": 1,
+            "generated": {
+                "date": datetime.datetime.now().astimezone().isoformat(" ", "minutes"),
+                "by": facts.program(),
+            },
+            "a": described[0],
+            "b": described[1],
+            "preset": chosen,
+            "ranges": None if ranges is None else str(ranges),
+            "same_cells": any(row["same_cells"] for row in rows),
+            "worse": [row["name"] for row in rows if is_worse(row)],
+            "criteria": rows,
+            "notes": notes,
+            "files": {"report": "report.html", "summary": "summary.json"},
+        }
+        _write(summary, directory, paths)
+        return summary
+
+
+def is_worse(row: dict[str, Any]) -> bool:
+    """Whether the share of the cells outside of the acceptable range is larger in B."""
+    a, b = row["a"]["out_of_range_percent"], row["b"]["out_of_range_percent"]
+    return a is not None and b is not None and b > a
+
+
+def _has_values(row: dict[str, Any]) -> bool:
+    return any(row[mesh]["count"] > row[mesh]["null"] for mesh in "ab")
+
+
+def _write(summary: dict[str, Any], directory: Path, meshes: list[Path]) -> None:
+    with Staging(directory) as staging:
+        page = comparison_report.render(summary)
+        (staging.path / "report.html").write_text(page, encoding="utf-8")
+        (staging.path / "summary.json").write_text(to_json(summary) + "\n", encoding="utf-8")
+        for name in staging.names():
+            if any(same_file(directory / name, mesh) for mesh in meshes):
+                raise ValueError(f"{directory / name}: the report would replace a mesh")
+        staging.publish()
+
+
+def _number(value: Any) -> Any:
+    return None if isinstance(value, float) and math.isnan(value) else value
+
+
+def _finite(value: float) -> Optional[float]:
+    return value if math.isfinite(value) else None
+
+
+def _read(comparison: Any, preset: Optional[str], ranges: Any) -> list[dict[str, Any]]:
+    """The tables of Compare Quality: one dictionary for each criterion."""
+    known = tables.known_criteria()
+    sources = tables.range_sources(preset, ranges)
+    criteria = {}
+    for row in tables.fetch(comparison):
+        about = known[row["Criterion"]]
+        limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
+        criteria[row["Criterion"]] = {
+            **{key: about[key] for key in ("name", "label", "description", "better", "ideal")},
+            "unit": row["Unit"],
+            "acceptable": limits,
+            "acceptable_source": sources.get(about["name"], about["acceptable_source"])
+            if limits != [None, None]
+            else "",
+            **{
+                mesh: {key: _number(row[column + mesh.upper()]) for key, column in OF_BOTH.items()}
+                for mesh in "ab"
+            },
+            "distance": _number(row["Distance"]),
+            "distance_value": _number(row["DistanceValue"]),
+            "same_cells": bool(row["SameCells"]),
+            "compared": row["ComparedCount"],
+            "improved": row["ImprovedCount"],
+            "worsened": row["WorsenedCount"],
+            "unchanged": row["UnchangedCount"],
+            "histogram": {"edges": [], "a": [], "b": []},
+        }
+    for row in tables.fetch(comparison, 1):
+        histogram = criteria[row["Criterion"]]["histogram"]
+        if row["Bin"] == 0:
+            histogram["edges"].append(row["LowerEdge"])
+        histogram["edges"].append(row["UpperEdge"])
+        for mesh in "ab":
+            histogram[mesh].append(_number(row["Fraction" + mesh.upper()]) or 0.0)
+    return [criteria[name] for name in known if name in criteria]
