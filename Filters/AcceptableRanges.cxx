@@ -60,6 +60,7 @@ std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reduc
 //------------------------------------------------------------------------------
 AcceptableRanges::AcceptableRanges(
   const std::string& name, const std::string& file, Reducer& reducer)
+  : IsDefault(file.empty() && name == GetDefaultRangesName())
 {
   const Preset* preset = FindPreset(name);
   if (!preset && name != GetDefaultRangesName())
@@ -74,6 +75,14 @@ AcceptableRanges::AcceptableRanges(
   {
     this->Rules.insert(this->Rules.end(), preset->Rules.begin(), preset->Rules.end());
   }
+}
+
+//------------------------------------------------------------------------------
+bool AcceptableRanges::HasRule(const std::string& name) const
+{
+  return this->IsDefault ? FindCriterion(name) != nullptr
+                         : std::any_of(this->Rules.begin(), this->Rules.end(),
+                             [&](const Preset::Rule& rule) { return name == rule.Criterion; });
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,11 @@ public:
   /// The range of a criterion, if there is one. @a unit is that of the values: angles may be in "rad".
   std::optional<ValueRange> Find(const std::string& criterion, const std::string& unit) const;
 
+  /// Whether the file or the preset says something of a criterion; without both, whether there is one of that name.
+  bool HasRule(const std::string& criterion) const;
+
 private:
+  bool IsDefault;
   std::vector<Preset::Rule> Rules; // in the order in which they count
 };
 

@@ -15,6 +15,7 @@
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSelection.h"
@@ -46,30 +47,25 @@ camaron::ElementKind GetKind(const std::string& elementType)
 }
 
 //------------------------------------------------------------------------------
-// Copy of a data set with the marks; no marks stand for no elements. There is one selection: marks of the other kind go.
-vtkSmartPointer<vtkDataSet> CopyWithMarks(
-  vtkDataSet* data, camaron::ElementKind kind, const std::vector<unsigned char>& marks)
+// An array of a value for each element of a data set.
+template <typename Array, typename Value>
+vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& values)
 {
-  vtkNew<vtkUnsignedCharArray> selected;
-  selected->SetName(vtkSelectElements::GetSelectedArrayName());
-  selected->SetNumberOfValues(static_cast<vtkIdType>(marks.size()));
-  std::copy(marks.begin(), marks.end(), selected->GetPointer(0));
-  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
-  copy->GetAttributes(static_cast<int>(camaron::GetOtherKind(kind)))->RemoveArray(selected->GetName());
-  copy->GetAttributes(static_cast<int>(kind))->AddArray(selected);
-  return copy;
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
 }
 
 //------------------------------------------------------------------------------
-// Copies the input with marks for each of its data sets: findMarks(flatIndex).
-template <typename FindMarks>
-void AddMarks(
-  vtkDataObject* input, camaron::ElementKind kind, vtkDataObject* output, FindMarks&& findMarks)
+// Copies the input with its data sets replaced: copyData(dataSet, flatIndex).
+template <typename CopyData>
+void CopyInput(vtkDataObject* input, vtkDataObject* output, CopyData&& copyData)
 {
   if (auto* data = vtkDataSet::SafeDownCast(input))
   {
-    output->ShallowCopy(CopyWithMarks(data, kind, findMarks(0)));
+    output->ShallowCopy(copyData(data, 0u));
     return;
   }
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -82,8 +78,7 @@ void AddMarks(
   {
     vtkDataObject* leaf = it->GetCurrentDataObject();
     auto* leafData = vtkDataSet::SafeDownCast(leaf);
-    copy->SetDataSet(it,
-      leafData ? CopyWithMarks(leafData, kind, findMarks(it->GetCurrentFlatIndex())).Get() : leaf);
+    copy->SetDataSet(it, leafData ? copyData(leafData, it->GetCurrentFlatIndex()).Get() : leaf);
   }
 }
 
@@ -150,6 +145,9 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfWorst: " << this->GetNumberOfWorst() << '\n';
   os << indent << "WorstShare: " << this->GetWorstShare() << '\n';
   os << indent << "CellTypes: " << this->GetCellTypes() << '\n';
+  os << indent << "Counted: " << this->GetCounted() << '\n';
+  os << indent << "Counts: " << this->GetCounts() << '\n';
+  os << indent << "NumberOfFailures: " << this->GetNumberOfFailures() << '\n';
   os << indent << "ByTopology: " << this->GetByTopology() << '\n';
   os << indent << "StatusBits: " << this->GetStatusBits() << '\n';
   os << indent << "WorstValues: " << this->GetWorstValues() << '\n';
@@ -251,6 +249,8 @@ CAMARON_TEXT_PROPERTY(Quantifier)
 CAMARON_TEXT_PROPERTY(Adjacency)
 CAMARON_TEXT_PROPERTY(StatusBits)
 CAMARON_TEXT_PROPERTY(CellTypes)
+CAMARON_TEXT_PROPERTY(Counted)
+CAMARON_TEXT_PROPERTY(Counts)
 #undef CAMARON_TEXT_PROPERTY
 
 //------------------------------------------------------------------------------
@@ -272,6 +272,7 @@ CAMARON_TEXT_PROPERTY(CellTypes)
 CAMARON_NUMBER_PROPERTY(NumberOfWorst, int, 0)
 CAMARON_NUMBER_PROPERTY(NumberOfRings, int, 0)
 CAMARON_NUMBER_PROPERTY(PartNumber, int, 1)
+CAMARON_NUMBER_PROPERTY(NumberOfFailures, int, 1)
 CAMARON_NUMBER_PROPERTY(FeatureAngle, double, 0)
 CAMARON_NUMBER_PROPERTY(WorstShare, double, 0)
 CAMARON_NUMBER_PROPERTY(LeaveNulls, bool, false)
@@ -364,11 +365,27 @@ int vtkSelectElements::RequestData(
       vtkWarningMacro("" << this->Report << '.');
     }
     camaron::MarkCopies(task, marks);
-    AddMarks(input, blocks.GetKind(), output,
-      [&](unsigned int flatIndex)
+    std::int64_t hasCounts = !task.FailedCriteriaCounts.empty();
+    reducer.Max(&hasCounts, 1);
+    const auto kind = static_cast<int>(blocks.GetKind());
+    const auto otherKind = static_cast<int>(camaron::GetOtherKind(blocks.GetKind()));
+    CopyInput(input, output,
+      [&](vtkDataSet* data, unsigned int flatIndex)
       {
+        auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+        copy->ShallowCopy(data);
         const auto found = blockOfFlatIndex.find(flatIndex);
-        return found == blockOfFlatIndex.end() ? std::vector<unsigned char>() : marks[found->second];
+        const bool isEmpty = found == blockOfFlatIndex.end();
+        // There is one selection: marks of the other kind go.
+        copy->GetAttributes(otherKind)->RemoveArray(GetSelectedArrayName());
+        copy->GetAttributes(kind)->AddArray(MakeArray<vtkUnsignedCharArray>(GetSelectedArrayName(),
+          isEmpty ? std::vector<unsigned char>() : marks[found->second]));
+        if (hasCounts)
+        {
+          copy->GetAttributes(kind)->AddArray(MakeArray<vtkIntArray>("FailedCriteriaCount",
+            isEmpty ? std::vector<int>() : task.FailedCriteriaCounts[found->second]));
+        }
+        return copy;
       });
   }
   catch (const std::exception& error)

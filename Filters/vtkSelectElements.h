@@ -22,6 +22,9 @@
  * - "Status": cells of whose CellStatus a bit is set, any or those that StatusBits names;
  * - "Cell type": cells of CellTypes;
  * - "Null": NaN in Array;
+ * - "Number of elements": cells with so many faces, edges or vertices;
+ * - "Failed criteria": elements of which at least NumberOfFailures arrays are out of the ranges of the preset; adds
+ * the int array `FailedCriteriaCount`;
  * - "By id": a list of ids;
  * - "Shape", "Half-spaces", "Surface": what lies in a sphere, box, cylinder or behind a plane; behind all
  * planes of a list; in a closed surface, as Placement says;
@@ -151,7 +154,7 @@ public:
 
   ///@{
   /**
-   * By criterion: whose acceptable range, "Default ranges" (default, those of the table of
+   * By criterion, Failed criteria: whose acceptable range, "Default ranges" (default, those of the table of
    * criteria) or the name of a preset.
    */
   void SetPreset(const char* name);
@@ -198,6 +201,23 @@ public:
   void SetByTopology(bool byTopology);
   bool GetByTopology() const;
   vtkBooleanMacro(ByTopology, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Number of elements: what is Counted, "Faces" (default), "Edges" or "Vertices" of each cell, and the Counts to select,
+   * such as "4, 7-10". Default: none.
+   */
+  void SetCounted(const char* name);
+  const char* GetCounted() const;
+  void SetCounts(const char* numbers);
+  const char* GetCounts() const;
+  ///@}
+
+  ///@{
+  /// Failed criteria: how many must fail at least. Default: 1.
+  void SetNumberOfFailures(int number);
+  int GetNumberOfFailures() const;
   ///@}
 
   ///@{

@@ -4,10 +4,6 @@
 
 #include "AcceptableRanges.h"
 
-#include "vtkDataArray.h"
-#include "vtkDataSet.h"
-#include "vtkInformation.h"
-
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -37,24 +33,6 @@ double ParseLimit(const std::string& text, const char* property, double open)
 }
 
 //------------------------------------------------------------------------------
-// Unit of the array, the same on all processes.
-std::string FindUnit(const SelectionTask& task)
-{
-  std::vector<std::string> units;
-  for (const ElementBlock& block : task.Blocks.Get())
-  {
-    vtkDataArray* array = block.GetArray(task.GetArrayName());
-    if (array && array->HasInformation() &&
-      array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
-    {
-      units.emplace_back(array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()));
-    }
-  }
-  units = task.Reducer.GatherNames(units);
-  return units.empty() ? std::string() : units.back();
-}
-
-//------------------------------------------------------------------------------
 ValueRange FindRange(const SelectionTask& task)
 {
   const SelectionParameters& parameters = task.Parameters;
@@ -74,7 +52,7 @@ ValueRange FindRange(const SelectionTask& task)
     throw std::invalid_argument("Range is Acceptable or Custom, not '" + parameters.Range + "'");
   }
   const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, task.Reducer);
-  const auto range = ranges.Find(task.GetArrayName(), FindUnit(task));
+  const auto range = ranges.Find(task.GetArrayName(), FindUnit(task, task.GetArrayName()));
   if (!range)
   {
     throw std::invalid_argument("no acceptable range is known for '" + task.GetArrayName() +

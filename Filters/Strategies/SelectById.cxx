@@ -1,102 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/IdRanges.h"
 #include "Strategies/Strategy.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cstring>
 #include <stdexcept>
 
 namespace camaron
 {
 namespace
 {
-struct IdRange
-{
-  vtkIdType First, Last;
-};
-
-//------------------------------------------------------------------------------
-// One id at the begin of the text, which then starts behind it.
-vtkIdType ParseId(const char*& text, const char* end)
-{
-  vtkIdType id = 0;
-  const auto [next, error] = std::from_chars(text, end, id);
-  if (error != std::errc() || id < 0)
-  {
-    throw std::invalid_argument("Ids: expected an id, found '" +
-      std::string(text, std::min<std::ptrdiff_t>(end - text, 20)) + "' (write 3, 10-20, 40)");
-  }
-  text = next;
-  return id;
-}
-
-//------------------------------------------------------------------------------
-// Ascending ranges that do not touch.
-std::vector<IdRange> ParseIds(const std::string& list)
-{
-  constexpr const char* separators = ",; \t\r\n";
-  std::vector<IdRange> ranges;
-  const char* text = list.data();
-  const char* end = text + list.size();
-  const auto skip = [&](const char* characters)
-  {
-    while (text != end && std::strchr(characters, *text))
-    {
-      ++text;
-    }
-  };
-  for (skip(separators); text != end; skip(separators))
-  {
-    IdRange range;
-    range.First = range.Last = ParseId(text, end);
-    const char* afterFirst = text;
-    skip(" \t");
-    if (text != end && *text == '-')
-    {
-      ++text;
-      skip(" \t");
-      range.Last = ParseId(text, end);
-    }
-    else
-    {
-      text = afterFirst;
-    }
-    if (range.Last < range.First)
-    {
-      throw std::invalid_argument("Ids: " + std::to_string(range.First) + "-" +
-        std::to_string(range.Last) + " runs backwards");
-    }
-    ranges.push_back(range);
-  }
-  std::sort(ranges.begin(), ranges.end(),
-    [](const IdRange& a, const IdRange& b) { return a.First < b.First; });
-  std::vector<IdRange> merged;
-  for (const IdRange& range : ranges)
-  {
-    if (!merged.empty() && range.First <= merged.back().Last)
-    {
-      merged.back().Last = std::max(merged.back().Last, range.Last);
-    }
-    else
-    {
-      merged.push_back(range);
-    }
-  }
-  return merged;
-}
-
-//------------------------------------------------------------------------------
-bool Contains(const std::vector<IdRange>& ranges, vtkIdType id)
-{
-  const auto next = std::upper_bound(ranges.begin(), ranges.end(), id,
-    [](vtkIdType value, const IdRange& range) { return value < range.First; });
-  return next != ranges.begin() && id <= std::prev(next)->Last;
-}
-
 //------------------------------------------------------------------------------
 // Ids of the elements of every block, empty where they are the indices. Throws if a process lacks
 // them.
@@ -139,7 +55,7 @@ std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(const SelectionTask& task)
 //------------------------------------------------------------------------------
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
 {
-  const std::vector<IdRange> ranges = ParseIds(task.Parameters.Ids);
+  const std::vector<IdRange> ranges = ParseIdRanges("Ids", task.Parameters.Ids);
   const auto ids = FindIds(task);
   std::int64_t found = 0;
   for (std::size_t b = 0; b < marks.size(); ++b)

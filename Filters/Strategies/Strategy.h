@@ -46,6 +46,9 @@ struct SelectionParameters
   std::string WorstValues = "By criterion";
   std::string StatusBits;
   std::string CellTypes;
+  std::string Counted = "Faces";
+  std::string Counts;
+  int NumberOfFailures = 1;
   bool ByTopology = false;
   bool LeaveNulls = false;
   std::string Placement = "Centroid inside";
@@ -90,6 +93,9 @@ public:
   SelectionMarks Current; ///< the selection so far, set after the rest; no ghosts are in it
   camaron::Reducer& Reducer;
 
+  /// Of each block and element how many criteria fail, if the strategy counts that.
+  mutable std::vector<std::vector<int>> FailedCriteriaCounts;
+
   /// Array or PointArray, whichever belongs to the elements.
   const std::string& GetArrayName() const;
   bool HasCells() const { return this->Blocks.GetKind() == ElementKind::Cells; }
@@ -121,12 +127,14 @@ std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectAll(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectById(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectByType(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectCurrent(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectConnected(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectExpanded(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
@@ -150,6 +158,9 @@ const Strategy& FindStrategy(const std::string& name);
 
 /// How SelectInShape and its like call the ways in which a cell may be placed; see Placement.
 std::vector<std::string> GetPlacementNames();
+
+/// Unit of an array, the same on all processes. Collective.
+std::string FindUnit(const SelectionTask& task, const std::string& arrayName);
 
 /// Values of the array for the strategies that need one; throws if no process has it. Collective.
 BlockValues FindValues(const SelectionTask& task);

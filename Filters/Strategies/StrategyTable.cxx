@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkInformation.h"
 
 #include <stdexcept>
 
@@ -75,6 +77,8 @@ const std::vector<Strategy>& GetStrategies()
     { "Worst share", &SelectWorstShare, true },
     { "Status", &SelectByStatus, false },
     { "Cell type", &SelectByType, false },
+    { "Number of elements", &SelectByCount, false },
+    { "Failed criteria", &SelectFailed, true },
     { "By id", &SelectById, true },
     { "Shape", &SelectInShape, true },
     { "Half-spaces", &SelectInHalfSpaces, true },
@@ -103,6 +107,23 @@ const Strategy& FindStrategy(const std::string& name)
     }
   }
   throw std::invalid_argument("there is no strategy named '" + name + "'");
+}
+
+//------------------------------------------------------------------------------
+std::string FindUnit(const SelectionTask& task, const std::string& arrayName)
+{
+  std::vector<std::string> units;
+  for (const ElementBlock& block : task.Blocks.Get())
+  {
+    vtkDataArray* array = block.GetArray(arrayName);
+    if (array && array->HasInformation() &&
+      array->GetInformation()->Has(vtkDataArray::UNITS_LABEL()))
+    {
+      units.emplace_back(array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()));
+    }
+  }
+  units = task.Reducer.GatherNames(units);
+  return units.empty() ? std::string() : units.back();
 }
 
 //------------------------------------------------------------------------------

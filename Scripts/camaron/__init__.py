@@ -18,5 +18,6 @@ from .checking import check
 from .comparison import compare
 from .conversion import convert
 from .inspection import inspect
+from .selecting import select
 
-__all__ = ["check", "compare", "convert", "inspect"]
+__all__ = ["check", "compare", "convert", "inspect", "select"]

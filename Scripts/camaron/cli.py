@@ -51,6 +51,18 @@ wrong; with --fail-if-worse 1 if B has a larger share of cells outside an accept
   camaron compare before.visf after.visf
   camaron compare before.visf after.visf --preset 'Finite volume' --fail-if-worse"""
 
+SELECT_HELP = """\
+Selects elements of a mesh in steps, each a strategy of the filter Select Elements with its
+properties, and writes what is selected: a table (.csv), ids (.txt), a set for OpenFOAM (a name in a
+folder "sets"), or a mesh of the cells in any format. Criteria that are named are evaluated.
+
+  camaron select part.visf --by 'By criterion: Array=MinDihedralAngle' -o bad.csv -o bad.vtu
+  camaron select part.visf --by 'Worst N: Array=Volume' --by Expand -o case/constant/polyMesh/sets/bad
+  camaron select part.visf --by 'Shape: Shape=Sphere; Center=0,0,1; Radius=0.3; Placement=Intersects'
+
+A step goes on from the one before: Combination says how (Replace, Add, Subtract, Intersect, Toggle,
+Refine). Documentation/selection.md lists the strategies and their properties."""
+
 CONVERT_HELP = """\
 Writes a mesh in another format, which the name of the target tells. Further options are those of
 the format, as listed below, each with its default; yes/no options need no value. File names that
@@ -186,6 +198,26 @@ def _parser() -> argparse.ArgumentParser:
     convert.add_argument("source", metavar="IN", help="file that ParaView can open")
     convert.add_argument("target", metavar="OUT", help="file to write")
     _add_common(convert)
+
+    select = commands.add_parser(
+        "select",
+        help="elements as lists, tables or meshes",
+        description=SELECT_HELP,
+        formatter_class=style,
+    )
+    select.add_argument("mesh", metavar="MESH", help="file that ParaView can open")
+    select.add_argument(
+        "--by",
+        action="append",
+        required=True,
+        metavar="STEP",
+        help="strategy and properties: 'STRATEGY: NAME=VALUE; NAME=VALUE'; may be repeated",
+    )
+    select.add_argument(
+        "-o", "--output", action="append", default=[], metavar="FILE", help="what to write; may be repeated"
+    )
+    _add_common(select)
+    select.add_argument("--json", action="store_true", help="print JSON instead of lines")
 
     criteria = commands.add_parser("criteria", help="list of the criteria and presets")
     criteria.add_argument(
@@ -549,10 +581,34 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
     return 0
 
 
+def _select(options: argparse.Namespace, _rest: list[str]) -> int:
+    from .json_text import to_json
+    from .selecting import select
+
+    _check_ranks(options.ranks)
+    result = select(
+        options.mesh,
+        options.by,
+        options.output,
+        time=options.time,
+        say=lambda words: print(f"camaron: {words}", file=sys.stderr, flush=True),
+    )
+    if options.json:
+        print(to_json(result))
+        return 0
+    noun = result["elements"].lower()
+    for step in result["steps"]:
+        print(f"{step['strategy']}: {step['selected']} {noun}")
+    for line in result["notes"]:
+        print(_ascii(line))
+    return 0
+
+
 COMMANDS = {
     "inspect": _inspect,
     "check": _check,
     "compare": _compare,
+    "select": _select,
     "convert": _convert,
     "criteria": _criteria,
 }

@@ -75,6 +75,23 @@ def convert(
             simple.Delete(proxy)
 
 
+def write_source(source: Any, target: os.PathLike | str, notes: list[str]) -> None:
+    """Writes what a source gives, in the format that the name tells; `notes` get what `convert` returns."""
+    made = [source]
+    try:
+        write(_suitable(made, Path(target), notes), target, {}, notes)
+    finally:
+        for proxy in reversed(made[1:]):
+            simple.Delete(proxy)
+
+
+def check_target(target: os.PathLike | str) -> None:
+    """ValueError if nobody writes a format of that extension."""
+    suffix = Path(target).suffix.lower()
+    if not formats.own_writer(Path(target)) and suffix not in _known_suffixes():
+        raise ValueError(f"{target}: no writer for {suffix or 'files without an extension'}")
+
+
 def _check_ranks(target: Path) -> None:
     suffix = target.suffix.lower()
     if (

@@ -38,7 +38,11 @@ class Evaluation:
 
     def make(self, create: Callable[..., Any], **properties: Any) -> Any:
         """A filter of the Element Quality that lives as long as this object."""
-        self._made.append(create(Input=self.quality, **properties))
+        return self.make_of(self.quality, create, **properties)
+
+    def make_of(self, source: Any, create: Callable[..., Any], **properties: Any) -> Any:
+        """The same of another filter that was made."""
+        self._made.append(create(Input=source, **properties))
         return self._made[-1]
 
     def __enter__(self) -> "Evaluation":

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/IdRanges.h"
+#include "Strategies/Strategy.h"
+
+#include "Criteria/Evaluation.h"
+
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+const Criterion* FindCount(const std::string& what)
+{
+  const char* criterion = what == "Faces" ? "FaceCount"
+    : what == "Edges"                     ? "EdgeCount"
+    : what == "Vertices"                  ? "VertexCount"
+                                          : nullptr;
+  if (!criterion)
+  {
+    throw std::invalid_argument("Counted is Faces, Edges or Vertices, not '" + what + "'");
+  }
+  return FindCriterion(criterion);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks)
+{
+  const Criterion* criterion = FindCount(task.Parameters.Counted);
+  const std::vector<IdRange> counts = ParseIdRanges("Counts", task.Parameters.Counts);
+  if (counts.empty())
+  {
+    throw std::invalid_argument("there are no Counts");
+  }
+  const MeshPieces& pieces = task.GetPieces();
+  for (std::size_t piece = 0; piece < marks.size(); ++piece)
+  {
+    std::vector<double> values(marks[piece].size());
+    Evaluate(pieces.GetTopology(piece), pieces.GetOptions(piece), { { criterion, values.data() } },
+      [](double) { return true; });
+    for (std::size_t cell = 0; cell < values.size(); ++cell)
+    {
+      // NaN: a cell that has no such elements.
+      marks[piece][cell] = values[cell] >= 0 && Contains(counts, static_cast<vtkIdType>(values[cell]));
+    }
+  }
+  return "";
+}
+}

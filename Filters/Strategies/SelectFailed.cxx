@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include "AcceptableRanges.h"
+
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// Arrays of any process that the ranges know.
+std::vector<std::string> FindNames(const SelectionTask& task, const AcceptableRanges& ranges)
+{
+  std::vector<std::string> names;
+  for (const ElementBlock& block : task.Blocks.Get())
+  {
+    for (int i = 0; i < block.GetAttributes()->GetNumberOfArrays(); ++i)
+    {
+      const char* name = block.GetAttributes()->GetArrayName(i);
+      if (name && block.GetArray(name) && ranges.HasRule(name) && ranges.Find(name, ""))
+      {
+        names.emplace_back(name);
+      }
+    }
+  }
+  return task.Reducer.GatherNames(names);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
+{
+  const SelectionParameters& parameters = task.Parameters;
+  const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, task.Reducer);
+  const std::vector<std::string> names = FindNames(task, ranges);
+  std::int64_t numberOfBlocks = static_cast<std::int64_t>(task.Blocks.Get().size());
+  task.Reducer.Sum(&numberOfBlocks, 1);
+  if (names.empty() && numberOfBlocks > 0)
+  {
+    throw std::invalid_argument("no array is a criterion with a range in '" + parameters.Preset +
+      "'; let Element Quality evaluate some");
+  }
+  std::vector<std::vector<int>>& counts = task.FailedCriteriaCounts;
+  for (const std::vector<unsigned char>& block : marks)
+  {
+    counts.emplace_back(block.size());
+  }
+  for (const std::string& name : names)
+  {
+    const ValueRange range = *ranges.Find(name, FindUnit(task, name));
+    const BlockValues values(task.Blocks, name);
+    for (std::size_t v = 0; v < values.Get().size(); ++v)
+    {
+      const ValueBlock& block = values.Get()[v];
+      std::vector<int>& count = counts[values.GetBlockNumbers()[v]];
+      ParallelFor(block.Size, 1 << 16,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            // NaN is on neither side.
+            count[i] += block.Values[i] < range.Low || block.Values[i] > range.High;
+          }
+        });
+    }
+  }
+  MarkElements(marks,
+    [&](std::size_t b, vtkIdType i) { return counts[b][i] >= parameters.NumberOfFailures; });
+  return "";
+}
+}

@@ -1,0 +1,107 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Files that name selected elements: ids, tables, OpenFOAM's sets."""
+
+from __future__ import annotations
+
+import csv
+import io
+import os
+from pathlib import Path
+from typing import Any
+
+from paraview import servermanager, simple
+
+from . import pipeline
+from .files import Staging
+
+#: Where OpenFOAM looks for sets: constant/polyMesh/sets/NAME.
+SETS = "sets"
+
+FOAM_SET = """\
+FoamFile
+{{
+    version     2.0;
+    format      ascii;
+    class       {kind};
+    location    "constant/polyMesh/sets";
+    object      {name};
+}}
+
+{count}
+(
+{ids}
+)
+"""
+
+
+def is_list(path: os.PathLike | str) -> bool:
+    """Whether `write_list` writes files of that name: .csv, .txt, or any name without one in a folder sets."""
+    path = Path(path)
+    return path.suffix.lower() in (".csv", ".txt") or _is_set(path)
+
+
+def _is_set(path: Path) -> bool:
+    return not path.suffix and path.resolve().parent.name == SETS
+
+
+def write_list(select: Any, path: os.PathLike | str) -> int:
+    """Writes what a SelectElements filter selects, sorted by id, and returns how many elements that are.
+
+    A table for .csv: what SelectionTable gives. Ids for .txt, one on each line: global ids if all elements have one,
+    else indices. For any name without an extension in a folder named "sets" OpenFOAM's cellSet or pointSet of
+    the indices, which are OpenFOAM's labels if the mesh has its cells and points in OpenFOAM's order, as
+    OpenFOAMReader leaves them that does not decompose polyhedra.
+
+    Raises ValueError for other names, and for a set of a mesh with global ids or blocks.
+    """
+    path = Path(path)
+    if not is_list(path):
+        raise ValueError(f"{path}: expected a name that ends in .csv or .txt, or a set in a folder 'sets'")
+    if _is_set(path) and pipeline.is_composite(select):
+        raise ValueError(f"{path}: a set names elements of one mesh, and this one has blocks")
+    table = simple.SelectionTable(Input=select)
+    try:
+        rows = sorted(_rows(table), key=lambda row: row["Id"])
+    finally:
+        simple.Delete(table)
+    with Staging(path.parent) as staging:
+        (staging.path / path.name).write_text(_content(select, rows, path), encoding="utf-8", newline="")
+        staging.publish()
+    return len(rows)
+
+
+def _rows(table: Any) -> list[dict[str, Any]]:
+    """Of all processes; of an array with several components a column for each."""
+    rows = []
+    for rank in range(servermanager.ActiveConnection.GetNumberOfDataPartitions()):
+        part = servermanager.Fetch(table, rank)
+        columns = {}
+        for c in range(part.GetNumberOfColumns()):
+            column = part.GetColumn(c)
+            size = column.GetNumberOfComponents()
+            for k in range(size):
+                name = column.GetName() if size == 1 else f"{column.GetName()}:{k}"
+                columns[name] = [column.GetValue(i * size + k) for i in range(part.GetNumberOfRows())]
+        rows += [dict(zip(columns, values)) for values in zip(*columns.values())]
+    return rows
+
+
+def _content(select: Any, rows: list[dict[str, Any]], path: Path) -> str:
+    if path.suffix.lower() == ".csv":
+        return _csv(rows)
+    ids = [str(row["Id"]) for row in rows]
+    if not _is_set(path):
+        return "".join(f"{i}\n" for i in ids)
+    kind = "pointSet" if select.GetProperty("ElementType").GetData() == "Points" else "cellSet"
+    return FOAM_SET.format(kind=kind, name=path.name, count=len(ids), ids="\n".join(ids))
+
+
+def _csv(rows: list[dict[str, Any]]) -> str:
+    """Numbers with all their digits."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    header = list(rows[0]) if rows else ["Id", "Block", "CellType", "X", "Y", "Z"]
+    writer.writerow(header)
+    writer.writerows([row[name] for name in header] for row in rows)
+    return stream.getvalue()

@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Elements of a mesh by one strategy after the other, as lists of ids, tables or meshes."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Any, Callable, Iterable, Optional
+
+from paraview import simple
+
+from . import conversion, export, facts, pipeline, tables, text
+from .evaluation import Evaluation
+
+#: Property of SelectElements that opens the file of a closed surface.
+SURFACE = "Surface"
+#: Properties that are not for one step.
+NO_STEP = {"Input", "Selection", "Elements", "Strategy"}
+YES, NO = ("yes", "on", "true", "1"), ("no", "off", "false", "0")
+
+
+def select(
+    mesh: os.PathLike | str,
+    steps: Iterable[str],
+    outputs: Iterable[os.PathLike | str] = (),
+    *,
+    time: str = "last",
+    say: Callable[[str], None] = lambda words: None,
+) -> dict[str, Any]:
+    """Selects elements of a mesh in steps and writes them to files.
+
+    A step is a strategy of SelectElements with properties, such as "Worst N: Array=Volume; NumberOfWorst=5" or
+    "Shape: Shape=Sphere; Center=0,0,1; Radius=0.2; Combination=Subtract"; the next one goes on from what it selects.
+    Criteria that are named for Array are evaluated. Documentation/selection.md tells the formats of the outputs:
+    tables (.csv), ids (.txt), OpenFOAM's sets (any name in a folder "sets"), and meshes of the cells.
+
+    Returns what `camaron select --json` prints. Raises ValueError for wrong steps and names, before the
+    mesh is read where that is possible, and RuntimeError for a mesh that cannot be read and a step that fails.
+
+    >>> camaron.select("part.visf", ["By criterion: Array=MinDihedralAngle"], ["bad.csv"])["selected"]
+    12
+    """
+    parsed = [_parse(step) for step in steps]
+    if not parsed:
+        raise ValueError("there is no step to select by")
+    targets = [Path(output) for output in outputs]
+    pipeline.load_plugin()
+    for target in targets:
+        if not export.is_list(target):
+            conversion.check_target(target)
+    surfaces: list[Any] = []
+    with Evaluation(mesh, time) as evaluated:
+        try:
+            evaluated.quality.Criteria = _criteria(evaluated, parsed)
+            evaluated.announce(say)
+            rows, notes = [], list(evaluated.opened.warnings)
+            chain = evaluated.quality
+            for strategy, properties in parsed:
+                chain = evaluated.make_of(chain, simple.SelectElements)
+                _set(chain, strategy, properties, surfaces)
+                rows.append(_run(evaluated, chain, notes))
+            for target in targets:
+                _write(evaluated, chain, target, notes)
+        finally:
+            for surface in surfaces:
+                simple.Delete(surface)
+        return {
+            "mesh": str(mesh),
+            "time": evaluated.opened.time,
+            "elements": chain.GetProperty("ElementType").GetData(),
+            "selected": rows[-1]["selected"],
+            "steps": rows,
+            "outputs": [str(target) for target in targets],
+            "notes": notes + facts.notes(evaluated.opened),
+        }
+
+
+def _parse(step: str) -> tuple[str, dict[str, str]]:
+    """The strategy and its properties.
+
+    >>> _parse("Worst N: Array=Volume; NumberOfWorst=5")
+    ('Worst N', {'Array': 'Volume', 'NumberOfWorst': '5'})
+    """
+    strategy, _, rest = step.partition(":")
+    properties = {}
+    for item in filter(None, (part.strip() for part in rest.split(";"))):
+        name, equals, value = (part.strip() for part in item.partition("="))
+        if not equals:
+            raise ValueError(f"step '{step}': expected NAME=VALUE, found '{item}'")
+        properties[name] = value
+    return strategy.strip(), properties
+
+
+def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]) -> list[str]:
+    """Names of criteria that the steps need and the mesh does not have."""
+    known = list(evaluated.quality.GetProperty("Criteria").Available)
+    there = set(evaluated.opened.source.CellData.keys())
+    wanted = []
+    for strategy, properties in steps:
+        by_name = {_plain(name): value for name, value in properties.items()}
+        if "array" in by_name:
+            wanted.append(by_name["array"])
+        if _plain(strategy) == "status":
+            wanted.append("CellStatus")
+        if _plain(strategy) == "failedcriteria":
+            presets = tables.known_presets()
+            preset = by_name.get("preset", "General")
+            wanted += presets[text.lookup(preset, list(presets), "preset")]["rules"]
+    return [*dict.fromkeys(name for name in wanted if name in known and name not in there)]
+
+
+def _plain(name: str) -> str:
+    """The letters of a name, small.
+
+    >>> _plain("Number Of-worst")
+    'numberofworst'
+    """
+    return re.sub(r"[\W_]", "", name).lower()
+
+
+def _lookup(name: str, known: Iterable[str], kind: str) -> str:
+    names = {_plain(k): k for k in known}
+    return names.get(_plain(name)) or text.lookup(name, list(names.values()), kind)
+
+
+def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[Any]) -> None:
+    chain.Strategy = name = _lookup(strategy, chain.GetProperty("Strategy").Available, "strategy")
+    if name == "Failed criteria" and not any(_plain(p) == "preset" for p in properties):
+        chain.Preset = "General"
+    own = [name for name in chain.ListProperties() if name not in NO_STEP]
+    for name, value in sorted(properties.items(), key=lambda item: _plain(item[0]) != "shape"):
+        of_shape = {_plain(p): p for p in chain.Shape.ListProperties()}
+        if _plain(name) in of_shape and _plain(name) not in map(_plain, own):
+            _set_property(chain.Shape, of_shape[_plain(name)], value)
+            continue
+        name = _lookup(name, own, "property")
+        if name == SURFACE:
+            surfaces.append(pipeline.open_mesh(value).source)
+            chain.Surface = surfaces[-1]
+        else:
+            _set_property(chain, name, value)
+
+
+def _set_property(proxy: Any, name: str, value: str) -> None:
+    """A property by text: a word, a number, yes or no, or a list of numbers."""
+    prop = proxy.GetProperty(name)
+    kind = type(prop.SMProperty).__name__
+    if "Proxy" in kind:
+        setattr(proxy, name, _lookup(value, prop.Available, name))
+        return
+    if "String" in kind:
+        available = getattr(prop, "Available", None)
+        setattr(proxy, name, _lookup(value, available, name) if available and name != "Array" else value)
+        return
+    whole = "Double" not in kind
+    numbers = []
+    for word in re.split(r"[,\s]+", value):
+        word = "1" if word.lower() in YES else "0" if word.lower() in NO else word
+        try:
+            numbers.append(int(word) if whole else float(word))
+        except ValueError:
+            raise ValueError(f"{name}: expected a number, found '{word}'") from None
+    setattr(proxy, name, numbers if len(numbers) > 1 else numbers[0])
+
+
+def _run(evaluated: Evaluation, chain: Any, notes: list[str]) -> dict[str, Any]:
+    with pipeline.Messages() as messages:
+        chain.UpdatePipeline(evaluated.opened.time["value"] if evaluated.opened.time else 0.0)
+    if messages.errors:
+        raise RuntimeError(f"{evaluated.mesh}: {messages.errors[0]}")
+    chain.UpdatePropertyInformation()
+    notes += [note for note in messages.warnings if note not in notes]
+    return {
+        "strategy": chain.GetProperty("Strategy").GetData(),
+        "selected": int(chain.GetPropertyValue("NumberOfSelectedElements")),
+    }
+
+
+def _write(evaluated: Evaluation, chain: Any, target: Path, notes: list[str]) -> None:
+    if export.is_list(target):
+        export.write_list(chain, target)
+        return
+    if chain.GetProperty("ElementType").GetData() != "Cells":
+        raise ValueError(f"{target}: points are no mesh; write .csv or .txt, or change them to cells")
+    cells = evaluated.make_of(
+        chain,
+        simple.Threshold,
+        Scalars=["CELLS", "Selected"],
+        LowerThreshold=1,
+        UpperThreshold=1,
+    )
+    cells.UpdatePipeline()
+    if pipeline.data_information(cells).GetNumberOfCells() == 0:
+        raise RuntimeError(f"{target}: nothing is selected, so there is nothing to write")
+    conversion.write_source(cells, target, notes)
