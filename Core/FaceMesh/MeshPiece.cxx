@@ -42,15 +42,12 @@ bool MeshPiece::FindFreeFaces(FaceMesh& mesh, const Progress& progress)
 void MeshPiece::AddPoints(
   const FaceMesh& mesh, const IdSet& faces, IdSet& points, const Progress& progress)
 {
-  mesh.Faces.ForEach(progress,
-    [&](vtkIdType i, const IdList& face)
+  mesh.Faces.ForEachOf(faces, progress,
+    [&](vtkIdType, const IdList& face)
     {
-      if (faces.Contains(i))
+      for (std::int32_t j = 0; j < face.Size; ++j)
       {
-        for (std::int32_t j = 0; j < face.Size; ++j)
-        {
-          points.Add(face[j]);
-        }
+        points.Add(face[j]);
       }
     });
 }
@@ -158,16 +155,16 @@ bool MeshPiece::Select(FaceMesh& mesh, const PieceRequest& request, const Progre
   }
   else
   {
-    mesh.Cells.ForEach(progress,
-      [&](vtkIdType i, const IdList& cell)
+    for (vtkIdType item = this->Begin; item < std::min(this->End, this->NumberOfCells); ++item)
+    {
+      this->Cells.Add(item);
+    }
+    mesh.Cells.ForEachOf(this->Cells, progress,
+      [&](vtkIdType, const IdList& cell)
       {
-        if (i >= this->Begin && i < this->End)
+        for (std::int32_t j = 0; j < cell.Size; ++j)
         {
-          this->Cells.Add(i);
-          for (std::int32_t j = 0; j < cell.Size; ++j)
-          {
-            this->Faces.Add(cell[j]);
-          }
+          this->Faces.Add(cell[j]);
         }
       });
     for (vtkIdType item = std::max(this->Begin, this->NumberOfCells); item < this->End; ++item)

@@ -39,6 +39,7 @@ bool IdLists::Scan(
 {
   this->Count = count;
   this->Data = scanner.GetPosition();
+  this->End = this->Data + scanner.GetBytesLeft();
   this->Swap = scanner.IsSwapped();
   this->CommonSize = -1;
   this->Needed = nullptr;
@@ -140,7 +141,7 @@ vtkIdType IdLists::CheckBlocks(
   for (vtkIdType i = firstBlock * BlockSize; i < end; ++i)
   {
     const IdList list = this->At(place);
-    if (this->CommonSize >= 0 && list.Size != this->CommonSize)
+    if (this->CommonSize >= 0 && Load<std::int32_t>(place, this->Swap) != this->CommonSize)
     {
       even = false;
       return this->Count;
@@ -257,12 +258,13 @@ void IdLists::FailAtList(
     list = this->At(list.Ids + 4 * std::ptrdiff_t(list.Size));
   }
   std::int32_t j = 0;
-  while (j < list.Size && static_cast<std::uint32_t>(list[j]) < expected.Limit)
+  while (j + 1 < list.Size && static_cast<std::uint32_t>(list[j]) < expected.Limit)
   {
     ++j;
   }
   scanner.FailAt(list.Ids + 4 * std::ptrdiff_t(j), ErrorKind::Index,
-    DescribeRange(expected) + " in " + Describe(expected, bad), std::to_string(list[j]));
+    DescribeRange(expected) + " in " + Describe(expected, bad),
+    list.Size > 0 ? std::to_string(list[j]) : "nothing");
 }
 
 //------------------------------------------------------------------------------
@@ -272,6 +274,16 @@ bool IdLists::Scan(TextScanner& scanner, const TextLines* lines, vtkIdType count
   this->Count = count;
   this->Swap = false;
   this->CommonSize = -1;
+  if (lines && !expected.AccessAll &&
+    this->CheckLines(scanner, *lines, dropRest, expected, progress))
+  {
+    return true;
+  }
+  if (progress.IsStopped())
+  {
+    return false;
+  }
+  this->Lines = nullptr;
   if (!(lines && this->ScanLines(scanner, *lines, dropRest, expected, progress.Part(0, 0.8))))
   {
     if (progress.IsStopped() || !this->ScanText(scanner, dropRest, expected))
@@ -331,13 +343,17 @@ bool IdLists::ScanLines(TextScanner& scanner, const TextLines& lines, bool dropR
   }
 
   Buffer<std::int32_t> words(first.back());
+  const std::vector<vtkIdType> last(first.begin() + 1, first.end());
   const auto limit = static_cast<std::uint64_t>(expected.Limit);
   const vtkIdType lastLine = this->Count - 1;
   good = lines.ForEach(section, progress.Part(0.2, 1),
     [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
     {
       std::int64_t size = 0;
-      parse(text, end, size);
+      if (!parse(text, end, size) || size < 0 || size >= last[piece] - first[piece])
+      {
+        return false; // the file was changed
+      }
       std::int32_t* word = words.data() + first[piece];
       *word++ = static_cast<std::int32_t>(size);
       for (std::int64_t j = 0; j < size; ++j)
@@ -359,6 +375,172 @@ bool IdLists::ScanLines(TextScanner& scanner, const TextLines& lines, bool dropR
     scanner.SetPosition(section.End);
   }
   return good;
+}
+
+//------------------------------------------------------------------------------
+// Reads a list; false if something is wrong with it. What follows it is left.
+bool IdLists::ReadLine(
+  const char*& text, const char* end, std::vector<std::int32_t>& ids) const
+{
+  const auto limit = static_cast<std::uint64_t>(this->Limit);
+  const auto parse = [&](std::int64_t& value)
+  {
+    while (text < end && IsSpace(*text))
+    {
+      ++text;
+    }
+    const char* const next = ParseInteger(text, end, value);
+    text = next ? next : text;
+    return next && (next == end || IsSpace(*next) || *next == this->Comment);
+  };
+  std::int64_t size = 0, id = 0;
+  if (!parse(size) || size < 0 || size > (end - text) / 2)
+  {
+    return false;
+  }
+  ids.resize(static_cast<std::size_t>(size));
+  for (std::int32_t& place : ids)
+  {
+    if (!parse(id) || static_cast<std::uint64_t>(id) >= limit)
+    {
+      return false;
+    }
+    place = static_cast<std::int32_t>(id);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// The same of the next line that counts.
+bool IdLists::ReadNextLine(const char*& text, std::vector<std::int32_t>& ids) const
+{
+  TextScanner scanner("", text, this->Section.End, this->Comment);
+  scanner.SetPosition(text);
+  const bool isThere = scanner.SkipSpace();
+  text = scanner.GetPosition();
+  scanner.SkipLine();
+  const bool good = isThere && this->ReadLine(text, scanner.GetPosition(), ids);
+  text = scanner.GetPosition();
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
+  Expectation& expected, const Progress& progress)
+{
+  this->Section = lines.Find(scanner.GetPosition(), this->Count);
+  if (!this->Section)
+  {
+    return false;
+  }
+  this->Lines = &lines;
+  this->Comment = scanner.GetComment();
+  this->Limit = expected.Limit;
+  struct Seen
+  {
+    std::vector<std::int32_t> Ids;
+    vtkIdType NumberOfIds = 0;
+    Tally Empty, Short, Repeating;
+  };
+  std::vector<Seen> pieces(this->GetNumberOfPieces());
+  const vtkIdType lastLine = this->Count - 1;
+  const bool good = lines.ForEach(this->Section, progress,
+    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+    {
+      Seen& seen = pieces[piece];
+      if (!this->ReadLine(text, end, seen.Ids) ||
+        !(dropRest || line == lastLine ? TextLines::HasOneEnd(text, end)
+                                       : lines.IsBlank(text, end)))
+      {
+        return false;
+      }
+      const auto size = static_cast<vtkIdType>(seen.Ids.size());
+      seen.NumberOfIds += size;
+      std::int32_t previous = size > 0 ? seen.Ids.back() : -1;
+      bool repeats = false;
+      for (const std::int32_t id : seen.Ids)
+      {
+        repeats |= id == previous;
+        previous = id;
+        if (expected.Used)
+        {
+          expected.Used->Add(id);
+        }
+      }
+      if (size < 3)
+      {
+        (size == 0 ? seen.Empty : seen.Short).Add(line);
+      }
+      else if (repeats)
+      {
+        seen.Repeating.Add(line);
+      }
+      return true;
+    });
+  if (!good)
+  {
+    if (expected.Used)
+    {
+      *expected.Used = IdSet(expected.Used->GetLimit());
+    }
+    return false;
+  }
+  this->NumberOfIds = 0;
+  for (const Seen& seen : pieces)
+  {
+    this->NumberOfIds += seen.NumberOfIds;
+    expected.Empty.Merge(seen.Empty);
+    expected.Short.Merge(seen.Short);
+    expected.Repeating.Merge(seen.Repeating);
+  }
+  scanner.SetPosition(this->Section.End);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IdLists::KeepNeeded(const Progress& progress)
+{
+  std::vector<std::vector<std::int32_t>> kept(this->GetNumberOfPieces()), ids(kept.size());
+  if (!this->Lines->ForEach(this->Section, progress,
+        [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+        {
+          if (!this->Needed->Contains(line))
+          {
+            return true;
+          }
+          const bool good = this->ReadLine(text, end, ids[piece]);
+          kept[piece].push_back(static_cast<std::int32_t>(ids[piece].size()));
+          kept[piece].insert(kept[piece].end(), ids[piece].begin(), ids[piece].end());
+          return good;
+        }))
+  {
+    return false;
+  }
+  std::size_t size = 0;
+  for (const auto& words : kept)
+  {
+    size += words.size();
+  }
+  this->Words = Buffer<std::int32_t>(static_cast<vtkIdType>(size));
+  std::int32_t* word = this->Words.data();
+  for (auto& words : kept)
+  {
+    word = std::copy(words.begin(), words.end(), word);
+    words = {};
+  }
+  this->End = reinterpret_cast<const char*>(word);
+  this->Blocks.assign(static_cast<std::size_t>((this->Count + BlockSize - 1) / BlockSize), nullptr);
+  this->Starts = Buffer<std::uint32_t>(this->Needed->GetNumberOfMembers());
+  const char* place = reinterpret_cast<const char*>(this->Words.data());
+  vtkIdType number = 0;
+  for (const std::int32_t list : this->Needed->GetMembers())
+  {
+    const char*& block = this->Blocks[static_cast<std::size_t>(list / BlockSize)];
+    block = block ? block : place;
+    this->Starts[number++] = static_cast<std::uint32_t>((place - block) / 4);
+    place += 4 + 4 * std::ptrdiff_t(this->At(place).Size);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -398,6 +580,10 @@ bool IdLists::MakeRandomAccess(const IdSet& needed, const Progress& progress)
     return true;
   }
   this->Needed = &needed;
+  if (this->Lines)
+  {
+    return this->KeepNeeded(progress);
+  }
   this->Starts = Buffer<std::uint32_t>(needed.GetNumberOfMembers());
   return this->ForEach(progress,
     [&](vtkIdType i, const IdList& list)

@@ -6,7 +6,12 @@
  *
  * The lists stay where they are, usually in a mapped file of either byte order. Lists of one common
  * length are found by arithmetic. For others the start of every 1024th list is kept, and, once
- * MakeRandomAccess was called or if the reader asks for it, the start of every list that is needed.
+ * MakeRandomAccess was called or if the reader asks for it, the start of every list that is needed. Lists
+ * of text are read into memory if all are to be accessible. If not they stay text, one per line, which is read
+ * whenever they are visited, and only those that are needed are kept.
+ *
+ * As the lists are in a file that another program may change, what was checked need not stay true: lists
+ * and ids may then be any, but a list is always one that can be read.
  */
 #ifndef camaron_IdLists_h
 #define camaron_IdLists_h
@@ -55,7 +60,8 @@ public:
 
   /**
    * Takes @a count lists from text; false with the error in the scanner, or if stopped.
-   * @param lines of the text if it is large enough to read it in parallel, else nullptr
+   * @param lines of the text if it is large enough to read it in parallel, else nullptr; they must stay
+   *   alive if not all lists are to be accessible
    * @param dropRest whether the rest of the line after every list is ignored; otherwise only that
    *   after the last one is
    */
@@ -72,6 +78,20 @@ public:
   template <typename Visit>
   bool ForEach(const Progress& progress, Visit&& visit) const
   {
+    if (this->Lines)
+    {
+      std::vector<std::vector<std::int32_t>> ids(this->GetNumberOfPieces());
+      return this->Lines->ForEach(this->Section, progress,
+        [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+        {
+          const bool good = this->ReadLine(text, end, ids[piece]);
+          if (good)
+          {
+            visit(line, MakeList(ids[piece]));
+          }
+          return good;
+        });
+    }
     const vtkIdType blocks = (this->Count + BlockSize - 1) / BlockSize;
     return progress.For(blocks,
       [&](vtkIdType first, vtkIdType last)
@@ -87,10 +107,49 @@ public:
       });
   }
 
+  /// The same for the lists in a set.
+  template <typename Visit>
+  bool ForEachOf(const IdSet& lists, const Progress& progress, Visit&& visit) const
+  {
+    if (this->Lines)
+    {
+      std::vector<std::vector<std::int32_t>> ids(this->GetNumberOfPieces());
+      return this->Lines->ForEach(this->Section, progress,
+        [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+        {
+          const bool isWanted = lists.Contains(line);
+          const bool good = !isWanted || this->ReadLine(text, end, ids[piece]);
+          if (isWanted && good)
+          {
+            visit(line, MakeList(ids[piece]));
+          }
+          return good;
+        });
+    }
+    return this->ForEach(progress,
+      [&](vtkIdType i, const IdList& list)
+      {
+        if (lists.Contains(i))
+        {
+          visit(i, list);
+        }
+      });
+  }
+
   /// Calls @a visit(i, list) for all lists in order.
   template <typename Visit>
   void ForEachInOrder(Visit&& visit) const
   {
+    if (this->Lines)
+    {
+      std::vector<std::int32_t> ids;
+      const char* text = this->Section.Begin;
+      for (vtkIdType i = 0; i < this->Count && this->ReadNextLine(text, ids); ++i)
+      {
+        visit(i, MakeList(ids));
+      }
+      return;
+    }
     const char* place = this->Count > 0 ? this->GetBlock(0) : nullptr;
     for (vtkIdType i = 0; i < this->Count; ++i)
     {
@@ -105,27 +164,50 @@ public:
 
   IdList operator[](vtkIdType i) const
   {
-    return this->At(this->CommonSize >= 0 ? this->Data + i * this->Stride : this->Place(i));
+    return this->Has(i) ? this->At(this->FindPlace(i)) : IdList{ this->End, 0, this->Swap };
   }
 
   /// Announces that a list will be read soon.
   void Prefetch(vtkIdType i) const
   {
-    camaron::Prefetch(this->CommonSize >= 0 ? this->Data + i * this->Stride : this->Place(i));
+    if (this->Has(i))
+    {
+      camaron::Prefetch(this->FindPlace(i));
+    }
   }
 
 private:
   static constexpr vtkIdType BlockSize = 1024;
 
-  const char* Place(vtkIdType i) const
+  bool Has(vtkIdType i) const
   {
+    return static_cast<std::uint64_t>(i) < static_cast<std::uint64_t>(this->Count);
+  }
+  const char* FindPlace(vtkIdType i) const
+  {
+    if (this->CommonSize >= 0)
+    {
+      return this->Data + i * this->Stride;
+    }
     const vtkIdType number = this->Needed ? this->Needed->GetNumber(i) : i;
-    return this->Blocks[i / BlockSize] + 4 * std::ptrdiff_t(this->Starts[number]);
+    return number < this->Starts.size()
+      ? this->Blocks[i / BlockSize] + 4 * std::ptrdiff_t(this->Starts[number])
+      : this->End;
   }
 
   IdList At(const char* place) const
   {
-    return { place + 4, Load<std::int32_t>(place, this->Swap), this->Swap };
+    if (this->CommonSize >= 0)
+    {
+      return { place + 4, this->CommonSize, this->Swap };
+    }
+    const std::ptrdiff_t room = (this->End - place) / 4 - 1;
+    if (room < 0)
+    {
+      return { this->End, 0, this->Swap };
+    }
+    const auto size = Load<std::int32_t>(place, this->Swap);
+    return { place + 4, size >= 0 && size <= room ? size : 0, this->Swap };
   }
   const char* GetBlock(vtkIdType block) const
   {
@@ -148,9 +230,31 @@ private:
     const Expectation& expected, const Progress& progress);
   bool ScanText(TextScanner& scanner, bool dropRest, const Expectation& expected);
 
+  ///@{
+  /// Lists that stay text.
+  bool CheckLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
+    Expectation& expected, const Progress& progress);
+  bool ReadLine(const char*& text, const char* end, std::vector<std::int32_t>& ids) const;
+  bool ReadNextLine(const char*& text, std::vector<std::int32_t>& ids) const;
+  bool KeepNeeded(const Progress& progress);
+  std::size_t GetNumberOfPieces() const
+  {
+    return static_cast<std::size_t>(this->Lines->GetNumberOfPieces(this->Section));
+  }
+  static IdList MakeList(const std::vector<std::int32_t>& ids)
+  {
+    return { reinterpret_cast<const char*>(ids.data()), static_cast<std::int32_t>(ids.size()), 0 };
+  }
+  const TextLines* Lines = nullptr;
+  TextLines::Section Section;
+  char Comment = '\0';
+  vtkIdType Limit = 0;
+  ///@}
+
   vtkIdType Count = 0;
   vtkIdType NumberOfIds = 0;
   const char* Data = nullptr;
+  const char* End = nullptr; ///< of the file, or memory
   bool Swap = false;
   std::int32_t CommonSize = -1;
   std::ptrdiff_t Stride = 0; ///< bytes from list to list if all have the common size

@@ -3,6 +3,9 @@
 /**
  * @class camaron::IdSet
  * @brief A set of ids below a limit, filled from several threads; numbers its members in order.
+ *
+ * Ids that are not below the limit are no members, and adding them does nothing: they come from files that
+ * another program changed after they were checked.
  */
 #ifndef camaron_IdSet_h
 #define camaron_IdSet_h
@@ -29,11 +32,16 @@ public:
   vtkIdType GetLimit() const { return this->Limit; }
   bool Contains(vtkIdType id) const
   {
-    return this->Words[id >> 6].load(std::memory_order_relaxed) >> (id & 63) & 1;
+    return this->IsBelowLimit(id) &&
+      (this->Words[id >> 6].load(std::memory_order_relaxed) >> (id & 63) & 1);
   }
   /// Adds an id; any thread may.
   void Add(vtkIdType id)
   {
+    if (!this->IsBelowLimit(id))
+    {
+      return;
+    }
     const std::uint64_t bit = std::uint64_t(1) << (id & 63);
     std::atomic<std::uint64_t>& word = this->Words[id >> 6];
     if (!(word.load(std::memory_order_relaxed) & bit))
@@ -58,6 +66,10 @@ public:
 
     void Add(vtkIdType id)
     {
+      if (!this->Set.IsBelowLimit(id))
+      {
+        return;
+      }
       const std::uint64_t bit = std::uint64_t(1) << (id & 63);
       const vtkIdType word = id >> 6;
       if (this->Set.Words[word].load(std::memory_order_relaxed) & bit)
@@ -99,6 +111,10 @@ public:
   /// Number of a member; only after Number.
   vtkIdType GetNumber(vtkIdType id) const
   {
+    if (!this->IsBelowLimit(id))
+    {
+      return 0;
+    }
     const std::uint64_t below = (std::uint64_t(1) << (id & 63)) - 1;
     return this->Before[id >> 6] +
       CountBits(this->Words[id >> 6].load(std::memory_order_relaxed) & below);
@@ -108,6 +124,10 @@ public:
   ///@}
 
 private:
+  bool IsBelowLimit(vtkIdType id) const
+  {
+    return static_cast<std::uint64_t>(id) < static_cast<std::uint64_t>(this->Limit);
+  }
   static int CountBits(std::uint64_t v)
   {
     v -= v >> 1 & 0x5555555555555555u;

@@ -132,8 +132,7 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
       vtkIdType leaf = -1;
       for (; side < 2 && leaf < 0; ++side)
       {
-        const std::int32_t id = face.GetCell(side);
-        leaf = id > 0 ? cells.GetLeaf(id) : -1;
+        leaf = cells.FindLeaf(face.GetCell(side));
       }
       const std::int32_t size = face.Nodes.Size;
       if (leaf < 0 || size == 0 || (!piece.IsWhole() && piece.IsGhostLeaf(leaf)))
@@ -148,7 +147,8 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
       {
         const std::int32_t node = face.Nodes[isReversed ? (size - i) % size : i];
         const vtkIdType point = piece.FindPoint(node - 1);
-        isThere = point >= 0; // always, where cells are bounded by this face
+        // Always, where cells are bounded by this face, and the file is the same as a moment ago.
+        isThere = point >= 0 && point < piece.GetNumberOfPoints();
         zone.Nodes.push_back(static_cast<std::int32_t>(point));
       }
       if (!isThere)

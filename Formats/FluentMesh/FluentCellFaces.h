@@ -56,10 +56,10 @@ struct FluentMesh
   const FluentFaceTree& Tree;
   int Dimension;
 
-  /// The cell of the piece of an id of the file, 0 to the number of ids; -1 if it is not in it.
+  /// The cell of the piece of an id of the file; -1 if it is not in it.
   vtkIdType FindCell(std::int32_t id) const
   {
-    const vtkIdType leaf = id > 0 ? this->Cells.GetLeaf(id) : -1;
+    const vtkIdType leaf = this->Cells.FindLeaf(id);
     return leaf >= 0 ? this->Piece.FindLeaf(leaf) : -1;
   }
   FluentShape GetShape(vtkIdType cell) const;
@@ -121,6 +121,7 @@ public:
     return this->GetPoint(this->Shell.GetPoints()[static_cast<std::size_t>(i)]);
   }
   std::int32_t GetNumberOfShellFaces() const { return this->Shell.GetNumberOfFaces(); }
+  std::int32_t GetNumberOfShellCorners() const { return this->Shell.GetNumberOfCorners(); }
   /// Calls put(point) around a face as it is seen from outside.
   template <typename Put>
   void ForEachShellPoint(std::int32_t face, Put&& put) const

@@ -60,6 +60,11 @@ public:
     const Run& run = this->Runs[this->ById.Find(id - 1)];
     return run.Leaf < 0 ? -1 : run.Leaf + (id - 1 - run.Begin);
   }
+  /// The leaf of any number, or -1.
+  vtkIdType FindLeaf(std::int64_t id) const
+  {
+    return id > 0 && id <= this->Count ? this->GetLeaf(id) : -1;
+  }
   /// The id of a leaf.
   std::int64_t GetId(vtkIdType leaf) const
   {

@@ -11,7 +11,9 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType BatchSize = 64 * FluentFaces::BlockSize; // enough for many threads
+// Enough for many threads; what pieces have of the faces should not weigh more than the piece.
+constexpr vtkIdType BatchOfWhole = 64 * FluentFaces::BlockSize;
+constexpr vtkIdType BatchOfPiece = 16 * FluentFaces::BlockSize;
 
 //------------------------------------------------------------------------------
 bool IsBlank(const char* text, const char* end)
@@ -112,9 +114,9 @@ bool FluentFaceBatches::VisitText(const Run& run, const VisitBatch& visit)
   scanner.SetPosition(run.Section->Begin);
   const TextLines lines(scanner, Progress(), this->Chunk);
   const char* place = run.Section->Begin;
-  for (vtkIdType begin = run.Begin; begin < run.End; begin += BatchSize)
+  for (vtkIdType begin = run.Begin; begin < run.End; begin += this->BatchSize)
   {
-    const vtkIdType end = std::min(begin + BatchSize, run.End);
+    const vtkIdType end = std::min(begin + this->BatchSize, run.End);
     const TextLines::Section section = lines.Find(place, end - begin);
     if (!section ||
       !lines.ForEach(section, Progress(),
@@ -132,9 +134,9 @@ bool FluentFaceBatches::VisitText(const Run& run, const VisitBatch& visit)
 //------------------------------------------------------------------------------
 bool FluentFaceBatches::VisitKept(const Run& run, const VisitBatch& visit)
 {
-  for (vtkIdType begin = run.Begin; begin < run.End; begin += BatchSize)
+  for (vtkIdType begin = run.Begin; begin < run.End; begin += this->BatchSize)
   {
-    const vtkIdType end = std::min(begin + BatchSize, run.End);
+    const vtkIdType end = std::min(begin + this->BatchSize, run.End);
     if (!this->Copy(run, begin, end) || !visit(begin, end))
     {
       return false;
@@ -148,7 +150,8 @@ bool FluentFaceBatches::ForEach(const Progress& progress,
   const std::function<bool(const FluentFaces::Run&, const Face*, vtkIdType)>& visit)
 {
   const vtkIdType size = this->Mesh.Faces.GetCount();
-  this->Batch = Buffer<Face>(std::min(size, BatchSize));
+  this->BatchSize = this->Mesh.Piece.IsWhole() ? BatchOfWhole : BatchOfPiece;
+  this->Batch = Buffer<Face>(std::min(size, this->BatchSize));
   for (const Run& run : this->Mesh.Faces.GetRuns())
   {
     const auto visitBatch = [&](vtkIdType begin, vtkIdType end)

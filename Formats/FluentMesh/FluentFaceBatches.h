@@ -61,6 +61,7 @@ private:
   const FluentMesh& Mesh;
   std::int64_t Nodes;
   vtkIdType Chunk;
+  vtkIdType BatchSize = 0;
   Buffer<Face> Batch;
 };
 }

@@ -77,6 +77,7 @@ bool FluentFaces::AddRuns(FluentFile& file)
     if (!section->IsText())
     {
       run.Data = section->Begin;
+      run.DataEnd = section->End;
       run.Swap = file.IsSwapped();
       run.Blocks = section->Blocks;
     }
@@ -143,6 +144,7 @@ bool FluentFaces::ReadLines(
   }
   const vtkIdType row = run.Size + 2;
   Buffer<std::int32_t> words(isList ? first.back() : row * count);
+  const std::vector<vtkIdType> last(first.begin() + 1, first.end());
   const bool good = lines.ForEach(section, progress.Part(0.3, 1),
     [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
     {
@@ -151,6 +153,10 @@ bool FluentFaces::ReadLines(
       if (isList)
       {
         text = ParseHex(text, end, value);
+        if (!text || value > last[piece] - first[piece] - 3)
+        {
+          return false; // the file was changed
+        }
         *word++ = static_cast<std::int32_t>(value);
         value += 2;
         first[piece] += value + 1;
@@ -238,6 +244,7 @@ bool FluentFaces::ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Pr
     return false;
   }
   run.Data = reinterpret_cast<const char*>(run.Words.data());
+  run.DataEnd = run.Data + 4 * run.Words.size();
   if (run.Size == 0)
   {
     this->FindBlocks(run);
@@ -275,7 +282,7 @@ void FluentFaces::FindStarts(Run& run, const Progress& progress)
         for (vtkIdType i = block * BlockSize; i < end; ++i)
         {
           run.Starts[i] = static_cast<std::uint32_t>((place - begin) / 4);
-          place += GetStride(camaron::Load<std::int32_t>(place, run.Swap)) + 4;
+          place += GetStride(Read(run, place).Nodes.Size) + 4;
         }
       }
     });
@@ -372,16 +379,158 @@ bool FluentFaces::KeepAll(FluentFile& file, vtkIdType chunk, const Progress& pro
 }
 
 //------------------------------------------------------------------------------
+bool FluentFaces::Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells,
+  vtkIdType chunk, const Progress& progress)
+{
+  this->Nodes = nodes;
+  this->Cells = cells;
+  for (Run& run : this->Runs)
+  {
+    if (run.Data)
+    {
+      continue;
+    }
+    TextScanner scanner("", file.GetBegin(), run.Section->End);
+    scanner.SetPosition(run.Section->Begin);
+    run.Lines = std::make_unique<TextLines>(scanner, progress, chunk);
+    run.Rows = run.Lines->Find(run.Section->Begin, run.End - run.Begin);
+    if (!run.Rows || SkipSpaceFrom(run.Rows.End, run.Section->End) != run.Section->End)
+    {
+      return false;
+    }
+  }
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+void FluentFaces::StopStreaming()
+{
+  for (Run& run : this->Runs)
+  {
+    run.Lines.reset();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Reads a face that has a line of its own; false if a number is missing, wrong or left over.
+bool FluentFaces::ReadLine(
+  const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const
+{
+  std::int64_t value = run.Size;
+  if (run.Size == 0)
+  {
+    text = ParseHex(text, end, value);
+    if (!text || value > (end - text) / 2)
+    {
+      return false;
+    }
+  }
+  const auto size = static_cast<std::size_t>(value);
+  numbers.resize(size + 2);
+  for (std::size_t i = 0; i < size + 2; ++i)
+  {
+    const bool isNode = i < size;
+    text = ParseHex(text, end, value);
+    if (!text || value < (isNode ? 1 : 0) || value > (isNode ? this->Nodes : this->Cells))
+    {
+      return false;
+    }
+    numbers[i] = static_cast<std::int32_t>(value);
+  }
+  return SkipSpaceFrom(text, end) == end;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::KeepLines(Run& run, const IdSet& faces, const Progress& progress)
+{
+  std::vector<std::vector<std::int32_t>> kept(
+    static_cast<std::size_t>(run.Lines->GetNumberOfPieces(run.Rows)));
+  run.Kept = IdSet(run.End - run.Begin);
+  const bool isList = run.Size == 0;
+  if (!this->ForEachLineOf(run, &faces, progress,
+        [&](vtkIdType piece, vtkIdType face, const FluentFace& record)
+        {
+          std::vector<std::int32_t>& words = kept[static_cast<std::size_t>(piece)];
+          run.Kept.Add(face - run.Begin);
+          if (isList)
+          {
+            words.push_back(record.Nodes.Size);
+          }
+          for (std::int32_t i = 0; i < record.Nodes.Size + 2; ++i)
+          {
+            words.push_back(record.Nodes[i]);
+          }
+        }))
+  {
+    return false;
+  }
+  run.Kept.Number();
+  std::size_t size = 0;
+  for (const auto& words : kept)
+  {
+    size += words.size();
+  }
+  run.Words = Buffer<std::int32_t>(static_cast<vtkIdType>(size));
+  std::int32_t* word = run.Words.data();
+  for (auto& words : kept)
+  {
+    word = std::copy(words.begin(), words.end(), word);
+    words = {};
+  }
+  run.Data = reinterpret_cast<const char*>(run.Words.data());
+  run.DataEnd = run.Data + 4 * run.Words.size();
+  run.Lines.reset();
+  if (isList)
+  {
+    run.Blocks.assign(
+      static_cast<std::size_t>((run.End - run.Begin + BlockSize - 1) / BlockSize), nullptr);
+    run.Starts = Buffer<std::uint32_t>(run.Kept.GetNumberOfMembers());
+    const char* place = run.Data;
+    vtkIdType number = 0;
+    for (const std::int32_t row : run.Kept.GetMembers())
+    {
+      const char*& block = run.Blocks[static_cast<std::size_t>(row / BlockSize)];
+      block = block ? block : place;
+      run.Starts[number++] = static_cast<std::uint32_t>((place - block) / 4);
+      place += GetStride(Read(run, place).Nodes.Size) + 4;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaces::KeepSome(const IdSet& faces, const Progress& progress)
+{
+  for (Run& run : this->Runs)
+  {
+    if (run.Lines)
+    {
+      if (!this->KeepLines(run, faces, progress))
+      {
+        return false;
+      }
+    }
+    else if (run.Size == 0)
+    {
+      this->FindStarts(run, progress);
+    }
+  }
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
 void FluentFaces::KeepBoundariesOnly()
 {
   for (Run& run : this->Runs)
   {
     run.Starts = Buffer<std::uint32_t>();
+    run.Lines.reset();
     if (run.Section->IsText() && !run.IsOfBoundary())
     {
       run.Data = nullptr;
       run.Words = Buffer<std::int32_t>();
       run.Blocks.clear();
+      run.Kept = IdSet();
     }
   }
 }
@@ -438,7 +587,9 @@ bool FluentFaces::Check(
     return finished;
   }
   const Run& run = this->GetRun(bad);
-  const FluentFace face = (*this)[bad];
+  FluentFace face;
+  ForEachOf(run, bad - (bad - run.Begin) % BlockSize, bad + 1,
+    [&face](vtkIdType, const FluentFace& found) { face = found; });
   for (std::int32_t i = 0; i < face.Nodes.Size + 2; ++i)
   {
     const bool isNode = i < face.Nodes.Size;

@@ -17,8 +17,10 @@
 #include "Scan/Buffer.h"
 #include "Scan/Bytes.h"
 #include "Scan/IdLists.h"
+#include "Scan/IdSet.h"
 #include "Scan/TextLines.h"
 
+#include <memory> // for lines
 #include <vector> // for runs
 
 namespace camaron
@@ -50,10 +52,14 @@ public:
     bool Bounds = true;    ///< whether these are faces of cells of the mesh
     const FluentSection* Section = nullptr;
     const char* Data = nullptr; ///< if accessible
+    const char* DataEnd = nullptr;
     bool Swap = false;
     std::vector<const char*> Blocks; ///< where every 1024th begins if they are of any size
     Buffer<std::uint32_t> Starts;    ///< of each of these, words from the start of its block
     Buffer<std::int32_t> Words;      ///< of text
+    IdSet Kept;                      ///< which of them are there, counted from the first; none for all
+    std::unique_ptr<TextLines> Lines; ///< of text that is read whenever it is visited
+    TextLines::Section Rows;
 
     bool IsOfBoundary() const
     {
@@ -74,6 +80,16 @@ public:
   bool KeepAll(FluentFile& file, vtkIdType chunk, const Progress& progress);
   bool KeepBoundaries(FluentFile& file, vtkIdType chunk, const Progress& progress);
   ///@}
+  /**
+   * Prepares text that is not kept, one face per line, to be visited by ForEach, which fails then
+   * without an error if a number is out of the range of nodes or cells. False if it is laid out
+   * otherwise, or if stopped.
+   */
+  bool Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
+    const Progress& progress);
+  void StopStreaming();
+  /// Makes these faces accessible, and those that are kept or binary; no others can be visited then.
+  bool KeepSome(const IdSet& faces, const Progress& progress);
   /// Gives the memory of all faces but those of boundaries back.
   void KeepBoundariesOnly();
 
@@ -96,17 +112,38 @@ public:
   template <typename Visit>
   bool ForEach(const Progress& progress, Visit&& visit) const
   {
-    return progress.For(static_cast<vtkIdType>(this->Parts.size()),
+    bool good = progress.For(static_cast<vtkIdType>(this->Parts.size()),
       [&](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType i = first; i < last; ++i)
         {
           const Part& part = this->Parts[i];
           const Run& run = this->Runs[part.Run];
-          ForEachOf(run, part.Begin, part.End,
-            [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); });
+          if (run.Kept.GetLimit() > 0)
+          {
+            for (vtkIdType face = part.Begin; face < part.End; ++face)
+            {
+              if (run.Kept.Contains(face - run.Begin))
+              {
+                visit(run, face, At(run, face));
+              }
+            }
+          }
+          else if (run.Data)
+          {
+            ForEachOf(run, part.Begin, part.End,
+              [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); });
+          }
         }
       });
+    for (const Run& run : this->Runs)
+    {
+      good = good &&
+        (!run.Lines ||
+          this->ForEachLineOf(run, nullptr, progress,
+            [&](vtkIdType, vtkIdType face, const FluentFace& record) { visit(run, face, record); }));
+    }
+    return good;
   }
   /// Calls visit(position, face) for faces of a run from @a begin, which is the first of a block.
   template <typename Visit>
@@ -119,7 +156,7 @@ public:
     {
       const FluentFace record = Read(run, place);
       visit(face, record);
-      place = record.Nodes.Ids + GetStride(record.Nodes.Size);
+      place += (run.Size > 0 ? 0 : 4) + GetStride(record.Nodes.Size);
     }
   }
 
@@ -135,18 +172,58 @@ private:
   static std::ptrdiff_t GetStride(std::int32_t size) { return 4 * (std::ptrdiff_t(size) + 2); }
   static FluentFace Read(const Run& run, const char* place)
   {
-    return run.Size > 0
-      ? FluentFace{ { place, run.Size, run.Swap } }
-      : FluentFace{ { place + 4, camaron::Load<std::int32_t>(place, run.Swap), run.Swap } };
+    if (run.Size > 0)
+    {
+      return { { place, run.Size, run.Swap } };
+    }
+    // There is always room, unless another program has changed the file.
+    const std::ptrdiff_t room = (run.DataEnd - place) / 4 - 3;
+    if (room < 0)
+    {
+      static constexpr std::int32_t NoCells[2] = { 0, 0 };
+      return { { reinterpret_cast<const char*>(NoCells), 0, 0 } };
+    }
+    const auto size = camaron::Load<std::int32_t>(place, run.Swap);
+    return { { place + 4, size >= 0 && size <= room ? size : 0, run.Swap } };
   }
   static const char* GetPlace(const Run& run, vtkIdType face)
   {
-    const vtkIdType i = face - run.Begin;
+    const vtkIdType row = face - run.Begin;
+    const vtkIdType i = run.Kept.GetLimit() > 0 ? run.Kept.GetNumber(row) : row;
     return run.Size > 0
       ? run.Data + i * GetStride(run.Size)
-      : run.Blocks[static_cast<std::size_t>(i / BlockSize)] + 4 * std::ptrdiff_t(run.Starts[i]);
+      : run.Blocks[static_cast<std::size_t>(row / BlockSize)] + 4 * std::ptrdiff_t(run.Starts[i]);
   }
   static FluentFace At(const Run& run, vtkIdType face) { return Read(run, GetPlace(run, face)); }
+
+  /// Calls visit(piece of the text, position, face) for all faces of a run that is text, or some.
+  template <typename Visit>
+  bool ForEachLineOf(
+    const Run& run, const IdSet* some, const Progress& progress, Visit&& visit) const
+  {
+    std::vector<std::vector<std::int32_t>> words(
+      static_cast<std::size_t>(run.Lines->GetNumberOfPieces(run.Rows)));
+    return run.Lines->ForEach(run.Rows, progress,
+      [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+      {
+        std::vector<std::int32_t>& numbers = words[static_cast<std::size_t>(piece)];
+        if (some && !some->Contains(run.Begin + line))
+        {
+          return true;
+        }
+        const bool good = this->ReadLine(run, text, end, numbers);
+        if (good)
+        {
+          visit(piece, run.Begin + line,
+            FluentFace{ { reinterpret_cast<const char*>(numbers.data()),
+              static_cast<std::int32_t>(numbers.size()) - 2, 0 } });
+        }
+        return good;
+      });
+  }
+  bool ReadLine(
+    const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const;
+  bool KeepLines(Run& run, const IdSet& faces, const Progress& progress);
 
   const char* FindInFile(const Run& run, const char* word) const;
   bool AddRuns(FluentFile& file);
@@ -162,6 +239,7 @@ private:
 
   std::vector<Run> Runs;
   FluentRuns Finder;
+  std::int64_t Nodes = 0, Cells = 0; ///< the largest ids, of text that is not kept
   std::vector<Part> Parts;
 };
 }

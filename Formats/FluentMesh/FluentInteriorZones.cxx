@@ -6,6 +6,7 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 
+#include <mutex>
 #include <set>
 
 namespace camaron
@@ -25,25 +26,24 @@ void FluentInteriorZones::Find(const FluentFaces& faces)
 }
 
 //------------------------------------------------------------------------------
-void FluentInteriorZones::AddAll(const FluentFaces& faces, const FluentCells& cells)
+bool FluentInteriorZones::AddAll(
+  const FluentFaces& faces, const FluentCells& cells, const Progress& progress)
 {
-  for (const FluentFaces::Run& run : faces.GetRuns())
+  std::mutex mutex;
+  if (!this->Several)
   {
-    if (this->Several && run.BoundaryType == FluentBoundary::Interior)
-    {
-      FluentFaces::ForEachOf(run, run.Begin, run.End,
-        [&](vtkIdType, const FluentFace& face)
-        {
-          const std::int32_t first = face.GetCell(0), second = face.GetCell(1);
-          const vtkIdType a = first > 0 ? cells.GetLeaf(first) : -1;
-          const vtkIdType b = second > 0 ? cells.GetLeaf(second) : -1;
-          if (a >= 0 && b >= 0)
-          {
-            this->Add(run.Zone, cells.GetZone(a), cells.GetZone(b), face.Nodes.Size);
-          }
-        });
-    }
+    return true;
   }
+  return faces.ForEach(progress,
+    [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
+    {
+      const vtkIdType a = cells.FindLeaf(face.GetCell(0)), b = cells.FindLeaf(face.GetCell(1));
+      if (run.BoundaryType == FluentBoundary::Interior && a >= 0 && b >= 0)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        this->Add(run.Zone, cells.GetZone(a), cells.GetZone(b), face.Nodes.Size);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -43,8 +43,8 @@ public:
       this->Last->second = Ambiguous;
     }
   }
-  /// Adds all faces, which must be accessible.
-  void AddAll(const FluentFaces& faces, const FluentCells& cells);
+  /// Adds all faces that can be visited; false if that failed.
+  bool AddAll(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
 
   ///@{
   /// The zone of a face, from the array of a mesh that was read; 0 if it does not say.

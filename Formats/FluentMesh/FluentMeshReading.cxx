@@ -82,6 +82,8 @@ public:
 
 private:
   bool KeepFaces(vtkIdType nodes, const Progress& progress);
+  bool StreamFaces(vtkIdType nodes, const Progress& progress);
+  bool KeepFacesOfPiece(const FluentMesh& mesh, const Progress& progress);
   bool ReadTree();
   bool ReadCells(
     vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
@@ -114,7 +116,11 @@ bool FluentMeshReading::ReadTree()
     {
       if (!section.IsText())
       {
-        value = Load<std::int32_t>(text, this->File.IsSwapped()); // known to fit
+        if (section.End - text < 4)
+        {
+          return false; // it was known to fit, before the file was changed
+        }
+        value = Load<std::int32_t>(text, this->File.IsSwapped());
         text += 4;
         return true;
       }
@@ -172,8 +178,35 @@ bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
       ErrorKind::Unsupported, "a mesh with cells", "faces that belong to no cell (a surface)");
     return false;
   }
-  this->Interior.AddAll(this->Faces, this->Cells);
-  return this->ReadTree();
+  return this->Interior.AddAll(this->Faces, this->Cells, progress.Part(1, 1)) && this->ReadTree();
+}
+
+//------------------------------------------------------------------------------
+// Finds the piece without keeping faces; false if that cannot be done.
+bool FluentMeshReading::StreamFaces(vtkIdType nodes, const Progress& progress)
+{
+  return this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0 &&
+    this->Faces.KeepBoundaries(this->File, this->Chunk, progress.Part(0, 0.1)) &&
+    this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.1, 0.2)) &&
+    this->Faces.Stream(
+      this->File, nodes, this->Cells.GetCount(), this->Chunk, progress.Part(0.2, 0.3)) &&
+    this->Interior.AddAll(this->Faces, this->Cells, progress.Part(0.3, 0.5)) &&
+    this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.5, 1));
+}
+
+//------------------------------------------------------------------------------
+bool FluentMeshReading::KeepFacesOfPiece(const FluentMesh& mesh, const Progress& progress)
+{
+  IdSet faces(this->Faces.GetCount());
+  return this->Faces.ForEach(progress.Part(0, 0.5),
+           [&](const FluentFaces::Run&, vtkIdType position, const FluentFace& face)
+           {
+             if (mesh.FindCell(face.GetCell(0)) >= 0 || mesh.FindCell(face.GetCell(1)) >= 0)
+             {
+               faces.Add(position);
+             }
+           }) &&
+    this->Faces.KeepSome(faces, progress.Part(0.5, 1));
 }
 
 //------------------------------------------------------------------------------
@@ -182,15 +215,20 @@ bool FluentMeshReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
   const bool isWhole = this->Request.NumberOfPieces <= 1;
-  const auto keep = [&](const Progress& part)
-  {
-    return isWhole ? this->Faces.KeepBoundaries(this->File, this->Chunk, part)
-                   : this->KeepFaces(nodes, part);
-  };
-  if (!keep(progress.Part(0, 0.2)) ||
-    !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.2, 0.3)))
+  const bool streams = !isWhole && this->StreamFaces(nodes, progress.Part(0, 0.3));
+  if (progress.IsStopped() || this->File.HasFailed())
   {
     return false;
+  }
+  if (!streams)
+  {
+    this->Faces.StopStreaming();
+    if (!(isWhole ? this->Faces.KeepBoundaries(this->File, this->Chunk, progress.Part(0, 0.2))
+                  : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
+      !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.2, 0.3)))
+    {
+      return false;
+    }
   }
   const FluentMesh mesh{ this->Faces, this->Cells, this->Piece, this->Tree,
     this->File.GetDimension() };
@@ -207,7 +245,8 @@ bool FluentMeshReading::ReadCells(
       return false;
     }
   }
-  if (isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5)))
+  if ((isWhole && !this->KeepFaces(nodes, progress.Part(0.3, 0.5))) ||
+    (streams && !this->KeepFacesOfPiece(mesh, progress.Part(0.3, 0.5))))
   {
     return false;
   }

@@ -15,8 +15,7 @@ void ForLeaves(const FluentCells& cells, const FluentFace& face, Visit&& visit)
 {
   for (int side = 0; side < 2; ++side)
   {
-    const std::int32_t id = face.GetCell(side);
-    const vtkIdType leaf = id > 0 ? cells.GetLeaf(id) : -1;
+    const vtkIdType leaf = cells.FindLeaf(face.GetCell(side));
     if (leaf >= 0)
     {
       visit(leaf);
@@ -35,14 +34,14 @@ void AddNodes(const FluentFace& face, IdSet& points)
 }
 
 //------------------------------------------------------------------------------
-void FluentPiece::AddGhosts(
+bool FluentPiece::AddGhosts(
   const FluentFaces& faces, const FluentCells& cells, const Progress& progress)
 {
   IdSet before(this->NumberOfMeshPoints);
   before.AddAll(this->Points);
   before.AddAll(this->LowerPoints);
   IdSet added(this->NumberOfLeaves);
-  faces.ForEach(progress.Part(0, 0.5),
+  bool good = faces.ForEach(progress.Part(0, 0.5),
     [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
     {
       bool touches = false;
@@ -62,7 +61,7 @@ void FluentPiece::AddGhosts(
           });
       }
     });
-  faces.ForEach(progress.Part(0.5, 1),
+  good = good && faces.ForEach(progress.Part(0.5, 1),
     [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
     {
       if (run.Bounds)
@@ -78,12 +77,14 @@ void FluentPiece::AddGhosts(
       }
     });
   this->Leaves.AddAll(added);
+  return good;
 }
 
 //------------------------------------------------------------------------------
 bool FluentPiece::Select(const FluentFaces& faces, const FluentCells& cells,
   vtkIdType numberOfPoints, const PieceRequest& request, const Progress& progress)
 {
+  *this = FluentPiece();
   this->NumberOfMeshPoints = numberOfPoints;
   this->NumberOfLeaves = cells.GetNumberOfLeaves();
   this->Whole = request.NumberOfPieces <= 1;
@@ -107,7 +108,7 @@ bool FluentPiece::Select(const FluentFaces& faces, const FluentCells& cells,
   this->OwnedPoints = IdSet(numberOfPoints);
   this->LowerPoints = IdSet(numberOfPoints);
   IdSet used(piece == 0 ? numberOfPoints : 0);
-  faces.ForEach(progress.Part(0, 0.3),
+  bool good = faces.ForEach(progress.Part(0, 0.3),
     [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
     {
       bool isOwned = false, isUsed = false;
@@ -130,9 +131,9 @@ bool FluentPiece::Select(const FluentFaces& faces, const FluentCells& cells,
       }
     });
   this->OwnedPoints.AddAll(this->Points);
-  for (int level = 0; level < request.GhostLevels && !progress.IsStopped(); ++level)
+  for (int level = 0; level < request.GhostLevels && good; ++level)
   {
-    this->AddGhosts(faces, cells, progress.Part(0.3, 1));
+    good = this->AddGhosts(faces, cells, progress.Part(0.3, 1));
   }
   this->Points.AddAll(this->LowerPoints);
   if (piece == 0)
@@ -143,6 +144,6 @@ bool FluentPiece::Select(const FluentFaces& faces, const FluentCells& cells,
   this->Points.Number();
   this->Leaves.Number();
   this->Members = this->Leaves.GetMembers();
-  return !progress.IsStopped();
+  return good && !progress.IsStopped();
 }
 }

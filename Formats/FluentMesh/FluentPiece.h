@@ -21,7 +21,7 @@ namespace camaron
 class FluentPiece
 {
 public:
-  /// Finds the piece; false if stopped. All ids of the faces must have been checked.
+  /// Finds the piece; false if stopped, or if not all faces can be visited.
   bool Select(const FluentFaces& faces, const FluentCells& cells, vtkIdType numberOfPoints,
     const PieceRequest& request, const Progress& progress);
 
@@ -71,7 +71,7 @@ private:
   {
     return this->Whole ? id : members.Contains(id) ? members.GetNumber(id) : -1;
   }
-  void AddGhosts(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
+  bool AddGhosts(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
 
   bool Whole = true;
   bool Ghosts = false;

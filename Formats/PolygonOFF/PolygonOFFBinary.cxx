@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <vector>
 
 namespace camaron
@@ -171,11 +172,18 @@ OFFColor BinaryReading::ReadColor(const char* place, std::int32_t count) const
 }
 
 //------------------------------------------------------------------------------
-// False if an id is out of range.
+// False if an id is out of range, or if the face is not as large as it was.
 bool BinaryReading::ReadFace(
   const char*& place, vtkIdType face, vtkIdType& cell, vtkIdType& id, OFFFaceCensus& seen)
 {
-  const std::int32_t size = this->ReadInteger(place);
+  const char* const end = this->Scanner.GetPosition();
+  const std::int32_t size = end - place < FaceBytes ? -1 : this->ReadInteger(place);
+  if (size < 0 || size > (end - place - FaceBytes) / Word || size > this->NumberOfIds - id ||
+    (size > 0 && cell >= this->NumberOfCells))
+  {
+    place = end;
+    return false;
+  }
   place += Word;
   std::int32_t* const ids = this->Faces.Mesh.Connectivity.data() + id;
   const auto limit = static_cast<std::uint32_t>(this->Header.Vertices);
@@ -187,6 +195,11 @@ bool BinaryReading::ReadFace(
   }
   const std::int32_t components = this->ReadInteger(place);
   place += Word;
+  if (components > (end - place) / Word)
+  {
+    place = end;
+    return false;
+  }
   OFFColor color;
   if (components > 0)
   {
@@ -194,6 +207,10 @@ bool BinaryReading::ReadFace(
     if (!seen.Colors.Add(color) || color.Count == 0)
     {
       seen.WithOddColor.Add(face);
+    }
+    if (!color.IsInRange())
+    {
+      seen.OutOfRange.Add(face);
     }
     place += Word * std::ptrdiff_t(components);
   }
@@ -254,10 +271,12 @@ bool BinaryReading::ReadFaces(const Progress& progress)
     if (badFaces[b] >= 0)
     {
       const char* place = badPlaces[b] + Word;
-      while (static_cast<std::uint32_t>(this->ReadInteger(place)) < this->Header.Vertices)
+      while (place + Word < this->Scanner.GetPosition() &&
+        static_cast<std::uint32_t>(this->ReadInteger(place)) < this->Header.Vertices)
       {
         place += Word;
       }
+      place = std::min(place, this->Scanner.GetPosition() - Word);
       this->Scanner.FailAt(place, ErrorKind::Index,
         "a vertex of face " + std::to_string(badFaces[b]) + " from 0 to " +
           std::to_string(this->Header.Vertices - 1),
@@ -285,6 +304,7 @@ bool BinaryReading::ReadVertices(
     Word * (header.GetPositionSize() + (header.HasColors && header.HasColorsFirst ? 4 : 0));
   const std::int64_t colorAt =
     Word * (header.GetPositionSize() + (header.HasColorsFirst ? 0 : header.GetNormalSize()));
+  std::mutex mutex;
   const auto read = [&](vtkIdType vertex, vtkIdType point)
   {
     const char* const place = this->Vertices + bytes * vertex;
@@ -299,7 +319,13 @@ bool BinaryReading::ReadVertices(
     }
     if (header.HasColors)
     {
-      vertices.Colors.Set(point, this->ReadColor(place + colorAt, 4));
+      const OFFColor color = this->ReadColor(place + colorAt, 4);
+      vertices.Colors.Set(point, color);
+      if (!color.IsInRange())
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        this->VertexCensus.OutOfRange.Add(vertex);
+      }
     }
     if (header.HasTexture)
     {

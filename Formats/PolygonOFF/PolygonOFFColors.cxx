@@ -45,6 +45,14 @@ bool IsSmall(const OFFColor& color)
 }
 
 //------------------------------------------------------------------------------
+bool OFFColor::IsInRange() const
+{
+  const double last = this->IsReal ? 1 : Full;
+  return this->Count < 3 ||
+    std::all_of(this->Values, this->Values + this->Count, [=](double v) { return v >= 0 && v <= last; });
+}
+
+//------------------------------------------------------------------------------
 bool OFFColors::Census::Add(const OFFColor& color)
 {
   if (IsIndex(color))

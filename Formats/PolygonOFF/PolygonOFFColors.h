@@ -28,6 +28,9 @@ struct OFFColor
   double Values[4] = { 0, 0, 0, 0 };
   int Count = 0; ///< 0 for none
   bool IsReal = false;
+
+  /// Whether bytes are up to 255 and real numbers from 0 to 1; true for what is no colour.
+  bool IsInRange() const;
 };
 
 class OFFColors

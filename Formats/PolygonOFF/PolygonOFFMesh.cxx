@@ -20,6 +20,7 @@ void OFFVertexCensus::Merge(const OFFVertexCensus& other)
   this->Colors.Merge(other.Colors);
   this->WithMore.Merge(other.WithMore);
   this->WithoutColor.Merge(other.WithoutColor);
+  this->OutOfRange.Merge(other.OutOfRange);
 }
 
 //------------------------------------------------------------------------------
@@ -30,6 +31,7 @@ void OFFFaceCensus::Merge(const OFFFaceCensus& other)
   this->OfOneVertex.Merge(other.OfOneVertex);
   this->OfTwoVertices.Merge(other.OfTwoVertices);
   this->WithOddColor.Merge(other.WithOddColor);
+  this->OutOfRange.Merge(other.OutOfRange);
 }
 
 //------------------------------------------------------------------------------
@@ -84,6 +86,10 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
       "with more numbers than the keyword of the file tells of, which are left out");
     warnings.Add(vertexCensus.WithoutColor, "vertex", "vertices",
       "without a colour, though the keyword of the file tells of one; they are grey");
+    constexpr char OutOfRange[] =
+      "with a colour beyond 0 to 255, or 0 to 1 if real, for which the nearest is shown";
+    warnings.Add(vertexCensus.OutOfRange, "vertex", "vertices", OutOfRange);
+    warnings.Add(faceCensus.OutOfRange, "face", "faces", OutOfRange);
     warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, left out");
     warnings.Add(faceCensus.OfOneVertex, "face", "faces", "of one vertex, shown as a vertex");
     warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "of two vertices, shown as a line");
@@ -92,10 +98,13 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
     piece.WarnOfRepeatedPoints(faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
   }
 
-  const bool isWhole = piece.IsWhole();
+  const bool isReady = piece.IsWhole() || faces.AreOfPiece;
   OFFColors colors =
-    isWhole || faces.Colors.size() == 0 ? std::move(faces.Colors) : faces.Colors.Extract(piece);
-  KeepPiece(faces.Mesh, piece);
+    isReady || faces.Colors.size() == 0 ? std::move(faces.Colors) : faces.Colors.Extract(piece);
+  if (!isReady)
+  {
+    KeepPiece(faces.Mesh, piece);
+  }
   FillGrid(faces.Mesh, piece, points, grid);
   if (faceCensus.Colors.HasColors || faceCensus.Colors.HasIndices)
   {

@@ -22,6 +22,7 @@ struct OFFVertexCensus
   OFFColors::Census Colors;
   Tally WithMore;     ///< numbers than the keyword says
   Tally WithoutColor; ///< though the keyword says that there is one
+  Tally OutOfRange;   ///< of colours
   void Merge(const OFFVertexCensus& other);
 };
 
@@ -33,6 +34,7 @@ struct OFFFaceCensus
   Tally OfOneVertex;
   Tally OfTwoVertices;
   Tally WithOddColor;
+  Tally OutOfRange; ///< of colours
   void Merge(const OFFFaceCensus& other);
 
   /// Counts a face by its number of vertices.
@@ -94,10 +96,11 @@ struct OFFVertices
   ///@}
 };
 
-/// All faces of the mesh.
+/// All faces of the mesh, or those of a piece.
 struct OFFFaces
 {
   CellMesh Mesh;
+  bool AreOfPiece = false;
   OFFColors Colors; ///< none, or one for every cell
 
   /// Prepares the mesh for faces of one size, or (0) of several.

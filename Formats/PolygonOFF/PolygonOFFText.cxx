@@ -113,6 +113,10 @@ bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType p
   {
     seen.WithoutColor.Add(row);
   }
+  if (!color.IsInRange())
+  {
+    seen.OutOfRange.Add(row);
+  }
   if (vertices && point >= 0)
   {
     vertices->Colors.Set(point, color);
@@ -272,11 +276,10 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   }
   if (!this->ReadVertices(
         scanner, lines, piece, isWhole ? &vertices : nullptr, progress.Part(0, 0.4)) ||
-    !this->ReadFaces(scanner, lines, progress.Part(0.4, isWhole ? 0.9 : 0.6)))
-  {
-    return false;
-  }
-  if (!piece.Select(this->Faces.Mesh, this->Request, progress.Part(0.6, 0.65)))
+    !(!isWhole && lines && this->Header.Faces > 0
+        ? this->ReadPieceOfFaces(scanner, *lines, piece, progress.Part(0.4, 0.65))
+        : this->ReadFaces(scanner, lines, progress.Part(0.4, isWhole ? 0.9 : 0.6)) &&
+          piece.Select(this->Faces.Mesh, this->Request, progress.Part(0.6, 0.65))))
   {
     return false;
   }

@@ -42,8 +42,11 @@ private:
   bool ReadFacesInParallel(TextScanner& scanner, const TextLines& lines, const Progress& progress);
   bool CountFaces(const TextLines& lines, const TextLines::Section& section,
     std::vector<FacePart>& parts, const Progress& progress) const;
+  bool ReadPieceOfFaces(
+    TextScanner& scanner, const TextLines& lines, CellPiece& piece, const Progress& progress);
   bool ReadFacesInOrder(TextScanner& scanner, const Progress& progress);
   bool ReadFace(vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store);
+  bool ReadIds(TextRow& text, FacePart& part) const;
   static void ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color, FacePart& part);
 
   bool MayLackKeyword;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFText.h"
 
+#include "CellMesh/CellRows.h"
+
 #include <limits>
 
 namespace camaron
@@ -23,6 +25,7 @@ struct alignas(64) OFFTextReading::FacePart
   bool HasOtherSize = false;
   bool HasColor = false;
   OFFFaceCensus Census;
+  std::vector<std::int32_t> Ids; // of a face of which it is not known whether it is kept
 };
 
 //------------------------------------------------------------------------------
@@ -50,6 +53,10 @@ void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color
     part.Census.WithOddColor.Add(row);
     color.Count = 0;
   }
+  if (!color.IsInRange())
+  {
+    part.Census.OutOfRange.Add(row);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -57,6 +64,12 @@ void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color
 bool OFFTextReading::ReadFace(
   vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store)
 {
+  const CellMesh& mesh = this->Faces.Mesh;
+  if (store &&
+    (size > mesh.Connectivity.size() - part.Id || (size > 0 && part.Cell >= mesh.NumberOfCells)))
+  {
+    return false; // the file was changed since faces were counted
+  }
   std::int32_t* const ids = store ? this->Faces.Mesh.Connectivity.data() + part.Id : nullptr;
   const std::int64_t last = this->Header.Vertices - 1;
   for (std::int64_t i = 0; i < size; ++i)
@@ -181,7 +194,7 @@ bool OFFTextReading::ReadFacesInParallel(
           {
             FacePart& place = parts[piece];
             std::int64_t size;
-            if (!text.ReadInteger(size, Size))
+            if (!text.ReadInteger(size, Size) || size < 0)
             {
               return false;
             }
@@ -211,6 +224,146 @@ bool OFFTextReading::ReadFacesInParallel(
   {
     this->FaceCensus.Merge(place.Census);
   }
+  scanner.SetPosition(section.End);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Reads the size and the vertices of a face.
+bool OFFTextReading::ReadIds(TextRow& text, FacePart& part) const
+{
+  std::int64_t size;
+  if (!text.ReadInteger(size, Size) || size < 0)
+  {
+    return false;
+  }
+  part.Ids.clear();
+  for (std::int32_t id; size > 0; --size)
+  {
+    if (!text.ReadId(id, 0, this->Header.Vertices - 1, Id))
+    {
+      return false;
+    }
+    part.Ids.push_back(id);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Faces of one line each, of which those of a piece are kept: all are read to find these, once more
+// for every level of ghosts, and again to store them.
+bool OFFTextReading::ReadPieceOfFaces(
+  TextScanner& scanner, const TextLines& lines, CellPiece& piece, const Progress& progress)
+{
+  const TextLines::Section section = lines.Find(scanner.GetPosition(), this->Header.Faces);
+  if (!section)
+  {
+    return false;
+  }
+  std::vector<FacePart> parts(lines.GetNumberOfPieces(section));
+  if (!this->CountFaces(lines, section, parts, progress.Part(0, 0.1)))
+  {
+    return false;
+  }
+  std::vector<vtkIdType> firstCells;
+  vtkIdType cells = 0;
+  for (const FacePart& part : parts)
+  {
+    firstCells.push_back(cells);
+    cells += part.Cell;
+  }
+  // Calls take(part, row, index of the part, text) for all faces that are cells, whose Ids were read.
+  const auto visit = [&](const Progress& share, auto&& take)
+  {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+    {
+      parts[i].Cell = firstCells[i];
+    }
+    return VisitRows(lines, section, scanner.GetComment(), share,
+      [&](vtkIdType row, vtkIdType i, TextRow& text)
+      {
+        FacePart& part = parts[i];
+        if (!this->ReadIds(text, part))
+        {
+          return false;
+        }
+        take(part, row, i, text);
+        part.Cell += part.Ids.empty() ? 0 : 1;
+        return true;
+      });
+  };
+
+  parts.assign(parts.size(), FacePart());
+  bool isFirst = true;
+  piece.Start(this->Header.Vertices, cells, this->Request);
+  do
+  {
+    if (!visit(progress.Part(isFirst ? 0.1 : 0.4, isFirst ? 0.4 : 0.7),
+          [&](FacePart& part, vtkIdType row, vtkIdType, TextRow& text)
+          {
+            const auto size = static_cast<vtkIdType>(part.Ids.size());
+            if (isFirst)
+            {
+              part.Census.AddSize(row, size);
+              if (text.HasMore())
+              {
+                OFFColor color;
+                part.HasColor = true;
+                ReadFaceColor(row, text, color, part);
+              }
+            }
+            if (size > 0)
+            {
+              piece.Show(part.Cell, part.Ids.data(), size);
+            }
+          }))
+    {
+      return false;
+    }
+    isFirst = false;
+  } while (piece.Continue());
+
+  bool hasColors = false;
+  for (const FacePart& part : parts)
+  {
+    this->FaceCensus.Merge(part.Census);
+    hasColors = hasColors || part.HasColor;
+  }
+  this->Faces.AreOfPiece = true;
+  this->Faces.Colors = OFFColors(hasColors ? piece.GetNumberOfCells() : 0);
+  std::vector<CellSink> sinks(parts.size());
+  if (!visit(progress.Part(0.7, 1),
+        [&](FacePart& part, vtkIdType row, vtkIdType i, TextRow& text)
+        {
+          const auto size = static_cast<vtkIdType>(part.Ids.size());
+          const vtkIdType cell = size > 0 ? piece.FindCell(part.Cell) : -1;
+          if (cell < 0)
+          {
+            text.Skip();
+            return;
+          }
+          sinks[i].BeginCell(OFFFaces::GetType(size));
+          for (const std::int32_t id : part.Ids)
+          {
+            sinks[i].AddPoint(static_cast<std::int32_t>(piece.FindPoint(id)));
+          }
+          if (hasColors)
+          {
+            OFFColor color;
+            ReadFaceColor(row, text, color, part);
+            this->Faces.Colors.Set(cell, color);
+          }
+        }))
+  {
+    return false;
+  }
+  ScanError error;
+  if (!FillCells(sinks, this->Faces.Mesh, error) ||
+    this->Faces.Mesh.NumberOfCells != piece.GetNumberOfCells())
+  {
+    return false;
+  }
+  this->Faces.Mesh.NumberOfPoints = piece.GetNumberOfPoints();
   scanner.SetPosition(section.End);
   return true;
 }

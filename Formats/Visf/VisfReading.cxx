@@ -73,6 +73,7 @@ const char* DescribeType(int type)
 // What one way to read a file yields.
 struct Content
 {
+  std::unique_ptr<TextLines> Lines; // of text, if it is large
   FaceMesh Mesh;
   int Type = -1;
   bool HasFlag = true;
@@ -277,7 +278,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       return false;
     }
     scanner.SkipLine();
-    std::unique_ptr<TextLines> lines;
+    std::unique_ptr<TextLines>& lines = content.Lines;
     if (scanner.GetBytesLeft() >= 2 * this->Chunk)
     {
       lines.reset(new TextLines(scanner, progress.Part(0, 0.1), this->Chunk));

@@ -161,7 +161,10 @@ TEST(PolygonOFFReader, ColorsOfVertices)
   const auto get = [](const Result& result, vtkIdType i)
   { return GetTuple(result.Grid->GetPointData(), "RGBA", i); };
   Result result = read("COFF", "0 0 0 192 191 190 255\n1 0 0 1 1 1 1\n0 1 0 300 -4 0\n");
-  EXPECT_TRUE(result.Errors.empty() && result.Warnings.empty());
+  EXPECT_TRUE(result.Errors.empty());
+  ASSERT_EQ(result.Warnings.size(), 1u); // nothing is changed without a word
+  EXPECT_NE(result.Warnings[0].find("beyond 0 to 255"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("vertex 2"), std::string::npos);
   EXPECT_EQ(get(result, 0), (Tuple{ 192, 191, 190, 255 }));
   EXPECT_EQ(get(result, 1), (Tuple{ 1, 1, 1, 1 }));
   EXPECT_EQ(get(result, 2), (Tuple{ 255, 0, 0, 255 }));
@@ -182,6 +185,20 @@ TEST(PolygonOFFReader, ColorsOfVertices)
   EXPECT_EQ(result.Warnings.size(), 2u);
   EXPECT_EQ(get(result, 1), (Tuple{ 170, 170, 170, 170 }));
   EXPECT_EQ(get(result, 2), (Tuple{ 7, 7, 7, 7 }));
+}
+
+//------------------------------------------------------------------------------
+// If this fails, colours of faces that cannot be shown as they are become others without a word.
+TEST(PolygonOFFReader, ColorsOutOfRange)
+{
+  const auto count = [](const std::string& color)
+  { return ReadBytes("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 " + color + "\n").Warnings.size(); };
+  EXPECT_EQ(count("0 255 0"), 0u);
+  EXPECT_EQ(count("0 256 0"), 1u);
+  EXPECT_EQ(count("0 -1 0"), 1u);
+  EXPECT_EQ(count("0.0 1.0 0.0 0.5"), 0u);
+  EXPECT_EQ(count("0.0 1.5 0.0 0.5"), 1u);
+  EXPECT_EQ(count("-7"), 0u); // an index into a map
 }
 
 //------------------------------------------------------------------------------
