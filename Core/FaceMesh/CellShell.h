@@ -41,6 +41,8 @@ public:
   /// Distinct points in order of appearance.
   const std::vector<std::int32_t>& GetPoints() const { return this->Ids; }
   std::int32_t GetNumberOfFaces() const { return static_cast<std::int32_t>(this->Turned.size()); }
+  /// Points of all faces together.
+  std::int32_t GetNumberOfCorners() const { return this->Begins.back(); }
   /// Id of a face in the mesh.
   std::int32_t GetFace(std::int32_t face) const { return this->Faces[face]; }
   std::int32_t GetFaceSize(std::int32_t face) const

@@ -36,8 +36,14 @@ struct PointSource
   {
   }
 
+  /// Coordinates of a point; zeros if there is no such point.
   void Get(vtkIdType id, double x[3]) const
   {
+    if (static_cast<std::uint64_t>(id) >= static_cast<std::uint64_t>(this->Count))
+    {
+      x[0] = x[1] = x[2] = 0;
+      return;
+    }
     const char* place = this->Data + this->Stride * id;
     if (this->IsDouble)
     {

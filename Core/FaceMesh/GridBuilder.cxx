@@ -52,6 +52,13 @@ struct Extent
     this->Faces += other.Faces;
     return *this;
   }
+  /// Whether there is room for so much more before @a end.
+  bool HasRoom(const Extent& more, const Extent& end) const
+  {
+    return this->Points + more.Points <= end.Points && this->Faces + more.Faces <= end.Faces &&
+      this->PolyhedronFaces + more.PolyhedronFaces <= end.PolyhedronFaces &&
+      this->PolyhedronFacePoints + more.PolyhedronFacePoints <= end.PolyhedronFacePoints;
+  }
 };
 
 //------------------------------------------------------------------------------
@@ -427,6 +434,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
   std::mutex mutex;
   std::vector<std::array<vtkIdType, 2>> open;
   std::vector<Exception> exceptions;
+  std::atomic<bool> hasChanged{ false }; // since it was measured
   const bool provide = !arrays.CellFaces.empty();
   const bool polyhedra = arrays.Locations.size() > 0;
   const bool finished = progress.For(this->GetNumberOfBlocks(),
@@ -452,6 +460,12 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         {
           shell.Load(this->Mesh.Faces, this->Mesh.Cells[item]);
           const auto& points = shell.GetPoints();
+          if (shell.GetNumberOfFaces() != shape.Size.PolyhedronFaces ||
+            shell.GetNumberOfCorners() != shape.Size.PolyhedronFacePoints)
+          {
+            hasChanged = true;
+            return;
+          }
           if (static_cast<vtkIdType>(points.size()) != shape.Size.Points)
           {
             localExceptions.push_back(
@@ -487,6 +501,11 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
           constexpr int MaxFaces = 6; // of a hexahedron
           const IdList cell = this->Mesh.Cells[item];
           IdList faces[MaxFaces];
+          if (cell.Size != shape.Size.Faces || cell.Size > MaxFaces)
+          {
+            hasChanged = true;
+            return;
+          }
           for (std::int32_t f = 0; f < cell.Size; ++f)
           {
             faces[f] = this->Mesh.Faces[cell[f]];
@@ -511,7 +530,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         else if (shape.Type != VTK_EMPTY_CELL)
         {
           const IdList face = this->Mesh.Faces[this->Piece.GetFace(item)];
-          for (std::int32_t j = 0; j < face.Size; ++j)
+          for (std::int32_t j = 0; j < std::min<vtkIdType>(face.Size, shape.Size.Points); ++j)
           {
             ids[j] = static_cast<Id>(this->Piece.GetPoint(face[j]));
           }
@@ -523,6 +542,11 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         this->ForBlock(block,
           [&](vtkIdType i, const Shape& shape)
           {
+            if (!at.HasRoom(shape.Size, this->Blocks[block + 1]))
+            {
+              hasChanged = true;
+              return;
+            }
             fill(i, shape);
             at += shape.Size;
           });
@@ -537,7 +561,11 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
   std::sort(exceptions.begin(), exceptions.end(),
     [](const Exception& a, const Exception& b) { return a.Item < b.Item; });
   this->Exceptions = std::move(exceptions);
-  return finished;
+  if (hasChanged)
+  {
+    this->Error = { ErrorKind::Changed, "expected the mesh of a moment ago, found another one" };
+  }
+  return finished && !hasChanged;
 }
 
 //------------------------------------------------------------------------------
@@ -585,7 +613,7 @@ void GridBuilder::TurnSecondUses(Arrays<Id>& arrays) const
           continue;
         }
         const auto number = static_cast<std::size_t>(faces.GetNumber(face));
-        if (isOpen)
+        if (isOpen && entry < arrays.LocationOffsets[(*next)[1] + 1])
         {
           if (reversed[number])
           {

@@ -30,6 +30,18 @@ std::string GetFileName(const std::string& path)
 MappedFile::~MappedFile() = default;
 
 //------------------------------------------------------------------------------
+bool MappedFile::HasAnyChanged()
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::IsUnchanged(ScanError&) const
+{
+  return true; // it was read at once
+}
+
+//------------------------------------------------------------------------------
 bool MappedFile::Open(const std::string& path, ScanError& error)
 {
   this->Name = GetFileName(path);
@@ -47,11 +59,8 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
 #else
 namespace
 {
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool MayMap = false;
-#else
-constexpr bool MayMap = true;
-#endif
+/// Files that a thread has open, in the order in which it opened them.
+thread_local std::vector<const MappedFile*> OpenFiles;
 
 //------------------------------------------------------------------------------
 /// @param expected size, or 0 if it is not known before the end
@@ -82,40 +91,74 @@ bool ReadAll(int file, std::size_t expected, std::vector<char>& content)
 //------------------------------------------------------------------------------
 MappedFile::~MappedFile()
 {
+  OpenFiles.erase(std::remove(OpenFiles.begin(), OpenFiles.end(), this), OpenFiles.end());
   if (this->Mapping)
   {
+    this->Guard.Leave();
     munmap(this->Mapping, this->Size);
   }
+  if (this->File >= 0)
+  {
+    close(this->File);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::GetStamp(int file, Stamp& stamp)
+{
+  struct stat status;
+  if (fstat(file, &status) != 0)
+  {
+    return false;
+  }
+  if (S_ISDIR(status.st_mode))
+  {
+    errno = EISDIR;
+    return false;
+  }
+#if defined(__APPLE__)
+  const timespec& time = status.st_mtimespec;
+#else
+  const timespec& time = status.st_mtim;
+#endif
+  stamp = { status.st_size, time.tv_sec, time.tv_nsec, S_ISREG(status.st_mode) };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::Map(std::size_t size)
+{
+  void* mapping = MayMap && size > 0
+    ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, this->File, 0)
+    : MAP_FAILED;
+  if (mapping == MAP_FAILED)
+  {
+    return false;
+  }
+  if (!this->Guard.Enter(mapping, size))
+  {
+    munmap(mapping, size);
+    return false;
+  }
+  this->Mapping = mapping;
+  this->Data = static_cast<const char*>(mapping);
+  this->Size = size;
+  return true;
 }
 
 //------------------------------------------------------------------------------
 bool MappedFile::Open(const std::string& path, ScanError& error)
 {
   this->Name = GetFileName(path);
-  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat status;
-  bool good = file >= 0 && fstat(file, &status) == 0;
-  if (good && S_ISDIR(status.st_mode))
-  {
-    errno = EISDIR;
-    good = false;
-  }
+  this->File = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  bool good = this->File >= 0 && GetStamp(this->File, this->Opened);
+  OpenFiles.push_back(this);
   if (good)
   {
-    const std::size_t size = S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) : 0;
-    if (MayMap && size > 0)
+    const auto size = static_cast<std::size_t>(this->Opened.IsOfFile ? this->Opened.Size : 0);
+    if (!this->Map(size))
     {
-      void* mapping = mmap(nullptr, size, PROT_READ, MAP_PRIVATE, file, 0);
-      if (mapping != MAP_FAILED)
-      {
-        this->Mapping = mapping;
-        this->Data = static_cast<const char*>(mapping);
-        this->Size = size;
-      }
-    }
-    if (!this->Mapping)
-    {
-      good = ReadAll(file, size, this->Copy);
+      good = ReadAll(this->File, size, this->Copy);
       this->Data = this->Copy.empty() ? "" : this->Copy.data();
       this->Size = this->Copy.size();
     }
@@ -124,11 +167,38 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
   {
     error = { ErrorKind::Open, this->Name + ": cannot read the file: " + std::strerror(errno) };
   }
-  if (file >= 0)
-  {
-    close(file);
-  }
   return good;
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::HasStamp() const
+{
+  Stamp now;
+  return !this->Opened.IsOfFile ||
+    (GetStamp(this->File, now) && now.Size == this->Opened.Size &&
+      now.Seconds == this->Opened.Seconds && now.Nanoseconds == this->Opened.Nanoseconds);
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::IsUnchanged(ScanError& error) const
+{
+  const bool isSame = this->HasStamp();
+  if (isSame && !this->Guard.IsLost())
+  {
+    return true;
+  }
+  error = { ErrorKind::Changed,
+    this->Name + ": cannot read the file: " +
+      (isSame ? std::strerror(EIO)
+              : "another program changed it meanwhile; read it again when it is complete") };
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool MappedFile::HasAnyChanged()
+{
+  return std::any_of(OpenFiles.begin(), OpenFiles.end(),
+    [](const MappedFile* file) { return file->Guard.IsLost() || !file->HasStamp(); });
 }
 #endif
 }

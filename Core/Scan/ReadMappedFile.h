@@ -15,7 +15,10 @@
 
 namespace camaron
 {
-/// Returns what @a read(const MappedFile&) returns, or false with the reason in @a error.
+/**
+ * Returns what @a read(const MappedFile&) returns, or false with the reason in @a error, which may be that the
+ * file was changed while it was read.
+ */
 template <typename Read>
 bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
 {
@@ -30,7 +33,22 @@ bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
       try
       {
         MappedFile file;
-        good = file.Open(path, error) && read(static_cast<const MappedFile&>(file));
+        if (file.Open(path, error))
+        {
+          try
+          {
+            good = read(static_cast<const MappedFile&>(file));
+          }
+          catch (...)
+          {
+            if (file.IsUnchanged(error))
+            {
+              throw;
+            }
+          }
+          // What is wrong with a file that was changed meanwhile is that.
+          good = file.IsUnchanged(error) && good;
+        }
       }
       catch (const std::bad_alloc&)
       {

@@ -16,6 +16,7 @@ unsigned long GetVTKErrorCode(ErrorKind kind)
     case ErrorKind::None:
       return vtkErrorCode::NoError;
     case ErrorKind::Open:
+    case ErrorKind::Changed:
     case ErrorKind::Write:
       return vtkErrorCode::CannotOpenFileError;
     case ErrorKind::DiskFull:

@@ -19,6 +19,7 @@ enum class ErrorKind
 {
   None,
   Open,          ///< the file cannot be opened or read
+  Changed,       ///< the file became another while it was read
   NotThisFormat, ///< the content is that of another format
   Truncated,     ///< the file ends before what it promised
   Syntax,        ///< a number or keyword is missing where one is required

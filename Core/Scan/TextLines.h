@@ -72,15 +72,19 @@ public:
           const char* text = piece == 0 ? section.Begin : chunk.Begin;
           const char* end = next.Begin < section.End ? next.Begin : section.End;
           vtkIdType line = piece == 0 ? 0 : chunk.FirstLine - section.FirstLine;
+          const vtkIdType lastLine = next.FirstLine - section.FirstLine < section.NumberOfLines
+            ? next.FirstLine - section.FirstLine
+            : section.NumberOfLines;
           bool pieceIsGood = true;
           while (pieceIsGood && this->NextLine(text, end))
           {
             const char* lineEnd = FindLineFeed(text, end);
-            pieceIsGood = visit(piece, line, text, lineEnd);
+            // There are not as many as were counted if the file was changed since.
+            pieceIsGood = line >= 0 && line < lastLine && visit(piece, line, text, lineEnd);
             text = lineEnd;
             ++line;
           }
-          if (!pieceIsGood)
+          if (!pieceIsGood || line < lastLine)
           {
             good = false;
           }

@@ -117,6 +117,21 @@ public:
     }
     return false;
   }
+  /// The same of the word that was read last.
+  bool FailAtLast(ErrorKind kind, const std::string& expected)
+  {
+    if (this->Scanner)
+    {
+      const char* position = this->Scanner->GetPosition();
+      const char* const begin = this->Scanner->GetBegin();
+      do
+      {
+        position -= position > begin;
+      } while (position > begin && !IsSpace(position[-1]));
+      this->Scanner->FailAt(position, kind, expected);
+    }
+    return false;
+  }
   ///@}
 
 private:

@@ -31,6 +31,7 @@ public:
 
   const char* GetPosition() const { return this->Position; }
   void SetPosition(const char* position) { this->Position = position; }
+  const char* GetBegin() const { return this->Begin; }
   const char* GetEnd() const { return this->End; }
   char GetComment() const { return this->Comment; }
   vtkIdType GetBytesLeft() const { return this->End - this->Position; }

@@ -97,15 +97,17 @@ int vtkMeshFileReader::RequestData(
   const camaron::Progress progress(
     [this](double fraction)
     {
+      // What is read of a file that was changed is of no use.
+      const bool isOfUse = !camaron::MappedFile::HasAnyChanged();
       this->UpdateProgress(fraction);
-      return !this->CheckAbort();
+      return isOfUse && !this->CheckAbort();
     });
 
   camaron::Warnings warnings;
   camaron::ScanError error;
   this->SetErrorCode(vtkErrorCode::NoError);
   this->ReadMesh(this->FileName, request, output, warnings, error, progress);
-  if (progress.IsStopped())
+  if (progress.IsStopped() && error.Kind != camaron::ErrorKind::Changed)
   {
     // Whatever was tried in vain before, in another dialect perhaps, is not why there is no mesh.
     error = camaron::ScanError();

@@ -4,6 +4,8 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+
 namespace camaron
 {
 namespace
@@ -98,8 +100,15 @@ bool FluentCellLists::Find(const FluentMesh& mesh, const Progress& progress)
     });
   this->Cursors[count] = static_cast<std::uint32_t>(total);
   this->Lists.resize(static_cast<std::size_t>(total));
-  return ForEachUse(mesh, progress.Part(0.5, 1),
+  const bool finished = ForEachUse(mesh, progress.Part(0.5, 1),
     [&](vtkIdType cell, vtkIdType face)
-    { this->Lists[TakeOne(this->Cursors[cell], alone)] = static_cast<Index>(face); });
+    {
+      const std::uint32_t place = TakeOne(this->Cursors[cell], alone);
+      if (place < this->Lists.size()) // as long as the file is the same
+      {
+        this->Lists[place] = static_cast<Index>(face);
+      }
+    });
+  return finished && std::is_sorted(this->Cursors.begin(), this->Cursors.end());
 }
 }

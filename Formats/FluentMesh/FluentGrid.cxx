@@ -267,11 +267,13 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
     faceOffsets[total.Faces] = static_cast<Id>(total.Corners);
     faceIds = Buffer<Id>(total.Corners);
   }
+  std::atomic<bool> hasChanged{ false };
   const bool finished = this->ForBlocks(progress,
     [&](FluentCellFaces& faces, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       std::vector<Exception> exceptions;
       std::vector<Index> order;
+      const Extent& next = this->Blocks[block + 1];
       vtkIdType joined = 0;
       Id point = static_cast<Id>(this->Blocks[block].Points);
       Id face = static_cast<Id>(this->Blocks[block].Faces);
@@ -342,6 +344,12 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
           }
           continue;
         }
+        if (face + faces.GetNumberOfShellFaces() > next.Faces ||
+          corner + faces.GetNumberOfShellCorners() > next.Corners)
+        {
+          hasChanged = true; // since it was measured
+          break;
+        }
         for (vtkIdType i = 0; i < size; ++i)
         {
           ids[point++] = static_cast<Id>(faces.GetShellPoint(i));
@@ -357,9 +365,9 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
       this->NumberOfJoined += joined;
       this->AddExceptions(exceptions);
     });
-  if (!finished || !this->Found.empty())
+  if (!finished || hasChanged || !this->Found.empty())
   {
-    return finished;
+    return finished && !hasChanged;
   }
   const auto cells = MakeCells(offsets, ids);
   const auto types = this->Types.TakeArray<vtkUnsignedCharArray>();

@@ -44,6 +44,10 @@ struct MAPDLExtent
   {
     return chunk + 1 < this->Chunks.size() ? this->Chunks[chunk + 1].Begin : this->End;
   }
+  vtkIdType GetEndRow(std::size_t chunk) const
+  {
+    return chunk + 1 < this->Chunks.size() ? this->Chunks[chunk + 1].FirstRow : this->NumberOfRows;
+  }
 };
 
 /// Finds the rows of nodes from @a begin on; false if stopped.
@@ -56,27 +60,29 @@ bool MeasureMAPDLElements(const MAPDLElementFormat& format,
   const Progress& progress, MAPDLExtent& extent);
 
 /// Calls @a visit(const Line&, row of the block) for the rows of nodes in a chunk until it returns
-/// false.
+/// false. False then, or if there are not as many as were measured, because the file was changed.
 template <typename Visit>
 bool ForEachMAPDLNode(const MAPDLExtent& extent, std::size_t chunk, Visit&& visit)
 {
   vtkIdType row = extent.Chunks[chunk].FirstRow;
+  const vtkIdType endRow = extent.GetEndRow(chunk);
   const char* const end = extent.GetEnd(chunk);
   for (const char* text = extent.Chunks[chunk].Begin; text < end;)
   {
     const Line line(text, end);
     text = line.Next;
-    if (ClassifyMAPDLLine(line) == MAPDLLine::Row && !visit(line, row++))
+    if (ClassifyMAPDLLine(line) == MAPDLLine::Row && (row == endRow || !visit(line, row++)))
     {
       return false;
     }
   }
-  return true;
+  return row == endRow;
 }
 
 /**
  * Calls @a visit(const Line&, row of the block, MAPDLElement&) for the elements that begin in a
- * chunk until it returns false.
+ * chunk until it returns false. There is a fault if there are not as many as were measured, because
+ * the file was changed.
  * @param withNodes whether to read the nodes as well
  */
 template <typename Visit>
@@ -86,6 +92,7 @@ bool ForEachMAPDLElement(const MAPDLElementFormat& format,
 {
   const MAPDLChunk& start = extent.Chunks[chunk];
   const char* const end = extent.GetEnd(chunk);
+  const vtkIdType endRow = extent.GetEndRow(chunk);
   vtkIdType row = start.FirstRow;
   int furtherLines = start.FurtherLines;
   MAPDLElement element;
@@ -103,9 +110,9 @@ bool ForEachMAPDLElement(const MAPDLElementFormat& format,
     {
       continue;
     }
-    if (!format.ReadHeader(line, element, fault))
+    if (row == endRow || !format.ReadHeader(line, element, fault))
     {
-      return false;
+      return !fault && fault.Set(line.Begin, ErrorKind::Count, "no further element");
     }
     const int lines = format.GetNumberOfFurtherLines(
       format.PeekNumberOfNodes(line), format.IsSolid ? 0 : most(element.Type));
@@ -122,7 +129,7 @@ bool ForEachMAPDLElement(const MAPDLElementFormat& format,
       return false;
     }
   }
-  return true;
+  return row == endRow || fault.Set(start.Begin, ErrorKind::Count, "further elements");
 }
 }
 

@@ -113,8 +113,13 @@ bool MAPDLMesh::ReadNodeIds(const Progress& progress)
           if (item.FirstCommand < 0)
           {
             std::int32_t* id = this->NodeIds.data() + item.FirstRow;
-            ForEachMAPDLNode(block.Extent, item.Chunk,
-              [&](const Line& line, vtkIdType) { return block.Format.ReadId(line, *id++, fault); });
+            if (!ForEachMAPDLNode(block.Extent, item.Chunk,
+                  [&](const Line& line, vtkIdType)
+                  { return block.Format.ReadId(line, *id++, fault); }) &&
+              !fault)
+            {
+              fault.Set(block.Extent.Begin, ErrorKind::Count, "as many nodes as before");
+            }
           }
         }))
   {

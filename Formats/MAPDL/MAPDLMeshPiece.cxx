@@ -46,9 +46,9 @@ bool MAPDLMesh::Show(CellPiece& piece, const Progress& progress) const
       this->ForEachCell(
         this->ElementItems[i], known,
         [&](vtkIdType, const MAPDLElement&, const MAPDLCell&) { return points; },
-        [&](vtkIdType row, const MAPDLCell& cell, const std::int32_t* ids, bool)
+        [&](vtkIdType row, const MAPDLCell& cell, const std::int32_t* ids, bool isComplete)
         {
-          if (const vtkIdType index = this->GetCell(row); index >= 0)
+          if (const vtkIdType index = this->GetCell(row); index >= 0 && isComplete)
           {
             piece.Show(index, ids, cell.Size);
           }
@@ -129,14 +129,18 @@ bool MAPDLMesh::ReadPiece(const CellPiece& piece, const Progress& progress)
       std::int32_t others[MaxMAPDLNodes];
       this->ForEachCell(
         item, known,
-        [&](vtkIdType at, const MAPDLElement&, const MAPDLCell&)
+        [&](vtkIdType at, const MAPDLElement&, const MAPDLCell& read)
         {
           const vtkIdType cell = find(at);
-          return cell < 0 ? others : this->Cells.Connectivity.data() + this->Cells.Offsets[cell];
+          const std::int32_t* const offset = this->Cells.Offsets.data() + cell;
+          // A cell of another size is of a file that was changed.
+          return cell < 0 || offset[1] - offset[0] != read.Size
+            ? others
+            : this->Cells.Connectivity.data() + offset[0];
         },
-        [&](vtkIdType, const MAPDLCell& cell, std::int32_t* points, bool)
+        [&](vtkIdType, const MAPDLCell& cell, std::int32_t* points, bool isComplete)
         {
-          for (std::int32_t p = 0; points != others && p < cell.Size; ++p)
+          for (std::int32_t p = 0; points != others && isComplete && p < cell.Size; ++p)
           {
             points[p] = static_cast<std::int32_t>(piece.FindPoint(points[p]));
           }

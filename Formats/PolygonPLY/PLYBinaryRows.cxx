@@ -87,7 +87,8 @@ bool PLYBinaryRows::Locate(const Progress& progress)
   if (!hasLists || (this->GuessLength() && this->HaveGuessedLength(progress)))
   {
     this->Stride = hasLists ? this->Stride : least;
-    this->Scanner.SetPosition(this->Data + count * this->Stride);
+    this->End = this->Data + count * this->Stride;
+    this->Scanner.SetPosition(this->End);
     return !progress.IsStopped();
   }
   this->Stride = 0;
@@ -240,19 +241,21 @@ bool PLYBinaryRows::FindBlocks(const Progress& progress)
   {
     this->Offsets = Buffer<std::int32_t>();
   }
+  this->End = place;
   this->Scanner.SetPosition(place);
   return true;
 }
 
 //------------------------------------------------------------------------------
-void PLYBinaryRows::Load(vtkIdType block, Block& rows) const
+// False if there is not room for them any more, because the file was changed.
+bool PLYBinaryRows::Load(vtkIdType block, Block& rows) const
 {
   rows.First = block * BlockSize;
   rows.Count = static_cast<int>(std::min(BlockSize, this->GetCount() - rows.First));
   if (this->HasOneLength())
   {
     rows.Begin = this->Data + rows.First * this->Stride;
-    return;
+    return true;
   }
   rows.Begin = this->Starts[block];
   rows.Parts.resize(this->Parts.size() * BlockSize);
@@ -264,26 +267,62 @@ void PLYBinaryRows::Load(vtkIdType block, Block& rows) const
     {
       *start = place;
       start += BlockSize;
-      place += part.Size + (part.List < 0 ? 0 : this->LoadLength(part, place) * part.ItemSize);
+      std::ptrdiff_t room = this->End - place - part.Size;
+      const std::int64_t length = room < 0 || part.List < 0 ? 0 : this->LoadLength(part, place);
+      room = length > 0 ? room / part.ItemSize - length : room;
+      if (room < 0 || length < 0)
+      {
+        return false;
+      }
+      place += part.Size + length * part.ItemSize;
     }
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(rows) in parallel.
+// Whether the lists of rows are as long as when they were measured.
+bool PLYBinaryRows::HaveSizes(const Block& rows, int property, const PLYSizes& sizes) const
+{
+  if (this->HasOneLength())
+  {
+    return true;
+  }
+  const std::size_t number = this->Locations[property].Part;
+  const Part& part = this->Parts[number];
+  const char* const* const starts = rows.Parts.data() + number * BlockSize;
+  bool good = true;
+  for (int i = 0; i < rows.Count; ++i)
+  {
+    good &= starts[i + BlockSize] - starts[i] ==
+      part.Size + static_cast<std::ptrdiff_t>(sizes.GetSize(rows.First + i)) * part.ItemSize;
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(rows) in parallel; false if stopped, or if the file was changed.
 template <typename Visit>
 bool PLYBinaryRows::ForEachBlock(const Progress& progress, Visit&& visit) const
 {
-  return progress.For((this->GetCount() + BlockSize - 1) / BlockSize,
+  std::atomic<bool> good{ true };
+  const bool finished = progress.For((this->GetCount() + BlockSize - 1) / BlockSize,
     [&](vtkIdType first, vtkIdType last)
     {
       Block rows;
-      for (vtkIdType block = first; block < last; ++block)
+      for (vtkIdType block = first; block < last && good; ++block)
       {
-        this->Load(block, rows);
-        visit(static_cast<const Block&>(rows));
+        if (this->Load(block, rows))
+        {
+          visit(static_cast<const Block&>(rows));
+        }
+        else
+        {
+          good = false;
+        }
       }
     });
+  return finished && good;
 }
 
 //------------------------------------------------------------------------------
@@ -301,8 +340,11 @@ PLYBinaryRows::Places PLYBinaryRows::GetPlaces(const Block& rows, int property) 
 const char* PLYBinaryRows::GetPlace(vtkIdType row, int property) const
 {
   Block rows;
-  this->Load(row / BlockSize, rows);
-  const char* found = nullptr;
+  if (!this->Load(row / BlockSize, rows))
+  {
+    return this->Data;
+  }
+  const char* found = this->Data;
   const auto wanted = static_cast<int>(row - rows.First);
   this->GetPlaces(rows, property)
     .ForEach(rows.Count,
@@ -383,6 +425,7 @@ bool PLYBinaryRows::ReadIdsAs(
   };
   const std::ptrdiff_t header = GetSize(this->Element.Properties[property].CountType);
   std::atomic<vtkIdType> bad{ this->GetCount() };
+  std::atomic<bool> isSame{ true };
   const bool done = this->ForEachBlock(progress,
     [&](const Block& rows)
     {
@@ -390,8 +433,12 @@ bool PLYBinaryRows::ReadIdsAs(
       {
         return;
       }
-      thread_local std::vector<std::int32_t> scratch;
-      std::int32_t* const ids = lists.Provide(rows.First, rows.Count, scratch);
+      if (!this->HaveSizes(rows, property, sizes))
+      {
+        isSame = false;
+        return;
+      }
+      std::int32_t* const ids = lists.Provide(rows.First, rows.Count);
       std::int32_t* id = ids;
       bool valid = true;
       const auto read = [&](int i, const char* place, auto size)
@@ -451,7 +498,8 @@ bool PLYBinaryRows::ReadIdsAs(
   if (bad < this->GetCount())
   {
     const char* place = this->GetPlace(bad, property) + header;
-    while (load(place) + shift < limit)
+    while (this->End - place >= 2 * static_cast<std::ptrdiff_t>(sizeof(In)) &&
+      load(place) + shift < limit)
     {
       place += sizeof(In);
     }
@@ -460,7 +508,7 @@ bool PLYBinaryRows::ReadIdsAs(
       std::to_string(camaron::Load<In>(place, swap)));
     return false;
   }
-  return done;
+  return done && isSame;
 }
 
 //------------------------------------------------------------------------------

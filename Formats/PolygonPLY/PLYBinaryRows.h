@@ -93,7 +93,8 @@ private:
   bool HaveGuessedLength(const Progress& progress) const;
   bool PassRow(vtkIdType row, const char*& place, const char* end, std::int64_t& sum);
   bool FindBlocks(const Progress& progress);
-  void Load(vtkIdType block, Block& rows) const;
+  bool Load(vtkIdType block, Block& rows) const;
+  bool HaveSizes(const Block& rows, int property, const PLYSizes& sizes) const;
   template <typename Visit>
   bool ForEachBlock(const Progress& progress, Visit&& visit) const;
   Places GetPlaces(const Block& rows, int property) const;
@@ -107,6 +108,7 @@ private:
   std::vector<Part> Parts;
   std::vector<Location> Locations;
   const char* Data = nullptr;
+  const char* End = nullptr; ///< of all rows
   std::ptrdiff_t Stride = 0;       ///< bytes from row to row if they have one length
   std::vector<const char*> Starts; ///< of blocks of other rows
   Buffer<std::int32_t>

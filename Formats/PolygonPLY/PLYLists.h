@@ -50,16 +50,10 @@ public:
     }
     return needs;
   }
-  /// Where the lists from a row on are to be written; @a scratch is for @a rows of them.
-  std::int32_t* Provide(vtkIdType row, vtkIdType rows, std::vector<std::int32_t>& scratch) const
+  /// Where the lists of some rows from one on are to be written, up to the next call by the same thread.
+  std::int32_t* Provide(vtkIdType row, vtkIdType rows) const
   {
-    const vtkIdType begin = this->Sizes.GetOffset(row);
-    if (this->All)
-    {
-      return this->All + begin;
-    }
-    scratch.resize(static_cast<std::size_t>(this->Sizes.GetOffset(row + rows) - begin));
-    return scratch.data();
+    return this->All ? this->All + this->Sizes.GetOffset(row) : this->ProvideScratch(row, rows);
   }
   /// Takes the list of a row, which has been written.
   void Take(vtkIdType row, const std::int32_t* ids) const
@@ -87,6 +81,13 @@ public:
   const PLYSizes& Sizes;
 
 private:
+  std::int32_t* ProvideScratch(vtkIdType row, vtkIdType rows) const
+  {
+    thread_local std::vector<std::int32_t> scratch;
+    scratch.resize(
+      static_cast<std::size_t>(this->Sizes.GetOffset(row + rows) - this->Sizes.GetOffset(row)));
+    return scratch.data();
+  }
   vtkIdType GetCell(vtkIdType row) const
   {
     return this->Items ? this->Items[row] : this->FirstCell + row;

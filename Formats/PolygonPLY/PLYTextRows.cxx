@@ -263,9 +263,9 @@ bool PLYTextRows::ReadIds(
         rowIsGood = this->Skip(text, i);
       }
       std::int64_t length = 0;
-      rowIsGood = rowIsGood && this->ReadLength(text, property, length);
-      thread_local std::vector<std::int32_t> scratch;
-      std::int32_t* const ids = lists.Provide(row, 1, scratch);
+      rowIsGood = rowIsGood && this->ReadLength(text, property, length) &&
+        length == lists.Sizes.GetSize(row); // unless the file was changed
+      std::int32_t* const ids = lists.Provide(row, 1);
       std::int32_t* id = ids;
       for (; rowIsGood && length > 0; --length)
       {

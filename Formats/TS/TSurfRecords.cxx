@@ -29,23 +29,13 @@ bool HasProperties(TSurfLine what)
 // Ids of objects may be negative as well.
 bool ReadAnyId(TextRow& row, std::int32_t& id)
 {
-  const char* position = row.GetPosition();
   std::int64_t value;
   if (!row.ReadInteger(value, VertexId))
   {
     return false;
   }
   id = static_cast<std::int32_t>(value);
-  if (id == value)
-  {
-    return true;
-  }
-  // An error quotes the word that begins here, so not what follows the number.
-  while (IsSpace(*position))
-  {
-    ++position;
-  }
-  return row.FailAt(position, ErrorKind::Index, "an id of a vertex below 2147483648");
+  return id == value || row.FailAtLast(ErrorKind::Index, "an id of a vertex below 2147483648");
 }
 }
 
@@ -152,13 +142,19 @@ bool TSurfRecords::ReadIds(CellMesh& mesh, const Progress& progress)
     progress,
     [&](Chunk& chunk)
     {
+      const Chunk& next = *(&chunk + 1);
       vtkIdType record = chunk.Records, point = chunk.Points, triangle = chunk.Triangles;
-      return ForEachLine(chunk,
+      const char* const wrong = ForEachLine(chunk,
         [&](TSurfLine what, TextRow& row, const char* line)
         {
           if (what == TSurfLine::Face)
           {
             return true;
+          }
+          if (what == TSurfLine::Triangle ? triangle == next.Triangles
+                                          : record == next.Records)
+          {
+            return false; // the file was changed since they were counted
           }
           if (what == TSurfLine::Triangle)
           {
@@ -185,6 +181,9 @@ bool TSurfRecords::ReadIds(CellMesh& mesh, const Progress& progress)
           ++record;
           return true;
         });
+      const bool isComplete =
+        record == next.Records && point == next.Points && triangle == next.Triangles;
+      return wrong || isComplete ? wrong : chunk.Begin;
     },
     [this](TSurfLine what, TextRow& row)
     {

@@ -186,6 +186,7 @@ bool TSurfValues::ReadVertex(
 const char* TSurfValues::ReadChunk(
   const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellPiece& piece)
 {
+  const TSurfRecords::Chunk& next = *(&chunk + 1);
   vtkIdType record = chunk.Records, point = chunk.Points, shortRecords = 0;
   const char* const wrong = TSurfRecords::ForEachLine(chunk,
     [&](TSurfLine what, TextRow& row, const char*)
@@ -196,6 +197,10 @@ const char* TSurfValues::ReadChunk(
       }
       // The values of atoms are read later.
       const bool isAtom = what == TSurfLine::Atom || what == TSurfLine::PropertyAtom;
+      if (record == next.Records || (!isAtom && point == next.Points))
+      {
+        return false; // the file was changed since they were counted
+      }
       const vtkIdType local = isAtom ? -1 : piece.FindPoint(point);
       bool isShort = false;
       if (!this->ReadVertex(row, what, chunk.Object, local, isShort))

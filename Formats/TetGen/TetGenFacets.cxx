@@ -39,7 +39,7 @@ bool ReadPolygon(TextRow& row, const TetGenNodes& nodes, CellSink& sink)
   }
   if (size < 1)
   {
-    return FailAtLastNumber(row, ErrorKind::Count, std::string(Size) + ", 1 or more");
+    return row.FailAtLast(ErrorKind::Count, std::string(Size) + ", 1 or more");
   }
   sink.BeginCell(GetPolygonType(size));
   for (std::int64_t i = 0; i < size; ++i)

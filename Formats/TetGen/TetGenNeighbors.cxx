@@ -84,7 +84,7 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
       const std::int32_t element = ids.Find(id);
       if (element < 0)
       {
-        return FailAtLastNumber(row, ErrorKind::Index, std::string(Element) + " of the mesh");
+        return row.FailAtLast(ErrorKind::Index, std::string(Element) + " of the mesh");
       }
       const vtkIdType index = this->HasAll ? element : piece.FindCell(element);
       for (int i = 0; i < this->Corners; ++i)
@@ -96,8 +96,7 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
         const std::int32_t neighbor = id == None ? None : ids.Find(id);
         if (neighbor < 0 && id != None)
         {
-          return FailAtLastNumber(
-            row, ErrorKind::Index, std::string(Neighbor) + " of the mesh, or -1");
+          return row.FailAtLast(ErrorKind::Index, std::string(Neighbor) + " of the mesh, or -1");
         }
         if (index >= 0)
         {

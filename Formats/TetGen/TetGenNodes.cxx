@@ -167,7 +167,7 @@ bool TetGenNodes::FailAtId(TextRow& row, const char* what) const
     expected += " from " + std::to_string(this->Map.GetLeast()) + " to " +
       std::to_string(this->Map.GetGreatest()) + (allThere ? "" : " that there is");
   }
-  return FailAtLastNumber(row, ErrorKind::Index, expected);
+  return row.FailAtLast(ErrorKind::Index, expected);
 }
 
 //------------------------------------------------------------------------------

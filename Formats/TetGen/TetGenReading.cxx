@@ -13,12 +13,11 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Finds the other files and reads the mesh.
-bool ReadMesh(const MappedFile& file, const std::string& path, TetGenAssembly& assembly,
-  ScanError& error, const Progress& progress)
+bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
+  const std::string& path, TetGenAssembly& assembly, ScanError& error, const Progress& progress)
 {
   constexpr char Nodes[] = "nodes";
   TetGenKind kind = GetTetGenKind(path);
-  MappedFile nodes, elements;
   switch (kind)
   {
     case TetGenKind::Node:
@@ -60,6 +59,15 @@ bool ReadMesh(const MappedFile& file, const std::string& path, TetGenAssembly& a
       ": expected a file of TetGen or Triangle, whose name ends with .node, .ele, .face, .edge, "
       ".neigh, .poly or .smesh" };
   return false;
+}
+
+//------------------------------------------------------------------------------
+bool ReadMesh(const MappedFile& file, const std::string& path, TetGenAssembly& assembly,
+  ScanError& error, const Progress& progress)
+{
+  MappedFile nodes, elements;
+  const bool good = ReadFiles(file, nodes, elements, path, assembly, error, progress);
+  return nodes.IsUnchanged(error) && elements.IsUnchanged(error) && good;
 }
 }
 

@@ -56,17 +56,6 @@ bool ReadTetGenHeader(
 }
 
 //------------------------------------------------------------------------------
-bool FailAtLastNumber(TextRow& row, ErrorKind kind, const std::string& expected)
-{
-  const char* position = row.GetPosition();
-  do
-  {
-    --position;
-  } while (!IsSpace(position[-1])); // no number that fails here is the first of its file
-  return row.FailAt(position, kind, expected);
-}
-
-//------------------------------------------------------------------------------
 bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what)
 {
   std::int64_t number;
@@ -76,7 +65,7 @@ bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what)
   }
   if (number < INT32_MIN || number > INT32_MAX)
   {
-    return FailAtLastNumber(row, ErrorKind::Syntax, std::string(what) + " of 32 bits");
+    return row.FailAtLast(ErrorKind::Syntax, std::string(what) + " of 32 bits");
   }
   value = static_cast<std::int32_t>(number);
   return true;

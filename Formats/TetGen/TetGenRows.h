@@ -32,9 +32,6 @@ bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what);
 /// Reads an id that is not negative.
 bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what);
 
-/// Says that the number just read is no id of those expected; returns false.
-bool FailAtLastNumber(TextRow& row, ErrorKind kind, const std::string& expected);
-
 /**
  * @class camaron::TetGenColumns
  * @brief The columns after the ids and coordinates of a row: attributes, a marker, adjacent
