@@ -6,18 +6,14 @@
 #include "ComparisonTables.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
+#include "MeshCopies.h"
 #include "Parallel.h"
 #include "SameCells.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
 
-#include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -28,15 +24,11 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <map>
 
 vtkStandardNewMacro(vtkCompareQuality);
 
 namespace
 {
-// Differences by the flat index of the data set of B.
-using DeltaArrays = std::map<unsigned int, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
-
 //------------------------------------------------------------------------------
 // Those of both, with the same unit; says of others why they are left out.
 std::vector<camaron::StatisticsArray> FindCommonArrays(const std::vector<camaron::StatisticsArray>& ofA,
@@ -107,7 +99,7 @@ struct MatchedValues
 
 //------------------------------------------------------------------------------
 void AddDeltas(const std::string& name, const MatchedValues& values, const camaron::ElementBlocks& blocks,
-  DeltaArrays& deltas)
+  camaron::NewCellArrays& deltas)
 {
   for (std::size_t i = 0; i < values.After.size(); ++i)
   {
@@ -121,44 +113,6 @@ void AddDeltas(const std::string& name, const MatchedValues& values, const camar
           values.Before[i].Values, values.After[i].Values, begin, end, delta->GetPointer(0));
       });
     deltas[blocks.Get()[values.BlockNumbers[i]].FlatIndex].push_back(delta);
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> CopyWith(
-  vtkDataObject* leaf, const std::vector<vtkSmartPointer<vtkDoubleArray>>& arrays)
-{
-  auto* data = vtkDataSet::SafeDownCast(leaf);
-  if (!data)
-  {
-    return leaf;
-  }
-  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
-  for (vtkDoubleArray* array : arrays)
-  {
-    copy->GetCellData()->AddArray(array);
-  }
-  return copy;
-}
-
-//------------------------------------------------------------------------------
-void CopyMesh(vtkDataObject* input, DeltaArrays& deltas, vtkDataObject* output)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    output->ShallowCopy(CopyWith(input, deltas[0]));
-    return;
-  }
-  auto* copy = vtkCompositeDataSet::SafeDownCast(output);
-  copy->CopyStructure(composite);
-  copy->GetFieldData()->ShallowCopy(composite->GetFieldData());
-  vtkSmartPointer<vtkCompositeDataIterator> it;
-  it.TakeReference(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    copy->SetDataSet(it, CopyWith(it->GetCurrentDataObject(), deltas[it->GetCurrentFlatIndex()]));
   }
 }
 }
@@ -237,19 +191,7 @@ int vtkCompareQuality::FillOutputPortInformation(int port, vtkInformation* info)
 int vtkCompareQuality::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataObject* b = vtkDataObject::GetData(inputVector[1]);
-  for (int port = 0; port < 3; ++port)
-  {
-    vtkInformation* info = outputVector->GetInformationObject(port);
-    vtkDataObject* output = vtkDataObject::GetData(info);
-    const char* type = port < 2 ? "vtkTable" : b ? b->GetClassName() : "vtkUnstructuredGrid";
-    if (!output || !output->IsA(type))
-    {
-      const auto created = vtkSmartPointer<vtkDataObject>::Take(
-        port == 2 && b ? b->NewInstance() : vtkTable::New());
-      info->Set(vtkDataObject::DATA_OBJECT(), created);
-    }
-  }
+  camaron::MakeTablesAndMesh(2, vtkDataObject::GetData(inputVector[1]), outputVector);
   return 1;
 }
 
@@ -302,7 +244,7 @@ void vtkCompareQuality::Compare(vtkDataObject* a, vtkDataObject* b, vtkInformati
     vtkWarningMacro("Not compared." << leftOut);
   }
 
-  DeltaArrays deltas;
+  camaron::NewCellArrays deltas;
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
     const camaron::Criterion* criterion = camaron::FindCriterion(arrays[i].Name);
@@ -340,5 +282,5 @@ void vtkCompareQuality::Compare(vtkDataObject* a, vtkDataObject* b, vtkInformati
     }
     this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(arrays.size()));
   }
-  CopyMesh(b, deltas, vtkDataObject::GetData(outputVector, 2));
+  camaron::CopyWithCellArrays(b, deltas, vtkDataObject::GetData(outputVector, 2));
 }

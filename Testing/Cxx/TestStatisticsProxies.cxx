@@ -5,6 +5,7 @@
 #include "Criteria/Criterion.h"
 #include "Strategies/Strategy.h"
 #include "vtkCompareQuality.h"
+#include "vtkCorrelateQuality.h"
 #include "vtkQualityStatistics.h"
 #include "vtkSelectElements.h"
 
@@ -105,6 +106,17 @@ TEST(CompareQualityProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));
   EXPECT_EQ(ReadDefault(proxy, "HistogramScale"), filter->GetHistogramScale());
   EXPECT_EQ(std::stod(ReadDefault(proxy, "Tolerance")), filter->GetTolerance());
+  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
+}
+
+//------------------------------------------------------------------------------
+TEST(CorrelateQualityProxy, AgreesWithClass)
+{
+  const std::string proxy = "CorrelateQuality";
+  vtkNew<vtkCorrelateQuality> filter;
+  EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
+  EXPECT_EQ(ReadDefault(proxy, "RangesFile"), filter->GetRangesFile());
+  EXPECT_EQ(ReadDefault(proxy, "Gradient"), std::to_string(filter->GetGradient()));
   EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }
 

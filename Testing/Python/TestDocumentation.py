@@ -84,7 +84,7 @@ class TestDocumentation(camaron_testing.TestCase):
                 names = [entry.get("value") for entry in item.iter("String")]
                 self.assertEqual(names[1:], presets, file)
                 found += 1
-        self.assertEqual(found, 4)
+        self.assertEqual(found, 5)
         listed = camaron_testing.run_command("criteria").stdout
         rows = [line.split()[0] for line in listed.splitlines() if line]
         self.assertEqual(rows[1 : len(criteria) + 1], criteria)

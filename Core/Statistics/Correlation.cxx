@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/Correlation.h"
+
+#include "Statistics/ExactSum.h"
+#include "Statistics/KeyRanks.h"
+#include "Statistics/OrderedKey.h"
+#include "Statistics/WeightUnit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::size_t NumberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
+
+//------------------------------------------------------------------------------
+// Exact sums of several terms of each pair, rounded and divided by the number of pairs.
+template <std::size_t Size>
+struct PairSums
+{
+  std::array<ExactSum, Size> Sums;
+  std::int64_t Count = 0;
+  double Largest[2] = { 0, 0 };
+};
+
+template <std::size_t Size>
+struct PairMeans
+{
+  std::array<double, Size> Means = {};
+  std::int64_t Count = 0;
+  double Largest[2] = { 0, 0 }; ///< magnitudes of x and y
+};
+
+template <std::size_t Size, typename Terms>
+PairMeans<Size> FindMeans(const Population& x, const Population& y, Terms&& terms, Reducer& reducer)
+{
+  using Part = PairSums<Size>;
+  std::vector<Part> parts = ForEachChunk<Part>(x,
+    [&](Part& part, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+    {
+      const ValueBlock& other = y[&block - x.data()];
+      for (ExactSum& sum : part.Sums)
+      {
+        sum.Reserve(end - begin);
+      }
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        const double a = block.Values[i], b = other.Values[i];
+        if (!block.Contains(i) || IsNotFinite(a) || IsNotFinite(b))
+        {
+          continue;
+        }
+        ++part.Count;
+        part.Largest[0] = std::max(part.Largest[0], std::abs(a));
+        part.Largest[1] = std::max(part.Largest[1], std::abs(b));
+        const std::array<double, Size> values = terms(a, b);
+        for (std::size_t s = 0; s < Size; ++s)
+        {
+          part.Sums[s].Add(values[s]);
+        }
+      }
+    });
+  std::vector<std::int64_t> all(Size * NumberOfLimbs + 1);
+  PairMeans<Size> result;
+  for (Part& part : parts)
+  {
+    for (std::size_t s = 0; s < Size; ++s)
+    {
+      const ExactSum::Limbs limbs = part.Sums[s].GetLimbs();
+      std::transform(limbs.begin(), limbs.end(), &all[s * NumberOfLimbs], &all[s * NumberOfLimbs],
+        [](std::int64_t limb, std::int64_t sum) { return limb + sum; });
+    }
+    all.back() += part.Count;
+    for (int i = 0; i < 2; ++i)
+    {
+      result.Largest[i] = std::max(result.Largest[i], part.Largest[i]);
+    }
+  }
+  reducer.Sum(all.data(), all.size());
+  std::int64_t keys[2] = { ToKey(result.Largest[0]), ToKey(result.Largest[1]) };
+  reducer.Max(keys, 2);
+  result.Count = all.back();
+  for (int i = 0; i < 2; ++i)
+  {
+    result.Largest[i] = FromKey(keys[i]);
+  }
+  for (std::size_t s = 0; s < Size && result.Count > 0; ++s)
+  {
+    ExactSum::Limbs limbs;
+    std::copy_n(&all[s * NumberOfLimbs], NumberOfLimbs, limbs.begin());
+    result.Means[s] = ExactSum::Divide(limbs, result.Count);
+  }
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+double CorrelateLinearly(const Population& x, const Population& y, Reducer& reducer)
+{
+  const PairMeans<2> means =
+    FindMeans<2>(x, y, [](double a, double b) { return std::array<double, 2>{ { a, b } }; }, reducer);
+  if (means.Count < 2)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  // In units in which no product of deviations overflows.
+  const double units[2] = { GetUnit(means.Largest[0]) / 2, GetUnit(means.Largest[1]) / 2 };
+  const double centers[2] = { means.Means[0] * units[0], means.Means[1] * units[1] };
+  const std::array<double, 5> sums = FindMeans<5>(x, y,
+    [&](double a, double b)
+    {
+      const double da = a * units[0] - centers[0], db = b * units[1] - centers[1];
+      return std::array<double, 5>{ { da, db, da * da, db * db, da * db } };
+    },
+    reducer)
+                                       .Means;
+  // The deviations are from rounded means.
+  const double squareOfX = sums[2] - sums[0] * sums[0], squareOfY = sums[3] - sums[1] * sums[1];
+  const double product = sums[4] - sums[0] * sums[1];
+  if (!(squareOfX > 0 && squareOfY > 0))
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double correlation = product / std::sqrt(squareOfX * squareOfY);
+  return std::min(std::max(correlation, -1.0), 1.0);
+}
+
+//------------------------------------------------------------------------------
+BlockRanks FindDoubledRanks(const Population& values, Reducer& reducer)
+{
+  std::vector<KeyCounts> own;
+  for (const std::int64_t key : SortKeys(values))
+  {
+    if (own.empty() || own.back().Key != key)
+    {
+      own.push_back({ key, {} });
+    }
+    ++own.back().Counts[0];
+  }
+  const std::vector<KeyRank> ranks = RankKeys(own, reducer);
+  BlockRanks result;
+  for (const ValueBlock& block : values)
+  {
+    result.emplace_back(block.Size, std::numeric_limits<double>::quiet_NaN());
+    std::vector<double>& list = result.back();
+    ParallelFor(block.Size, 1 << 14,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          if (block.Contains(i) && !std::isnan(block.Values[i]))
+          {
+            const std::int64_t key = ToKey(block.Values[i]);
+            const auto found = std::lower_bound(
+              own.begin(), own.end(), key, [](const KeyCounts& item, std::int64_t k) { return item.Key < k; });
+            const KeyRank& rank = ranks[found - own.begin()];
+            list[i] = static_cast<double>(2 * rank.Before[0] + rank.Counts[0] + 1);
+          }
+        }
+      });
+  }
+  return result;
+}
+}

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellField.h"
+
+#include "Mesh/MeshView.h"
+#include "MeshInput.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Unknown = std::numeric_limits<double>::quiet_NaN();
+
+// Coordinates and value.
+using Sample = std::array<double, 4>;
+
+//------------------------------------------------------------------------------
+double GetMagnitude(vtkDataArray* array, vtkIdType i)
+{
+  const int size = array->GetNumberOfComponents();
+  double length = size == 1 ? array->GetComponent(i, 0) : 0;
+  for (int c = 0; c < size && size > 1; ++c)
+  {
+    length = std::hypot(length, array->GetComponent(i, c));
+  }
+  return length;
+}
+
+//------------------------------------------------------------------------------
+double FindMean(const std::vector<Sample>& samples)
+{
+  double sum = 0;
+  for (const Sample& sample : samples)
+  {
+    sum += sample[3];
+  }
+  return samples.empty() ? Unknown : sum / static_cast<double>(samples.size());
+}
+
+//------------------------------------------------------------------------------
+// Eigenvectors of a symmetric matrix as columns of v, by Jacobi's rotations; the eigenvalues are left on its diagonal.
+void Diagonalize(double m[3][3], double v[3][3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      v[i][j] = i == j;
+    }
+  }
+  constexpr int numberOfSweeps = 12; // converges quadratically, five are usual
+  for (int sweep = 0; sweep < numberOfSweeps; ++sweep)
+  {
+    for (int p = 0; p < 2; ++p)
+    {
+      for (int q = p + 1; q < 3; ++q)
+      {
+        if (m[p][q] == 0)
+        {
+          continue;
+        }
+        const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+        const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::hypot(theta, 1));
+        const double c = 1 / std::hypot(t, 1), s = t * c;
+        for (int k = 0; k < 3; ++k)
+        {
+          const double kp = m[k][p], kq = m[k][q];
+          m[k][p] = c * kp - s * kq;
+          m[k][q] = s * kp + c * kq;
+        }
+        for (int k = 0; k < 3; ++k)
+        {
+          const double pk = m[p][k], qk = m[q][k];
+          m[p][k] = c * pk - s * qk;
+          m[q][k] = s * pk + c * qk;
+        }
+        for (int k = 0; k < 3; ++k)
+        {
+          const double kp = v[k][p], kq = v[k][q];
+          v[k][p] = c * kp - s * kq;
+          v[k][q] = s * kp + c * kq;
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double FindGradient(const std::vector<Sample>& samples)
+{
+  Sample mean = { 0, 0, 0, 0 };
+  for (const Sample& sample : samples)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      mean[i] += sample[i] / static_cast<double>(samples.size());
+    }
+  }
+  double matrix[3][3] = {}, right[3] = {}, vectors[3][3];
+  for (const Sample& sample : samples)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      right[i] += (sample[i] - mean[i]) * (sample[3] - mean[3]);
+      for (int j = 0; j < 3; ++j)
+      {
+        matrix[i][j] += (sample[i] - mean[i]) * (sample[j] - mean[j]);
+      }
+    }
+  }
+  Diagonalize(matrix, vectors);
+  const double largest = std::max({ matrix[0][0], matrix[1][1], matrix[2][2] });
+  if (!(largest > 0) || !std::isfinite(right[0] + right[1] + right[2]))
+  {
+    return Unknown;
+  }
+  // Directions in which the points do not extend, as normals of polygons, have no part in the gradient.
+  constexpr double flat = 1e-12; // square of the ratio of extents
+  double length = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double along = vectors[0][i] * right[0] + vectors[1][i] * right[1] + vectors[2][i] * right[2];
+    length = matrix[i][i] > flat * largest ? std::hypot(length, along / matrix[i][i]) : length;
+  }
+  return length;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> FromPoints(vtkDataSet* data, vtkDataArray* array, bool takesGradient)
+{
+  const vtkSmartPointer<vtkDataSet> mesh = AsMesh(data);
+  const MeshView view(mesh);
+  std::vector<double> values(view.GetNumberOfCells());
+  ParallelFor(view.GetNumberOfCells(), 1 << 12,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<Sample> samples;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const IndexRange points = view.GetCellPoints(cell);
+        samples.resize(points.Size);
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          view.GetPoint(points[i], samples[i].data());
+          samples[i][3] = GetMagnitude(array, points[i]);
+        }
+        // The order in the cell may depend on how the mesh was split.
+        std::sort(samples.begin(), samples.end());
+        values[cell] = takesGradient ? FindGradient(samples) : FindMean(samples);
+      }
+    });
+  return values;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> FromCells(vtkDataArray* array)
+{
+  std::vector<double> values(array->GetNumberOfTuples());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = GetMagnitude(array, static_cast<vtkIdType>(i));
+  }
+  return values;
+}
+}
+
+//------------------------------------------------------------------------------
+CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool isOfPoints, bool takesGradient,
+  Reducer& reducer)
+{
+  if (takesGradient && !isOfPoints)
+  {
+    throw std::invalid_argument("a gradient is taken of fields of points only, Cell Data To Point Data makes one");
+  }
+  std::int64_t counts[2] = { 0, static_cast<std::int64_t>(blocks.Get().size()) };
+  for (const ElementBlock& block : blocks.Get())
+  {
+    vtkDataSetAttributes* attributes = isOfPoints
+      ? static_cast<vtkDataSetAttributes*>(block.Data->GetPointData())
+      : static_cast<vtkDataSetAttributes*>(block.Data->GetCellData());
+    vtkDataArray* array = attributes->GetArray(name.c_str());
+    counts[0] += array != nullptr;
+    this->Values.push_back(!array ? std::vector<double>()
+                                  : isOfPoints ? FromPoints(block.Data, array, takesGradient) : FromCells(array));
+  }
+  reducer.Sum(counts, 2);
+  if (counts[0] == 0 && counts[1] > 0)
+  {
+    throw std::invalid_argument(
+      "there is no array of " + std::string(isOfPoints ? "points" : "cells") + " named '" + name + "'");
+  }
+}
+}
