@@ -314,8 +314,8 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
     WarnOfPoints(coordinates, warnings, Progress(), "node", "nodes");
     if (this->Cells.GetNumberOfUndeclared() > 0)
     {
-      warnings.Add(std::to_string(this->Cells.GetNumberOfUndeclared()) +
-        " cells are in no section of cells, so that their type and zone are not known");
+      warnings.Add("cells that are in no section of cells, so that their type and zone are not known: " +
+        std::to_string(this->Cells.GetNumberOfUndeclared()));
     }
   }
   return true;

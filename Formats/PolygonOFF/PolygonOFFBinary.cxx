@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFBinary.h"
 
+#include "CellMesh/CellRows.h"
 #include "Scan/BinaryScanner.h"
 
 #include "vtkUnstructuredGrid.h"
@@ -33,6 +34,8 @@ public:
   bool ReadHeader();
   bool FindFaces(const Progress& progress);
   bool ReadFaces(const Progress& progress);
+  bool ReadPieceOfFaces(
+    const PieceRequest& request, CellPiece& piece, const Progress& progress);
   bool ReadVertices(const CellPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
 
   BinaryScanner Scanner;
@@ -49,8 +52,11 @@ private:
     vtkIdType Id;
   };
 
-  bool ReadFace(
-    const char*& place, vtkIdType face, vtkIdType& cell, vtkIdType& id, OFFFaceCensus& seen);
+  bool ReadFace(const char*& place, vtkIdType face, vtkIdType room, std::int32_t* ids,
+    std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const;
+  template <typename Take>
+  bool ForEachFace(bool store, const Progress& progress, Take&& take);
+  void FailAtFace(vtkIdType face, const char* place);
   OFFColor ReadColor(const char* place, std::int32_t count) const;
   float ReadReal(const char* place) const { return Load<float>(place, this->Scanner.IsSwapped()); }
   std::int32_t ReadInteger(const char* place) const
@@ -172,20 +178,18 @@ OFFColor BinaryReading::ReadColor(const char* place, std::int32_t count) const
 }
 
 //------------------------------------------------------------------------------
-// False if an id is out of range, or if the face is not as large as it was.
-bool BinaryReading::ReadFace(
-  const char*& place, vtkIdType face, vtkIdType& cell, vtkIdType& id, OFFFaceCensus& seen)
+// Reads a face; false if an id is out of range, or if the face is not as large as it was.
+bool BinaryReading::ReadFace(const char*& place, vtkIdType face, vtkIdType room,
+  std::int32_t* ids, std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const
 {
   const char* const end = this->Scanner.GetPosition();
-  const std::int32_t size = end - place < FaceBytes ? -1 : this->ReadInteger(place);
-  if (size < 0 || size > (end - place - FaceBytes) / Word || size > this->NumberOfIds - id ||
-    (size > 0 && cell >= this->NumberOfCells))
+  size = end - place < FaceBytes ? -1 : this->ReadInteger(place);
+  if (size < 0 || size > room || size > (end - place - FaceBytes) / Word)
   {
     place = end;
     return false;
   }
   place += Word;
-  std::int32_t* const ids = this->Faces.Mesh.Connectivity.data() + id;
   const auto limit = static_cast<std::uint32_t>(this->Header.Vertices);
   bool isGood = true;
   for (std::int32_t i = 0; i < size; ++i, place += Word)
@@ -200,7 +204,7 @@ bool BinaryReading::ReadFace(
     place = end;
     return false;
   }
-  OFFColor color;
+  color = OFFColor();
   if (components > 0)
   {
     color = this->ReadColor(place, components);
@@ -215,20 +219,82 @@ bool BinaryReading::ReadFace(
     place += Word * std::ptrdiff_t(components);
   }
   seen.AddSize(face, size);
-  if (size > 0)
-  {
-    if (this->HasFaceColors)
-    {
-      this->Faces.Colors.Set(cell, color);
-    }
-    if (this->Faces.Mesh.CommonSize == 0)
-    {
-      this->Faces.Begin(cell, id, size);
-    }
-    ++cell;
-    id += size;
-  }
   return isGood;
+}
+
+//------------------------------------------------------------------------------
+// Calls take(block, cell, first id of all, ids, size, color) for all faces that are cells, in
+// parallel. Their ids are stored, or read to where they are overwritten by those of the next block.
+template <typename Take>
+bool BinaryReading::ForEachFace(bool store, const Progress& progress, Take&& take)
+{
+  const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
+  std::vector<OFFFaceCensus> seen(blocks);
+  std::vector<vtkIdType> badFaces(blocks, -1);
+  std::vector<const char*> badPlaces(blocks, nullptr);
+  const bool isComplete = progress.For(blocks,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::vector<std::int32_t> scratch;
+      for (vtkIdType b = begin; b < end; ++b)
+      {
+        const bool isLast = b + 1 == blocks;
+        const char* place = this->Blocks[b].Place;
+        vtkIdType cell = this->Blocks[b].Cell, id = this->Blocks[b].Id;
+        const vtkIdType lastCell = isLast ? this->NumberOfCells : this->Blocks[b + 1].Cell;
+        const vtkIdType lastId = isLast ? this->NumberOfIds : this->Blocks[b + 1].Id;
+        scratch.resize(static_cast<std::size_t>(store ? 0 : lastId - id));
+        std::int32_t* ids = store ? this->Faces.Mesh.Connectivity.data() + id : scratch.data();
+        const vtkIdType last = std::min((b + 1) * BlockSize, vtkIdType(this->Header.Faces));
+        for (vtkIdType face = b * BlockSize; face < last; ++face)
+        {
+          const char* const start = place;
+          std::int32_t size;
+          OFFColor color;
+          if (!this->ReadFace(place, face, lastId - id, ids, size, color, seen[b]) ||
+            (size > 0 && cell == lastCell))
+          {
+            badFaces[b] = face;
+            badPlaces[b] = start;
+            break;
+          }
+          if (size > 0)
+          {
+            take(b, cell, id, ids, size, color);
+            ++cell;
+            id += size;
+            ids += size;
+          }
+        }
+      }
+    });
+  this->FaceCensus = OFFFaceCensus();
+  for (vtkIdType b = 0; b < blocks && isComplete; ++b)
+  {
+    this->FaceCensus.Merge(seen[b]);
+    if (badFaces[b] >= 0)
+    {
+      this->FailAtFace(badFaces[b], badPlaces[b] + Word);
+      return false;
+    }
+  }
+  return isComplete;
+}
+
+//------------------------------------------------------------------------------
+void BinaryReading::FailAtFace(vtkIdType face, const char* place)
+{
+  const char* const last = this->Scanner.GetPosition() - Word;
+  while (
+    place < last && static_cast<std::uint32_t>(this->ReadInteger(place)) < this->Header.Vertices)
+  {
+    place += Word;
+  }
+  place = std::min(place, last);
+  this->Scanner.FailAt(place, ErrorKind::Index,
+    "a vertex of face " + std::to_string(face) + " from 0 to " +
+      std::to_string(this->Header.Vertices - 1),
+    std::to_string(this->ReadInteger(place)));
 }
 
 //------------------------------------------------------------------------------
@@ -242,49 +308,67 @@ bool BinaryReading::ReadFaces(const Progress& progress)
   this->Faces.Allocate(
     this->NumberOfCells, this->NumberOfIds, std::max(this->CommonSize, 0), this->HasFaceColors);
   this->Faces.Mesh.NumberOfPoints = this->Header.Vertices;
-  const auto blocks = static_cast<vtkIdType>(this->Blocks.size());
-  std::vector<OFFFaceCensus> seen(blocks);
-  std::vector<vtkIdType> badFaces(blocks, -1);
-  std::vector<const char*> badPlaces(blocks, nullptr);
-  const bool isComplete = progress.For(blocks,
-    [&](vtkIdType begin, vtkIdType end)
+  return this->ForEachFace(true, progress,
+    [this](vtkIdType, vtkIdType cell, vtkIdType id, const std::int32_t*, std::int32_t size,
+      const OFFColor& color)
     {
-      for (vtkIdType b = begin; b < end; ++b)
+      if (this->HasFaceColors)
       {
-        const char* place = this->Blocks[b].Place;
-        vtkIdType cell = this->Blocks[b].Cell, id = this->Blocks[b].Id;
-        const vtkIdType last = std::min((b + 1) * BlockSize, vtkIdType(this->Header.Faces));
-        for (vtkIdType face = b * BlockSize; face < last; ++face)
-        {
-          const char* const start = place;
-          if (!this->ReadFace(place, face, cell, id, seen[b]) && badFaces[b] < 0)
-          {
-            badFaces[b] = face;
-            badPlaces[b] = start;
-          }
-        }
+        this->Faces.Colors.Set(cell, color);
+      }
+      if (this->Faces.Mesh.CommonSize == 0)
+      {
+        this->Faces.Begin(cell, id, size);
       }
     });
-  for (vtkIdType b = 0; b < blocks && isComplete; ++b)
+}
+
+//------------------------------------------------------------------------------
+// Keeps the faces of a piece only: goes through all of them once more for every level of ghosts, and
+// again to store them.
+bool BinaryReading::ReadPieceOfFaces(
+  const PieceRequest& request, CellPiece& piece, const Progress& progress)
+{
+  piece.Start(this->Header.Vertices, this->NumberOfCells, request);
+  do
   {
-    this->FaceCensus.Merge(seen[b]);
-    if (badFaces[b] >= 0)
+    if (!this->ForEachFace(false, progress.Part(0, 0.7),
+          [&](vtkIdType, vtkIdType cell, vtkIdType, const std::int32_t* ids, std::int32_t size,
+            const OFFColor&) { piece.Show(cell, ids, size); }))
     {
-      const char* place = badPlaces[b] + Word;
-      while (place + Word < this->Scanner.GetPosition() &&
-        static_cast<std::uint32_t>(this->ReadInteger(place)) < this->Header.Vertices)
-      {
-        place += Word;
-      }
-      place = std::min(place, this->Scanner.GetPosition() - Word);
-      this->Scanner.FailAt(place, ErrorKind::Index,
-        "a vertex of face " + std::to_string(badFaces[b]) + " from 0 to " +
-          std::to_string(this->Header.Vertices - 1),
-        std::to_string(this->ReadInteger(place)));
       return false;
     }
+  } while (piece.Continue());
+  this->Faces.AreOfPiece = true;
+  this->Faces.Colors = OFFColors(this->HasFaceColors ? piece.GetNumberOfCells() : 0);
+  std::vector<CellSink> sinks(this->Blocks.size());
+  ScanError error;
+  if (!this->ForEachFace(false, progress.Part(0.7, 1),
+        [&](vtkIdType block, vtkIdType cell, vtkIdType, const std::int32_t* ids,
+          std::int32_t size, const OFFColor& color)
+        {
+          const vtkIdType index = piece.FindCell(cell);
+          if (index < 0)
+          {
+            return;
+          }
+          CellSink& sink = sinks[static_cast<std::size_t>(block)];
+          sink.BeginCell(OFFFaces::GetType(size));
+          for (std::int32_t i = 0; i < size; ++i)
+          {
+            sink.AddPoint(static_cast<std::int32_t>(piece.FindPoint(ids[i])));
+          }
+          if (this->HasFaceColors)
+          {
+            this->Faces.Colors.Set(index, color);
+          }
+        }) ||
+    !FillCells(sinks, this->Faces.Mesh, error))
+  {
+    return false;
   }
-  return isComplete;
+  this->Faces.Mesh.NumberOfPoints = piece.GetNumberOfPoints();
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -382,8 +466,10 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
   CellPiece piece;
   OFFVertices<float> vertices;
   isGood = isGood && reading.FindFaces(progress.Part(0, 0.3)) &&
-    reading.ReadFaces(progress.Part(0.3, 0.6)) &&
-    piece.Select(reading.Faces.Mesh, request, progress.Part(0.6, 0.65));
+    (request.NumberOfPieces > 1 && reading.Header.Faces > 0
+        ? reading.ReadPieceOfFaces(request, piece, progress.Part(0.3, 0.65))
+        : reading.ReadFaces(progress.Part(0.3, 0.6)) &&
+          piece.Select(reading.Faces.Mesh, request, progress.Part(0.6, 0.65)));
   if (isGood)
   {
     vertices = OFFVertices<float>(reading.Header, piece.GetNumberOfPoints());

@@ -225,8 +225,9 @@ void WarnOfShortFaces(const OutputMesh& mesh, Warnings& warnings)
   const vtkIdType lines = mesh.Count(VTK_LINE), vertices = mesh.Count(VTK_VERTEX);
   if (lines + vertices > 0)
   {
-    warnings.Add(std::to_string(lines) + " lines and " + std::to_string(vertices) +
-      " vertices are written as faces of two vertices and one, which some programs do not read");
+    warnings.Add("lines that are written as faces of two vertices: " + std::to_string(lines) +
+      ", vertices as faces of one: " + std::to_string(vertices) +
+      "; some programs do not read these");
   }
 }
 }
