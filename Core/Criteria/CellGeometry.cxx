@@ -212,7 +212,7 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
     }
   }
   this->NumberPoints(mesh, topology.FacePoints.data());
-  this->FinishOwnTopology();
+  this->FinishOwnTopology(this->NumberOfPoints > MaxSimpleNodes);
   this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
 }
 
@@ -244,10 +244,10 @@ void CellGeometry::NumberPoints(const MeshView& mesh, int* numbers)
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::FinishOwnTopology()
+void CellGeometry::FinishOwnTopology(bool edgesCanWait)
 {
   this->OwnTopology.NumberOfPoints = this->NumberOfPoints;
-  this->HasRepeatedPoint = this->OwnTopology.Finish();
+  this->HasRepeatedPoint = this->OwnTopology.Finish(edgesCanWait);
   this->Topology = &this->OwnTopology;
 }
 
@@ -263,9 +263,15 @@ void CellGeometry::Compute(unsigned needs)
   {
     needs |= isPolyhedron ? NeedsFaces | NeedsVolume : NeedsFaces;
   }
+  if ((needs & (NeedsEdges | NeedsCorners | NeedsDihedral | NeedsSolidAngle)) &&
+    this->Topology == &this->OwnTopology)
+  {
+    this->OwnTopology.FindEdges();
+  }
   const unsigned oriented = NeedsVolume | NeedsDihedral | NeedsSolidAngle;
   if (isPolyhedron && (needs & oriented) && this->Topology == &this->OwnTopology)
   {
+    this->OwnTopology.CheckClosed();
     this->IsToBeOriented() && !this->Topology->IsClosed ? this->OwnTopology.MakeConsistent()
                                                         : this->OwnTopology.FindShells();
   }

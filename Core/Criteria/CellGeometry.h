@@ -198,7 +198,8 @@ private:
   void LoadPolygon(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolyhedron(const MeshView& mesh, vtkIdType cell);
   void NumberPoints(const MeshView& mesh, int* numbers);
-  void FinishOwnTopology();
+  /// Edges may wait until Compute is asked for something that needs them; simple shapes are told by them.
+  void FinishOwnTopology(bool edgesCanWait = false);
 
   bool IsQuadrilateral() const
   {

@@ -230,7 +230,7 @@ std::vector<Criterion> SizeCriteria()
         "Camarón's." } },
     { "EdgeCount", "Edges", "Number of distinct edges.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsPoints, CAMARON_CELLS(EdgeCount),
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsEdges, CAMARON_CELLS(EdgeCount),
       { "number of different pairs of neighbouring points along the faces",
         "0 for a polygon of fewer than three different points.",
         "camaron-web's." } },

@@ -3,11 +3,17 @@
 #include "Mesh/CellTopology.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
 namespace camaron
 {
+namespace
+{
+constexpr int MaxBits = 64; // of a set of points or faces
+}
+
 //------------------------------------------------------------------------------
 void CellTopology::Clear()
 {
@@ -26,7 +32,7 @@ void CellTopology::AddFace(const int* points, int size)
 }
 
 //------------------------------------------------------------------------------
-bool CellTopology::Finish()
+bool CellTopology::Finish(bool edgesCanWait)
 {
   const int numberOfFaces = this->GetNumberOfFaces();
   this->FaceNumbers.resize(numberOfFaces);
@@ -43,8 +49,93 @@ bool CellTopology::Finish()
   }
   const bool wasRepeated = isRepeated && this->DropRepeatedPoints();
   this->Reversed.assign(this->GetNumberOfFaces(), 0);
-  this->FindEdges();
+  this->HasEdges = this->IsOneShell = false;
+  if (!edgesCanWait)
+  {
+    this->FindEdges();
+  }
   return wasRepeated;
+}
+
+//------------------------------------------------------------------------------
+void CellTopology::CheckClosed()
+{
+  if (!this->HasEdges && !this->IsOneShell)
+  {
+    this->IsOneShell = this->IsClosedShell();
+    if (this->IsOneShell)
+    {
+      this->IsClosed = this->IsManifold = true;
+      return;
+    }
+    this->FindEdges();
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellTopology::FindEdges()
+{
+  if (!this->HasEdges)
+  {
+    this->HasEdges = true;
+    this->ListEdges();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether two faces run along every edge, in opposite directions, and all faces hang together. Only for cells of few
+// points and faces, which sets of bits can hold; false also where faces share points that are no edge of theirs. Costs
+// a third of what it takes to list the edges.
+bool CellTopology::IsClosedShell() const
+{
+  const int size = static_cast<int>(this->FacePoints.size());
+  const int numberOfFaces = this->GetNumberOfFaces();
+  if (this->NumberOfPoints > MaxBits || numberOfFaces > MaxBits || numberOfFaces == 0)
+  {
+    return false;
+  }
+  const int *points = this->FacePoints.data(), *nexts = this->NextPoints.data(),
+            *faces = this->CornerFaces.data();
+  std::uint64_t next[MaxBits], around[MaxBits], adjacent[MaxBits]; // points after a point, its faces, faces of a face
+  std::fill_n(next, this->NumberOfPoints, 0);
+  std::fill_n(around, this->NumberOfPoints, 0);
+  std::fill_n(adjacent, numberOfFaces, 0);
+  std::uint64_t isTwice = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    std::uint64_t& after = next[points[i]];
+    isTwice |= after >> nexts[i];
+    after |= std::uint64_t(1) << nexts[i];
+    // The bit of an edge that came before was shifted to the lowest place.
+    around[points[i]] |= std::uint64_t(1) << faces[i];
+  }
+  if (isTwice & 1)
+  {
+    return false;
+  }
+  std::uint64_t isOpposite = 1, isShared = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    isOpposite &= next[nexts[i]] >> points[i];
+    const std::uint64_t both = around[points[i]] & around[nexts[i]], others = both & (both - 1);
+    isShared |= others & (others - 1); // by a third face
+    adjacent[faces[i]] |= both;
+  }
+  if (!isOpposite || isShared)
+  {
+    return false;
+  }
+  const std::uint64_t all = ~std::uint64_t(0) >> (MaxBits - numberOfFaces);
+  std::uint64_t reached = 1, done = 0;
+  while (reached != all && reached != done)
+  {
+    done = reached;
+    for (int f = 0; f < numberOfFaces; ++f)
+    {
+      reached |= (reached >> f & 1) ? adjacent[f] : 0;
+    }
+  }
+  return reached == all;
 }
 
 //------------------------------------------------------------------------------
@@ -98,20 +189,58 @@ void CellTopology::ListCorners()
 }
 
 //------------------------------------------------------------------------------
-void CellTopology::FindEdges()
+// Sets FaceEdges and FirstCorners; returns how many edges there are.
+int CellTopology::NumberEdges()
 {
   const int size = static_cast<int>(this->FacePoints.size());
   const int *points = this->FacePoints.data(), *nexts = this->NextPoints.data();
   this->FaceEdges.resize(size);
-  int* const edgeOf = this->FaceEdges.data();
-  const int numberOfEdges = this->EdgeNumbers.Number(
-    size,
-    [&](int i)
+  this->FirstCorners.resize(size);
+  int *const edgeOf = this->FaceEdges.data(), *const firsts = this->FirstCorners.data();
+  if (this->NumberOfPoints > MaxBits)
+  {
+    const int numberOfEdges = this->EdgeNumbers.Number(
+      size,
+      [&](int i)
+      {
+        const std::int64_t a = points[i], b = nexts[i];
+        return std::min(a, b) << 32 | std::max(a, b);
+      },
+      edgeOf);
+    for (int e = 0; e < numberOfEdges; ++e)
     {
-      const std::int64_t a = points[i], b = nexts[i];
-      return std::min(a, b) << 32 | std::max(a, b);
-    },
-    edgeOf);
+      firsts[e] = this->EdgeNumbers.GetFirst(e);
+    }
+    return numberOfEdges;
+  }
+  this->EdgeTable.resize(MaxBits * MaxBits);
+  int* const table = this->EdgeTable.data();
+  std::uint64_t known[MaxBits]; // of every point its larger ends of edges
+  std::fill_n(known, this->NumberOfPoints, 0);
+  int count = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    const int low = std::min(points[i], nexts[i]), high = std::max(points[i], nexts[i]);
+    int& place = table[MaxBits * low + high];
+    // As hard to foresee as the mesh is irregular: nothing branches on it.
+    const int isKnown = static_cast<int>(known[low] >> high & 1);
+    const int number = isKnown ? place : count;
+    known[low] |= std::uint64_t(1) << high;
+    place = number;
+    edgeOf[i] = number;
+    firsts[count] = i; // overwritten unless the edge is new
+    count += 1 - isKnown;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+void CellTopology::ListEdges()
+{
+  const int size = static_cast<int>(this->FacePoints.size());
+  const int *points = this->FacePoints.data(), *nexts = this->NextPoints.data();
+  const int numberOfEdges = this->NumberEdges();
+  const int* const edgeOf = this->FaceEdges.data();
   this->EdgeUses.assign(numberOfEdges, 0);
   this->LastCorners.resize(numberOfEdges);
   for (int i = 0; i < size; ++i)
@@ -124,7 +253,7 @@ void CellTopology::FindEdges()
   this->IsManifold = size > 0;
   for (int e = 0; e < numberOfEdges; ++e)
   {
-    const int first = this->EdgeNumbers.GetFirst(e), last = this->LastCorners[e];
+    const int first = this->FirstCorners[e], last = this->LastCorners[e];
     const int uses = this->EdgeUses[e];
     Edge& edge = this->Edges[e];
     edge.Points[0] = points[first];
@@ -151,7 +280,7 @@ void CellTopology::FindSecondFaces()
   for (int i = static_cast<int>(this->FacePoints.size()) - 1; i >= 0; --i)
   {
     Edge& edge = this->Edges[this->FaceEdges[i]];
-    if (edge.Uses > 2 && i > this->EdgeNumbers.GetFirst(this->FaceEdges[i]))
+    if (edge.Uses > 2 && i > this->FirstCorners[this->FaceEdges[i]])
     {
       edge.Faces[1] = this->CornerFaces[i];
       edge.Consistent = edge.Points[0] == this->NextPoints[i];
@@ -176,6 +305,12 @@ bool CellTopology::IsBalanced() const
 void CellTopology::FindShells(bool makeConsistent)
 {
   const int numberOfFaces = this->GetNumberOfFaces();
+  if (this->IsOneShell)
+  {
+    this->Shells.assign(numberOfFaces, 0);
+    this->NumberOfShells = 1;
+    return;
+  }
   this->Shells.assign(numberOfFaces, -1);
   this->NumberOfShells = 0;
   bool isReversed = false;
@@ -189,7 +324,7 @@ void CellTopology::FindShells(bool makeConsistent)
   if (isReversed)
   {
     this->ListCorners();
-    this->FindEdges();
+    this->ListEdges();
   }
   if (this->NumberOfShells > 1 && !this->IsManifold)
   {
@@ -289,8 +424,11 @@ void CellTopology::ReverseFace(int face)
 {
   const auto begin = this->FaceOffsets[face], end = this->FaceOffsets[face + 1];
   std::reverse(this->FacePoints.begin() + begin, this->FacePoints.begin() + end);
-  // The last edge joins the last point with the first one also when the others run backwards.
-  std::reverse(this->FaceEdges.begin() + begin, this->FaceEdges.begin() + end - 1);
+  if (this->HasEdges)
+  {
+    // The last edge joins the last point with the first one also when the others run backwards.
+    std::reverse(this->FaceEdges.begin() + begin, this->FaceEdges.begin() + end - 1);
+  }
   this->Reversed[face] ^= 1;
 }
 
@@ -310,6 +448,11 @@ void CellTopology::ReverseShells(const std::vector<unsigned char>& areReversed)
       this->ReverseFace(f);
     }
   }
+  if (!this->HasEdges)
+  {
+    this->ListCorners();
+    return;
+  }
   for (Edge& edge : this->Edges)
   {
     if (areReversed[this->Shells[edge.Faces[0]]])
@@ -322,7 +465,7 @@ void CellTopology::ReverseShells(const std::vector<unsigned char>& areReversed)
 //------------------------------------------------------------------------------
 void CellTopology::MakeVertexFigures()
 {
-  this->FirstCorners.assign(this->NumberOfPoints, -1);
+  this->CornerLists.assign(this->NumberOfPoints, -1);
   this->Corners.clear();
   for (int f = 0; f < this->GetNumberOfFaces(); ++f)
   {
@@ -330,7 +473,7 @@ void CellTopology::MakeVertexFigures()
     int previous = this->FaceEdges[end - 1];
     for (int i = begin; i < end; ++i)
     {
-      int& first = this->FirstCorners[this->FacePoints[i]];
+      int& first = this->CornerLists[this->FacePoints[i]];
       this->Corners.push_back({ f, previous, this->FaceEdges[i], first });
       first = static_cast<int>(this->Corners.size()) - 1;
       previous = this->FaceEdges[i];
@@ -341,7 +484,7 @@ void CellTopology::MakeVertexFigures()
   this->HasVertexFigures = true;
   for (int point = 0; point < this->NumberOfPoints; ++point)
   {
-    const int first = this->FirstCorners[point];
+    const int first = this->CornerLists[point];
     int numberOfCorners = 0;
     for (int c = first; c >= 0; c = this->Corners[c].NextCorner)
     {

@@ -42,7 +42,7 @@ public:
   std::vector<int> FaceEdges;   ///< the edge from this point to the next
   std::vector<int> CornerFaces; ///< the face
   ///@}
-  std::vector<Edge> Edges;
+  std::vector<Edge> Edges; ///< after FindEdges
   /// Every edge has two faces, or more of them in balance, which run along it in opposite directions.
   bool IsClosed = false;
   /// Every edge has exactly two faces.
@@ -67,10 +67,15 @@ public:
   void AddFace(const int* points, int size);
   /**
    * Ends a cell. In its faces a point that follows itself counts once, and less than three points are no face.
-   * Finds the edges and whether the cell is closed.
+   * Finds the edges, unless they can wait for FindEdges or CheckClosed, and with them whether the cell is closed.
    * @return whether a point followed itself
    */
-  bool Finish();
+  bool Finish(bool edgesCanWait = false);
+  ///@{
+  /// Find the edges, and whether the cell is closed; the second one without edges where that is possible.
+  void FindEdges();
+  void CheckClosed();
+  ///@}
   ///@{
   /**
    * The shells of the cell: faces that hang together over edges that have exactly two of them, and, where such
@@ -91,7 +96,9 @@ public:
 private:
   bool DropRepeatedPoints();
   void ListCorners();
-  void FindEdges();
+  bool IsClosedShell() const;
+  void ListEdges();
+  int NumberEdges();
   void FindSecondFaces();
   bool IsBalanced() const;
   void FindShells(bool makeConsistent);
@@ -101,7 +108,9 @@ private:
 
   std::vector<int> NextPoints; // parallel to FacePoints
   LocalNumbers EdgeNumbers;
-  std::vector<int> EdgeUses, LastCorners; // of edges
+  std::vector<int> EdgeUses, FirstCorners, LastCorners; // of edges
+  std::vector<int> EdgeTable; // by the points of an edge
+  bool HasEdges = false, IsOneShell = false;
   std::vector<int> Shells, Stack;
   std::vector<unsigned char> Reversed;
   int NumberOfShells = 0;
@@ -110,7 +119,7 @@ private:
     int Face, PreviousEdge, NextEdge, NextCorner;
   };
   std::vector<Corner> Corners;
-  std::vector<int> FirstCorners;
+  std::vector<int> CornerLists; // of every point the first one of Corners
 };
 }
 

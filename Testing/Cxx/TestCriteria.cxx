@@ -415,6 +415,27 @@ TEST(Criteria, Validity)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a criterion reads a part of the geometry that its row does not name.
+TEST(Criteria, AloneAsTogether)
+{
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    const Values together = EvaluateAll(shape.Polyhedron);
+    for (const Criterion& criterion : GetCriteria())
+    {
+      double alone = 0;
+      EXPECT_TRUE(Evaluate(MeshTopology(shape.Polyhedron), {}, { { &criterion, &alone } },
+        [](double) { return true; }));
+      // What CellStatus says of stars depends on the company.
+      const double expected = together.at(criterion.Name)[0];
+      const bool isSame = alone == expected || (std::isnan(alone) && std::isnan(expected)) ||
+        (criterion.Name == std::string("CellStatus") && alone + NotStarShaped == expected);
+      EXPECT_TRUE(isSame) << criterion.Name << " of " << shape.Name << ": " << alone << ' ' << expected;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a cell of two pieces, none of which bends inward, is called convex.
 TEST(Criteria, SeveralSurfacesAreNotConvex)
 {
