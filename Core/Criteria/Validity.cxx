@@ -75,7 +75,8 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
   unsigned status =
-    Flag(cell.GetNumberOfPoints() < 4 || topology.GetNumberOfFaces() < 4, WrongNumberOfPoints);
+    Flag(cell.GetNumberOfPoints() < 4 || topology.GetNumberOfFaces() < 4, WrongNumberOfPoints) |
+    Flag(topology.GetNumberOfFaces() == 0, NotWatertight);
   for (const CellTopology::Edge& edge : topology.Edges)
   {
     status |= Flag(edge.Uses == 1, NotWatertight) | Flag(edge.Uses > 2, NonManifoldEdge);
@@ -107,11 +108,15 @@ double FaceOrientationStatus(const CellGeometry& cell)
   };
   const CellTopology& topology = cell.GetTopology();
   const double volume = cell.GetVolume();
+  if (!cell.IsFinite())
+  {
+    return Null(NullReason::Degenerate);
+  }
   if (std::isnan(volume))
   {
     // Faces that could not be made to agree, although every edge has two of them.
     const bool isManifold = topology.IsManifold && topology.GetNumberOfFaces() >= 4;
-    return isManifold ? double(NotOrientable) : volume;
+    return isManifold && !topology.IsClosed ? double(NotOrientable) : volume;
   }
   const int reversed = cell.IsOfStandardType() ? 0 : topology.GetNumberOfReversedFaces();
   if (reversed == 0)
@@ -192,7 +197,7 @@ std::vector<Criterion> ValidityCriteria()
     { "CellStatus", "Cell status",
       "Sum of what is wrong: 1 too few points, 2 intersecting edges, 4 intersecting faces, 8 a face that "
       "comes to a point twice, 16 not convex, 32 faces not outward, 64 faces not planar, 128 degenerate "
-      "faces, 256 coincident points, 4096 open edge, 8192 edge of several faces, 16384 pinched vertex, "
+      "faces, 256 coincident points, 4096 open edge or no face, 8192 edge of several faces, 16384 pinched vertex, "
       "32768 inverted or no volume, 65536 edge of no length, 131072 not star-shaped (only where IsStarShaped is "
       "evaluated, too), 262144 coordinates that are not finite, 524288 face vectors that do not cancel. The first "
       "nine as in VTK's Validate Cells.",
@@ -211,7 +216,7 @@ std::vector<Criterion> ValidityCriteria()
       Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
       { -Infinity, 0 }, "outward", Cited, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus),
       { "0 outward, 1 inward, 2 mixed, 3 not orientable",
-        "Null (invalid topology) for an open cell. A standard cell in wrong order has 1, a flat one "
+        "Null (invalid topology) for an open cell, null (degenerate) if coordinates are not finite. A standard cell in wrong order has 1, a flat one "
         "0. Outward of a void is into the void.",
         "VTK's Validate Cells has one bit for 1 to 3." } },
     { "IsConvex", "Convex",
@@ -219,14 +224,14 @@ std::vector<Criterion> ValidityCriteria()
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
       { "1 if CellStatus has none of 16, 4096, 8192 and 262144",
-        "1 for flat and collapsed cells; 0 for open ones, those that cut through themselves, and those of several "
+        "1 for flat cells; warped faces count by their mean planes. 0 for open cells, those that cut through themselves, and those of several "
         "surfaces, also where these touch in a point.",
         "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },
-    { "IsWatertight", "Watertight", "1 if every edge of the cell has at least two faces, else 0.",
+    { "IsWatertight", "Watertight", "1 if the cell has faces, and each of its edges at least two of them; else 0.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1, Infinity }, "closed", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight),
       { "1 if CellStatus has none of 4096 and 262144",
-        "1 for flat and collapsed cells; 0 where an edge has one face.",
+        "1 for flat cells; 0 where an edge has one face, and for cells of which no face is left.",
         "No other program here reports it per cell." } },
     { "IsValid", "Valid",
       "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex, else 0.",

@@ -306,7 +306,9 @@ constexpr Measure Measures[] = {
       Better::Bigger, { 0.25, Infinity },
       { verdict::tri_shape, verdict::quad_shape, verdict::tet_shape,
         verdict::pyramid_shape, verdict::wedge_shape, verdict::hex_shape },
-      { "1 / the worst condition number or aspect Frobenius",
+      { "1 / the worst condition number or aspect Frobenius; of a pyramid s cos α min(d/h, h/d) with s the shape of "
+        "the base, d the distance of the apex from the plane at the first corner through the centre of the base, α the "
+        "angle there between the normal and the apex, h the longest edge / √2",
         "0 for a flat, collapsed or inverted cell (10⁻³⁰ for a triangle).",
         "VTK's Mesh Quality and Cell Quality. Of a triangle `BhatiaLawrence`, of a tetrahedron "
         "`TetMeanRatio` are the same. Of a pyramid with a warped base the result depends on the order of the "
@@ -430,6 +432,53 @@ int FindShape(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+void Scale(double corners[MaxSimpleNodes][3], int size, int exponent)
+{
+  const double factor = std::ldexp(1.0, exponent);
+  for (int i = 0; i < size; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      corners[i][k] *= factor;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// With which power of the length a measure grows; the Jacobian of a quadrilateral is an area.
+int GetDimension(const Measure& measure, const CellGeometry& cell)
+{
+  switch (measure.Unit)
+  {
+    case Unit::Length:
+      return 1;
+    case Unit::Area:
+      return 2;
+    case Unit::Volume:
+      return (cell.GetShapes() & Polygons) ? 2 : 3;
+    default:
+      return 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+double ReadInfinity(double value)
+{
+  return std::abs(value) >= VerdictInfinity ? std::copysign(Infinity, value) : value;
+}
+
+//------------------------------------------------------------------------------
+// Of a cell with edges near 1: Verdict has limits of its own, such as 1e-30, below which sizes are zero.
+double EvaluateScaled(const Measure& measure, Function function, const CellGeometry& cell, int size,
+  double corners[MaxSimpleNodes][3])
+{
+  const int exponent = std::ilogb(cell.GetMaxEdgeLength());
+  Scale(corners, size, -exponent);
+  return std::ldexp(
+    ReadInfinity(function(size, corners)), GetDimension(measure, cell) * exponent);
+}
+
+//------------------------------------------------------------------------------
 double Evaluate(const Measure& measure, const CellGeometry& cell)
 {
   const int index = FindShape(cell);
@@ -442,7 +491,7 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   double value = 0;
   if (measure.Functions[index])
   {
-    value = measure.Functions[index](size, corners);
+    value = EvaluateScaled(measure, measure.Functions[index], cell, size, corners);
   }
   else
   {
@@ -455,20 +504,15 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
     }
     const int dimension = (cell.GetShapes() & Polygons) ? 2 : 3;
     const int exponent = std::ilogb(mean) / dimension;
-    for (auto& corner : corners)
-    {
-      for (double& coordinate : corner)
-      {
-        coordinate = std::ldexp(coordinate, -exponent);
-      }
-    }
-    value = measure.SizeFunctions[index](size, corners, std::ldexp(mean, -dimension * exponent));
+    Scale(corners, size, -exponent);
+    value = ReadInfinity(
+      measure.SizeFunctions[index](size, corners, std::ldexp(mean, -dimension * exponent)));
   }
   if (std::isnan(value))
   {
     return Null(NullReason::Degenerate);
   }
-  if (std::abs(value) >= VerdictInfinity)
+  if (std::isinf(value))
   {
     // Where a bounded measure should be large, this is Verdict's word for a collapsed cell.
     value = measure.Better == Better::Bigger ? std::max(0.0, measure.Range[0])
@@ -522,10 +566,14 @@ bool GetVerdictSize(const CellGeometry& cell, MeanSizes::Kind& kind, double& siz
   {
     return false;
   }
-  double corners[MaxSimpleNodes][3];
+  double corners[MaxSimpleNodes][3] = {};
   const int numberOfCorners = GetCorners(cell, ShapesInOrder[index], corners);
   kind = SizeKinds[index];
-  size = SizesOfShapes[index](numberOfCorners, corners);
+  const double diameter = cell.GetDiameter();
+  const int exponent = diameter > 0 && std::isfinite(diameter) ? std::ilogb(diameter) : 0;
+  Scale(corners, numberOfCorners, -exponent);
+  size = std::ldexp(SizesOfShapes[index](numberOfCorners, corners),
+    exponent * ((cell.GetShapes() & Polygons) ? 2 : 3));
   return true;
 }
 

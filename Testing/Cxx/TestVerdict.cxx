@@ -1,13 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The measures of Verdict against VTK's own use of it, and where VTK's answers are mended.
-#include "Criteria/Evaluation.h"
-#include "TestMeshes.h"
+#include "CriteriaTesting.h"
 
 #include "vtkIdList.h"
 #include "vtkMeshQuality.h"
-
-#include <gtest/gtest.h>
 
 #include <random>
 
@@ -307,6 +304,46 @@ TEST(Verdict, IdealIsThatOfRegularCells)
       {
         EXPECT_NEAR(EvaluateOne(MakeRegularCell(shape.first), criterion.Name), criterion.Ideal, 1e-6)
           << criterion.Name << " of type " << shape.first;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, Verdict takes small cells for collapsed ones, and large values for infinite: the same cell in other
+// units has the same quality, and sizes in these units.
+TEST(Verdict, AnySize)
+{
+  const auto getDimension = [](const Criterion& criterion, bool isPolygon)
+  {
+    return criterion.Unit == Unit::Length ? 1
+      : criterion.Unit == Unit::Area      ? 2
+      : criterion.Unit == Unit::Volume    ? (isPolygon ? 2 : 3)
+                                          : 0;
+  };
+  std::vector<Grid> cells;
+  for (const int type : { VTK_TETRA, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID })
+  {
+    cells.push_back(MakeStandardCell(type));
+  }
+  cells.push_back(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 0.2, 0.7, 0 } }));
+  cells.push_back(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1.2, 0.7, 0 }, { 0, 1, 0.1 } }));
+  for (const Grid& cell : cells)
+  {
+    const bool isPolygon = cell->GetCell(0)->GetCellDimension() == 2;
+    const Values unit = EvaluateAll(cell);
+    for (const double size : { 1e-30, 1e-10, 1e8, 1e30 })
+    {
+      const Values scaled = EvaluateAll(Transform(
+        cell, [=](const Point& p) { return Point{ size * p[0], size * p[1], size * p[2] }; }));
+      for (const Criterion& criterion : GetCriteria())
+      {
+        if (std::string(criterion.Name).rfind("Verdict", 0) == 0)
+        {
+          const double unitSize = std::pow(size, getDimension(criterion, isPolygon));
+          ExpectNear(unit.at(criterion.Name)[0], scaled.at(criterion.Name)[0] / unitSize, 1e-9,
+            criterion.Name + (" of size " + std::to_string(std::log10(size))));
+        }
       }
     }
   }
