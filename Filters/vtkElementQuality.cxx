@@ -213,20 +213,28 @@ int vtkElementQuality::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+bool vtkElementQuality::NeedsNeighbors()
+{
+  const auto names = this->GetChosenCriteria();
+  return std::any_of(names.begin(), names.end(),
+    [](const std::string& name)
+    {
+      const camaron::Criterion* criterion = camaron::FindCriterion(name);
+      return criterion && criterion->Cost == camaron::Cost::Neighbors;
+    });
+}
+
+//------------------------------------------------------------------------------
 int vtkElementQuality::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  const auto names = this->GetChosenCriteria();
-  const bool neighbors = std::any_of(names.begin(), names.end(),
-    [](const std::string& name)
-    {
-      const camaron::Criterion* criterion = camaron::FindCriterion(name);
-      return criterion && criterion->Cost == camaron::Cost::Neighbors;
-    });
-  if (neighbors && outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1)
+  // Neighbours in other pieces are asked for; only pieces that no process has cannot be asked.
+  if (this->NeedsNeighbors() &&
+    outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
+      camaron::ControllerReducer().GetNumberOfProcesses())
   {
     inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
       std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));

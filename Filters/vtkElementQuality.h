@@ -17,8 +17,8 @@
  * Parallel: the values do not depend on how the mesh is split. At the borders of pieces, which may be processes
  * or partitions of one block, criteria with neighbours find the cells of other pieces by the points of their
  * faces: by global ids if all points have them, else by equal coordinates. No ghost cells are needed
- * or made for that. Those of the input, of which one level is asked for, get values, too; where these depend on
- * cells that are not there they are null with reason 5.
+ * or made for that, unless the pipeline works in more pieces than there are processes. Those of the input get values,
+ * too; where these depend on cells that are not there they are null with reason 5.
  *
  * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen. Criteria with
  * neighbours compare the faces within the boxes of other pieces once, shared out among the processes.
@@ -157,6 +157,7 @@ private:
   void operator=(const vtkElementQuality&) = delete;
 
   std::vector<std::string> GetChosenCriteria();
+  bool NeedsNeighbors();
   bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
   void EvaluatePieces(vtkDataObject* output, const std::vector<const camaron::Criterion*>& criteria,
     int numberOfPieces);

@@ -68,6 +68,19 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertEqual(set(values["Volume"]), {1.0})
         self.assertAlmostEqual(values["MinDihedralAngle"][0], 90, 10)
 
+    def test_nothing_is_ticked(self):
+        """An empty list, also as an argument, which ParaView takes for one that was never set without help."""
+        self.assertEqual(self.evaluate(simple.Wavelet(), Criteria=[]), {})
+
+    def test_defaults_of_proxy(self):
+        """What the XML ticks is the preset Overview."""
+        filter_ = simple.ElementQuality(Input=simple.Wavelet())
+        names = filter_.SMProxy.GetProperty("Criteria")
+        names.ResetToXMLDefaults()
+        ticked = {names.GetElement(i) for i in range(0, names.GetNumberOfElements(), 2)}
+        overview = self.evaluate(simple.Wavelet(), Preset="Overview")
+        self.assertEqual(ticked, set(overview))
+
     def test_input_type_is_kept(self):
         for source, name in ((simple.Wavelet(), "vtkImageData"), (simple.Sphere(), "vtkPolyData")):
             data = self.fetch(simple.ElementQuality(Input=source))

@@ -282,6 +282,11 @@ class TestQualityRanks(camaron_testing.TestCase):
                 quality.GetDataInformation().GetNumberOfCells(),
                 source.GetDataInformation().GetNumberOfCells(),
             )
+        # A source that would make some if it were asked.
+        quality = simple.ElementQuality(Input=simple.Wavelet(), Criteria=["MaxFaceSkewness"])
+        quality.UpdatePipeline()
+        self.assertEqual(quality.GetDataInformation().GetNumberOfCells(), 20**3)
+        self.assertNotIn("vtkGhostType", quality.CellData.keys())
 
 
 if __name__ == "__main__":
