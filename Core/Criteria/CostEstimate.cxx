@@ -22,9 +22,9 @@ ClassCost GetClassCost(Cost cost)
   switch (cost)
   {
     case Cost::Faces:
-      return { 70, 15 };
+      return { 75, 20 };
     case Cost::Edges:
-      return { 130, 50 };
+      return { 170, 50 };
     case Cost::Neighbors:
       return { 220, 30 };
     default:

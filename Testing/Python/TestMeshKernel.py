@@ -190,6 +190,31 @@ class TestMeshKernel(camaron_testing.TestCase):
         kernel.ChosenBy = "Nothing"
         self.assertIn("no cell array Nothing", " ".join(self.update(kernel).errors))
 
+    @camaron_testing.unittest.skipIf(RANKS > 1, "the filter is stopped by the process that it is in")
+    def test_stopped(self):
+        """Stopped before the end, nothing comes out; asked again, all of it."""
+        mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))
+        for source, cells in ((mesh, CELLS), (surface("star"), 1)):
+            kernel = simple.MeshKernel(Input=source)
+            filter_ = kernel.GetClientSideObject()
+            reports = []
+
+            def stop(*_):
+                reports.append(filter_.GetProgress())
+                if len(reports) == 3:
+                    filter_.AbortExecuteOn()
+
+            observer = filter_.AddObserver("ProgressEvent", stop)
+            self.assertEqual(self.update(kernel).errors, [])
+            self.assertLess(reports[2], 1)
+            self.assertEqual(filter_.GetOutput().GetNumberOfCells(), 0)
+            filter_.RemoveObserver(observer)
+            filter_.AbortExecuteOff()
+            filter_.Modified()
+            filter_.Update()
+            self.assertGreaterEqual(filter_.GetOutput().GetNumberOfCells(), 1)
+            self.assertLessEqual(filter_.GetOutput().GetNumberOfCells(), cells)
+
     def test_defaults(self):
         kernel = simple.MeshKernel(Input=surface("l_prism"))
         self.assertEqual(kernel.KernelOf, "Automatic")
