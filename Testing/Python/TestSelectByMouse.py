@@ -1,0 +1,171 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""In ParaView's window: cells by rubber band, one ring more, their faces, less a sphere; and the state of that."""
+
+import json
+import os
+import shutil
+import subprocess
+
+import camaron_testing
+import numpy
+
+WINDOW = "pqClientMainWindow"
+PANEL = f"{WINDOW}/propertiesDock/propertiesPanel"
+PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
+FRAME = (
+    f"{WINDOW}/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1"
+    "/Container/Frame.0"
+)
+SHELL = f"{WINDOW}/pythonShellDock/pythonShell"
+
+#: Run in the window's Python shell: what each filter selects, and the faces' cells.
+LIST = """
+import json
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+def cells(name, array="Selected"):
+    data = servermanager.Fetch(simple.FindSource(name))
+    return vtk_to_numpy(data.GetCellData().GetArray(array)).tolist()
+found = {number: cells(f"SelectElements{number}") for number in (1, 2, 3, 4)}
+found["ends"] = list(zip(cells("SelectElements4", "OwnerCell"), cells("SelectElements4", "NeighborCell")))
+faces = servermanager.Fetch(simple.FindSource("SelectElements4"))
+found["points"] = [[faces.GetCell(i).GetPoints().GetPoint(k) for k in range(faces.GetCell(i).GetNumberOfPoints())] for i in range(faces.GetNumberOfCells())]
+shape = simple.FindSource("SelectElements4").Shape
+found["sphere"] = [list(shape.Center), shape.Radius]
+with open(PATH, "w") as file:
+    json.dump(found, file)
+"""
+
+
+def event(target, command, arguments=""):
+    return f'  <pqevent object="{target}" command="{command}" arguments="{arguments}" />'
+
+
+def apply():
+    return event(f"{PANEL}/Accept", "activate")
+
+
+def choose(name, value):
+    return event(f"{PROPERTIES}/{name}", "set_string", value)
+
+
+def add_filter(name):
+    menu = f"{WINDOW}/menubar"
+    return [
+        event(menu, "activate", "menuFilters"),
+        event(f"{menu}/menuFilters/Camaron", "activate", name),
+    ]
+
+
+def run_script(path):
+    return [
+        event(f"{SHELL}/runScriptButton", "activate"),
+        event(f"{SHELL}/PythonShellRunScriptDialog", "filesSelected", path),
+    ]
+
+
+def rubber_band(first, last):
+    viewport = f"{FRAME}/CentralWidgetFrame/Viewport"
+    return [
+        event(f"{FRAME}/actionSelectSurfaceCells", "set_boolean", "true"),
+        event(viewport, "mousePress", f"({first},{first},1,1,0)"),
+        event(viewport, "mouseMove", f"({last},{last},1,0,0)"),
+        event(viewport, "mouseRelease", f"({last},{last},1,0,0)"),
+    ]
+
+
+@camaron_testing.require_display()
+class TestSelectByMouse(camaron_testing.TestCase):
+    def play(self, *events, options=()):
+        """A session of the window."""
+        test = self.folder / "session.xml"
+        lines = ['<?xml version="1.0" ?>', "<pqevents>", *events, "</pqevents>"]
+        test.write_text("\n".join(lines) + "\n")
+        program = shutil.which("paraview")
+        if not program:
+            self.skipTest("no paraview")
+        command = [
+            program,
+            "--dr",
+            f"--plugin-search-paths={os.environ['PV_PLUGIN_PATH']}",
+            "--plugins=Camaron",
+            f"--data-directory={camaron_testing.EXAMPLES}",
+            f"--test-directory={self.folder}",
+            f"--test-script={test}",
+            "--exit",
+            *options,
+        ]
+        done = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env=camaron_testing.environment_alone(),
+        )
+        self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
+
+    def script(self, name):
+        path = self.folder / f"{name}.py"
+        path.write_text(LIST.replace("PATH", repr(str(self.folder / f"{name}.json"))))
+        return path
+
+    def found(self, name):
+        return json.loads((self.folder / f"{name}.json").read_text())
+
+    def test_session(self):
+        state = self.folder / "session.pvsm"
+        self.play(
+            event(f"{WINDOW}/MainControlsToolbar/actionOpenData", "activate"),
+            event(f"{WINDOW}/FileOpenDialog", "filesSelected", "$PARAVIEW_DATA_ROOT/voronoi-ball.visf"),
+            apply(),
+            *rubber_band(0.42, 0.58),
+            *add_filter("SelectElements"),
+            choose("Strategy/ComboBox", "Current"),
+            apply(),
+            *add_filter("SelectElements"),
+            choose("Strategy/ComboBox", "Expand"),
+            apply(),
+            *add_filter("MeshElements"),
+            apply(),
+            *add_filter("SelectElements"),
+            choose("Strategy/ComboBox", "Change kind"),
+            choose("Elements/1QComboBox0", "SelectElements2:Mesh"),
+            apply(),
+            *add_filter("SelectElements"),
+            choose("Strategy/ComboBox", "Shape"),
+            choose("Combination/ComboBox", "Subtract"),
+            apply(),
+            *run_script(self.script("before")),
+            event(f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
+            event(f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", state),
+        )
+        self.play(
+            *run_script(self.script("after")),
+            options=[f"--state={state}"],
+        )
+        before, after = self.found("before"), self.found("after")
+        self.assertEqual(before, after)
+        picked, grown, faces, outer = (numpy.array(before[str(i)]) for i in (1, 2, 3, 4))
+        ends = before["ends"]
+        # Cells of the surface in the middle of the view, and not most of it.
+        boundary = {owner for owner, neighbor in ends if neighbor < 0}
+        chosen = set(numpy.flatnonzero(picked).tolist())
+        self.assertTrue(chosen)
+        self.assertLessEqual(chosen, boundary)
+        self.assertLess(len(chosen), len(boundary) / 4)
+        ring = {end for pair in ends if set(pair) & chosen for end in pair if end >= 0}
+        self.assertEqual(set(numpy.flatnonzero(grown).tolist()), chosen | ring)
+        self.assertEqual(faces.tolist(), [int(bool(set(pair) & (chosen | ring))) for pair in ends])
+        self.assertGreater(outer.sum(), 0)
+        self.assertLess(outer.sum(), faces.sum())
+        self.assertTrue((outer <= faces).all())
+        center, radius = before["sphere"]
+        for points, was, left in zip(before["points"], faces, outer):
+            distances = [numpy.linalg.norm(numpy.subtract(point, center)) for point in points]
+            if was and sorted(distances)[-1] < radius:
+                self.assertFalse(left, "a face inside the sphere")
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
