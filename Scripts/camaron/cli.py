@@ -114,6 +114,12 @@ def _parser() -> argparse.ArgumentParser:
         metavar="N",
         help="bins of the histograms (%(default)s)",
     )
+    inspect.add_argument(
+        "--group-by",
+        default="type",
+        metavar="WHAT",
+        help="groups with numbers of their own: type, block, none or a cell array (%(default)s)",
+    )
     _add_common(inspect)
     inspect.add_argument(
         "--json", action="store_true", help="print the summary as JSON instead of the table"
@@ -321,6 +327,7 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
                 ranges=options.ranges,
                 worst=options.worst,
                 bins=options.bins,
+                group_by=options.group_by,
                 time=options.time,
                 with_pictures=not options.no_pictures,
                 say=lambda words: print(f"camaron: {mesh}: {words}", file=sys.stderr, flush=True),

@@ -14,10 +14,16 @@ from typing import Any, Callable, Iterable, Optional
 
 from paraview import simple
 
-from . import conversion, facts, pictures, pipeline, ranking, report, tables
+from . import conversion, facts, pictures, pipeline, ranking, report, tables, text
 from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria
 from .files import Staging, same_file
 from .json_text import to_json
+
+#: Points of the cumulative curves, and what they weigh cells by.
+CURVE_POINTS = 51
+VOLUME = "Volume"
+#: Choices of `group_by` besides cell arrays.
+WAYS_TO_GROUP = {"type": "Cell type", "block": "Block", "none": "None"}
 
 
 def inspect(
@@ -29,6 +35,7 @@ def inspect(
     ranges: Optional[os.PathLike | str] = None,
     worst: int = 10,
     bins: int = 50,
+    group_by: str = "type",
     time: str = "last",
     with_pictures: bool = True,
     say: Callable[[str], None] = lambda words: None,
@@ -40,7 +47,8 @@ def inspect(
     those of the preset General; of the latter, and of ["all"], what has a meaning for the mesh.
     `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are evaluated
     besides those of a preset. `worst` is the length of the lists of worst cells,
-    `bins` the number of bins of the histograms, `time` the step of a series: "first", "last" or its
+    `bins` the number of bins of the histograms, `group_by` what divides the cells into groups with
+    statistics of their own: "type", "block", "none" or the name of a cell array, `time` the step of a series: "first", "last" or its
     number. `say` is called with a sentence about how long it will take when that is long.
 
     Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that
@@ -64,6 +72,10 @@ def inspect(
             simple.QualityStatistics, NumberOfWorst=worst, NumberOfBins=bins
         )
         preset = choose_criteria(quality, preset, criteria, limits)
+        statistics.CurvePoints = CURVE_POINTS
+        if VOLUME in quality.Criteria:
+            statistics.WeightArray = VOLUME
+        _set_groups(statistics, group_by, opened)
         if preset:
             statistics.Preset = preset
         if ranges is not None:
@@ -76,6 +88,9 @@ def inspect(
             raise RuntimeError(f"{mesh}: {messages.errors[0]}")
         if preset is None and (criteria is None or criteria == [ALL]):
             rows = [row for row in rows if row["applicable"] and row["name"] not in NOT_REPORTED]
+        if group_by == "type":
+            for group in (group for row in rows for group in row["groups"]):
+                group["group"] = text.cell_type(group["group"])
         first = ranking.worst_criterion(rows)
         summary = {
             "version": 1,
@@ -86,6 +101,7 @@ def inspect(
             "mesh": described,
             "preset": preset,
             "ranges": None if ranges is None else str(ranges),
+            "group_by": group_by,
             "criteria": rows,
             "worst_criterion": first and first["name"],
             "notes": opened.warnings + messages.warnings + facts.notes(opened),
@@ -108,6 +124,15 @@ def inspect(
                 if path.name not in published and not same_file(path, mesh):
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
         return summary
+
+
+def _set_groups(statistics: Any, group_by: str, opened: pipeline.Opened) -> None:
+    if group_by in WAYS_TO_GROUP:
+        statistics.GroupBy = WAYS_TO_GROUP[group_by]
+        return
+    arrays = [array.Name for array in opened.source.CellData if array.GetNumberOfComponents() == 1]
+    statistics.GroupBy = "Cell array"
+    statistics.GroupArray = text.lookup(group_by, arrays, "cell array")
 
 
 def _earlier_mesh(directory: Path) -> list[Path]:

@@ -242,6 +242,8 @@ def take(summary: dict[str, Any], quality: Any, surface: Any, folder: Path) -> l
     if criterion["worst"] or criterion["out_of_range"]:
         path = folder / "worst.png"
         taken.append(_take_worst(summary, quality, surface, camera, criterion, path))
+    if criterion["worst"]:
+        taken.append(_take_the_worst(quality, criterion, folder / "close.png"))
     return taken
 
 
@@ -322,6 +324,46 @@ def _take_worst(summary, quality, surface, camera, criterion, path: Path) -> Pic
     if halos:
         caption += " Halos mark their places."
     return Picture(path, title, caption)
+
+
+def _take_the_worst(quality, criterion, path: Path) -> Picture:
+    """The worst cell close by, inside its neighbours."""
+    name, worst = criterion["name"], criterion["worst"][0]
+    cell = simple.SelectElements(Input=quality, Array=name, Strategy="Worst N", NumberOfWorst=1)
+    around = simple.SelectElements(Input=cell, Strategy="Expand", Adjacency="Vertex")
+    made = [cell, around]
+    surfaces = []
+    for selected in (cell, around):
+        made.append(simple.Threshold(Input=selected, Scalars=["CELLS", "Selected"]))
+        made[-1].ThresholdMethod = "Above Upper Threshold"
+        made[-1].UpperThreshold = 0.5
+        made.append(simple.MeshSurface(Input=made[-1]))
+        made[-1].UpdatePipeline()
+        surfaces.append(made[-1])
+    camera = Camera(pipeline.data_information(surfaces[1]).GetBounds())
+    scene = Scene(camera)
+    shell = scene.show(
+        surfaces[1], Opacity=0.12, DiffuseColor=SHELL_COLOR, AmbientColor=SHELL_COLOR, LineWidth=1.0
+    )
+    shell.SetRepresentationType("Surface With Edges")
+    shell.EdgeColor = SHELL_COLOR
+    display = scene.show(surfaces[0], LineWidth=2.0)
+    display.SetRepresentationType("Surface With Edges")
+    display.EdgeColor = INK
+    scene.view.OrientationAxesVisibility = 0
+    camera.fit(scene.view)
+    scene.view.OrientationAxesVisibility = 1
+    scene.color(display, criterion)
+    scene.save(path)
+    scene.close()
+    for proxy in reversed(made):
+        simple.Delete(proxy)
+    block = f" of block {worst['block']}" if worst["block"] else ""
+    caption = (
+        f"Number {worst['id']}{block}, {worst['type']}, with {text.number(worst['value'])}"
+        f"{text.UNIT_SYMBOLS.get(criterion['unit'], '')}, inside the cells that share a point with it."
+    )
+    return Picture(path, "The worst cell.", caption)
 
 
 def _caption_of_colors(criterion: dict[str, Any]) -> str:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import base64
+import shlex
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
@@ -14,6 +15,14 @@ from . import ranking, svg, text
 from .text import THIN
 
 BETTER = {"bigger": "larger is better", "smaller": "smaller is better", "neither": ""}
+
+#: What a click on a bar fills in, see report.js.
+PICK = (
+    '<div class="pick" hidden><p><b class="bar"></b></p>'
+    "<p>In ParaView's Find Data, on the mesh of this report:</p>"
+    '<code class="query"></code><p>On the command line, as a table with their ids:</p>'
+    '<code class="command"></code><p class="ids"></p></div>'
+)
 
 
 @dataclass
@@ -28,6 +37,8 @@ class Picture:
 def render(summary: dict[str, Any], pictures: Sequence[Picture] = ()) -> str:
     """The report as HTML. `summary` is what summary.json holds (see Documentation/inspect.md)."""
     style = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
+    script = (Path(__file__).parent / "report.js").read_text(encoding="utf-8")
+    path = escape(shlex.quote(summary["mesh"]["path"]), quote=True)
     name = escape(summary["mesh"]["name"])
     criteria = summary["criteria"]
     body = [
@@ -45,9 +56,9 @@ def render(summary: dict[str, Any], pictures: Sequence[Picture] = ()) -> str:
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
         f"<title>{name}: mesh quality</title>\n<style>\n{style}</style>\n</head>\n<body>\n"
-        f'<nav aria-label="Contents">{_navigation(summary, pictures)}</nav>\n<main>\n'
+        f'<nav aria-label="Contents">{_navigation(summary, pictures)}</nav>\n<main data-mesh="{path}">\n'
         + "\n".join(part for part in body if part)
-        + "\n</main>\n</body>\n</html>\n"
+        + f"\n</main>\n<script>\n{script}</script>\n</body>\n</html>\n"
     )
 
 
@@ -202,11 +213,11 @@ def _criterion(c, number) -> str:
             else '<span class="badge">no cell outside</span>'
         )
     return (
-        f'<article id="{_anchor(c["name"])}"><div class="title"><h3>{escape(c["label"])}</h3>'
+        f'<article id="{_anchor(c["name"])}" data-criterion="{escape(c["name"])}"><div class="title"><h3>{escape(c["label"])}</h3>'
         f'<code>{escape(c["name"])}</code>{badge}</div>'
         f'<p class="description">{escape(c["description"])}</p>'
-        f'<div class="columns"><div>{svg.histogram(c, f"inside-{number}")}</div>'
-        f"{_statistics(c)}</div>{_worst(c)}</article>"
+        f'<div class="columns"><div>{svg.histogram(c, f"inside-{number}")}{_legend(c)}{PICK}</div>'
+        f"{_statistics(c)}</div>{_groups(c)}{_worst(c)}</article>"
     )
 
 
@@ -260,6 +271,44 @@ def _statistics(c) -> str:
     )
 
 
+def _legend(c) -> str:
+    if not c["histogram"]["counts"]:
+        return ""
+    words = ["Click a bar for the cells behind it."]
+    curve = c.get("curve") or {"values": []}
+    if len(curve["values"]) >= 3:
+        volume = " (dashed: of the volume)" if curve["weight_percent"] else ""
+        words.append(f"The line goes from 0 to 100 %: share of the cells{volume} up to a value.")
+    return f'<p class="legend">{" ".join(words)}</p>'
+
+
+def _groups(c) -> str:
+    """A table of the groups, where there is more than one with values."""
+    groups = [g for g in c.get("groups", []) if g["applicable"]]
+    if len(groups) < 2:
+        return ""
+    rows = []
+    for g in groups:
+        values = "".join(f"<td>{text.number(g[k])}</td>" for k in ("min", "median", "mean", "max"))
+        outside = ""
+        if ranking.is_limited(c):
+            kind = "bad" if g["out_of_range"] else "none"
+            outside = (
+                f'<td class="{kind}">{text.count(g["out_of_range"], THIN)}</td>'
+                f'<td class="{kind}">{text.percent(g["out_of_range"], g["applicable"])}{THIN}%</td>'
+            )
+        rows.append(
+            f"<tr><td>{escape(g['group'])}</td><td>{text.count(g['applicable'], THIN)}</td>"
+            f"{values}{outside}</tr>"
+        )
+    head = "<th></th><th>Cells</th><th>Minimum</th><th>Median</th><th>Mean</th><th>Maximum</th>"
+    head += "<th>Outside</th><th></th>" if ranking.is_limited(c) else ""
+    return (
+        '<details><summary>Groups</summary><div class="scroll"><table class="worst groups"><thead>'
+        f'<tr>{head}</tr></thead><tbody>{"".join(rows)}</tbody></table></div></details>'
+    )
+
+
 def _worst(c) -> str:
     if not c["worst"]:
         return ""
@@ -271,7 +320,7 @@ def _worst(c) -> str:
         out = (low is not None and x < low) or (high is not None and x > high)
         place = "".join(f"<td>{text.number(p)}</td>" for p in w["center"])
         rows.append(
-            f"<tr><td>{w['rank']}</td>"
+            f'<tr data-cell="{w["id"]}" data-value="{x!r}"><td>{w["rank"]}</td>'
             + (f"<td>{'' if w['block'] is None else w['block']}</td>" if blocks else "")
             + f"<td>{w['id']}</td><td>{escape(w['type'])}</td>"
             f'<td class="{"bad" if out else ""}">{text.number(x, 6)}</td>{place}</tr>'

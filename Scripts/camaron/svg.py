@@ -172,8 +172,10 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
         span = (
             text.number(lower) if lower == upper else f"{text.number(lower)} – {text.number(upper)}"
         )
+        first, last = bin_range(edges, k)
         shape = (
-            f'<rect x="{x:.2f}" width="{width:.2f}" y="{base - h:.2f}" height="{h:.2f}">'
+            f'<rect data-low="{first!r}" data-high="{last!r}" '
+            f'x="{x:.2f}" width="{width:.2f}" y="{base - h:.2f}" height="{h:.2f}">'
             f"<title>{span}: {text.plural(amount, 'cell')} ({text.percent(amount, total)} %)"
             "</title></rect>"
         )
@@ -187,6 +189,7 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
     parts.append(f'<g class="outside">{"".join(groups["outside"])}</g>')
     clip = f' clip-path="url(#{identifier})"' if groups["outside"] and not integers else ""
     parts.append(f'<g class="inside"{clip}>{"".join(groups["inside"])}</g>')
+    parts += _curves(criterion, axis, base)
     if integers:
         marks = sorted({round(tick) for tick in ticks(edges[0], edges[-1], 12)})
     else:
@@ -201,6 +204,35 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
         )
     if edges[-1] > edges[0]:
         parts += _quantile_marks(criterion["quantiles"], axis, base)
+    return parts
+
+
+def bin_range(edges: list[float], k: int) -> tuple[float, float]:
+    """The smallest and the largest number in a bin, which does not include its upper edge unless it is the last.
+
+    >>> bin_range([0.0, 1.0, 2.0], 0), bin_range([0.0, 1.0, 2.0], 1)
+    ((0.0, 0.9999999999999999), (1.0, 2.0))
+    """
+    lower, upper = edges[k], edges[k + 1]
+    is_last = k + 2 == len(edges)
+    return lower, upper if is_last else math.nextafter(upper, -math.inf)
+
+
+def _curves(criterion, axis, base) -> list[str]:
+    """Cumulative curves from 0 % below to 100 % above: of the cells, and dashed of the volume."""
+    curve = criterion.get("curve") or {"values": []}
+    if len(curve["values"]) < 3:
+        return []
+    parts = []
+    for key, name, what in (("percent", "curve", "cells"), ("weight_percent", "curve volume", "volume")):
+        if len(curve[key]) != len(curve["values"]):
+            continue
+        points = [
+            f"{axis(x):.1f} {base - (base - TOP) * y / 100.0:.1f}"
+            for x, y in zip(curve["values"], curve[key])
+        ]
+        path = f"M{axis(curve['values'][0]):.1f} {base}L" + "L".join(points)
+        parts.append(f'<path class="{name}" d="{path}"><title>share of the {what}</title></path>')
     return parts
 
 

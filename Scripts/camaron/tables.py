@@ -123,9 +123,13 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
     sources = range_sources(preset, statistics.RangesFile)
     criteria = {}
     for row in fetch(statistics, 0):
-        if row["Group"] == "All" and row["Criterion"] in known:
+        if row["Criterion"] not in known:
+            continue
+        if row["Group"] == "All":
             criteria[row["Criterion"]] = _criterion(row, known[row["Criterion"]], sources)
-    for row in fetch(statistics, 1):
+        else:
+            criteria[row["Criterion"]]["groups"].append(_group(row))
+    for row in _of_all(statistics, 1):
         histogram = criteria[row["Criterion"]]["histogram"]
         histogram["underflow"], histogram["overflow"] = row["Underflow"], row["Overflow"]
         if row["Bin"] < 0:
@@ -134,7 +138,7 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
             histogram["edges"].append(row["LowerEdge"])
         histogram["edges"].append(row["UpperEdge"])
         histogram["counts"].append(row["Count"])
-    for row in fetch(statistics, 2):
+    for row in _of_all(statistics, 2):
         criteria[row["Criterion"]]["worst"].append(
             {
                 "rank": row["Rank"],
@@ -145,7 +149,34 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
                 "center": [row["X"], row["Y"], row["Z"]],
             }
         )
+    for row in _of_all(statistics, 3):
+        curve = criteria[row["Criterion"]]["curve"]
+        curve["values"].append(row["Value"])
+        curve["percent"].append(row["Percent"])
+        if (share := _number(row.get("WeightPercent", math.nan))) is not None:
+            curve["weight_percent"].append(share)
     return [criteria[name] for name in known if name in criteria]
+
+
+def _of_all(statistics: Any, port: int) -> list[dict[str, Any]]:
+    """Rows about all cells."""
+    return [row for row in fetch(statistics, port) if row["Group"] == "All"]
+
+
+def _group(row: dict[str, Any]) -> dict[str, Any]:
+    """A row about a part of the cells."""
+    return {
+        "group": row["Group"],
+        "count": row["Count"],
+        "applicable": row["ApplicableCount"],
+        "null": row["NullCount"],
+        "inf": row["InfCount"],
+        "min": _number(row["Min"]),
+        "median": _number(row["P50"]),
+        "mean": _number(row["Mean"]),
+        "max": _number(row["Max"]),
+        "out_of_range": row["BelowCount"] + row["AboveCount"],
+    }
 
 
 def _criterion(
@@ -184,4 +215,6 @@ def _criterion(
             "inf": row["InfCount"],
         },
         "worst": [],
+        "groups": [],
+        "curve": {"values": [], "percent": [], "weight_percent": []},
     }

@@ -1,0 +1,33 @@
+// A click on a bar of a histogram tells how to get at the cells behind it.
+document.addEventListener("click", function (event) {
+  var bar = event.target.closest("rect[data-low]");
+  if (!bar) {
+    return;
+  }
+  var article = bar.closest("article");
+  var box = article.querySelector(".pick");
+  var name = article.dataset.criterion;
+  var low = bar.dataset.low;
+  var high = bar.dataset.high;
+  article.querySelectorAll(".picked").forEach(function (other) {
+    other.classList.remove("picked");
+  });
+  article.querySelectorAll("rect[data-low='" + low + "']").forEach(function (part) {
+    part.classList.add("picked");
+  });
+  var ids = [];
+  article.querySelectorAll("tr[data-value]").forEach(function (row) {
+    var value = Number(row.dataset.value);
+    if (value >= Number(low) && value <= Number(high)) {
+      ids.push(row.dataset.cell);
+      row.classList.add("picked");
+    }
+  });
+  var step = "By criterion: Array=" + name + "; Range=Custom; Side=Inside; LowerLimit=" + low + "; UpperLimit=" + high;
+  box.querySelector(".bar").textContent = bar.querySelector("title").textContent;
+  box.querySelector(".query").textContent = "(" + name + " >= " + low + ") & (" + name + " <= " + high + ")";
+  box.querySelector(".command").textContent =
+    "camaron select " + document.querySelector("main").dataset.mesh + " --by '" + step + "' -o cells.csv";
+  box.querySelector(".ids").textContent = ids.length ? "Of the worst cells below: " + ids.join(", ") : "";
+  box.hidden = false;
+});
