@@ -252,3 +252,39 @@ TEST(CellShells, WallInside)
   solid.Reverse(0, solid.Sides.size());
   EXPECT_NEAR(EvaluateAll(solid.Make()).at("Volume")[0], 2, 1e-12);
 }
+
+//------------------------------------------------------------------------------
+// If this fails, a cell of two pieces, none of which bends inward, is called convex.
+TEST(CellShells, SeveralSurfacesAreNotConvex)
+{
+  Points points;
+  Faces faces;
+  for (const double x : { 0.0, 5.0 })
+  {
+    const vtkIdType first = static_cast<vtkIdType>(points.size());
+    points.insert(points.end(), { { x, 0, 0 }, { x + 1, 0, 0 }, { x, 1, 0 }, { x, 0, 1 } });
+    for (const auto& face : Faces{ { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 } })
+    {
+      faces.push_back({ face[0] + first, face[1] + first, face[2] + first });
+    }
+  }
+  const Values apart = EvaluateAll(MakePolyhedron(points, faces));
+  EXPECT_EQ(apart.at("IsConvex")[0], 0);
+  EXPECT_EQ(apart.at("KernelRatio")[0], 0);
+  EXPECT_NEAR(apart.at("Volume")[0], 2.0 / 6, 1e-12);
+
+  // The second one mirrored, so that both share the point 0.
+  for (std::size_t i = 4; i < 8; ++i)
+  {
+    const Point& p = points[i - 4];
+    points[i] = { -p[0], -p[1], -p[2] };
+  }
+  for (std::size_t f = 4; f < 8; ++f)
+  {
+    std::replace(faces[f].begin(), faces[f].end(), vtkIdType(4), vtkIdType(0));
+    std::reverse(faces[f].begin(), faces[f].end());
+  }
+  const Values touching = EvaluateAll(MakePolyhedron(points, faces));
+  EXPECT_EQ(touching.at("IsConvex")[0], 0);
+  EXPECT_NEAR(touching.at("Volume")[0], 2.0 / 6, 1e-12);
+}

@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// How CellGeometry gets the points and faces of a cell.
+#include "Criteria/CellGeometry.h"
+#include "Criteria/SimpleShapes.h"
+
+#include <array>
+
+namespace camaron
+{
+namespace
+{
+constexpr double Pi = 3.141592653589793238462643383279502884;
+constexpr int MaxStandardPoints = 12;
+}
+
+//------------------------------------------------------------------------------
+// A cell of a fixed 3D type whose points are all different.
+struct CellGeometry::StandardCell
+{
+  CellTopology Topology;
+  unsigned Shapes = 0;
+};
+
+//------------------------------------------------------------------------------
+const CellGeometry::StandardCell* CellGeometry::GetStandardCells()
+{
+  static const std::array<StandardCell, 256> cells = []
+  {
+    std::array<StandardCell, 256> result;
+    for (int type = 0; type < 256; ++type)
+    {
+      const CellShape& shape = GetCellShape(static_cast<unsigned char>(type));
+      CellTopology& topology = result[type].Topology;
+      topology.Clear();
+      topology.NumberOfPoints = shape.NumberOfCorners;
+      for (int f = 0; f < shape.NumberOfFaces; ++f)
+      {
+        topology.AddFace(
+          shape.FacePoints + shape.FaceOffsets[f], shape.FaceOffsets[f + 1] - shape.FaceOffsets[f]);
+      }
+      if (shape.NumberOfFaces > 0)
+      {
+        topology.Finish();
+        topology.FindShells();
+        topology.MakeVertexFigures();
+        result[type].Shapes = Polyhedra | FindSimpleShape(topology);
+      }
+    }
+    return result;
+  }();
+  return cells.data();
+}
+
+//------------------------------------------------------------------------------
+CellGeometry::CellGeometry()
+  : CellShapes(&GetCellShape(0))
+  , StandardCells(GetStandardCells())
+  , Points(MaxStandardPoints)
+{
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options)
+{
+  this->CellType = mesh.GetCellType(cell);
+  this->HasFloatPoints = mesh.HasFloatPoints();
+  this->Options = &options;
+  this->TrustFaceOrientation = options.TrustFaceOrientation;
+  this->DegeneracyTolerance = options.DegeneracyTolerance;
+  this->AngleFactor = options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
+  this->Shapes = 0;
+  this->BoxScale.Length = -1;
+  this->Diameter = -1;
+  this->SurfaceArea = -1;
+  this->StatusIsKnown = false;
+  this->Kernel.Clear();
+  this->HasRepeatedPoint = false;
+  this->OrientationSign = 1;
+  this->NumberOfPoints = 0;
+  const CellShape& shape = this->CellShapes[this->CellType];
+  this->IsStandard = !shape.ListsFaces;
+  if (shape.Dimension == 3)
+  {
+    this->IsStandard ? this->LoadStandard(mesh, shape, mesh.GetCellPoints(cell))
+                     : this->LoadPolyhedron(mesh, cell);
+  }
+  else if (shape.Dimension == 2)
+  {
+    this->LoadPolygon(mesh, shape, mesh.GetCellPoints(cell));
+    this->Shapes = Polygons |
+      (this->NumberOfPoints == 3        ? Triangles
+          : this->IsQuadrilateral() ? Quadrilaterals
+                                        : 0u);
+  }
+  // 0 times NaN or infinity is NaN.
+  double zero = 0 * (this->Origin.X + this->Origin.Y + this->Origin.Z);
+  for (int i = 1; i < this->NumberOfPoints; ++i)
+  {
+    zero += 0 * (this->Points[i].X + this->Points[i].Y + this->Points[i].Z);
+  }
+  this->Finite = this->NumberOfPoints == 0 || zero == 0;
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::LoadStandard(
+  const MeshView& mesh, const CellShape& shape, const IndexRange& points)
+{
+  const int size = shape.NumberOfCorners;
+  vtkIdType ids[MaxStandardPoints];
+  bool distinct = true;
+  for (int i = 0; i < size; ++i)
+  {
+    ids[i] = points[i];
+    for (int j = 0; j < i; ++j)
+    {
+      distinct = distinct && ids[j] != ids[i];
+    }
+  }
+  if (!distinct)
+  {
+    this->LoadCollapsed(mesh, shape, points);
+    return;
+  }
+  double x[3];
+  mesh.GetPoint(ids[0], x);
+  const Vector origin = { x[0], x[1], x[2] };
+  Vector* to = this->Points.data(); // has room for every standard cell
+  to[0] = Vector();
+  for (int i = 1; i < size; ++i)
+  {
+    mesh.GetPoint(ids[i], x);
+    to[i] = { x[0] - origin.X, x[1] - origin.Y, x[2] - origin.Z };
+  }
+  this->Origin = origin;
+  this->NumberOfPoints = size;
+  this->Nodes = points;
+  this->Topology = &this->StandardCells[this->CellType].Topology;
+  this->Shapes = this->StandardCells[this->CellType].Shapes;
+}
+
+//------------------------------------------------------------------------------
+// A standard cell with a point used twice is what remains of its faces.
+void CellGeometry::LoadCollapsed(
+  const MeshView& mesh, const CellShape& shape, const IndexRange& points)
+{
+  this->CornerIds.resize(shape.NumberOfCorners);
+  for (int i = 0; i < shape.NumberOfCorners; ++i)
+  {
+    this->CornerIds[i] = points[i];
+  }
+  int locals[MaxStandardPoints];
+  this->NumberPoints(mesh, locals);
+  this->OwnTopology.Clear();
+  for (int f = 0; f < shape.NumberOfFaces; ++f)
+  {
+    int face[CellShape::MaxFacePoints];
+    int size = 0;
+    for (int i = shape.FaceOffsets[f]; i < shape.FaceOffsets[f + 1]; ++i)
+    {
+      face[size++] = locals[shape.FacePoints[i]];
+    }
+    this->OwnTopology.AddFace(face, size);
+  }
+  this->FinishOwnTopology();
+  this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::LoadPolygon(
+  const MeshView& mesh, const CellShape& shape, const IndexRange& points)
+{
+  const int size = static_cast<int>(shape.NumberOfCorners ? shape.NumberOfCorners
+      : this->CellType == VTK_QUADRATIC_POLYGON           ? points.Size / 2
+                                                          : points.Size);
+  this->CornerIds.resize(size);
+  for (int i = 0; i < size; ++i)
+  {
+    this->CornerIds[i] = points[this->CellType == VTK_PIXEL && i > 1 ? 5 - i : i];
+  }
+  this->OwnTopology.Clear();
+  this->OwnTopology.AddFace(size);
+  this->OwnTopology.FacePoints.resize(size);
+  this->NumberPoints(mesh, this->OwnTopology.FacePoints.data());
+  this->FinishOwnTopology();
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
+{
+  CellTopology& topology = this->OwnTopology;
+  topology.Clear();
+  const IndexRange faces = mesh.GetPolyhedronFaces(cell);
+  for (vtkIdType f = 0; f < faces.Size; ++f)
+  {
+    topology.AddFace(static_cast<int>(mesh.GetPolyhedronFacePoints(faces[f]).Size));
+  }
+  const int size = topology.FaceOffsets.back();
+  topology.FacePoints.resize(size);
+  this->CornerIds.resize(size);
+  vtkIdType* to = this->CornerIds.data();
+  for (vtkIdType f = 0; f < faces.Size; ++f)
+  {
+    const IndexRange points = mesh.GetPolyhedronFacePoints(faces[f]);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      *to++ = points[i];
+    }
+  }
+  this->NumberPoints(mesh, topology.FacePoints.data());
+  this->FinishOwnTopology(this->NumberOfPoints > MaxSimpleNodes);
+  this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
+}
+
+//------------------------------------------------------------------------------
+// Takes the different points of CornerIds; @a numbers are their local numbers.
+void CellGeometry::NumberPoints(const MeshView& mesh, int* numbers)
+{
+  const vtkIdType* ids = this->CornerIds.data();
+  const int count = this->PointNumbers.Number(
+    static_cast<int>(this->CornerIds.size()), [ids](int i) { return ids[i]; }, numbers);
+  this->NumberOfPoints = count;
+  this->PointIds.resize(count);
+  if (this->Points.size() < static_cast<std::size_t>(count))
+  {
+    this->Points.resize(2 * count);
+  }
+  double x[3];
+  for (int point = 0; point < count; ++point)
+  {
+    const vtkIdType id = ids[this->PointNumbers.GetFirst(point)];
+    this->PointIds[point] = id;
+    mesh.GetPoint(id, x);
+    if (point == 0)
+    {
+      this->Origin = { x[0], x[1], x[2] };
+    }
+    this->Points[point] = { x[0] - this->Origin.X, x[1] - this->Origin.Y, x[2] - this->Origin.Z };
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::FinishOwnTopology(bool edgesCanWait)
+{
+  this->OwnTopology.NumberOfPoints = this->NumberOfPoints;
+  this->HasRepeatedPoint = this->OwnTopology.Finish(edgesCanWait);
+  this->Topology = &this->OwnTopology;
+}
+}

@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What is wrong with cells, and the criteria of cells that are degenerate, broken or without finite coordinates.
+#include "Criteria/CellStatusBits.h"
+
+#include "CriteriaTesting.h"
+#include "ReferenceShapes.h"
+
+using namespace camaron;
+using namespace camaron::testing;
+
+//------------------------------------------------------------------------------
+// What is wrong with a cell, bit by bit.
+TEST(CriteriaValidity, Validity)
+{
+  const auto status = [](const Grid& grid)
+  { return static_cast<unsigned>(EvaluateAll(grid).at("CellStatus")[0]); };
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    const unsigned expected = shape.Name == std::string("L-prism") ? Nonconvex
+      : shape.Name == std::string("warped hex")                    ? NonPlanarFaces
+                                                                    : 0u;
+    EXPECT_EQ(status(shape.Polyhedron), expected) << shape.Name;
+    const Values values = EvaluateAll(shape.Polyhedron);
+    EXPECT_EQ(values.at("IsConvex")[0], !(expected & Nonconvex)) << shape.Name;
+    EXPECT_EQ(values.at("IsValid")[0], 1) << shape.Name;
+    EXPECT_EQ(values.at("FaceOrientationStatus")[0], 0) << shape.Name;
+  }
+
+  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { 0, 1, 1 } };
+  const Faces outward = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
+  Faces faces = outward;
+  faces.pop_back();
+  EXPECT_EQ(status(MakePolyhedron(corners, faces)), NotWatertight | OpenCell);
+  EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("IsWatertight")[0], 0);
+  faces = outward;
+  for (auto& face : faces)
+  {
+    std::reverse(face.begin(), face.end());
+  }
+  EXPECT_EQ(status(MakePolyhedron(corners, faces)), FacesAreOrientedIncorrectly);
+  EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("FaceOrientationStatus")[0], 1);
+  faces = outward;
+  std::reverse(faces[2].begin(), faces[2].end());
+  EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("FaceOrientationStatus")[0], 2);
+
+  Points points = corners;
+  points[6] = points[5]; // an edge of no length
+  EXPECT_EQ(status(MakePolyhedron(points, outward)) & (ZeroLengthEdge | CoincidentPoints),
+    ZeroLengthEdge | CoincidentPoints);
+  points = corners;
+  points[3][2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(status(MakePolyhedron(points, outward)), NonFinitePoint);
+  EXPECT_EQ(
+    GetNullReason(EvaluateAll(MakePolyhedron(points, outward)).at("FaceOrientationStatus")[0]),
+    NullReason::Degenerate);
+  const Values empty = EvaluateAll(MakePolyhedron(corners, {}));
+  EXPECT_EQ(empty.at("IsWatertight")[0], 0);
+  EXPECT_EQ(empty.at("IsConvex")[0], 0);
+
+  const Points unit = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 0 } };
+  const auto tetrahedron = [&](std::vector<vtkIdType> ids)
+  { return status(MakeGrid(unit, { { VTK_TETRA, ids } })); };
+  EXPECT_EQ(tetrahedron({ 0, 1, 2, 3 }), 0u);
+  EXPECT_EQ(tetrahedron({ 1, 0, 2, 3 }), InvertedOrZeroVolume | FacesAreOrientedIncorrectly);
+  EXPECT_EQ(tetrahedron({ 0, 1, 2, 4 }) & InvertedOrZeroVolume, InvertedOrZeroVolume);
+  EXPECT_NE(tetrahedron({ 0, 1, 2, 2 }) & WrongNumberOfPoints, 0u);
+
+  const auto polygon = [&](std::vector<vtkIdType> ids)
+  { return status(MakeGrid(unit, { { VTK_POLYGON, ids } })); };
+  EXPECT_EQ(polygon({ 0, 1, 4, 2 }), 0u);
+  EXPECT_NE(polygon({ 0, 1, 2, 4 }) & IntersectingEdges, 0u); // a bow tie
+  EXPECT_NE(polygon({ 0, 1, 4, 0, 2 }) & NoncontiguousEdges, 0u);
+  EXPECT_NE(polygon({ 0, 1, 1, 4, 2 }) & CoincidentPoints, 0u);
+  EXPECT_NE(polygon({ 0, 1, 0 }) & WrongNumberOfPoints, 0u);
+
+  // A cube whose top is pushed down through its bottom.
+  points = corners;
+  points[6][2] = -0.5;
+  EXPECT_NE(status(MakePolyhedron(points, outward)) & IntersectingFaces, 0u);
+
+  // Two tetrahedra that meet in one point, as one cell.
+  const Points pair = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
+    { 0, 0, -1 } };
+  EXPECT_EQ(status(MakePolyhedron(pair,
+              { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 4, 5 }, { 0, 5, 6 }, { 0, 6, 4 },
+                { 4, 6, 5 } })) &
+      (NonManifoldVertex | NotWatertight),
+    NonManifoldVertex);
+}
+
+//------------------------------------------------------------------------------
+// The published table of degenerate polygons.
+TEST(CriteriaValidity, DegeneratePolygons)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const struct
+  {
+    const char* Name;
+    Points Polygon;
+    double EdgeLengthRatio, MinAngle, MaxAngle, RadiusRatio, BhatiaLawrence, Area;
+  } rows[] = {
+    { "collinear", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0.5, 0, 180, 0, 0, 0 },
+    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, 0, 0 },
+    { "one point", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, nan, nan, nan, nan, nan, 0 },
+  };
+  for (const auto& row : rows)
+  {
+    const Values values = EvaluateAll(MakePolygon(row.Polygon));
+    const auto expect = [&](const char* name, double expected)
+    { ExpectNear(expected, values.at(name)[0], 1e-12, std::string(row.Name) + ' ' + name); };
+    expect("EdgeLengthRatio", row.EdgeLengthRatio);
+    expect("MinInteriorAngle", row.MinAngle);
+    expect("MaxInteriorAngle", row.MaxAngle);
+    expect("TriangleRadiusRatio", row.RadiusRatio);
+    expect("BhatiaLawrence", row.BhatiaLawrence);
+    expect("Area", row.Area);
+  }
+  const Values quad = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }));
+  for (const char* name : { "TriangleRadiusRatio", "BhatiaLawrence", "TetRadiusRatio", "Volume" })
+  {
+    EXPECT_EQ(GetNullReason(quad.at(name)[0]), NullReason::NotApplicable) << name;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The published table of degenerate polyhedra.
+TEST(CriteriaValidity, DegeneratePolyhedra)
+{
+  // Flat: the corners of the unit square.
+  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  Values values = EvaluateAll(flat);
+  EXPECT_EQ(values["Volume"][0], 0);
+  EXPECT_EQ(values["TetRadiusEdgeRatio"][0], Infinity);
+  EXPECT_EQ(values["TetRadiusRatio"][0], 0);
+  EXPECT_EQ(values["TetMeanRatio"][0], 0);
+  EXPECT_NEAR(values["MinDihedralAngle"][0], 0, 1e-12);
+  EXPECT_NEAR(values["MaxDihedralAngle"][0], 180, 1e-12);
+  EXPECT_NEAR(values["MinSolidAngle"][0], 0, 1e-12);
+  EXPECT_EQ(values["CellAspectRatio"][0], Infinity);
+
+  // Inverted: the volume says so, nothing else does.
+  const Grid inverted = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 2, 1, 3 } } });
+  values = EvaluateAll(inverted);
+  EXPECT_NEAR(values["Volume"][0], -1.0 / 6, 1e-15);
+  EXPECT_NEAR(values["TetMeanRatio"][0], -0.8399473666, 1e-9);
+  EXPECT_NEAR(values["TetRadiusEdgeRatio"][0], 0.8660254038, 1e-9);
+  EXPECT_NEAR(values["TetRadiusRatio"][0], 0.7320508076, 1e-9);
+  EXPECT_NEAR(values["MinDihedralAngle"][0], 54.73561032, 1e-8);
+  EXPECT_NEAR(values["MaxDihedralAngle"][0], 90, 1e-10);
+  EXPECT_NEAR(values["MinSolidAngle"][0], 0.3398369095, 1e-9);
+
+  // All faces of a polyhedron inward: found out, unless the user trusts them.
+  const Grid inward = ToPolyhedra(inverted);
+  EXPECT_NEAR(EvaluateAll(inward)["Volume"][0], 1.0 / 6, 1e-15);
+  EvaluationOptions trust;
+  trust.TrustFaceOrientation = true;
+  values = EvaluateAll(inward, trust);
+  EXPECT_NEAR(values["Volume"][0], -1.0 / 6, 1e-15);
+  EXPECT_NEAR(values["MaxDihedralAngle"][0], 90, 1e-10);
+
+  // Open: a cube without its last face.
+  const ReferenceShape& cube = FindReferenceShape("unit cube");
+  Faces faces = GetFaces(cube.Polyhedron, 0);
+  faces.pop_back();
+  values = EvaluateAll(MakePolyhedra(cube.Polyhedron->GetPoints(), { faces }));
+  for (const char* name : { "Volume", "MinDihedralAngle", "MinSolidAngle", "IsoperimetricQuotient" })
+  {
+    EXPECT_EQ(GetNullReason(values[name][0]), NullReason::InvalidTopology) << name;
+  }
+  EXPECT_NEAR(values["SurfaceArea"][0], 5, 1e-12);
+  EXPECT_EQ(values["FaceCount"][0], 5);
+
+  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains.
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { 1, 1, 1 } };
+  for (const vtkIdType last : { 6, 7 })
+  {
+    const Grid grid = MakeGrid(points, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, last } } });
+    values = EvaluateAll(grid);
+    EXPECT_EQ(values["VertexCount"][0], last == 6 ? 7 : 8);
+    EXPECT_EQ(values["MinEdgeLength"][0], 0);
+    EXPECT_EQ(values["EdgeLengthRatio"][0], 0);
+    EXPECT_NEAR(values["Volume"][0], 5.0 / 6, 0.1);
+    EXPECT_FALSE(std::isnan(values["MinDihedralAngle"][0])) << last;
+    EXPECT_FALSE(std::isnan(values["MinSolidAngle"][0])) << last;
+    EXPECT_EQ(GetNullReason(values["TetRadiusRatio"][0]), NullReason::NotApplicable);
+  }
+
+  // Points, lines and empty cells are null for everything but their type.
+  const Grid others =
+    MakeGrid(points, { { VTK_VERTEX, { 0 } }, { VTK_LINE, { 0, 1 } }, { VTK_EMPTY_CELL, {} } });
+  for (const auto& row : EvaluateAll(others))
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      EXPECT_EQ(std::isnan(row.second[i]), row.first != "CellTypeId") << row.first;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A coordinate that is no number leaves nothing but the counts, and never looks healthy.
+TEST(CriteriaValidity, NonFinitePoints)
+{
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), Infinity })
+  {
+    for (const int corner : { 0, 1, 6 })
+    {
+      const Grid cube = FindReferenceShape("unit cube").Standard;
+      const Grid grid = Grid::New();
+      grid->DeepCopy(cube);
+      double x[3];
+      grid->GetPoint(corner, x);
+      grid->GetPoints()->SetPoint(corner, x[0], bad, x[2]);
+      for (const Grid& mesh : { grid, ToPolyhedra(grid) })
+      {
+        for (const auto& row : EvaluateAll(mesh))
+        {
+          const Criterion* criterion = FindCriterion(row.first);
+          if (criterion->AppliesTo & Polyhedra)
+          {
+            const bool hasValue =
+              criterion->IsInteger && row.first != "FaceOrientationStatus"; // which needs a volume
+            EXPECT_EQ(GetNullReason(row.second[0]),
+              hasValue ? NullReason::Value : NullReason::Degenerate)
+              << row.first;
+          }
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A triangle with a repeated id has a collapsed edge.
+TEST(CriteriaValidity, RepeatedIdInTriangle)
+{
+  const Grid grid =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_TRIANGLE, { 0, 0, 1 } } });
+  const Values values = EvaluateAll(grid);
+  EXPECT_EQ(values.at("EdgeLengthRatio")[0], 0);
+  EXPECT_EQ(values.at("Area")[0], 0);
+  EXPECT_EQ(values.at("VertexCount")[0], 2);
+}
+
+//------------------------------------------------------------------------------
+// Polyhedra without points, with one face, with a point as a face: no answer, and no crash.
+TEST(CriteriaValidity, BrokenPolyhedra)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  for (const Faces& faces : { Faces{}, Faces{ { 0, 1, 2 } }, Faces{ { 0 }, { 1, 2 }, {} },
+         Faces{ { 0, 1, 2 }, { 0, 1, 2 } }, Faces{ { 0, 0, 0 }, { 1, 1, 2 }, { 3, 3, 3 }, { 2, 2, 2 } },
+         Faces{ { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 2 }, { 2, 3, 0 }, { 1, 3, 2 } } })
+  {
+    Values values = EvaluateAll(MakePolyhedron(points, faces));
+    EXPECT_EQ(GetNullReason(values["Volume"][0]), NullReason::InvalidTopology) << faces.size();
+  }
+}
+
+//------------------------------------------------------------------------------
+// A face listed twice, once in each direction, is a fin inside the cell and leaves its volume alone.
+TEST(CriteriaValidity, Fin)
+{
+  const ReferenceShape& cube = FindReferenceShape("unit cube");
+  Faces faces = GetFaces(cube.Polyhedron, 0);
+  faces.push_back({ 0, 2, 6 });
+  faces.push_back({ 6, 2, 0 });
+  Values values = EvaluateAll(MakePolyhedra(cube.Polyhedron->GetPoints(), { faces }));
+  EXPECT_NEAR(values["Volume"][0], 1, 1e-12);
+  EXPECT_EQ(GetNullReason(values["MinDihedralAngle"][0]), NullReason::InvalidTopology);
+}
