@@ -73,7 +73,8 @@ def inspect(
         )
         preset = choose_criteria(quality, preset, criteria, limits)
         statistics.CurvePoints = CURVE_POINTS
-        if VOLUME in quality.Criteria:
+        of_preset = tables.known_presets().get(quality.GetProperty("Preset").GetData())
+        if VOLUME in (of_preset["rules"] if of_preset else quality.Criteria):
             statistics.WeightArray = VOLUME
         _set_groups(statistics, group_by, opened)
         if preset:

@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
 import numpy
-from camaron import cli, compare, inspect
+from camaron import cli, compare, convert, inspect
 from paraview import simple
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
@@ -84,6 +84,16 @@ class TestCompare(camaron_testing.TestCase):
             self.assertEqual(row["unchanged"], row["compared"])
             self.assertEqual(row["histogram"]["a"], row["histogram"]["b"])
         self.assertEqual(summary["worse"], [])
+
+    def test_other_format(self):
+        """A mesh of real life in another format is the same mesh."""
+        path = self.data("ansys_cdb/archive_HexBeam.cdb")
+        convert(path, self.folder / "beam.vtu")
+        summary = compare(path, self.folder / "beam.vtu", self.folder / "both")
+        self.assertTrue(summary["same_cells"])
+        self.assertGreater(len(summary["criteria"]), 10)
+        for row in summary["criteria"]:
+            self.assertEqual((row["distance"], row["unchanged"]), (0, row["compared"]), row["name"])
 
     def test_files(self):
         summary = compare(BALL, FLANGE, self.folder / "both", criteria=["all"], bins=20)

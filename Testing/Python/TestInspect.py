@@ -314,6 +314,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(chosen["worst_criterion"], "EdgeLengthRatio")
         preset = self.inspect(BALL, preset="finite volume")
         self.assertEqual(preset["preset"], "Finite volume")
+        self.assertTrue(all(c["curve"]["weight_percent"] for c in preset["criteria"]))
         limits = {c["name"]: c["acceptable"] for c in preset["criteria"]}
         self.assertEqual(
             limits["MaxNonOrthogonality"], [None, 70.0], "the preset's limit, not the default of 65"
