@@ -175,6 +175,94 @@ private:
 };
 
 //------------------------------------------------------------------------------
+/// The last cells that a selection has grown by, and the elements over which it goes on.
+class Front
+{
+public:
+  Front(const Bridges& bridges, const LinkedPiece& piece, std::size_t number,
+    const std::vector<unsigned char>& allowed, const std::vector<unsigned char>& marks)
+  {
+    std::vector<std::atomic<Index>> counts(bridges.GetSize(number));
+    const auto forEachOther = [&](auto&& visit)
+    {
+      ForEachCell(piece,
+        [&](vtkIdType cell)
+        {
+          if (!marks[cell] && allowed[cell] && !piece.IsCopy(cell))
+          {
+            bridges.ForEach(number, cell, [&](vtkIdType element) { visit(cell, element); });
+          }
+        });
+    };
+    forEachOther([&](vtkIdType, vtkIdType element)
+      { counts[element].fetch_add(1, std::memory_order_relaxed); });
+    this->Offsets.resize(counts.size() + 1);
+    for (std::size_t element = 0; element < counts.size(); ++element)
+    {
+      this->Offsets[element + 1] = this->Offsets[element] + counts[element];
+    }
+    this->Others.resize(this->Offsets.back());
+    forEachOther(
+      [&](vtkIdType cell, vtkIdType element)
+      {
+        const Index place = counts[element].fetch_sub(1, std::memory_order_relaxed) - 1;
+        this->Others[this->Offsets[element] + place] = static_cast<Index>(cell);
+      });
+    for (std::size_t cell = 0; cell < marks.size(); ++cell)
+    {
+      if (marks[cell])
+      {
+        this->Cells.push_back(static_cast<Index>(cell));
+      }
+    }
+  }
+
+  /// Finds the elements of the cells that have not been @a reached, and says that they are.
+  void Leave(const Bridges& bridges, std::size_t number, std::vector<unsigned char>& reached)
+  {
+    for (const Index cell : this->Cells)
+    {
+      bridges.ForEach(number, cell,
+        [&](vtkIdType element)
+        {
+          if (!reached[element])
+          {
+            reached[element] = 1;
+            this->Reach(element);
+          }
+        });
+    }
+    this->Cells.clear();
+  }
+
+  /// To go on over an element.
+  void Reach(vtkIdType element) { this->Elements.push_back(static_cast<Index>(element)); }
+
+  /// Goes on to the other cells with the elements, and marks them.
+  void Enter(std::vector<unsigned char>& marks)
+  {
+    for (const Index element : this->Elements)
+    {
+      for (vtkIdType i = this->Offsets[element]; i < this->Offsets[element + 1]; ++i)
+      {
+        const Index cell = this->Others[i];
+        if (!marks[cell])
+        {
+          marks[cell] = 1;
+          this->Cells.push_back(cell);
+        }
+      }
+    }
+    this->Elements.clear();
+  }
+
+private:
+  std::vector<vtkIdType> Offsets; // of the elements
+  std::vector<Index> Others;      // the cells to which it may grow
+  std::vector<Index> Cells, Elements;
+};
+
+//------------------------------------------------------------------------------
 /// The parts of a set of cells that hang together, with labels that all pieces know them by.
 class Parts
 {
@@ -288,45 +376,26 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
   const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
 {
   Bridges bridges(pieces, neighborhood, reducer);
-  std::vector<std::vector<std::atomic<unsigned char>>> reached;
-  for (std::size_t piece = 0; piece < pieces.size(); ++piece)
+  std::vector<Front> fronts;
+  std::vector<std::vector<unsigned char>> reached;
+  for (std::size_t piece = 0; piece < pieces.size() && rings > 0; ++piece)
   {
+    fronts.emplace_back(bridges, pieces[piece], piece, allowed[piece], marks[piece]);
     reached.emplace_back(bridges.GetSize(piece));
   }
-  CellMarks isNew = marks; // 1 for the cells of the last ring
   for (int ring = 0; ring < rings; ++ring)
   {
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
-      ForEachCell(pieces[piece],
-        [&](vtkIdType cell)
-        {
-          if (isNew[piece][cell])
-          {
-            bridges.ForEach(piece, cell,
-              [&](vtkIdType element)
-              { reached[piece][element].store(1, std::memory_order_relaxed); });
-          }
-        });
+      fronts[piece].Leave(bridges, piece, reached[piece]);
     }
-    bridges.GetShared().Share(reached);
+    for (const SharedElements::Element& element : bridges.GetShared().Share(reached))
+    {
+      fronts[element.Piece].Reach(element.Number);
+    }
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
-      ForEachCell(pieces[piece],
-        [&](vtkIdType cell)
-        {
-          isNew[piece][cell] = 0;
-          if (marks[piece][cell] || !allowed[piece][cell] || pieces[piece].IsCopy(cell))
-          {
-            return;
-          }
-          bool isReached = false;
-          bridges.ForEach(piece, cell,
-            [&](vtkIdType element)
-            { isReached |= reached[piece][element].load(std::memory_order_relaxed) != 0; });
-          isNew[piece][cell] = isReached;
-          marks[piece][cell] = isReached;
-        });
+      fronts[piece].Enter(marks[piece]);
     }
   }
 }

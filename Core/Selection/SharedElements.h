@@ -40,10 +40,10 @@ public:
   /// Collective. Replaces the value of each of Get() by the smallest one that any piece has for it.
   void Minimize(std::vector<std::int64_t>& values);
 
-  /// Collective. Marks in all pieces what is marked in one of them. @a marks: of each piece and element, converted to
-  /// bool and assigned from it.
+  /// Collective. Marks in all pieces what is marked in one of them, and returns what was not marked before. @a marks: of
+  /// each piece and element, converted to bool and assigned from it.
   template <typename Mark>
-  void Share(std::vector<std::vector<Mark>>& marks)
+  std::vector<Element> Share(std::vector<std::vector<Mark>>& marks)
   {
     std::vector<std::int64_t> values;
     for (const Element& element : this->Elements)
@@ -51,10 +51,17 @@ public:
       values.push_back(marks[element.Piece][element.Number] ? 0 : 1);
     }
     this->Minimize(values);
+    std::vector<Element> added;
     for (std::size_t i = 0; i < values.size(); ++i)
     {
-      marks[this->Elements[i].Piece][this->Elements[i].Number] = values[i] == 0;
+      const Element& element = this->Elements[i];
+      if (values[i] == 0 && !marks[element.Piece][element.Number])
+      {
+        marks[element.Piece][element.Number] = true;
+        added.push_back(element);
+      }
     }
+    return added;
   }
 
 private:
