@@ -84,7 +84,7 @@ def take_coincident(source):
     return simple.MeshElements(
         Input=source,
         FaceArrays=["FaceMismatch"],
-        EdgeArrays=[],
+        EdgeArrays=["EdgeCellCount"],
         VertexArrays=["DuplicatePoint"],
         MergeTolerance=1e-6,
     )

@@ -136,6 +136,27 @@ class TestMeshElements(camaron_testing.TestCase):
         self.assertLess(abs(spheres - spheres.round()).max(), 1e-10)
         self.assertGreater((spheres.round() == 1).mean(), 0.999)
 
+    def test_empty_lists(self):
+        """No arrays where none are wanted, also as an argument, which ParaView takes for one that was never set."""
+        elements = simple.MeshElements(
+            Input=simple.Wavelet(), FaceArrays=[], EdgeArrays=[], VertexArrays=[]
+        )
+        elements.UpdatePipeline()
+        for port in range(3):
+            data = OutputPort(elements, port).CellData
+            self.assertLessEqual(set(data.keys()), {"vtkGhostType"}, port)
+
+    def test_defaults_of_proxy(self):
+        """What the XML ticks are the defaults of the tables."""
+        elements = simple.MeshElements(Input=simple.Wavelet())
+        rows = tables.fetch(simple.CriteriaTable(), 3)
+        for kind in ("Face", "Edge", "Vertex"):
+            names = elements.SMProxy.GetProperty(f"{kind}Arrays")
+            names.ResetToXMLDefaults()
+            ticked = [names.GetElement(i) for i in range(0, names.GetNumberOfElements(), 2)]
+            wanted = [row["Name"] for row in rows if row["Element"] == kind and row["IsDefault"]]
+            self.assertEqual(ticked, list(dict.fromkeys(wanted)))
+
 
 if __name__ == "__main__":
     camaron_testing.main()
