@@ -209,6 +209,16 @@ void ElementBlocks::SkipPointsOfCopies(ElementBlock& block, const LinkedPiece& p
 //------------------------------------------------------------------------------
 void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
 {
+  std::int64_t counts[2] = { static_cast<std::int64_t>(this->Blocks.size()), 0 };
+  for (const ElementBlock& block : this->Blocks)
+  {
+    counts[1] += block.Data->GetCellGhostArray() != nullptr;
+  }
+  reducer.Sum(counts, 2);
+  if (counts[0] < 2 && counts[1] == 0)
+  {
+    return;
+  }
   const MeshPieces pieces({ this->Blocks.begin(), this->Blocks.end() }, EvaluationOptions(),
     reducer.GetNumberOfProcesses(), reducer);
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)

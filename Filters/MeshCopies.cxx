@@ -14,45 +14,22 @@
 
 namespace camaron
 {
-namespace
-{
-using ArrayList = NewCellArrays::mapped_type;
-
 //------------------------------------------------------------------------------
-ArrayList Find(const NewCellArrays& arrays, unsigned int flatIndex)
+void CopyDataSets(vtkDataObject* input, vtkDataObject* output, const ChangeDataSet& change)
 {
-  const auto found = arrays.find(flatIndex);
-  return found == arrays.end() ? ArrayList() : found->second;
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataObject> CopyWith(
-  vtkDataObject* leaf, const ArrayList& arrays)
-{
-  auto* data = vtkDataSet::SafeDownCast(leaf);
-  if (!data)
+  const auto copyDataSet = [&](vtkDataSet* data, unsigned int flatIndex)
   {
-    return leaf;
-  }
-  auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-  copy->ShallowCopy(data);
-  for (vtkDoubleArray* array : arrays)
+    auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
+    copy->ShallowCopy(data);
+    change(copy, flatIndex);
+    return copy;
+  };
+  if (auto* data = vtkDataSet::SafeDownCast(input))
   {
-    copy->GetCellData()->AddArray(array);
-  }
-  return copy;
-}
-}
-
-//------------------------------------------------------------------------------
-void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDataObject* output)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    output->ShallowCopy(CopyWith(input, Find(arrays, 0)));
+    output->ShallowCopy(copyDataSet(data, 0));
     return;
   }
+  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
   auto* copy = vtkCompositeDataSet::SafeDownCast(output);
   copy->CopyStructure(composite);
   copy->GetFieldData()->ShallowCopy(composite->GetFieldData());
@@ -60,8 +37,27 @@ void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDa
   it.TakeReference(composite->NewIterator());
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
-    copy->SetDataSet(it, CopyWith(it->GetCurrentDataObject(), Find(arrays, it->GetCurrentFlatIndex())));
+    vtkDataObject* leaf = it->GetCurrentDataObject();
+    auto* data = vtkDataSet::SafeDownCast(leaf);
+    copy->SetDataSet(it, data ? copyDataSet(data, it->GetCurrentFlatIndex()).Get() : leaf);
   }
+}
+
+//------------------------------------------------------------------------------
+void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDataObject* output)
+{
+  CopyDataSets(input, output,
+    [&](vtkDataSet* copy, unsigned int flatIndex)
+    {
+      const auto found = arrays.find(flatIndex);
+      if (found != arrays.end())
+      {
+        for (vtkDoubleArray* array : found->second)
+        {
+          copy->GetCellData()->AddArray(array);
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

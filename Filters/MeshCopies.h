@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshCopies.h
- * @brief Copies of meshes with more cell arrays, as outputs after some tables.
+ * @brief Copies of meshes with more arrays, as outputs after some tables.
  */
 #ifndef camaron_MeshCopies_h
 #define camaron_MeshCopies_h
 
 #include "vtkSmartPointer.h" // for arrays
 
-#include <map>    // for the data sets
-#include <vector> // for lists of arrays
+#include <functional> // for changes
+#include <map>        // for the data sets
+#include <vector>     // for lists of arrays
 
 class vtkDataObject;
+class vtkDataSet;
 class vtkDoubleArray;
 class vtkInformationVector;
 
@@ -21,7 +23,13 @@ namespace camaron
 /// By the flat index of the data set, 0 for one that is not composite.
 using NewCellArrays = std::map<unsigned int, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
 
-/// Makes @a output, of the same type, a shallow copy of @a input with the arrays.
+/// Changes a copy of a data set.
+using ChangeDataSet = std::function<void(vtkDataSet* copy, unsigned int flatIndex)>;
+
+/// Makes @a output, of the same type, a shallow copy of @a input whose data sets are changed.
+void CopyDataSets(vtkDataObject* input, vtkDataObject* output, const ChangeDataSet& change);
+
+/// The same with arrays added.
 void CopyWithCellArrays(vtkDataObject* input, const NewCellArrays& arrays, vtkDataObject* output);
 
 /// For RequestDataObject: the first @a numberOfTables outputs are tables, the next is of the type of @a mesh.

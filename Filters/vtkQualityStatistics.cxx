@@ -8,7 +8,6 @@
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
 #include "Grouping.h"
-#include "OwnPoints.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/MissingValues.h"
 #include "Statistics/Quantiles.h"
@@ -317,9 +316,7 @@ int vtkQualityStatistics::RequestData(
     // Whatever may be wrong with the properties is found before the first collective call, by every
     // process.
     const Settings settings = this->CheckSettings();
-    const int numberOfPieces =
-      outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
-    this->AddRows(vtkDataObject::GetData(inputVector[0]), numberOfPieces, settings, tables);
+    this->AddRows(vtkDataObject::GetData(inputVector[0]), settings, tables);
   }
   catch (const std::exception& error)
   {
@@ -343,16 +340,12 @@ int vtkQualityStatistics::RequestData(
 //------------------------------------------------------------------------------
 // Collective.
 void vtkQualityStatistics::AddRows(
-  vtkDataObject* input, int numberOfPieces, const Settings& settings, const Tables& tables)
+  vtkDataObject* input, const Settings& settings, const Tables& tables)
 {
   camaron::ControllerReducer reducer;
   const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
   const bool isRoot = reducer.GetProcess() == 0;
   camaron::ElementBlocks blocks(input, reducer, settings.Kind);
-  if (settings.Kind == camaron::ElementKind::Points)
-  {
-    blocks.Restrict(camaron::FindOwnPoints(blocks, numberOfPieces, reducer));
-  }
   camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
   if (this->OnlySelected)
   {

@@ -203,7 +203,7 @@ private:
 
   void SetText(std::string& member, const char* text);
   Settings CheckSettings() const;
-  void AddRows(vtkDataObject* input, int numberOfPieces, const Settings& settings, const Tables& tables);
+  void AddRows(vtkDataObject* input, const Settings& settings, const Tables& tables);
   int GetNumberOfSteps() const { return this->AllTimeSteps ? static_cast<int>(this->TimeSteps.size()) : 0; }
 
   std::string ElementType = "Cells";

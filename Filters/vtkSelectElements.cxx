@@ -3,15 +3,12 @@
 #include "vtkSelectElements.h"
 
 #include "ControllerReducer.h"
-#include "RunTogether.h"
+#include "MeshCopies.h"
 #include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -56,30 +53,6 @@ vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& val
   array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
-}
-
-//------------------------------------------------------------------------------
-// Copies the input with its data sets replaced: copyData(dataSet, flatIndex).
-template <typename CopyData>
-void CopyInput(vtkDataObject* input, vtkDataObject* output, CopyData&& copyData)
-{
-  if (auto* data = vtkDataSet::SafeDownCast(input))
-  {
-    output->ShallowCopy(copyData(data, 0u));
-    return;
-  }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  auto* copy = vtkCompositeDataSet::SafeDownCast(output);
-  copy->CopyStructure(composite);
-  copy->GetFieldData()->ShallowCopy(composite->GetFieldData());
-  vtkSmartPointer<vtkCompositeDataIterator> it;
-  it.TakeReference(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    vtkDataObject* leaf = it->GetCurrentDataObject();
-    auto* leafData = vtkDataSet::SafeDownCast(leaf);
-    copy->SetDataSet(it, leafData ? copyData(leafData, it->GetCurrentFlatIndex()).Get() : leaf);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -369,11 +342,9 @@ int vtkSelectElements::RequestData(
     reducer.Max(&hasCounts, 1);
     const auto kind = static_cast<int>(blocks.GetKind());
     const auto otherKind = static_cast<int>(camaron::GetOtherKind(blocks.GetKind()));
-    CopyInput(input, output,
-      [&](vtkDataSet* data, unsigned int flatIndex)
+    camaron::CopyDataSets(input, output,
+      [&](vtkDataSet* copy, unsigned int flatIndex)
       {
-        auto copy = vtkSmartPointer<vtkDataSet>::Take(data->NewInstance());
-        copy->ShallowCopy(data);
         const auto found = blockOfFlatIndex.find(flatIndex);
         const bool isEmpty = found == blockOfFlatIndex.end();
         // There is one selection: marks of the other kind go.
@@ -385,7 +356,6 @@ int vtkSelectElements::RequestData(
           copy->GetAttributes(kind)->AddArray(MakeArray<vtkIntArray>("FailedCriteriaCount",
             isEmpty ? std::vector<int>() : task.FailedCriteriaCounts[found->second]));
         }
-        return copy;
       });
   }
   catch (const std::exception& error)
