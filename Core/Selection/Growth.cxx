@@ -235,6 +235,9 @@ public:
     this->Cells.clear();
   }
 
+  /// Whether there are cells that have not been left.
+  bool HasCells() const { return !this->Cells.empty(); }
+
   /// To go on over an element.
   void Reach(vtkIdType element) { this->Elements.push_back(static_cast<Index>(element)); }
 
@@ -369,6 +372,15 @@ private:
   std::vector<std::vector<Index>> FirstCells; // of each element
   std::vector<std::vector<std::int64_t>> Labels; // of the sets, at the cells they are known by
 };
+
+//------------------------------------------------------------------------------
+// Whether any process has something new: if not, no ring after this one has.
+bool IsAnyNew(bool isNewHere, Reducer& reducer)
+{
+  std::int64_t isNew = isNewHere ? 1 : 0;
+  reducer.Max(&isNew, 1);
+  return isNew != 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -396,6 +408,11 @@ void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborho
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
       fronts[piece].Enter(marks[piece]);
+    }
+    const auto hasCells = [](const Front& front) { return front.HasCells(); };
+    if (!IsAnyNew(std::any_of(fronts.begin(), fronts.end(), hasCells), reducer))
+    {
+      break;
     }
   }
 }
@@ -452,12 +469,19 @@ void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int
       }
     }
     shared.Share(next);
+    bool isNew = false;
     for (std::size_t piece = 0; piece < pieces.size(); ++piece)
     {
       for (std::size_t point = 0; point < marks[piece].size(); ++point)
       {
+        const unsigned char mark = marks[piece][point];
         marks[piece][point] |= next[piece][point] & allowed[piece][point];
+        isNew |= marks[piece][point] != mark;
       }
+    }
+    if (!IsAnyNew(isNew, reducer))
+    {
+      break;
     }
   }
 }

@@ -136,6 +136,26 @@ class TestSelectNeighbors(camaron_testing.TestCase):
                 expected = set(range(count)) - rings(mesh, kind, others, 1)
                 self.assertEqual(found, expected, f"{message} {kind}")
 
+    def test_more_rings_than_there_are(self):
+        """Growing ends with the last ring that has something new: two thousand million take no time."""
+        endless = {"Strategy": "Expand", "NumberOfRings": 2**31 - 1}
+        source = rank_meshes.split_source("tetrahedra")
+        some = self.seed(source, 0, 0)
+        connected = simple.SelectElements(Input=some, Strategy="Connected")
+        found = self.numbers(simple.SelectElements(Input=some, **endless))
+        self.assertEqual(found, self.numbers(connected))
+        self.assertEqual(len(found), whole("tetrahedra").GetNumberOfCells())
+        points = simple.SelectElements(Input=some, ElementType="Points", Strategy="Change kind")
+        grown = simple.SelectElements(Input=points, ElementType="Points", **endless)
+        every = simple.SelectElements(Input=source, ElementType="Points", Strategy="All")
+        for select in (grown, every):
+            select.UpdatePipeline()
+            select.UpdatePropertyInformation()
+        self.assertEqual(
+            grown.GetPropertyValue("NumberOfSelectedElements"),
+            every.GetPropertyValue("NumberOfSelectedElements"),
+        )
+
     def test_stay_within(self):
         for mesh, count, source, message in self.splits():
             some = self.seed(source, count // 2, count // 2)
