@@ -162,7 +162,15 @@ def _set_property(proxy: Any, name: str, value: str) -> None:
             numbers.append(int(word) if whole else float(word))
         except ValueError:
             raise ValueError(f"{name}: expected a number, found '{word}'") from None
-    setattr(proxy, name, numbers if len(numbers) > 1 else numbers[0])
+    per_group = prop.SMProperty.GetNumberOfElementsPerCommand() if prop.SMProperty.GetRepeatable() else 1
+    if len(numbers) % per_group:
+        raise ValueError(f"{name}: expected a multiple of {per_group} numbers, found {len(numbers)}")
+    try:
+        setattr(proxy, name, numbers if len(numbers) > 1 else numbers[0])
+    except OverflowError:
+        raise ValueError(f"{name}: expected a smaller number, found '{value}'") from None
+    except RuntimeError as error:  # such as two numbers for a point
+        raise ValueError(f"{name}: {error}") from None
 
 
 def _run(evaluated: Evaluation, chain: Any, notes: list[str]) -> dict[str, Any]:

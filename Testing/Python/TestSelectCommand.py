@@ -121,6 +121,12 @@ class TestSelectCommand(camaron_testing.TestCase):
             ("Worst N: Arry=Volume", "did you mean Array?"),
             ("Worst N: Volume", "expected NAME=VALUE, found 'Volume'"),
             ("Worst N: Array=Volume; NumberOfWorst=x", "expected a number, found 'x'"),
+            (
+                "Worst N: Array=Volume; NumberOfWorst=3000000000",
+                "NumberOfWorst: expected a smaller number, found '3000000000'",
+            ),
+            ("Half-spaces: Planes=0,0,0,1,0,0,0", "Planes: expected a multiple of 6 numbers, found 7"),
+            ("Shape: Shape=Sphere; Center=0,0", "Center: "),
             ("Worst N: Array=Volum", "named 'Volum'"),
             ("By id: Ids=4-2", "Ids: 4-2 runs backwards"),
             ("Number of elements: Counts=a", "Counts: expected a number, found 'a'"),
