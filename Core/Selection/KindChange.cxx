@@ -5,12 +5,11 @@
 #include "Criteria/PieceBorders.h"
 #include "Parallel.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace camaron
 {
-namespace
-{
-constexpr vtkIdType Grain = 1 << 14;
-
 //------------------------------------------------------------------------------
 /// What elements with the same points have in common, in whatever order.
 struct PointsHash
@@ -29,35 +28,65 @@ struct PointsHash
   }
 };
 
+namespace
+{
+constexpr vtkIdType Grain = 1 << 14;
+
 //------------------------------------------------------------------------------
-/// Finds the cells of one dimension by their points.
+template <typename Function>
+void ForEachId(vtkIdType size, Function&& function)
+{
+  ParallelFor(size, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        function(id);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Of the cells of one dimension that are not copies; of others nothing.
+std::vector<PointsHash> HashCells(const LinkedPiece& piece, int dimension)
+{
+  const MeshView& mesh = piece.Topology->GetMesh();
+  const CellElements corners(*piece.Topology, Adjacency::Vertex);
+  std::vector<PointsHash> hashes(mesh.GetNumberOfCells());
+  ForEachId(mesh.GetNumberOfCells(),
+    [&](vtkIdType cell)
+    {
+      if (!piece.IsCopy(cell) && GetCellShape(mesh.GetCellType(cell)).Dimension == dimension)
+      {
+        corners.ForEach(cell, [&](vtkIdType point) { hashes[cell].Add(point); });
+      }
+    });
+  return hashes;
+}
+
+//------------------------------------------------------------------------------
+/// Finds cells by their points.
 class CellFinder
 {
 public:
   /// @a next: gets of each cell the next one with the same points, or -1.
-  CellFinder(const LinkedPiece& piece, int dimension, std::vector<vtkIdType>& next)
+  CellFinder(const std::vector<PointsHash>& hashes, std::vector<vtkIdType>& next)
+    : Hashes(hashes)
   {
-    const MeshTopology& topology = *piece.Topology;
-    const MeshView& mesh = topology.GetMesh();
-    const CellElements corners(topology, Adjacency::Vertex);
-    const vtkIdType size = mesh.GetNumberOfCells();
-    while (this->Slots.size() < 2 * static_cast<std::size_t>(size) + 1)
+    std::size_t size = 16;
+    while (size < 2 * hashes.size())
     {
-      this->Slots.resize(std::max<std::size_t>(16, 2 * this->Slots.size()), -1);
+      size *= 2;
     }
-    this->Hashes.resize(size);
-    next.assign(size, -1);
-    for (vtkIdType cell = 0; cell < size; ++cell)
+    this->Slots.resize(size, -1);
+    for (std::size_t cell = 0; cell < hashes.size(); ++cell)
     {
-      if (piece.IsCopy(cell) || GetCellShape(mesh.GetCellType(cell)).Dimension != dimension)
+      if (!(hashes[cell] == PointsHash()))
       {
-        continue;
+        vtkIdType& slot = this->Slots[this->FindSlot(hashes[cell])];
+        next[cell] = slot;
+        slot = static_cast<vtkIdType>(cell);
       }
-      PointsHash& hash = this->Hashes[cell];
-      corners.ForEach(cell, [&](vtkIdType point) { hash.Add(point); });
-      vtkIdType& slot = this->Slots[this->FindSlot(hash)];
-      next[cell] = slot;
-      slot = cell;
     }
   }
 
@@ -76,8 +105,8 @@ private:
     return slot;
   }
 
+  const std::vector<PointsHash>& Hashes;
   std::vector<vtkIdType> Slots; // a power of two of them
-  std::vector<PointsHash> Hashes;
 };
 
 //------------------------------------------------------------------------------
@@ -95,20 +124,6 @@ std::vector<CellElements> MakeElements(const std::vector<LinkedPiece>& pieces, i
     elements.emplace_back(*piece.Topology, GetAdjacency(dimension));
   }
   return elements;
-}
-
-//------------------------------------------------------------------------------
-template <typename Function>
-void ForEachId(vtkIdType size, Function&& function)
-{
-  ParallelFor(size, Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        function(id);
-      }
-    });
 }
 
 //------------------------------------------------------------------------------
@@ -133,31 +148,50 @@ KindChange::KindChange(
 }
 
 //------------------------------------------------------------------------------
-void KindChange::FindBounding(std::size_t piece)
+// Of the elements of cells that take part; of others nothing.
+std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
 {
-  this->Next.emplace_back();
-  const CellFinder finder((*this->Bounding.Pieces)[piece], this->Bounding.Dimension, this->Next[piece]);
-  this->First.emplace_back(this->Elements[piece].GetSize(), -1);
-  std::vector<bool> isKnown(this->First[piece].size());
+  std::vector<PointsHash> hashes(this->Elements[piece].GetSize());
   CellFacets facets(this->Pieces[piece].Topology->GetMesh());
   for (vtkIdType cell = 0; cell < this->Pieces[piece].Topology->GetMesh().GetNumberOfCells(); ++cell)
   {
-    if (!this->TakesPart(piece, cell))
+    if (this->TakesPart(piece, cell))
     {
-      continue;
-    }
-    this->Elements[piece].ForEach(cell, facets,
-      [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
-      {
-        if (!isKnown[element])
+      this->Elements[piece].ForEach(cell, facets,
+        [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
         {
-          isKnown[element] = true;
-          PointsHash hash;
-          std::for_each(points, points + size, [&](vtkIdType point) { hash.Add(point); });
-          this->First[piece][element] = finder.Find(hash);
-        }
-      });
+          if (hashes[element] == PointsHash())
+          {
+            std::for_each(points, points + size, [&](vtkIdType point) { hashes[element].Add(point); });
+          }
+        });
+    }
   }
+  return hashes;
+}
+
+//------------------------------------------------------------------------------
+void KindChange::FindBounding(std::size_t piece)
+{
+  const std::vector<PointsHash> elements = this->HashElements(piece);
+  const std::vector<PointsHash> cells = HashCells((*this->Bounding.Pieces)[piece], this->Bounding.Dimension);
+  this->First.emplace_back(elements.size(), -1);
+  this->Next.emplace_back(cells.size(), -1);
+  // The faces and edges of Mesh Elements come in the order of the elements, where there are no copies.
+  if (elements == cells)
+  {
+    std::iota(this->First[piece].begin(), this->First[piece].end(), 0);
+    return;
+  }
+  const CellFinder finder(cells, this->Next[piece]);
+  ForEachId(static_cast<vtkIdType>(elements.size()),
+    [&](vtkIdType element)
+    {
+      if (!(elements[element] == PointsHash()))
+      {
+        this->First[piece][element] = finder.Find(elements[element]);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

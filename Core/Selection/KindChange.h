@@ -20,6 +20,8 @@
 
 namespace camaron
 {
+struct PointsHash;
+
 /// How many of the elements of the other kind must be selected.
 enum class Quantifier
 {
@@ -50,6 +52,7 @@ private:
   using Flags = std::vector<std::vector<std::atomic<unsigned char>>>; // of each piece and element of CellElements
 
   bool TakesPart(std::size_t piece, vtkIdType cell) const;
+  std::vector<PointsHash> HashElements(std::size_t piece) const;
   void FindBounding(std::size_t piece);
   Flags MakeFlags() const;
   template <typename Visit>
