@@ -58,8 +58,8 @@ public:
   ///@}
 
   ///@{
-  /// Number of bins per array. Default: 50. Integers have one bin each, constant data a single one.
-  vtkSetClampMacro(NumberOfBins, int, 1, VTK_INT_MAX);
+  /// Number of bins per array, at most 100000. Default: 50. Integers have one bin each, constant data a single one.
+  vtkSetClampMacro(NumberOfBins, int, 1, 100000);
   vtkGetMacro(NumberOfBins, int);
   ///@}
 

@@ -361,6 +361,11 @@ void vtkQualityStatistics::AddRows(
     vtkWarningMacro(
       "There are no " << (areCells ? "cell" : "point") << " arrays with one component named: " << missing << '.');
   }
+  if (this->GroupBy == "Cell array" && groups.GetLabels().size() == 1 && isRoot && this->TimeStep == 0)
+  {
+    vtkWarningMacro(
+      "There is nothing to group: no cell array with one component is named '" << this->GroupArray << "'.");
+  }
   const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
     ? std::nullopt
     : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);

@@ -130,6 +130,7 @@ def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[A
     if name == "Failed criteria" and not any(_plain(p) == "preset" for p in properties):
         chain.Preset = "General"
     own = [name for name in chain.ListProperties() if name not in NO_STEP]
+    properties = _complete(properties)
     for name, value in sorted(properties.items(), key=lambda item: _plain(item[0]) != "shape"):
         of_shape = {_plain(p): p for p in chain.Shape.ListProperties()}
         if _plain(name) in of_shape and _plain(name) not in map(_plain, own):
@@ -141,6 +142,21 @@ def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[A
             chain.Surface = surfaces[-1]
         else:
             _set_property(chain, name, value)
+
+
+def _complete(properties: dict[str, str]) -> dict[str, str]:
+    """What other properties say of the range and of the array.
+
+    >>> _complete({"Array": "B", "element type": "points", "UpperLimit": "2"})
+    {'element type': 'points', 'UpperLimit': '2', 'PointArray': 'B', 'Range': 'Custom'}
+    """
+    names = {_plain(name): name for name in properties}
+    complete = dict(properties)
+    if "array" in names and _plain(properties.get(names.get("elementtype", ""), "")) == "points":
+        complete["PointArray"] = complete.pop(names["array"])
+    if "range" not in names and {"lowerlimit", "upperlimit"} & set(names):
+        complete["Range"] = "Custom"
+    return complete
 
 
 def _set_property(proxy: Any, name: str, value: str) -> None:

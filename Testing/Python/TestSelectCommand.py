@@ -111,6 +111,13 @@ class TestSelectCommand(camaron_testing.TestCase):
         self.assertEqual(counts[:2], [5, len(grown)])
         self.assertEqual(counts[2], third.GetPropertyValue("NumberOfSelectedElements"))
         self.assertLess(counts[2], counts[1])
+        # A limit makes the range a custom one; an array of points may be called Array.
+        small = [SMALL_ANGLES.replace(" Range=Custom;", ""), SMALL_ANGLES]
+        numbers = [camaron.select(BALL, [step])["selected"] for step in small]
+        self.assertEqual(*numbers)
+        self.assertTrue(0 < numbers[0] < 800, numbers)
+        done = self.run_select(BALL, "--by", "Null: Element Type=Points; Array=No")
+        self.assertIn("no point array with one component named 'No'", done.stderr)
         done = self.run_select(BALL, "--by", "Boundary: Element Type=Points", "--json")
         self.assertEqual(json.loads(done.stdout)["elements"], "Points")
 

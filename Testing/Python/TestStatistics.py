@@ -470,9 +470,11 @@ class TestStatistics(camaron_testing.TestCase):
                     self.check_statistics(row, values["Volume"][here], ids[here])
                 first = next(r for r in worst if r["Group"] == row["Group"])
                 self.assertEqual(first["Value"], values["Volume"][here].min())
-        statistics, _, _ = self.tables(
-            mesh_parts.producer(grid), Arrays=["Volume"], GroupBy="Cell array", GroupArray="None"
-        )
+        with camaron_testing.pipeline.Messages() as messages:
+            statistics, _, _ = self.tables(
+                mesh_parts.producer(grid), Arrays=["Volume"], GroupBy="Cell array", GroupArray="None"
+            )
+        self.assertIn("named 'None'", " ".join(messages.warnings))
         self.assertEqual([row["Group"] for row in statistics], ["All"])
 
     def test_too_many_groups(self):
