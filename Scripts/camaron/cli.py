@@ -90,29 +90,13 @@ def _parser() -> argparse.ArgumentParser:
     inspect.add_argument(
         "-o", "--output", metavar="DIR", help="folder of the report; default: NAME-report"
     )
-    which = inspect.add_mutually_exclusive_group()
-    which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
-    which.add_argument(
-        "--criteria", metavar="A,B", help="names of criteria, or all; default: those of the preset General"
-    )
-    inspect.add_argument(
-        "--ranges",
-        metavar="FILE",
-        help="acceptable ranges of your own, lines of: criterion lowest highest",
-    )
+    _add_criteria(inspect)
     inspect.add_argument(
         "--worst",
         type=_positive,
         default=10,
         metavar="N",
         help="length of the lists of worst cells (%(default)s)",
-    )
-    inspect.add_argument(
-        "--bins",
-        type=_positive,
-        default=50,
-        metavar="N",
-        help="bins of the histograms (%(default)s)",
     )
     inspect.add_argument(
         "--group-by",
@@ -163,23 +147,7 @@ def _parser() -> argparse.ArgumentParser:
     compare.add_argument(
         "-o", "--output", metavar="DIR", help="folder of the report; default: A-B-comparison"
     )
-    which = compare.add_mutually_exclusive_group()
-    which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
-    which.add_argument(
-        "--criteria", metavar="A,B", help="names of criteria, or all; default: those of the preset General"
-    )
-    compare.add_argument(
-        "--ranges",
-        metavar="FILE",
-        help="acceptable ranges of your own, lines of: criterion lowest highest",
-    )
-    compare.add_argument(
-        "--bins",
-        type=_positive,
-        default=50,
-        metavar="N",
-        help="bins of the histograms (%(default)s)",
-    )
+    _add_criteria(compare)
     _add_common(compare)
     compare.add_argument(
         "--json", action="store_true", help="print the summary as JSON instead of the table"
@@ -244,6 +212,26 @@ class _FormatsHelp(argparse.Action):
         pipeline.load_plugin()
         print(f"{parser.format_help()}\n{formats.describe_formats()}")
         parser.exit()
+
+
+def _add_criteria(parser: argparse.ArgumentParser) -> None:
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
+    which.add_argument(
+        "--criteria", metavar="A,B", help="names of criteria, or all; default: those of the preset General"
+    )
+    parser.add_argument(
+        "--ranges",
+        metavar="FILE",
+        help="acceptable ranges of your own, lines of: criterion lowest highest",
+    )
+    parser.add_argument(
+        "--bins",
+        type=_positive,
+        default=50,
+        metavar="N",
+        help="bins of the histograms (%(default)s)",
+    )
 
 
 def _add_common(parser: argparse.ArgumentParser) -> None:

@@ -13,6 +13,7 @@ from paraview import simple
 
 from . import conversion, export, facts, pipeline, tables, text
 from .evaluation import Evaluation
+from .formats import plain
 
 #: Property of SelectElements that opens the file of a closed surface.
 SURFACE = "Surface"
@@ -99,42 +100,33 @@ def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]
     there = set(evaluated.opened.source.CellData.keys())
     wanted = []
     for strategy, properties in steps:
-        by_name = {_plain(name): value for name, value in properties.items()}
+        by_name = {plain(name): value for name, value in properties.items()}
         if "array" in by_name:
             wanted.append(by_name["array"])
-        if _plain(strategy) == "status":
+        if plain(strategy) == "status":
             wanted.append("CellStatus")
-        if _plain(strategy) == "failedcriteria":
+        if plain(strategy) == "failedcriteria":
             presets = tables.known_presets()
             preset = by_name.get("preset", "General")
             wanted += presets[text.lookup(preset, list(presets), "preset")]["rules"]
     return [*dict.fromkeys(name for name in wanted if name in known and name not in there)]
 
 
-def _plain(name: str) -> str:
-    """The letters of a name, small.
-
-    >>> _plain("Number Of-worst")
-    'numberofworst'
-    """
-    return re.sub(r"[\W_]", "", name).lower()
-
-
 def _lookup(name: str, known: Iterable[str], kind: str) -> str:
-    names = {_plain(k): k for k in known}
-    return names.get(_plain(name)) or text.lookup(name, list(names.values()), kind)
+    names = {plain(k): k for k in known}
+    return names.get(plain(name)) or text.lookup(name, list(names.values()), kind)
 
 
 def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[Any]) -> None:
     chain.Strategy = name = _lookup(strategy, chain.GetProperty("Strategy").Available, "strategy")
-    if name == "Failed criteria" and not any(_plain(p) == "preset" for p in properties):
+    if name == "Failed criteria" and not any(plain(p) == "preset" for p in properties):
         chain.Preset = "General"
     own = [name for name in chain.ListProperties() if name not in NO_STEP]
     properties = _complete(properties)
-    for name, value in sorted(properties.items(), key=lambda item: _plain(item[0]) != "shape"):
-        of_shape = {_plain(p): p for p in chain.Shape.ListProperties()}
-        if _plain(name) in of_shape and _plain(name) not in map(_plain, own):
-            _set_property(chain.Shape, of_shape[_plain(name)], value)
+    for name, value in sorted(properties.items(), key=lambda item: plain(item[0]) != "shape"):
+        of_shape = {plain(p): p for p in chain.Shape.ListProperties()}
+        if plain(name) in of_shape and plain(name) not in map(plain, own):
+            _set_property(chain.Shape, of_shape[plain(name)], value)
             continue
         name = _lookup(name, own, "property")
         if name == SURFACE:
@@ -150,9 +142,9 @@ def _complete(properties: dict[str, str]) -> dict[str, str]:
     >>> _complete({"Array": "B", "element type": "points", "UpperLimit": "2"})
     {'element type': 'points', 'UpperLimit': '2', 'PointArray': 'B', 'Range': 'Custom'}
     """
-    names = {_plain(name): name for name in properties}
+    names = {plain(name): name for name in properties}
     complete = dict(properties)
-    if "array" in names and _plain(properties.get(names.get("elementtype", ""), "")) == "points":
+    if "array" in names and plain(properties.get(names.get("elementtype", ""), "")) == "points":
         complete["PointArray"] = complete.pop(names["array"])
     if "range" not in names and {"lowerlimit", "upperlimit"} & set(names):
         complete["Range"] = "Custom"
