@@ -233,6 +233,9 @@ void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
         ? std::numeric_limits<std::int64_t>::max()
         : (static_cast<std::int64_t>(reducer.GetProcess()) << 32) + point.Piece);
   }
+  std::int64_t hasCopies = !owners.empty();
+  reducer.Max(&hasCopies, 1);
+  this->PointCopies = hasCopies != 0;
   const std::vector<std::int64_t> own = owners;
   shared.Minimize(owners);
   for (std::size_t i = 0; i < owners.size(); ++i)

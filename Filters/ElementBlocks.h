@@ -86,6 +86,8 @@ public:
   const std::vector<ElementBlock>& Get() const { return this->Blocks; }
   bool IsComposite() const { return this->Composite; }
   ElementKind GetKind() const { return this->Kind; }
+  /// True if some process has points that are there in several pieces; false for cells.
+  bool HasCopiesOfPoints() const { return this->PointCopies; }
   /// True if the identity of elements is their global id.
   bool HasGlobalIds() const { return this->GlobalIds; }
   /// How the property IdSpace of SelectElements calls the identity.
@@ -110,6 +112,7 @@ private:
   ElementKind Kind;
   bool Composite = false;
   bool GlobalIds = false;
+  bool PointCopies = false;
   vtkIdType NumberOfIndices = 0;
 };
 

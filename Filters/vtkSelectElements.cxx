@@ -337,7 +337,7 @@ int vtkSelectElements::RequestData(
     {
       vtkWarningMacro("" << this->Report << '.');
     }
-    camaron::MarkCopies(task, marks);
+    task.MarkCopies(marks);
     std::int64_t hasCounts = !task.FailedCriteriaCounts.empty();
     reducer.Max(&hasCounts, 1);
     const auto kind = static_cast<int>(blocks.GetKind());

@@ -3,7 +3,6 @@
 #include "Strategies/CurrentSelection.h"
 
 #include "RunTogether.h"
-#include "Selection/SharedElements.h"
 #include "Strategies/ChangeKind.h"
 #include "vtkSelectElements.h"
 
@@ -165,19 +164,10 @@ SelectionMarks FindCurrentSelection(const SelectionTask& task)
       MarkElements(marks, [&](std::size_t b, vtkIdType i) { return marks[b][i] | changed[b][i]; });
     }
   }
-  MarkCopies(task, marks);
+  task.MarkCopies(marks);
   MarkElements(marks,
     [&](std::size_t b, vtkIdType i) { return marks[b][i] && !task.Blocks.Get()[b].IsGhost(i); });
   return marks;
-}
-
-//------------------------------------------------------------------------------
-void MarkCopies(const SelectionTask& task, SelectionMarks& marks)
-{
-  if (task.Blocks.GetKind() == ElementKind::Points)
-  {
-    SharedElements::OfPoints(task.GetPieces().Get(), task.Reducer).Share(marks);
-  }
 }
 
 //------------------------------------------------------------------------------

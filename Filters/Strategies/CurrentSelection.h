@@ -27,9 +27,6 @@ SelectionMarks FindCurrentSelection(const SelectionTask& task);
 /// block. Throws as above.
 SelectionMarks FindSelected(const SelectionTask& task, ElementKind kind);
 
-/// Collective. Of points marks the copies in other pieces, too.
-void MarkCopies(const SelectionTask& task, SelectionMarks& marks);
-
 /// Which elements of a data set its array "Selected" marks; none without it.
 void MarkSelected(vtkDataSet* data, ElementKind kind, std::vector<unsigned char>& marks);
 

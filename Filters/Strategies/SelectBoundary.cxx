@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Strategies/CurrentSelection.h"
+#include "Strategies/Strategy.h"
 
 #include "Criteria/CellNeighborhood.h"
 #include "Mesh/CellFacets.h"
@@ -65,7 +65,7 @@ std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks)
       MarkBoundary(pieces, piece, dimension, task.HasCells(), marks[piece]);
     }
   }
-  MarkCopies(task, marks);
+  task.MarkCopies(marks);
   return "";
 }
 }

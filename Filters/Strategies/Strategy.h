@@ -13,6 +13,7 @@
 
 #include "ElementBlocks.h"
 #include "MeshPieces.h"
+#include "Selection/SharedElements.h"
 
 #include "vtkImplicitFunction.h" // for a shape
 
@@ -109,11 +110,14 @@ public:
   ///@}
   /// Collective. The same of any blocks.
   std::unique_ptr<MeshPieces> MakePieces(const std::vector<DataSetLeaf>& leaves) const;
+  /// Collective. Marks the copies of points in other pieces, too; nothing is done about cells.
+  void MarkCopies(SelectionMarks& marks) const;
 
 private:
   int NumberOfRequestedPieces;
   mutable bool IsLinked = false;
   mutable std::unique_ptr<MeshPieces> Pieces;
+  mutable std::unique_ptr<SharedElements> SharedPoints;
 };
 
 /**

@@ -68,6 +68,21 @@ const MeshPieces& SelectionTask::GetLinkedPieces() const
 }
 
 //------------------------------------------------------------------------------
+void SelectionTask::MarkCopies(SelectionMarks& marks) const
+{
+  if (!this->Blocks.HasCopiesOfPoints())
+  {
+    return;
+  }
+  if (!this->SharedPoints)
+  {
+    this->SharedPoints = std::make_unique<SharedElements>(
+      SharedElements::OfPoints(this->GetPieces().Get(), this->Reducer));
+  }
+  this->SharedPoints->Share(marks);
+}
+
+//------------------------------------------------------------------------------
 const std::vector<Strategy>& GetStrategies()
 {
   static const std::vector<Strategy> strategies = {
