@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/DrawableFaces.h"
+
+#include "Drawing/PolygonTriangles.h"
+#include "Mesh/CellFacets.h"
+#include "Mesh/MeshTopology.h"
+#include "Parallel.h"
+
+#include "vtkDataSetAttributes.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType CellChunk = 1 << 13;
+constexpr int Outer = 0;
+constexpr int Inner = 1;
+
+struct Counts
+{
+  vtkIdType Faces[2] = { 0, 0 };
+  vtkIdType Triangles[2] = { 0, 0 };
+};
+
+//------------------------------------------------------------------------------
+// Visits the faces that a cell contributes: those it owns, those where it is a third cell, itself if 2D.
+class FacesOfCells
+{
+public:
+  FacesOfCells(const MeshTopology& topology, const unsigned char* ghosts)
+    : Mesh(topology.GetMesh())
+    , Table(topology.GetFaces())
+    , Ghosts(ghosts)
+    , Facets(this->Mesh)
+  {
+  }
+
+  // Calls visit(kind, points, numberOfPoints, cells).
+  template <typename Visitor>
+  void ForEach(vtkIdType cell, Visitor&& visit)
+  {
+    if (this->Has(cell, vtkDataSetAttributes::HIDDENCELL))
+    {
+      return;
+    }
+    const auto self = static_cast<std::uint32_t>(cell);
+    const int dimension = this->Facets.GetDimension(cell);
+    if (dimension == 2 && !this->IsGhost(cell))
+    {
+      this->Facets.GetPolygon(cell, this->Polygon);
+      visit(Outer, this->Polygon.data(), static_cast<vtkIdType>(this->Polygon.size()),
+        std::array<std::uint32_t, 2>{ { self, DrawableFaces::NoCell } });
+    }
+    if (dimension != 3)
+    {
+      return;
+    }
+    const FacetTable::Range uses = this->Table.GetCellFacets(cell);
+    this->Facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+      {
+        const Index face = uses[static_cast<Index>(local)].Facet();
+        const vtkIdType other = this->GetOther(face, cell, static_cast<Index>(local));
+        if (other == NotOurs || (this->IsGhost(cell) && (other == None || this->IsGhost(other))))
+        {
+          return;
+        }
+        const auto neighbor = other == None ? DrawableFaces::NoCell : static_cast<std::uint32_t>(other);
+        visit(other == None ? Outer : Inner, points, size,
+          std::array<std::uint32_t, 2>{ { self, neighbor } });
+      });
+  }
+
+private:
+  static constexpr vtkIdType None = -1;
+  static constexpr vtkIdType NotOurs = -2;
+
+  bool Has(vtkIdType cell, int bit) const { return this->Ghosts && (this->Ghosts[cell] & bit); }
+  bool IsGhost(vtkIdType cell) const { return this->Has(cell, vtkDataSetAttributes::DUPLICATECELL); }
+
+  // The cell on the other side of a face of `cell`, None, or NotOurs when another cell visits the face.
+  vtkIdType GetOther(Index face, vtkIdType cell, Index local)
+  {
+    const FacetTable::CellPair pair = this->Table.GetCells(face);
+    const bool firstHidden = this->Has(pair.First, vtkDataSetAttributes::HIDDENCELL);
+    if (pair.First == cell)
+    {
+      if (pair.Second == cell)
+      {
+        return this->Table.GetOwnerLocalFacet(face) == local ? None : NotOurs;
+      }
+      const bool alone =
+        pair.Second < 0 || this->Has(pair.Second, vtkDataSetAttributes::HIDDENCELL);
+      return alone ? None : pair.Second;
+    }
+    if (pair.Second == cell)
+    {
+      return firstHidden ? None : NotOurs;
+    }
+    return firstHidden ? None : pair.First; // a third cell
+  }
+
+  const MeshView& Mesh;
+  const FacetTable& Table;
+  const unsigned char* Ghosts;
+  CellFacets Facets;
+  std::vector<vtkIdType> Polygon;
+};
+
+//------------------------------------------------------------------------------
+// Where each chunk of cells writes: outer faces first, then the inner ones.
+void PlaceChunks(std::vector<Counts>& chunks, FacesToDraw which)
+{
+  Counts next;
+  for (const Counts& chunk : chunks)
+  {
+    next.Faces[Inner] += chunk.Faces[Outer];
+    next.Triangles[Inner] += chunk.Triangles[Outer];
+  }
+  for (Counts& chunk : chunks)
+  {
+    const Counts size = chunk;
+    chunk = next;
+    for (int kind = Outer; kind <= (which == FacesToDraw::All ? Inner : Outer); ++kind)
+    {
+      next.Faces[kind] += size.Faces[kind];
+      next.Triangles[kind] += size.Triangles[kind];
+    }
+  }
+  chunks.push_back(next);
+  constexpr vtkIdType maxFaces = vtkIdType(1) << (32 - DrawableFaces::EdgeBits);
+  if (next.Faces[Inner] > maxFaces || next.Triangles[Inner] > vtkIdType(DrawableFaces::NoCell))
+  {
+    throw std::length_error("Mesh Inspection draws up to 2^29 faces of a piece.");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+DrawableFaces MakeDrawableFaces(
+  const MeshTopology& topology, const unsigned char* ghosts, FacesToDraw which)
+{
+  const vtkIdType numberOfCells = topology.GetMesh().GetNumberOfCells();
+  std::vector<Counts> chunks((numberOfCells + CellChunk - 1) / CellChunk);
+  topology.GetFaces();
+  const auto forEachFace = [&](auto&& perChunk)
+  {
+    ParallelFor(static_cast<vtkIdType>(chunks.size()), 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        FacesOfCells faces(topology, ghosts);
+        PolygonTriangles triangles(topology.GetMesh());
+        for (vtkIdType chunk = begin; chunk < end; ++chunk)
+        {
+          for (vtkIdType cell = chunk * CellChunk;
+               cell < std::min(numberOfCells, (chunk + 1) * CellChunk); ++cell)
+          {
+            perChunk(faces, triangles, cell, chunks[chunk]);
+          }
+        }
+      });
+  };
+  forEachFace(
+    [](FacesOfCells& faces, PolygonTriangles&, vtkIdType cell, Counts& counts)
+    {
+      faces.ForEach(cell,
+        [&](int kind, const vtkIdType*, vtkIdType size, const auto&)
+        {
+          ++counts.Faces[kind];
+          counts.Triangles[kind] += std::max<vtkIdType>(size - 2, 0);
+        });
+    });
+  PlaceChunks(chunks, which);
+  const Counts total = chunks.back();
+  const Counts outer = chunks.front(); // the inner ones start where the outer ones end
+  chunks.pop_back();
+
+  DrawableFaces drawable;
+  drawable.NumberOfOuterTriangles = static_cast<std::uint32_t>(outer.Triangles[Inner]);
+  drawable.Faces.resize(total.Faces[Inner]);
+  drawable.Triangles.resize(total.Triangles[Inner]);
+  forEachFace(
+    [&](FacesOfCells& faces, PolygonTriangles& triangles, vtkIdType cell, Counts& next)
+    {
+      faces.ForEach(cell,
+        [&](int kind, const vtkIdType* points, vtkIdType size, const auto& cells)
+        {
+          if (kind == Inner && which == FacesToDraw::Outer)
+          {
+            return;
+          }
+          const auto face = static_cast<std::uint32_t>(next.Faces[kind]++);
+          drawable.Faces[face] = cells;
+          triangles.ForEach(points, size,
+            [&](const PolygonTriangles::Triangle& triangle)
+            {
+              auto& row = drawable.Triangles[next.Triangles[kind]++];
+              for (int i = 0; i < 3; ++i)
+              {
+                row[i] = static_cast<std::uint32_t>(points[triangle.Corners[i]]);
+              }
+              row[3] = face << DrawableFaces::EdgeBits | triangle.Edges;
+            });
+        });
+    });
+  return drawable;
+}
+}

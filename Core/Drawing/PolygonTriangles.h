@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PolygonTriangles
+ * @brief Cuts a polygon into triangles to draw, and knows which of their edges are the polygon's.
+ *
+ * A convex polygon becomes a fan; any other is cut by VTK's ear clipping. Holds scratch memory: use one
+ * per thread.
+ */
+#ifndef camaron_PolygonTriangles_h
+#define camaron_PolygonTriangles_h
+
+#include "Mesh/MeshView.h"
+
+#include "vtkIdList.h"  // for scratch
+#include "vtkNew.h"     // for scratch
+#include "vtkPolygon.h" // for scratch
+
+#include <vector> // for scratch
+
+namespace camaron
+{
+class PolygonTriangles
+{
+public:
+  /// Corners of a triangle as places in the polygon; bit i of Edges: corners i, i + 1 are an edge of it.
+  struct Triangle
+  {
+    int Corners[3];
+    unsigned int Edges;
+  };
+
+  explicit PolygonTriangles(const MeshView& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /// Calls @a visit(triangle) max(size - 2, 0) times, whatever the polygon looks like.
+  template <typename Visitor>
+  void ForEach(const vtkIdType* points, vtkIdType size, Visitor&& visit)
+  {
+    const int last = static_cast<int>(size) - 1;
+    if (size == 3)
+    {
+      visit(Triangle{ { 0, 1, 2 }, 7u });
+    }
+    else if (size > 3 && this->IsConvex(points, size))
+    {
+      for (int i = 1; i < last; ++i)
+      {
+        visit(Triangle{ { 0, i, i + 1 }, (i == 1 ? 1u : 0u) | 2u | (i + 1 == last ? 4u : 0u) });
+      }
+    }
+    else if (size > 3)
+    {
+      this->ClipEars(points, size);
+      for (int t = 0; t + 2 <= last; ++t)
+      {
+        Triangle triangle{ {}, 0 };
+        for (int i = 0; i < 3; ++i)
+        {
+          triangle.Corners[i] = static_cast<int>(this->Ears->GetId(3 * t + i));
+        }
+        for (int i = 0; i < 3; ++i)
+        {
+          const int step = triangle.Corners[(i + 1) % 3] - triangle.Corners[i];
+          if (step == 1 || step == -1 || step == last || step == -last)
+          {
+            triangle.Edges |= 1u << i;
+          }
+        }
+        visit(triangle);
+      }
+    }
+  }
+
+private:
+  bool IsConvex(const vtkIdType* points, vtkIdType size);
+  void ClipEars(const vtkIdType* points, vtkIdType size);
+
+  const MeshView& Mesh;
+  std::vector<double> Coordinates;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Ears;
+};
+}
+
+#endif

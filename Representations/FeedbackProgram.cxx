@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FeedbackProgram.h"
+
+#include "TextureBuffer.h"
+
+#include <vector>
+
+#include "OpenGL.h"
+
+namespace camaron
+{
+namespace
+{
+// The shader or 0, with the compiler's words in `error`.
+GLuint Compile(GLenum kind, const char* source, std::string& error)
+{
+  const GLuint shader = glCreateShader(kind);
+  glShaderSource(shader, 1, &source, nullptr);
+  glCompileShader(shader);
+  GLint compiled = 0;
+  glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
+  if (compiled)
+  {
+    return shader;
+  }
+  GLint length = 0;
+  glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+  std::vector<char> log(length + 1, '\0');
+  glGetShaderInfoLog(shader, length, nullptr, log.data());
+  glDeleteShader(shader);
+  error = log.data();
+  return 0;
+}
+}
+
+//------------------------------------------------------------------------------
+bool FeedbackProgram::Build(const char* vertex, const char* geometry, const char* output)
+{
+  if (this->Program)
+  {
+    return true;
+  }
+  this->Error.clear();
+  const GLuint program = glCreateProgram();
+  const auto attach = [&](GLenum kind, const char* source)
+  {
+    const GLuint shader = Compile(kind, source, this->Error);
+    if (shader)
+    {
+      glAttachShader(program, shader);
+      glDeleteShader(shader); // goes with the program
+    }
+    return shader != 0;
+  };
+  GLint linked = 0;
+  if (attach(GL_VERTEX_SHADER, vertex) && (!geometry || attach(GL_GEOMETRY_SHADER, geometry)))
+  {
+    glTransformFeedbackVaryings(program, 1, &output, GL_INTERLEAVED_ATTRIBS);
+    glLinkProgram(program);
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (!linked)
+    {
+      char log[512] = "";
+      glGetProgramInfoLog(program, sizeof(log), nullptr, log);
+      this->Error = log;
+    }
+  }
+  if (!linked)
+  {
+    glDeleteProgram(program);
+    return false;
+  }
+  this->Program = program;
+  glGenVertexArrays(1, &this->VertexArray);
+  glGenQueries(1, &this->Query);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::Use() const
+{
+  glUseProgram(this->Program);
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::SetUniform(const char* name, int value) const
+{
+  glUniform1i(glGetUniformLocation(this->Program, name), value);
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::SetUniform(const char* name, const float* rowsOf4, int numberOfRows) const
+{
+  glUniform4fv(glGetUniformLocation(this->Program, name), numberOfRows, rowsOf4);
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::SetMatrix(const char* name, const float values[16]) const
+{
+  glUniformMatrix4fv(glGetUniformLocation(this->Program, name), 1, GL_FALSE, values);
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::SetTable(const char* name, const TextureBuffer& table, int unit) const
+{
+  table.Bind(unit);
+  this->SetUniform(name, unit);
+}
+
+//------------------------------------------------------------------------------
+std::size_t FeedbackProgram::Run(std::size_t numberOfPoints, TextureBuffer& output) const
+{
+  GLuint rows = 0;
+  glBindVertexArray(this->VertexArray);
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, output.GetBuffer());
+  glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, this->Query);
+  glBeginTransformFeedback(GL_POINTS);
+  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(numberOfPoints));
+  glEndTransformFeedback();
+  glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  glDisable(GL_RASTERIZER_DISCARD);
+  glBindVertexArray(0);
+  glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT, &rows);
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::Release()
+{
+  if (this->Program)
+  {
+    glDeleteProgram(this->Program);
+    glDeleteVertexArrays(1, &this->VertexArray);
+    glDeleteQueries(1, &this->Query);
+  }
+  this->Program = this->VertexArray = this->Query = 0;
+}
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FeedbackProgram
+ * @brief Shaders that compute rows of a table instead of pixels (transform feedback of OpenGL 3.2).
+ *
+ * VTK's vtkTransformFeedback knows no integer outputs and has its shaders compiled anew for every
+ * buffer. All methods need the context of the window current, and none of VTK's programs in use (see
+ * vtkOpenGLShaderCache::ReleaseCurrentShader).
+ */
+#ifndef camaron_FeedbackProgram_h
+#define camaron_FeedbackProgram_h
+
+#include <cstddef> // for counts
+#include <string>  // for errors
+
+namespace camaron
+{
+class TextureBuffer;
+
+class FeedbackProgram
+{
+public:
+  FeedbackProgram() = default;
+  FeedbackProgram(const FeedbackProgram&) = delete;
+  FeedbackProgram& operator=(const FeedbackProgram&) = delete;
+
+  /**
+   * Compiles the shaders, once.
+   * @param geometry null: every input point gives one output row
+   * @param output the name of the variable that is written
+   * @return true when the program is ready; else GetError says why not
+   */
+  bool Build(const char* vertex, const char* geometry, const char* output);
+  const std::string& GetError() const { return this->Error; }
+
+  /// Makes the program the current one, for the uniforms that follow and for Run.
+  void Use() const;
+  void SetUniform(const char* name, int value) const;
+  void SetUniform(const char* name, const float* rowsOf4, int numberOfRows) const;
+  void SetMatrix(const char* name, const float values[16]) const;
+  /// Makes @a table the sampler @a name, through texture unit @a unit.
+  void SetTable(const char* name, const TextureBuffer& table, int unit) const;
+
+  /**
+   * Runs the vertex shader for @a numberOfPoints points and writes to the rows of @a output, as many as it
+   * has at most.
+   * @return the number of rows written
+   */
+  std::size_t Run(std::size_t numberOfPoints, TextureBuffer& output) const;
+
+  void Release();
+
+private:
+  unsigned int Program = 0;
+  unsigned int VertexArray = 0;
+  unsigned int Query = 0;
+  std::string Error;
+};
+}
+
+#endif

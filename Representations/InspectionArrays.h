@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file InspectionArrays.h
+ * @brief Names of the arrays that go with a mesh to where it is drawn.
+ */
+#ifndef camaron_InspectionArrays_h
+#define camaron_InspectionArrays_h
+
+namespace camaron
+{
+/// Of the cells: made by Select Elements, not 0 for selected ones.
+constexpr const char* SelectedArrayName = "Selected";
+
+///@{
+/// Where cells and points come from: made by vtkInspectionMesh where ids could get lost on the way.
+constexpr const char* CellIdsName = "InspectionCellIds";
+constexpr const char* PointIdsName = "InspectionPointIds";
+constexpr const char* ProcessIdsName = "InspectionProcesses";
+constexpr const char* BlockIdsName = "InspectionBlocks";
+///@}
+}
+
+#endif

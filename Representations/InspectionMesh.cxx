@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InspectionMesh.h"
+
+#include "InspectionArrays.h"
+
+#include "Drawing/DrawableFaces.h"
+#include "Mesh/MeshTopology.h"
+#include "Parallel.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1 << 14;
+
+const unsigned char* GetGhosts(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  return ghosts ? ghosts->GetPointer(0) : nullptr;
+}
+
+// Fills and uploads a table of `size` rows in parallel.
+template <typename Value, typename Function>
+void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
+{
+  std::vector<Value> rows(size);
+  ParallelFor(size, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        rows[i] = value(i);
+      }
+    });
+  table.Upload(rows.data(), rows.size());
+}
+}
+
+//------------------------------------------------------------------------------
+InspectionMesh::~InspectionMesh() = default;
+
+//------------------------------------------------------------------------------
+InspectionMesh::Version_t InspectionMesh::GetVersionOf(const std::vector<vtkObject*>& arrays)
+{
+  Version_t version;
+  for (vtkObject* array : arrays)
+  {
+    version.emplace_back(array, array ? array->GetMTime() : 0);
+  }
+  return version;
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::Update()
+{
+  Version_t geometry, selected;
+  if (this->Grid && this->Grid->GetPoints() && this->Grid->GetNumberOfCells() > 0)
+  {
+    vtkCellArray* cells = this->Grid->GetCells();
+    geometry = GetVersionOf({ this->Grid->GetPoints()->GetData(), cells->GetOffsetsArray(),
+      cells->GetConnectivityArray(), this->Grid->GetCellTypesArray(),
+      this->Grid->GetCellGhostArray() });
+    selected =
+      GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),
+        this->Grid->GetCellGhostArray() });
+  }
+  if (geometry != this->Geometry)
+  {
+    this->Release();
+    this->Geometry = geometry;
+    double bounds[6] = { 0, 0, 0, 0, 0, 0 };
+    if (!geometry.empty())
+    {
+      this->Grid->GetBounds(bounds);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Middle[i] = 0.5 * bounds[2 * i] + 0.5 * bounds[2 * i + 1];
+    }
+  }
+  if (selected != this->Selected)
+  {
+    this->Selected = selected;
+    this->Marks.Release();
+    this->Owners.Release();
+    ++this->Version;
+  }
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::NeedFaces(bool inner)
+{
+  if (this->Triangles.IsUploaded() && (this->HasInnerFaces || !inner))
+  {
+    return;
+  }
+  const MeshTopology topology(this->Grid);
+  const DrawableFaces faces = MakeDrawableFaces(
+    topology, GetGhosts(this->Grid), inner ? FacesToDraw::All : FacesToDraw::Outer);
+  this->Triangles.Upload(faces.Triangles.data(), faces.Triangles.size());
+  this->Faces.Upload(faces.Faces.data(), faces.Faces.size());
+  this->NumberOfOuterTriangles = faces.NumberOfOuterTriangles;
+  this->HasInnerFaces = inner;
+  ++this->Version;
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::NeedPoints()
+{
+  if (!this->Points.IsUploaded())
+  {
+    const MeshView mesh(this->Grid);
+    Fill<std::array<float, 4>>(this->Points, mesh.GetNumberOfPoints(),
+      [&](vtkIdType point)
+      {
+        double x[3];
+        mesh.GetPoint(point, x);
+        return std::array<float, 4>{ { static_cast<float>(x[0] - this->Middle[0]),
+          static_cast<float>(x[1] - this->Middle[1]), static_cast<float>(x[2] - this->Middle[2]),
+          1.0f } };
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::NeedMarks()
+{
+  if (!this->Marks.IsUploaded())
+  {
+    const unsigned char* ghosts = GetGhosts(this->Grid);
+    vtkDataArray* selected = this->Grid->GetCellData()->GetArray(SelectedArrayName);
+    Fill<unsigned char>(this->Marks, this->Grid->GetNumberOfCells(),
+      [&](vtkIdType cell)
+      {
+        const int ghost = ghosts ? ghosts[cell] : 0;
+        return static_cast<unsigned char>(
+          (ghost & vtkDataSetAttributes::DUPLICATECELL ? 1 : 0) |
+          (ghost & vtkDataSetAttributes::HIDDENCELL ? 2 : 0) |
+          (selected && selected->GetComponent(cell, 0) != 0 ? 4 : 0));
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::NeedCentroids()
+{
+  if (!this->Centroids.IsUploaded())
+  {
+    const MeshView mesh(this->Grid);
+    Fill<std::array<float, 4>>(this->Centroids, mesh.GetNumberOfCells(),
+      [&](vtkIdType cell)
+      {
+        const IndexRange points = mesh.GetCellPoints(cell);
+        double sum[3] = { 0, 0, 0 };
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          double x[3];
+          mesh.GetPoint(points[i], x);
+          for (int k = 0; k < 3; ++k)
+          {
+            sum[k] += x[k] - this->Middle[k];
+          }
+        }
+        const double size = points.Size > 0 ? static_cast<double>(points.Size) : 1.0;
+        return std::array<float, 4>{ { static_cast<float>(sum[0] / size),
+          static_cast<float>(sum[1] / size), static_cast<float>(sum[2] / size), 1.0f } };
+      });
+  }
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::NeedConnectivity()
+{
+  if (!this->CellOffsets.IsUploaded())
+  {
+    const IndexLists cells(this->Grid->GetCells());
+    const vtkIdType numberOfCells = this->Grid->GetNumberOfCells();
+    Fill<std::uint32_t>(this->CellOffsets, numberOfCells + 1,
+      [&](vtkIdType cell) { return static_cast<std::uint32_t>(cells.Offsets[cell]); });
+    Fill<std::uint32_t>(this->CellPoints, cells.Offsets[numberOfCells],
+      [&](vtkIdType i) { return static_cast<std::uint32_t>(cells.Values[i]); });
+  }
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::NeedOwners()
+{
+  if (!this->Owners.IsUploaded())
+  {
+    vtkCellData* data = this->Grid->GetCellData();
+    vtkDataArray* processes = data->GetArray(ProcessIdsName);
+    vtkDataArray* blocks = data->GetArray(BlockIdsName);
+    const auto get = [](vtkDataArray* array, vtkIdType cell)
+    { return array ? static_cast<std::uint32_t>(array->GetComponent(cell, 0)) : 0u; };
+    Fill<std::array<std::uint32_t, 2>>(this->Owners, this->Grid->GetNumberOfCells(),
+      [&](vtkIdType cell)
+      { return std::array<std::uint32_t, 2>{ { get(processes, cell), get(blocks, cell) } }; });
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t InspectionMesh::GetMemorySize() const
+{
+  std::size_t size = 0;
+  for (const TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
+         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners })
+  {
+    size += table->GetMemorySize();
+  }
+  return size;
+}
+
+//------------------------------------------------------------------------------
+void InspectionMesh::Release()
+{
+  for (TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
+         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners })
+  {
+    table->Release();
+  }
+  this->HasInnerFaces = false;
+  this->NumberOfOuterTriangles = 0;
+  ++this->Version;
+}
+}

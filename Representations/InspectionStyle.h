@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file InspectionStyle.h
+ * @brief What a Mesh Inspection shows and how; the properties of the representation, all in one place.
+ */
+#ifndef camaron_InspectionStyle_h
+#define camaron_InspectionStyle_h
+
+#include <array>  // for colours and planes
+#include <string> // for array names
+#include <vector> // for planes
+
+namespace camaron
+{
+/// Which of the faces of the cells that are drawn.
+enum class Walls
+{
+  Surface,  ///< those with one such cell
+  Interior, ///< those between two
+  Complete  ///< all, once for each cell
+};
+
+/// Which cells are drawn, by the array Selected that Select Elements makes.
+enum class Chosen
+{
+  All,
+  Selected,
+  Unselected
+};
+
+/// How the shape that cuts tells cells inside from cells outside.
+enum class CutBy
+{
+  Nothing,
+  Centroid,
+  AnyVertex,
+  AllVertices
+};
+
+/// A convex shape in the coordinates of the mesh.
+struct ConvexShape
+{
+  /// Inside where a x + b y + c z + d <= 0 for all of them. None: a sphere.
+  std::vector<std::array<double, 4>> Planes;
+  /// Takes the sphere to the unit sphere; row by row.
+  std::array<double, 16> ToUnitSphere = {};
+
+  bool operator==(const ConvexShape& other) const
+  {
+    return this->Planes == other.Planes && this->ToUnitSphere == other.ToUnitSphere;
+  }
+};
+
+using Color = std::array<double, 3>;
+
+struct InspectionStyle
+{
+  bool Faces = true;
+  bool Edges = true;
+  bool EdgesOfSelectedOnly = false;
+  bool Glass = false; ///< this mapper draws nothing but the glass shell
+  double GlassStrength = 0.5;
+
+  Walls WallsToDraw = Walls::Surface;
+  Chosen CellsToDraw = Chosen::All;
+  double ShrinkFactor = 1;  ///< 1: cells as they are, 0: shrunk to their centroid
+  double ExplodeFactor = 0; ///< 0: cells where they are, 1: twice as far from the middle of the mesh
+
+  CutBy Cut = CutBy::Nothing;
+  bool KeepInside = false;
+  bool CutFaces = false; ///< walls that the cut opens have their own colour
+  Color CutColor = { { 0.9, 0.75, 0.4 } };
+  ConvexShape Shape;
+
+  bool Isolines = false;
+  std::string IsolineArray; ///< of the points; one component or the magnitude
+  double IsolineFirst = 0;
+  double IsolineSpacing = 1;
+  double IsolineWidth = 1.5; ///< pixels
+  Color IsolineColor = { { 0, 0, 0 } };
+
+  /// True when cells move, so that each needs its own faces.
+  bool MovesCells() const { return this->ShrinkFactor != 1 || this->ExplodeFactor != 0; }
+  /// True when the faces that are seen are just those with one cell in the mesh.
+  bool IsWholeSurface() const
+  {
+    return this->WallsToDraw == Walls::Surface && this->CellsToDraw == Chosen::All &&
+      this->Cut == CutBy::Nothing && !this->MovesCells();
+  }
+};
+}
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderModes.h"
+
+#include "CutFacesGLSL.h"
+#include "GlassGLSL.h"
+#include "IsolinesGLSL.h"
+#include "PropertyGLSL.h"
+#include "WireframeGLSL.h"
+
+#include "vtkProperty.h"
+#include "vtkShaderProgram.h"
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+void SetNothing(vtkShaderProgram*, const RenderContext&) {}
+
+//------------------------------------------------------------------------------
+void SetWireframe(vtkShaderProgram* program, const RenderContext& context)
+{
+  const int* viewport = context.Viewport;
+  const float origin[2] = { static_cast<float>(viewport[0]), static_cast<float>(viewport[1]) };
+  const float size[2] = { static_cast<float>(viewport[2]), static_cast<float>(viewport[3]) };
+  program->SetUniform2f("viewportOrigin", origin);
+  program->SetUniform2f("viewportSize", size);
+  program->SetUniformf("edgeWidth", static_cast<float>(context.Property->GetLineWidth()));
+  program->SetUniform3f("edgesColor", context.Property->GetEdgeColor());
+  program->SetUniformf("edgesOpacity", static_cast<float>(context.Property->GetEdgeOpacity()));
+  program->SetUniformi("hasFaces", context.Style.Faces ? 1 : 0);
+  program->SetUniformi("edgesOfSelectedOnly", context.Style.EdgesOfSelectedOnly ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void SetIsolines(vtkShaderProgram* program, const RenderContext& context)
+{
+  const InspectionStyle& style = context.Style;
+  program->SetUniformf("isolineFirst", static_cast<float>(style.IsolineFirst));
+  program->SetUniformf("isolineSpacing", static_cast<float>(style.IsolineSpacing));
+  program->SetUniformf("isolineWidth", static_cast<float>(style.IsolineWidth));
+  program->SetUniform3f("isolineColor", style.IsolineColor.data());
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<RenderMode>& GetRenderModes()
+{
+  using Style = InspectionStyle;
+  using Context = RenderContext;
+  static const std::vector<RenderMode> modes = {
+    { [](const Style&) { return true; }, nullptr, PropertyGLSL,
+      "property(ambientColor, diffuseColor, opacity);", false, &SetNothing },
+    { [](const Style& style) { return style.CutFaces && !style.Glass; }, nullptr, CutFacesGLSL,
+      "cutFaces(ambientColor, diffuseColor, opacity);", false,
+      [](vtkShaderProgram* program, const Context& context)
+      { program->SetUniform3f("cutColor", context.Style.CutColor.data()); } },
+    { [](const Style& style) { return style.Isolines && !style.Glass; }, "HAS_ISOLINES", IsolinesGLSL,
+      "isolines(ambientColor, diffuseColor, opacity);", false, &SetIsolines },
+    { [](const Style& style) { return style.Edges && !style.Glass; }, "HAS_LINES", WireframeGLSL,
+      "wireframe(ambientColor, diffuseColor, opacity);", false, &SetWireframe },
+    { [](const Style& style) { return style.Glass; }, nullptr, GlassGLSL,
+      "glass(opacity, normalVCVSOutput, vertexVC.xyz);", true,
+      [](vtkShaderProgram* program, const Context& context)
+      { program->SetUniformf("glassStrength", static_cast<float>(context.Style.GlassStrength)); } },
+  };
+  return modes;
+}
+
+//------------------------------------------------------------------------------
+RenderModeCode GetRenderModeCode(const InspectionStyle& style, bool hasLight)
+{
+  RenderModeCode code;
+  for (const RenderMode& mode : GetRenderModes())
+  {
+    if (!mode.IsOn(style) || (mode.NeedsNormal && !hasLight))
+    {
+      continue;
+    }
+    if (mode.Define)
+    {
+      code.Defines += std::string("#define ") + mode.Define + "\n";
+    }
+    code.Declarations += mode.Source;
+    (mode.NeedsNormal ? code.NormalCalls : code.ColorCalls) += std::string("  ") + mode.Call + "\n";
+  }
+  return code;
+}
+}

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShapeConversion.h"
+
+#include "vtkAbstractTransform.h"
+#include "vtkBox.h"
+#include "vtkDataArray.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPlanes.h"
+#include "vtkPVPlane.h"
+#include "vtkPoints.h"
+#include "vtkSphere.h"
+
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+constexpr int MaxPlanes = 64; // as InShape.glsl
+
+//------------------------------------------------------------------------------
+// False for a normal without a direction. The length does not matter, but float must be able to hold it.
+bool AddPlane(const double origin[3], const double normal[3], ConvexShape& shape)
+{
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  if (!(length > 0) || !std::isfinite(length))
+  {
+    return false;
+  }
+  std::array<double, 4> plane;
+  plane[3] = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    plane[i] = normal[i] / length;
+    plane[3] -= plane[i] * origin[i];
+  }
+  shape.Planes.push_back(plane);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// ParaView's plane has an offset along its normal.
+std::array<double, 3> GetOrigin(vtkPlane* plane)
+{
+  std::array<double, 3> origin;
+  plane->GetOrigin(origin.data());
+  if (auto* shifted = vtkPVPlane::SafeDownCast(plane))
+  {
+    const double* normal = plane->GetNormal();
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    for (int i = 0; i < 3 && length > 0; ++i)
+    {
+      origin[i] += shifted->GetOffset() * normal[i] / length;
+    }
+  }
+  return origin;
+}
+
+//------------------------------------------------------------------------------
+bool AddBox(vtkBox* box, ConvexShape& shape)
+{
+  double bounds[6];
+  box->GetBounds(bounds);
+  for (int side = 0; side < 6; ++side)
+  {
+    double origin[3] = { 0, 0, 0 };
+    double normal[3] = { 0, 0, 0 };
+    origin[side / 2] = bounds[side];
+    normal[side / 2] = side % 2 ? 1 : -1;
+    AddPlane(origin, normal, shape);
+  }
+  return bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5];
+}
+
+//------------------------------------------------------------------------------
+bool AddPlanes(vtkPlanes* planes, ConvexShape& shape)
+{
+  vtkPoints* points = planes->GetPoints();
+  vtkDataArray* normals = planes->GetNormals();
+  if (!points || !normals || points->GetNumberOfPoints() != normals->GetNumberOfTuples() ||
+    points->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    if (!AddPlane(points->GetPoint(i), normals->GetTuple(i), shape))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool SetSphere(vtkSphere* sphere, ConvexShape& shape)
+{
+  const double radius = sphere->GetRadius();
+  double center[3];
+  sphere->GetCenter(center);
+  shape.ToUnitSphere = {};
+  for (int i = 0; i < 3; ++i)
+  {
+    shape.ToUnitSphere[5 * i] = 1 / radius;
+    shape.ToUnitSphere[4 * i + 3] = -center[i] / radius;
+  }
+  shape.ToUnitSphere[15] = 1;
+  return radius > 0 && std::isfinite(radius);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string ConvertShape(vtkImplicitFunction* function, ConvexShape& shape)
+{
+  ConvexShape converted;
+  bool isValid = false;
+  if (auto* sphere = vtkSphere::SafeDownCast(function))
+  {
+    isValid = SetSphere(sphere, converted);
+  }
+  else if (auto* box = vtkBox::SafeDownCast(function))
+  {
+    isValid = AddBox(box, converted);
+  }
+  else if (auto* plane = vtkPlane::SafeDownCast(function))
+  {
+    isValid = AddPlane(GetOrigin(plane).data(), plane->GetNormal(), converted);
+  }
+  else if (auto* planes = vtkPlanes::SafeDownCast(function))
+  {
+    isValid = AddPlanes(planes, converted);
+  }
+  else
+  {
+    return "Cut Shape must be a sphere, a plane, planes or a box.";
+  }
+  if (!isValid)
+  {
+    return "Cut Shape has no inside: a radius and normals must be finite and not 0.";
+  }
+  if (converted.Planes.size() > MaxPlanes)
+  {
+    return "Cut Shape can have up to " + std::to_string(MaxPlanes) + " planes, found " +
+      std::to_string(converted.Planes.size()) + ".";
+  }
+  if (vtkAbstractTransform* transform = function->GetTransform())
+  {
+    auto* linear = vtkHomogeneousTransform::SafeDownCast(transform);
+    if (!linear)
+    {
+      return "Cut Shape must be moved by a linear transform.";
+    }
+    linear->Update();
+    converted = TransformShape(converted, linear->GetMatrix());
+  }
+  shape = converted;
+  return "";
+}
+
+//------------------------------------------------------------------------------
+ConvexShape TransformShape(const ConvexShape& shape, vtkMatrix4x4* toShape)
+{
+  ConvexShape transformed;
+  for (const std::array<double, 4>& plane : shape.Planes)
+  {
+    // A plane is a row: plane * matrix. Normals of length 1 again, for float.
+    std::array<double, 4> row = {};
+    for (int k = 0; k < 4; ++k)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        row[k] += plane[i] * toShape->GetElement(i, k);
+      }
+    }
+    const double length = std::hypot(row[0], row[1], row[2]);
+    for (double& value : row)
+    {
+      value /= length > 0 ? length : 1;
+    }
+    transformed.Planes.push_back(row);
+  }
+  vtkMatrix4x4::Multiply4x4(
+    shape.ToUnitSphere.data(), toShape->GetData(), transformed.ToUnitSphere.data());
+  return transformed;
+}
+}

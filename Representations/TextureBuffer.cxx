@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TextureBuffer.h"
+
+#include "OpenGL.h"
+
+namespace camaron
+{
+namespace
+{
+struct Format
+{
+  GLenum Name;
+  std::size_t Bytes;
+};
+
+// In the order of TextureBuffer::Row.
+constexpr Format Formats[] = {
+  { GL_RGBA32F, 16 },
+  { GL_RG32F, 8 },
+  { GL_R32F, 4 },
+  { GL_RGBA8, 4 },
+  { GL_RGBA32UI, 16 },
+  { GL_RG32UI, 8 },
+  { GL_R32UI, 4 },
+  { GL_R8UI, 1 },
+};
+
+const Format& GetFormat(TextureBuffer::Row row)
+{
+  return Formats[static_cast<int>(row)];
+}
+}
+
+//------------------------------------------------------------------------------
+void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
+{
+  const Format& format = GetFormat(this->Kind);
+  const bool isNew = this->Buffer == 0;
+  if (isNew)
+  {
+    glGenBuffers(1, &this->Buffer);
+    glGenTextures(1, &this->Texture);
+  }
+  // An empty table cannot be bound: it gets one row that nobody reads.
+  const std::size_t bytes = (numberOfRows > 0 ? numberOfRows : 1) * format.Bytes;
+  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes),
+    numberOfRows > 0 ? rows : nullptr, GL_STATIC_DRAW);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+  if (isNew)
+  {
+    glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+    glTexBuffer(GL_TEXTURE_BUFFER, format.Name, this->Buffer);
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+  }
+  this->NumberOfRows = numberOfRows;
+}
+
+//------------------------------------------------------------------------------
+void TextureBuffer::Change(const void* rows, std::size_t first, std::size_t numberOfRows)
+{
+  const std::size_t bytes = GetFormat(this->Kind).Bytes;
+  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+  glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first * bytes),
+    static_cast<GLsizeiptr>(numberOfRows * bytes), rows);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
+void TextureBuffer::Bind(int unit) const
+{
+  glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+}
+
+//------------------------------------------------------------------------------
+void TextureBuffer::Release()
+{
+  if (this->Buffer)
+  {
+    glDeleteTextures(1, &this->Texture);
+    glDeleteBuffers(1, &this->Buffer);
+  }
+  this->Texture = this->Buffer = 0;
+  this->NumberOfRows = 0;
+}
+
+//------------------------------------------------------------------------------
+std::size_t TextureBuffer::GetMemorySize() const
+{
+  return this->NumberOfRows * GetFormat(this->Kind).Bytes;
+}
+}

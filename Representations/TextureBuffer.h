@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::TextureBuffer
+ * @brief A table in graphics memory that shaders read by row (a texture buffer of OpenGL 3.1).
+ *
+ * VTK's own texture buffers have no integer rows. All methods need the context of the window current.
+ */
+#ifndef camaron_TextureBuffer_h
+#define camaron_TextureBuffer_h
+
+#include <cstddef> // for sizes
+
+namespace camaron
+{
+class TextureBuffer
+{
+public:
+  /// What a row holds.
+  enum class Row
+  {
+    Float4, ///< vec4
+    Float2, ///< vec2
+    Float,  ///< float
+    Color,  ///< four bytes as a vec4 from 0 to 1
+    UInt4,  ///< uvec4
+    UInt2,  ///< uvec2
+    UInt,   ///< uint
+    Byte    ///< one byte as a uint
+  };
+
+  explicit TextureBuffer(Row row)
+    : Kind(row)
+  {
+  }
+  TextureBuffer(const TextureBuffer&) = delete;
+  TextureBuffer& operator=(const TextureBuffer&) = delete;
+
+  /// Replaces the table; null leaves its rows undefined, for the graphics card to write.
+  void Upload(const void* rows, std::size_t numberOfRows);
+  /// Replaces @a numberOfRows rows from row @a first on.
+  void Change(const void* rows, std::size_t first, std::size_t numberOfRows);
+  /// Makes the table known to shaders as the texture of a unit (0, 1, ...).
+  void Bind(int unit) const;
+  /// Gives the memory back; the table can be uploaded again.
+  void Release();
+
+  bool IsUploaded() const { return this->Buffer != 0; }
+  unsigned int GetBuffer() const { return this->Buffer; }
+  std::size_t GetNumberOfRows() const { return this->NumberOfRows; }
+  /// Bytes held in graphics memory.
+  std::size_t GetMemorySize() const;
+
+private:
+  const Row Kind;
+  unsigned int Buffer = 0;
+  unsigned int Texture = 0;
+  std::size_t NumberOfRows = 0;
+};
+}
+
+#endif

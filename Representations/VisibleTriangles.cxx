@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "VisibleTriangles.h"
+
+#include "InShapeGLSL.h"
+#include "InspectionMesh.h"
+#include "KeepCellsVS.h"
+#include "VisibleTrianglesGS.h"
+#include "VisibleTrianglesVS.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+constexpr int MaxPlanes = 64; // as InShape.glsl
+
+// The shape in the coordinates of the tables, which are relative to the middle of the mesh.
+void SetShape(
+  const FeedbackProgram& program, const ConvexShape& shape, const std::array<double, 3>& middle)
+{
+  const int numberOfPlanes = std::min(static_cast<int>(shape.Planes.size()), MaxPlanes);
+  std::vector<float> planes(4 * MaxPlanes, 0.0f);
+  for (int i = 0; i < numberOfPlanes; ++i)
+  {
+    const std::array<double, 4>& plane = shape.Planes[i];
+    for (int k = 0; k < 3; ++k)
+    {
+      planes[4 * i + k] = static_cast<float>(plane[k]);
+    }
+    planes[4 * i + 3] = static_cast<float>(
+      plane[3] + plane[0] * middle[0] + plane[1] * middle[1] + plane[2] * middle[2]);
+  }
+  float columns[16];
+  for (int row = 0; row < 4; ++row)
+  {
+    const double* from = &shape.ToUnitSphere[4 * row];
+    for (int k = 0; k < 3; ++k)
+    {
+      columns[4 * k + row] = static_cast<float>(from[k]);
+    }
+    columns[12 + row] = static_cast<float>(
+      from[3] + from[0] * middle[0] + from[1] * middle[1] + from[2] * middle[2]);
+  }
+  program.SetUniform("numberOfPlanes", numberOfPlanes);
+  program.SetUniform("planes", planes.data(), MaxPlanes);
+  program.SetMatrix("toUnitSphere", columns);
+}
+}
+
+//------------------------------------------------------------------------------
+bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style)
+{
+  const bool hasCut = style.Cut != CutBy::Nothing;
+  const Walls walls = style.MovesCells() && style.WallsToDraw == Walls::Surface
+    ? Walls::Complete
+    : style.WallsToDraw;
+  mesh.NeedFaces(true);
+  mesh.NeedPoints();
+  mesh.NeedMarks();
+  if (style.Cut == CutBy::Centroid)
+  {
+    mesh.NeedCentroids();
+  }
+  else if (hasCut)
+  {
+    mesh.NeedConnectivity();
+  }
+  Request request;
+  request.Version = mesh.GetVersion();
+  request.WallsToDraw = walls;
+  request.CellsToDraw = style.CellsToDraw;
+  if (hasCut)
+  {
+    request.Cut = style.Cut;
+    request.KeepInside = style.KeepInside;
+    request.Shape = style.Shape;
+  }
+  if (request == this->Last && this->Table.IsUploaded())
+  {
+    return true;
+  }
+  const std::string keepCells = std::string("#version 150\n") + InShapeGLSL + KeepCellsVS;
+  if (!this->CellProgram.Build(keepCells.c_str(), nullptr, "keep") ||
+    !this->TriangleProgram.Build(VisibleTrianglesVS, VisibleTrianglesGS, "visible"))
+  {
+    this->Error = this->CellProgram.GetError() + this->TriangleProgram.GetError();
+    return false;
+  }
+  this->KeepCells(mesh, style);
+
+  const std::size_t numberOfTriangles = mesh.Triangles.GetNumberOfRows();
+  const std::size_t capacity = (walls == Walls::Complete ? 2 : 1) * numberOfTriangles;
+  if (this->Table.GetNumberOfRows() != capacity)
+  {
+    this->Table.Upload(nullptr, capacity);
+  }
+  this->TriangleProgram.Use();
+  this->TriangleProgram.SetTable("triangleTable", mesh.Triangles, 0);
+  this->TriangleProgram.SetTable("faceTable", mesh.Faces, 1);
+  this->TriangleProgram.SetTable("keepTable", this->Keep, 2);
+  this->TriangleProgram.SetUniform(
+    "wallsToDraw", walls == Walls::Complete ? 2 : walls == Walls::Interior ? 1 : 0);
+  this->NumberOfTriangles = this->TriangleProgram.Run(numberOfTriangles, this->Table);
+  this->Last = request;
+  ++this->NumberOfRuns;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void VisibleTriangles::KeepCells(InspectionMesh& mesh, const InspectionStyle& style)
+{
+  const std::size_t numberOfCells = mesh.Marks.GetNumberOfRows();
+  if (this->Keep.GetNumberOfRows() != numberOfCells)
+  {
+    this->Keep.Upload(nullptr, numberOfCells);
+  }
+  const FeedbackProgram& program = this->CellProgram;
+  program.Use();
+  program.SetTable("markTable", mesh.Marks, 0);
+  program.SetTable("pointTable", mesh.Points, 1);
+  // Tables that the choice does not need are not there: any other of the kind stands in for them.
+  const bool hasCentroids = mesh.Centroids.IsUploaded();
+  const bool hasConnectivity = mesh.CellOffsets.IsUploaded();
+  program.SetTable("centroidTable", hasCentroids ? mesh.Centroids : mesh.Points, 2);
+  program.SetTable("cellOffsetTable", hasConnectivity ? mesh.CellOffsets : mesh.Marks, 3);
+  program.SetTable("cellPointTable", hasConnectivity ? mesh.CellPoints : mesh.Marks, 4);
+  program.SetUniform("cutBy", static_cast<int>(style.Cut));
+  program.SetUniform("keepInside", style.KeepInside ? 1 : 0);
+  program.SetUniform("cellsToDraw", static_cast<int>(style.CellsToDraw));
+  SetShape(program, style.Shape, mesh.GetMiddle());
+  program.Run(numberOfCells, this->Keep);
+}
+
+//------------------------------------------------------------------------------
+void VisibleTriangles::Release()
+{
+  this->CellProgram.Release();
+  this->TriangleProgram.Release();
+  this->Keep.Release();
+  this->Table.Release();
+  this->NumberOfTriangles = 0;
+}
+}

@@ -1,0 +1,11 @@
+// Walls that only the cut shows have their own colour.
+uniform vec3 cutColor;
+
+void cutFaces(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
+{
+  if (isCutFace == 1)
+  {
+    ambient = ambientIntensity * cutColor;
+    diffuse = diffuseIntensity * cutColor;
+  }
+}

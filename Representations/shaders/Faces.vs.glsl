@@ -1,0 +1,130 @@
+//VTK::System::Dec
+//Camaron::Defines
+
+// Vertices of the triangles in the list of visible ones. There are no vertex attributes: everything is read
+// from tables by gl_VertexID.
+
+uniform usamplerBuffer visibleTable;  // triangle << 1 | side, of every visible triangle
+uniform usamplerBuffer triangleTable; // three points, face << 3 | edge bits
+uniform usamplerBuffer faceTable;     // the two cells of a face
+uniform samplerBuffer pointTable;     // coordinates from the middle of the mesh
+uniform usamplerBuffer markTable;     // bits of a cell: 1 ghost, 2 hidden, 4 selected
+uniform int isListed;                 // 0: all triangles that are stored are visible
+
+#ifdef HAS_CENTROIDS
+uniform samplerBuffer centroidTable;
+uniform float shrinkFactor; // 1: as they are, 0: to the centroid
+uniform float explodeFactor; // 0: as they are, 1: twice as far from the middle
+#endif
+#ifdef HAS_POINT_COLORS
+uniform samplerBuffer colorTable;
+out vec4 colorOfPoint;
+#endif
+#ifdef HAS_COLOR_COORDINATES
+uniform samplerBuffer colorTable;
+out vec2 colorTCoordVCVSOutput;
+#endif
+#ifdef HAS_LINES
+uniform vec2 viewportSize;
+flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
+#endif
+#ifdef HAS_ISOLINES
+uniform samplerBuffer levelTable;
+out float level;
+#endif
+#ifdef IS_PICKING
+uniform usamplerBuffer ownerTable; // process and block of a cell
+flat out uint pickedPoint;
+flat out uvec2 pickedOwner;
+#endif
+
+flat out uint cellOfFace;
+flat out uint cellMarks;
+flat out int isCutFace;
+
+vec4 vertexMC;
+
+//VTK::CustomUniforms::Dec
+//VTK::PositionVC::Dec
+//VTK::Normal::Dec
+//VTK::Light::Dec
+//VTK::TCoord::Dec
+//VTK::Color::Dec
+//VTK::Clip::Dec
+//VTK::Camera::Dec
+//VTK::PrimID::Dec
+//VTK::ValuePass::Dec
+//VTK::Picking::Dec
+
+vec4 place(uint point, uint cell)
+{
+  vec3 position = texelFetch(pointTable, int(point)).xyz;
+#ifdef HAS_CENTROIDS
+  vec3 center = texelFetch(centroidTable, int(cell)).xyz;
+  position = mix(center, position, shrinkFactor) + explodeFactor * center;
+#endif
+  return vec4(position, 1.0);
+}
+
+#ifdef HAS_LINES
+// The line through two corners in pixels. It needs no division, so corners behind the eye do no harm.
+vec3 lineThrough(vec4 a, vec4 b)
+{
+  vec3 line = cross(vec3((a.xy + a.w) * 0.5 * viewportSize, a.w),
+    vec3((b.xy + b.w) * 0.5 * viewportSize, b.w));
+  return line / length(line.xy);
+}
+#endif
+
+void main()
+{
+  int row = gl_VertexID / 3;
+  int corner = gl_VertexID - 3 * row;
+  uint entry = isListed == 1 ? texelFetch(visibleTable, row).x : uint(row) << 1;
+  int side = int(entry & 1u);
+  uvec4 triangle = texelFetch(triangleTable, int(entry >> 1));
+  uvec2 cells = texelFetch(faceTable, int(triangle.w >> 3)).xy;
+  uint cell = cells[side];
+  // The second cell has the face the other way round.
+  uint point = triangle[side == 1 ? 2 - corner : corner];
+  vertexMC = place(point, cell);
+  cellOfFace = cell;
+  cellMarks = texelFetch(markTable, int(cell)).x;
+  isCutFace = isListed == 1 && cells[1] != 0xffffffffu ? 1 : 0;
+
+#ifdef HAS_POINT_COLORS
+  colorOfPoint = texelFetch(colorTable, int(point));
+#endif
+#ifdef HAS_COLOR_COORDINATES
+  colorTCoordVCVSOutput = texelFetch(colorTable, int(point)).xy;
+#endif
+#ifdef HAS_ISOLINES
+  level = texelFetch(levelTable, int(point)).x;
+#endif
+#ifdef HAS_LINES
+  vec4 a = MCDCMatrix * place(triangle[0], cell);
+  vec4 b = MCDCMatrix * place(triangle[1], cell);
+  vec4 c = MCDCMatrix * place(triangle[2], cell);
+  // A diagonal of a polygon is not an edge: it is infinitely far away.
+  const vec3 nowhere = vec3(0.0, 0.0, 1.0e9);
+  lines[0] = (triangle.w & 1u) != 0u ? lineThrough(a, b) : nowhere;
+  lines[1] = (triangle.w & 2u) != 0u ? lineThrough(b, c) : nowhere;
+  lines[2] = (triangle.w & 4u) != 0u ? lineThrough(c, a) : nowhere;
+#endif
+#ifdef IS_PICKING
+  pickedPoint = point;
+  pickedOwner = texelFetch(ownerTable, int(cell)).xy;
+#endif
+
+  //VTK::CustomBegin::Impl
+  //VTK::Color::Impl
+  //VTK::Normal::Impl
+  //VTK::TCoord::Impl
+  //VTK::Clip::Impl
+  //VTK::PrimID::Impl
+  //VTK::PositionVC::Impl
+  //VTK::ValuePass::Impl
+  //VTK::Light::Impl
+  //VTK::Picking::Impl
+  //VTK::CustomEnd::Impl
+}

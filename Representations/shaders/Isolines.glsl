@@ -1,0 +1,15 @@
+// Lines where (value - first) / spacing is whole, of constant width in pixels.
+uniform float isolineFirst;
+uniform float isolineSpacing;
+uniform float isolineWidth;
+uniform vec3 isolineColor;
+in float level;
+
+void isolines(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
+{
+  float steps = (level - isolineFirst) / isolineSpacing;
+  float pixels = abs(steps - round(steps)) / max(fwidth(steps), 1.0e-30);
+  float amount = clamp(0.5 * isolineWidth + 0.5 - pixels, 0.0, 1.0);
+  ambient = mix(ambient, isolineColor, amount);
+  diffuse = mix(diffuse, vec3(0.0), amount);
+}

@@ -1,0 +1,30 @@
+#version 150
+// One run for each triangle: from which of its two cells it is seen.
+uniform usamplerBuffer triangleTable;
+uniform usamplerBuffer faceTable;
+uniform usamplerBuffer keepTable;
+uniform int wallsToDraw; // 0: between drawn and not drawn, 1: between two drawn cells, 2: all of drawn cells
+
+flat out uint triangleOfPoint;
+flat out int sides; // bit 1: seen from the first cell, bit 2: from the second
+
+void main()
+{
+  uvec2 cells = texelFetch(faceTable, int(texelFetch(triangleTable, gl_VertexID).w >> 3)).xy;
+  uint first = texelFetch(keepTable, int(cells.x)).x;
+  uint second = cells.y == 0xffffffffu ? 0u : texelFetch(keepTable, int(cells.y)).x;
+  bool isFirst = (first & 1u) == 1u;
+  bool isSecond = (second & 1u) == 1u;
+  bool isWall = isFirst && isSecond;
+  sides = 0;
+  if (isFirst && (first & 2u) == 0u && (wallsToDraw == 2 || isWall == (wallsToDraw == 1)))
+  {
+    sides += 1;
+  }
+  if (isSecond && (second & 2u) == 0u && (wallsToDraw == 2 || (wallsToDraw == 0 && !isWall)))
+  {
+    sides += 2;
+  }
+  triangleOfPoint = uint(gl_VertexID);
+  gl_Position = vec4(0.0);
+}

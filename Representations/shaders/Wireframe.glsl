@@ -1,0 +1,30 @@
+// Edges of the faces in a single pass: the distance to the nearest edge, in pixels, decides.
+flat in vec3 lines[3];
+uniform vec2 viewportOrigin;
+uniform float edgeWidth;
+uniform vec3 edgesColor;
+uniform float edgesOpacity;
+uniform int hasFaces;            // 0: edges alone
+uniform int edgesOfSelectedOnly; // 1: of the cells marked as selected
+
+void wireframe(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
+{
+  vec3 pixel = vec3(gl_FragCoord.xy - viewportOrigin, 1.0);
+  float nearest = min(abs(dot(lines[0], pixel)), min(abs(dot(lines[1], pixel)), abs(dot(lines[2], pixel))));
+  float amount = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0);
+  if (edgesOfSelectedOnly == 1 && (cellMarks & 4u) == 0u)
+  {
+    amount = 0.0;
+  }
+  if (hasFaces == 0)
+  {
+    if (amount < 0.5)
+    {
+      discard;
+    }
+    amount = 1.0;
+  }
+  amount *= hasFaces == 1 ? edgesOpacity : 1.0;
+  ambient = mix(ambient, edgesColor, amount);
+  diffuse = mix(diffuse, vec3(0.0), amount);
+}

@@ -1,0 +1,625 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshInspectionMapper.h"
+
+#include "FacesVS.h"
+#include "InspectionArrays.h"
+#include "InspectionColors.h"
+#include "InspectionMesh.h"
+#include "InspectionStyle.h"
+#include "PickingGLSL.h"
+#include "RenderModes.h"
+#include "SelectorPixels.h"
+#include "VisibleTriangles.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithmOutput.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkOpenGLTexture.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "OpenGL.h"
+
+using namespace camaron;
+
+vtkStandardNewMacro(vtkMeshInspectionMapper);
+
+//==============================================================================
+class vtkMeshInspectionMapper::Internals
+{
+public:
+  InspectionStyle Style;
+  std::shared_ptr<InspectionMesh> Mesh = std::make_shared<InspectionMesh>();
+  bool OwnsMesh = true;
+  VisibleTriangles Visible;
+  bool IsListed = false;
+  std::size_t NumberOfTriangles = 0;
+
+  InspectionColors Colors;
+  TextureBuffer Levels{ TextureBuffer::Row::Float };
+  vtkSmartPointer<vtkDataArray> LevelArray;
+  vtkMTimeType LevelTime = 0;
+
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  vtkNew<vtkPolyData> Placeholder;
+  RenderModeCode Code;
+  std::string ShaderKey;
+
+  unsigned int VertexArray = 0;
+  vtkTextureUnitManager* Units = nullptr;
+  std::vector<int> UsedUnits;
+
+  void UpdateTables(bool isPicking);
+  void UpdateLevels();
+  void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
+  void Detach(vtkOpenGLState* state);
+  void Release();
+};
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
+{
+  this->Mesh->Update();
+  this->IsListed = !this->Style.IsWholeSurface();
+  if (this->IsListed)
+  {
+    if (!this->Visible.Update(*this->Mesh, this->Style))
+    {
+      throw std::runtime_error("The graphics card refuses to cut: " + this->Visible.GetError());
+    }
+    this->NumberOfTriangles = this->Visible.GetNumberOfTriangles();
+  }
+  else
+  {
+    this->Mesh->NeedFaces(false);
+    this->Mesh->NeedPoints();
+    this->Mesh->NeedMarks();
+    this->NumberOfTriangles = this->Mesh->GetNumberOfOuterTriangles();
+  }
+  if (this->Style.MovesCells())
+  {
+    this->Mesh->NeedCentroids();
+  }
+  if (isPicking)
+  {
+    this->Mesh->NeedOwners();
+  }
+  this->UpdateLevels();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::Internals::UpdateLevels()
+{
+  vtkDataArray* array = this->Style.Isolines
+    ? this->Grid->GetPointData()->GetArray(this->Style.IsolineArray.c_str())
+    : nullptr;
+  const vtkMTimeType time = array ? array->GetMTime() : 0;
+  if (array == this->LevelArray && time == this->LevelTime)
+  {
+    return;
+  }
+  this->LevelArray = array;
+  this->LevelTime = time;
+  this->Levels.Release();
+  if (array)
+  {
+    const int size = array->GetNumberOfComponents();
+    std::vector<double> tuple(size);
+    std::vector<float> levels(array->GetNumberOfTuples());
+    for (std::size_t i = 0; i < levels.size(); ++i)
+    {
+      array->GetTuple(static_cast<vtkIdType>(i), tuple.data());
+      double sum = 0;
+      for (const double value : tuple)
+      {
+        sum += value * value;
+      }
+      levels[i] = static_cast<float>(size == 1 ? tuple[0] : std::sqrt(sum));
+    }
+    this->Levels.Upload(levels.data(), levels.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::Internals::Attach(
+  vtkShaderProgram* program, const char* name, const TextureBuffer& table)
+{
+  if (program->IsUniformUsed(name))
+  {
+    const int unit = this->Units->Allocate();
+    this->UsedUnits.push_back(unit);
+    table.Bind(unit);
+    program->SetUniformi(name, unit);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::Internals::Detach(vtkOpenGLState* state)
+{
+  for (const int unit : this->UsedUnits)
+  {
+    this->Units->Free(unit);
+  }
+  this->UsedUnits.clear();
+  state->ResetGLActiveTexture();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::Internals::Release()
+{
+  if (this->OwnsMesh)
+  {
+    this->Mesh->Release();
+  }
+  this->Visible.Release();
+  this->Colors.Release();
+  this->Levels.Release();
+  this->LevelArray = nullptr;
+  if (this->VertexArray)
+  {
+    glDeleteVertexArrays(1, &this->VertexArray);
+    this->VertexArray = 0;
+  }
+}
+
+//==============================================================================
+vtkMeshInspectionMapper::vtkMeshInspectionMapper()
+  : Internal(std::make_unique<Internals>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkMeshInspectionMapper::~vtkMeshInspectionMapper()
+{
+  // The base class would do it too late for our part.
+  this->vtkMeshInspectionMapper::ReleaseGraphicsResources(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::SetStyle(const InspectionStyle& style)
+{
+  this->Internal->Style = style;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::ShareMesh(vtkMeshInspectionMapper* other)
+{
+  this->Internal->Mesh = other->Internal->Mesh;
+  this->Internal->OwnsMesh = false;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshInspectionMapper::GetNumberOfVisibleTriangles() const
+{
+  return static_cast<vtkIdType>(this->Internal->NumberOfTriangles);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshInspectionMapper::GetNumberOfSearches() const
+{
+  return this->Internal->Visible.GetNumberOfRuns();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkMeshInspectionMapper::GetGraphicsMemorySize() const
+{
+  const Internals& self = *this->Internal;
+  return static_cast<vtkIdType>((self.OwnsMesh ? self.Mesh->GetMemorySize() : 0) +
+    self.Visible.GetMemorySize() + self.Colors.GetTable().GetMemorySize() +
+    self.Levels.GetMemorySize());
+}
+
+//------------------------------------------------------------------------------
+// The base class sees a vtkPolyData that has nothing but the points of the grid.
+void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
+  Internals& self = *this->Internal;
+  if (grid != self.Grid)
+  {
+    self.Grid = grid;
+    this->Modified();
+  }
+  const bool isEmpty = !grid || grid->GetNumberOfCells() == 0;
+  if (self.Placeholder->GetPoints() != (isEmpty ? nullptr : grid->GetPoints()))
+  {
+    self.Placeholder->SetPoints(isEmpty ? nullptr : grid->GetPoints());
+  }
+  if (this->GetInput() != self.Placeholder)
+  {
+    this->Superclass::SetInputDataObject(port, self.Placeholder);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The producer has run: ParaView delivers data before it draws.
+void vtkMeshInspectionMapper::SetInputConnection(int port, vtkAlgorithmOutput* connection)
+{
+  vtkDataObject* data = connection
+    ? connection->GetProducer()->GetOutputDataObject(connection->GetIndex())
+    : nullptr;
+  if (vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    this->SetInputDataObject(port, data);
+  }
+  else
+  {
+    this->Superclass::SetInputConnection(port, connection);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::ComputeBounds()
+{
+  vtkUnstructuredGrid* grid = this->Internal->Grid;
+  if (grid && grid->GetNumberOfCells() > 0)
+  {
+    grid->GetBounds(this->Bounds);
+  }
+  else
+  {
+    vtkMath::UninitializeBounds(this->Bounds);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::HasTranslucentPolygonalGeometry()
+{
+  vtkUnstructuredGrid* grid = this->Internal->Grid;
+  if (this->Internal->Style.Glass)
+  {
+    return true;
+  }
+  int cellFlag = 0;
+  vtkAbstractArray* array = grid && this->ScalarVisibility
+    ? vtkAbstractMapper::GetAbstractScalars(
+        grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag)
+    : nullptr;
+  if (!array)
+  {
+    return false;
+  }
+  unsigned char ghostsToSkip = 0;
+  vtkUnsignedCharArray* ghosts =
+    vtkAbstractMapper::GetGhostArray(grid, this->ScalarMode, ghostsToSkip);
+  vtkScalarsToColors* table = this->GetLookupTable();
+  table->Build();
+  return !table->IsOpaque(array, this->ColorMode, this->ArrayComponent, ghosts, ghostsToSkip);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::HasOpaqueGeometry()
+{
+  return !this->HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkActor*)
+{
+  return true; // each table knows for itself
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*)
+{
+  Internals& self = *this->Internal;
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkUnstructuredGrid* grid = self.Grid;
+  self.Mesh->SetGrid(grid);
+  self.Units = window->GetTextureUnitManager();
+  self.NumberOfTriangles = 0;
+  window->GetShaderCache()->ReleaseCurrentShader();
+  if (!self.VertexArray)
+  {
+    glGenVertexArrays(1, &self.VertexArray);
+  }
+  try
+  {
+    self.UpdateTables(renderer->GetSelector() != nullptr);
+  }
+  catch (const std::exception& error)
+  {
+    self.NumberOfTriangles = 0;
+    vtkErrorMacro(<< error.what());
+  }
+
+  // VTK makes the colours; of points they are either colours or coordinates in a texture.
+  int cellFlag = 0;
+  vtkUnsignedCharArray* colors = this->MapScalars(grid, 1.0, cellFlag);
+  using Kind = InspectionColors::Kind;
+  if (this->ColorCoordinates)
+  {
+    self.Colors.Update(Kind::Coordinates, vtkArrayDownCast<vtkDataArray>(this->ColorCoordinates));
+    if (!this->InternalColorTexture)
+    {
+      this->InternalColorTexture = vtkOpenGLTexture::New();
+      this->InternalColorTexture->RepeatOff();
+    }
+    this->InternalColorTexture->SetInputData(this->ColorTextureMap);
+  }
+  else
+  {
+    const vtkIdType size = colors ? colors->GetNumberOfTuples() : 0;
+    const Kind kind = cellFlag == 1 && size == grid->GetNumberOfCells() ? Kind::Cells
+      : cellFlag == 0 && size > 0 && size == grid->GetNumberOfPoints()  ? Kind::Points
+                                                                        : Kind::None;
+    self.Colors.Update(kind, kind == Kind::None ? nullptr : colors);
+  }
+  glUseProgram(0);
+  window->GetState()->ResetGLActiveTexture();
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool base = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
+  Internals& self = *this->Internal;
+  const bool isPicking = renderer->GetSelector() != nullptr;
+  InspectionStyle style = self.Style;
+  style.Isolines = style.Isolines && self.LevelArray;
+  self.Code = GetRenderModeCode(style, this->PrimitiveInfo[&helper].LastLightComplexity > 0);
+  self.Code.Defines += self.Colors.GetDefine();
+  self.Code.Defines += self.Style.MovesCells() ? "#define HAS_CENTROIDS\n" : "";
+  self.Code.Defines += isPicking ? "#define IS_PICKING\n" : "";
+  const std::string key = self.Code.Defines + self.Code.ColorCalls + self.Code.NormalCalls;
+  const bool isNew = key != self.ShaderKey;
+  self.ShaderKey = key;
+  return base || isNew;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  const Internals& self = *this->Internal;
+  std::string vertex = FacesVS;
+  vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
+  shaders[vtkShader::Vertex]->SetSource(vertex);
+  shaders[vtkShader::Geometry]->SetSource("");
+
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  std::string declarations = "flat in uint cellOfFace;\n"
+                             "flat in uint cellMarks;\n"
+                             "flat in int isCutFace;\n" +
+    self.Code.Declarations;
+  if (self.Colors.GetKind() == InspectionColors::Kind::Coordinates)
+  {
+    declarations += "in vec2 colorTCoordVCVSOutput;\nuniform sampler2D colortexture;\n";
+  }
+  // The modes speak of the uniforms of the material and the camera, which VTK declares last.
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + self.Code.Defines);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Edges::Dec", "//VTK::Edges::Dec\n" + declarations);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Edges::Impl", self.Code.ColorCalls + "//VTK::Edges::Impl\n");
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Light::Impl", self.Code.NormalCalls + "//VTK::Light::Impl\n");
+  shaders[vtkShader::Fragment]->SetSource(fragment);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::ReplaceShaderTCoord(
+  std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
+{
+  // There are no texture coordinates but those of colours, which GetShaderTemplate knows.
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::ReplaceShaderPicking(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  const char* id = nullptr;
+  if (selector)
+  {
+    vtkCellData* data = this->Internal->Grid->GetCellData();
+    switch (selector->GetCurrentPass())
+    {
+      case vtkHardwareSelector::POINT_ID_LOW24:
+        id = "pickedPoint";
+        break;
+      case vtkHardwareSelector::POINT_ID_HIGH24:
+        id = "pickedPoint >> 24";
+        break;
+      case vtkHardwareSelector::CELL_ID_LOW24:
+        id = "cellOfFace";
+        break;
+      case vtkHardwareSelector::CELL_ID_HIGH24:
+        id = "cellOfFace >> 24";
+        break;
+      case vtkHardwareSelector::PROCESS_PASS:
+        id = selector->GetUseProcessIdFromData() && data->HasArray(ProcessIdsName)
+          ? "pickedOwner.x + 1u" // 0 is nothing
+          : nullptr;
+        break;
+      case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+        id = data->HasArray(BlockIdsName) ? "pickedOwner.y" : nullptr;
+        break;
+      default:
+        break;
+    }
+  }
+  if (!id)
+  {
+    this->Superclass::ReplaceShaderPicking(shaders, renderer, actor);
+    return;
+  }
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  vtkShaderProgram::Substitute(fragment, "//VTK::Picking::Dec", PickingGLSL);
+  vtkShaderProgram::Substitute(fragment, "//VTK::Picking::Impl",
+    std::string("  gl_FragData[0] = colorOfId(") + id + ");\n");
+  shaders[vtkShader::Fragment]->SetSource(fragment);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
+  Internals& self = *this->Internal;
+  vtkShaderProgram* program = helper.Program;
+  const InspectionMesh& mesh = *self.Mesh;
+  self.Attach(program, "triangleTable", mesh.Triangles);
+  self.Attach(program, "faceTable", mesh.Faces);
+  self.Attach(program, "pointTable", mesh.Points);
+  self.Attach(program, "markTable", mesh.Marks);
+  self.Attach(program, "visibleTable", self.IsListed ? self.Visible.GetTable() : mesh.Marks);
+  self.Attach(program, "centroidTable", mesh.Centroids);
+  self.Attach(program, "ownerTable", mesh.Owners);
+  self.Attach(program, "colorTable", self.Colors.GetTable());
+  self.Attach(program, "levelTable", self.Levels);
+  program->SetUniformi("isListed", self.IsListed ? 1 : 0);
+  program->SetUniformf("shrinkFactor", static_cast<float>(self.Style.ShrinkFactor));
+  program->SetUniformf("explodeFactor", static_cast<float>(self.Style.ExplodeFactor));
+  if (this->InternalColorTexture && program->IsUniformUsed("colortexture"))
+  {
+    program->SetUniformi("colortexture", this->InternalColorTexture->GetTextureUnit());
+  }
+  int viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  const RenderContext context{ self.Style, actor->GetProperty(), viewport };
+  for (const RenderMode& mode : GetRenderModes())
+  {
+    if (mode.IsOn(self.Style))
+    {
+      mode.SetUniforms(program, context);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The tables are relative to the middle of the mesh: the matrices put it back, in double.
+void vtkMeshInspectionMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetCameraShaderParameters(helper, renderer, actor);
+  vtkNew<vtkMatrix4x4> shift;
+  for (int i = 0; i < 3; ++i)
+  {
+    shift->SetElement(i, 3, this->Internal->Mesh->GetMiddle()[i]);
+  }
+  vtkNew<vtkMatrix4x4> toView, toDisplay;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  vtkMatrix4x4::Multiply4x4(actor->GetMatrix(), shift, toView);
+  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), toView, toView);
+  vtkMatrix4x4::Multiply4x4(
+    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1), toView, toDisplay);
+  // GLSL has its matrices by columns.
+  toView->Transpose();
+  toDisplay->Transpose();
+  helper.Program->SetUniformMatrix("MCDCMatrix", toDisplay);
+  if (helper.Program->IsUniformUsed("MCVCMatrix"))
+  {
+    helper.Program->SetUniformMatrix("MCVCMatrix", toView);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
+{
+  Internals& self = *this->Internal;
+  if (self.NumberOfTriangles == 0)
+  {
+    return;
+  }
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* state = window->GetState();
+  this->DrawingVertices = false;
+  this->DrawingSelection = false;
+  GLenum mode = GL_TRIANGLES;
+  if (this->PointPicking)
+  {
+    state->vtkglPointSize(static_cast<float>(this->GetPointPickingPrimitiveSize(PrimitiveTris)));
+    mode = GL_POINTS;
+  }
+  this->UpdateShaders(this->Primitives[PrimitiveTris], renderer, actor);
+  if (this->Primitives[PrimitiveTris].Program)
+  {
+    glBindVertexArray(self.VertexArray);
+    glDrawArrays(mode, 0, static_cast<GLsizei>(3 * self.NumberOfTriangles));
+    glBindVertexArray(0);
+  }
+  self.Detach(state);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::DrawingEdges(vtkRenderer*, vtkActor*)
+{
+  return false; // VTK's; ours are a mode
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::HaveWideLines(vtkRenderer*, vtkActor*)
+{
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, vtkActor*)
+{
+  vtkUnstructuredGrid* grid = this->Internal->Grid;
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  selector->UpdateMaximumPointId(
+    GetLargestId(grid->GetPointData()->GetArray(PointIdsName), grid->GetNumberOfPoints()));
+  selector->UpdateMaximumCellId(
+    GetLargestId(grid->GetCellData()->GetArray(CellIdsName), grid->GetNumberOfCells()));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp*)
+{
+  vtkUnstructuredGrid* grid = this->Internal->Grid;
+  if (!grid || !this->PopulateSelectionSettings)
+  {
+    return;
+  }
+  switch (selector->GetCurrentPass())
+  {
+    case vtkHardwareSelector::POINT_ID_LOW24:
+    case vtkHardwareSelector::POINT_ID_HIGH24:
+      MapSelectorPixels(selector, pixelOffsets, vtkHardwareSelector::POINT_ID_LOW24,
+        vtkHardwareSelector::POINT_ID_HIGH24, grid->GetPointData()->GetArray(PointIdsName));
+      break;
+    case vtkHardwareSelector::CELL_ID_LOW24:
+    case vtkHardwareSelector::CELL_ID_HIGH24:
+      MapSelectorPixels(selector, pixelOffsets, vtkHardwareSelector::CELL_ID_LOW24,
+        vtkHardwareSelector::CELL_ID_HIGH24, grid->GetCellData()->GetArray(CellIdsName));
+      break;
+    default:
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+// The base class comes back here once it has made the context current; when the window calls, it is already.
+void vtkMeshInspectionMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Superclass::ReleaseGraphicsResources(window);
+  this->Internal->Release();
+}

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshInspectionRepresentation.h"
+
+#include "InspectionStyle.h"
+#include "ShapeConversion.h"
+#include "vtkInspectionMesh.h"
+#include "vtkMeshInspectionMapper.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImplicitFunction.h"
+#include "vtkInformation.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVLODActor.h"
+#include "vtkPVRenderView.h"
+#include "vtkPassThrough.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+
+using namespace camaron;
+
+vtkStandardNewMacro(vtkMeshInspectionRepresentation);
+
+namespace
+{
+/// What the shape that cuts goes with.
+enum CutMoves
+{
+  WithMesh, ///< its coordinates are those of the data
+  WithView  ///< it stays where it is in the picture while the camera turns
+};
+}
+
+//==============================================================================
+class vtkMeshInspectionRepresentation::Internals
+{
+public:
+  InspectionStyle Style;
+  bool GlassShell = false;
+  int CutMoves = WithMesh;
+  vtkSmartPointer<vtkImplicitFunction> CutFunction;
+  std::string LastShapeError;
+  // Where the camera looked when the shape was last fixed in the view.
+  vtkNew<vtkMatrix4x4> FixedView;
+  bool HasFixedView = false;
+
+  vtkNew<vtkActor> Shell;
+  vtkNew<vtkProperty> ShellProperty;
+  vtkNew<vtkMeshInspectionMapper> ShellMapper;
+
+  void UpdateShape(vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer);
+};
+
+//------------------------------------------------------------------------------
+// The shape in the coordinates of the mesh. One that stays in the view is as the camera saw it when that
+// began, and moves through the mesh as the camera does.
+void vtkMeshInspectionRepresentation::Internals::UpdateShape(
+  vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer)
+{
+  if (this->Style.Cut == CutBy::Nothing || !this->CutFunction)
+  {
+    this->HasFixedView = false;
+    return;
+  }
+  const std::string error = ConvertShape(this->CutFunction, this->Style.Shape);
+  if (!error.empty() && error != this->LastShapeError)
+  {
+    vtkErrorWithObjectMacro(self, << error);
+  }
+  this->LastShapeError = error;
+  if (this->CutMoves == WithMesh || !renderer)
+  {
+    this->HasFixedView = false;
+    return;
+  }
+  vtkNew<vtkMatrix4x4> toView;
+  vtkMatrix4x4::Multiply4x4(
+    renderer->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), toView);
+  if (!this->HasFixedView)
+  {
+    this->FixedView->DeepCopy(toView);
+    this->FixedView->Invert();
+    this->HasFixedView = true;
+  }
+  vtkNew<vtkMatrix4x4> toShape;
+  vtkMatrix4x4::Multiply4x4(this->FixedView, toView, toShape);
+  this->Style.Shape = TransformShape(this->Style.Shape, toShape);
+}
+
+//==============================================================================
+vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
+  : Internal(std::make_unique<Internals>())
+{
+  // Instead of a surface and its mapper, the mesh and ours.
+  this->GeometryFilter->Delete();
+  this->GeometryFilter = vtkInspectionMesh::New();
+  this->MultiBlockMaker->Delete();
+  this->MultiBlockMaker = vtkPassThrough::New();
+  this->Mapper->Delete();
+  auto* mapper = vtkMeshInspectionMapper::New();
+  this->Mapper = mapper;
+  this->BackfaceMapper->Delete();
+  auto* backfaceMapper = vtkMeshInspectionMapper::New();
+  this->BackfaceMapper = backfaceMapper;
+  this->SetupDefaults();
+  backfaceMapper->ShareMesh(mapper);
+
+  Internals& self = *this->Internal;
+  self.ShellMapper->ShareMesh(mapper);
+  self.ShellMapper->ScalarVisibilityOff();
+  self.ShellProperty->SetColor(0.75, 0.85, 1.0);
+  self.ShellProperty->SetSpecular(0.6);
+  self.ShellProperty->SetSpecularPower(60);
+  self.Shell->SetMapper(self.ShellMapper);
+  self.Shell->SetProperty(self.ShellProperty);
+  self.Shell->PickableOff();
+  self.Shell->VisibilityOff();
+}
+
+//------------------------------------------------------------------------------
+vtkMeshInspectionRepresentation::~vtkMeshInspectionRepresentation() = default;
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
+  {
+    renderView->GetRenderer()->AddActor(this->Internal->Shell);
+  }
+  return this->Superclass::AddToView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
+{
+  auto* renderView = vtkPVRenderView::SafeDownCast(view);
+  if (renderView)
+  {
+    renderView->GetRenderer()->RemoveActor(this->Internal->Shell);
+  }
+  return this->Superclass::RemoveFromView(view);
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionRepresentation::NeedsOrderedCompositing()
+{
+  return this->Internal->GlassShell || this->Superclass::NeedsOrderedCompositing();
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshInspectionRepresentation::ProcessViewRequest(
+  vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo)
+{
+  if (request == vtkPVView::REQUEST_UPDATE_LOD())
+  {
+    return this->GetVisibility() ? 1 : 0; // the mesh is on the graphics card already
+  }
+  if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
+  {
+    return 0;
+  }
+  if (request == vtkPVView::REQUEST_UPDATE())
+  {
+    // Cells stay whole: those on the border between two processes go to one of them.
+    vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+  }
+  else if (request == vtkPVView::REQUEST_RENDER())
+  {
+    this->UpdateStyles(inInfo);
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
+{
+  Internals& self = *this->Internal;
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  vtkRenderer* renderer = view ? view->GetRenderer() : nullptr;
+  self.UpdateShape(this, this->Actor, renderer);
+  InspectionStyle style = self.Style;
+  if (!self.CutFunction || !self.LastShapeError.empty())
+  {
+    style.Cut = CutBy::Nothing;
+  }
+  static_cast<vtkMeshInspectionMapper*>(this->Mapper)->SetStyle(style);
+  static_cast<vtkMeshInspectionMapper*>(this->BackfaceMapper)->SetStyle(style);
+
+  const bool hasShell = self.GlassShell && this->GetVisibility();
+  self.Shell->SetVisibility(hasShell);
+  if (hasShell)
+  {
+    InspectionStyle glass;
+    glass.Glass = true;
+    glass.Edges = false;
+    glass.GlassStrength = style.GlassStrength;
+    self.ShellMapper->SetStyle(glass);
+    self.ShellMapper->SetInputDataObject(vtkPVView::GetDeliveredPiece(inInfo, this));
+    self.Shell->SetUserMatrix(this->Actor->GetMatrix());
+  }
+}
+
+//==============================================================================
+template <typename Value>
+void vtkMeshInspectionRepresentation::Change(Value& member, const Value& value)
+{
+  if (!(member == value))
+  {
+    member = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawFaces(bool on)
+{
+  this->Change(this->Internal->Style.Faces, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawEdges(bool on)
+{
+  this->Change(this->Internal->Style.Edges, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetEdgesOf(int which)
+{
+  this->Change(this->Internal->Style.EdgesOfSelectedOnly, which == 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetGlassShell(bool on)
+{
+  this->Change(this->Internal->GlassShell, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetGlassStrength(double strength)
+{
+  this->Change(this->Internal->Style.GlassStrength, strength);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetFacesToDraw(int which)
+{
+  this->Change(this->Internal->Style.WallsToDraw, static_cast<Walls>(which));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCellsToDraw(int which)
+{
+  this->Change(this->Internal->Style.CellsToDraw, static_cast<Chosen>(which));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetShrinkFactor(double factor)
+{
+  this->Change(this->Internal->Style.ShrinkFactor, factor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetExplodeFactor(double factor)
+{
+  this->Change(this->Internal->Style.ExplodeFactor, factor);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCutBy(int which)
+{
+  this->Change(this->Internal->Style.Cut, static_cast<camaron::CutBy>(which));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCutKeep(int which)
+{
+  this->Change(this->Internal->Style.KeepInside, which == 1);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCutMoves(int with)
+{
+  this->Change(this->Internal->CutMoves, with);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetColorCutFaces(bool on)
+{
+  this->Change(this->Internal->Style.CutFaces, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCutColor(double red, double green, double blue)
+{
+  this->Change(this->Internal->Style.CutColor, Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawIsolines(bool on)
+{
+  this->Change(this->Internal->Style.Isolines, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIsolineFirst(double value)
+{
+  this->Change(this->Internal->Style.IsolineFirst, value);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIsolineSpacing(double spacing)
+{
+  this->Change(this->Internal->Style.IsolineSpacing, spacing);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIsolineWidth(double pixels)
+{
+  this->Change(this->Internal->Style.IsolineWidth, pixels);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIsolineColor(double red, double green, double blue)
+{
+  this->Change(this->Internal->Style.IsolineColor, Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetGlassColor(double red, double green, double blue)
+{
+  this->Internal->ShellProperty->SetColor(red, green, blue);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCutShape(vtkImplicitFunction* shape)
+{
+  this->Internal->CutFunction = shape;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIsolineArray(int, int, int, int, const char* name)
+{
+  this->Change(this->Internal->Style.IsolineArray, std::string(name ? name : ""));
+}

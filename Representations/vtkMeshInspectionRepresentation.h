@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkMeshInspectionRepresentation
+ * @brief ParaView's representation "Mesh Inspection": the mesh with all its cells, on the graphics card.
+ *
+ * Everything that Surface has (colours, lights, opacity, transform, picking) is inherited and works the same.
+ * Unlike it, the whole mesh is delivered to where it is drawn, so that cuts, shrunk cells and glass need
+ * no new data. Two actors share the tables of one mesh: the mesh itself and, when asked for, a glass shell
+ * of its outside. See vtkMeshInspectionMapper for what is drawn and MeshInspection.xml for the properties.
+ */
+#ifndef vtkMeshInspectionRepresentation_h
+#define vtkMeshInspectionRepresentation_h
+
+#include "vtkGeometryRepresentationWithFaces.h"
+
+#include <memory> // for the implementation
+
+class vtkImplicitFunction;
+
+class vtkMeshInspectionRepresentation : public vtkGeometryRepresentationWithFaces
+{
+public:
+  static vtkMeshInspectionRepresentation* New();
+  vtkTypeMacro(vtkMeshInspectionRepresentation, vtkGeometryRepresentationWithFaces);
+
+  ///@{
+  /// See the properties of these names in MeshInspection.xml.
+  void SetDrawFaces(bool on);
+  void SetDrawEdges(bool on);
+  void SetEdgesOf(int which);
+  void SetGlassShell(bool on);
+  void SetGlassStrength(double strength);
+  void SetGlassColor(double red, double green, double blue);
+  void SetFacesToDraw(int which);
+  void SetCellsToDraw(int which);
+  void SetShrinkFactor(double factor);
+  void SetExplodeFactor(double factor);
+  void SetCutBy(int which);
+  void SetCutKeep(int which);
+  void SetCutMoves(int with);
+  void SetCutShape(vtkImplicitFunction* shape);
+  void SetColorCutFaces(bool on);
+  void SetCutColor(double red, double green, double blue);
+  void SetDrawIsolines(bool on);
+  void SetIsolineArray(int, int, int, int association, const char* name);
+  void SetIsolineFirst(double value);
+  void SetIsolineSpacing(double spacing);
+  void SetIsolineWidth(double pixels);
+  void SetIsolineColor(double red, double green, double blue);
+  ///@}
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
+    vtkInformation* outInfo) override;
+
+protected:
+  vtkMeshInspectionRepresentation();
+  ~vtkMeshInspectionRepresentation() override;
+
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
+  bool NeedsOrderedCompositing() override;
+
+private:
+  vtkMeshInspectionRepresentation(const vtkMeshInspectionRepresentation&) = delete;
+  void operator=(const vtkMeshInspectionRepresentation&) = delete;
+
+  template <typename Value>
+  void Change(Value& member, const Value& value);
+  void UpdateStyles(vtkInformation* inInfo);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
