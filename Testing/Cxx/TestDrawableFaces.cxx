@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/DrawableFaces.h"
+#include "Drawing/PolygonTriangles.h"
+#include "Mesh/MeshTopology.h"
+#include "Mesh/Vector.h"
+#include "TestMeshes.h"
+
+#include "vtkDataSetAttributes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+DrawableFaces Make(vtkUnstructuredGrid* grid, FacesToDraw which, const std::vector<unsigned char>& ghosts = {})
+{
+  const MeshTopology topology(grid);
+  return MakeDrawableFaces(topology, ghosts.empty() ? nullptr : ghosts.data(), which);
+}
+
+Vector GetPoint(vtkUnstructuredGrid* grid, vtkIdType id)
+{
+  double x[3];
+  grid->GetPoint(id, x);
+  return { x[0], x[1], x[2] };
+}
+
+// Six times the volume that triangles enclose, each turned for the cell it is seen from.
+template <typename IsSeen>
+double GetVolume(vtkUnstructuredGrid* grid, const DrawableFaces& faces, IsSeen&& isSeen)
+{
+  double volume = 0;
+  for (const auto& triangle : faces.Triangles)
+  {
+    const auto& cells = faces.Faces[triangle[3] >> DrawableFaces::EdgeBits];
+    const double part = Dot(GetPoint(grid, triangle[0]),
+      Cross(GetPoint(grid, triangle[1]), GetPoint(grid, triangle[2])));
+    volume += isSeen(cells[0]) ? part : 0;
+    volume -= cells[1] != DrawableFaces::NoCell && isSeen(cells[1]) ? part : 0;
+  }
+  return volume / 6;
+}
+}
+
+//------------------------------------------------------------------------------
+// Outer faces first, all of them with one cell; what Outer makes is the beginning of what All makes.
+TEST(DrawableFaces, OfHexahedra)
+{
+  for (const bool asPolyhedra : { false, true })
+  {
+    const Grid grid = MakeHexahedra(3, 4, 5, asPolyhedra);
+    const DrawableFaces all = Make(grid, FacesToDraw::All);
+    const DrawableFaces outer = Make(grid, FacesToDraw::Outer);
+    const std::size_t outside = 2 * (3 * 4 + 4 * 5 + 5 * 3);
+    const std::size_t inside = 2 * 4 * 5 + 3 * 3 * 5 + 3 * 4 * 4;
+    EXPECT_EQ(outer.Faces.size(), outside);
+    EXPECT_EQ(all.Faces.size(), outside + inside);
+    EXPECT_EQ(all.Triangles.size(), 2 * (outside + inside));
+    EXPECT_EQ(outer.Triangles.size(), 2 * outside);
+    EXPECT_EQ(all.NumberOfOuterTriangles, 2 * outside);
+    EXPECT_TRUE(std::equal(outer.Triangles.begin(), outer.Triangles.end(), all.Triangles.begin()));
+    EXPECT_TRUE(std::equal(outer.Faces.begin(), outer.Faces.end(), all.Faces.begin()));
+    for (std::size_t face = 0; face < all.Faces.size(); ++face)
+    {
+      EXPECT_EQ(all.Faces[face][1] == DrawableFaces::NoCell, face < outside) << face;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Seen from either cell, faces run outward: the volumes of cells and of their sum come out right.
+TEST(DrawableFaces, RunAroundTheirCells)
+{
+  const Grid grid = MakeHexahedra(2, 2, 2, true);
+  const DrawableFaces faces = Make(grid, FacesToDraw::All);
+  for (std::uint32_t cell = 0; cell < 8; ++cell)
+  {
+    // MakeHexahedra's cells need not have the same size, but none is inside out.
+    EXPECT_GT(GetVolume(grid, faces, [&](std::uint32_t seen) { return seen == cell; }), 0) << cell;
+  }
+  double sum = 0;
+  for (std::uint32_t cell = 0; cell < 8; ++cell)
+  {
+    sum += GetVolume(grid, faces, [&](std::uint32_t seen) { return seen == cell; });
+  }
+  EXPECT_NEAR(sum, GetVolume(grid, faces, [](std::uint32_t) { return true; }), 1e-12);
+}
+
+//------------------------------------------------------------------------------
+// The edges that the bits name are those of the polygon, each once; diagonals are none.
+TEST(DrawableFaces, EdgesArePolygonEdges)
+{
+  const Grid grid = MakeHexagonalPrisms(1);
+  const DrawableFaces faces = Make(grid, FacesToDraw::All);
+  std::vector<std::multiset<std::pair<vtkIdType, vtkIdType>>> edges(faces.Faces.size());
+  for (const auto& triangle : faces.Triangles)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      if (triangle[3] >> i & 1)
+      {
+        edges[triangle[3] >> DrawableFaces::EdgeBits].insert(
+          std::minmax<vtkIdType>(triangle[i], triangle[(i + 1) % 3]));
+      }
+    }
+  }
+  std::multiset<std::size_t> sizes;
+  for (const auto& ofFace : edges)
+  {
+    sizes.insert(ofFace.size());
+    EXPECT_EQ(std::set(ofFace.begin(), ofFace.end()).size(), ofFace.size());
+  }
+  EXPECT_EQ(sizes.count(6), 2u);
+  EXPECT_EQ(sizes.count(4), 6u);
+}
+
+//------------------------------------------------------------------------------
+// Faces between two ghosts are of no use here; those of hidden cells are gone, and open their neighbours.
+TEST(DrawableFaces, GhostAndHiddenCells)
+{
+  const Grid grid = MakeHexahedra(3, 1, 1, false);
+  constexpr unsigned char ghost = vtkDataSetAttributes::DUPLICATECELL;
+  constexpr unsigned char hidden = vtkDataSetAttributes::HIDDENCELL;
+  EXPECT_EQ(Make(grid, FacesToDraw::All, { 0, ghost, ghost }).Faces.size(), 5u + 1u);
+  EXPECT_EQ(Make(grid, FacesToDraw::Outer, { 0, ghost, ghost }).Faces.size(), 5u);
+  EXPECT_EQ(Make(grid, FacesToDraw::All, { 0, hidden, 0 }).Faces.size(), 12u);
+  EXPECT_EQ(Make(grid, FacesToDraw::Outer, { hidden, 0, 0 }).Faces.size(), 10u);
+  EXPECT_EQ(Make(grid, FacesToDraw::All, { hidden, hidden, hidden }).Faces.size(), 0u);
+}
+
+//------------------------------------------------------------------------------
+// A face of three cells is there for each of them.
+TEST(DrawableFaces, NonManifold)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 2 }, { 0, 0, -1 } };
+  const Grid grid = MakeGrid(points,
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TETRA, { 0, 2, 1, 5 } } });
+  const DrawableFaces faces = Make(grid, FacesToDraw::All);
+  EXPECT_EQ(faces.Faces.size(), 9u + 2u);
+  EXPECT_EQ(faces.NumberOfOuterTriangles, 9u);
+  EXPECT_EQ(faces.Faces[10][1], faces.Faces[9][0]);
+}
+
+//------------------------------------------------------------------------------
+// An L: a fan from its first corner would leave it. The triangles cover its area, once.
+TEST(PolygonTriangles, OfConcavePolygon)
+{
+  const Points corners = { { 0, 0, 1 }, { 2, 0, 1 }, { 2, 1, 1 }, { 1, 1, 1 }, { 1, 2, 1 }, { 0, 2, 1 } };
+  for (int start = 0; start < 6; ++start)
+  {
+    std::vector<vtkIdType> polygon(6);
+    for (int i = 0; i < 6; ++i)
+    {
+      polygon[i] = (start + i) % 6;
+    }
+    const Grid grid = MakeGrid(corners, { { VTK_POLYGON, polygon } });
+    const MeshView mesh(grid);
+    PolygonTriangles triangles(mesh);
+    double area = 0;
+    int count = 0, edges = 0;
+    triangles.ForEach(polygon.data(), 6,
+      [&](const PolygonTriangles::Triangle& triangle)
+      {
+        const auto point = [&](int i) { return GetPoint(grid, polygon[triangle.Corners[i]]); };
+        const Vector twice = Cross(point(1) - point(0), point(2) - point(0));
+        EXPECT_GE(twice.Z, 0);
+        area += 0.5 * twice.Z;
+        ++count;
+        for (int i = 0; i < 3; ++i)
+        {
+          edges += triangle.Edges >> i & 1;
+        }
+      });
+    EXPECT_EQ(count, 4);
+    EXPECT_EQ(edges, 6);
+    EXPECT_DOUBLE_EQ(area, 3);
+  }
+}

@@ -1,0 +1,51 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Mesh Inspection on a server, one process and two: pictures and selections are those of Surface.
+
+Drawn there (remote rendering, composed by IceT) and, from data that are sent over, on the client.
+"""
+
+import camaron_testing
+import TestClientServer
+from inspection_testing import difference, make_view, picture, selected, turn
+from paraview import simple
+
+
+@camaron_testing.require_display()
+class TestInspectionServer(camaron_testing.TestCase):
+    serve = TestClientServer.TestClientServer.serve
+
+    def compare(self, where, source):
+        sets, pictures = [], []
+        view = make_view()
+        view.RemoteRenderThreshold = 0 if where == "server" else 100000
+        for representation in ("Surface", "Mesh Inspection"):
+            display = simple.Show(source, view)
+            display.SetRepresentationType(representation)
+            simple.ColorBy(display, ("POINTS", "RTData"))
+            display.DrawEdges = 0
+            turn(view)
+            pictures.append(picture(view))
+            sets.append([selected(view, source, kind) for kind in ("cells", "points")])
+        simple.Delete(view)
+        self.assertLess(difference(*pictures), 0.012)
+        self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.1)
+        (cells, points), (same_cells, same_points) = sets
+        self.assertGreater(min(len(cells), len(points)), 100)
+        self.assertEqual(cells, same_cells)
+        # Points where two processes meet are drawn by both, in the same place: either is right.
+        self.assertLess(len(points ^ same_points), 1 + len(points) / 50)
+
+    def test_servers(self):
+        for ranks in (1, 2):
+            self.serve(ranks)
+            mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]))
+            mesh.UpdatePipeline()
+            for where in ("server", "client"):
+                with self.subTest(ranks=ranks, where=where):
+                    self.compare(where, mesh)
+            simple.Disconnect()
+
+
+if __name__ == "__main__":
+    camaron_testing.main()

@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of, and selections in, a view with one representation."""
+
+import numpy
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+SIZE = (400, 300)
+
+
+def make_view():
+    """A new view of SIZE without anything but what is shown in it."""
+    view = simple.CreateRenderView()
+    view.ViewSize = list(SIZE)
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.Background = [1, 1, 1]
+    simple.SetActiveView(view)
+    return view
+
+
+def turn(view):
+    """A camera that looks at everything from no special direction."""
+    view.CameraFocalPoint, view.CameraViewUp = [0, 0, 0], [0, 1, 0]
+    view.CameraPosition, view.CameraViewAngle = [0.5, 0.3, 0.8], 30
+    simple.ResetCamera(view)
+
+
+def picture(view):
+    """What the view shows as an array of (height, width, 3) from 0 to 255."""
+    simple.Render(view)
+    image = view.SMProxy.CaptureWindow(1)
+    width, height, _ = image.GetDimensions()
+    colors = vtk_to_numpy(image.GetPointData().GetScalars())[:, :3]
+    return colors.reshape(height, width, 3).astype(int)
+
+
+def difference(one, other, tolerance=24):
+    """Part of the pixels where two pictures differ by more than `tolerance` of 255."""
+    return float(numpy.mean(numpy.abs(one - other).max(axis=2) > tolerance))
+
+
+def selected(view, source, kind):
+    """What a rectangle over the whole view selects: a set of (block or -1, process, id)."""
+    simple.Render(view)
+    simple.ClearSelection(source)
+    select = simple.SelectSurfacePoints if kind == "points" else simple.SelectSurfaceCells
+    select(Rectangle=[0, 0, SIZE[0] - 1, SIZE[1] - 1], View=view)
+    selection = source.SMProxy.GetSelectionInput(source.Port)
+    found = set()
+    if not selection:
+        return found
+    appended = selection.GetProperty("Input")
+    for i in range(appended.GetNumberOfProxies()):
+        ids = appended.GetProxy(i).GetProperty("IDs")
+        values = [ids.GetElement(k) for k in range(ids.GetNumberOfElements())]
+        width = 3 if "Composite" in appended.GetProxy(i).GetXMLName() else 2
+        for k in range(0, len(values), width):
+            found.add((-1, *values[k : k + 2]) if width == 2 else tuple(values[k : k + 3]))
+    simple.ClearSelection(source)
+    return found
