@@ -163,8 +163,8 @@ void Collect(const FluentFaces& faces, const FluentFaces::Run& run, const Fluent
 }
 
 //------------------------------------------------------------------------------
-// The points of every zone have ids of their own, so that pieces of zones and mesh make the same again as
-// the whole file does.
+// The points of every zone have ids of their own, so that pieces of zones and mesh make the same
+// again as the whole file does.
 struct BoundaryIds
 {
   std::vector<std::int32_t> Points; // of the piece, in the mesh; none if that is whole
@@ -172,12 +172,40 @@ struct BoundaryIds
 };
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeSurface(const ZoneFaces& zone, int id, int dimension,
-  vtkPoints* points, const BoundaryIds& globalIds)
+// Distinct ids, ascending; @a ids become their numbers among these.
+std::vector<std::int32_t> NumberDistinct(std::vector<std::int32_t>& ids, vtkIdType limit)
 {
-  std::vector<std::int32_t> used = zone.Nodes;
-  std::sort(used.begin(), used.end());
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  constexpr vtkIdType MaxLimitPerId = 64; // where sorting costs about as much
+  if (limit <= MaxLimitPerId * static_cast<vtkIdType>(ids.size()))
+  {
+    IdSet set(limit);
+    for (const std::int32_t id : ids)
+    {
+      set.Add(id);
+    }
+    set.Number();
+    for (std::int32_t& id : ids)
+    {
+      id = static_cast<std::int32_t>(set.GetNumber(id));
+    }
+    return set.GetMembers();
+  }
+  std::vector<std::int32_t> distinct = ids;
+  std::sort(distinct.begin(), distinct.end());
+  distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
+  for (std::int32_t& id : ids)
+  {
+    id = static_cast<std::int32_t>(
+      std::lower_bound(distinct.begin(), distinct.end(), id) - distinct.begin());
+  }
+  return distinct;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> MakeSurface(
+  ZoneFaces& zone, int id, int dimension, vtkPoints* points, const BoundaryIds& globalIds)
+{
+  const std::vector<std::int32_t> used = NumberDistinct(zone.Nodes, points->GetNumberOfPoints());
   vtkNew<vtkPoints> own;
   own->SetDataType(points->GetDataType());
   own->SetNumberOfPoints(static_cast<vtkIdType>(used.size()));
@@ -197,12 +225,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(const ZoneFaces& zone, int id, int dime
     zones[i] = id;
     types[i] = zone.Types[static_cast<std::size_t>(i)];
   }
-  for (vtkIdType i = 0; i < ids.size(); ++i)
-  {
-    ids[i] = static_cast<vtkTypeInt32>(
-      std::lower_bound(used.begin(), used.end(), zone.Nodes[static_cast<std::size_t>(i)]) -
-      used.begin());
-  }
+  std::copy(zone.Nodes.begin(), zone.Nodes.end(), ids.data());
   vtkNew<vtkCellArray> cells;
   const auto offsetArray = offsets.TakeArray<vtkTypeInt32Array>();
   const auto idArray = ids.TakeArray<vtkTypeInt32Array>();

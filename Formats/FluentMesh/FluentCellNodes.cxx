@@ -70,50 +70,56 @@ bool AddToRing(
 }
 
 //------------------------------------------------------------------------------
-// Until it is complete, nodes 0 to 2 are the first face, and the state is the number of faces and
-// which of these nodes the second and the third face lack.
-bool AddToTetrahedron(std::int32_t* nodes, FluentCellState& state, const std::int32_t* face)
+bool FluentTetrahedron::Finish(std::int32_t* nodes, FluentCellState state, std::int64_t maxNode)
 {
-  if (state == 0)
+  constexpr std::uint32_t Third = 0x2aaaaaab; // 3 * Third = 1 modulo 2^31
+  std::uint32_t sum = 0, mixed = 0, checksum = 0;
+  std::uint32_t n[4], mix[4];
+  for (int i = 0; i < 4; ++i)
   {
-    std::copy(face, face + 3, nodes);
-    nodes[3] = 0;
-    state = 1;
-    return AreDistinct(face, 3);
+    sum += static_cast<std::uint32_t>(nodes[i]);
   }
-  unsigned int found = 0;
-  std::int32_t fourth = 0;
-  for (int i = 0; i < 3; ++i)
+  sum = sum * Third;
+  bool good = true;
+  for (int i = 0; i < 4; ++i)
   {
-    const std::int32_t id = face[i];
-    const unsigned int which =
-      (id == nodes[0] ? 1u : 0u) | (id == nodes[1] ? 2u : 0u) | (id == nodes[2] ? 4u : 0u);
-    found |= which;
-    fourth = which ? fourth : id;
+    n[i] = (sum - static_cast<std::uint32_t>(nodes[i])) & SumMask;
+    good &= n[i] - 1 < static_cast<std::uint64_t>(maxNode);
+    mix[i] = Mix(n[i]);
+    mixed += mix[i];
   }
-  const int lacking = found == 6 ? 0 : found == 5 ? 1 : found == 3 ? 2 : 3;
-  if (lacking == 3 || fourth == 0 || !Agree(nodes[3], fourth))
+  for (int k = 0; k < 4; ++k)
   {
-    return false;
+    checksum += Factors[k] * (mixed - mix[Lacking[k]]);
   }
-  constexpr int Last = 3;
-  const int count = state & 3, second = state >> 2 & 3, third = state >> 4;
-  if (count < Last)
+  good &= state == ((checksum << CountBits) | 4);
+
+  // A face of the positive tetrahedron of ascending nodes is an even order of its nodes if it lacks
+  // the node of an odd rank.
+  unsigned int inversions = 0;
+  unsigned int odd[4] = { 0, 0, 0, 0 }; // ranks
+  for (int i = 0; i < 4; ++i)
   {
-    state = static_cast<FluentCellState>(
-      (count + 1) | (count == 1 ? lacking << 2 : second << 2 | lacking << 4));
-    return true;
+    for (int j = 0; j < i; ++j)
+    {
+      const unsigned int isGreater = n[j] > n[i] ? 1 : 0;
+      good &= n[i] != n[j];
+      inversions ^= isGreater;
+      odd[j] ^= isGreater;
+      odd[i] ^= isGreater ^ 1;
+    }
+    odd[i] ^= static_cast<std::uint32_t>(nodes[i]) >> 31;
   }
-  // As in VTK's list of the faces, the first lacks node 2, the others lack 0, 1 and 3, or in the
-  // mirror image 0, 3 and 1.
-  const std::int32_t base[3] = { nodes[0], nodes[1], nodes[2] };
-  const bool isMirrored = second != (third + 1) % 3;
-  nodes[2] = fourth;
-  nodes[0] = base[second];
-  nodes[isMirrored ? 3 : 1] = base[third];
-  nodes[isMirrored ? 1 : 3] = base[lacking];
-  state = FluentCellComplete;
-  return second != third && lacking != second && lacking != third;
+  for (int i = 1; i < 4; ++i)
+  {
+    good &= odd[0] == odd[i];
+  }
+  const bool isMirrored = inversions == odd[0];
+  nodes[0] = static_cast<std::int32_t>(n[0]);
+  nodes[1] = static_cast<std::int32_t>(n[isMirrored ? 3 : 1]);
+  nodes[2] = static_cast<std::int32_t>(n[2]);
+  nodes[3] = static_cast<std::int32_t>(n[isMirrored ? 1 : 3]);
+  return good;
 }
 
 //------------------------------------------------------------------------------

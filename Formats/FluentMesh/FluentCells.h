@@ -82,6 +82,18 @@ public:
                                 : run.Elements[static_cast<std::size_t>(leaf - run.Leaf)];
   }
   int GetZone(vtkIdType leaf) const { return this->GetRunOfLeaf(leaf).Zone; }
+  ///@{
+  /// Whether consecutive leaves, one at least, are all of the type, or in the zone, of the first.
+  bool HaveOneElement(vtkIdType begin, vtkIdType end) const
+  {
+    const Run& run = this->GetRunOfLeaf(begin);
+    return run.Elements.empty() && &run == &this->GetRunOfLeaf(end - 1);
+  }
+  bool HaveOneZone(vtkIdType begin, vtkIdType end) const
+  {
+    return &this->GetRunOfLeaf(begin) == &this->GetRunOfLeaf(end - 1);
+  }
+  ///@}
 
 private:
   struct Run

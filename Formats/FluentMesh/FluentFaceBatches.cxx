@@ -4,16 +4,14 @@
 
 #include "FluentText.h"
 
-#include <algorithm>
-#include <atomic>
-
 namespace camaron
 {
 namespace
 {
-// Enough for many threads; what pieces have of the faces should not weigh more than the piece.
-constexpr vtkIdType BatchOfWhole = 64 * FluentFaces::BlockSize;
-constexpr vtkIdType BatchOfPiece = 16 * FluentFaces::BlockSize;
+// Of text: enough for many threads, but no more than a small part of the mesh.
+constexpr vtkIdType MinBatch = 8 * FluentFaceBatches::BlockSize;
+constexpr vtkIdType MaxBatch = 64 * FluentFaceBatches::BlockSize;
+constexpr vtkIdType MinNumberOfBatches = 40;
 
 //------------------------------------------------------------------------------
 bool IsBlank(const char* text, const char* end)
@@ -23,48 +21,115 @@ bool IsBlank(const char* text, const char* end)
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaceBatches::Copy(const FluentFace& face, bool bounds, Face& copy) const
+int FluentFaceBatches::GetNumberOfShares()
 {
-  const std::int32_t size = face.Nodes.Size;
-  if (size > Face::MaxSize && bounds)
+  constexpr int MaxShares = 8;
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  int shares = 1;
+  while (2 * shares <= std::min(threads, MaxShares))
   {
-    return false;
+    shares *= 2;
   }
+  return shares;
+}
+
+//------------------------------------------------------------------------------
+// Who makes cells looks at the nodes of their faces; faces of no cell have to be right all the
+// same.
+bool FluentFaceBatches::AreNodesGood(const Face& face, bool swap) const
+{
   bool good = true;
-  copy.Size = size;
-  for (std::int32_t i = 0; i < size; ++i)
+  for (std::int32_t i = 0; i < face.Size; ++i)
   {
-    const std::int32_t node = face.Nodes[i];
-    good &= static_cast<std::uint32_t>(node) - 1 < static_cast<std::uint64_t>(this->Nodes);
-    copy.Nodes[i % Face::MaxSize] = node;
+    const auto node = Load<std::uint32_t>(face.Nodes + 4 * std::ptrdiff_t(i), swap);
+    good &= node - 1 < static_cast<std::uint64_t>(this->Nodes);
   }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Faces of one size of a whole mesh, whose cells are numbered as in the file.
+template <int Size>
+bool FluentFaceBatches::FindPlain(const Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
+{
+  constexpr std::ptrdiff_t Stride = 4 * (Size + 2);
   const auto maxCell = static_cast<std::uint64_t>(this->Mesh.Cells.GetCount());
-  for (int side = 0; side < 2 && good; ++side)
+  const char* place = run.Data + (begin - run.Begin) * Stride;
+  bool good = true;
+  for (vtkIdType i = begin; i < end; ++i, ++faces, place += Stride)
   {
-    const std::int32_t cell = face.GetCell(side);
-    good = static_cast<std::uint32_t>(cell) <= maxCell;
-    copy.Cells[side] = good && size > 0 ? static_cast<std::int32_t>(this->Mesh.FindCell(cell)) : -1;
+    faces->Nodes = place;
+    faces->Size = Size;
+    for (int side = 0; side < 2; ++side)
+    {
+      const auto cell = Load<std::uint32_t>(place + 4 * (Size + side), run.Swap);
+      good &= cell <= maxCell;
+      faces->Cells[side] = static_cast<std::int32_t>(cell) - 1;
+    }
+    if (std::max(faces->Cells[0], faces->Cells[1]) < 0)
+    {
+      good = this->AreNodesGood(*faces, run.Swap) && good;
+    }
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Sets the cells of a face that has nodes, of which only some are in the piece.
+bool FluentFaceBatches::SetCells(const std::int64_t* cells, Face& face) const
+{
+  bool good = true;
+  if (this->IsPlain && face.Size > 0)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      good &= static_cast<std::uint64_t>(cells[side]) <=
+        static_cast<std::uint64_t>(this->Mesh.Cells.GetCount());
+      face.Cells[side] = static_cast<std::int32_t>(cells[side]) - 1;
+    }
+    return good;
+  }
+  for (int side = 0; side < 2; ++side)
+  {
+    const bool isThere = cells[side] >= 0 && cells[side] <= this->Mesh.Cells.GetCount();
+    good &= isThere;
+    face.Cells[side] = isThere && face.Size > 0
+      ? static_cast<std::int32_t>(this->Mesh.FindCell(static_cast<std::int32_t>(cells[side])))
+      : -1;
   }
   return good;
 }
 
 //------------------------------------------------------------------------------
 // Faces that are accessible.
-bool FluentFaceBatches::Copy(const Run& run, vtkIdType begin, vtkIdType end)
+bool FluentFaceBatches::Find(const Run& run, vtkIdType begin, vtkIdType end, Face* faces) const
 {
-  constexpr vtkIdType BlockSize = FluentFaces::BlockSize;
-  std::atomic<bool> good{ true };
-  ParallelFor((end - begin + BlockSize - 1) / BlockSize, 1,
-    [&](vtkIdType first, vtkIdType last)
+  if (this->IsPlain)
+  {
+    switch (run.Size)
     {
-      bool isGood = true;
-      FluentFaces::ForEachOf(run, begin + first * BlockSize,
-        std::min(begin + last * BlockSize, end),
-        [&](vtkIdType position, const FluentFace& face)
-        { isGood = this->Copy(face, run.Bounds, this->Batch[position - begin]) && isGood; });
-      if (!isGood)
+      case 2:
+        return this->FindPlain<2>(run, begin, end, faces);
+      case 3:
+        return this->FindPlain<3>(run, begin, end, faces);
+      case 4:
+        return this->FindPlain<4>(run, begin, end, faces);
+      default:
+        break;
+    }
+  }
+  bool good = true;
+  FluentFaces::ForEachOf(run, begin, end,
+    [&](vtkIdType position, const FluentFace& record)
+    {
+      Face& face = faces[position - begin];
+      face.Nodes = record.Nodes.Ids;
+      face.Size = record.Nodes.Size;
+      const std::int64_t cells[2] = { record.GetCell(0), record.GetCell(1) };
+      good = this->SetCells(cells, face) && good;
+      if (std::max(face.Cells[0], face.Cells[1]) < 0)
       {
-        good = false;
+        good = this->AreNodesGood(face, run.Swap) && good;
       }
     });
   return good;
@@ -72,94 +137,152 @@ bool FluentFaceBatches::Copy(const Run& run, vtkIdType begin, vtkIdType end)
 
 //------------------------------------------------------------------------------
 bool FluentFaceBatches::ReadLine(
-  const Run& run, const char* text, const char* end, Face& face) const
+  const Run& run, const char* text, const char* end, Face& face, char* nodes) const
 {
   std::int64_t value = run.Size;
   if (run.Size == 0)
   {
-    text = ParseHex(text, end, value);
-    if (!text || value > Face::MaxSize)
+    text = ParseHexInLine(text, end, value);
+    if (!text || value > (end - text) / 2)
     {
       return false;
     }
   }
   face.Size = static_cast<std::int32_t>(value);
-  for (std::int32_t i = 0; i < face.Size; ++i)
+  face.Nodes = nodes;
+  bool good = true;
+  for (std::int32_t i = 0; i < face.Size; ++i, nodes += 4)
   {
-    text = ParseHex(text, end, value);
-    if (!text || value < 1 || value > this->Nodes)
+    text = ParseHexInLine(text, end, value);
+    if (!text)
     {
       return false;
     }
-    face.Nodes[i] = static_cast<std::int32_t>(value);
+    good &= value >= 1 && value <= this->Nodes;
+    Store(nodes, static_cast<std::int32_t>(value), false);
   }
-  for (std::int32_t& cell : face.Cells)
-  {
-    text = ParseHex(text, end, value);
-    if (!text || value > this->Mesh.Cells.GetCount())
-    {
-      return false;
-    }
-    cell = face.Size > 0
-      ? static_cast<std::int32_t>(this->Mesh.FindCell(static_cast<std::int32_t>(value)))
-      : -1;
-  }
-  return IsBlank(text, end);
+  std::int64_t cells[2];
+  return good && (text = ParseHexInLine(text, end, cells[0])) &&
+    (text = ParseHexInLine(text, end, cells[1])) && this->SetCells(cells, face) &&
+    IsBlank(text, end);
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaceBatches::VisitText(const Run& run, const VisitBatch& visit)
+// What comes first and last in a line only. What is between is found to be right, or not, by
+// ReadLine.
+bool FluentFaceBatches::SkimLine(
+  const Run& run, const char* text, const char* end, Face& face) const
 {
-  TextScanner scanner("", this->File.GetBegin(), run.Section->End);
-  scanner.SetPosition(run.Section->Begin);
-  const TextLines lines(scanner, Progress(), this->Chunk);
-  const char* place = run.Section->Begin;
-  for (vtkIdType begin = run.Begin; begin < run.End; begin += this->BatchSize)
+  std::int64_t size = run.Size;
+  if (run.Size == 0)
   {
-    const vtkIdType end = std::min(begin + this->BatchSize, run.End);
-    const TextLines::Section section = lines.Find(place, end - begin);
-    if (!section ||
-      !lines.ForEach(section, Progress(),
-        [&](vtkIdType, vtkIdType line, const char* text, const char* lineEnd)
-        { return this->ReadLine(run, text, lineEnd, this->Batch[line]); }) ||
-      !visit(begin, end))
-    {
-      return false;
-    }
-    place = section.End;
-  }
-  return IsBlank(place, run.Section->End);
-}
-
-//------------------------------------------------------------------------------
-bool FluentFaceBatches::VisitKept(const Run& run, const VisitBatch& visit)
-{
-  for (vtkIdType begin = run.Begin; begin < run.End; begin += this->BatchSize)
-  {
-    const vtkIdType end = std::min(begin + this->BatchSize, run.End);
-    if (!this->Copy(run, begin, end) || !visit(begin, end))
+    const char* const first = ParseHexInLine(text, end, size);
+    if (!first || size > (end - first) / 2)
     {
       return false;
     }
   }
-  return true;
+  face.Size = static_cast<std::int32_t>(size);
+  face.Nodes = nullptr;
+  std::int64_t cells[2];
+  for (int side = 1; side >= 0; --side)
+  {
+    while (end > text && IsSpace(end[-1]))
+    {
+      --end;
+    }
+    const char* begin = end;
+    while (begin > text && !IsSpace(begin[-1]))
+    {
+      --begin;
+    }
+    if (!ParseHex(begin, end, cells[side]))
+    {
+      return false;
+    }
+    end = begin;
+  }
+  return this->SetCells(cells, face);
 }
 
 //------------------------------------------------------------------------------
-bool FluentFaceBatches::ForEach(const Progress& progress,
-  const std::function<bool(const FluentFaces::Run&, const Face*, vtkIdType)>& visit)
+// Reads the next faces of text from a place, which moves behind them.
+bool FluentFaceBatches::ReadText(
+  Want want, const TextLines& lines, const Run& run, const char*& place, vtkIdType count)
 {
-  const vtkIdType size = this->Mesh.Faces.GetCount();
-  this->BatchSize = this->Mesh.Piece.IsWhole() ? BatchOfWhole : BatchOfPiece;
-  this->Batch = Buffer<Face>(std::min(size, this->BatchSize));
+  const TextLines::Section section = lines.Find(place, count);
+  if (!section)
+  {
+    return false;
+  }
+  const char* const begin = place;
+  place = section.End;
+  if (want == Want::Cells)
+  {
+    return lines.ForEach(section, Progress(),
+      [&](vtkIdType, vtkIdType line, const char* text, const char* end)
+      { return this->SkimLine(run, text, end, this->Faces[line]); });
+  }
+  // A number and what follows it are two characters at least, which tells where there is room.
+  const vtkIdType words = (section.End - begin) / 2 + 2;
+  if (words > this->Words.size())
+  {
+    this->Words = Buffer<std::int32_t>(); // before there is another one
+    this->Words = Buffer<std::int32_t>(words + words / 8);
+  }
+  char* const nodes = reinterpret_cast<char*>(this->Words.data());
+  return lines.ForEach(section, Progress(),
+    [&](vtkIdType, vtkIdType line, const char* text, const char* end)
+    { return this->ReadLine(run, text, end, this->Faces[line], nodes + (text - begin) / 2 * 4); });
+}
+
+//------------------------------------------------------------------------------
+bool FluentFaceBatches::ForEach(
+  Want want, const Progress& progress, const std::function<bool(const Batch&)>& visit)
+{
+  const vtkIdType total = this->Mesh.Faces.GetCount();
+  const vtkIdType batchSize =
+    std::max(MinBatch, std::min(MaxBatch, total / MinNumberOfBatches / BlockSize * BlockSize));
+  // Accessible faces need no memory; batches are there to report what is done.
+  constexpr vtkIdType Reports = 20;
+  const vtkIdType longBatch = std::max(batchSize, total / Reports / BlockSize * BlockSize);
+  this->Lines.resize(this->Mesh.Faces.GetRuns().size());
   for (const Run& run : this->Mesh.Faces.GetRuns())
   {
-    const auto visitBatch = [&](vtkIdType begin, vtkIdType end)
+    auto& lines = this->Lines[static_cast<std::size_t>(&run - this->Mesh.Faces.GetRuns().data())];
+    const char* place = nullptr;
+    if (!run.Data)
     {
-      return (!run.Bounds || visit(run, this->Batch.data(), end - begin)) &&
-        progress.Report(static_cast<double>(end) / static_cast<double>(size));
-    };
-    if (!(run.Data ? this->VisitKept(run, visitBatch) : this->VisitText(run, visitBatch)))
+      constexpr vtkIdType MaxChunk = vtkIdType(1) << 16; // several per batch
+      place = run.Section->Begin;
+      if (!lines)
+      {
+        TextScanner scanner("", this->File.GetBegin(), run.Section->End);
+        scanner.SetPosition(place);
+        lines = std::make_unique<TextLines>(scanner, Progress(), std::min(this->Chunk, MaxChunk));
+      }
+      if (this->Faces.size() == 0)
+      {
+        this->Faces = Buffer<Face>(std::min(total, batchSize));
+      }
+    }
+    const vtkIdType size = lines ? batchSize : longBatch;
+    Batch batch;
+    batch.Batches = this;
+    batch.Of = &run;
+    batch.Read = lines ? this->Faces.data() : nullptr;
+    batch.Swap = run.Swap;
+    for (batch.Begin = run.Begin; batch.Begin < run.End; batch.Begin = batch.End)
+    {
+      batch.End = std::min(batch.Begin + size, run.End);
+      if ((lines && !this->ReadText(want, *lines, run, place, batch.End - batch.Begin)) ||
+        (run.Bounds && !visit(batch)) ||
+        !progress.Report(static_cast<double>(batch.End) / static_cast<double>(total)))
+      {
+        return false;
+      }
+    }
+    if (lines && !IsBlank(place, run.Section->End))
     {
       return false;
     }

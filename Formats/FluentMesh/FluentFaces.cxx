@@ -126,7 +126,7 @@ bool FluentFaces::ReadLines(
       {
         std::int64_t size = 0;
         const char* const begin = text;
-        if (!ParseHex(text, end, size) || size > (end - begin) / 2)
+        if (!ParseHexInLine(text, end, size) || size > (end - begin) / 2)
         {
           return false;
         }
@@ -152,7 +152,7 @@ bool FluentFaces::ReadLines(
       std::int32_t* word = words.data() + (isList ? first[piece] : row * line);
       if (isList)
       {
-        text = ParseHex(text, end, value);
+        text = ParseHexInLine(text, end, value);
         if (!text || value > last[piece] - first[piece] - 3)
         {
           return false; // the file was changed
@@ -163,7 +163,7 @@ bool FluentFaces::ReadLines(
       }
       for (std::int64_t left = value; left > 0; --left)
       {
-        text = ParseHex(text, end, value);
+        text = ParseHexInLine(text, end, value);
         if (!text || value > INT32_MAX)
         {
           return false;
@@ -419,7 +419,7 @@ bool FluentFaces::ReadLine(
   std::int64_t value = run.Size;
   if (run.Size == 0)
   {
-    text = ParseHex(text, end, value);
+    text = ParseHexInLine(text, end, value);
     if (!text || value > (end - text) / 2)
     {
       return false;
@@ -430,7 +430,7 @@ bool FluentFaces::ReadLine(
   for (std::size_t i = 0; i < size + 2; ++i)
   {
     const bool isNode = i < size;
-    text = ParseHex(text, end, value);
+    text = ParseHexInLine(text, end, value);
     if (!text || value < (isNode ? 1 : 0) || value > (isNode ? this->Nodes : this->Cells))
     {
       return false;

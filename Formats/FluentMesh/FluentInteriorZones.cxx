@@ -26,6 +26,25 @@ void FluentInteriorZones::Find(const FluentFaces& faces)
 }
 
 //------------------------------------------------------------------------------
+void FluentInteriorZones::Add(const FluentFaces::Run& run, const FluentMesh& mesh,
+  const FluentFaceBatches::Face* faces, vtkIdType size)
+{
+  if (!this->Several || run.BoundaryType != FluentBoundary::Interior)
+  {
+    return;
+  }
+  const auto getZone = [&](vtkIdType cell) { return mesh.Cells.GetZone(mesh.Piece.GetLeaf(cell)); };
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const FluentFaceBatches::Face& face = faces[i];
+    if (face.Cells[0] >= 0 && face.Cells[1] >= 0)
+    {
+      this->Add(run.Zone, getZone(face.Cells[0]), getZone(face.Cells[1]), face.Size);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool FluentInteriorZones::AddAll(
   const FluentFaces& faces, const FluentCells& cells, const Progress& progress)
 {

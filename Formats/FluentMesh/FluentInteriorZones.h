@@ -11,7 +11,7 @@
 #ifndef camaron_FluentInteriorZones_h
 #define camaron_FluentInteriorZones_h
 
-#include "FluentCellFaces.h"
+#include "FluentFaceBatches.h"
 
 #include <array> // for keys
 #include <map>   // for the table
@@ -43,6 +43,9 @@ public:
       this->Last->second = Ambiguous;
     }
   }
+  /// Adds some faces of a run if it is one of several zones of the interior.
+  void Add(const FluentFaces::Run& run, const FluentMesh& mesh,
+    const FluentFaceBatches::Face* faces, vtkIdType size);
   /// Adds all faces that can be visited; false if that failed.
   bool AddAll(const FluentFaces& faces, const FluentCells& cells, const Progress& progress);
 

@@ -19,20 +19,6 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType Ahead = 8; // faces whose cells are fetched meanwhile
-
-//------------------------------------------------------------------------------
-// In how many shares the cells are made, a power of two: all look at all faces.
-int GetNumberOfShares()
-{
-  constexpr int MaxShares = 8;
-  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  int shares = 1;
-  while (2 * shares <= std::min(threads, MaxShares))
-  {
-    shares *= 2;
-  }
-  return shares;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -47,98 +33,101 @@ public:
   {
   }
 
-  vtkIdType NumberOfComplete = 0;
-
-  /**
-   * Adds faces to those of its cells: of many small ranges, so that all of @a shares, a power of
-   * two, have some in every batch.
-   */
-  bool Add(const FluentFaceBatches::Face* faces, vtkIdType size, vtkIdType share, vtkIdType shares)
+  /// Adds faces to those of its cells.
+  bool Add(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face* faces,
+    vtkIdType size, vtkIdType share, vtkIdType shares)
   {
-    constexpr int RangeBits = 6;
+    switch (this->Cells.CommonType)
+    {
+      case VTK_TETRA:
+        return this->AddAs<VTK_TETRA>(batch, faces, size, share, shares);
+      case VTK_HEXAHEDRON:
+        return this->AddAs<VTK_HEXAHEDRON>(batch, faces, size, share, shares);
+      default:
+        return this->AddAs<0>(batch, faces, size, share, shares);
+    }
+  }
+
+private:
+  template <unsigned char Type>
+  vtkIdType GetOffset(vtkIdType cell) const
+  {
+    return Type == VTK_TETRA   ? 4 * cell
+      : Type == VTK_HEXAHEDRON ? 8 * cell
+                               : vtkIdType(this->Cells.Offsets[cell]);
+  }
+
+  template <unsigned char Type>
+  bool AddAs(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face* faces,
+    vtkIdType size, vtkIdType share, vtkIdType shares)
+  {
+    constexpr std::int32_t MaxSize = 4;
     bool good = true;
     for (vtkIdType i = 0; i < size && good; ++i)
     {
-      if (i + 2 * Ahead < size)
-      {
-        this->Prefetch(faces[i + Ahead], faces[i + 2 * Ahead]);
-      }
+      const FluentFaceBatches::Face& next = faces[std::min(i + Ahead, size - 1)];
       const FluentFaceBatches::Face& face = faces[i];
+      const bool isUsed = face.Cells[0] >= 0 || face.Cells[1] >= 0;
+      if (isUsed && face.Size > MaxSize)
+      {
+        return false;
+      }
+      Id nodes[MaxSize] = {};
+      for (std::int32_t j = 0; isUsed && j < face.Size; ++j)
+      {
+        nodes[j] = batch.GetNode(face, j);
+      }
+      const FluentTetrahedron::Face triangle = Type == VTK_TETRA && face.Size == 3
+        ? FluentTetrahedron::Face(nodes)
+        : FluentTetrahedron::Face();
       for (int side = 0; side < 2; ++side)
       {
+        const vtkIdType nextCell = std::max(next.Cells[side], 0);
+        camaron::Prefetch(&this->States[nextCell]);
+        camaron::Prefetch(&this->Cells.Nodes[this->GetOffset<Type>(nextCell)]);
         const vtkIdType cell = face.Cells[side];
-        if (cell >= 0 && (cell >> RangeBits & (shares - 1)) == share)
+        if (cell < 0 || FluentFaceBatches::GetShare(cell, shares) != share)
         {
-          good = this->AddTo(cell, face, side) && good;
+          continue;
         }
+        Id* const place = &this->Cells.Nodes[this->GetOffset<Type>(cell)];
+        FluentCellState& state = this->States[cell];
+        good &= Type == VTK_TETRA
+          ? face.Size == 3 && FluentTetrahedron::Add(place, state, triangle, side)
+          : this->AddTo(
+              Type != 0 ? Type : this->Cells.Types[cell], place, state, nodes, face.Size, side);
       }
     }
     return good;
   }
 
-private:
-  void Prefetch(const FluentFaceBatches::Face& near, const FluentFaceBatches::Face& far) const
+  bool AddTo(unsigned char type, Id* nodes, FluentCellState& state, const Id* listed,
+    std::int32_t size, int side)
   {
-    for (int side = 0; side < 2; ++side)
+    // The normal points into the first cell.
+    if (type == VTK_TETRA)
     {
-      const vtkIdType next = near.Cells[side], later = far.Cells[side];
-      if (next >= 0)
-      {
-        camaron::Prefetch(&this->Cells.Nodes[this->Cells.Offsets[next]]);
-      }
-      if (later >= 0)
-      {
-        camaron::Prefetch(&this->States[later]);
-        camaron::Prefetch(&this->Cells.Types[later]);
-        camaron::Prefetch(&this->Cells.Offsets[later]);
-      }
+      return size == 3 &&
+        FluentTetrahedron::Add(nodes, state, FluentTetrahedron::Face(listed), side);
     }
-  }
-
-  bool AddTo(vtkIdType cell, const FluentFaceBatches::Face& face, int side)
-  {
-    FluentCellState& state = this->States[cell];
     if (state == FluentCellComplete)
     {
       return false;
     }
-    const unsigned char type = this->Cells.Types[cell];
-    Id* const nodes = &this->Cells.Nodes[this->Cells.Offsets[cell]];
-    // The normal points into the first cell.
-    const Id* const listed = face.Nodes;
-    bool good = false;
     switch (type)
     {
-      case VTK_TETRA:
-      {
-        const Id inward[3] = { listed[0], listed[1 + side], listed[2 - side] };
-        good = face.Size == 3 && AddToTetrahedron(nodes, state, inward);
-        break;
-      }
       case VTK_HEXAHEDRON:
       {
         const Id inward[4] = { listed[0], listed[1 + 2 * side], listed[2], listed[3 - 2 * side] };
-        good = face.Size == 4 && AddToHexahedron(nodes, state, inward);
-        break;
+        return size == 4 && AddToHexahedron(nodes, state, inward);
       }
       case VTK_TRIANGLE:
       case VTK_QUAD:
-        good = face.Size == 2 &&
+        return size == 2 &&
           AddToRing(nodes, type == VTK_QUAD ? 4 : 3, state, listed[side], listed[1 - side]);
-        break;
       default:
-        good = this->AddToOther(type, nodes, state, face, side);
+        return this->AddToOther(type, nodes, state, listed, size, side);
     }
-    if (good && state == FluentCellComplete)
-    {
-      ++this->NumberOfComplete;
-      const vtkIdType size = this->Cells.Offsets[cell + 1] - this->Cells.Offsets[cell];
-      for (vtkIdType i = 0; i < size; ++i)
-      {
-        nodes[i] = static_cast<Id>(this->Cells.Mesh.Piece.GetPoint(nodes[i] - 1));
-      }
-    }
-    return good;
   }
 
   /// A face of an incomplete cell.
@@ -152,13 +141,13 @@ private:
 
   /// Faces of pyramids and wedges wait for the last of them. The state is their number, and node 0
   /// is the last that came.
-  bool AddToOther(unsigned char type, Id* nodes, FluentCellState& state,
-    const FluentFaceBatches::Face& face, int side)
+  bool AddToOther(unsigned char type, Id* nodes, FluentCellState& state, const Id* listed,
+    std::int32_t size, int side)
   {
     constexpr int NumberOfFaces = 5;
-    Waiting waiting{ state > 0 ? nodes[0] : -1, static_cast<std::int16_t>(face.Size),
+    Waiting waiting{ state > 0 ? nodes[0] : -1, static_cast<std::int16_t>(size),
       side == 0 ? FaceDirection::Inward : FaceDirection::Outward, {} };
-    std::copy(face.Nodes, face.Nodes + face.Size, waiting.Nodes);
+    std::copy(listed, listed + size, waiting.Nodes);
     if (state + 1 < NumberOfFaces)
     {
       ++state;
@@ -222,19 +211,26 @@ bool FluentStandardCells::Place()
   constexpr vtkIdType BlockSize = 1024;
   this->Types = Buffer<unsigned char>(this->Count);
   this->Offsets = Buffer<Id>(this->Count + 1);
-  std::atomic<bool> areStandard{ true };
+  const unsigned char first = this->Count > 0 ? this->Mesh.GetShape(0).Type : 0;
+  std::atomic<bool> areStandard{ true }, isUniform{ true };
   std::atomic<vtkIdType> faces{ 0 };
   const vtkIdType nodes = ParallelScan(
     this->Count, BlockSize,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType sum = 0, sumOfFaces = 0;
+      const bool isOne = this->Mesh.Piece.IsWhole() && this->Mesh.Cells.HaveOneElement(begin, end);
+      FluentShape shape = this->Mesh.GetShape(begin);
       for (vtkIdType cell = begin; cell < end && areStandard; ++cell)
       {
-        const FluentShape shape = this->Mesh.GetShape(cell);
+        shape = isOne ? shape : this->Mesh.GetShape(cell);
         if (shape.Faces == 0)
         {
           areStandard = false;
+        }
+        if (shape.Type != first)
+        {
+          isUniform = false;
         }
         this->Types[cell] = shape.Type;
         this->Offsets[cell] = static_cast<Id>(sum);
@@ -256,23 +252,42 @@ bool FluentStandardCells::Place()
     return false;
   }
   this->Offsets[this->Count] = static_cast<Id>(nodes);
+  this->CommonType = isUniform ? first : 0;
   return true;
 }
 
 //------------------------------------------------------------------------------
-void FluentStandardCells::AddTo(
-  FluentInteriorZones& zones, int zone, const FluentFaceBatches::Face* faces, vtkIdType size) const
+// From ids of the file to points; false if not all cells have all faces.
+bool FluentStandardCells::Finish(const Buffer<std::uint32_t>& states, const Progress& progress)
 {
-  const auto getZone = [this](vtkIdType cell)
-  { return this->Mesh.Cells.GetZone(this->Mesh.Piece.GetLeaf(cell)); };
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const FluentFaceBatches::Face& face = faces[i];
-    if (face.Cells[0] >= 0 && face.Cells[1] >= 0)
-    {
-      zones.Add(zone, getZone(face.Cells[0]), getZone(face.Cells[1]), face.Size);
-    }
-  }
+  constexpr vtkIdType BlockSize = 4096;
+  const vtkIdType maxNode = this->Mesh.Piece.GetNumberOfMeshPoints();
+  std::atomic<bool> good{ true };
+  return progress.For((this->Count + BlockSize - 1) / BlockSize,
+           [&](vtkIdType first, vtkIdType last)
+           {
+             bool isGood = true;
+             const vtkIdType end = std::min(last * BlockSize, this->Count);
+             for (vtkIdType cell = first * BlockSize; cell < end && isGood; ++cell)
+             {
+               Id* const nodes = &this->Nodes[this->Offsets[cell]];
+               Id* const last = &this->Nodes[this->Offsets[cell + 1]];
+               isGood = this->Types[cell] == VTK_TETRA
+                 ? FluentTetrahedron::Finish(nodes, states[cell], maxNode)
+                 : states[cell] == FluentCellComplete;
+               for (Id* node = nodes; node < last && isGood; ++node)
+               {
+                 isGood =
+                   static_cast<std::uint32_t>(*node) - 1 < static_cast<std::uint64_t>(maxNode);
+                 *node = static_cast<Id>(this->Mesh.Piece.GetPoint(*node - 1));
+               }
+             }
+             if (!isGood)
+             {
+               good = false;
+             }
+           }) &&
+    good;
 }
 
 //------------------------------------------------------------------------------
@@ -284,38 +299,29 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
   std::fill(states.data(), states.data() + this->Count, FluentCellState(0));
 
   std::deque<Share> shares;
-  for (int i = GetNumberOfShares(); i > 0; --i)
+  for (int i = FluentFaceBatches::GetNumberOfShares(); i > 0; --i)
   {
     shares.emplace_back(*this, states);
   }
   const auto count = static_cast<vtkIdType>(shares.size());
-  const bool visited = batches.ForEach(progress,
-    [&](const FluentFaces::Run& run, const FluentFaceBatches::Face* faces, vtkIdType size)
+  const bool visited = batches.ForEach(FluentFaceBatches::Want::All, progress.Part(0, 0.9),
+    [&](const FluentFaceBatches::Batch& batch)
     {
-      if (zones.AreSeveral() && run.BoundaryType == FluentBoundary::Interior)
-      {
-        this->AddTo(zones, run.Zone, faces, size);
-      }
-      std::atomic<bool> good{ true };
-      ParallelFor(count, 1,
-        [&](vtkIdType first, vtkIdType last)
+      return FluentFaceBatches::ForEachShare(count,
+        [&](vtkIdType share)
         {
-          for (vtkIdType share = first; share < last; ++share)
-          {
-            if (!shares[static_cast<std::size_t>(share)].Add(faces, size, share, count))
+          return batch.ForEachBlock(
+            [&](vtkIdType, const FluentFaceBatches::Face* faces, vtkIdType size)
             {
-              good = false;
-            }
-          }
+              if (share == 0)
+              {
+                zones.Add(batch.GetRun(), this->Mesh, faces, size);
+              }
+              return shares[static_cast<std::size_t>(share)].Add(batch, faces, size, share, count);
+            });
         });
-      return good.load();
     });
-  vtkIdType complete = 0;
-  for (const Share& share : shares)
-  {
-    complete += share.NumberOfComplete;
-  }
-  if (!visited || complete != this->Count)
+  if (!visited || !this->Finish(states, progress.Part(0.9, 1)))
   {
     return false;
   }

@@ -41,14 +41,14 @@ private:
   using Id = vtkTypeInt32;
   class Share;
 
-  void AddTo(FluentInteriorZones& zones, int zone, const FluentFaceBatches::Face* faces,
-    vtkIdType size) const;
+  bool Finish(const Buffer<std::uint32_t>& states, const Progress& progress);
 
   const FluentMesh& Mesh;
   vtkIdType Count;
+  unsigned char CommonType = 0; ///< of all cells, or 0
   Buffer<unsigned char> Types;
   Buffer<Id> Offsets;
-  Buffer<Id> Nodes; ///< ids of the file until a cell is complete, then points
+  Buffer<Id> Nodes; ///< ids of the file or what leads to them, then points
 };
 }
 

@@ -69,6 +69,31 @@ inline const char* ParseHex(const char* text, const char* end, std::int64_t& val
   value = static_cast<std::int64_t>(number);
   return text;
 }
+
+/// The same in a line of a section, whose end is no digit and can be read, as are all before it.
+inline const char* ParseHexInLine(const char* text, const char* end, std::int64_t& value)
+{
+  constexpr int MaxDigits = 7; // of 32 bits
+  const char* place = text + (*text == ' ' ? 1 : 0);
+  const char* const limit = end - place > MaxDigits ? place + MaxDigits : end;
+  const char* const first = place;
+  std::uint32_t number = 0;
+  for (; place < limit; ++place)
+  {
+    const int digit = detail::HexDigits[static_cast<unsigned char>(*place)];
+    if (digit < 0)
+    {
+      break;
+    }
+    number = number << 4 | static_cast<std::uint32_t>(digit);
+  }
+  if (place == first || (*place != ' ' && place != end))
+  {
+    return ParseHex(text, end, value);
+  }
+  value = number;
+  return place;
+}
 }
 
 #endif
