@@ -6,6 +6,7 @@
 #include "FluentBoundaries.h"
 #include "FluentGrid.h"
 #include "FluentNodes.h"
+#include "FluentPolyhedra.h"
 #include "FluentStandardCells.h"
 #include "FluentText.h"
 #include "Inflation.h"
@@ -210,7 +211,8 @@ bool FluentMeshReading::KeepFacesOfPiece(const FluentMesh& mesh, const Progress&
 }
 
 //------------------------------------------------------------------------------
-// Cells of standard types, as most meshes have, need not have all faces in memory.
+// Cells of standard types, or polyhedra only, as most meshes have, need not have all faces in
+// memory.
 bool FluentMeshReading::ReadCells(
   vtkIdType nodes, vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
 {
@@ -234,9 +236,12 @@ bool FluentMeshReading::ReadCells(
     this->File.GetDimension() };
   if (this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0)
   {
-    FluentStandardCells cells(mesh);
     FluentFaceBatches batches(this->File, mesh, nodes, this->Chunk);
-    if (cells.Place() && cells.Build(batches, this->Interior, grid, progress.Part(0.3, 1)))
+    FluentPolyhedra polyhedra(mesh);
+    FluentStandardCells cells(mesh);
+    if (polyhedra.AreAll()
+        ? polyhedra.Build(batches, this->Interior, grid, progress.Part(0.3, 1))
+        : cells.Place() && cells.Build(batches, this->Interior, grid, progress.Part(0.3, 1)))
     {
       return true;
     }
@@ -314,7 +319,8 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
     WarnOfPoints(coordinates, warnings, Progress(), "node", "nodes");
     if (this->Cells.GetNumberOfUndeclared() > 0)
     {
-      warnings.Add("cells that are in no section of cells, so that their type and zone are not known: " +
+      warnings.Add(
+        "cells that are in no section of cells, so that their type and zone are not known: " +
         std::to_string(this->Cells.GetNumberOfUndeclared()));
     }
   }
@@ -332,10 +338,12 @@ void FluentMeshReading::AddArrays(vtkUnstructuredGrid* grid) const
   ParallelFor(size, Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
+      const bool isOne = this->Piece.IsWhole() && this->Cells.HaveOneZone(begin, end);
+      const int zone = this->Cells.GetZone(this->Piece.GetLeaf(begin));
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         const vtkIdType leaf = this->Piece.GetLeaf(cell);
-        zones[cell] = this->Cells.GetZone(leaf);
+        zones[cell] = isOne ? zone : this->Cells.GetZone(leaf);
         if (hasGaps)
         {
           ids[cell] = this->Cells.GetId(leaf);

@@ -86,6 +86,51 @@ FluentSample MakeHexahedra(int size)
   return mesh;
 }
 
+//------------------------------------------------------------------------------
+// Cubes of six tetrahedra along a line.
+FluentSample MakeTetrahedra(int size)
+{
+  FluentSample mesh;
+  for (int p = 0; p < 4 * (size + 1); ++p)
+  {
+    mesh.AddPoint(p / 4, p % 2, p / 2 % 2);
+  }
+  // Along the edges of the cube from its first to its last corner.
+  const int steps[6][2] = { { 4, 1 }, { 1, 2 }, { 2, 4 }, { 1, 4 }, { 2, 1 }, { 4, 2 } };
+  for (int i = 0; i < size; ++i)
+  {
+    for (const auto& step : steps)
+    {
+      const int a = 4 * i, b = a + step[0], c = b + step[1];
+      mesh.AddVTKCell(2, VTK_TETRA, { a, b, c, a + 7 });
+    }
+  }
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+// Polyhedra; if they are pairs, they need not be in one part, and may have a face on both sides.
+FluentSample MakePolyhedra(int columns, bool arePairs)
+{
+  FluentSample mesh = MakeMixed(columns);
+  if (arePairs)
+  {
+    mesh.Cells.resize((mesh.Cells.size() + 1) / 2);
+    for (FluentSample::Face& face : mesh.Faces)
+    {
+      for (int& cell : face.Cells)
+      {
+        cell = cell < 0 ? cell : cell / 2;
+      }
+    }
+  }
+  for (FluentSample::Cell& cell : mesh.Cells)
+  {
+    cell.Element = 7;
+  }
+  return mesh;
+}
+
 const std::map<int, int> TypesOf3D = { { 2, VTK_TETRA }, { 4, VTK_HEXAHEDRON }, { 5, VTK_PYRAMID },
   { 6, VTK_WEDGE }, { 7, VTK_POLYHEDRON } };
 }
@@ -593,7 +638,8 @@ TEST(FluentMeshReader, FindsTheOrderOfBytes)
 // If this fails, the mesh depends on threads, or on where text is cut for them.
 TEST(FluentMeshReader, ThreadsAndChunksChangeNothing)
 {
-  for (const FluentSample& mesh : { MakeMixed(60), MakeFlat(200) })
+  for (const FluentSample& mesh :
+    { MakeMixed(60), MakeFlat(200), MakeTetrahedra(50), MakePolyhedra(60, true) })
   {
     for (const FluentEncoding& how : GetEncodings())
     {
@@ -623,7 +669,7 @@ TEST(FluentMeshReader, ThreadsAndChunksChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the nodes of cells of standard types, which are made while the faces are read, are
+// If this fails, cells of standard types or polyhedra, which are made while the faces are read, are
 // not those that all faces of a cell together lead to: the same file with a tree of split faces,
 // even if none is, is read in the other way. Faces come in any order, start anywhere, run either
 // way.
@@ -631,7 +677,8 @@ TEST(FluentMeshReader, BothWaysFindTheSameNodes)
 {
   std::mt19937 random(5);
   const std::string tree = "(59 (1 1 3 3)(0))\n";
-  for (FluentSample mesh : { MakeMixed(40), MakeFlat(2), MakeHexahedra(4) })
+  for (FluentSample mesh : { MakeMixed(40), MakeFlat(2), MakeHexahedra(4), MakeTetrahedra(9),
+         MakePolyhedra(9, false), MakePolyhedra(9, true) })
   {
     for (int round = 0; round < 20; ++round)
     {
@@ -652,6 +699,7 @@ TEST(FluentMeshReader, BothWaysFindTheSameNodes)
       {
         FluentEncoding how;
         how.RealSize = size;
+        how.Uniform = round % 2 == 1;
         const std::string bytes = Encode(mesh, how);
         const Result standard = ReadBytes(bytes), general = ReadBytes(bytes + tree);
         ASSERT_TRUE(standard.Errors.empty() && general.Errors.empty());
@@ -663,16 +711,45 @@ TEST(FluentMeshReader, BothWaysFindTheSameNodes)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, tetrahedra are made of faces that are not theirs: the sums of the ids of nodes
+// alone do not show that 1 5 6 is not 3 4 5.
+TEST(FluentMeshReader, SumsOfNodesAreNotEnough)
+{
+  FluentSample mesh;
+  for (int p = 0; p < 6; ++p)
+  {
+    mesh.AddPoint(p % 2, p % 3, p * p);
+  }
+  mesh.AddVTKCell(2, VTK_TETRA, { 2, 3, 4, 5 });
+  ASSERT_EQ(ReadBytes(Encode(mesh)).Grid->GetCellType(0), VTK_TETRA);
+  for (FluentSample::Face& face : mesh.Faces)
+  {
+    std::vector<int> sorted = face.Nodes;
+    std::sort(sorted.begin(), sorted.end());
+    if (sorted == std::vector<int>{ 2, 3, 4 })
+    {
+      for (int& node : face.Nodes)
+      {
+        node = node == 2 ? 0 : node + 1;
+      }
+    }
+  }
+  const Result result = ReadBytes(Encode(mesh));
+  ASSERT_TRUE(result.Errors.empty());
+  EXPECT_EQ(result.Grid->GetCellType(0), VTK_POLYHEDRON);
+  ASSERT_EQ(result.Warnings.size(), 1u);
+  EXPECT_NE(result.Warnings[0].find("1 cell whose faces are not those of the declared type"),
+    std::string::npos)
+    << result.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 TEST(FluentMeshReader, PiecesMakeTheWhole)
 {
-  FluentSample polyhedra = MakeMixed(6);
-  for (FluentSample::Cell& cell : polyhedra.Cells)
-  {
-    cell.Element = 7;
-  }
   FluentSample orphans = MakeMixed(6);
   orphans.AddPoint(9, 9, 9);
-  for (const FluentSample& mesh : { orphans, polyhedra, MakeFlat(20) })
+  for (const FluentSample& mesh :
+    { orphans, MakePolyhedra(6, false), MakePolyhedra(6, true), MakeFlat(20), MakeTetrahedra(8) })
   {
     for (const int size : { 0, 8 })
     {

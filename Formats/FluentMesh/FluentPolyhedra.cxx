@@ -1,0 +1,416 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentPolyhedra.h"
+
+#include "Mesh/MeshTopology.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <atomic>
+#include <numeric>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType BlockSize = 1024;
+constexpr vtkIdType Ahead = 8; // faces whose cells are fetched meanwhile
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkCellArray> MakeCells(Buffer<vtkTypeInt32>& offsets, Buffer<vtkTypeInt32>& ids)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  const auto offsetArray = offsets.TakeArray<vtkTypeInt32Array>();
+  const auto idArray = ids.TakeArray<vtkTypeInt32Array>();
+  cells->SetData(offsetArray.Get(), idArray.Get());
+  return cells;
+}
+}
+
+//------------------------------------------------------------------------------
+// Finds the distinct points of one cell after the other. A table of what was seen need not be
+// emptied in between: its entries say of which cell they are.
+class FluentPolyhedra::Numbering
+{
+public:
+  /// Begins a cell of at most so many corners.
+  void Begin(std::size_t corners)
+  {
+    if (2 * corners > this->Table.size() || this->Cell == UINT32_MAX)
+    {
+      while ((std::size_t(1) << this->Bits) < 2 * corners)
+      {
+        ++this->Bits;
+      }
+      this->Table.assign(std::size_t(1) << this->Bits, 0);
+      this->Cell = 0;
+    }
+    this->Ids.resize(std::max(this->Ids.size(), corners + 1));
+    ++this->Cell;
+    this->Count = 0;
+  }
+  void Add(Id id)
+  {
+    constexpr std::uint32_t Factor = 0x9e3779b1; // 2^32 / golden ratio (D. Knuth, TAOCP 3, 6.4)
+    const std::uint64_t entry = std::uint64_t(this->Cell) << 32 | static_cast<std::uint32_t>(id);
+    const std::size_t mask = this->Table.size() - 1;
+    std::size_t slot = static_cast<std::uint32_t>(id) * Factor >> (32 - this->Bits);
+    while (this->Table[slot] != entry && this->Table[slot] >> 32 == this->Cell)
+    {
+      slot = (slot + 1) & mask;
+    }
+    // Whether it is new is not decided but added: a processor would guess wrongly.
+    this->Ids[this->Count] = id;
+    this->Count += this->Table[slot] != entry;
+    this->Table[slot] = entry;
+  }
+  const std::vector<Id>& GetIds() const { return this->Ids; }
+  std::uint32_t GetCount() const { return static_cast<std::uint32_t>(this->Count); }
+
+private:
+  std::vector<std::uint64_t> Table;
+  std::vector<Id> Ids;
+  std::size_t Count = 0;
+  std::uint32_t Cell = 0;
+  int Bits = 4;
+};
+
+//------------------------------------------------------------------------------
+bool FluentPolyhedra::AreAll() const
+{
+  constexpr std::size_t MaxUses = std::size_t(1) << 30; // of FacetTable
+  std::atomic<bool> good{ this->Count > 0 &&
+    static_cast<std::size_t>(this->Mesh.Faces.GetCount()) <= MaxUses / 2 };
+  ParallelFor(good ? this->Count : 0, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const bool isOne = this->Mesh.Piece.IsWhole() && this->Mesh.Cells.HaveOneElement(begin, end);
+      for (vtkIdType cell = begin; cell < (isOne ? begin + 1 : end) && good; ++cell)
+      {
+        if (this->Mesh.GetShape(cell).Type != VTK_POLYHEDRON)
+        {
+          good = false;
+        }
+      }
+    });
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Cursors become the numbers of faces and corners.
+bool FluentPolyhedra::CountFaces(FluentFaceBatches& batches, const Progress& progress)
+{
+  this->Cursors = Buffer<Cursor>(this->Count);
+  std::fill(this->Cursors.data(), this->Cursors.data() + this->Count, Cursor{ 0, 0 });
+  const vtkIdType shares = FluentFaceBatches::GetNumberOfShares();
+  return batches.ForEach(FluentFaceBatches::Want::Cells, progress,
+    [&](const FluentFaceBatches::Batch& batch)
+    {
+      return FluentFaceBatches::ForEachShare(shares,
+        [&](vtkIdType share)
+        {
+          return batch.ForEachBlock(
+            [&](vtkIdType, const FluentFaceBatches::Face* faces, vtkIdType size)
+            {
+              for (vtkIdType i = 0; i < size; ++i)
+              {
+                for (const std::int32_t cell : faces[i].Cells)
+                {
+                  if (cell >= 0 && FluentFaceBatches::GetShare(cell, shares) == share)
+                  {
+                    Cursor& cursor = this->Cursors[cell];
+                    ++cursor.Face;
+                    const std::uint32_t before = cursor.Corner;
+                    cursor.Corner += static_cast<std::uint32_t>(faces[i].Size);
+                    if (cursor.Corner < before)
+                    {
+                      return false;
+                    }
+                  }
+                }
+              }
+              return true;
+            });
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
+// From numbers to places.
+bool FluentPolyhedra::FindPlaces()
+{
+  this->LocationOffsets = Buffer<Id>(this->Count + 1);
+  this->CornerEnds = Buffer<std::uint32_t>(this->Count);
+  vtkIdType faces = 0, corners = 0;
+  bool good = true;
+  for (vtkIdType cell = 0; cell < this->Count && good; ++cell)
+  {
+    Cursor& cursor = this->Cursors[cell];
+    const Cursor sizes = cursor;
+    cursor = { static_cast<std::uint32_t>(faces), static_cast<std::uint32_t>(corners) };
+    this->LocationOffsets[cell] = static_cast<Id>(faces);
+    faces += sizes.Face;
+    corners += sizes.Corner;
+    this->CornerEnds[cell] = static_cast<std::uint32_t>(corners);
+    good = sizes.Face > 0 && faces <= INT32_MAX && corners <= INT32_MAX;
+  }
+  if (!good)
+  {
+    return false;
+  }
+  this->LocationOffsets[this->Count] = static_cast<Id>(faces);
+  this->FaceOffsets = Buffer<Id>(faces + 1);
+  this->FaceOffsets[faces] = static_cast<Id>(corners);
+  this->Corners = Buffer<Id>(corners);
+  this->Faces.resize(static_cast<std::size_t>(faces));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentPolyhedra::AddTo(vtkIdType cell, const FluentFaceBatches::Batch& batch,
+  const FluentFaceBatches::Face& face, int side, vtkIdType position)
+{
+  Cursor& cursor = this->Cursors[cell];
+  const auto size = static_cast<std::uint32_t>(face.Size);
+  // There is always room, unless another program has changed the file.
+  if (cursor.Face >= static_cast<std::uint32_t>(this->LocationOffsets[cell + 1]) ||
+    size > this->CornerEnds[cell] - cursor.Corner)
+  {
+    return false;
+  }
+  const auto corner = static_cast<Id>(cursor.Corner);
+  const auto maxNode = static_cast<std::uint64_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
+  // The normal points into the first cell, so that the face is turned for it.
+  const bool isTurned = side == 0;
+  this->FaceOffsets[cursor.Face] = isTurned ? ~corner : corner;
+  this->Faces[cursor.Face] = static_cast<Index>(position);
+  Id* const place = &this->Corners[corner];
+  bool good = true;
+  const auto put = [&](std::int32_t i, Id& to)
+  {
+    const std::int32_t node = batch.GetNode(face, i);
+    good &= static_cast<std::uint32_t>(node) - 1 < maxNode;
+    to = static_cast<Id>(this->Mesh.Piece.GetPoint(node - 1));
+  };
+  if (isTurned && face.Size > 0)
+  {
+    put(0, *place);
+    for (std::int32_t i = 1; i < face.Size; ++i)
+    {
+      put(face.Size - i, place[i]);
+    }
+  }
+  else
+  {
+    for (std::int32_t i = 0; i < face.Size; ++i)
+    {
+      put(i, place[i]);
+    }
+  }
+  ++cursor.Face;
+  cursor.Corner += size;
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool FluentPolyhedra::AddFaces(const FluentFaceBatches::Batch& batch, vtkIdType begin,
+  const FluentFaceBatches::Face* faces, vtkIdType size, vtkIdType share, vtkIdType shares)
+{
+  bool good = true;
+  for (vtkIdType i = 0; i < size && good; ++i)
+  {
+    for (int side = 0; side < 2; ++side)
+    {
+      camaron::Prefetch(
+        &this->Cursors[std::max(faces[std::min(i + Ahead, size - 1)].Cells[side], 0)]);
+      const vtkIdType cell = faces[i].Cells[side];
+      if (cell >= 0 && FluentFaceBatches::GetShare(cell, shares) == share)
+      {
+        good &= this->AddTo(cell, batch, faces[i], side, begin + i);
+      }
+    }
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool FluentPolyhedra::Fill(
+  FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress)
+{
+  const vtkIdType shares = FluentFaceBatches::GetNumberOfShares();
+  if (!batches.ForEach(FluentFaceBatches::Want::All, progress,
+        [&](const FluentFaceBatches::Batch& batch)
+        {
+          return FluentFaceBatches::ForEachShare(shares,
+            [&](vtkIdType share)
+            {
+              return batch.ForEachBlock(
+                [&](vtkIdType begin, const FluentFaceBatches::Face* faces, vtkIdType size)
+                {
+                  if (share == 0)
+                  {
+                    zones.Add(batch.GetRun(), this->Mesh, faces, size);
+                  }
+                  return this->AddFaces(batch, begin, faces, size, share, shares);
+                });
+            });
+        }))
+  {
+    return false;
+  }
+  for (vtkIdType cell = 0; cell < this->Count; ++cell)
+  {
+    const Cursor& cursor = this->Cursors[cell];
+    if (cursor.Face != static_cast<std::uint32_t>(this->LocationOffsets[cell + 1]) ||
+      cursor.Corner != this->CornerEnds[cell])
+    {
+      return false;
+    }
+  }
+  this->Cursors = Buffer<Cursor>();
+  this->CornerEnds = Buffer<std::uint32_t>();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Lists the points of every cell; false if they are not as many as it has counts, which are mended.
+bool FluentPolyhedra::NumberPoints(Buffer<std::uint32_t>& counts, const Progress& progress)
+{
+  std::atomic<bool> good{ true };
+  progress.For((this->Count + BlockSize - 1) / BlockSize,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      Numbering numbering;
+      const auto getOffset = [this](Id face)
+      {
+        const Id offset = this->FaceOffsets[face];
+        return offset < 0 ? ~offset : offset;
+      };
+      const vtkIdType end = std::min(last * BlockSize, this->Count);
+      for (vtkIdType cell = first * BlockSize; cell < end; ++cell)
+      {
+        const Id begin = this->LocationOffsets[cell], endFace = this->LocationOffsets[cell + 1];
+        numbering.Begin(static_cast<std::size_t>(getOffset(endFace) - getOffset(begin)));
+        for (Id face = begin; face < endFace; ++face)
+        {
+          // As they were before the face was turned.
+          const Id corner = getOffset(face), size = getOffset(face + 1) - corner;
+          const bool isTurned = this->FaceOffsets[face] < 0;
+          for (Id i = 0; i < size; ++i)
+          {
+            numbering.Add(this->Corners[corner + (isTurned && i > 0 ? size - i : i)]);
+          }
+        }
+        const std::uint32_t number = numbering.GetCount();
+        if (number != counts[cell])
+        {
+          good = false;
+          counts[cell] = number;
+        }
+        else
+        {
+          std::copy(numbering.GetIds().begin(), numbering.GetIds().begin() + number,
+            &this->Points[this->Offsets[cell]]);
+        }
+      }
+    });
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// A polyhedron is expected to be closed and without handles (Euler: points - edges + faces = 2);
+// where some are not, they have been counted then.
+bool FluentPolyhedra::FindPoints(const Progress& progress)
+{
+  Buffer<std::uint32_t> counts(this->Count);
+  const auto getCorner = [this](Id face)
+  {
+    const Id offset = this->FaceOffsets[face];
+    return offset < 0 ? ~offset : offset;
+  };
+  for (vtkIdType cell = 0; cell < this->Count; ++cell)
+  {
+    const Id begin = this->LocationOffsets[cell], end = this->LocationOffsets[cell + 1];
+    const Id points = (getCorner(end) - getCorner(begin)) / 2 - (end - begin) + 2;
+    counts[cell] = static_cast<std::uint32_t>(std::max<Id>(1, points));
+  }
+  for (const double part : { 0.5, 1. })
+  {
+    this->Offsets = Buffer<Id>(); // before there are others
+    this->Points = Buffer<Id>();
+    this->Offsets = Buffer<Id>(this->Count + 1);
+    vtkIdType total = 0;
+    for (vtkIdType cell = 0; cell < this->Count; ++cell)
+    {
+      this->Offsets[cell] = static_cast<Id>(total);
+      total += counts[cell];
+      if (total > INT32_MAX)
+      {
+        return false;
+      }
+    }
+    this->Offsets[this->Count] = static_cast<Id>(total);
+    this->Points = Buffer<Id>(total);
+    if (this->NumberPoints(counts, progress.Part(part - 0.5, part)))
+    {
+      break;
+    }
+  }
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+// Faces that were found to be the same need not be found again.
+void FluentPolyhedra::HandOver(vtkUnstructuredGrid* grid)
+{
+  vtkIdType count = this->Mesh.Faces.GetCount();
+  if (!this->Mesh.Piece.IsWhole())
+  {
+    IdSet used(count);
+    for (const Index face : this->Faces)
+    {
+      used.Add(face);
+    }
+    count = used.Number();
+    for (Index& face : this->Faces)
+    {
+      face = static_cast<Index>(used.GetNumber(face));
+    }
+  }
+  MeshTopology::Provide(grid, std::move(this->Faces), static_cast<Index>(count));
+}
+
+//------------------------------------------------------------------------------
+bool FluentPolyhedra::Build(FluentFaceBatches& batches, FluentInteriorZones& zones,
+  vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  if (!this->CountFaces(batches, progress.Part(0, 0.2)) || !this->FindPlaces() ||
+    !this->Fill(batches, zones, progress.Part(0.2, 0.8)) ||
+    !this->FindPoints(progress.Part(0.8, 1)))
+  {
+    return false;
+  }
+  const vtkIdType faces = this->FaceOffsets.size() - 1;
+  Buffer<Id> locations(faces);
+  Buffer<unsigned char> types(this->Count);
+  std::fill(types.data(), types.data() + this->Count, static_cast<unsigned char>(VTK_POLYHEDRON));
+  std::iota(locations.data(), locations.data() + faces, 0);
+  for (vtkIdType face = 0; face < faces; ++face)
+  {
+    this->FaceOffsets[face] =
+      this->FaceOffsets[face] < 0 ? ~this->FaceOffsets[face] : this->FaceOffsets[face];
+  }
+  const auto typeArray = types.TakeArray<vtkUnsignedCharArray>();
+  const auto cells = MakeCells(this->Offsets, this->Points);
+  const auto faceCells = MakeCells(this->FaceOffsets, this->Corners);
+  const auto locationCells = MakeCells(this->LocationOffsets, locations);
+  grid->SetPolyhedralCells(typeArray, cells, locationCells, faceCells);
+  this->HandOver(grid);
+  return true;
+}
+}
