@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Opening and saving Fluent files, text and binary. The floor of opening is to map the file and to
-// touch as much fresh memory as the mesh has. Usage: BenchmarkFluentMesh [million cells]
+// touch as much fresh memory as the mesh has; the file lists cells at faces, so that whoever makes
+// faces of cells of them must besides put a word for every side of a face to its cell, which is the
+// other floor. It is measured without anything that follows from a face.
+// Usage: BenchmarkFluentMesh [million cells]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 
 #include "vtkFluentMeshReader.h"
 #include "vtkFluentMeshWriter.h"
 
+#include "Mesh/MeshTopology.h"
 #include "Scan/Buffer.h"
 #include "Scan/MappedFile.h"
 
@@ -24,6 +28,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 using camaron::Cost;
 using camaron::Measure;
@@ -76,6 +81,68 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeHexahedra(vtkIdType cells)
 }
 
 //------------------------------------------------------------------------------
+// Maps a file and touches so much fresh memory.
+void MapAndTouch(const fs::path& path, double mesh)
+{
+  camaron::MappedFile file;
+  camaron::ScanError error;
+  file.Open(path.string(), error);
+  constexpr std::size_t Page = 4096;
+  volatile char sum = 0;
+  for (std::size_t i = 0; i < file.size(); i += Page)
+  {
+    sum = static_cast<char>(sum + file.begin()[i]);
+  }
+  camaron::Buffer<char> memory(static_cast<vtkIdType>(mesh));
+  std::memset(memory.data(), 1, static_cast<std::size_t>(mesh));
+}
+
+//------------------------------------------------------------------------------
+// The cells on both sides of the faces of a mesh, as a file lists them, to be put into lists of the
+// faces of cells by one thread.
+class FacesToCells
+{
+public:
+  explicit FacesToCells(vtkUnstructuredGrid* grid)
+  {
+    camaron::MeshTopology topology(grid);
+    const camaron::FacetTable& faces = topology.GetFaces();
+    this->Begins.assign(static_cast<std::size_t>(grid->GetNumberOfCells()) + 1, 0);
+    for (camaron::Index face = 0; face < faces.GetNumberOfFacets(); ++face)
+    {
+      this->Sides.push_back(faces.GetCells(face));
+    }
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      this->Begins[static_cast<std::size_t>(cell) + 1] =
+        this->Begins[static_cast<std::size_t>(cell)] + faces.GetCellFacets(cell).size();
+    }
+    this->Lists.resize(static_cast<std::size_t>(this->Begins.back()));
+  }
+  void Sort()
+  {
+    this->Next.assign(this->Begins.begin(), this->Begins.end());
+    camaron::Index number = 0;
+    for (const auto& face : this->Sides)
+    {
+      for (const camaron::Index cell : { face.First, face.Second })
+      {
+        if (cell >= 0)
+        {
+          this->Lists[static_cast<std::size_t>(this->Next[static_cast<std::size_t>(cell)]++)] =
+            number;
+        }
+      }
+      ++number;
+    }
+  }
+
+private:
+  std::vector<camaron::FacetTable::CellPair> Sides;
+  std::vector<camaron::Index> Begins, Next, Lists;
+};
+
+//------------------------------------------------------------------------------
 void OpenAndSave(
   const char* kind, vtkSmartPointer<vtkUnstructuredGrid> grid, const fs::path& folder)
 {
@@ -102,6 +169,7 @@ void OpenAndSave(
       });
     Print(row.Save, path, cost);
   }
+  FacesToCells faces(grid);
   grid = nullptr;
   for (const auto& row : rows)
   {
@@ -116,22 +184,13 @@ void OpenAndSave(
         mesh = Kilobyte * static_cast<double>(reader->GetOutput()->GetActualMemorySize());
       });
     Print(row.Open, path, cost, mesh);
-    cost = Measure(
-      [&]
-      {
-        camaron::MappedFile file;
-        camaron::ScanError error;
-        file.Open(path.string(), error);
-        constexpr std::size_t Page = 4096;
-        volatile char sum = 0;
-        for (std::size_t i = 0; i < file.size(); i += Page)
-        {
-          sum = static_cast<char>(sum + file.begin()[i]);
-        }
-        camaron::Buffer<char> memory(static_cast<vtkIdType>(mesh));
-        std::memset(memory.data(), 1, static_cast<std::size_t>(mesh));
-      });
-    Print("  map and touch", path, cost, mesh);
+    Print("  map and touch", path, Measure([&] { MapAndTouch(path, mesh); }), mesh);
+    const auto floor = [&]
+    {
+      MapAndTouch(path, mesh);
+      faces.Sort();
+    };
+    Print("  and faces to cells", path, Measure(floor), mesh);
   }
 }
 }
