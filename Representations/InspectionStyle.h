@@ -38,6 +38,23 @@ enum class CutBy
   AllVertices
 };
 
+/// What faces are coloured by.
+enum class Coloring
+{
+  TransferFunction, ///< the array, as everywhere in ParaView
+  TwoColors,        ///< the array, between two colours
+  Height,           ///< the coordinate along a direction
+  Depth             ///< the distance from the eye, along the view
+};
+
+/// Which values are told apart from those of all other cells.
+enum class Emphasis
+{
+  Nothing,
+  Unacceptable, ///< those outside the range that the criterion of the array's name calls acceptable
+  OutsideRange
+};
+
 /// A convex shape in the coordinates of the mesh.
 struct ConvexShape
 {
@@ -53,6 +70,7 @@ struct ConvexShape
 };
 
 using Color = std::array<double, 3>;
+using Range = std::array<double, 2>;
 
 struct InspectionStyle
 {
@@ -73,6 +91,19 @@ struct InspectionStyle
   Color CutColor = { { 0.9, 0.75, 0.4 } };
   ConvexShape Shape;
 
+  Coloring ColorBy = Coloring::TransferFunction;
+  std::array<double, 3> HeightDirection = { { 0, 0, 1 } };
+  Color LowColor = { { 0.1, 0.2, 0.5 } };
+  Color HighColor = { { 1, 0.9, 0.6 } };
+  Color NullColor = { { 0.5, 0.5, 0.5 } };
+  bool CustomColorRange = false; ///< off: what there is
+  Range ColorRange = { { 0, 1 } };
+  std::array<double, 6> Bounds = { { 1, -1, 1, -1, 1, -1 } }; ///< of all pieces; 1, -1: those of the one here
+
+  Emphasis ValuesToEmphasize = Emphasis::Nothing;
+  Range AcceptableRange = { { 0, 1 } };
+  double Dimming = 0.85; ///< of the others; 0: not at all, 1: all the same grey
+
   bool Isolines = false;
   std::string IsolineArray; ///< of the points; one component or the magnitude
   double IsolineFirst = 0;
@@ -80,6 +111,11 @@ struct InspectionStyle
   double IsolineWidth = 1.5; ///< pixels
   Color IsolineColor = { { 0, 0, 0 } };
 
+  /// True when colours depend on where things are.
+  bool ColorsByDistance() const
+  {
+    return this->ColorBy == Coloring::Height || this->ColorBy == Coloring::Depth;
+  }
   /// True when cells move, so that each needs its own faces.
   bool MovesCells() const { return this->ShrinkFactor != 1 || this->ExplodeFactor != 0; }
   /// True when the faces that are seen are just those with one cell in the mesh.

@@ -3,13 +3,19 @@
 #include "RenderModes.h"
 
 #include "CutFacesGLSL.h"
+#include "EmphasisGLSL.h"
 #include "GlassGLSL.h"
 #include "IsolinesGLSL.h"
 #include "PropertyGLSL.h"
+#include "RampGLSL.h"
+#include "ValuesGLSL.h"
 #include "WireframeGLSL.h"
 
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace camaron
 {
@@ -17,6 +23,28 @@ namespace
 {
 //------------------------------------------------------------------------------
 void SetNothing(vtkShaderProgram*, const RenderContext&) {}
+
+//------------------------------------------------------------------------------
+void SetRange(vtkShaderProgram* program, const char* name, const Range& range)
+{
+  // Infinite ends are none.
+  constexpr double largest = std::numeric_limits<float>::max();
+  const float ends[2] = { static_cast<float>(std::max(range[0], -largest)),
+    static_cast<float>(std::min(range[1], largest)) };
+  program->SetUniform2f(name, ends);
+}
+
+//------------------------------------------------------------------------------
+void SetRamp(vtkShaderProgram* program, const RenderContext& context)
+{
+  float distance[4];
+  std::copy(context.Distance.begin(), context.Distance.end(), distance);
+  program->SetUniform4f("distanceRamp", distance);
+  program->SetUniform3f("lowColor", context.Style.LowColor.data());
+  program->SetUniform3f("highColor", context.Style.HighColor.data());
+  program->SetUniform3f("nullColor", context.Style.NullColor.data());
+  SetRange(program, "rampRange", context.Style.ColorRange);
+}
 
 //------------------------------------------------------------------------------
 void SetWireframe(vtkShaderProgram* program, const RenderContext& context)
@@ -52,6 +80,18 @@ const std::vector<RenderMode>& GetRenderModes()
   static const std::vector<RenderMode> modes = {
     { [](const Style&) { return true; }, nullptr, PropertyGLSL,
       "property(ambientColor, diffuseColor, opacity);", false, &SetNothing },
+    { [](const Style& style) { return style.ColorBy == Coloring::TwoColors && !style.Glass; }, nullptr,
+      RampGLSL, "ramp(ambientColor, diffuseColor, opacity);", false, &SetRamp },
+    { [](const Style& style) { return style.ColorsByDistance() && !style.Glass; }, "HAS_DISTANCE",
+      RampGLSL, "ramp(ambientColor, diffuseColor, opacity);", false, &SetRamp },
+    { [](const Style& style)
+      { return style.ValuesToEmphasize != Emphasis::Nothing && !style.Glass; },
+      nullptr, EmphasisGLSL, "emphasis(ambientColor, diffuseColor, opacity);", false,
+      [](vtkShaderProgram* program, const Context& context)
+      {
+        SetRange(program, "acceptableRange", context.Style.AcceptableRange);
+        program->SetUniformf("dimming", static_cast<float>(context.Style.Dimming));
+      } },
     { [](const Style& style) { return style.CutFaces && !style.Glass; }, nullptr, CutFacesGLSL,
       "cutFaces(ambientColor, diffuseColor, opacity);", false,
       [](vtkShaderProgram* program, const Context& context)
@@ -72,6 +112,7 @@ const std::vector<RenderMode>& GetRenderModes()
 RenderModeCode GetRenderModeCode(const InspectionStyle& style, bool hasLight)
 {
   RenderModeCode code;
+  code.Declarations = ValuesGLSL;
   for (const RenderMode& mode : GetRenderModes())
   {
     if (!mode.IsOn(style) || (mode.NeedsNormal && !hasLight))

@@ -25,6 +25,7 @@ struct RenderContext
 {
   const InspectionStyle& Style;
   vtkProperty* Property;
+  const std::array<double, 4>& Distance; ///< see GetDistanceRamp
   const int* Viewport; ///< x, y, width, height in pixels
 };
 

@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshInspectionMapper.h"
 
+#include "DistanceRamp.h"
 #include "FacesVS.h"
 #include "InspectionArrays.h"
 #include "InspectionColors.h"
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
+#include "InspectionValues.h"
 #include "PickingGLSL.h"
 #include "RenderModes.h"
 #include "SelectorPixels.h"
 #include "VisibleTriangles.h"
+
+#include "Criteria/Criterion.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
@@ -37,7 +41,7 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
 
 #include "OpenGL.h"
@@ -58,9 +62,9 @@ public:
   std::size_t NumberOfTriangles = 0;
 
   InspectionColors Colors;
-  TextureBuffer Levels{ TextureBuffer::Row::Float };
-  vtkSmartPointer<vtkDataArray> LevelArray;
-  vtkMTimeType LevelTime = 0;
+  InspectionValues Values; ///< of the array that colours
+  bool HasCellValues = false;
+  InspectionValues Levels; ///< of isolines
 
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkNew<vtkPolyData> Placeholder;
@@ -72,7 +76,7 @@ public:
   std::vector<int> UsedUnits;
 
   void UpdateTables(bool isPicking);
-  void UpdateLevels();
+  InspectionStyle GetStyleOfPicture(vtkMeshInspectionMapper* self) const;
   void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
   void Detach(vtkOpenGLState* state);
   void Release();
@@ -106,40 +110,40 @@ void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
   {
     this->Mesh->NeedOwners();
   }
-  this->UpdateLevels();
+  this->Levels.Update(this->Style.Isolines
+      ? this->Grid->GetPointData()->GetArray(this->Style.IsolineArray.c_str())
+      : nullptr);
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::Internals::UpdateLevels()
+// What of the style is possible with the arrays that there are.
+InspectionStyle vtkMeshInspectionMapper::Internals::GetStyleOfPicture(
+  vtkMeshInspectionMapper* self) const
 {
-  vtkDataArray* array = this->Style.Isolines
-    ? this->Grid->GetPointData()->GetArray(this->Style.IsolineArray.c_str())
-    : nullptr;
-  const vtkMTimeType time = array ? array->GetMTime() : 0;
-  if (array == this->LevelArray && time == this->LevelTime)
+  InspectionStyle style = this->Style;
+  style.Isolines = style.Isolines && !this->Levels.IsEmpty();
+  if (style.ValuesToEmphasize == Emphasis::Unacceptable)
   {
-    return;
-  }
-  this->LevelArray = array;
-  this->LevelTime = time;
-  this->Levels.Release();
-  if (array)
-  {
-    const int size = array->GetNumberOfComponents();
-    std::vector<double> tuple(size);
-    std::vector<float> levels(array->GetNumberOfTuples());
-    for (std::size_t i = 0; i < levels.size(); ++i)
+    const Criterion* criterion = FindCriterion(self->GetArrayName() ? self->GetArrayName() : "");
+    if (criterion && criterion->HasAcceptableRange())
     {
-      array->GetTuple(static_cast<vtkIdType>(i), tuple.data());
-      double sum = 0;
-      for (const double value : tuple)
-      {
-        sum += value * value;
-      }
-      levels[i] = static_cast<float>(size == 1 ? tuple[0] : std::sqrt(sum));
+      std::copy_n(criterion->Acceptable, 2, style.AcceptableRange.begin());
     }
-    this->Levels.Upload(levels.data(), levels.size());
+    else
+    {
+      style.ValuesToEmphasize = Emphasis::Nothing;
+    }
   }
+  if (this->Values.IsEmpty())
+  {
+    style.ValuesToEmphasize = Emphasis::Nothing;
+    style.ColorBy = style.ColorsByDistance() ? style.ColorBy : Coloring::TransferFunction;
+  }
+  else if (style.ColorBy == Coloring::TwoColors && !style.CustomColorRange)
+  {
+    std::copy_n(self->GetLookupTable()->GetRange(), 2, style.ColorRange.begin());
+  }
+  return style;
 }
 
 //------------------------------------------------------------------------------
@@ -175,8 +179,8 @@ void vtkMeshInspectionMapper::Internals::Release()
   }
   this->Visible.Release();
   this->Colors.Release();
+  this->Values.Release();
   this->Levels.Release();
-  this->LevelArray = nullptr;
   if (this->VertexArray)
   {
     glDeleteVertexArrays(1, &this->VertexArray);
@@ -228,7 +232,7 @@ vtkIdType vtkMeshInspectionMapper::GetGraphicsMemorySize() const
   const Internals& self = *this->Internal;
   return static_cast<vtkIdType>((self.OwnsMesh ? self.Mesh->GetMemorySize() : 0) +
     self.Visible.GetMemorySize() + self.Colors.GetTable().GetMemorySize() +
-    self.Levels.GetMemorySize());
+    self.Values.GetTable().GetMemorySize() + self.Levels.GetTable().GetMemorySize());
 }
 
 //------------------------------------------------------------------------------
@@ -367,8 +371,36 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
                                                                         : Kind::None;
     self.Colors.Update(kind, kind == Kind::None ? nullptr : colors);
   }
+  this->UpdateValues();
   glUseProgram(0);
   window->GetState()->ResetGLActiveTexture();
+}
+
+//------------------------------------------------------------------------------
+// The numbers behind the colours, where something is made of them here.
+void vtkMeshInspectionMapper::UpdateValues()
+{
+  Internals& self = *this->Internal;
+  const InspectionStyle& style = self.Style;
+  int cellFlag = 0;
+  vtkDataArray* array = nullptr;
+  if (this->ScalarVisibility &&
+    (style.ColorBy == Coloring::TwoColors || style.ValuesToEmphasize != Emphasis::Nothing))
+  {
+    array = vtkArrayDownCast<vtkDataArray>(vtkAbstractMapper::GetAbstractScalars(
+      self.Grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
+  }
+  self.HasCellValues = cellFlag == 1;
+  const vtkIdType size =
+    self.HasCellValues ? self.Grid->GetNumberOfCells() : self.Grid->GetNumberOfPoints();
+  if (cellFlag > 1 || (array && array->GetNumberOfTuples() != size))
+  {
+    array = nullptr; // of the whole mesh
+  }
+  vtkScalarsToColors* table = this->GetLookupTable();
+  self.Values.Update(array,
+    table->GetVectorMode() == vtkScalarsToColors::COMPONENT ? table->GetVectorComponent()
+                                                            : InspectionValues::Magnitude);
 }
 
 //------------------------------------------------------------------------------
@@ -378,10 +410,14 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   const bool base = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
   Internals& self = *this->Internal;
   const bool isPicking = renderer->GetSelector() != nullptr;
-  InspectionStyle style = self.Style;
-  style.Isolines = style.Isolines && self.LevelArray;
-  self.Code = GetRenderModeCode(style, this->PrimitiveInfo[&helper].LastLightComplexity > 0);
+  self.Code = GetRenderModeCode(
+    self.GetStyleOfPicture(this), this->PrimitiveInfo[&helper].LastLightComplexity > 0);
   self.Code.Defines += self.Colors.GetDefine();
+  if (!self.Values.IsEmpty())
+  {
+    self.Code.Defines +=
+      self.HasCellValues ? "#define HAS_CELL_VALUES\n" : "#define HAS_POINT_VALUES\n";
+  }
   self.Code.Defines += self.Style.MovesCells() ? "#define HAS_CENTROIDS\n" : "";
   self.Code.Defines += isPicking ? "#define IS_PICKING\n" : "";
   const std::string key = self.Code.Defines + self.Code.ColorCalls + self.Code.NormalCalls;
@@ -492,7 +528,8 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   self.Attach(program, "centroidTable", mesh.Centroids);
   self.Attach(program, "ownerTable", mesh.Owners);
   self.Attach(program, "colorTable", self.Colors.GetTable());
-  self.Attach(program, "levelTable", self.Levels);
+  self.Attach(program, "valueTable", self.Values.GetTable());
+  self.Attach(program, "levelTable", self.Levels.GetTable());
   program->SetUniformi("isListed", self.IsListed ? 1 : 0);
   program->SetUniformf("shrinkFactor", static_cast<float>(self.Style.ShrinkFactor));
   program->SetUniformf("explodeFactor", static_cast<float>(self.Style.ExplodeFactor));
@@ -502,10 +539,17 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   }
   int viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
-  const RenderContext context{ self.Style, actor->GetProperty(), viewport };
+  const InspectionStyle style = self.GetStyleOfPicture(this);
+  const bool hasBounds = style.Bounds[0] <= style.Bounds[1];
+  vtkNew<vtkMatrix4x4> toView;
+  vtkMatrix4x4::Multiply4x4(
+    renderer->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), toView);
+  const std::array<double, 4> distance = GetDistanceRamp(
+    style, hasBounds ? style.Bounds.data() : this->GetBounds(), mesh.GetMiddle(), toView);
+  const RenderContext context{ style, actor->GetProperty(), distance, viewport };
   for (const RenderMode& mode : GetRenderModes())
   {
-    if (mode.IsOn(self.Style))
+    if (mode.IsOn(style))
     {
       mode.SetUniforms(program, context);
     }

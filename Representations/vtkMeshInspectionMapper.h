@@ -82,6 +82,8 @@ private:
   vtkMeshInspectionMapper(const vtkMeshInspectionMapper&) = delete;
   void operator=(const vtkMeshInspectionMapper&) = delete;
 
+  void UpdateValues();
+
   class Internals;
   std::unique_ptr<Internals> Internal;
 };

@@ -9,15 +9,20 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCommunicator.h"
+#include "vtkDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
 #include "vtkMatrix4x4.h"
+#include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPassThrough.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+
+#include <algorithm>
 
 using namespace camaron;
 
@@ -148,6 +153,40 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
 bool vtkMeshInspectionRepresentation::NeedsOrderedCompositing()
 {
   return this->Internal->GlassShell || this->Superclass::NeedsOrderedCompositing();
+}
+
+//------------------------------------------------------------------------------
+// Colours by height and depth need the bounds of all pieces: every process that has one comes here.
+int vtkMeshInspectionRepresentation::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+  auto* grid = vtkDataSet::SafeDownCast(this->GeometryFilter->GetOutputDataObject(0));
+  double bounds[6] = { 1, -1, 1, -1, 1, -1 };
+  if (grid && grid->GetNumberOfCells() > 0)
+  {
+    grid->GetBounds(bounds);
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    double low[3], high[3], lowOfAll[3], highOfAll[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      const bool isEmpty = bounds[0] > bounds[1];
+      low[i] = isEmpty ? VTK_DOUBLE_MAX : bounds[2 * i];
+      high[i] = isEmpty ? -VTK_DOUBLE_MAX : bounds[2 * i + 1];
+    }
+    controller->AllReduce(low, lowOfAll, 3, vtkCommunicator::MIN_OP);
+    controller->AllReduce(high, highOfAll, 3, vtkCommunicator::MAX_OP);
+    for (int i = 0; i < 3; ++i)
+    {
+      bounds[2 * i] = lowOfAll[i];
+      bounds[2 * i + 1] = highOfAll[i];
+    }
+  }
+  std::copy_n(bounds, 6, this->Internal->Style.Bounds.begin());
+  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -296,6 +335,66 @@ void vtkMeshInspectionRepresentation::SetColorCutFaces(bool on)
 void vtkMeshInspectionRepresentation::SetCutColor(double red, double green, double blue)
 {
   this->Change(this->Internal->Style.CutColor, Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetColoring(int by)
+{
+  this->Change(this->Internal->Style.ColorBy, static_cast<Coloring>(by));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetHeightDirection(double x, double y, double z)
+{
+  this->Change(this->Internal->Style.HeightDirection, std::array<double, 3>{ { x, y, z } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetLowColor(double red, double green, double blue)
+{
+  this->Change(this->Internal->Style.LowColor, Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetHighColor(double red, double green, double blue)
+{
+  this->Change(this->Internal->Style.HighColor, Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetNullColor(double red, double green, double blue)
+{
+  this->Change(this->Internal->Style.NullColor, Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCustomColorRange(bool on)
+{
+  this->Change(this->Internal->Style.CustomColorRange, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetColorRange(double low, double high)
+{
+  this->Change(this->Internal->Style.ColorRange, Range{ { low, high } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetEmphasis(int which)
+{
+  this->Change(this->Internal->Style.ValuesToEmphasize, static_cast<camaron::Emphasis>(which));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetAcceptableRange(double low, double high)
+{
+  this->Change(this->Internal->Style.AcceptableRange, Range{ { low, high } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDimming(double amount)
+{
+  this->Change(this->Internal->Style.Dimming, amount);
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,16 @@ public:
   void SetCutShape(vtkImplicitFunction* shape);
   void SetColorCutFaces(bool on);
   void SetCutColor(double red, double green, double blue);
+  void SetColoring(int by);
+  void SetHeightDirection(double x, double y, double z);
+  void SetLowColor(double red, double green, double blue);
+  void SetHighColor(double red, double green, double blue);
+  void SetNullColor(double red, double green, double blue);
+  void SetCustomColorRange(bool on);
+  void SetColorRange(double low, double high);
+  void SetEmphasis(int which);
+  void SetAcceptableRange(double low, double high);
+  void SetDimming(double amount);
   void SetDrawIsolines(bool on);
   void SetIsolineArray(int, int, int, int association, const char* name);
   void SetIsolineFirst(double value);
@@ -57,6 +67,8 @@ protected:
   vtkMeshInspectionRepresentation();
   ~vtkMeshInspectionRepresentation() override;
 
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   bool AddToView(vtkView* view) override;
   bool RemoveFromView(vtkView* view) override;
   bool NeedsOrderedCompositing() override;

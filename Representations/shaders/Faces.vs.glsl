@@ -24,6 +24,14 @@ out vec4 colorOfPoint;
 uniform samplerBuffer colorTable;
 out vec2 colorTCoordVCVSOutput;
 #endif
+#ifdef HAS_POINT_VALUES
+uniform samplerBuffer valueTable;
+out float valueOfPoint;
+#endif
+#ifdef HAS_DISTANCE
+uniform vec4 distanceRamp;
+out float distancePart;
+#endif
 #ifdef HAS_LINES
 uniform vec2 viewportSize;
 flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
@@ -97,6 +105,12 @@ void main()
 #endif
 #ifdef HAS_COLOR_COORDINATES
   colorTCoordVCVSOutput = texelFetch(colorTable, int(point)).xy;
+#endif
+#ifdef HAS_POINT_VALUES
+  valueOfPoint = texelFetch(valueTable, int(point)).x;
+#endif
+#ifdef HAS_DISTANCE
+  distancePart = dot(distanceRamp, vertexMC);
 #endif
 #ifdef HAS_ISOLINES
   level = texelFetch(levelTable, int(point)).x;

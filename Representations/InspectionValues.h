@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::InspectionValues
+ * @brief One number of each cell or point in graphics memory.
+ */
+#ifndef camaron_InspectionValues_h
+#define camaron_InspectionValues_h
+
+#include "TextureBuffer.h"
+
+#include "vtkSmartPointer.h" // for the array
+#include "vtkType.h"         // for vtkMTimeType
+
+class vtkDataArray;
+
+namespace camaron
+{
+class InspectionValues
+{
+public:
+  static constexpr int Magnitude = -1;
+
+  /// Uploads a component of @a array or the length of its rows, unless it is there already; null: nothing.
+  void Update(vtkDataArray* array, int component = Magnitude);
+  bool IsEmpty() const { return !this->Array; }
+  const TextureBuffer& GetTable() const { return this->Values; }
+  void Release();
+
+private:
+  vtkSmartPointer<vtkDataArray> Array;
+  vtkMTimeType Time = 0;
+  int Component = Magnitude;
+  TextureBuffer Values{ TextureBuffer::Row::Float };
+};
+}
+
+#endif
