@@ -104,6 +104,9 @@ struct InspectionStyle
   Range AcceptableRange = { { 0, 1 } };
   double Dimming = 0.85; ///< of the others; 0: not at all, 1: all the same grey
 
+  bool Smooth = false;      ///< light as if faces were curved
+  double SmoothAngle = 30; ///< degrees; a corner whose normal is farther from its face's has the latter
+
   bool Isolines = false;
   std::string IsolineArray; ///< of the points; one component or the magnitude
   double IsolineFirst = 0;

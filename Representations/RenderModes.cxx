@@ -8,13 +8,16 @@
 #include "IsolinesGLSL.h"
 #include "PropertyGLSL.h"
 #include "RampGLSL.h"
+#include "SmoothGLSL.h"
 #include "ValuesGLSL.h"
 #include "WireframeGLSL.h"
 
+#include "vtkMath.h"
 #include "vtkProperty.h"
 #include "vtkShaderProgram.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace camaron
@@ -100,6 +103,13 @@ const std::vector<RenderMode>& GetRenderModes()
       "isolines(ambientColor, diffuseColor, opacity);", false, &SetIsolines },
     { [](const Style& style) { return style.Edges && !style.Glass; }, "HAS_LINES", WireframeGLSL,
       "wireframe(ambientColor, diffuseColor, opacity);", false, &SetWireframe },
+    { [](const Style& style) { return style.Smooth; }, "HAS_NORMALS", SmoothGLSL,
+      "smoothNormals(normalVCVSOutput);", true,
+      [](vtkShaderProgram* program, const Context& context)
+      {
+        const double cosine = std::cos(vtkMath::RadiansFromDegrees(context.Style.SmoothAngle));
+        program->SetUniformf("smoothCosine", static_cast<float>(cosine));
+      } },
     { [](const Style& style) { return style.Glass; }, nullptr, GlassGLSL,
       "glass(opacity, normalVCVSOutput, vertexVC.xyz);", true,
       [](vtkShaderProgram* program, const Context& context)

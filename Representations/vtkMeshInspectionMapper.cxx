@@ -10,6 +10,7 @@
 #include "InspectionStyle.h"
 #include "InspectionValues.h"
 #include "PickingGLSL.h"
+#include "PointNormals.h"
 #include "RenderModes.h"
 #include "SelectorPixels.h"
 #include "VisibleTriangles.h"
@@ -62,6 +63,7 @@ public:
   std::size_t NumberOfTriangles = 0;
 
   InspectionColors Colors;
+  PointNormals Normals;
   InspectionValues Values; ///< of the array that colours
   bool HasCellValues = false;
   InspectionValues Levels; ///< of isolines
@@ -76,6 +78,7 @@ public:
   std::vector<int> UsedUnits;
 
   void UpdateTables(bool isPicking);
+  void UpdateNormals(vtkProperty* property);
   InspectionStyle GetStyleOfPicture(vtkMeshInspectionMapper* self) const;
   void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
   void Detach(vtkOpenGLState* state);
@@ -116,12 +119,29 @@ void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
 }
 
 //------------------------------------------------------------------------------
+// The mesh's own normals, as for Surface, or those of its outside.
+void vtkMeshInspectionMapper::Internals::UpdateNormals(vtkProperty* property)
+{
+  vtkDataArray* given = this->Style.Smooth ? nullptr : this->Grid->GetPointData()->GetNormals();
+  if ((this->Style.Smooth || given) && property->GetInterpolation() != VTK_FLAT)
+  {
+    this->Normals.Update(*this->Mesh, given);
+  }
+  else
+  {
+    this->Normals.Release();
+  }
+}
+
+//------------------------------------------------------------------------------
 // What of the style is possible with the arrays that there are.
 InspectionStyle vtkMeshInspectionMapper::Internals::GetStyleOfPicture(
   vtkMeshInspectionMapper* self) const
 {
   InspectionStyle style = this->Style;
   style.Isolines = style.Isolines && !this->Levels.IsEmpty();
+  style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // normals of the mesh are as they are
+  style.Smooth = !this->Normals.IsEmpty();
   if (style.ValuesToEmphasize == Emphasis::Unacceptable)
   {
     const Criterion* criterion = FindCriterion(self->GetArrayName() ? self->GetArrayName() : "");
@@ -179,6 +199,7 @@ void vtkMeshInspectionMapper::Internals::Release()
   }
   this->Visible.Release();
   this->Colors.Release();
+  this->Normals.Release();
   this->Values.Release();
   this->Levels.Release();
   if (this->VertexArray)
@@ -232,7 +253,7 @@ vtkIdType vtkMeshInspectionMapper::GetGraphicsMemorySize() const
   const Internals& self = *this->Internal;
   return static_cast<vtkIdType>((self.OwnsMesh ? self.Mesh->GetMemorySize() : 0) +
     self.Visible.GetMemorySize() + self.Colors.GetTable().GetMemorySize() +
-    self.Values.GetTable().GetMemorySize() + self.Levels.GetTable().GetMemorySize());
+    self.Normals.GetTable().GetMemorySize() + self.Values.GetTable().GetMemorySize() + self.Levels.GetTable().GetMemorySize());
 }
 
 //------------------------------------------------------------------------------
@@ -326,7 +347,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildBufferObjects(vtkRenderer*, vtkAct
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor*)
+void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& self = *this->Internal;
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
@@ -342,6 +363,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   try
   {
     self.UpdateTables(renderer->GetSelector() != nullptr);
+    self.UpdateNormals(actor->GetProperty());
   }
   catch (const std::exception& error)
   {
@@ -454,7 +476,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
   vtkShaderProgram::Substitute(
     fragment, "//VTK::Edges::Impl", self.Code.ColorCalls + "//VTK::Edges::Impl\n");
   vtkShaderProgram::Substitute(
-    fragment, "//VTK::Light::Impl", self.Code.NormalCalls + "//VTK::Light::Impl\n");
+    fragment, "//VTK::PBR::Impl", self.Code.NormalCalls + "//VTK::PBR::Impl\n");
   shaders[vtkShader::Fragment]->SetSource(fragment);
 }
 
@@ -528,6 +550,7 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   self.Attach(program, "centroidTable", mesh.Centroids);
   self.Attach(program, "ownerTable", mesh.Owners);
   self.Attach(program, "colorTable", self.Colors.GetTable());
+  self.Attach(program, "normalTable", self.Normals.GetTable());
   self.Attach(program, "valueTable", self.Values.GetTable());
   self.Attach(program, "levelTable", self.Levels.GetTable());
   program->SetUniformi("isListed", self.IsListed ? 1 : 0);

@@ -398,6 +398,18 @@ void vtkMeshInspectionRepresentation::SetDimming(double amount)
 }
 
 //------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetSmoothShading(bool on)
+{
+  this->Change(this->Internal->Style.Smooth, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetSmoothAngle(double degrees)
+{
+  this->Change(this->Internal->Style.SmoothAngle, degrees);
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetDrawIsolines(bool on)
 {
   this->Change(this->Internal->Style.Isolines, on);

@@ -52,6 +52,8 @@ public:
   void SetEmphasis(int which);
   void SetAcceptableRange(double low, double high);
   void SetDimming(double amount);
+  void SetSmoothShading(bool on);
+  void SetSmoothAngle(double degrees);
   void SetDrawIsolines(bool on);
   void SetIsolineArray(int, int, int, int association, const char* name);
   void SetIsolineFirst(double value);

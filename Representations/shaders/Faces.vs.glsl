@@ -32,6 +32,12 @@ out float valueOfPoint;
 uniform vec4 distanceRamp;
 out float distancePart;
 #endif
+#ifdef HAS_NORMALS
+uniform samplerBuffer normalTable;
+uniform mat3 normalMatrix;
+uniform float smoothCosine; // a corner whose normal is farther from its face's has the latter
+out vec3 normalOfCorners;
+#endif
 #ifdef HAS_LINES
 uniform vec2 viewportSize;
 flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
@@ -114,6 +120,15 @@ void main()
 #endif
 #ifdef HAS_ISOLINES
   level = texelFetch(levelTable, int(point)).x;
+#endif
+#ifdef HAS_NORMALS
+  vec3 origin = texelFetch(pointTable, int(triangle[0])).xyz;
+  vec3 flatNormal = normalize(cross(texelFetch(pointTable, int(triangle[1])).xyz - origin,
+    texelFetch(pointTable, int(triangle[2])).xyz - origin));
+  vec3 normal = texelFetch(normalTable, int(point)).xyz;
+  normal = dot(normal, flatNormal) < smoothCosine ? flatNormal : normal;
+  // Inner faces are no part of the curved outside.
+  normalOfCorners = isCutFace == 1 ? vec3(0.0) : normalMatrix * normal;
 #endif
 #ifdef HAS_LINES
   vec4 a = MCDCMatrix * place(triangle[0], cell);

@@ -38,7 +38,8 @@ class TestInspectionModes(camaron_testing.TestCase):
         simple.HideAll(self.view)
         display = simple.Show(source, self.view)
         display.SetRepresentationType(representation)
-        simple.ColorBy(display, color)
+        if color or display.ColorArrayName[1]:
+            simple.ColorBy(display, color)
         if color:
             display.SetScalarBarVisibility(self.view, False)
         display.DrawEdges = 0
@@ -135,6 +136,40 @@ class TestInspectionModes(camaron_testing.TestCase):
             plain = self.take()
             self.show(mesh, color=color, Emphasis="Unacceptable", Dimming=1)
             self.assertEqual(difference(plain, self.take()) > 0.1, isChanged, name)
+
+    def test_smooth_shading(self):
+        """A ball of tetrahedra is lit like the sphere around it; a mesh with normals has those."""
+        sphere = simple.Sphere(ThetaResolution=24, PhiResolution=24)  # with normals
+        ball = simple.PassArrays(Input=simple.Delaunay3D(Input=sphere), PointDataArrays=[])
+        self.show(ball, "Surface")
+        flat = self.take()
+        display = self.show(ball)
+        self.same(self.take(), flat)
+        display.SmoothShading = 1
+        smooth = self.take()
+        self.assertGreater(difference(flat, smooth, 6), 0.03)
+        self.show(sphere, "Surface")
+        expected = self.take()
+        self.assertLess(difference(smooth, expected, 6), 0.003)
+        display.Interpolation = "Flat"
+        self.show(ball)
+        self.same(self.take(), flat)
+        self.show(sphere)
+        self.assertLess(difference(self.take(), expected, 6), 0.003)
+
+    def test_smooth_shading_of_edges(self):
+        """Edges of a cube stay sharp, and become round when the angle allows it; faces in a cut are flat."""
+        mesh = tetrahedra()
+        self.show(mesh)
+        flat = self.take()
+        display = self.show(mesh, SmoothShading=1)
+        self.assertLess(difference(flat, self.take(), 3), 0.002)
+        display.SmoothAngle = 90
+        self.assertGreater(difference(flat, self.take(), 12), 0.02)
+        self.show(mesh, CellsToDraw="All", FacesToDraw="Interior", SmoothShading=0)
+        inside = self.take()
+        self.show(mesh, SmoothShading=1)
+        self.assertLess(difference(inside, self.take(), 3), 0.002)
 
 
 if __name__ == "__main__":
