@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/MappedFile.h"
 
+#include "Scan/FileStates.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -54,6 +56,7 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
   }
   this->Data = this->Copy.empty() ? "" : this->Copy.data();
   this->Size = this->Copy.size();
+  FileStates::Add({ 0, 0, static_cast<long long>(this->Size), 0, 0 });
   return true;
 }
 #else
@@ -121,7 +124,8 @@ bool MappedFile::GetStamp(int file, Stamp& stamp)
 #else
   const timespec& time = status.st_mtim;
 #endif
-  stamp = { status.st_size, time.tv_sec, time.tv_nsec, S_ISREG(status.st_mode) };
+  stamp = { status.st_size, time.tv_sec, time.tv_nsec, static_cast<long long>(status.st_dev),
+    static_cast<long long>(status.st_ino), S_ISREG(status.st_mode) };
   return true;
 }
 
@@ -155,7 +159,13 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
   OpenFiles.push_back(this);
   if (good)
   {
-    const auto size = static_cast<std::size_t>(this->Opened.IsOfFile ? this->Opened.Size : 0);
+    const Stamp& stamp = this->Opened;
+    if (stamp.IsOfFile)
+    {
+      FileStates::Add(
+        { stamp.Device, stamp.Node, stamp.Size, stamp.Seconds, stamp.Nanoseconds });
+    }
+    const auto size = static_cast<std::size_t>(stamp.IsOfFile ? stamp.Size : 0);
     if (!this->Map(size))
     {
       good = ReadAll(this->File, size, this->Copy);

@@ -62,6 +62,8 @@ private:
     long long Size = 0;
     long long Seconds = 0;
     long long Nanoseconds = 0;
+    long long Device = 0;
+    long long Node = 0;
     bool IsOfFile = false; ///< not of a pipe, say
   };
   static bool GetStamp(int file, Stamp& stamp);

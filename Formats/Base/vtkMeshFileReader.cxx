@@ -3,6 +3,7 @@
 #include "vtkMeshFileReader.h"
 
 #include "FaceMesh/FaceMesh.h"
+#include "Scan/FileStates.h"
 #include "Scan/MappedFile.h"
 
 #include "vtkCommunicator.h"
@@ -13,6 +14,8 @@
 #include "vtkMultiProcessStream.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <vector>
 
 namespace
 {
@@ -50,6 +53,24 @@ void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron
     stream >> kind >> error.Message;
     error.Kind = static_cast<camaron::ErrorKind>(kind);
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether all processes have found the files as this one has.
+bool HaveReadTheSame(
+  vtkMultiProcessController* processes, const camaron::FileStates::State& mine)
+{
+  constexpr int Size = 3;
+  const long long own[Size] = { mine.Place, mine.Size, mine.Identity };
+  const auto count = static_cast<std::size_t>(processes->GetNumberOfProcesses());
+  std::vector<long long> all(Size * count);
+  processes->AllGather(own, all.data(), Size);
+  std::vector<camaron::FileStates::State> states;
+  for (std::size_t i = 0; i < all.size(); i += Size)
+  {
+    states.push_back({ all[i], all[i + 1], all[i + 2] });
+  }
+  return camaron::FileStates::AreSame(states);
 }
 }
 
@@ -106,6 +127,7 @@ int vtkMeshFileReader::RequestData(
   camaron::Warnings warnings;
   camaron::ScanError error;
   this->SetErrorCode(vtkErrorCode::NoError);
+  const camaron::FileStates states;
   this->ReadMesh(this->FileName, request, output, warnings, error, progress);
   if (progress.IsStopped() && error.Kind != camaron::ErrorKind::Changed)
   {
@@ -117,6 +139,14 @@ int vtkMeshFileReader::RequestData(
   if (processes)
   {
     ShareFailure(processes, hasFailed, error);
+    if (!hasFailed && !HaveReadTheSame(processes, states.Get()))
+    {
+      hasFailed = true;
+      error = { camaron::ErrorKind::Changed,
+        camaron::GetFileName(this->FileName) +
+          ": cannot read the file: another program changed it before all processes had opened it; read it again "
+          "when it is complete" };
+    }
   }
   if (!hasFailed)
   {

@@ -60,6 +60,16 @@ class TestFailure(camaron_testing.TestCase):
         self.assertEqual(errors.count("missing.visf"), 1, errors)
         self.assertEqual(outcome, [f"rank {i}: 0 cells, code {FILE_NOT_OPENED}" for i in range(2)])
 
+    def test_ranks_read_different_states(self):
+        """Parts of two meshes are no mesh: a file that was replaced before the second rank opened it."""
+        before, after = self.folder / "before", self.folder / "after"
+        for folder in (before, after):
+            folder.mkdir()
+            shutil.copy(camaron_testing.EXAMPLES / "voronoi-ball.visf", folder / "mesh.visf")
+        errors, outcome = self.run_ranks(before / "mesh.visf", after / "mesh.visf")
+        self.assertEqual(errors.count("mesh.visf: cannot read the file: another program"), 1, errors)
+        self.assertEqual(outcome, [f"rank {i}: 0 cells, code {FILE_NOT_OPENED}" for i in range(2)])
+
     def test_empty_meshes_are_written(self):
         """A mesh that is empty for no error is a mesh."""
         source = self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")

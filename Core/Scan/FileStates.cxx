@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scan/FileStates.h"
+
+#include <cstdint>
+#include <functional>
+#include <initializer_list>
+#include <map>
+#include <string>
+
+#if !defined(_WIN32)
+#include <unistd.h>
+#endif
+
+namespace camaron
+{
+namespace
+{
+thread_local FileStates::State* Current = nullptr;
+
+//------------------------------------------------------------------------------
+std::uint64_t Hash(std::initializer_list<long long> values)
+{
+  std::uint64_t hash = 0;
+  for (const long long value : values)
+  {
+    hash = (hash ^ static_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15; // 2^64 / golden ratio
+    hash ^= hash >> 29;
+  }
+  return hash;
+}
+
+//------------------------------------------------------------------------------
+long long GetHost()
+{
+#if defined(_WIN32)
+  return 0;
+#else
+  char name[256] = {};
+  gethostname(name, sizeof(name) - 1);
+  return static_cast<long long>(std::hash<std::string>()(name));
+#endif
+}
+
+//------------------------------------------------------------------------------
+void AddTo(long long& sum, std::uint64_t value)
+{
+  sum = static_cast<long long>(static_cast<std::uint64_t>(sum) + value);
+}
+}
+
+//------------------------------------------------------------------------------
+FileStates::FileStates()
+{
+  Current = &this->Sum;
+}
+
+//------------------------------------------------------------------------------
+FileStates::~FileStates()
+{
+  Current = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void FileStates::Add(const File& file)
+{
+  if (Current)
+  {
+    AddTo(Current->Place, Hash({ GetHost(), file.Device }));
+    AddTo(Current->Size, Hash({ file.Size }));
+    AddTo(Current->Identity, Hash({ file.Node, file.Seconds, file.Nanoseconds }));
+  }
+}
+
+//------------------------------------------------------------------------------
+bool FileStates::AreSame(const std::vector<State>& states)
+{
+  std::map<long long, long long> identities; // by place
+  for (const State& state : states)
+  {
+    const auto known = identities.emplace(state.Place, state.Identity).first;
+    if (state.Size != states.front().Size || state.Identity != known->second)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}
