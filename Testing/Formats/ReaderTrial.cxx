@@ -4,6 +4,7 @@
 
 #include "AllocationMeter.h"
 #include "MeshChecks.h"
+#include "ScopedValue.h"
 #include "Scan/TextLines.h"
 #include "vtkMeshFileReader.h"
 #include "vtkMeshFileWriter.h"
@@ -158,27 +159,6 @@ vtkIdType CountOwnCells(vtkUnstructuredGrid* grid)
   }
   return count;
 }
-
-//------------------------------------------------------------------------------
-/// Sets a value back when it goes out of scope.
-template <typename Value>
-class Set
-{
-public:
-  Set(Value& variable, Value value)
-    : Variable(variable)
-    , Before(variable)
-  {
-    variable = value;
-  }
-  ~Set() { this->Variable = this->Before; }
-  Set(const Set&) = delete;
-  void operator=(const Set&) = delete;
-
-private:
-  Value& Variable;
-  Value Before;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -321,7 +301,7 @@ std::string ReaderTrial::FindFaultInParallel(
 {
   // Pieces of a line or two, but no more pieces than are good for finding faults. What many pieces need of
   // their own is nothing in proportion to pieces of the usual size.
-  const Set<vtkIdType> chunk(
+  const ScopedValue<vtkIdType> chunk(
     TextLines::DefaultChunk, std::max<vtkIdType>(16, static_cast<vtkIdType>(size / 1000)));
   const Reading reading = this->Read(path, 64 * size);
   if (!reading.Fault.empty())

@@ -4,6 +4,7 @@
 // format; the files are the format's seeds.
 #include "LastWords.h"
 #include "MeshFiles.h"
+#include "ScopedValue.h"
 
 #include "Scan/MappedFile.h"
 #include "Scan/TextLines.h"
@@ -141,27 +142,6 @@ bool Try(const MeshFiles& files, std::size_t which, int change, int wait, int pi
   EXPECT_EQ(grid->GetNumberOfPoints() + grid->GetNumberOfCells(), 0);
   return true;
 }
-
-//------------------------------------------------------------------------------
-/// Sets a value back when it goes out of scope.
-template <typename Value>
-class Set
-{
-public:
-  Set(Value& variable, Value value)
-    : Variable(variable)
-    , Before(variable)
-  {
-    variable = value;
-  }
-  ~Set() { this->Variable = this->Before; }
-  Set(const Set&) = delete;
-  void operator=(const Set&) = delete;
-
-private:
-  Value& Variable;
-  Value Before;
-};
 }
 
 //------------------------------------------------------------------------------
@@ -169,8 +149,8 @@ private:
 // the mesh is shown.
 TEST(Changes, WhileAFileIsRead)
 {
-  const Set<bool> map(MappedFile::MayMap, true);
-  const Set<vtkIdType> chunk(TextLines::DefaultChunk, 16);
+  const ScopedValue<bool> map(MappedFile::MayMap, true);
+  const ScopedValue<vtkIdType> chunk(TextLines::DefaultChunk, 16);
   constexpr int MaxReports = 60; // of one reading of a small file
   std::mt19937 random(1);
   for (const fs::path& seed : FindMeshFiles(GetFormat().SeedFolder, GetFormat()))
