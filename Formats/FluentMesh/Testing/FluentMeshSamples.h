@@ -8,6 +8,7 @@
 #include "Mesh/CellShape.h"
 #include "Scan/Bytes.h"
 #include "Scan/RealFormat.h"
+#include "vtkFluentMeshReader.h"
 
 #include <algorithm>
 #include <array>
@@ -447,6 +448,98 @@ inline FaceSet GetFaceSet(vtkUnstructuredGrid* grid, vtkIdType cell)
       faces.insert(face);
     });
   return faces;
+}
+
+//------------------------------------------------------------------------------
+/// A cube beside four slabs that were refined; the face between is split. Without parents, it has
+/// nine faces.
+inline std::string MakeHanging(bool withTree, int element, const FluentEncoding& how = {})
+{
+  FluentSample mesh;
+  std::vector<int> cube;
+  for (int i = 0; i < 8; ++i)
+  {
+    cube.push_back(mesh.AddPoint((i & 1) ^ (i >> 1 & 1), i >> 1 & 1, i >> 2));
+  }
+  // Places (y, z) of a 3 x 3 grid on the side x = 1 and behind it.
+  int front[3][3], back[3][3];
+  for (int y = 0; y < 3; ++y)
+  {
+    for (int z = 0; z < 3; ++z)
+    {
+      const bool isCorner = y != 1 && z != 1;
+      front[y][z] = isCorner ? cube[static_cast<std::size_t>((y == 0 ? 1 : 2) + (z == 0 ? 0 : 4))]
+                             : mesh.AddPoint(1, y / 2., z / 2.);
+      back[y][z] = mesh.AddPoint(1.5, y / 2., z / 2.);
+    }
+  }
+  std::vector<std::vector<int>> faces = { { cube[0], cube[4], cube[7], cube[3] },
+    { cube[0], cube[1], cube[5], cube[4] }, { cube[3], cube[7], cube[6], cube[2] },
+    { cube[0], cube[3], cube[2], cube[1] }, { cube[4], cube[5], cube[6], cube[7] } };
+  for (int y = 0; y < 2; ++y)
+  {
+    for (int z = 0; z < 2; ++z)
+    {
+      faces.push_back({ front[y][z], front[y + 1][z], front[y + 1][z + 1], front[y][z + 1] });
+    }
+  }
+  mesh.AddCell(element, faces);
+  for (int y = 0; y < 2; ++y)
+  {
+    for (int z = 0; z < 2; ++z)
+    {
+      mesh.AddVTKCell(4, VTK_HEXAHEDRON,
+        { front[y][z], back[y][z], back[y + 1][z], front[y + 1][z], front[y][z + 1], back[y][z + 1],
+          back[y + 1][z + 1], front[y + 1][z + 1] });
+    }
+  }
+  std::string bytes;
+  if (withTree)
+  {
+    // The faces between are first; the split one comes last, and is of the parent of the slabs.
+    mesh.Cells.push_back({ 4, 9 });
+    mesh.BoundaryTypes[8] = 31;
+    mesh.Faces.push_back({ { cube[1], cube[5], cube[6], cube[2] }, { 0, 5 }, 8 });
+    bytes = Encode(mesh, how);
+    const std::string parent = "12 (9 6 6 1 4)", inactive = "12 (9 6 6 20 4)";
+    bytes.replace(bytes.find(parent), parent.size(), inactive);
+    std::string last;
+    AppendHex(last, mesh.Faces.size());
+    if (how.RealSize > 0)
+    {
+      const auto face = static_cast<int>(mesh.Faces.size());
+      FluentWords words(bytes, how);
+      words.Open(59, { face, face, 8, 3 });
+      for (const int word : { 4, 1, 2, 3, 4 })
+      {
+        words.Integer(word, false);
+      }
+      words.Close();
+      return bytes;
+    }
+    return bytes + "(59 (" + last + " " + last +
+      " 8 3)(\n4 1 2 3 4\n))\n(58 (6 6 9 2)(\n4 2 3 4 5\n))\n";
+  }
+  return Encode(mesh);
+}
+
+//------------------------------------------------------------------------------
+inline Result ReadBytes(const std::string& bytes, const std::string& name = "test.msh")
+{
+  return ReadWith<vtkFluentMeshReader>(File(bytes, name).Path);
+}
+
+/// The points of a cell, ascending.
+inline std::vector<vtkIdType> GetSortedPoints(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  const IndexRange points = MeshView(grid).GetCellPoints(cell);
+  std::vector<vtkIdType> ids;
+  for (vtkIdType i = 0; i < points.Size; ++i)
+  {
+    ids.push_back(points[i]);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
 }
 }
 }

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the reader says of Fluent files that are damaged, cut off or something else altogether.
 #include "FluentMeshSamples.h"
-#include "vtkFluentMeshReader.h"
 
 #include "vtkErrorCode.h"
 
@@ -17,12 +16,6 @@ using namespace camaron::testing;
 
 namespace
 {
-//------------------------------------------------------------------------------
-Result ReadBytes(const std::string& bytes)
-{
-  return ReadWith<vtkFluentMeshReader>(File(bytes, "test.msh").Path);
-}
-
 //------------------------------------------------------------------------------
 void ExpectToReadSoon(const std::string& bytes)
 {
