@@ -3,30 +3,19 @@
 #include "FaceMesh/GridBuilder.h"
 
 #include "FaceMesh/CellShell.h"
+#include "FaceMesh/GridArrays.h"
+#include "FaceMesh/GridPoints.h"
 #include "FaceMesh/MeshPiece.h"
 #include "FaceMesh/PrimitiveMatcher.h"
 #include "Mesh/MeshTopology.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <mutex>
-#include <type_traits>
 
 namespace camaron
 {
@@ -35,31 +24,6 @@ namespace
 constexpr vtkIdType BlockSize = 1024;
 constexpr vtkIdType Ahead = 8; // items whose faces are fetched meanwhile
 constexpr vtkIdType MaxInt32 = INT32_MAX;
-
-//------------------------------------------------------------------------------
-// Entries that items need in the arrays of the grid, or where theirs begin.
-struct Extent
-{
-  vtkIdType Points = 0;
-  vtkIdType PolyhedronFaces = 0;
-  vtkIdType PolyhedronFacePoints = 0;
-  vtkIdType Faces = 0; // of all 3D cells
-  Extent& operator+=(const Extent& other)
-  {
-    this->Points += other.Points;
-    this->PolyhedronFaces += other.PolyhedronFaces;
-    this->PolyhedronFacePoints += other.PolyhedronFacePoints;
-    this->Faces += other.Faces;
-    return *this;
-  }
-  /// Whether there is room for so much more before @a end.
-  bool HasRoom(const Extent& more, const Extent& end) const
-  {
-    return this->Points + more.Points <= end.Points && this->Faces + more.Faces <= end.Faces &&
-      this->PolyhedronFaces + more.PolyhedronFaces <= end.PolyhedronFaces &&
-      this->PolyhedronFacePoints + more.PolyhedronFacePoints <= end.PolyhedronFacePoints;
-  }
-};
 
 //------------------------------------------------------------------------------
 // What an item of the piece becomes.
@@ -76,66 +40,6 @@ struct Exception
   vtkIdType Item;
   unsigned char Type;
   vtkIdType Points;
-};
-
-//------------------------------------------------------------------------------
-// Arrays of a grid; Id is the type of all indices.
-template <typename Id>
-struct Arrays
-{
-  using IdArray =
-    typename std::conditional<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>::type;
-  Buffer<unsigned char> Types;
-  Buffer<Id> Offsets, Connectivity;
-  Buffer<Id> FaceOffsets, FaceConnectivity, LocationOffsets, Locations;
-  std::vector<Index> CellFaces;
-
-  Arrays(vtkIdType items, const Extent& total, bool provideFaces)
-    : Types(items)
-    , Offsets(items + 1)
-    , Connectivity(total.Points)
-  {
-    this->Offsets[items] = static_cast<Id>(total.Points);
-    if (total.PolyhedronFaces > 0)
-    {
-      this->FaceOffsets = Buffer<Id>(total.PolyhedronFaces + 1);
-      this->FaceOffsets[total.PolyhedronFaces] = static_cast<Id>(total.PolyhedronFacePoints);
-      this->FaceConnectivity = Buffer<Id>(total.PolyhedronFacePoints);
-      this->LocationOffsets = Buffer<Id>(items + 1);
-      this->LocationOffsets[items] = static_cast<Id>(total.PolyhedronFaces);
-      this->Locations = Buffer<Id>(total.PolyhedronFaces);
-    }
-    if (provideFaces)
-    {
-      this->CellFaces.resize(static_cast<std::size_t>(total.Faces));
-    }
-  }
-
-  static vtkSmartPointer<vtkCellArray> MakeCells(Buffer<Id>& offsets, Buffer<Id>& connectivity)
-  {
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    const auto offsetArray = offsets.template TakeArray<IdArray>();
-    const auto idArray = connectivity.template TakeArray<IdArray>();
-    cells->SetData(offsetArray.Get(), idArray.Get());
-    return cells;
-  }
-
-  void MoveTo(vtkUnstructuredGrid* grid)
-  {
-    const bool polyhedra = this->Locations.size() > 0;
-    const auto types = this->Types.template TakeArray<vtkUnsignedCharArray>();
-    const auto cells = MakeCells(this->Offsets, this->Connectivity);
-    if (polyhedra)
-    {
-      const auto faces = MakeCells(this->FaceOffsets, this->FaceConnectivity);
-      const auto locations = MakeCells(this->LocationOffsets, this->Locations);
-      grid->SetPolyhedralCells(types, cells, locations, faces);
-    }
-    else
-    {
-      grid->SetCells(types, cells);
-    }
-  }
 };
 
 //------------------------------------------------------------------------------
@@ -158,7 +62,7 @@ public:
     {
       return false;
     }
-    this->TakePoints(progress.Part(0.2, 0.25));
+    TakePoints(this->Mesh, this->Piece, this->Grid, progress.Part(0.2, 0.25));
     if (this->Piece.IsCloud())
     {
       this->Total.Points = this->Piece.GetNumberOfItems();
@@ -178,14 +82,11 @@ public:
       this->Grid->Initialize();
       return false;
     }
-    this->AddIds();
+    AddPieceIds(this->Piece, this->Request, this->Grid);
     return true;
   }
 
 private:
-  void TakePoints(const Progress& progress);
-  template <typename Real, typename Array>
-  void TakePointsAs(Buffer<Real>& owned, const Progress& progress);
   Shape Expect(vtkIdType item, const Exception* exception) const;
   bool Measure(const Progress& progress);
   bool Fill(const Progress& progress)
@@ -202,7 +103,6 @@ private:
   void FillCloud(Arrays<Id>& arrays);
   template <typename Id>
   void TurnSecondUses(Arrays<Id>& arrays) const;
-  void AddIds();
 
   /// Visits the items of one block in order, each with what is expected of it.
   template <typename Visit>
@@ -258,56 +158,6 @@ private:
   std::vector<Exception> Exceptions; ///< ascending
   std::vector<std::array<vtkIdType, 2>> OpenCells; ///< in the mesh and in the piece, ascending
 };
-
-//------------------------------------------------------------------------------
-void GridBuilder::TakePoints(const Progress& progress)
-{
-  if (this->Mesh.Points.IsDouble)
-  {
-    this->TakePointsAs<double, vtkDoubleArray>(this->Mesh.Doubles, progress);
-  }
-  else
-  {
-    this->TakePointsAs<float, vtkFloatArray>(this->Mesh.Floats, progress);
-  }
-}
-
-//------------------------------------------------------------------------------
-template <typename Real, typename Array>
-void GridBuilder::TakePointsAs(Buffer<Real>& owned, const Progress& progress)
-{
-  PointSource& source = this->Mesh.Points;
-  const bool isWhole = this->Piece.IsWhole();
-  Buffer<Real> coordinates;
-  if (isWhole && owned.size() == 3 * source.Count)
-  {
-    coordinates = std::move(owned);
-  }
-  else
-  {
-    coordinates = Buffer<Real>(3 * this->Piece.GetNumberOfPoints());
-    const std::vector<std::int32_t> ids =
-      isWhole ? std::vector<std::int32_t>() : this->Piece.GetPoints().GetMembers();
-    progress.For((this->Piece.GetNumberOfPoints() + BlockSize - 1) / BlockSize,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        const vtkIdType end = std::min(last * BlockSize, this->Piece.GetNumberOfPoints());
-        for (vtkIdType i = first * BlockSize; i < end; ++i)
-        {
-          source.GetAs(ids.empty() ? i : ids[i], &coordinates[3 * i]);
-        }
-      });
-  }
-  if (isWhole)
-  {
-    // From here on the aligned copy in native order is the faster source.
-    source = PointSource(
-      reinterpret_cast<const char*>(coordinates.data()), source.Count, source.IsDouble);
-  }
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates.template TakeArray<Array>(3));
-  this->Grid->SetPoints(points);
-}
 
 //------------------------------------------------------------------------------
 // What the sizes of its faces say an item is, if all is well with it: a polyhedron is expected to be
@@ -667,51 +517,6 @@ bool GridBuilder::FillAs(const Progress& progress)
   return true;
 }
 
-//------------------------------------------------------------------------------
-// Where points and cells of a piece are in the whole, and which of them are ghosts.
-void GridBuilder::AddIds()
-{
-  if (this->Piece.IsWhole())
-  {
-    return;
-  }
-  const std::vector<std::int32_t> points = this->Piece.GetPoints().GetMembers();
-  const auto numberOfPoints = static_cast<vtkIdType>(points.size());
-  const vtkIdType numberOfCells = this->Piece.GetNumberOfItems();
-  Buffer<vtkIdType> pointIds(numberOfPoints), cellIds(numberOfCells);
-  std::copy(points.begin(), points.end(), pointIds.data());
-  for (vtkIdType i = 0; i < numberOfCells; ++i)
-  {
-    cellIds[i] = this->Piece.GetItem(i);
-  }
-  const auto pointArray = pointIds.TakeArray<vtkIdTypeArray>();
-  pointArray->SetName("GlobalPointIds");
-  this->Grid->GetPointData()->SetGlobalIds(pointArray);
-  const auto cellArray = cellIds.TakeArray<vtkIdTypeArray>();
-  cellArray->SetName("GlobalCellIds");
-  this->Grid->GetCellData()->SetGlobalIds(cellArray);
-
-  if (this->Request.GhostLevels > 0 && !this->Piece.IsCloud())
-  {
-    Buffer<unsigned char> pointGhosts(numberOfPoints), cellGhosts(numberOfCells);
-    for (vtkIdType i = 0; i < numberOfPoints; ++i)
-    {
-      pointGhosts[i] =
-        this->Piece.IsGhostPoint(points[i]) ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
-    }
-    for (vtkIdType i = 0; i < numberOfCells; ++i)
-    {
-      cellGhosts[i] =
-        i < this->Piece.GetNumberOfOwnedItems() ? 0 : vtkDataSetAttributes::DUPLICATECELL;
-    }
-    const auto pointGhostArray = pointGhosts.TakeArray<vtkUnsignedCharArray>();
-    pointGhostArray->SetName(vtkDataSetAttributes::GhostArrayName());
-    this->Grid->GetPointData()->AddArray(pointGhostArray);
-    const auto cellGhostArray = cellGhosts.TakeArray<vtkUnsignedCharArray>();
-    cellGhostArray->SetName(vtkDataSetAttributes::GhostArrayName());
-    this->Grid->GetCellData()->AddArray(cellGhostArray);
-  }
-}
 }
 
 //------------------------------------------------------------------------------

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file GridArrays.h
+ * @brief The arrays of a vtkUnstructuredGrid while GridBuilder fills them.
+ */
+#ifndef camaron_GridArrays_h
+#define camaron_GridArrays_h
+
+#include "Mesh/FacetTable.h" // for Index
+#include "Scan/Buffer.h"
+
+#include "vtkCellArray.h"         // for cells
+#include "vtkTypeInt32Array.h"    // for indices
+#include "vtkTypeInt64Array.h"    // for indices
+#include "vtkUnsignedCharArray.h" // for types
+#include "vtkUnstructuredGrid.h"  // for the grid
+
+#include <type_traits> // for the type of indices
+#include <vector>      // for faces
+
+namespace camaron
+{
+/// Entries that items need in the arrays of the grid, or where theirs begin.
+struct Extent
+{
+  vtkIdType Points = 0;
+  vtkIdType PolyhedronFaces = 0;
+  vtkIdType PolyhedronFacePoints = 0;
+  vtkIdType Faces = 0; // of all 3D cells
+  Extent& operator+=(const Extent& other)
+  {
+    this->Points += other.Points;
+    this->PolyhedronFaces += other.PolyhedronFaces;
+    this->PolyhedronFacePoints += other.PolyhedronFacePoints;
+    this->Faces += other.Faces;
+    return *this;
+  }
+  /// Whether there is room for so much more before @a end.
+  bool HasRoom(const Extent& more, const Extent& end) const
+  {
+    return this->Points + more.Points <= end.Points && this->Faces + more.Faces <= end.Faces &&
+      this->PolyhedronFaces + more.PolyhedronFaces <= end.PolyhedronFaces &&
+      this->PolyhedronFacePoints + more.PolyhedronFacePoints <= end.PolyhedronFacePoints;
+  }
+};
+
+/// Arrays of a grid; Id is the type of all indices.
+template <typename Id>
+struct Arrays
+{
+  using IdArray =
+    typename std::conditional<sizeof(Id) == 4, vtkTypeInt32Array, vtkTypeInt64Array>::type;
+  Buffer<unsigned char> Types;
+  Buffer<Id> Offsets, Connectivity;
+  Buffer<Id> FaceOffsets, FaceConnectivity, LocationOffsets, Locations;
+  std::vector<Index> CellFaces;
+
+  Arrays(vtkIdType items, const Extent& total, bool provideFaces)
+    : Types(items)
+    , Offsets(items + 1)
+    , Connectivity(total.Points)
+  {
+    this->Offsets[items] = static_cast<Id>(total.Points);
+    if (total.PolyhedronFaces > 0)
+    {
+      this->FaceOffsets = Buffer<Id>(total.PolyhedronFaces + 1);
+      this->FaceOffsets[total.PolyhedronFaces] = static_cast<Id>(total.PolyhedronFacePoints);
+      this->FaceConnectivity = Buffer<Id>(total.PolyhedronFacePoints);
+      this->LocationOffsets = Buffer<Id>(items + 1);
+      this->LocationOffsets[items] = static_cast<Id>(total.PolyhedronFaces);
+      this->Locations = Buffer<Id>(total.PolyhedronFaces);
+    }
+    if (provideFaces)
+    {
+      this->CellFaces.resize(static_cast<std::size_t>(total.Faces));
+    }
+  }
+
+  static vtkSmartPointer<vtkCellArray> MakeCells(Buffer<Id>& offsets, Buffer<Id>& connectivity)
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    const auto offsetArray = offsets.template TakeArray<IdArray>();
+    const auto idArray = connectivity.template TakeArray<IdArray>();
+    cells->SetData(offsetArray.Get(), idArray.Get());
+    return cells;
+  }
+
+  void MoveTo(vtkUnstructuredGrid* grid)
+  {
+    const bool polyhedra = this->Locations.size() > 0;
+    const auto types = this->Types.template TakeArray<vtkUnsignedCharArray>();
+    const auto cells = MakeCells(this->Offsets, this->Connectivity);
+    if (polyhedra)
+    {
+      const auto faces = MakeCells(this->FaceOffsets, this->FaceConnectivity);
+      const auto locations = MakeCells(this->LocationOffsets, this->Locations);
+      grid->SetPolyhedralCells(types, cells, locations, faces);
+    }
+    else
+    {
+      grid->SetCells(types, cells);
+    }
+  }
+};
+}
+
+#endif

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FaceMesh/GridPoints.h"
+
+#include "Scan/PieceArrays.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType BlockSize = 1024;
+
+//------------------------------------------------------------------------------
+template <typename Real, typename Array>
+void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
+  vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  PointSource& source = mesh.Points;
+  const bool isWhole = piece.IsWhole();
+  Buffer<Real> coordinates;
+  if (isWhole && owned.size() == 3 * source.Count)
+  {
+    coordinates = std::move(owned);
+  }
+  else
+  {
+    coordinates = Buffer<Real>(3 * piece.GetNumberOfPoints());
+    const std::vector<std::int32_t> ids =
+      isWhole ? std::vector<std::int32_t>() : piece.GetPoints().GetMembers();
+    progress.For((piece.GetNumberOfPoints() + BlockSize - 1) / BlockSize,
+      [&](vtkIdType first, vtkIdType last)
+      {
+        const vtkIdType end = std::min(last * BlockSize, piece.GetNumberOfPoints());
+        for (vtkIdType i = first * BlockSize; i < end; ++i)
+        {
+          source.GetAs(ids.empty() ? i : ids[i], &coordinates[3 * i]);
+        }
+      });
+  }
+  if (isWhole)
+  {
+    // From here on the aligned copy in native order is the faster source.
+    source = PointSource(
+      reinterpret_cast<const char*>(coordinates.data()), source.Count, source.IsDouble);
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates.template TakeArray<Array>(3));
+  grid->SetPoints(points);
+}
+}
+
+//------------------------------------------------------------------------------
+void TakePoints(
+  FaceMesh& mesh, const MeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  if (mesh.Points.IsDouble)
+  {
+    TakePointsAs<double, vtkDoubleArray>(mesh, mesh.Doubles, piece, grid, progress);
+  }
+  else
+  {
+    TakePointsAs<float, vtkFloatArray>(mesh, mesh.Floats, piece, grid, progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+void AddPieceIds(const MeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid)
+{
+  if (piece.IsWhole())
+  {
+    return;
+  }
+  const std::vector<std::int32_t> points = piece.GetPoints().GetMembers();
+  const auto numberOfPoints = static_cast<vtkIdType>(points.size());
+  const vtkIdType numberOfCells = piece.GetNumberOfItems();
+  Buffer<vtkIdType> pointIds(numberOfPoints), cellIds(numberOfCells);
+  std::copy(points.begin(), points.end(), pointIds.data());
+  for (vtkIdType i = 0; i < numberOfCells; ++i)
+  {
+    cellIds[i] = piece.GetItem(i);
+  }
+  SetGlobalIds(grid->GetPointData(), std::move(pointIds), "GlobalPointIds");
+  SetGlobalIds(grid->GetCellData(), std::move(cellIds), "GlobalCellIds");
+
+  if (request.GhostLevels > 0 && !piece.IsCloud())
+  {
+    Buffer<unsigned char> pointGhosts(numberOfPoints), cellGhosts(numberOfCells);
+    for (vtkIdType i = 0; i < numberOfPoints; ++i)
+    {
+      pointGhosts[i] =
+        piece.IsGhostPoint(points[i]) ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
+    }
+    for (vtkIdType i = 0; i < numberOfCells; ++i)
+    {
+      cellGhosts[i] =
+        i < piece.GetNumberOfOwnedItems() ? 0 : vtkDataSetAttributes::DUPLICATECELL;
+    }
+    SetGhosts(grid->GetPointData(), std::move(pointGhosts));
+    SetGhosts(grid->GetCellData(), std::move(cellGhosts));
+  }
+}
+}

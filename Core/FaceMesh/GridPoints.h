@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file GridPoints.h
+ * @brief The points of a grid, and where points and cells of a piece are in the whole mesh.
+ */
+#ifndef camaron_GridPoints_h
+#define camaron_GridPoints_h
+
+#include "FaceMesh/MeshPiece.h"
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/// Sets the points of @a grid; from then on @a mesh has those of the grid where these are all.
+void TakePoints(
+  FaceMesh& mesh, const MeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
+
+/// Adds global ids to a piece of a mesh, and which points and cells are ghosts.
+void AddPieceIds(const MeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid);
+}
+
+#endif
