@@ -72,10 +72,21 @@ struct ConvexShape
 using Color = std::array<double, 3>;
 using Range = std::array<double, 2>;
 
+/// What a mapper draws of the visible faces.
+enum class Figure
+{
+  Faces, ///< themselves, their edges and their points
+  FaceNormals,
+  PointNormals
+};
+
 struct InspectionStyle
 {
+  Figure What = Figure::Faces;
+  double NormalLength = 1; ///< of the lines that are normals, in the unit of coordinates
   bool Faces = true;
   bool Edges = true;
+  bool Points = false; ///< without faces and edges: of the whole cells, inside of the mesh also
   bool EdgesOfSelectedOnly = false;
   bool Glass = false; ///< this mapper draws nothing but the glass shell
   double GlassStrength = 0.5;
@@ -114,6 +125,21 @@ struct InspectionStyle
   double IsolineWidth = 1.5; ///< pixels
   Color IsolineColor = { { 0, 0, 0 } };
 
+  /// The same faces of the same cells, nothing of which is drawn.
+  InspectionStyle GetVisible() const
+  {
+    InspectionStyle style;
+    style.Edges = false;
+    style.WallsToDraw = this->WallsToDraw;
+    style.CellsToDraw = this->CellsToDraw;
+    style.ShrinkFactor = this->ShrinkFactor;
+    style.ExplodeFactor = this->ExplodeFactor;
+    style.Cut = this->Cut;
+    style.KeepInside = this->KeepInside;
+    style.Shape = this->Shape;
+    return style;
+  }
+  bool DrawsPointsOnly() const { return this->Points && !this->Faces && !this->Edges; }
   /// True when colours depend on where things are.
   bool ColorsByDistance() const
   {

@@ -65,6 +65,16 @@ void SetWireframe(vtkShaderProgram* program, const RenderContext& context)
 }
 
 //------------------------------------------------------------------------------
+void SetNormalLines(vtkShaderProgram* program, const RenderContext& context)
+{
+  const float size[2] = { static_cast<float>(context.Viewport[2]),
+    static_cast<float>(context.Viewport[3]) };
+  program->SetUniform2f("viewportSize", size);
+  program->SetUniformf("normalLength", static_cast<float>(context.Style.NormalLength));
+  program->SetUniformf("normalWidth", static_cast<float>(context.Property->GetLineWidth()));
+}
+
+//------------------------------------------------------------------------------
 void SetIsolines(vtkShaderProgram* program, const RenderContext& context)
 {
   const InspectionStyle& style = context.Style;
@@ -114,6 +124,8 @@ const std::vector<RenderMode>& GetRenderModes()
       "glass(opacity, normalVCVSOutput, vertexVC.xyz);", true,
       [](vtkShaderProgram* program, const Context& context)
       { program->SetUniformf("glassStrength", static_cast<float>(context.Style.GlassStrength)); } },
+    { [](const Style& style) { return style.What != Figure::Faces; }, nullptr, "", "", false,
+      &SetNormalLines },
   };
   return modes;
 }

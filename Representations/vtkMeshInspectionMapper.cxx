@@ -9,7 +9,9 @@
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
 #include "InspectionValues.h"
+#include "NormalLinesVS.h"
 #include "PickingGLSL.h"
+#include "PlaceGLSL.h"
 #include "PointNormals.h"
 #include "RenderModes.h"
 #include "SelectorPixels.h"
@@ -43,6 +45,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "OpenGL.h"
@@ -71,7 +74,7 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkNew<vtkPolyData> Placeholder;
   RenderModeCode Code;
-  std::string ShaderKey;
+  std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
 
   unsigned int VertexArray = 0;
   vtkTextureUnitManager* Units = nullptr;
@@ -79,7 +82,7 @@ public:
 
   void UpdateTables(bool isPicking);
   void UpdateNormals(vtkProperty* property);
-  InspectionStyle GetStyleOfPicture(vtkMeshInspectionMapper* self) const;
+  InspectionStyle GetStyleOfPicture(vtkMeshInspectionMapper* self, bool ofPoints) const;
   void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
   void Detach(vtkOpenGLState* state);
   void Release();
@@ -122,8 +125,10 @@ void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
 // The mesh's own normals, as for Surface, or those of its outside.
 void vtkMeshInspectionMapper::Internals::UpdateNormals(vtkProperty* property)
 {
-  vtkDataArray* given = this->Style.Smooth ? nullptr : this->Grid->GetPointData()->GetNormals();
-  if ((this->Style.Smooth || given) && property->GetInterpolation() != VTK_FLAT)
+  const bool isOwn = this->Style.Smooth || this->Style.What == Figure::PointNormals;
+  vtkDataArray* given = isOwn ? nullptr : this->Grid->GetPointData()->GetNormals();
+  const bool isLit = property->GetInterpolation() != VTK_FLAT;
+  if (this->Style.What == Figure::PointNormals || (isLit && (this->Style.Smooth || given)))
   {
     this->Normals.Update(*this->Mesh, given);
   }
@@ -136,12 +141,16 @@ void vtkMeshInspectionMapper::Internals::UpdateNormals(vtkProperty* property)
 //------------------------------------------------------------------------------
 // What of the style is possible with the arrays that there are.
 InspectionStyle vtkMeshInspectionMapper::Internals::GetStyleOfPicture(
-  vtkMeshInspectionMapper* self) const
+  vtkMeshInspectionMapper* self, bool ofPoints) const
 {
   InspectionStyle style = this->Style;
   style.Isolines = style.Isolines && !this->Levels.IsEmpty();
   style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // normals of the mesh are as they are
-  style.Smooth = !this->Normals.IsEmpty();
+  style.Smooth = style.What == Figure::Faces && !this->Normals.IsEmpty();
+  if (ofPoints)
+  {
+    style.Edges = style.Isolines = style.CutFaces = style.Smooth = false;
+  }
   if (style.ValuesToEmphasize == Emphasis::Unacceptable)
   {
     const Criterion* criterion = FindCriterion(self->GetArrayName() ? self->GetArrayName() : "");
@@ -226,6 +235,10 @@ vtkMeshInspectionMapper::~vtkMeshInspectionMapper()
 void vtkMeshInspectionMapper::SetStyle(const InspectionStyle& style)
 {
   this->Internal->Style = style;
+  if (style.DrawsPointsOnly())
+  {
+    this->Internal->Style.WallsToDraw = Walls::Complete;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -432,8 +445,9 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   const bool base = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
   Internals& self = *this->Internal;
   const bool isPicking = renderer->GetSelector() != nullptr;
+  const bool isPoints = &helper == &this->Primitives[PrimitivePoints];
   self.Code = GetRenderModeCode(
-    self.GetStyleOfPicture(this), this->PrimitiveInfo[&helper].LastLightComplexity > 0);
+    self.GetStyleOfPicture(this, isPoints), this->PrimitiveInfo[&helper].LastLightComplexity > 0);
   self.Code.Defines += self.Colors.GetDefine();
   if (!self.Values.IsEmpty())
   {
@@ -441,10 +455,15 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
       self.HasCellValues ? "#define HAS_CELL_VALUES\n" : "#define HAS_POINT_VALUES\n";
   }
   self.Code.Defines += self.Style.MovesCells() ? "#define HAS_CENTROIDS\n" : "";
+  self.Code.Defines +=
+    self.Style.What == Figure::PointNormals ? "#define HAS_POINT_NORMALS\n" : "";
+  // Points are picked where they are drawn.
+  const bool arePoints = isPoints || (this->PointPicking && self.Style.Points);
+  self.Code.Defines += arePoints ? "#define ARE_POINTS\n" : "";
   self.Code.Defines += isPicking ? "#define IS_PICKING\n" : "";
   const std::string key = self.Code.Defines + self.Code.ColorCalls + self.Code.NormalCalls;
-  const bool isNew = key != self.ShaderKey;
-  self.ShaderKey = key;
+  const bool isNew = key != self.ShaderKeys[&helper];
+  self.ShaderKeys[&helper] = key;
   return base || isNew;
 }
 
@@ -454,8 +473,9 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
 {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
   const Internals& self = *this->Internal;
-  std::string vertex = FacesVS;
+  std::string vertex = self.Style.What == Figure::Faces ? FacesVS : NormalLinesVS;
   vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
+  vtkShaderProgram::Substitute(vertex, "//Camaron::Place", PlaceGLSL);
   shaders[vtkShader::Vertex]->SetSource(vertex);
   shaders[vtkShader::Geometry]->SetSource("");
 
@@ -562,7 +582,8 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   }
   int viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
-  const InspectionStyle style = self.GetStyleOfPicture(this);
+  const InspectionStyle style =
+    self.GetStyleOfPicture(this, &helper == &this->Primitives[PrimitivePoints]);
   const bool hasBounds = style.Bounds[0] <= style.Bounds[1];
   vtkNew<vtkMatrix4x4> toView;
   vtkMatrix4x4::Multiply4x4(
@@ -618,20 +639,46 @@ void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
   vtkOpenGLState* state = window->GetState();
   this->DrawingVertices = false;
   this->DrawingSelection = false;
-  GLenum mode = GL_TRIANGLES;
-  if (this->PointPicking)
+  const InspectionStyle& style = self.Style;
+  const std::size_t corners = 3 * self.NumberOfTriangles;
+  if (style.What != Figure::Faces)
   {
-    state->vtkglPointSize(static_cast<float>(this->GetPointPickingPrimitiveSize(PrimitiveTris)));
-    mode = GL_POINTS;
+    const bool isOfFaces = style.What == Figure::FaceNormals;
+    this->Draw(renderer, actor, PrimitiveTris, GL_TRIANGLES, isOfFaces ? 2 * corners : 6 * corners);
+    return;
   }
-  this->UpdateShaders(this->Primitives[PrimitiveTris], renderer, actor);
-  if (this->Primitives[PrimitiveTris].Program)
+  if (style.Faces || style.Edges)
+  {
+    if (this->PointPicking)
+    {
+      state->vtkglPointSize(static_cast<float>(this->GetPointPickingPrimitiveSize(PrimitiveTris)));
+    }
+    this->Draw(
+      renderer, actor, PrimitiveTris, this->PointPicking ? GL_POINTS : GL_TRIANGLES, corners);
+  }
+  if (style.Points && (!renderer->GetSelector() || style.DrawsPointsOnly()))
+  {
+    state->vtkglPointSize(actor->GetProperty()->GetPointSize());
+    this->Draw(renderer, actor, PrimitivePoints, GL_POINTS, corners);
+  }
+}
+
+//------------------------------------------------------------------------------
+// As many vertices as there are; the shaders know which by their numbers.
+void vtkMeshInspectionMapper::Draw(vtkRenderer* renderer, vtkActor* actor, int primitive,
+  unsigned int mode, std::size_t numberOfVertices)
+{
+  Internals& self = *this->Internal;
+  vtkOpenGLHelper& helper = this->Primitives[primitive];
+  this->UpdateShaders(helper, renderer, actor);
+  if (helper.Program)
   {
     glBindVertexArray(self.VertexArray);
-    glDrawArrays(mode, 0, static_cast<GLsizei>(3 * self.NumberOfTriangles));
+    glDrawArrays(mode, 0, static_cast<GLsizei>(numberOfVertices));
     glBindVertexArray(0);
   }
-  self.Detach(state);
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  self.Detach(window->GetState());
 }
 
 //------------------------------------------------------------------------------

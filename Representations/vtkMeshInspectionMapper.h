@@ -83,6 +83,8 @@ private:
   void operator=(const vtkMeshInspectionMapper&) = delete;
 
   void UpdateValues();
+  void Draw(vtkRenderer* renderer, vtkActor* actor, int primitive, unsigned int mode,
+    std::size_t numberOfVertices);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -8,6 +8,7 @@
 #include "vtkMeshInspectionMapper.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommunicator.h"
 #include "vtkDataSet.h"
@@ -50,6 +51,12 @@ public:
   // Where the camera looked when the shape was last fixed in the view.
   vtkNew<vtkMatrix4x4> FixedView;
   bool HasFixedView = false;
+
+  int NormalsOf = 0;           ///< 1: faces, 2: vertices
+  double NormalLength = 0.03; ///< as a part of the diagonal of the bounds
+  vtkNew<vtkActor> Lines;
+  vtkNew<vtkProperty> LineProperty;
+  vtkNew<vtkMeshInspectionMapper> LineMapper;
 
   vtkNew<vtkActor> Shell;
   vtkNew<vtkProperty> ShellProperty;
@@ -122,6 +129,14 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   self.Shell->SetProperty(self.ShellProperty);
   self.Shell->PickableOff();
   self.Shell->VisibilityOff();
+
+  self.LineMapper->ShareMesh(mapper);
+  self.LineMapper->ScalarVisibilityOff();
+  self.LineProperty->LightingOff();
+  self.Lines->SetMapper(self.LineMapper);
+  self.Lines->SetProperty(self.LineProperty);
+  self.Lines->PickableOff();
+  self.Lines->VisibilityOff();
 }
 
 //------------------------------------------------------------------------------
@@ -134,6 +149,7 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
   if (renderView)
   {
     renderView->GetRenderer()->AddActor(this->Internal->Shell);
+    renderView->GetRenderer()->AddActor(this->Internal->Lines);
   }
   return this->Superclass::AddToView(view);
 }
@@ -145,6 +161,7 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
   if (renderView)
   {
     renderView->GetRenderer()->RemoveActor(this->Internal->Shell);
+    renderView->GetRenderer()->RemoveActor(this->Internal->Lines);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -227,6 +244,25 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
   }
   static_cast<vtkMeshInspectionMapper*>(this->Mapper)->SetStyle(style);
   static_cast<vtkMeshInspectionMapper*>(this->BackfaceMapper)->SetStyle(style);
+
+  const bool hasLines = self.NormalsOf != 0 && this->GetVisibility();
+  self.Lines->SetVisibility(hasLines);
+  if (hasLines)
+  {
+    InspectionStyle lines = style.GetVisible();
+    lines.What = self.NormalsOf == 1 ? Figure::FaceNormals : Figure::PointNormals;
+    auto* mesh = vtkDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
+    vtkBoundingBox box(style.Bounds.data());
+    if (!box.IsValid() && mesh)
+    {
+      box.SetBounds(mesh->GetBounds());
+    }
+    lines.NormalLength = self.NormalLength * box.GetDiagonalLength();
+    self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
+    self.LineMapper->SetStyle(lines);
+    self.LineMapper->SetInputDataObject(mesh);
+    self.Lines->SetUserMatrix(this->Actor->GetMatrix());
+  }
 
   const bool hasShell = self.GlassShell && this->GetVisibility();
   self.Shell->SetVisibility(hasShell);
@@ -407,6 +443,30 @@ void vtkMeshInspectionRepresentation::SetSmoothShading(bool on)
 void vtkMeshInspectionRepresentation::SetSmoothAngle(double degrees)
 {
   this->Change(this->Internal->Style.SmoothAngle, degrees);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawPoints(bool on)
+{
+  this->Change(this->Internal->Style.Points, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawNormals(int of)
+{
+  this->Change(this->Internal->NormalsOf, of);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetNormalLength(double part)
+{
+  this->Change(this->Internal->NormalLength, part);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetNormalColor(double red, double green, double blue)
+{
+  this->Internal->LineProperty->SetColor(red, green, blue);
 }
 
 //------------------------------------------------------------------------------

@@ -54,6 +54,10 @@ public:
   void SetDimming(double amount);
   void SetSmoothShading(bool on);
   void SetSmoothAngle(double degrees);
+  void SetDrawPoints(bool on);
+  void SetDrawNormals(int of);
+  void SetNormalLength(double part);
+  void SetNormalColor(double red, double green, double blue);
   void SetDrawIsolines(bool on);
   void SetIsolineArray(int, int, int, int association, const char* name);
   void SetIsolineFirst(double value);

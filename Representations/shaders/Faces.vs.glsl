@@ -1,5 +1,6 @@
 //VTK::System::Dec
 //Camaron::Defines
+//Camaron::Place
 
 // Vertices of the triangles in the list of visible ones. There are no vertex attributes: everything is read
 // from tables by gl_VertexID.
@@ -7,15 +8,9 @@
 uniform usamplerBuffer visibleTable;  // triangle << 1 | side, of every visible triangle
 uniform usamplerBuffer triangleTable; // three points, face << 3 | edge bits
 uniform usamplerBuffer faceTable;     // the two cells of a face
-uniform samplerBuffer pointTable;     // coordinates from the middle of the mesh
 uniform usamplerBuffer markTable;     // bits of a cell: 1 ghost, 2 hidden, 4 selected
 uniform int isListed;                 // 0: all triangles that are stored are visible
 
-#ifdef HAS_CENTROIDS
-uniform samplerBuffer centroidTable;
-uniform float shrinkFactor; // 1: as they are, 0: to the centroid
-uniform float explodeFactor; // 0: as they are, 1: twice as far from the middle
-#endif
 #ifdef HAS_POINT_COLORS
 uniform samplerBuffer colorTable;
 out vec4 colorOfPoint;
@@ -69,16 +64,6 @@ vec4 vertexMC;
 //VTK::PrimID::Dec
 //VTK::ValuePass::Dec
 //VTK::Picking::Dec
-
-vec4 place(uint point, uint cell)
-{
-  vec3 position = texelFetch(pointTable, int(point)).xyz;
-#ifdef HAS_CENTROIDS
-  vec3 center = texelFetch(centroidTable, int(cell)).xyz;
-  position = mix(center, position, shrinkFactor) + explodeFactor * center;
-#endif
-  return vec4(position, 1.0);
-}
 
 #ifdef HAS_LINES
 // The line through two corners in pixels. It needs no division, so corners behind the eye do no harm.
@@ -156,4 +141,8 @@ void main()
   //VTK::Light::Impl
   //VTK::Picking::Impl
   //VTK::CustomEnd::Impl
+
+#ifdef ARE_POINTS
+  gl_Position.z -= 1.0e-4 * gl_Position.w; // before the faces that they are corners of
+#endif
 }

@@ -3,17 +3,37 @@
 """The render modes of Mesh Inspection: their pictures are those of ParaView pipelines that show the same."""
 
 import camaron_testing
+import gallery
 import numpy
-from inspection_testing import difference, make_view, picture, turn
+from inspection_testing import difference, make_view, picture, selected, turn
+from mesh_parts import producer
 from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 LOW, HIGH, NULL = [0.9, 0.1, 0.1], [0.1, 0.2, 1.0], [0.0, 0.6, 0.0]
 GREY = [0.8, 0.8, 0.8]
+BLACK, RED = [0, 0, 0], [1, 0, 0]
 
 
 def tetrahedra():
     mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5]))
     return simple.PointAndCellIds(Input=mesh)
+
+
+def red(image):
+    """Where a picture is red."""
+    return (image[:, :, 0] > 128) & (image[:, :, 1] < 64)
+
+
+def unlike(one, other):
+    """Part of the marked pixels of either picture that have none of the other within one pixel."""
+    wide = lambda marks: sum(
+        numpy.roll(marks, (i, k), (0, 1)).astype(int) for i in (-1, 0, 1) for k in (-1, 0, 1)
+    )
+    lonely = (one & (wide(other) == 0)) | (other & (wide(one) == 0))
+    return lonely.sum() / max((one | other).sum(), 1)
 
 
 def table_of(display, low, high):
@@ -47,13 +67,21 @@ class TestInspectionModes(camaron_testing.TestCase):
             setattr(display, name, value)
         return display
 
+    def show_too(self, source, representation="Mesh Inspection", **properties):
+        """With what is shown already."""
+        display = simple.Show(source, self.view)
+        display.SetRepresentationType(representation)
+        display.DrawNormals, display.DrawPoints, display.DrawEdges = "None", 0, 0
+        for name, value in properties.items():
+            setattr(display, name, value)
+
     def take(self):
         turn(self.view)
         return picture(self.view)
 
     def same(self, one, other, tolerance=0.004):
         self.assertLess(difference(one, other), tolerance)
-        self.assertGreater(difference(one, one * 0 + 255), 0.1)  # there is a mesh
+        self.assertGreater(difference(one, one * 0 + 255), 0.05)  # there is a mesh
 
     def elevation(self, mesh, low, high):
         """What Height and Depth do, as an array of the points on Surface."""
@@ -170,6 +198,107 @@ class TestInspectionModes(camaron_testing.TestCase):
         inside = self.take()
         self.show(mesh, SmoothShading=1)
         self.assertLess(difference(inside, self.take(), 3), 0.002)
+
+    def lines(self, starts, directions, length):
+        """A source of the lines from `starts` along unit vectors."""
+        lines = vtkPolyData()
+        points = numpy.stack([starts, starts + length * directions], axis=1).reshape(-1, 3)
+        lines.SetPoints(vtkPoints())
+        lines.GetPoints().SetData(numpy_to_vtk(points, deep=True))
+        cells = vtkCellArray()
+        for i in range(len(starts)):
+            cells.InsertNextCell(2, [2 * i, 2 * i + 1])
+        lines.SetLines(cells)
+        return producer(lines)
+
+    def outside(self, mesh):
+        """Centroids and unit normals of the outer triangles of a mesh, and its points with theirs."""
+        surface = self.fetch(simple.ExtractSurface(Input=mesh))
+        points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+        corners = points[vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+        areas = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+        sums = numpy.zeros_like(points)
+        ids = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        for k in range(3):
+            numpy.add.at(sums, ids[:, k], areas)
+        unit = lambda rows: rows / numpy.linalg.norm(rows, axis=1)[:, None]
+        return (corners.mean(axis=1), unit(areas)), (points, unit(sums))
+
+    def test_normals(self):
+        """Lines where a source of lines has them; those of a polygon once; none where nothing is visible."""
+        mesh = simple.PassArrays(Input=tetrahedra(), PointDataArrays=[], CellDataArrays=[])
+        mesh.UpdatePipeline()
+        for which, (starts, directions) in zip(("Faces", "Vertices"), self.outside(mesh)):
+            with self.subTest(which):
+                lines = self.lines(starts, directions, 1.5)
+                self.show(lines, "Surface", LineWidth=2, DiffuseColor=RED, AmbientColor=RED)
+                self.show_too(mesh, DiffuseColor=BLACK, AmbientColor=BLACK)
+                reference = self.take()
+                display = self.show(mesh, LineWidth=2, NormalColor=RED)
+                display.DrawNormals, display.NormalLength = which, 1.5 / (10 * 3**0.5)
+                self.assertLess(unlike(red(picture(self.view)), red(reference)), 0.01)
+                self.assertGreater(red(reference).mean(), 0.02)
+                display.CutShape = "Sphere"
+                display.CutShape.Radius = 100
+                display.CutBy = "Any vertex"
+                self.assertEqual(difference(picture(self.view), reference * 0 + 255), 0)
+                display.CutBy, display.DrawNormals = "No cut", "None"
+
+    def test_normals_of_polygons(self):
+        """One line for each polygon of a polyhedron, from the centroid of its area."""
+        mesh = producer(gallery.polyhedra())
+        shared = {"LineWidth": 2, "DiffuseColor": BLACK, "AmbientColor": BLACK}
+        self.show(mesh, DrawFaces=0, DrawNormals="Faces", NormalLength=0.1, NormalColor=RED, **shared)
+        found = self.take()
+        surface = self.fetch(simple.ExtractSurface(Input=mesh))
+        points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+        starts, directions = [], []
+        for i in range(surface.GetNumberOfCells()):
+            ids = surface.GetCell(i).GetPointIds()
+            corners = points[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
+            fans = [corners[k : k + 2] - corners[0] for k in range(1, len(corners) - 1)]
+            areas = [numpy.cross(*fan) for fan in fans]
+            sizes = numpy.linalg.norm(areas, axis=1)
+            starts.append(corners[0] + sizes @ [fan.sum(axis=0) / 3 for fan in fans] / sizes.sum())
+            directions.append(sum(areas) / numpy.linalg.norm(sum(areas)))
+        diagonal = numpy.linalg.norm(points.max(axis=0) - points.min(axis=0))
+        lines = self.lines(numpy.array(starts), numpy.array(directions), 0.1 * diagonal)
+        self.show(lines, "Surface", LineWidth=2, DiffuseColor=RED, AmbientColor=RED)
+        self.show_too(mesh, DrawFaces=0, **shared)
+        self.assertLess(unlike(red(found), red(picture(self.view))), 0.01)
+        self.assertGreater(red(found).sum(), 500)
+
+    def test_points(self):
+        """All points of the cells that are drawn, those inside too, coloured as everything."""
+        mesh = tetrahedra()
+        cloud = simple.MaskPoints(Input=mesh, OnRatio=1, MaximumNumberofPoints=10000)
+        cloud.GenerateVertices = cloud.SingleVertexPerCell = 1
+        shared = {"PointSize": 3, "DiffuseColor": BLACK, "AmbientColor": BLACK}
+        for color in (None, ("POINTS", "RTData")):
+            with self.subTest(color=color):
+                self.show(cloud, "Points", color, **shared)
+                reference = self.take()
+                display = self.show(mesh, color=color, DrawPoints=1, DrawFaces=0, **shared)
+                self.same(self.take(), reference, 0.01)
+        display.CutBy, display.CutShape = "Any vertex", "Sphere"
+        display.CutShape.Radius = 5.9
+        self.assertLess((self.take() < 250).sum(), 0.7 * (reference < 250).sum())
+        self.assertGreater((self.take() < 250).sum(), 100)
+        display.CutBy = "No cut"
+
+    def test_selection_with_lines_and_points(self):
+        """Cells and points are selected as without; of points alone, those inside too."""
+        mesh = tetrahedra()
+        display = self.show(mesh)
+        turn(self.view)
+        found = lambda: [selected(self.view, mesh, kind) for kind in ("cells", "points")]
+        expected = found()
+        display.DrawNormals = "Faces"
+        self.assertEqual(found(), expected)
+        display.DrawNormals, display.DrawPoints, display.PointSize = "None", 1, 5
+        self.assertEqual(found(), expected)
+        display.DrawFaces = 0
+        self.assertGreater(len(found()[1]), len(expected[1]))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,17 @@
+// Where a point is drawn, as a corner of a cell.
+uniform samplerBuffer pointTable; // coordinates from the middle of the mesh
+#ifdef HAS_CENTROIDS
+uniform samplerBuffer centroidTable;
+uniform float shrinkFactor;  // 1: as they are, 0: to the centroid
+uniform float explodeFactor; // 0: as they are, 1: twice as far from the middle
+#endif
+
+vec4 place(uint point, uint cell)
+{
+  vec3 position = texelFetch(pointTable, int(point)).xyz;
+#ifdef HAS_CENTROIDS
+  vec3 center = texelFetch(centroidTable, int(cell)).xyz;
+  position = mix(center, position, shrinkFactor) + explodeFactor * center;
+#endif
+  return vec4(position, 1.0);
+}
