@@ -13,34 +13,14 @@ import sys
 from camaron import pipeline
 from paraview import simple
 
-VTK_POLYHEDRON = 42
-
-
-def has_polyhedra(source) -> bool:
-    """Whether there may be cells of which ParaView's own surface takes minutes to make."""
-    quality = simple.ElementQuality(Input=source, Preset="Ticked criteria", Criteria=["CellTypeId"])
-    quality.UpdatePipeline()
-    types = quality.CellData["CellTypeId"]
-    low, high = types.GetRange() if types else (0.0, 0.0)
-    simple.Delete(quality)
-    return low <= VTK_POLYHEDRON <= high
-
-
 def show(path: str, view) -> None:
-    """Opens a mesh and shows it; of polyhedra only the boundary, by Mesh Surface."""
+    """Opens a mesh and shows it."""
     if path.endswith(".pvsm"):
         simple.LoadState(path)
         return
     source = pipeline.open_mesh(path, "first").source
-    name = os.path.basename(path)
-    simple.RenameSource(name, source)
-    if has_polyhedra(source):
-        simple.Hide(source, view)
-        surface = simple.MeshSurface(registrationName=f"Surface of {name}", Input=source)
-        display = simple.Show(surface, view)
-    else:
-        display = simple.Show(source, view)
-    display.SetRepresentationType("Surface With Edges")
+    simple.RenameSource(os.path.basename(path), source)
+    simple.Show(source, view).SetRepresentationType("Mesh Inspection")
     simple.SetActiveSource(source)
 
 
