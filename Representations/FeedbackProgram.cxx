@@ -4,6 +4,7 @@
 
 #include "TextureBuffer.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "OpenGL.h"
@@ -90,6 +91,12 @@ void FeedbackProgram::SetUniform(const char* name, int value) const
 }
 
 //------------------------------------------------------------------------------
+void FeedbackProgram::SetUniform(const char* name, float value) const
+{
+  glUniform1f(glGetUniformLocation(this->Program, name), value);
+}
+
+//------------------------------------------------------------------------------
 void FeedbackProgram::SetUniform(const char* name, const float* rowsOf4, int numberOfRows) const
 {
   glUniform4fv(glGetUniformLocation(this->Program, name), numberOfRows, rowsOf4);
@@ -111,20 +118,33 @@ void FeedbackProgram::SetTable(const char* name, const TextureBuffer& table, int
 //------------------------------------------------------------------------------
 std::size_t FeedbackProgram::Run(std::size_t numberOfPoints, TextureBuffer& output) const
 {
+  const std::size_t rows = this->Run(output, [&] { this->Draw(0, numberOfPoints); });
+  return std::min(rows, output.GetNumberOfRows());
+}
+
+//------------------------------------------------------------------------------
+std::size_t FeedbackProgram::Run(TextureBuffer& output, const std::function<void()>& draw) const
+{
   GLuint rows = 0;
   glBindVertexArray(this->VertexArray);
   glEnable(GL_RASTERIZER_DISCARD);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, output.GetBuffer());
-  glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, this->Query);
+  glBeginQuery(GL_PRIMITIVES_GENERATED, this->Query);
   glBeginTransformFeedback(GL_POINTS);
-  glDrawArrays(GL_POINTS, 0, static_cast<GLsizei>(numberOfPoints));
+  draw();
   glEndTransformFeedback();
-  glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  glEndQuery(GL_PRIMITIVES_GENERATED);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
   glDisable(GL_RASTERIZER_DISCARD);
   glBindVertexArray(0);
   glGetQueryObjectuiv(this->Query, GL_QUERY_RESULT, &rows);
   return rows;
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::Draw(std::size_t firstPoint, std::size_t numberOfPoints) const
+{
+  glDrawArrays(GL_POINTS, static_cast<GLint>(firstPoint), static_cast<GLsizei>(numberOfPoints));
 }
 
 //------------------------------------------------------------------------------

@@ -11,8 +11,9 @@
 #ifndef camaron_FeedbackProgram_h
 #define camaron_FeedbackProgram_h
 
-#include <cstddef> // for counts
-#include <string>  // for errors
+#include <cstddef>    // for counts
+#include <functional> // for what is drawn
+#include <string>     // for errors
 
 namespace camaron
 {
@@ -37,6 +38,7 @@ public:
   /// Makes the program the current one, for the uniforms that follow and for Run.
   void Use() const;
   void SetUniform(const char* name, int value) const;
+  void SetUniform(const char* name, float value) const;
   void SetUniform(const char* name, const float* rowsOf4, int numberOfRows) const;
   void SetMatrix(const char* name, const float values[16]) const;
   /// Makes @a table the sampler @a name, through texture unit @a unit.
@@ -48,6 +50,13 @@ public:
    * @return the number of rows written
    */
   std::size_t Run(std::size_t numberOfPoints, TextureBuffer& output) const;
+
+  /**
+   * The same for all points that @a draw draws, which calls Draw and may set uniforms between.
+   * @return the number of rows that there would be if @a output had room for them
+   */
+  std::size_t Run(TextureBuffer& output, const std::function<void()>& draw) const;
+  void Draw(std::size_t firstPoint, std::size_t numberOfPoints) const;
 
   void Release();
 

@@ -4,6 +4,7 @@
 
 #include "InspectionArrays.h"
 
+#include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
@@ -208,11 +209,24 @@ void InspectionMesh::NeedOwners()
 }
 
 //------------------------------------------------------------------------------
+void InspectionMesh::NeedTetrahedra()
+{
+  if (!this->Tetrahedra.IsUploaded())
+  {
+    CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(this->Grid));
+    this->Tetrahedra.Upload(tetrahedra.Points.data(), tetrahedra.Points.size());
+    this->CellsOfTetrahedra.Upload(tetrahedra.Cells.data(), tetrahedra.Cells.size());
+    this->Blocks = std::move(tetrahedra.Blocks);
+  }
+}
+
+//------------------------------------------------------------------------------
 std::size_t InspectionMesh::GetMemorySize() const
 {
   std::size_t size = 0;
   for (const TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
-         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners })
+         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Tetrahedra,
+         &this->CellsOfTetrahedra })
   {
     size += table->GetMemorySize();
   }
@@ -223,7 +237,8 @@ std::size_t InspectionMesh::GetMemorySize() const
 void InspectionMesh::Release()
 {
   for (TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
-         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners })
+         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Tetrahedra,
+         &this->CellsOfTetrahedra })
   {
     table->Release();
   }

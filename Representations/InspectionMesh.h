@@ -48,6 +48,7 @@ public:
   void NeedCentroids();
   void NeedConnectivity();
   void NeedOwners();
+  void NeedTetrahedra();
   ///@}
 
   std::uint32_t GetNumberOfOuterTriangles() const { return this->NumberOfOuterTriangles; }
@@ -62,6 +63,10 @@ public:
   TextureBuffer CellOffsets{ TextureBuffer::Row::UInt };
   TextureBuffer CellPoints{ TextureBuffer::Row::UInt };
   TextureBuffer Owners{ TextureBuffer::Row::UInt2 }; ///< process and block of a cell
+  TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 };
+  TextureBuffer CellsOfTetrahedra{ TextureBuffer::Row::UInt };
+  /// Where those of a block of cells begin, see CellTetrahedra.h.
+  const std::vector<std::uint32_t>& GetTetrahedronBlocks() const { return this->Blocks; }
 
   /// Bytes of graphics memory.
   std::size_t GetMemorySize() const;
@@ -77,6 +82,7 @@ private:
   int Version = 0;
   bool HasInnerFaces = false;
   std::uint32_t NumberOfOuterTriangles = 0;
+  std::vector<std::uint32_t> Blocks;
   std::array<double, 3> Middle = { { 0, 0, 0 } };
 };
 }

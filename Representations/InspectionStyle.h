@@ -77,7 +77,8 @@ enum class Figure
 {
   Faces, ///< themselves, their edges and their points
   FaceNormals,
-  PointNormals
+  PointNormals,
+  Isosurfaces
 };
 
 struct InspectionStyle
@@ -118,6 +119,9 @@ struct InspectionStyle
   bool Smooth = false;      ///< light as if faces were curved
   double SmoothAngle = 30; ///< degrees; a corner whose normal is farther from its face's has the latter
 
+  std::string IsosurfaceArray; ///< of the points; one component or the magnitude
+  std::vector<double> IsosurfaceValues;
+
   bool Isolines = false;
   std::string IsolineArray; ///< of the points; one component or the magnitude
   double IsolineFirst = 0;
@@ -144,6 +148,11 @@ struct InspectionStyle
   bool ColorsByDistance() const
   {
     return this->ColorBy == Coloring::Height || this->ColorBy == Coloring::Depth;
+  }
+  /// True when the figure is made of lines of one colour.
+  bool DrawsNormals() const
+  {
+    return this->What == Figure::FaceNormals || this->What == Figure::PointNormals;
   }
   /// True when cells move, so that each needs its own faces.
   bool MovesCells() const { return this->ShrinkFactor != 1 || this->ExplodeFactor != 0; }

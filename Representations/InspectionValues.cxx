@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InspectionValues.h"
 
+#include "ArrayValues.h"
+
 #include "vtkDataArray.h"
 
-#include <cmath>
 #include <vector>
 
 namespace camaron
@@ -25,23 +26,7 @@ void InspectionValues::Update(vtkDataArray* array, int component)
   {
     return;
   }
-  const int size = array->GetNumberOfComponents();
-  if (size == 1 || component >= size)
-  {
-    component = 0;
-  }
-  std::vector<double> tuple(size);
-  std::vector<float> values(array->GetNumberOfTuples());
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    array->GetTuple(static_cast<vtkIdType>(i), tuple.data());
-    double squares = 0;
-    for (const double value : tuple)
-    {
-      squares += value * value;
-    }
-    values[i] = static_cast<float>(component < 0 ? std::sqrt(squares) : tuple[component]);
-  }
+  const std::vector<float> values = GetArrayValues(array, component);
   this->Values.Upload(values.data(), values.size());
 }
 

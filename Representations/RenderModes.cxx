@@ -124,7 +124,7 @@ const std::vector<RenderMode>& GetRenderModes()
       "glass(opacity, normalVCVSOutput, vertexVC.xyz);", true,
       [](vtkShaderProgram* program, const Context& context)
       { program->SetUniformf("glassStrength", static_cast<float>(context.Style.GlassStrength)); } },
-    { [](const Style& style) { return style.What != Figure::Faces; }, nullptr, "", "", false,
+    { [](const Style& style) { return style.DrawsNormals(); }, nullptr, "", "", false,
       &SetNormalLines },
   };
   return modes;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TextureBuffer.h"
 
+#include <stdexcept>
+#include <string>
+
 #include "OpenGL.h"
 
 namespace camaron
@@ -36,6 +39,15 @@ const Format& GetFormat(TextureBuffer::Row row)
 void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
 {
   const Format& format = GetFormat(this->Kind);
+  GLint maxRows = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &maxRows);
+  if (numberOfRows > static_cast<std::size_t>(maxRows))
+  {
+    this->Release();
+    throw std::length_error("Mesh Inspection needs a table of " + std::to_string(numberOfRows) +
+      " rows, but those of this graphics card have up to " + std::to_string(maxRows) +
+      ". Surface draws the mesh, or fewer cells.");
+  }
   const bool isNew = this->Buffer == 0;
   if (isNew)
   {

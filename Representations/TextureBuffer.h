@@ -36,7 +36,10 @@ public:
   TextureBuffer(const TextureBuffer&) = delete;
   TextureBuffer& operator=(const TextureBuffer&) = delete;
 
-  /// Replaces the table; null leaves its rows undefined, for the graphics card to write.
+  /**
+   * Replaces the table; null leaves its rows undefined, for the graphics card to write.
+   * @throw std::length_error for more rows than the graphics card's textures have
+   */
   void Upload(const void* rows, std::size_t numberOfRows);
   /// Replaces @a numberOfRows rows from row @a first on.
   void Change(const void* rows, std::size_t first, std::size_t numberOfRows);

@@ -9,6 +9,7 @@
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
 #include "InspectionValues.h"
+#include "Isosurfaces.h"
 #include "NormalLinesVS.h"
 #include "PickingGLSL.h"
 #include "PlaceGLSL.h"
@@ -62,6 +63,7 @@ public:
   std::shared_ptr<InspectionMesh> Mesh = std::make_shared<InspectionMesh>();
   bool OwnsMesh = true;
   VisibleTriangles Visible;
+  Isosurfaces Isosurface;
   bool IsListed = false;
   std::size_t NumberOfTriangles = 0;
 
@@ -92,8 +94,17 @@ public:
 void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
 {
   this->Mesh->Update();
-  this->IsListed = !this->Style.IsWholeSurface();
-  if (this->IsListed)
+  this->IsListed = this->Style.What != Figure::Isosurfaces && !this->Style.IsWholeSurface();
+  if (this->Style.What == Figure::Isosurfaces)
+  {
+    vtkDataArray* array = this->Grid->GetPointData()->GetArray(this->Style.IsosurfaceArray.c_str());
+    if (!this->Isosurface.Update(*this->Mesh, array, this->Style.IsosurfaceValues))
+    {
+      throw std::runtime_error("The graphics card makes no isosurfaces: " + this->Isosurface.GetError());
+    }
+    this->NumberOfTriangles = this->Isosurface.GetNumberOfTriangles();
+  }
+  else if (this->IsListed)
   {
     if (!this->Visible.Update(*this->Mesh, this->Style))
     {
@@ -207,6 +218,7 @@ void vtkMeshInspectionMapper::Internals::Release()
     this->Mesh->Release();
   }
   this->Visible.Release();
+  this->Isosurface.Release();
   this->Colors.Release();
   this->Normals.Release();
   this->Values.Release();
@@ -257,7 +269,7 @@ vtkIdType vtkMeshInspectionMapper::GetNumberOfVisibleTriangles() const
 //------------------------------------------------------------------------------
 int vtkMeshInspectionMapper::GetNumberOfSearches() const
 {
-  return this->Internal->Visible.GetNumberOfRuns();
+  return this->Internal->Visible.GetNumberOfRuns() + this->Internal->Isosurface.GetNumberOfRuns();
 }
 
 //------------------------------------------------------------------------------
@@ -265,7 +277,7 @@ vtkIdType vtkMeshInspectionMapper::GetGraphicsMemorySize() const
 {
   const Internals& self = *this->Internal;
   return static_cast<vtkIdType>((self.OwnsMesh ? self.Mesh->GetMemorySize() : 0) +
-    self.Visible.GetMemorySize() + self.Colors.GetTable().GetMemorySize() +
+    self.Visible.GetMemorySize() + self.Isosurface.GetMemorySize() + self.Colors.GetTable().GetMemorySize() +
     self.Normals.GetTable().GetMemorySize() + self.Values.GetTable().GetMemorySize() + self.Levels.GetTable().GetMemorySize());
 }
 
@@ -457,6 +469,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   self.Code.Defines += self.Style.MovesCells() ? "#define HAS_CENTROIDS\n" : "";
   self.Code.Defines +=
     self.Style.What == Figure::PointNormals ? "#define HAS_POINT_NORMALS\n" : "";
+  self.Code.Defines += self.Style.What == Figure::Isosurfaces ? "#define IS_ISOSURFACE\n" : "";
   // Points are picked where they are drawn.
   const bool arePoints = isPoints || (this->PointPicking && self.Style.Points);
   self.Code.Defines += arePoints ? "#define ARE_POINTS\n" : "";
@@ -473,7 +486,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
 {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
   const Internals& self = *this->Internal;
-  std::string vertex = self.Style.What == Figure::Faces ? FacesVS : NormalLinesVS;
+  std::string vertex = self.Style.DrawsNormals() ? NormalLinesVS : FacesVS;
   vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
   vtkShaderProgram::Substitute(vertex, "//Camaron::Place", PlaceGLSL);
   shaders[vtkShader::Vertex]->SetSource(vertex);
@@ -567,6 +580,7 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   self.Attach(program, "pointTable", mesh.Points);
   self.Attach(program, "markTable", mesh.Marks);
   self.Attach(program, "visibleTable", self.IsListed ? self.Visible.GetTable() : mesh.Marks);
+  self.Attach(program, "cornerTable", self.Isosurface.GetTable());
   self.Attach(program, "centroidTable", mesh.Centroids);
   self.Attach(program, "ownerTable", mesh.Owners);
   self.Attach(program, "colorTable", self.Colors.GetTable());
@@ -641,7 +655,7 @@ void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
   this->DrawingSelection = false;
   const InspectionStyle& style = self.Style;
   const std::size_t corners = 3 * self.NumberOfTriangles;
-  if (style.What != Figure::Faces)
+  if (style.DrawsNormals())
   {
     const bool isOfFaces = style.What == Figure::FaceNormals;
     this->Draw(renderer, actor, PrimitiveTris, GL_TRIANGLES, isOfFaces ? 2 * corners : 6 * corners);

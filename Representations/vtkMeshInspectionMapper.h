@@ -37,7 +37,7 @@ public:
   void ShareMesh(vtkMeshInspectionMapper* other);
 
   ///@{
-  /// Of the last picture: triangles drawn, and how often visible ones were searched since the beginning.
+  /// Of the last picture: triangles drawn, and how often they were searched or made since the beginning.
   vtkIdType GetNumberOfVisibleTriangles() const;
   int GetNumberOfSearches() const;
   /// Bytes of graphics memory, colours included.

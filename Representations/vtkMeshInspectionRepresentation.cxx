@@ -37,6 +37,17 @@ enum CutMoves
   WithMesh, ///< its coordinates are those of the data
   WithView  ///< it stays where it is in the picture while the camera turns
 };
+
+void CopyColoring(vtkMapper* from, vtkMapper* to)
+{
+  to->SetLookupTable(from->GetLookupTable());
+  to->SetUseLookupTableScalarRange(from->GetUseLookupTableScalarRange());
+  to->SetColorMode(from->GetColorMode());
+  to->SetInterpolateScalarsBeforeMapping(from->GetInterpolateScalarsBeforeMapping());
+  to->SetScalarVisibility(from->GetScalarVisibility());
+  to->SelectColorArray(from->GetArrayName());
+  to->SetScalarMode(from->GetScalarMode());
+}
 }
 
 //==============================================================================
@@ -58,6 +69,10 @@ public:
   vtkNew<vtkProperty> LineProperty;
   vtkNew<vtkMeshInspectionMapper> LineMapper;
 
+  bool DrawIsosurfaces = false;
+
+  vtkNew<vtkActor> Isosurfaces;
+  vtkNew<vtkMeshInspectionMapper> IsosurfaceMapper;
   vtkNew<vtkActor> Shell;
   vtkNew<vtkProperty> ShellProperty;
   vtkNew<vtkMeshInspectionMapper> ShellMapper;
@@ -120,6 +135,10 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   backfaceMapper->ShareMesh(mapper);
 
   Internals& self = *this->Internal;
+  self.IsosurfaceMapper->ShareMesh(mapper);
+  self.Isosurfaces->SetMapper(self.IsosurfaceMapper);
+  self.Isosurfaces->SetProperty(this->Property);
+  self.Isosurfaces->VisibilityOff();
   self.ShellMapper->ShareMesh(mapper);
   self.ShellMapper->ScalarVisibilityOff();
   self.ShellProperty->SetColor(0.75, 0.85, 1.0);
@@ -150,6 +169,8 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
   {
     renderView->GetRenderer()->AddActor(this->Internal->Shell);
     renderView->GetRenderer()->AddActor(this->Internal->Lines);
+    renderView->GetRenderer()->AddActor(this->Internal->Isosurfaces);
+    renderView->RegisterPropForHardwareSelection(this, this->Internal->Isosurfaces);
   }
   return this->Superclass::AddToView(view);
 }
@@ -162,6 +183,8 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
   {
     renderView->GetRenderer()->RemoveActor(this->Internal->Shell);
     renderView->GetRenderer()->RemoveActor(this->Internal->Lines);
+    renderView->GetRenderer()->RemoveActor(this->Internal->Isosurfaces);
+    renderView->UnRegisterPropForHardwareSelection(this, this->Internal->Isosurfaces);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -204,6 +227,19 @@ int vtkMeshInspectionRepresentation::RequestData(
   }
   std::copy_n(bounds, 6, this->Internal->Style.Bounds.begin());
   return result;
+}
+
+//------------------------------------------------------------------------------
+// A representation that is not visible is not asked to render: its actors must go at once.
+void vtkMeshInspectionRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  if (!visible)
+  {
+    this->Internal->Shell->VisibilityOff();
+    this->Internal->Isosurfaces->VisibilityOff();
+    this->Internal->Lines->VisibilityOff();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -262,6 +298,24 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
     self.LineMapper->SetStyle(lines);
     self.LineMapper->SetInputDataObject(mesh);
     self.Lines->SetUserMatrix(this->Actor->GetMatrix());
+  }
+
+  const bool hasIsosurfaces = self.DrawIsosurfaces && this->GetVisibility();
+  self.Isosurfaces->SetVisibility(hasIsosurfaces);
+  if (hasIsosurfaces)
+  {
+    InspectionStyle surfaces = style;
+    surfaces.What = Figure::Isosurfaces;
+    surfaces.Faces = true;
+    surfaces.Edges = surfaces.Points = surfaces.Isolines = false;
+    surfaces.ShrinkFactor = 1;
+    surfaces.ExplodeFactor = 0;
+    vtkMeshInspectionMapper* mapper = self.IsosurfaceMapper;
+    mapper->SetStyle(surfaces);
+    mapper->SetInputDataObject(vtkPVView::GetDeliveredPiece(inInfo, this));
+    CopyColoring(this->Mapper, mapper);
+    self.Isosurfaces->SetUserMatrix(this->Actor->GetMatrix());
+    self.Isosurfaces->SetPickable(this->Actor->GetPickable());
   }
 
   const bool hasShell = self.GlassShell && this->GetVisibility();
@@ -510,6 +564,35 @@ void vtkMeshInspectionRepresentation::SetCutShape(vtkImplicitFunction* shape)
 {
   this->Internal->CutFunction = shape;
   this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawIsosurfaces(bool on)
+{
+  this->Change(this->Internal->DrawIsosurfaces, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIsosurfaceArray(int, int, int, int, const char* name)
+{
+  this->Change(this->Internal->Style.IsosurfaceArray, std::string(name ? name : ""));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetNumberOfIsosurfaceValues(int number)
+{
+  this->Internal->Style.IsosurfaceValues.resize(std::max(number, 0));
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIsosurfaceValue(int index, double value)
+{
+  std::vector<double>& values = this->Internal->Style.IsosurfaceValues;
+  if (index >= 0 && index < static_cast<int>(values.size()))
+  {
+    this->Change(values[index], value);
+  }
 }
 
 //------------------------------------------------------------------------------

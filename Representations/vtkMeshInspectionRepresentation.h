@@ -58,6 +58,10 @@ public:
   void SetDrawNormals(int of);
   void SetNormalLength(double part);
   void SetNormalColor(double red, double green, double blue);
+  void SetDrawIsosurfaces(bool on);
+  void SetIsosurfaceArray(int, int, int, int association, const char* name);
+  void SetNumberOfIsosurfaceValues(int number);
+  void SetIsosurfaceValue(int index, double value);
   void SetDrawIsolines(bool on);
   void SetIsolineArray(int, int, int, int association, const char* name);
   void SetIsolineFirst(double value);
@@ -66,6 +70,7 @@ public:
   void SetIsolineColor(double red, double green, double blue);
   ///@}
 
+  void SetVisibility(bool visible) override;
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
     vtkInformation* outInfo) override;
 

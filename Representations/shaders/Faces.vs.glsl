@@ -5,6 +5,9 @@
 // Vertices of the triangles in the list of visible ones. There are no vertex attributes: everything is read
 // from tables by gl_VertexID.
 
+#ifdef IS_ISOSURFACE
+uniform usamplerBuffer cornerTable;   // two points, where between them (of 2^24), the cell
+#endif
 uniform usamplerBuffer visibleTable;  // triangle << 1 | side, of every visible triangle
 uniform usamplerBuffer triangleTable; // three points, face << 3 | edge bits
 uniform usamplerBuffer faceTable;     // the two cells of a face
@@ -75,42 +78,66 @@ vec3 lineThrough(vec4 a, vec4 b)
 }
 #endif
 
+// A corner of what is drawn: between two points of the mesh, or at one of them.
+uint firstPoint;
+uint secondPoint;
+float between;
+
+#if defined(HAS_POINT_COLORS) || defined(HAS_COLOR_COORDINATES) || defined(HAS_POINT_VALUES) || defined(HAS_ISOLINES)
+vec4 ofPoint(samplerBuffer table)
+{
+  vec4 first = texelFetch(table, int(firstPoint));
+  return between == 0.0 ? first : mix(first, texelFetch(table, int(secondPoint)), between);
+}
+#endif
+
 void main()
 {
+#ifdef IS_ISOSURFACE
+  uvec4 corner = texelFetch(cornerTable, gl_VertexID);
+  uint cell = corner.w;
+  firstPoint = corner.x;
+  secondPoint = corner.y;
+  between = float(corner.z) / 16777216.0;
+  isCutFace = 0;
+#else
   int row = gl_VertexID / 3;
-  int corner = gl_VertexID - 3 * row;
+  int cornerOfRow = gl_VertexID - 3 * row;
   uint entry = isListed == 1 ? texelFetch(visibleTable, row).x : uint(row) << 1;
   int side = int(entry & 1u);
   uvec4 triangle = texelFetch(triangleTable, int(entry >> 1));
   uvec2 cells = texelFetch(faceTable, int(triangle.w >> 3)).xy;
   uint cell = cells[side];
   // The second cell has the face the other way round.
-  uint point = triangle[side == 1 ? 2 - corner : corner];
-  vertexMC = place(point, cell);
+  firstPoint = triangle[side == 1 ? 2 - cornerOfRow : cornerOfRow];
+  secondPoint = firstPoint;
+  between = 0.0;
+  isCutFace = isListed == 1 && cells[1] != 0xffffffffu ? 1 : 0;
+#endif
+  vertexMC = mix(place(firstPoint, cell), place(secondPoint, cell), between);
   cellOfFace = cell;
   cellMarks = texelFetch(markTable, int(cell)).x;
-  isCutFace = isListed == 1 && cells[1] != 0xffffffffu ? 1 : 0;
 
 #ifdef HAS_POINT_COLORS
-  colorOfPoint = texelFetch(colorTable, int(point));
+  colorOfPoint = ofPoint(colorTable);
 #endif
 #ifdef HAS_COLOR_COORDINATES
-  colorTCoordVCVSOutput = texelFetch(colorTable, int(point)).xy;
+  colorTCoordVCVSOutput = ofPoint(colorTable).xy;
 #endif
 #ifdef HAS_POINT_VALUES
-  valueOfPoint = texelFetch(valueTable, int(point)).x;
+  valueOfPoint = ofPoint(valueTable).x;
 #endif
 #ifdef HAS_DISTANCE
   distancePart = dot(distanceRamp, vertexMC);
 #endif
 #ifdef HAS_ISOLINES
-  level = texelFetch(levelTable, int(point)).x;
+  level = ofPoint(levelTable).x;
 #endif
 #ifdef HAS_NORMALS
   vec3 origin = texelFetch(pointTable, int(triangle[0])).xyz;
   vec3 flatNormal = normalize(cross(texelFetch(pointTable, int(triangle[1])).xyz - origin,
     texelFetch(pointTable, int(triangle[2])).xyz - origin));
-  vec3 normal = texelFetch(normalTable, int(point)).xyz;
+  vec3 normal = texelFetch(normalTable, int(firstPoint)).xyz;
   normal = dot(normal, flatNormal) < smoothCosine ? flatNormal : normal;
   // Inner faces are no part of the curved outside.
   normalOfCorners = isCutFace == 1 ? vec3(0.0) : normalMatrix * normal;
@@ -126,7 +153,7 @@ void main()
   lines[2] = (triangle.w & 4u) != 0u ? lineThrough(c, a) : nowhere;
 #endif
 #ifdef IS_PICKING
-  pickedPoint = point;
+  pickedPoint = between < 0.5 ? firstPoint : secondPoint;
   pickedOwner = texelFetch(ownerTable, int(cell)).xy;
 #endif
 

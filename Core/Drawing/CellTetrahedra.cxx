@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/CellTetrahedra.h"
+
+#include "Mesh/CellFacets.h"
+#include "Mesh/MeshView.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType BlocksPerGrain = 64;
+
+vtkIdType GetNumberOfBlocks(const MeshView& mesh)
+{
+  return (mesh.GetNumberOfCells() + CellTetrahedra::CellsPerBlock - 1) /
+    CellTetrahedra::CellsPerBlock;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(a, b, c, d) for the tetrahedra of a cell.
+class TetrahedraOfCell
+{
+public:
+  explicit TetrahedraOfCell(const MeshView& mesh)
+    : Mesh(mesh)
+    , Facets(mesh)
+  {
+  }
+
+  template <typename Visitor>
+  void ForEach(vtkIdType cell, Visitor&& visit)
+  {
+    if (this->Facets.GetDimension(cell) != 3)
+    {
+      return;
+    }
+    if (this->Mesh.GetCellType(cell) == VTK_TETRA)
+    {
+      const IndexRange points = this->Mesh.GetCellPoints(cell);
+      visit(points[0], points[1], points[2], points[3]);
+      return;
+    }
+    vtkIdType apex = -1;
+    this->Facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+      {
+        const vtkIdType first = points[this->FindFirst(points, size)];
+        apex = apex < 0 || this->IsBefore(first, apex) ? first : apex;
+      });
+    this->Facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+      {
+        if (size < 3 || std::find(points, points + size, apex) != points + size)
+        {
+          return;
+        }
+        const vtkIdType first = this->FindFirst(points, size);
+        const auto corner = [&](vtkIdType i) { return points[(first + i) % size]; };
+        for (vtkIdType i = 1; i + 1 < size; ++i)
+        {
+          visit(apex, points[first], corner(i), corner(i + 1));
+        }
+      });
+  }
+
+private:
+  bool IsBefore(vtkIdType a, vtkIdType b) const
+  {
+    double p[3], q[3];
+    this->Mesh.GetPoint(a, p);
+    this->Mesh.GetPoint(b, q);
+    for (int i = 0; i < 3; ++i)
+    {
+      if (p[i] != q[i])
+      {
+        return p[i] < q[i];
+      }
+    }
+    return a < b;
+  }
+  vtkIdType FindFirst(const vtkIdType* points, vtkIdType size) const
+  {
+    vtkIdType first = 0;
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      first = this->IsBefore(points[i], points[first]) ? i : first;
+    }
+    return first;
+  }
+
+  const MeshView& Mesh;
+  CellFacets Facets;
+};
+
+//------------------------------------------------------------------------------
+// Calls perBlock(tetrahedra, block, firstCell, endOfCells) in parallel.
+template <typename Function>
+void ForEachBlock(const MeshView& mesh, Function&& perBlock)
+{
+  ParallelFor(GetNumberOfBlocks(mesh), BlocksPerGrain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      TetrahedraOfCell tetrahedra(mesh);
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        const vtkIdType first = block * CellTetrahedra::CellsPerBlock;
+        perBlock(tetrahedra, block, first,
+          std::min(mesh.GetNumberOfCells(), first + CellTetrahedra::CellsPerBlock));
+      }
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
+{
+  std::vector<vtkIdType> counts(GetNumberOfBlocks(mesh), 0);
+  ForEachBlock(mesh,
+    [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        tetrahedra.ForEach(
+          cell, [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType) { ++counts[block]; });
+      }
+    });
+  CellTetrahedra made;
+  made.Blocks.reserve(counts.size() + 1);
+  vtkIdType total = 0;
+  for (const vtkIdType count : counts)
+  {
+    made.Blocks.push_back(static_cast<std::uint32_t>(total));
+    total += count;
+    if (total > vtkIdType(std::numeric_limits<std::uint32_t>::max()))
+    {
+      throw std::length_error("Isosurfaces can be drawn of up to 2^32 tetrahedra of a piece.");
+    }
+  }
+  made.Blocks.push_back(static_cast<std::uint32_t>(total));
+  made.Points.resize(total);
+  made.Cells.resize(total);
+  ForEachBlock(mesh,
+    [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      std::uint32_t next = made.Blocks[block];
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        tetrahedra.ForEach(cell,
+          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
+          {
+            made.Points[next] = { { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+              static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(d) } };
+            made.Cells[next] = static_cast<std::uint32_t>(cell);
+            ++next;
+          });
+      }
+    });
+  return made;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<float, 2>> FindBlockRanges(
+  const MeshView& mesh, const std::vector<float>& pointValues)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  std::vector<std::array<float, 2>> ranges(
+    GetNumberOfBlocks(mesh), std::array<float, 2>{ { infinity, -infinity } });
+  ForEachBlock(mesh,
+    [&](TetrahedraOfCell&, vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      std::array<float, 2>& range = ranges[block];
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const IndexRange points = mesh.GetCellPoints(cell);
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          const float value = pointValues[points[i]];
+          range[0] = value < range[0] ? value : range[0];
+          range[1] = value > range[1] ? value : range[1];
+        }
+      }
+    });
+  return ranges;
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file CellTetrahedra.h
+ * @brief Cuts the cells of a mesh into tetrahedra that fit at shared faces.
+ */
+#ifndef camaron_CellTetrahedra_h
+#define camaron_CellTetrahedra_h
+
+#include "vtkType.h" // for vtkIdType
+
+#include <array>   // for the rows
+#include <cstdint> // for the rows
+#include <vector>  // for the tables
+
+class vtkDataArray;
+
+namespace camaron
+{
+class MeshView;
+
+/**
+ * Tetrahedra of the 3D cells, in the order of these. A cell is a fan from its first point over the faces
+ * that do not have it, and a face a fan from its own first point; first is the smallest by coordinates,
+ * then by id. Two cells therefore cut the face between them in the same way, also on two processes.
+ * Right for cells that are convex, or at least seen entirely from their first point.
+ */
+struct CellTetrahedra
+{
+  /// Cells that lie together in memory, and mostly in space.
+  static constexpr vtkIdType CellsPerBlock = 64;
+
+  std::vector<std::array<std::uint32_t, 4>> Points;
+  std::vector<std::uint32_t> Cells;
+  /// Where the tetrahedra of each block of cells begin, and the end.
+  std::vector<std::uint32_t> Blocks;
+};
+
+/// @throw std::length_error for 2^32 tetrahedra or more
+CellTetrahedra MakeCellTetrahedra(const MeshView& mesh);
+
+/// The least and the largest value that the points of each block of cells have; NaN does not count.
+std::vector<std::array<float, 2>> FindBlockRanges(
+  const MeshView& mesh, const std::vector<float>& pointValues);
+}
+
+#endif

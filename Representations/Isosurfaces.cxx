@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Isosurfaces.h"
+
+#include "InspectionMesh.h"
+#include "IsosurfaceGS.h"
+#include "IsosurfaceVS.h"
+#include "ArrayValues.h"
+
+#include "Drawing/CellTetrahedra.h"
+#include "Mesh/MeshView.h"
+
+#include "vtkDataArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::size_t FirstCapacity = 1 << 15; // rows
+}
+
+//------------------------------------------------------------------------------
+bool Isosurfaces::Update(
+  InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues)
+{
+  if (!array || isovalues.empty())
+  {
+    this->NumberOfTriangles = 0;
+    this->Isovalues.clear();
+    return true;
+  }
+  mesh.NeedMarks();
+  mesh.NeedPoints();
+  mesh.NeedTetrahedra();
+  const bool isNew = mesh.GetVersion() != this->Version || array != this->Array ||
+    array->GetMTime() != this->ArrayTime;
+  if (!isNew && isovalues == this->Isovalues)
+  {
+    return true;
+  }
+  if (!this->Program.Build(IsosurfaceVS, IsosurfaceGS, "corner"))
+  {
+    this->Error = this->Program.GetError();
+    return false;
+  }
+  if (isNew)
+  {
+    this->UpdateValues(mesh, array);
+  }
+  if (!this->Table.IsUploaded())
+  {
+    this->Table.Upload(nullptr, FirstCapacity);
+  }
+  this->Program.Use();
+  this->Program.SetTable("tetrahedronTable", mesh.Tetrahedra, 0);
+  this->Program.SetTable("cellOfTetrahedronTable", mesh.CellsOfTetrahedra, 1);
+  this->Program.SetTable("markTable", mesh.Marks, 2);
+  this->Program.SetTable("valueTable", this->Values, 3);
+  const auto draw = [&] { this->Draw(mesh, isovalues); };
+  std::size_t rows = this->Program.Run(this->Table, draw);
+  if (rows > this->Table.GetNumberOfRows())
+  {
+    this->Table.Upload(nullptr, rows + rows / 8);
+    rows = this->Program.Run(this->Table, draw);
+  }
+  this->NumberOfTriangles = rows / 3;
+  this->Isovalues = isovalues;
+  ++this->NumberOfRuns;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void Isosurfaces::UpdateValues(InspectionMesh& mesh, vtkDataArray* array)
+{
+  const std::vector<float> values = GetArrayValues(array);
+  this->Values.Upload(values.data(), values.size());
+  this->BlockRanges = FindBlockRanges(MeshView(mesh.GetGrid()), values);
+  this->Version = mesh.GetVersion();
+  this->Array = array;
+  this->ArrayTime = array->GetMTime();
+}
+
+//------------------------------------------------------------------------------
+// Neighbouring blocks that the value meets are drawn together.
+void Isosurfaces::Draw(const InspectionMesh& mesh, const std::vector<double>& isovalues) const
+{
+  const std::vector<std::uint32_t>& starts = mesh.GetTetrahedronBlocks();
+  for (const double isovalue : isovalues)
+  {
+    const auto value = static_cast<float>(isovalue);
+    this->Program.SetUniform("isovalue", value);
+    const auto isMet = [&](std::size_t block)
+    { return this->BlockRanges[block][0] < value && this->BlockRanges[block][1] >= value; };
+    for (std::size_t block = 0; block < this->BlockRanges.size(); ++block)
+    {
+      if (isMet(block))
+      {
+        const std::size_t first = block;
+        while (block < this->BlockRanges.size() && isMet(block))
+        {
+          ++block;
+        }
+        this->Program.Draw(starts[first], starts[block] - starts[first]);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Isosurfaces::Release()
+{
+  this->Program.Release();
+  this->Values.Release();
+  this->Table.Release();
+  this->Array = nullptr;
+  this->Isovalues.clear();
+  this->NumberOfTriangles = 0;
+}
+}

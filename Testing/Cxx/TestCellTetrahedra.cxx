@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/CellTetrahedra.h"
+#include "Mesh/MeshView.h"
+#include "Mesh/Vector.h"
+#include "TestMeshes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+double GetVolume(vtkUnstructuredGrid* grid, const std::array<std::uint32_t, 4>& points)
+{
+  Vector x[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    double p[3];
+    grid->GetPoint(points[i], p);
+    x[i] = { p[0], p[1], p[2] };
+  }
+  return Dot(x[1] - x[0], Cross(x[2] - x[0], x[3] - x[0])) / 6;
+}
+}
+
+//------------------------------------------------------------------------------
+// The tetrahedra of a cell fill it, whichever type it has: unit cells have known volumes.
+TEST(CellTetrahedra, FillCells)
+{
+  for (const bool asPolyhedra : { false, true })
+  {
+    const Grid grid = MakeHexahedra(3, 3, 3, asPolyhedra);
+    double bounds[6];
+    grid->GetBounds(bounds);
+    const CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(grid));
+    EXPECT_EQ(tetrahedra.Points.size(), 27u * 6);
+    double sum = 0;
+    for (const auto& points : tetrahedra.Points)
+    {
+      sum += std::abs(GetVolume(grid, points));
+    }
+    EXPECT_NEAR(sum, (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) * (bounds[5] - bounds[4]), 1e-12);
+  }
+  for (const int type : StandardTypes3D)
+  {
+    const Grid cell = MakeStandardCell(type);
+    const CellTetrahedra standard = MakeCellTetrahedra(MeshView(cell));
+    const Grid polyhedron = ToPolyhedra(cell);
+    const CellTetrahedra same = MakeCellTetrahedra(MeshView(polyhedron));
+    double volumes[2] = { 0, 0 };
+    for (const auto& points : standard.Points)
+    {
+      volumes[0] += std::abs(GetVolume(cell, points));
+    }
+    for (const auto& points : same.Points)
+    {
+      volumes[1] += std::abs(GetVolume(polyhedron, points));
+    }
+    EXPECT_GT(volumes[0], 0) << type;
+    EXPECT_NEAR(volumes[0], volumes[1], 1e-12) << type;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Else isosurfaces would have cracks: every triangle between two cells is one of both. In a block of cells
+// each triangle occurs twice, but for two on each outer face.
+TEST(CellTetrahedra, FitAtSharedFaces)
+{
+  for (const bool asPolyhedra : { false, true })
+  {
+    const int n = 4;
+    const Grid grid = MakeHexahedra(n, n, n, asPolyhedra);
+    std::map<std::array<std::uint32_t, 3>, int> triangles;
+    for (const auto& points : MakeCellTetrahedra(MeshView(grid)).Points)
+    {
+      for (int without = 0; without < 4; ++without)
+      {
+        std::array<std::uint32_t, 3> triangle{ { points[(without + 1) % 4], points[(without + 2) % 4],
+          points[(without + 3) % 4] } };
+        std::sort(triangle.begin(), triangle.end());
+        ++triangles[triangle];
+      }
+    }
+    int once = 0;
+    for (const auto& triangle : triangles)
+    {
+      EXPECT_LE(triangle.second, 2);
+      once += triangle.second == 1;
+    }
+    EXPECT_EQ(once, 6 * n * n * 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+// A block's range holds the values of its cells, and no NaN.
+TEST(CellTetrahedra, BlockRanges)
+{
+  const Grid grid = MakeHexahedra(200, 1, 1, false);
+  const MeshView mesh(grid);
+  std::vector<float> values(grid->GetNumberOfPoints());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = static_cast<float>(grid->GetPoint(static_cast<vtkIdType>(i))[0]);
+  }
+  values[0] = std::numeric_limits<float>::quiet_NaN();
+  const auto ranges = FindBlockRanges(mesh, values);
+  const CellTetrahedra tetrahedra = MakeCellTetrahedra(mesh);
+  ASSERT_EQ(ranges.size(), 4u);
+  ASSERT_EQ(tetrahedra.Blocks.size(), 5u);
+  for (std::size_t block = 0; block < ranges.size(); ++block)
+  {
+    float low = 1e30f, high = -1e30f;
+    for (std::uint32_t t = tetrahedra.Blocks[block]; t < tetrahedra.Blocks[block + 1]; ++t)
+    {
+      EXPECT_EQ(tetrahedra.Cells[t] / CellTetrahedra::CellsPerBlock, block);
+      for (const std::uint32_t point : tetrahedra.Points[t])
+      {
+        low = std::fmin(low, values[point]);
+        high = std::fmax(high, values[point]);
+      }
+    }
+    EXPECT_EQ(ranges[block][0], low);
+    EXPECT_EQ(ranges[block][1], high);
+  }
+}
