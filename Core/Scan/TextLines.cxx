@@ -57,13 +57,22 @@ vtkIdType TextLines::GetChunk(const char* position) const
 TextLines::Section TextLines::Find(const char* begin, vtkIdType count) const
 {
   const Chunk& chunk = this->Chunks[this->GetChunk(begin)];
-  // Behind a lone CR, which ends a line for a scanner but not here, lines would be counted twice.
+  bool isBehindText = false;
   for (const char* before = begin; before > chunk.Begin && before[-1] != '\n'; --before)
   {
-    if (!IsSpace(before[-1]))
+    // Behind a lone CR, which ends a line for a scanner but not here, lines would be counted twice.
+    if (before[-1] == '\r')
     {
       return {};
     }
+    isBehindText = isBehindText || !IsSpace(before[-1]);
+  }
+  if (isBehindText)
+  {
+    // Behind a number of lines, say: they begin in the next one, unless something follows in this.
+    const char* const next = FindLineFeed(begin, this->Chunks.back().Begin);
+    const bool isBlank = next < this->Chunks.back().Begin && this->IsBlank(begin, next);
+    return isBlank ? this->Find(next + 1, count) : Section();
   }
   const vtkIdType first = chunk.FirstLine + this->CountLines(chunk.Begin, begin);
   if (this->Chunks.back().FirstLine - first < count)

@@ -44,8 +44,8 @@ public:
   };
 
   /**
-   * The next @a count lines from @a begin, the start of a line; an empty section if there are fewer, or
-   * if a lone CR ended the line before.
+   * The next @a count lines from @a begin, the start of a line, or behind the last word of one; an empty
+   * section if there are fewer, or if a lone CR ended the line before.
    */
   Section Find(const char* begin, vtkIdType count) const;
 

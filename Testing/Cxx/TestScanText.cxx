@@ -142,6 +142,35 @@ TEST(ScanText, LinesBehindLoneCarriageReturns)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, readers that stand behind a number of lines read these one by one, in twice the time, or take the
+// rest of that line for one of them.
+TEST(ScanText, LinesBehindANumber)
+{
+  for (const std::string head : { "x\n3\n", "x\n3 \t\r\n", "3\n", "x\n3 # lines\n\n" })
+  {
+    const std::string text = head + "1\n2\n4\n";
+    TextScanner scanner = MakeScanner(text);
+    for (vtkIdType chunk = 1; chunk < 20; ++chunk)
+    {
+      const TextLines index(scanner, Progress(), chunk);
+      const TextLines::Section section = index.Find(text.data() + text.find('3') + 1, 3);
+      ASSERT_TRUE(section) << head;
+      std::string seen(3, ' ');
+      EXPECT_TRUE(index.ForEach(section, Progress(),
+        [&](vtkIdType, vtkIdType line, const char* begin, const char*)
+        {
+          seen[static_cast<std::size_t>(line)] = *begin;
+          return true;
+        }));
+      EXPECT_EQ(seen, "124");
+      EXPECT_FALSE(index.Find(text.data() + text.find('3') + 1, 4));
+    }
+  }
+  const std::string text = "3 1\n2\n4\n5\n";
+  EXPECT_FALSE(TextLines(MakeScanner(text), Progress(), 4).Find(text.data() + 1, 3));
+}
+
+//------------------------------------------------------------------------------
 // If this fails, what is one row in parallel is two rows, and an error, for a scanner.
 TEST(ScanText, RowsEndAtLoneCarriageReturns)
 {
