@@ -74,6 +74,9 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
         gridSize = reader->GetOutput()->GetActualMemorySize();
       });
     Print(path == binary ? "open Visf, binary" : "open Visf, text", cells, path, cost);
+    std::printf("    peak of memory: %.2f grids; %.1f MB/s of processor time\n",
+      cost.Peak / (gridSize * 1024.),
+      static_cast<double>(std::filesystem::file_size(path)) / Mega / cost.Processor);
   }
   std::printf("  the grid itself: %.1f MB, %.0f bytes per cell\n", gridSize * 1024. / Mega,
     gridSize * 1024. / cells);
