@@ -41,11 +41,15 @@ void CellGeometry::Compute(unsigned needs)
   {
     this->ComputeEdges();
   }
+  if (needs & (NeedsCorners | NeedsDihedral | NeedsSolidAngle))
+  {
+    this->HasCollapsedEdge = this->IsZeroLength(this->GetMinEdgeLength());
+  }
   const bool isStandardTetrahedron = this->IsStandard && (this->Shapes & Tetrahedra);
   const unsigned withFaces = NeedsFaces | NeedsCorners | NeedsDihedral | NeedsSolidAngle;
   if (needs & (isStandardTetrahedron ? withFaces : withFaces | NeedsVolume))
   {
-    this->ComputeFaces();
+    this->ComputeFaces((needs & NeedsCentroid) != 0);
   }
   if (isPolyhedron && (needs & oriented))
   {
@@ -136,7 +140,6 @@ void CellGeometry::ComputeEdges()
   }
   this->MinSquaredLength = smallest;
   this->MaxSquaredLength = largest;
-  this->HasCollapsedEdge = this->IsZeroLength(std::sqrt(smallest));
 }
 
 //------------------------------------------------------------------------------
@@ -162,124 +165,25 @@ double CellGeometry::GetTotalEdgeLength() const
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::ComputeFaces()
-{
-  const CellTopology& topology = *this->Topology;
-  const int numberOfFaces = topology.GetNumberOfFaces();
-  this->FaceVectors.resize(numberOfFaces);
-  this->FaceCenters.resize(numberOfFaces);
-  this->FaceAreas.resize(numberOfFaces);
-  for (int f = 0; f < numberOfFaces; ++f)
-  {
-    const int* face = topology.GetFace(f);
-    const int size = topology.GetFaceSize(f);
-    const Vector& p0 = this->Points[face[0]];
-    if (size == 3)
-    {
-      const Vector &p1 = this->Points[face[1]], &p2 = this->Points[face[2]];
-      this->FaceVectors[f] = 0.5 * Cross(p1 - p0, p2 - p0);
-      this->FaceCenters[f] = (1.0 / 3) * (p0 + p1 + p2);
-      this->FaceAreas[f] = Norm(this->FaceVectors[f]);
-      continue;
-    }
-    Vector sum, mean;
-    for (int i = 0; i < size; ++i)
-    {
-      mean += this->Points[face[i]];
-    }
-    mean = (1.0 / size) * mean;
-    // Twice the vector area, and the centre from triangles about the mean with signed weights. The
-    // weights need the direction of the whole area: moments keep the products until it is known.
-    Vector moments[3];
-    Vector previous = this->Points[face[size - 1]] - mean;
-    for (int i = 0; i < size; ++i)
-    {
-      const Vector next = this->Points[face[i]] - mean;
-      const Vector triangle = Cross(previous, next);
-      const Vector ends = previous + next;
-      sum += triangle;
-      moments[0] += triangle.X * ends;
-      moments[1] += triangle.Y * ends;
-      moments[2] += triangle.Z * ends;
-      previous = next;
-    }
-    const double square = Norm2(sum);
-    this->FaceVectors[f] = 0.5 * sum;
-    this->FaceAreas[f] = 0.5 * std::sqrt(square);
-    Vector offset;
-    if (!this->IsZeroArea(this->FaceAreas[f]))
-    {
-      offset = (1 / (3 * square)) * (sum.X * moments[0] + sum.Y * moments[1] + sum.Z * moments[2]);
-    }
-    this->FaceCenters[f] = mean + offset;
-  }
-}
-
-//------------------------------------------------------------------------------
-double CellGeometry::GetFanArea(int f) const
-{
-  const int* face = this->Topology->GetFace(f);
-  const int size = this->Topology->GetFaceSize(f);
-  if (size == 3)
-  {
-    return this->FaceAreas[f];
-  }
-  const Vector& center = this->FaceCenters[f];
-  double sum = 0;
-  Vector previous = this->Points[face[size - 1]] - center;
-  for (int i = 0; i < size; ++i)
-  {
-    const Vector next = this->Points[face[i]] - center;
-    const Vector triangle = Cross(previous, next);
-    const double area = Norm(triangle);
-    sum += Dot(triangle, this->FaceVectors[f]) < 0 ? -area : area;
-    previous = next;
-  }
-  return 0.5 * sum;
-}
-
-//------------------------------------------------------------------------------
-double CellGeometry::GetSurfaceArea() const
-{
-  if (this->SurfaceArea < 0)
-  {
-    this->SurfaceArea = 0;
-    for (int f = 0; f < this->Topology->GetNumberOfFaces(); ++f)
-    {
-      this->SurfaceArea += this->GetFanArea(f);
-    }
-  }
-  return this->SurfaceArea;
-}
-
-//------------------------------------------------------------------------------
 // From the tetrahedra of the origin, every edge of a face and the centre of that face, with signs.
 void CellGeometry::ComputeCentroid()
 {
-  const CellTopology& topology = *this->Topology;
+  const int numberOfFaces = this->Topology->GetNumberOfFaces();
   if (this->Shapes & Polygons)
   {
-    this->Centroid = topology.GetNumberOfFaces() > 0 ? this->FaceCenters[0] : Vector();
+    this->Centroid = numberOfFaces > 0 ? this->FaceCenters[0] : Vector();
     return;
   }
   Vector moment;
-  double volume = 0; // times six
-  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  double volume = 0; // times three
+  for (int f = 0; f < numberOfFaces; ++f)
   {
-    const int* face = topology.GetFace(f);
-    const int size = topology.GetFaceSize(f);
-    const Vector& center = this->FaceCenters[f];
-    for (int i = 0; i < size; ++i)
-    {
-      const Vector &a = this->Points[face[i]], &b = this->Points[face[i + 1 < size ? i + 1 : 0]];
-      const double part = Dot(center, Cross(a, b));
-      volume += part;
-      moment += part * (a + b + center);
-    }
+    volume += Dot(this->FaceVectors[f], this->FaceCenters[f]);
+    moment += this->FaceMoments[f];
   }
-  if (!std::isnan(this->Volume) && !this->IsZeroVolume(volume / 6))
+  if (!std::isnan(this->Volume) && !this->IsZeroVolume(volume / 3))
   {
-    this->Centroid = (1 / (4 * volume)) * moment;
+    this->Centroid = (1 / (8 * volume)) * moment;
     return;
   }
   Vector sum;

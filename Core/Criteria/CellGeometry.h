@@ -19,9 +19,9 @@
 #include "Criteria/Criterion.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/CellTopology.h"
-#include "Mesh/LocalNumbers.h"
 #include "Mesh/MeshView.h"
 #include "Mesh/Vector.h"
+#include "Mesh/VectorPair.h"
 
 #include <vector> // for the parts
 
@@ -142,8 +142,19 @@ public:
   {
     return this->Topology->GetNumberOfFaces() > 0 ? this->FaceAreas[0] : 0;
   }
-  double GetFanArea(int face) const;
-  double GetSurfaceArea() const;
+  double GetFanArea(int face) const
+  {
+    this->GetSurfaceArea();
+    return this->FanAreas[face];
+  }
+  double GetSurfaceArea() const
+  {
+    if (this->SurfaceArea < 0)
+    {
+      this->ComputeFanAreas();
+    }
+    return this->SurfaceArea;
+  }
   ///@}
 
   /// With NeedsVolume; a null value when the cell is not closed.
@@ -197,7 +208,8 @@ private:
   void LoadCollapsed(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolygon(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolyhedron(const MeshView& mesh, vtkIdType cell);
-  void NumberPoints(const MeshView& mesh, int* numbers);
+  template <typename Id>
+  void NumberPoints(const MeshView& mesh, const Id* ids, int size, int* numbers);
   /// Edges may wait until Compute is asked for something that needs them; simple shapes are told by them.
   void FinishOwnTopology(bool edgesCanWait = false);
 
@@ -217,7 +229,17 @@ private:
   }
   void ComputeBoxScale() const;
   void ComputeEdges();
-  void ComputeFaces();
+  void ComputeFaces(bool withMoments);
+  void ComputeTriangles(const CellTopology::FacePair& pair, bool withMoments);
+  void ComputeQuadrilaterals(const CellTopology::FacePair& pair, bool withMoments);
+  void ComputePolygons(const CellTopology::FacePair& pair, bool withMoments);
+  template <typename Weigh>
+  void ComputeCenters(const CellTopology::FacePair& pair, bool withMoments, const VectorPair& mean,
+    const VectorPair& sum, Weigh&& weigh);
+  void KeepFaces(const CellTopology::FacePair& pair, const VectorPair& areas,
+    const VectorPair& centers, const Pair& sizes);
+  void KeepMoments(const CellTopology::FacePair& pair, const VectorPair& moments);
+  void ComputeFanAreas() const;
   void ComputeVolume();
   double SumVolume() const;
   bool IsToBeOriented() const { return !this->IsStandard && !this->TrustFaceOrientation; }
@@ -266,7 +288,6 @@ private:
   std::vector<vtkIdType> PointIds; // with OwnTopology
   IndexRange Nodes;                // without
   std::vector<vtkIdType> CornerIds; // of nodes or corners of faces
-  LocalNumbers PointNumbers;
   const CellTopology* Topology = nullptr; // that of the standard type, or OwnTopology
   CellTopology OwnTopology;
 
@@ -274,7 +295,9 @@ private:
   bool HasCollapsedEdge = false;
   std::vector<double> SquaredLengths;
   std::vector<Vector> FaceVectors, FaceCenters;
+  std::vector<Vector> FaceMoments; // 24 times volume by centroid of the pyramids of the origin
   std::vector<double> FaceAreas;
+  mutable std::vector<double> FanAreas; // with SurfaceArea
   double Volume = 0;
   std::vector<unsigned char> ReversedShells;
   double OrientationSign = 1;

@@ -3,6 +3,7 @@
 // How CellGeometry gets the points and faces of a cell.
 #include "Criteria/CellGeometry.h"
 #include "Criteria/SimpleShapes.h"
+#include "Mesh/LocalNumbers.h"
 
 #include <array>
 
@@ -44,6 +45,7 @@ const CellGeometry::StandardCell* CellGeometry::GetStandardCells()
         topology.Finish();
         topology.FindShells();
         topology.MakeVertexFigures();
+        topology.FindFacePairs();
         result[type].Shapes = Polyhedra | FindSimpleShape(topology);
       }
     }
@@ -93,13 +95,17 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
           : this->IsQuadrilateral() ? Quadrilaterals
                                         : 0u);
   }
-  // 0 times NaN or infinity is NaN.
-  double zero = 0 * (this->Origin.X + this->Origin.Y + this->Origin.Z);
+  const auto isFinite = [](const Vector& v)
+  {
+    const double sum = v.X + v.Y + v.Z;
+    return sum - sum == 0; // NaN for infinity, too
+  };
+  bool finite = this->NumberOfPoints == 0 || isFinite(this->Origin);
   for (int i = 1; i < this->NumberOfPoints; ++i)
   {
-    zero += 0 * (this->Points[i].X + this->Points[i].Y + this->Points[i].Z);
+    finite &= isFinite(this->Points[i]);
   }
-  this->Finite = this->NumberOfPoints == 0 || zero == 0;
+  this->Finite = finite;
 }
 
 //------------------------------------------------------------------------------
@@ -150,7 +156,7 @@ void CellGeometry::LoadCollapsed(
     this->CornerIds[i] = points[i];
   }
   int locals[MaxStandardPoints];
-  this->NumberPoints(mesh, locals);
+  this->NumberPoints(mesh, this->CornerIds.data(), shape.NumberOfCorners, locals);
   this->OwnTopology.Clear();
   for (int f = 0; f < shape.NumberOfFaces; ++f)
   {
@@ -181,7 +187,7 @@ void CellGeometry::LoadPolygon(
   this->OwnTopology.Clear();
   this->OwnTopology.AddFace(size);
   this->OwnTopology.FacePoints.resize(size);
-  this->NumberPoints(mesh, this->OwnTopology.FacePoints.data());
+  this->NumberPoints(mesh, this->CornerIds.data(), size, this->OwnTopology.FacePoints.data());
   this->FinishOwnTopology();
 }
 
@@ -191,34 +197,54 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
   CellTopology& topology = this->OwnTopology;
   topology.Clear();
   const IndexRange faces = mesh.GetPolyhedronFaces(cell);
-  for (vtkIdType f = 0; f < faces.Size; ++f)
-  {
-    topology.AddFace(static_cast<int>(mesh.GetPolyhedronFacePoints(faces[f]).Size));
-  }
-  const int size = topology.FaceOffsets.back();
-  topology.FacePoints.resize(size);
-  this->CornerIds.resize(size);
-  vtkIdType* to = this->CornerIds.data();
+  IndexRange corners; // of all faces, where they lie one after the other
+  bool isOneRun = true;
+  topology.FaceOffsets.resize(faces.Size + 1);
+  int* offsets = topology.FaceOffsets.data();
   for (vtkIdType f = 0; f < faces.Size; ++f)
   {
     const IndexRange points = mesh.GetPolyhedronFacePoints(faces[f]);
-    for (vtkIdType i = 0; i < points.Size; ++i)
-    {
-      *to++ = points[i];
-    }
+    corners = f == 0 ? IndexRange{ points.Values, points.Begin, 0 } : corners;
+    isOneRun &= points.Begin == corners.Begin + corners.Size;
+    corners.Size += points.Size;
+    offsets[f + 1] = static_cast<int>(corners.Size);
   }
-  this->NumberPoints(mesh, topology.FacePoints.data());
+  const int size = offsets[faces.Size];
+  topology.FacePoints.resize(size);
+  int* numbers = topology.FacePoints.data();
+  if (isOneRun && corners.Values.Values32)
+  {
+    this->NumberPoints(mesh, corners.Values.Values32 + corners.Begin, size, numbers);
+  }
+  else if (isOneRun && corners.Values.Values64)
+  {
+    this->NumberPoints(mesh, corners.Values.Values64 + corners.Begin, size, numbers);
+  }
+  else
+  {
+    this->CornerIds.resize(size);
+    vtkIdType* to = this->CornerIds.data();
+    for (vtkIdType f = 0; f < faces.Size; ++f)
+    {
+      const IndexRange points = mesh.GetPolyhedronFacePoints(faces[f]);
+      for (vtkIdType i = 0; i < points.Size; ++i)
+      {
+        *to++ = points[i];
+      }
+    }
+    this->NumberPoints(mesh, this->CornerIds.data(), size, numbers);
+  }
   this->FinishOwnTopology(this->NumberOfPoints > MaxSimpleNodes);
   this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
 }
 
 //------------------------------------------------------------------------------
-// Takes the different points of CornerIds; @a numbers are their local numbers.
-void CellGeometry::NumberPoints(const MeshView& mesh, int* numbers)
+// Takes the different points of a list; @a numbers are their local numbers.
+template <typename Id>
+void CellGeometry::NumberPoints(const MeshView& mesh, const Id* ids, int size, int* numbers)
 {
-  const vtkIdType* ids = this->CornerIds.data();
-  const int count = this->PointNumbers.Number(
-    static_cast<int>(this->CornerIds.size()), [ids](int i) { return ids[i]; }, numbers);
+  thread_local LocalNumbers numbering; // one for all cells of a thread stays in the nearest cache
+  const int count = numbering.Number(size, [ids](int i) { return ids[i]; }, numbers);
   this->NumberOfPoints = count;
   this->PointIds.resize(count);
   if (this->Points.size() < static_cast<std::size_t>(count))
@@ -228,7 +254,7 @@ void CellGeometry::NumberPoints(const MeshView& mesh, int* numbers)
   double x[3];
   for (int point = 0; point < count; ++point)
   {
-    const vtkIdType id = ids[this->PointNumbers.GetFirst(point)];
+    const vtkIdType id = ids[numbering.GetFirst(point)];
     this->PointIds[point] = id;
     mesh.GetPoint(id, x);
     if (point == 0)

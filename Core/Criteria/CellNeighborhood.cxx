@@ -180,6 +180,17 @@ void CellNeighborhood::FindOther(
 }
 
 //------------------------------------------------------------------------------
+// What several criteria make of a facet.
+void CellNeighborhood::AddFacet(Facet& facet)
+{
+  facet.IsZero =
+    this->IsPolygon ? this->Geometry->IsZeroLength(facet.Size) : this->Geometry->IsZeroArea(facet.Size);
+  facet.Way = facet.Center - this->GetCentroid();
+  facet.Line = facet.OtherCentroid - this->GetCentroid();
+  this->Facets.push_back(facet);
+}
+
+//------------------------------------------------------------------------------
 bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
 {
   this->Geometry = &geometry;
@@ -203,11 +214,12 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
                    &b = geometry.GetPoint(ring[i + 1 < size ? i + 1 : 0]);
       Facet facet;
       facet.Area = Cross(b - a, normal);
+      facet.Size = Norm(facet.Area);
       facet.Center = 0.5 * (a + b);
       facet.Number = i;
       this->FindOther(
         cell, uses[i], *this->Edges, this->Links ? &this->Links->Edges : nullptr, facet);
-      this->Facets.push_back(facet);
+      this->AddFacet(facet);
     }
     return true;
   }
@@ -216,11 +228,12 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
   {
     Facet facet;
     facet.Area = geometry.GetFaceVector(f);
+    facet.Size = geometry.GetFaceArea(f);
     facet.Center = geometry.GetFaceCenter(f);
     facet.Number = f;
     this->FindOther(cell, uses[topology.FaceNumbers[f]], *this->Faces,
       this->Links ? &this->Links->Faces : nullptr, facet);
-    this->Facets.push_back(facet);
+    this->AddFacet(facet);
   }
   return true;
 }

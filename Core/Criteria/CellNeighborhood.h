@@ -61,9 +61,13 @@ public:
   struct Facet
   {
     Vector Area;   ///< out of the cell
+    double Size = 0; ///< length of Area
+    bool IsZero = false; ///< collapsed
     Vector Center;
+    Vector Way;    ///< from the centroid of the cell to Center
     Side Other = Side::Boundary;
     Vector OtherCentroid;
+    Vector Line;   ///< from the centroid of the cell to OtherCentroid
     double OtherSize = 0;
     int Number = 0; ///< of the face or edge in the cell
   };
@@ -103,6 +107,7 @@ public:
   }
 
 private:
+  void AddFacet(Facet& facet);
   void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links,
     Facet& facet);
   bool FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links,

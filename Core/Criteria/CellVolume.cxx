@@ -62,6 +62,10 @@ void CellGeometry::OrientPolyhedron()
     if (areReversed[this->OwnTopology.GetShell(f)])
     {
       this->FaceVectors[f] = -this->FaceVectors[f];
+      if (!this->FaceMoments.empty())
+      {
+        this->FaceMoments[f] = -this->FaceMoments[f];
+      }
     }
   }
   this->Volume = this->SumVolume();

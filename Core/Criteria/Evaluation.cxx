@@ -10,6 +10,8 @@
 #include "Criteria/SurfaceSides.h"
 #include "Parallel.h"
 
+#include "vtkSMPThreadLocal.h"
+
 #include <algorithm>
 #include <memory>
 #include <utility>
@@ -58,7 +60,8 @@ public:
 
   void operator()(vtkIdType begin, vtkIdType end) const
   {
-    std::vector<CellGeometry> block(MaxBlockSize);
+    std::vector<CellGeometry>& block = this->Blocks.Local();
+    block.resize(MaxBlockSize);
     int size = 0;
     for (vtkIdType first = begin; first < end; first += size)
     {
@@ -112,6 +115,7 @@ private:
   const std::vector<CriterionValues>& Criteria;
   CellCenters* Centers;
   unsigned Needs;
+  mutable vtkSMPThreadLocal<std::vector<CellGeometry>> Blocks; // keep their memory from loop to loop
 };
 
 //------------------------------------------------------------------------------

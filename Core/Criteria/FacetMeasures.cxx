@@ -23,19 +23,11 @@ double GetAngle(const Vector& a, const Vector& b)
 }
 
 //------------------------------------------------------------------------------
-bool IsZeroFacet(const CellNeighborhood& cell, const Facet& facet)
-{
-  const CellGeometry& geometry = cell.GetGeometry();
-  return geometry.GetShapes() & Polygons ? geometry.IsZeroLength(Norm(facet.Area))
-                                         : geometry.IsZeroArea(Norm(facet.Area));
-}
-
-//------------------------------------------------------------------------------
 bool AddNonOrthogonality(const CellNeighborhood& cell, const Facet& facet, AngleRange& angles)
 {
-  const Vector line = facet.OtherCentroid - cell.GetCentroid();
+  const Vector& line = facet.Line;
   const double length = Norm(line); // NaN where the other cell has no centroid
-  if (IsZeroFacet(cell, facet) || std::isnan(length) || cell.GetGeometry().IsZeroLength(length))
+  if (facet.IsZero || std::isnan(length) || cell.GetGeometry().IsZeroLength(length))
   {
     return false;
   }
@@ -54,8 +46,8 @@ double GetNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
 //------------------------------------------------------------------------------
 double GetBoundaryNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
 {
-  const Vector way = facet.Center - cell.GetCentroid();
-  return IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(Norm(way))
+  const Vector& way = facet.Way;
+  return facet.IsZero || cell.GetGeometry().IsZeroLength(Norm(way))
     ? Null(NullReason::Degenerate)
     : GetAngle(way, facet.Area);
 }
@@ -63,13 +55,13 @@ double GetBoundaryNonOrthogonality(const CellNeighborhood& cell, const Facet& fa
 //------------------------------------------------------------------------------
 double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
 {
-  if (IsZeroFacet(cell, facet))
+  if (facet.IsZero)
   {
     return Null(NullReason::Degenerate);
   }
   const bool isBoundary = facet.Other == Side::Boundary;
-  const Vector way = facet.Center - cell.GetCentroid();
-  Vector line = facet.OtherCentroid - cell.GetCentroid();
+  const Vector& way = facet.Way;
+  Vector line = facet.Line;
   if (isBoundary)
   {
     // As if a mirrored cell lay beyond.
@@ -77,7 +69,7 @@ double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
     line = Dot(normal, way) * normal;
   }
   const double across = Dot(facet.Area, line);
-  if (cell.GetGeometry().IsZeroLength(std::abs(across) / Norm(facet.Area)))
+  if (cell.GetGeometry().IsZeroLength(std::abs(across) / facet.Size))
   {
     return Infinity;
   }
@@ -94,10 +86,10 @@ double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
 //------------------------------------------------------------------------------
 double GetFaceWeight(const CellNeighborhood& cell, const Facet& facet)
 {
-  const double own = std::abs(Dot(facet.Area, facet.Center - cell.GetCentroid()));
+  const double own = std::abs(Dot(facet.Area, facet.Way));
   const double other = std::abs(Dot(facet.Area, facet.OtherCentroid - facet.Center));
   const double distance = own + other;
-  return IsZeroFacet(cell, facet) || cell.GetGeometry().IsZeroLength(distance / Norm(facet.Area))
+  return facet.IsZero || cell.GetGeometry().IsZeroLength(distance / facet.Size)
     ? Null(NullReason::Degenerate)
     : std::min(own, other) / distance;
 }
@@ -116,7 +108,7 @@ double GetVolumeRatio(const CellNeighborhood& cell, const Facet& facet)
 //------------------------------------------------------------------------------
 double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
 {
-  const double own = Dot(facet.Area, facet.Center - cell.GetCentroid()) / 3;
+  const double own = Dot(facet.Area, facet.Way) / 3;
   return facet.Other == Side::Cell
     ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / 3)
     : own;

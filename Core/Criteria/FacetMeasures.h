@@ -13,8 +13,6 @@
 
 namespace camaron
 {
-/// Whether a facet has no area (of an edge: no length).
-bool IsZeroFacet(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// Angle between the line to the other centroid and the vector area.
 double GetNonOrthogonality(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// The same into a range; false where it is null.

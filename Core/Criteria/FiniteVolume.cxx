@@ -152,11 +152,11 @@ double OrthogonalQuality(const CellNeighborhood& cell)
   for (const Facet& facet : cell.GetFacets())
   {
     // A vector of no length makes the quality 0.
-    const Vector normal = IsZeroFacet(cell, facet) ? Vector() : Unit(facet.Area);
-    worst.Add(Dot(normal, Unit(facet.Center - cell.GetCentroid())));
+    const Vector normal = facet.IsZero ? Vector() : (1 / facet.Size) * facet.Area;
+    worst.Add(Dot(normal, Unit(facet.Way)));
     if (facet.Other == Side::Cell)
     {
-      worst.Add(Dot(normal, Unit(facet.OtherCentroid - cell.GetCentroid())));
+      worst.Add(Dot(normal, Unit(facet.Line)));
     }
     else if (facet.Other == Side::Missing)
     {
@@ -179,7 +179,7 @@ double CellDeterminant(const CellNeighborhood& cell)
     }
     if (facet.Other == Side::Cell)
     {
-      mean += Norm(facet.Area);
+      mean += facet.Size;
       ++count;
     }
   }

@@ -12,6 +12,12 @@ namespace camaron
 namespace
 {
 constexpr int MaxBits = 64; // of a set of points or faces
+
+//------------------------------------------------------------------------------
+std::uint64_t DropLowest(std::uint64_t set)
+{
+  return set & (set - 1);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -38,10 +44,12 @@ bool CellTopology::Finish(bool edgesCanWait)
   this->FaceNumbers.resize(numberOfFaces);
   std::iota(this->FaceNumbers.begin(), this->FaceNumbers.end(), 0);
   this->ListCorners();
-  bool isRepeated = false;
-  for (std::size_t i = 0; i < this->FacePoints.size(); ++i)
+  const int size = static_cast<int>(this->FacePoints.size());
+  const int *points = this->FacePoints.data(), *nexts = this->NextPoints.data();
+  int isRepeated = 0;
+  for (int i = 0; i < size; ++i)
   {
-    isRepeated |= this->FacePoints[i] == this->NextPoints[i];
+    isRepeated |= points[i] == nexts[i];
   }
   for (int f = 0; f < numberOfFaces; ++f)
   {
@@ -96,32 +104,40 @@ bool CellTopology::IsClosedShell() const
   }
   const int *points = this->FacePoints.data(), *nexts = this->NextPoints.data(),
             *faces = this->CornerFaces.data();
-  std::uint64_t next[MaxBits], around[MaxBits], adjacent[MaxBits]; // points after a point, its faces, faces of a face
-  std::fill_n(next, this->NumberOfPoints, 0);
-  std::fill_n(around, this->NumberOfPoints, 0);
-  std::fill_n(adjacent, numberOfFaces, 0);
+  struct PointSets
+  {
+    std::uint64_t Nexts, Faces;
+  };
+  PointSets sets[MaxBits];
+  std::fill_n(sets, this->NumberOfPoints, PointSets{ 0, 0 });
   std::uint64_t isTwice = 0;
   for (int i = 0; i < size; ++i)
   {
-    std::uint64_t& after = next[points[i]];
-    isTwice |= after >> nexts[i];
-    after |= std::uint64_t(1) << nexts[i];
-    // The bit of an edge that came before was shifted to the lowest place.
-    around[points[i]] |= std::uint64_t(1) << faces[i];
+    PointSets& set = sets[points[i]];
+    isTwice |= set.Nexts >> nexts[i]; // its lowest bit: the edge came before
+    set.Nexts |= std::uint64_t(1) << nexts[i];
+    set.Faces |= std::uint64_t(1) << faces[i];
   }
-  if (isTwice & 1)
+  std::uint64_t isOpposite = 1, isMany = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    isOpposite &= sets[nexts[i]].Nexts >> points[i];
+  }
+  for (int point = 0; point < this->NumberOfPoints; ++point)
+  {
+    isMany |= DropLowest(DropLowest(DropLowest(sets[point].Faces)));
+  }
+  if ((isTwice & 1) || !isOpposite)
   {
     return false;
   }
-  std::uint64_t isOpposite = 1, isShared = 0;
-  for (int i = 0; i < size; ++i)
+  // Up to three faces at a point hang together there; of more only those at an edge.
+  std::uint64_t isShared = 0; // by a third face
+  for (int i = 0; isMany && i < size; ++i)
   {
-    isOpposite &= next[nexts[i]] >> points[i];
-    const std::uint64_t both = around[points[i]] & around[nexts[i]], others = both & (both - 1);
-    isShared |= others & (others - 1); // by a third face
-    adjacent[faces[i]] |= both;
+    isShared |= DropLowest(DropLowest(sets[points[i]].Faces & sets[nexts[i]].Faces));
   }
-  if (!isOpposite || isShared)
+  if (isShared)
   {
     return false;
   }
@@ -130,9 +146,14 @@ bool CellTopology::IsClosedShell() const
   while (reached != all && reached != done)
   {
     done = reached;
-    for (int f = 0; f < numberOfFaces; ++f)
+    for (int point = 0; !isMany && point < this->NumberOfPoints; ++point)
     {
-      reached |= (reached >> f & 1) ? adjacent[f] : 0;
+      reached |= sets[point].Faces & reached ? sets[point].Faces : 0;
+    }
+    for (int i = 0; isMany && i < size; ++i)
+    {
+      const std::uint64_t both = sets[points[i]].Faces & sets[nexts[i]].Faces;
+      reached |= both & reached ? both : 0;
     }
   }
   return reached == all;
@@ -173,17 +194,25 @@ bool CellTopology::DropRepeatedPoints()
 //------------------------------------------------------------------------------
 void CellTopology::ListCorners()
 {
-  const int* points = this->FacePoints.data();
-  const int numberOfFaces = this->GetNumberOfFaces();
-  this->NextPoints.resize(this->FacePoints.size());
-  this->CornerFaces.resize(this->FacePoints.size());
+  const int size = static_cast<int>(this->FacePoints.size()), numberOfFaces = this->GetNumberOfFaces();
+  // How many points a face has is hard to foresee: of each a fixed number is written, and the next one writes over it.
+  constexpr int usual = 8;
+  this->NextPoints.resize(size);
+  this->CornerFaces.resize(size + usual);
+  const int *points = this->FacePoints.data(), *offsets = this->FaceOffsets.data();
+  int *nexts = this->NextPoints.data(), *faces = this->CornerFaces.data();
+  std::copy(points + std::min(size, 1), points + size, nexts);
   for (int f = 0; f < numberOfFaces; ++f)
   {
-    const int begin = this->FaceOffsets[f], end = this->FaceOffsets[f + 1];
-    for (int i = begin; i < end; ++i)
+    const int begin = offsets[f], end = offsets[f + 1];
+    std::fill_n(faces + begin, usual, f);
+    if (end > begin + usual)
     {
-      this->NextPoints[i] = points[i + 1 < end ? i + 1 : begin];
-      this->CornerFaces[i] = f;
+      std::fill(faces + begin + usual, faces + end, f);
+    }
+    if (end > begin)
+    {
+      nexts[end - 1] = points[begin];
     }
   }
 }
@@ -510,5 +539,41 @@ void CellTopology::MakeVertexFigures()
       this->HasVertexFigures && steps == numberOfCorners && (numberOfCorners == 0 || corner == first);
     this->SpokeOffsets.push_back(static_cast<int>(this->Spokes.size()));
   }
+}
+
+//------------------------------------------------------------------------------
+// Loops over faces of the same size one after the other are foreseen by the processor.
+void CellTopology::FindFacePairs()
+{
+  const int numberOfFaces = this->GetNumberOfFaces();
+  this->FirstFaces.resize(MaxBits, -1);
+  this->NextFaces.resize(numberOfFaces);
+  this->FacePairs.resize(numberOfFaces);
+  FacePair* to = this->FacePairs.data();
+  std::uint64_t sizes = 0;
+  for (int f = 0; f < numberOfFaces; ++f)
+  {
+    const int size = this->GetFaceSize(f);
+    if (size >= MaxBits)
+    {
+      *to++ = { f, f };
+      continue;
+    }
+    this->NextFaces[f] = this->FirstFaces[size];
+    this->FirstFaces[size] = f;
+    sizes |= std::uint64_t(1) << size;
+  }
+  for (int size = 0; sizes != 0; ++size, sizes >>= 1)
+  {
+    int face = this->FirstFaces[size];
+    this->FirstFaces[size] = -1;
+    while (face >= 0)
+    {
+      const int next = this->NextFaces[face];
+      *to++ = { face, next >= 0 ? next : face };
+      face = next >= 0 ? this->NextFaces[next] : -1;
+    }
+  }
+  this->FacePairs.resize(to - this->FacePairs.data());
 }
 }

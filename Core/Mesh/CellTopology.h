@@ -34,15 +34,22 @@ public:
     int Face;
   };
 
+  /// Two faces with equally many points, or one that is left twice.
+  struct FacePair
+  {
+    int First, Second;
+  };
+
   int NumberOfPoints = 0;
   std::vector<int> FaceOffsets, FacePoints;
   std::vector<int> FaceNumbers; ///< of every face, among all that were added
   ///@{
   /// Parallel to FacePoints.
   std::vector<int> FaceEdges;   ///< the edge from this point to the next
-  std::vector<int> CornerFaces; ///< the face
+  std::vector<int> CornerFaces; ///< the face; longer than FacePoints
   ///@}
   std::vector<Edge> Edges; ///< after FindEdges
+  std::vector<FacePair> FacePairs; ///< all faces, by size; only after FindFacePairs
   /// Every edge has two faces, or more of them in balance, which run along it in opposite directions.
   bool IsClosed = false;
   /// Every edge has exactly two faces.
@@ -92,6 +99,7 @@ public:
   /// Reverses the faces of shells by their numbers.
   void ReverseShells(const std::vector<unsigned char>& areReversed);
   void MakeVertexFigures();
+  void FindFacePairs();
 
 private:
   bool DropRepeatedPoints();
@@ -107,6 +115,7 @@ private:
   void ReverseFace(int face);
 
   std::vector<int> NextPoints; // parallel to FacePoints
+  std::vector<int> FirstFaces, NextFaces; // faces by size, as linked lists
   LocalNumbers EdgeNumbers;
   std::vector<int> EdgeUses, FirstCorners, LastCorners; // of edges
   std::vector<int> EdgeTable; // by the points of an edge

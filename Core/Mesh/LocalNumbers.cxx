@@ -6,9 +6,8 @@ namespace camaron
 {
 namespace
 {
-constexpr int PlacesPerKey = 8;
+constexpr int PlacesPerKey = 16;
 constexpr int SmallestBits = 6; // of the table
-constexpr std::uint64_t FirstFactor = 0x9e3779b97f4a7c15u; // odd, without a pattern
 }
 
 //------------------------------------------------------------------------------
@@ -27,9 +26,27 @@ void LocalNumbers::Start(int size)
   if (this->Keys.size() < static_cast<std::size_t>(size))
   {
     this->Keys.resize(2 * static_cast<std::size_t>(size));
+    this->Places.resize(this->Keys.size());
     this->Firsts.resize(this->Keys.size());
     this->Open.resize(this->Keys.size());
   }
+}
+
+//------------------------------------------------------------------------------
+// The numbers of Keys where not all had a place of their own.
+int LocalNumbers::NumberAgain(int size, int* numbers)
+{
+  this->FindFirsts(size);
+  int* const firsts = this->Firsts.data();
+  int count = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    const int first = firsts[i];
+    numbers[i] = first == i ? count : numbers[first];
+    firsts[count] = i; // at most i
+    count += first == i;
+  }
+  return count;
 }
 
 //------------------------------------------------------------------------------

@@ -6,8 +6,8 @@
  *
  * For the points and edges of one cell. Whether a key is new is as hard to foresee as the mesh is irregular, so
  * nothing branches on it: every key writes its position into a hash table, the first of the list last, and what
- * it then finds there is the first position of the same key. The few keys whose place another key has taken go
- * through the same with another hash. Holds its memory for the next list.
+ * it then finds there is the first position of the same key. Where a key has taken the place of another one, those
+ * that it concerns go through the same with other hashes. Holds its memory for the next list.
  */
 #ifndef camaron_LocalNumbers_h
 #define camaron_LocalNumbers_h
@@ -26,33 +26,44 @@ public:
   {
     this->Start(size);
     std::uint64_t* const keys = this->Keys.data();
-    int* const firsts = this->Firsts.data();
+    int *const table = this->Table.data(), *const places = this->Places.data();
+    const int shift = this->Shift;
     for (int i = 0; i < size; ++i)
     {
       keys[i] = static_cast<std::uint64_t>(key(i));
+      places[i] = static_cast<int>(keys[i] * FirstFactor >> shift);
     }
-    this->FindFirsts(size);
+    for (int i = size - 1; i >= 0; --i)
+    {
+      table[places[i]] = i;
+    }
+    int* const firsts = this->Firsts.data();
+    std::uint64_t isOpen = 0;
     int count = 0;
     for (int i = 0; i < size; ++i)
     {
-      const int first = firsts[i]; // at most i: what is written to firsts below was read before
+      const int first = table[places[i]]; // at most i: what is written to firsts below was read before
+      isOpen |= keys[first] ^ keys[i];
       numbers[i] = count;
       numbers[i] = numbers[first];
       firsts[count] = i; // overwritten unless the key is new
       count += first == i;
     }
-    return count;
+    return isOpen ? this->NumberAgain(size, numbers) : count;
   }
 
   /// Where in the list a number occurs first.
   int GetFirst(int number) const { return this->Firsts[number]; }
 
 private:
+  static constexpr std::uint64_t FirstFactor = 0x9e3779b97f4a7c15u; // odd, without a pattern
+
   void Start(int size);
+  int NumberAgain(int size, int* numbers);
   void FindFirsts(int size);
 
   std::vector<std::uint64_t> Keys; // grows to the longest list
-  std::vector<int> Table, Firsts, Open;
+  std::vector<int> Table, Places, Firsts, Open;
   int Shift = 0; // of a hash to its place in the table
 };
 }
