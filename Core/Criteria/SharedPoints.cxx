@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/SharedPoints.h"
 
+#include "Criteria/EqualKeys.h"
+
 #include <algorithm>
 
 namespace camaron
@@ -20,6 +22,7 @@ struct CandidateKey
 {
   PointKey Key;
   std::int32_t Block, Piece;
+  auto GetKey() const { return std::tie(this->Block, this->Key); }
 };
 
 // "The piece has your candidate, too."
@@ -69,54 +72,32 @@ std::vector<Candidate> FindCandidates(
 std::vector<std::vector<Verdict>> Judge(
   const std::vector<std::vector<CandidateKey>>& candidates)
 {
-  struct Item
-  {
-    PointKey Key;
-    std::int32_t Block;
-    PieceAt From;
-    std::int64_t Number;
-    auto GetPlace() const { return std::tie(this->Block, this->Key); }
-    bool operator<(const Item& other) const
-    {
-      return std::tie(this->Block, this->Key, this->From, this->Number) <
-        std::tie(other.Block, other.Key, other.From, other.Number);
-    }
-  };
-  std::vector<Item> items;
-  for (std::size_t process = 0; process < candidates.size(); ++process)
-  {
-    for (std::size_t i = 0; i < candidates[process].size(); ++i)
-    {
-      const CandidateKey& candidate = candidates[process][i];
-      items.push_back({ candidate.Key, candidate.Block,
-        { static_cast<std::int32_t>(process), candidate.Piece }, static_cast<std::int64_t>(i) });
-    }
-  }
-  std::sort(items.begin(), items.end());
   std::vector<std::vector<Verdict>> verdicts(candidates.size());
   std::vector<PieceAt> having;
-  for (auto first = items.begin(); first != items.end();)
-  {
-    auto last = first;
-    having.clear();
-    for (; last != items.end() && last->GetPlace() == first->GetPlace(); ++last)
+  ForEachKey(candidates,
+    [&](const std::vector<ReceivedKey>& group)
     {
-      if (having.empty() || !(having.back() == last->From))
+      const auto getPiece = [&](const ReceivedKey& at)
+      { return PieceAt{ static_cast<std::int32_t>(at.Process), candidates[at.Process][at.Number].Piece }; };
+      having.clear(); // sorted: processes send their pieces one after the other
+      for (const ReceivedKey& at : group)
       {
-        having.push_back(last->From);
-      }
-    }
-    for (; first != last; ++first)
-    {
-      for (const PieceAt& other : having)
-      {
-        if (!(other == first->From))
+        if (having.empty() || !(having.back() == getPiece(at)))
         {
-          verdicts[first->From.Process].push_back({ first->Number, other });
+          having.push_back(getPiece(at));
         }
       }
-    }
-  }
+      for (const ReceivedKey& at : group)
+      {
+        for (const PieceAt& other : having)
+        {
+          if (!(other == getPiece(at)))
+          {
+            verdicts[at.Process].push_back({ static_cast<std::int64_t>(at.Number), other });
+          }
+        }
+      }
+    });
   return verdicts;
 }
 }

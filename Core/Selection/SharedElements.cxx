@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/SharedElements.h"
 
+#include "Criteria/EqualKeys.h"
 #include "Criteria/PieceBorders.h"
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 
 namespace camaron
 {
@@ -89,46 +89,21 @@ void SharedElements::FindGroups(const std::vector<Candidate>& candidates)
   std::vector<std::vector<Candidate>> kept = sent;
   const auto received = this->Reducer.ExchangeItems(std::move(sent));
 
-  struct Item
-  {
-    std::uint64_t Hash[2];
-    std::int32_t Block;
-    std::size_t Process, Number;
-    auto GetKey() const { return std::tie(this->Hash[0], this->Hash[1], this->Block); }
-  };
-  std::vector<Item> items;
-  for (std::size_t process = 0; process < received.size(); ++process)
-  {
-    for (std::size_t i = 0; i < received[process].size(); ++i)
-    {
-      const Candidate& candidate = received[process][i];
-      items.push_back(
-        { { candidate.Hash[0], candidate.Hash[1] }, candidate.Block, process, i });
-    }
-  }
-  std::sort(items.begin(), items.end(),
-    [](const Item& a, const Item& b) { return a.GetKey() < b.GetKey(); });
-
   // Groups of one are dropped, here and where they come from.
   std::vector<std::vector<vtkIdType>> groups(numberOfProcesses);
   for (std::size_t process = 0; process < received.size(); ++process)
   {
     groups[process].assign(received[process].size(), -1);
   }
-  for (std::size_t first = 0; first < items.size();)
-  {
-    std::size_t last = first + 1;
-    while (last < items.size() && items[last].GetKey() == items[first].GetKey())
+  ForEachKey(received,
+    [&](const std::vector<ReceivedKey>& group)
     {
-      ++last;
-    }
-    for (std::size_t i = first; i < last && last - first > 1; ++i)
-    {
-      groups[items[i].Process][items[i].Number] = this->NumberOfGroups;
-    }
-    this->NumberOfGroups += last - first > 1;
-    first = last;
-  }
+      for (std::size_t i = 0; i < group.size() && group.size() > 1; ++i)
+      {
+        groups[group[i].Process][group[i].Number] = this->NumberOfGroups;
+      }
+      this->NumberOfGroups += group.size() > 1;
+    });
   auto answers = groups;
   const auto verdicts = this->Reducer.ExchangeItems(std::move(answers));
   this->SentTo.assign(numberOfProcesses, 0);

@@ -15,6 +15,7 @@
 #include "Statistics/Reducer.h"
 
 #include <cstdint> // for values
+#include <tuple>   // for comparisons
 #include <vector>  // for the elements
 
 namespace camaron
@@ -70,6 +71,7 @@ private:
     std::uint64_t Hash[2];
     std::int32_t Block, Piece;
     vtkIdType Number;
+    auto GetKey() const { return std::tie(this->Hash[0], this->Hash[1], this->Block); }
   };
   void FindCandidates(const std::vector<LinkedPiece>& pieces,
     const std::vector<CellElements>& elements, std::vector<Candidate>& candidates);
