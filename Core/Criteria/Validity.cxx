@@ -172,8 +172,10 @@ double CellStatus(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double IsConvex(const CellGeometry& cell)
 {
+  // Faces that are warped too much for a mean plane bend inward between their triangles.
+  const unsigned bent = (cell.GetShapes() & Polyhedra) ? NonPlanarFaces : 0u;
   const auto status = static_cast<unsigned>(CellStatus(cell));
-  return (status & (Nonconvex | NotWatertight | NonManifoldEdge | NonFinitePoint)) == 0;
+  return (status & (Nonconvex | bent | NotWatertight | NonManifoldEdge | NonFinitePoint)) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -220,11 +222,14 @@ std::vector<Criterion> ValidityCriteria()
         "0. Outward of a void is into the void.",
         "VTK's Validate Cells has one bit for 1 to 3." } },
     { "IsConvex", "Convex",
-      "1 if neither faces nor edges bend inward (within ConvexityTolerance) and the cell has one surface, else 0.",
+      "1 if neither faces nor edges bend inward (within ConvexityTolerance), the faces of a polyhedron are planar "
+      "(within PlanarityTolerance) and the cell has one surface, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
-      { "1 if CellStatus has none of 16, 4096, 8192 and 262144",
-        "1 for flat cells; warped faces count by their mean planes. 0 for open cells, those that cut through themselves, and those of several "
+      { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and of a polyhedron neither 64",
+        "1 for flat cells. Faces count by their mean planes as long as they are planar within PlanarityTolerance; where "
+        "one is warped more, the triangles about its centre bend inward, and the cell is not convex: a hexahedron is not "
+        "when its top is twisted by a quarter turn, although the mean planes enclose a box. 0 for open cells, those that cut through themselves, and those of several "
         "surfaces, also where these touch in a point.",
         "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },
     { "IsWatertight", "Watertight", "1 if the cell has faces, and each of its edges at least two of them; else 0.",
