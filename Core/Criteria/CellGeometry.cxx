@@ -92,7 +92,8 @@ void CellGeometry::ComputeBoxScale() const
     low = { std::min(low.X, point.X), std::min(low.Y, point.Y), std::min(low.Z, point.Z) };
     high = { std::max(high.X, point.X), std::max(high.Y, point.Y), std::max(high.Z, point.Z) };
   }
-  const Vector a = low + this->Origin, b = high + this->Origin;
+  const Vector origin = this->LengthExponent == 0 ? this->Origin : -this->ToCell(Vector());
+  const Vector a = low + origin, b = high + origin;
   const double largest = std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X),
     std::abs(b.Y), std::abs(b.Z) });
   this->AbsoluteTolerance = RoundingUnits * largest *

@@ -74,6 +74,18 @@ public:
 
   /// Reads the points and faces of a cell.
   void Load(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options);
+  /**
+   * Between Load and Compute: coordinates relative to the first point, and all that is made of them, get the unit
+   * 2^GetLengthExponent() if the cell is so large or small that products of many lengths would leave the range of
+   * numbers. ToMesh brings values into the units of the mesh, ToCell places into those of the cell.
+   */
+  void Normalize()
+  {
+    if (!this->HasUsualSize && this->Finite)
+    {
+      this->ChooseUnit();
+    }
+  }
   /// Computes the parts named by a combination of Needs.
   void Compute(unsigned needs);
 
@@ -100,6 +112,17 @@ public:
   }
   /// Relative to the first point.
   const Vector& GetPoint(int point) const { return this->Points[point]; }
+
+  ///@{
+  /// See Normalize. A value beyond the range of numbers becomes null.
+  int GetLengthExponent() const { return this->LengthExponent; }
+  double ToMesh(double value, int dimension) const
+  {
+    return this->LengthExponent == 0 ? value : this->Rescale(value, dimension);
+  }
+  Vector ToMesh(const Vector& place) const;
+  Vector ToCell(const Vector& place) const;
+  ///@}
 
   ///@{
   /// A length, area or volume so small that it is zero for the precision of the points.
@@ -218,6 +241,9 @@ private:
     return this->NumberOfPoints == 4 && this->Topology->GetNumberOfFaces() == 1 &&
       this->Topology->GetFaceSize(0) == 4;
   }
+  void CheckCoordinates();
+  void ChooseUnit();
+  double Rescale(double value, int dimension) const;
   Scale GetScale(double diameter) const;
   const Scale& GetBoxScale() const
   {
@@ -269,6 +295,8 @@ private:
   unsigned char CellType = 0;
   bool IsStandard = false;
   bool Finite = true;
+  bool HasUsualSize = true;
+  int LengthExponent = 0;
   bool HasRepeatedPoint = false;
   bool HasFloatPoints = false;
   bool TrustFaceOrientation = false;

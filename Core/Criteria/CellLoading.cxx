@@ -5,7 +5,9 @@
 #include "Criteria/SimpleShapes.h"
 #include "Mesh/LocalNumbers.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace camaron
 {
@@ -13,6 +15,7 @@ namespace
 {
 constexpr double Pi = 3.141592653589793238462643383279502884;
 constexpr int MaxStandardPoints = 12;
+constexpr double LargestUsualSize = 1e30, SmallestUsualSize = 1e-30; // products of ten lengths are numbers
 }
 
 //------------------------------------------------------------------------------
@@ -79,6 +82,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->Kernel.Clear();
   this->HasRepeatedPoint = false;
   this->OrientationSign = 1;
+  this->LengthExponent = 0;
   this->NumberOfPoints = 0;
   const CellShape& shape = this->CellShapes[this->CellType];
   this->IsStandard = !shape.ListsFaces;
@@ -95,17 +99,75 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
           : this->IsQuadrilateral() ? Quadrilaterals
                                         : 0u);
   }
+  this->CheckCoordinates();
+}
+
+//------------------------------------------------------------------------------
+// Sets Finite and HasUsualSize; of usual cells with a look at the largest coordinates only.
+void CellGeometry::CheckCoordinates()
+{
+  const auto getSize = [](const Vector& v) { return std::abs(v.X) + std::abs(v.Y) + std::abs(v.Z); };
   const auto isFinite = [](const Vector& v)
+  { return std::isfinite(v.X) && std::isfinite(v.Y) && std::isfinite(v.Z); };
+  const Vector* const points = this->Points.data();
+  const int size = this->NumberOfPoints;
+  bool isBelow = true;
+  for (int i = 1; i < size; ++i)
   {
-    const double sum = v.X + v.Y + v.Z;
-    return sum - sum == 0; // NaN for infinity, too
-  };
-  bool finite = this->NumberOfPoints == 0 || isFinite(this->Origin);
+    isBelow &= getSize(points[i]) < LargestUsualSize;
+  }
+  this->Finite = size == 0 || isFinite(this->Origin);
+  this->HasUsualSize = isBelow && size > 1 && getSize(points[1]) > SmallestUsualSize;
+  for (int i = 1; i < size && !isBelow; ++i)
+  {
+    this->Finite &= isFinite(points[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::ChooseUnit()
+{
+  double largest = 0;
   for (int i = 1; i < this->NumberOfPoints; ++i)
   {
-    finite &= isFinite(this->Points[i]);
+    const Vector& point = this->Points[i];
+    largest = std::max({ largest, std::abs(point.X), std::abs(point.Y), std::abs(point.Z) });
   }
-  this->Finite = finite;
+  if (largest == 0 || (largest > SmallestUsualSize && largest < LargestUsualSize))
+  {
+    return;
+  }
+  this->LengthExponent = std::ilogb(largest);
+  for (int i = 1; i < this->NumberOfPoints; ++i)
+  {
+    Vector& point = this->Points[i];
+    const auto scale = [this](double x) { return std::ldexp(x, -this->LengthExponent); };
+    point = { scale(point.X), scale(point.Y), scale(point.Z) };
+  }
+}
+
+//------------------------------------------------------------------------------
+double CellGeometry::Rescale(double value, int dimension) const
+{
+  const double scaled = std::ldexp(value, dimension * this->LengthExponent);
+  const bool isLost = std::isfinite(value) && (!std::isfinite(scaled) || (scaled == 0 && value != 0));
+  return std::isnan(value) ? value : isLost ? Null(NullReason::Degenerate) : scaled;
+}
+
+//------------------------------------------------------------------------------
+Vector CellGeometry::ToMesh(const Vector& place) const
+{
+  const double unit = std::ldexp(1.0, this->LengthExponent);
+  return this->Origin + unit * place;
+}
+
+//------------------------------------------------------------------------------
+Vector CellGeometry::ToCell(const Vector& place) const
+{
+  const Vector offset = place - this->Origin;
+  const auto scale = [this](double x) { return std::ldexp(x, -this->LengthExponent); };
+  return this->LengthExponent == 0 ? offset
+                                   : Vector{ scale(offset.X), scale(offset.Y), scale(offset.Z) };
 }
 
 //------------------------------------------------------------------------------

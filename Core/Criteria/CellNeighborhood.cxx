@@ -32,8 +32,9 @@ void ReadCenter(const CellGeometry& geometry, Vector& centroid, double& size)
     size = none;
     return;
   }
-  centroid = geometry.GetOrigin() + geometry.GetCentroid();
-  size = (geometry.GetShapes() & Polygons) ? geometry.GetPolygonArea() : geometry.GetVolume();
+  centroid = geometry.ToMesh(geometry.GetCentroid());
+  size = (geometry.GetShapes() & Polygons) ? geometry.ToMesh(geometry.GetPolygonArea(), 2)
+                                           : geometry.ToMesh(geometry.GetVolume(), 3);
 }
 }
 
@@ -56,6 +57,7 @@ void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions
   CellGeometry& scratch, Vector& centroid, double& size)
 {
   scratch.Load(mesh, cell, options);
+  scratch.Normalize();
   if (HasCenter(scratch))
   {
     scratch.Compute(CellNeighborhood::BaseNeeds);
@@ -68,12 +70,13 @@ Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptio
   CellGeometry& scratch)
 {
   scratch.Load(mesh, cell, options);
+  scratch.Normalize();
   if ((scratch.GetShapes() & Polygons) && scratch.GetTopology().GetNumberOfFaces() > 0)
   {
     scratch.Compute(NeedsFaces);
     if (scratch.IsFinite() && !scratch.IsZeroArea(scratch.GetFaceArea(0)))
     {
-      return scratch.GetFaceVector(0);
+      return Unit(scratch.GetFaceVector(0));
     }
   }
   return Vector();
@@ -141,7 +144,7 @@ bool CellNeighborhood::FindLinked(vtkIdType cell, CellFacet use, const FacetTabl
     [&](const LinkedCell& linked, bool)
     {
       ++count;
-      facet.OtherCentroid = linked.Centroid - this->Geometry->GetOrigin();
+      facet.OtherCentroid = this->Geometry->ToCell(linked.Centroid);
       facet.OtherSize = linked.Size;
     });
   table.GetCells(use.Facet(), this->FacetCells);
@@ -175,7 +178,7 @@ void CellNeighborhood::FindOther(
   }
   const vtkIdType other = cells.First == cell ? cells.Second : cells.First;
   facet.Other = Side::Cell;
-  facet.OtherCentroid = this->Centers.Centroids[other] - this->Geometry->GetOrigin();
+  facet.OtherCentroid = this->Geometry->ToCell(this->Centers.Centroids[other]);
   facet.OtherSize = this->Centers.Sizes[other];
 }
 

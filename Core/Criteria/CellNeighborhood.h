@@ -39,8 +39,8 @@ bool HasCellsOfDimension(const MeshView& mesh, int dimension);
 
 ///@{
 /**
- * Centroid and size of a cell as in CellCenters, and its vector area, which is zero if the cell is no polygon
- * or has no area. @a scratch is overwritten.
+ * Centroid and size of a cell as in CellCenters, and the unit normal of its vector area, which is zero if the cell is
+ * no polygon or has no area. @a scratch is overwritten.
  */
 void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
   CellGeometry& scratch, Vector& centroid, double& size);

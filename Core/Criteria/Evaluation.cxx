@@ -40,6 +40,23 @@ bool NeedAny(const std::vector<CriterionValues>& criteria, unsigned need)
 }
 
 //------------------------------------------------------------------------------
+// A value of a cell in the units of the mesh.
+double ToMesh(const CellGeometry& cell, const Criterion& criterion, double value)
+{
+  switch (criterion.Unit)
+  {
+    case Unit::Length:
+      return cell.ToMesh(value, 1);
+    case Unit::Area:
+      return cell.ToMesh(value, 2);
+    case Unit::Volume:
+      return cell.ToMesh(value, (cell.GetShapes() & Polygons) ? 2 : 3); // Jacobians of polygons are areas
+    default:
+      return value;
+  }
+}
+
+//------------------------------------------------------------------------------
 class CellEvaluation
 {
 public:
@@ -68,11 +85,14 @@ public:
       const int limit = static_cast<int>(std::min<vtkIdType>(MaxBlockSize, end - first));
       unsigned common = ~0u; // shapes that all cells of the block have
       int points = 0;
+      bool isNormalized = false;
       for (size = 0; size < limit && points < MaxBlockPoints; ++size)
       {
         CellGeometry& cell = block[size];
         cell.Load(this->Mesh, first + size, this->Options);
+        cell.Normalize();
         cell.Compute(this->Needs);
+        isNormalized |= cell.GetLengthExponent() != 0;
         if (this->Centers)
         {
           this->Centers->Set(first + size, cell);
@@ -104,6 +124,10 @@ public:
               row.Criterion->CellFunction(block.data() + i, 1, values + i);
             }
           }
+        }
+        for (int i = 0; isNormalized && i < size; ++i)
+        {
+          values[i] = ToMesh(block[i], *row.Criterion, values[i]);
         }
       }
     }
@@ -142,6 +166,7 @@ public:
     for (vtkIdType id = begin; id < end; ++id)
     {
       cell.Load(this->Mesh, id, this->Options);
+      cell.Normalize();
       bool isGood = cell.IsFinite() && (cell.GetShapes() & PolygonsAndPolyhedra);
       if (isGood)
       {
@@ -151,7 +176,7 @@ public:
       for (const CriterionValues& row : this->Criteria)
       {
         row.Values[id] = !AppliesTo(*row.Criterion, cell) ? Null(NullReason::NotApplicable)
-          : isGood ? row.Criterion->NeighborFunction(neighborhood)
+          : isGood ? ToMesh(cell, *row.Criterion, row.Criterion->NeighborFunction(neighborhood))
                    : Null(NullReason::Degenerate);
       }
     }

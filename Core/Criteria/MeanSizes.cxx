@@ -46,19 +46,21 @@ void AddCells(const LinkedPiece& piece, vtkIdType begin, vtkIdType end, Sums& su
       continue;
     }
     cell.Load(piece.Topology->GetMesh(), id, piece.Options);
+    cell.Normalize();
     const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
+    const int dimension = isPolygon ? 2 : 3;
     if (!cell.IsFinite() || !(cell.GetShapes() & PolygonsAndPolyhedra))
     {
       continue;
     }
     cell.Compute(NeedsFaces | NeedsVolume);
     sums.Add(isPolygon ? MeanSizes::PolygonArea : MeanSizes::PolyhedronVolume,
-      isPolygon ? cell.GetPolygonArea() : cell.GetVolume());
+      cell.ToMesh(isPolygon ? cell.GetPolygonArea() : cell.GetVolume(), dimension));
     MeanSizes::Kind kind;
     double size;
     if (GetVerdictSize(cell, kind, size))
     {
-      sums.Add(kind, size);
+      sums.Add(kind, cell.ToMesh(size, dimension));
     }
   }
 }

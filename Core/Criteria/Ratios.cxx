@@ -131,7 +131,8 @@ double CellAspectRatio(const CellGeometry& cell)
 double RelativeSize(const CellGeometry& cell)
 {
   const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
-  const double size = isPolygon ? cell.GetPolygonArea() : cell.GetVolume();
+  const double size =
+    isPolygon ? cell.ToMesh(cell.GetPolygonArea(), 2) : cell.ToMesh(cell.GetVolume(), 3);
   const double mean = cell.GetOptions()
                         .Means->Of[isPolygon ? MeanSizes::PolygonArea : MeanSizes::PolyhedronVolume];
   if (std::isnan(size))

@@ -169,13 +169,14 @@ private:
   // The volume of the cone from the corner to a polygon, as a share of that of the box.
   double GetShare(const CellGeometry& cell) const
   {
-    const auto scale = [this](const Vector& v)
+    const auto scale = [](const Vector& v, int exponent)
     {
-      return Vector{ std::ldexp(v.X, -this->Exponent), std::ldexp(v.Y, -this->Exponent),
-        std::ldexp(v.Z, -this->Exponent) };
+      return Vector{ std::ldexp(v.X, exponent), std::ldexp(v.Y, exponent), std::ldexp(v.Z, exponent) };
     };
-    const Vector to = scale(cell.GetOrigin() - this->Corner + cell.GetFaceCenter(0));
-    const Vector area = scale(scale(cell.GetFaceVector(0)));
+    const int ofCell = cell.GetLengthExponent() - this->Exponent;
+    const Vector to =
+      scale(cell.GetOrigin() - this->Corner, -this->Exponent) + scale(cell.GetFaceCenter(0), ofCell);
+    const Vector area = scale(cell.GetFaceVector(0), 2 * ofCell);
     const double share = Dot(to, area) / 3;
     return std::abs(share) <= 1 ? share : 0;
   }
@@ -261,6 +262,7 @@ private:
       component.IsOpen = component.IsOpen || isOpen[cell];
       component.IsUnknown = component.IsUnknown || isUnknown[cell];
       geometry.Load(mesh, cell, piece.Options);
+      geometry.Normalize();
       if (geometry.IsFinite() && geometry.GetTopology().GetNumberOfFaces() > 0)
       {
         geometry.Compute(NeedsFaces);

@@ -504,7 +504,7 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
     }
     const int dimension = (cell.GetShapes() & Polygons) ? 2 : 3;
     const int exponent = std::ilogb(mean) / dimension;
-    Scale(corners, size, -exponent);
+    Scale(corners, size, cell.GetLengthExponent() - exponent);
     value = ReadInfinity(
       measure.SizeFunctions[index](size, corners, std::ldexp(mean, -dimension * exponent)));
   }

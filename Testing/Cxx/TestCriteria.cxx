@@ -10,6 +10,7 @@
 #include "vtkSMPTools.h"
 
 #include <random>
+#include <set>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -481,5 +482,85 @@ TEST(Criteria, IsotropyOfAnySize)
     const Grid hexahedron = Transform(FindReferenceShape("sheared hex").Standard,
       [size](const Point& p) { return Point{ size * p[0], size * p[1], size * p[2] }; });
     EXPECT_NEAR(EvaluateAll(hexahedron).at("CellIsotropy")[0], 0.421875, 1e-12) << size;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Lengths whose products leave the range of numbers: what has no unit is the same as of usual size, what has one grows
+// with it, and where that is no number any more it is null.
+TEST(Criteria, ExtremeSizes)
+{
+  std::vector<std::pair<std::string, Grid>> meshes;
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    meshes.emplace_back(std::string(shape.Name) + " as polyhedron", shape.Polyhedron);
+    if (shape.Standard)
+    {
+      meshes.emplace_back(shape.Name, shape.Standard);
+    }
+  }
+  meshes.emplace_back("hexahedra", MakeHexahedra(3, 2, 2, false));
+  meshes.emplace_back("polyhedra", MakeHexahedra(3, 2, 2, true));
+  meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
+  meshes.emplace_back("polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
+  // Those that compare sizes of cells are null where these are no numbers; Verdict's have only 11 digits of 1/3.
+  const std::set<std::string> comparing = { "RelativeSize", "MinVolumeRatio", "CellVolumeRatio",
+    "VerdictRelativeSizeSquared", "VerdictShapeAndSize", "VerdictShearAndSize" };
+  for (const auto& mesh : meshes)
+  {
+    const auto scaled = [&mesh](int exponent)
+    {
+      auto grid = Grid::New();
+      grid->ShallowCopy(mesh.second);
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
+      {
+        const double* p = mesh.second->GetPoint(i);
+        points->InsertNextPoint(
+          std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent));
+      }
+      grid->SetPoints(points);
+      return EvaluateAll(grid);
+    };
+    const Values usual = scaled(0);
+    for (const int exponent : { 299, -332, 400, -400, 10, -10 }) // 1e90, 1e-100, 1e120, 1e-120
+    {
+      const Values values = scaled(exponent);
+      for (const Criterion& criterion : GetCriteria())
+      {
+        for (std::size_t i = 0; i < values.at(criterion.Name).size(); ++i)
+        {
+          const double before = usual.at(criterion.Name)[i], value = values.at(criterion.Name)[i];
+          const int dimension = criterion.Unit == Unit::Length ? 1
+            : criterion.Unit == Unit::Area                     ? 2
+            : criterion.Unit != Unit::Volume                   ? 0
+            : mesh.first == "polygon"                          ? 2
+                                                               : 3;
+          const std::string what =
+            mesh.first + " times 2^" + std::to_string(exponent) + ' ' + criterion.Name;
+          const double expected = std::ldexp(before, dimension * exponent);
+          const bool isComparing = comparing.count(criterion.Name) > 0;
+          if (isComparing && std::abs(exponent) >= 400 && std::isnan(value))
+          {
+            EXPECT_TRUE(std::isnan(before) || GetNullReason(value) == NullReason::Degenerate) << what;
+          }
+          else if (std::isnan(before) || (std::isfinite(expected) && (expected != 0) == (before != 0)))
+          {
+            EXPECT_EQ(GetNullReason(value), GetNullReason(before)) << what;
+            ExpectNear(
+              before, std::ldexp(value, -dimension * exponent), isComparing ? 1e-9 : 1e-12, what);
+          }
+          else if (std::isinf(before))
+          {
+            EXPECT_EQ(value, before) << what;
+          }
+          else
+          {
+            EXPECT_EQ(GetNullReason(value), NullReason::Degenerate) << what;
+          }
+        }
+      }
+    }
   }
 }
