@@ -3,16 +3,15 @@
 #include "Criteria/CompletedPieces.h"
 
 #include "Criteria/CellIds.h"
+#include "Criteria/CellWriter.h"
 #include "Criteria/PieceBorders.h"
 #include "Criteria/SharedPoints.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -29,17 +28,6 @@ namespace
 struct KeyHash
 {
   std::size_t operator()(const PointKey& key) const { return static_cast<std::size_t>(Hash(key)); }
-};
-
-// A cell of another piece, in the words of its message.
-struct AddedCell
-{
-  std::int64_t Id;
-  PieceAt From;
-  unsigned char Type, Ghosts;
-  const std::int64_t* Lists; // its points, then its faces: numbers, each after how many follow
-  const double* Values;
-  std::size_t Message;
 };
 
 // What a piece is completed with.
@@ -62,114 +50,6 @@ struct Place
     return std::tie(this->Id, this->From, this->Cell) <
       std::tie(other.Id, other.From, other.Cell);
   }
-};
-
-//------------------------------------------------------------------------------
-bool ListsFaces(unsigned char type)
-{
-  return GetCellShape(type).ListsFaces;
-}
-
-//------------------------------------------------------------------------------
-// Lists of points as a vtkCellArray has them.
-class Lists
-{
-public:
-  Lists() { this->Offsets->InsertNextValue(0); }
-  void Add(vtkIdType item) { this->Items->InsertNextValue(item); }
-  vtkIdType Close()
-  {
-    this->Offsets->InsertNextValue(this->Items->GetNumberOfValues());
-    return this->Offsets->GetNumberOfValues() - 2;
-  }
-  vtkSmartPointer<vtkCellArray> Get() const
-  {
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->SetData(this->Offsets, this->Items);
-    return cells;
-  }
-
-private:
-  vtkNew<vtkTypeInt64Array> Offsets, Items;
-};
-
-//------------------------------------------------------------------------------
-// Writes cells one after the other.
-class CellWriter
-{
-public:
-  void AddOwn(const MeshView& mesh, vtkIdType cell)
-  {
-    const auto add = [this](Lists& lists, const IndexRange& points)
-    {
-      for (vtkIdType i = 0; i < points.Size; ++i)
-      {
-        lists.Add(points[i]);
-      }
-      return lists.Close();
-    };
-    const unsigned char type = mesh.GetCellType(cell);
-    add(this->Cells, mesh.GetCellPoints(cell));
-    if (ListsFaces(type))
-    {
-      const IndexRange faces = mesh.GetPolyhedronFaces(cell);
-      for (vtkIdType f = 0; f < faces.Size; ++f)
-      {
-        this->CellFaces.Add(add(this->Faces, mesh.GetPolyhedronFacePoints(faces[f])));
-      }
-    }
-    this->Close(type);
-  }
-
-  void AddAdded(const AddedCell& cell, const std::vector<vtkIdType>& points)
-  {
-    const std::int64_t* item = cell.Lists;
-    const auto add = [&](Lists& lists)
-    {
-      for (const std::int64_t* last = item + 1 + *item; ++item != last;)
-      {
-        lists.Add(points[static_cast<std::size_t>(*item)]);
-      }
-      return lists.Close();
-    };
-    add(this->Cells);
-    if (ListsFaces(cell.Type))
-    {
-      const std::int64_t numberOfFaces = *item++;
-      for (std::int64_t f = 0; f < numberOfFaces; ++f)
-      {
-        this->CellFaces.Add(add(this->Faces));
-      }
-    }
-    this->Close(cell.Type);
-  }
-
-  vtkSmartPointer<vtkUnstructuredGrid> Get() const
-  {
-    auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-    if (this->HasFaces)
-    {
-      grid->SetPolyhedralCells(
-        this->Types, this->Cells.Get(), this->CellFaces.Get(), this->Faces.Get());
-    }
-    else
-    {
-      grid->SetCells(this->Types, this->Cells.Get());
-    }
-    return grid;
-  }
-
-private:
-  void Close(unsigned char type)
-  {
-    this->CellFaces.Close();
-    this->Types->InsertNextValue(type);
-    this->HasFaces = this->HasFaces || ListsFaces(type);
-  }
-
-  Lists Cells, Faces, CellFaces;
-  vtkNew<vtkUnsignedCharArray> Types;
-  bool HasFaces = false;
 };
 
 //------------------------------------------------------------------------------
