@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -49,54 +50,6 @@ double FindMean(const std::vector<Sample>& samples)
 }
 
 //------------------------------------------------------------------------------
-// Eigenvectors of a symmetric matrix as columns of v, by Jacobi's rotations; the eigenvalues are left on its diagonal.
-void Diagonalize(double m[3][3], double v[3][3])
-{
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = 0; j < 3; ++j)
-    {
-      v[i][j] = i == j;
-    }
-  }
-  constexpr int numberOfSweeps = 12; // converges quadratically, five are usual
-  for (int sweep = 0; sweep < numberOfSweeps; ++sweep)
-  {
-    for (int p = 0; p < 2; ++p)
-    {
-      for (int q = p + 1; q < 3; ++q)
-      {
-        if (m[p][q] == 0)
-        {
-          continue;
-        }
-        const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
-        const double t = (theta >= 0 ? 1 : -1) / (std::abs(theta) + std::hypot(theta, 1));
-        const double c = 1 / std::hypot(t, 1), s = t * c;
-        for (int k = 0; k < 3; ++k)
-        {
-          const double kp = m[k][p], kq = m[k][q];
-          m[k][p] = c * kp - s * kq;
-          m[k][q] = s * kp + c * kq;
-        }
-        for (int k = 0; k < 3; ++k)
-        {
-          const double pk = m[p][k], qk = m[q][k];
-          m[p][k] = c * pk - s * qk;
-          m[q][k] = s * pk + c * qk;
-        }
-        for (int k = 0; k < 3; ++k)
-        {
-          const double kp = v[k][p], kq = v[k][q];
-          v[k][p] = c * kp - s * kq;
-          v[k][q] = s * kp + c * kq;
-        }
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
 double FindGradient(const std::vector<Sample>& samples)
 {
   Sample mean = { 0, 0, 0, 0 };
@@ -119,19 +72,22 @@ double FindGradient(const std::vector<Sample>& samples)
       }
     }
   }
-  Diagonalize(matrix, vectors);
-  const double largest = std::max({ matrix[0][0], matrix[1][1], matrix[2][2] });
-  if (!(largest > 0) || !std::isfinite(right[0] + right[1] + right[2]))
+  const double trace = matrix[0][0] + matrix[1][1] + matrix[2][2];
+  if (!(trace > 0) || !std::isfinite(trace + right[0] + right[1] + right[2]))
   {
     return Unknown;
   }
+  double* rows[3] = { matrix[0], matrix[1], matrix[2] };
+  double* columns[3] = { vectors[0], vectors[1], vectors[2] };
+  double extents[3]; // squares, the largest first
+  vtkMath::Jacobi(rows, extents, columns);
   // Directions in which the points do not extend, as normals of polygons, have no part in the gradient.
   constexpr double flat = 1e-12; // square of the ratio of extents
   double length = 0;
   for (int i = 0; i < 3; ++i)
   {
     const double along = vectors[0][i] * right[0] + vectors[1][i] * right[1] + vectors[2][i] * right[2];
-    length = matrix[i][i] > flat * largest ? std::hypot(length, along / matrix[i][i]) : length;
+    length = extents[i] > flat * extents[0] ? std::hypot(length, along / extents[i]) : length;
   }
   return length;
 }
