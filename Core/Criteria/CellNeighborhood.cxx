@@ -205,7 +205,7 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
   {
     const FacetTable::Range uses = this->Edges->GetCellFacets(cell);
     const int size = topology.GetNumberOfFaces() > 0 ? topology.GetFaceSize(0) : 0;
-    if (size != uses.size())
+    if (size == 0 || size != uses.size())
     {
       return false; // a point follows itself
     }

@@ -237,3 +237,18 @@ TEST(CriteriaNeighbors, SurfaceDihedralAngles)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// Polygons of fewer than three points have no facets; if this fails, a mesh that begins with one crashes.
+TEST(CriteriaNeighbors, PolygonsWithoutFacets)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
+  const Values values = EvaluateAll(
+    MakeGrid(points, { { VTK_POLYGON, { 0, 1 } }, { VTK_TRIANGLE, { 0, 1, 1 } }, { VTK_QUAD, { 0, 1, 2, 3 } } }));
+  for (const int cell : { 0, 1 })
+  {
+    EXPECT_EQ(GetNullReason(values.at("OrthogonalQuality")[cell]), NullReason::Degenerate);
+    EXPECT_EQ(GetNullReason(values.at("MaxFaceSkewness")[cell]), NullReason::Degenerate);
+  }
+  EXPECT_NEAR(values.at("OrthogonalQuality")[2], 1, 1e-15);
+}
