@@ -15,7 +15,9 @@ constexpr double HalfTurn = 3.141592653589793238462643383279502884;
 //------------------------------------------------------------------------------
 double GetFaceFlatness(const CellGeometry& cell, int face)
 {
-  return std::min(1.0, cell.GetFaceArea(face) / cell.GetFanArea(face));
+  // Of a face that crosses itself the triangles may have a sum below zero.
+  const double fan = cell.GetFanArea(face);
+  return fan > 0 ? std::min(1.0, cell.GetFaceArea(face) / fan) : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -122,8 +122,8 @@ std::vector<Criterion> FaceCriteria()
       { 0.8, Infinity }, CheckMesh, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceFlatness),
       { "min(1, |S| / Σ ±½|(pᵢ − c) × (pᵢ₊₁ − c)|) of a face, signs as for `SurfaceArea`; the "
         "smallest of the faces",
-        "1 for triangles. Collapsed faces are passed over; null (degenerate) when no face has an "
-        "area.",
+        "1 for triangles, 0 for faces that cross themselves so that their triangles add up to nothing. Collapsed faces "
+        "are passed over; null (degenerate) when no face has an area.",
         "checkMesh's face flatness, except of planar faces that are not convex, which OpenFOAM calls "
         "warped." } },
     { "MaxWarpage", "Largest warpage",

@@ -6,6 +6,8 @@
 #include "CriteriaTesting.h"
 #include "ReferenceShapes.h"
 
+#include <random>
+
 using namespace camaron;
 using namespace camaron::testing;
 
@@ -305,4 +307,29 @@ TEST(CriteriaValidity, Fin)
   Values values = EvaluateAll(MakePolyhedra(cube.Polyhedron->GetPoints(), { faces }));
   EXPECT_NEAR(values["Volume"][0], 1, 1e-12);
   EXPECT_EQ(GetNullReason(values["MinDihedralAngle"][0]), NullReason::InvalidTopology);
+}
+
+//------------------------------------------------------------------------------
+// Whatever way polygons run through space.
+TEST(CriteriaValidity, FlatnessOfTangledPolygons)
+{
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  Points points;
+  Cells cells;
+  for (vtkIdType cell = 0; cell < 500; ++cell)
+  {
+    std::vector<vtkIdType> ids;
+    for (vtkIdType i = 0; i < 4 + cell % 5; ++i)
+    {
+      ids.push_back(static_cast<vtkIdType>(points.size()));
+      points.push_back({ { coordinate(random), coordinate(random), coordinate(random) } });
+    }
+    cells.push_back({ VTK_POLYGON, ids });
+  }
+  for (const double flatness : EvaluateAll(MakeGrid(points, cells)).at("MinFaceFlatness"))
+  {
+    EXPECT_GE(flatness, 0);
+    EXPECT_LE(flatness, 1);
+  }
 }
