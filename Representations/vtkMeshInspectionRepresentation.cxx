@@ -92,7 +92,9 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
     return;
   }
   const std::string error = ConvertShape(this->CutFunction, this->Style.Shape);
-  if (!error.empty() && error != this->LastShapeError)
+  // The default shape of an empty mesh, which has no bounds, is nobody's fault.
+  const bool isEmpty = this->Style.Bounds[0] > this->Style.Bounds[1];
+  if (!error.empty() && error != this->LastShapeError && !isEmpty)
   {
     vtkErrorWithObjectMacro(self, << error);
   }
