@@ -133,36 +133,57 @@ double CorrelateLinearly(const Population& x, const Population& y, Reducer& redu
 //------------------------------------------------------------------------------
 BlockRanks FindDoubledRanks(const Population& values, Reducer& reducer)
 {
-  std::vector<KeyCounts> own;
-  for (const std::int64_t key : SortKeys(values))
+  struct Item
   {
-    if (own.empty() || own.back().Key != key)
-    {
-      own.push_back({ key, {} });
-    }
-    ++own.back().Counts[0];
-  }
-  const std::vector<KeyRank> ranks = RankKeys(own, reducer);
+    std::int64_t Key;
+    double* Rank;
+  };
+  using Items = std::vector<Item>;
   BlockRanks result;
   for (const ValueBlock& block : values)
   {
     result.emplace_back(block.Size, std::numeric_limits<double>::quiet_NaN());
-    std::vector<double>& list = result.back();
-    ParallelFor(block.Size, 1 << 14,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          if (block.Contains(i) && !std::isnan(block.Values[i]))
-          {
-            const std::int64_t key = ToKey(block.Values[i]);
-            const auto found = std::lower_bound(
-              own.begin(), own.end(), key, [](const KeyCounts& item, std::int64_t k) { return item.Key < k; });
-            const KeyRank& rank = ranks[found - own.begin()];
-            list[i] = static_cast<double>(2 * rank.Before[0] + rank.Counts[0] + 1);
-          }
-        }
-      });
+  }
+  Items items;
+  for (const Items& part : ForEachChunk<Items>(values,
+         [&](Items& list, const ValueBlock& block, vtkIdType begin, vtkIdType end)
+         {
+           double* ranks = result[&block - values.data()].data();
+           for (vtkIdType i = begin; i < end; ++i)
+           {
+             if (block.Contains(i) && !std::isnan(block.Values[i]))
+             {
+               list.push_back({ ToKey(block.Values[i]), ranks + i });
+             }
+           }
+         }))
+  {
+    items.insert(items.end(), part.begin(), part.end());
+  }
+  WithThreads(
+    [&]
+    {
+      vtkSMPTools::Sort(
+        items.begin(), items.end(), [](const Item& a, const Item& b) { return a.Key < b.Key; });
+    });
+  std::vector<KeyCounts> own;
+  for (const Item& item : items)
+  {
+    if (own.empty() || own.back().Key != item.Key)
+    {
+      own.push_back({ item.Key, {} });
+    }
+    ++own.back().Counts[0];
+  }
+  const std::vector<KeyRank> ranks = RankKeys(own, reducer);
+  auto item = items.begin();
+  for (std::size_t i = 0; i < ranks.size(); ++i)
+  {
+    const auto rank = static_cast<double>(2 * ranks[i].Before[0] + ranks[i].Counts[0] + 1);
+    for (std::int64_t count = own[i].Counts[0]; count > 0; --count)
+    {
+      *(item++)->Rank = rank;
+    }
   }
   return result;
 }

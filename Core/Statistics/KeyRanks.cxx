@@ -115,6 +115,19 @@ std::vector<std::vector<KeyRank>> RankRange(
 //------------------------------------------------------------------------------
 std::vector<KeyRank> RankKeys(const std::vector<KeyCounts>& own, Reducer& reducer)
 {
+  if (reducer.GetNumberOfProcesses() == 1)
+  {
+    std::vector<KeyRank> ranks;
+    ranks.reserve(own.size());
+    std::array<std::int64_t, 2> before = {};
+    for (const KeyCounts& item : own)
+    {
+      ranks.push_back({ before, item.Counts });
+      before[0] += item.Counts[0];
+      before[1] += item.Counts[1];
+    }
+    return ranks;
+  }
   std::vector<std::int64_t> limits = ChooseLimits(own, reducer);
   std::vector<std::vector<KeyCounts>> lists;
   auto begin = own.begin();
