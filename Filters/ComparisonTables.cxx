@@ -35,6 +35,28 @@ void AddTriple(TableRow& row, Number a, Number b)
 }
 
 //------------------------------------------------------------------------------
+void AddLabelColumns(vtkTable* table, bool hasTime)
+{
+  if (hasTime)
+  {
+    AddColumns<vtkDoubleArray>(table, { "Time" });
+  }
+  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group" });
+}
+
+//------------------------------------------------------------------------------
+void AddLabels(TableRow& row, const ArrayComparison& comparison)
+{
+  if (comparison.Time)
+  {
+    row.Add(*comparison.Time);
+  }
+  row.Add(comparison.Name);
+  row.Add(comparison.Unit);
+  row.Add(comparison.Group);
+}
+
+//------------------------------------------------------------------------------
 double GetOutOfRangePercent(const ArrayComparison& comparison, int mesh)
 {
   const Summary& summary = comparison.Summaries[mesh];
@@ -66,9 +88,10 @@ const std::vector<double>& GetComparedPercents()
 }
 
 //------------------------------------------------------------------------------
-void AddComparisonColumns(vtkTable* table)
+void AddComparisonColumns(vtkTable* table, bool hasTime)
 {
-  AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Better" });
+  AddLabelColumns(table, hasTime);
+  AddColumns<vtkStringArray>(table, { "Better" });
   AddTriples<vtkIdTypeArray>(table, { "Count", "NullCount", "InfCount" });
   AddTriples<vtkDoubleArray>(table, { "Min", "Max", "Mean", "StdDev", "Sum" });
   for (const double percent : GetComparedPercents())
@@ -88,8 +111,7 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
 {
   const Summary &a = comparison.Summaries[0], &b = comparison.Summaries[1];
   TableRow row;
-  row.Add(comparison.Name);
-  row.Add(comparison.Unit);
+  AddLabels(row, comparison);
   row.Add(GetBetterName(comparison.Better));
   AddTriple(row, a.Count, b.Count);
   AddTriple(row, a.NullCount, b.NullCount);
@@ -119,9 +141,9 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
 }
 
 //------------------------------------------------------------------------------
-void AddCommonHistogramColumns(vtkTable* table)
+void AddCommonHistogramColumns(vtkTable* table, bool hasTime)
 {
-  AddColumns<vtkStringArray>(table, { "Criterion", "Unit" });
+  AddLabelColumns(table, hasTime);
   AddColumns<vtkIdTypeArray>(table, { "Bin" });
   AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
   AddColumns<vtkIdTypeArray>(table, { "CountA", "CountB" });
@@ -136,8 +158,7 @@ void AddCommonHistogramRows(vtkTable* table, const ArrayComparison& comparison)
   for (std::size_t bin = 0; bin < comparison.Bins.GetSize(); ++bin)
   {
     TableRow row;
-    row.Add(comparison.Name);
-    row.Add(comparison.Unit);
+    AddLabels(row, comparison);
     row.Add(static_cast<std::int64_t>(bin));
     row.Add(comparison.Bins.GetEdges()[bin]);
     row.Add(comparison.Bins.GetEdges()[bin + 1]);

@@ -22,11 +22,13 @@ class vtkTable;
 
 namespace camaron
 {
-/// What there is to know of an array of both meshes, A and B.
+/// What there is to know of an array, and a group of cells, of both meshes, A and B.
 struct ArrayComparison
 {
   std::string Name;
   std::string Unit;
+  std::string Group;
+  std::optional<double> Time; ///< for tables with that column
   camaron::Better Better = Better::Neither;
   std::optional<ValueRange> Acceptable;
   std::array<Summary, 2> Summaries;
@@ -39,8 +41,8 @@ struct ArrayComparison
 
 const std::vector<double>& GetComparedPercents();
 
-void AddComparisonColumns(vtkTable* table);
-void AddCommonHistogramColumns(vtkTable* table);
+void AddComparisonColumns(vtkTable* table, bool hasTime);
+void AddCommonHistogramColumns(vtkTable* table, bool hasTime);
 void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison);
 void AddCommonHistogramRows(vtkTable* table, const ArrayComparison& comparison);
 }

@@ -10,6 +10,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,6 +18,7 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 namespace camaron
 {
@@ -142,8 +144,7 @@ std::vector<std::pair<int, std::string>> GatherLabels(
 Grouping::Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
   Reducer& reducer)
   : Blocks(blocks)
-  , Labels(1, "All")
-  , Keys(1, 0)
+  , Groups(1, Group{ true, 0, "All" })
 {
   const Way& way = FindWay(name);
   if (!way.GetKeys)
@@ -173,10 +174,9 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
   }
   for (const auto& label : GatherLabels(labels, reducer))
   {
-    this->Keys.push_back(label.first);
-    this->Labels.push_back(label.second);
+    this->Groups.push_back({ false, label.first, label.second });
   }
-  if (this->Keys.size() - 1 > way.MaxNumberOfGroups)
+  if (this->Groups.size() - 1 > way.MaxNumberOfGroups)
   {
     throw std::invalid_argument("the array '" + arrayName + "' has more than " +
       std::to_string(way.MaxNumberOfGroups) + " different values, too many to group by");
@@ -184,9 +184,9 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
 }
 
 //------------------------------------------------------------------------------
-Population Grouping::GetPopulation(std::size_t group, const BlockValues& values)
+Population Grouping::GetPopulation(const Group& group, const BlockValues& values)
 {
-  if (group == 0)
+  if (group.IsAll)
   {
     return values.Get();
   }
@@ -206,18 +206,34 @@ Population Grouping::GetPopulation(std::size_t group, const BlockValues& values)
         {
           for (vtkIdType cell = begin; cell < end; ++cell)
           {
-            mask[cell] = keys[cell] != this->Keys[group] || !block.Contains(cell);
+            mask[cell] = keys[cell] != group.Key || !block.Contains(cell);
           }
         });
       block.Skip = mask.data();
     }
-    else if (keys.front() != this->Keys[group])
+    else if (keys.front() != group.Key)
     {
       block.Size = 0; // stays in the list, so that places in it keep their meaning
     }
     population.push_back(block);
   }
   return population;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Group> JoinGroups(const std::vector<Group>& a, const std::vector<Group>& b)
+{
+  std::vector<Group> groups = a;
+  for (const Group& group : b)
+  {
+    if (std::find(a.begin(), a.end(), group) == a.end())
+    {
+      groups.push_back(group);
+    }
+  }
+  std::sort(groups.begin(), groups.end(), [](const Group& x, const Group& y)
+    { return std::tie(y.IsAll, x.Key, x.Label) < std::tie(x.IsAll, y.Key, y.Label); });
+  return groups;
 }
 
 //------------------------------------------------------------------------------

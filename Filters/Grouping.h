@@ -17,6 +17,19 @@
 
 namespace camaron
 {
+/// Those of a way to group are the same if they are equal, in whatever mesh.
+struct Group
+{
+  bool IsAll = false;
+  int Key = 0;
+  std::string Label;
+
+  bool operator==(const Group& other) const
+  {
+    return this->IsAll == other.IsAll && this->Key == other.Key && this->Label == other.Label;
+  }
+};
+
 class Grouping
 {
 public:
@@ -29,19 +42,21 @@ public:
   Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
     Reducer& reducer);
 
-  /// Labels of all groups, the same on every process.
-  const std::vector<std::string>& GetLabels() const { return this->Labels; }
+  /// That of all elements, then the others by their keys; the same on every process.
+  const std::vector<Group>& GetGroups() const { return this->Groups; }
 
-  /// The part of @a values in a group; valid until the next call.
-  Population GetPopulation(std::size_t group, const BlockValues& values);
+  /// The part of @a values in a group, which may be one of another mesh; valid until the next call.
+  Population GetPopulation(const Group& group, const BlockValues& values);
 
 private:
   const ElementBlocks& Blocks;
-  std::vector<std::string> Labels;
-  std::vector<int> Keys;                   ///< of the groups
+  std::vector<Group> Groups;
   std::vector<std::vector<int>> BlockKeys; ///< of the cells of each block, or one for all of them
   std::vector<std::vector<unsigned char>> Masks;
 };
+
+/// All groups of both, in their order.
+std::vector<Group> JoinGroups(const std::vector<Group>& a, const std::vector<Group>& b);
 
 /// Name of a cell type for people, such as "Tetra" or "Polyhedron".
 std::string GetCellTypeLabel(int cellType);

@@ -85,14 +85,18 @@ std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& re
 
 //------------------------------------------------------------------------------
 std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& present,
-  const std::vector<std::string>& wanted, std::string& missing)
+  const std::vector<std::string>& wanted, std::vector<std::string>& missing)
 {
   std::vector<StatisticsArray> chosen;
+  const auto find = [](const std::vector<StatisticsArray>& arrays, const std::string& name)
+  {
+    return std::find_if(
+      arrays.begin(), arrays.end(), [&](const StatisticsArray& array) { return array.Name == name; });
+  };
   const auto choose = [&](const std::string& name)
   {
-    const auto found = std::find_if(present.begin(), present.end(),
-      [&](const StatisticsArray& array) { return array.Name == name; });
-    if (found != present.end())
+    const auto found = find(present, name);
+    if (found != present.end() && find(chosen, name) == chosen.end())
     {
       chosen.push_back(*found);
       const Criterion* criterion = FindCriterion(name);
@@ -107,7 +111,7 @@ std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& pr
   {
     if (!choose(name))
     {
-      missing += (missing.empty() ? "" : ", ") + name;
+      missing.push_back(name);
     }
   }
   if (wanted.empty())

@@ -27,11 +27,11 @@ std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& re
 
 /**
  * Those that are wanted, in that order; if none is, those that are named like a criterion, in the order of their table,
- * then those like a measure of faces, edges or vertices that Mesh Elements makes.
+ * then those like a measure of faces, edges or vertices that Mesh Elements makes. Each once.
  * @param missing gets the names of those that are wanted and not there
  */
 std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& present,
-  const std::vector<std::string>& wanted, std::string& missing);
+  const std::vector<std::string>& wanted, std::vector<std::string>& missing);
 }
 
 #endif

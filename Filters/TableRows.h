@@ -48,7 +48,7 @@ public:
       this->Add(coordinate);
     }
   }
-  void AppendTo(vtkTable* table) { table->InsertNextRow(this->Values); }
+  void AppendTo(vtkTable* table) const { table->InsertNextRow(this->Values); }
 
 private:
   vtkNew<vtkVariantArray> Values;

@@ -3,15 +3,19 @@
 #include "vtkCompareQuality.h"
 
 #include "AcceptableRanges.h"
+#include "ArraysOfSteps.h"
+#include "CheckNumber.h"
 #include "ComparisonTables.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
+#include "Grouping.h"
 #include "MeshCopies.h"
 #include "Parallel.h"
 #include "SameCells.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
+#include "TimeSteps.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
@@ -23,16 +27,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 vtkStandardNewMacro(vtkCompareQuality);
 
 namespace
 {
 //------------------------------------------------------------------------------
-// Those of both, with the same unit; says of others why they are left out.
+// Those of both, with the same unit; says of others why they are left out, and adds their names.
 std::vector<camaron::StatisticsArray> FindCommonArrays(const std::vector<camaron::StatisticsArray>& ofA,
-  const std::vector<camaron::StatisticsArray>& ofB, std::string& leftOut)
+  const std::vector<camaron::StatisticsArray>& ofB, std::string& reasons, std::vector<std::string>& leftOut)
 {
   std::vector<camaron::StatisticsArray> common;
   for (const camaron::StatisticsArray& array : ofA)
@@ -45,7 +48,8 @@ std::vector<camaron::StatisticsArray> FindCommonArrays(const std::vector<camaron
     }
     if (!array.Unit.empty() && !other->Unit.empty() && array.Unit != other->Unit)
     {
-      leftOut += " " + array.Name + " is in " + array.Unit + " in one mesh and in " + other->Unit + " in the other.";
+      leftOut.push_back(array.Name);
+      reasons += " " + array.Name + " is in " + array.Unit + " in one mesh and in " + other->Unit + " in the other.";
       continue;
     }
     common.push_back(array);
@@ -81,16 +85,18 @@ struct MatchedValues
   camaron::Population Before, After;
   std::vector<std::size_t> BlockNumbers;
 
-  MatchedValues(const camaron::BlockValues& a, const camaron::BlockValues& b)
+  /// @a before, @a after: the populations to match, of @a a and @a b.
+  MatchedValues(const camaron::BlockValues& a, const camaron::Population& before, const camaron::BlockValues& b,
+    const camaron::Population& after)
   {
-    for (std::size_t i = 0; i < b.Get().size(); ++i)
+    for (std::size_t i = 0; i < after.size(); ++i)
     {
       const auto& numbers = a.GetBlockNumbers();
       const auto found = std::find(numbers.begin(), numbers.end(), b.GetBlockNumbers()[i]);
       if (found != numbers.end())
       {
-        this->Before.push_back(a.Get()[found - numbers.begin()]);
-        this->After.push_back(b.Get()[i]);
+        this->Before.push_back(before[found - numbers.begin()]);
+        this->After.push_back(after[i]);
         this->BlockNumbers.push_back(*found);
       }
     }
@@ -119,7 +125,6 @@ void AddDeltas(const std::string& name, const MatchedValues& values, const camar
 
 //------------------------------------------------------------------------------
 vtkCompareQuality::vtkCompareQuality()
-  : Preset(camaron::GetDefaultRangesName())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -132,52 +137,9 @@ vtkCompareQuality::~vtkCompareQuality() = default;
 void vtkCompareQuality::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Arrays:";
-  for (const std::string& name : this->Arrays)
-  {
-    os << ' ' << name;
-  }
-  os << '\n' << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "RangesFile: " << this->RangesFile << '\n';
   os << indent << "NumberOfBins: " << this->NumberOfBins << '\n';
   os << indent << "HistogramScale: " << this->HistogramScale << '\n';
   os << indent << "Tolerance: " << this->Tolerance << '\n';
-}
-
-//------------------------------------------------------------------------------
-void vtkCompareQuality::SetText(std::string& member, const char* text)
-{
-  const std::string value = text ? text : "";
-  if (member != value)
-  {
-    member = value;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkCompareQuality::AddArray(const char* name)
-{
-  if (name && name[0])
-  {
-    this->Arrays.emplace_back(name);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkCompareQuality::ClearArrays()
-{
-  this->Arrays.clear();
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-int vtkCompareQuality::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -196,27 +158,21 @@ int vtkCompareQuality::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
-int vtkCompareQuality::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkCompareQuality::MakeColumns(vtkInformationVector* outputVector)
 {
-  camaron::AddComparisonColumns(vtkTable::GetData(outputVector, 0));
-  camaron::AddCommonHistogramColumns(vtkTable::GetData(outputVector, 1));
-  try
+  for (int port = 0; port < 2; ++port)
   {
-    this->Compare(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]), outputVector);
+    vtkTable::GetData(outputVector, port)->Initialize();
   }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("The meshes cannot be compared: " << error.what() << '.');
-    return 0;
-  }
-  return 1;
+  camaron::AddComparisonColumns(vtkTable::GetData(outputVector, 0), this->AllTimeSteps);
+  camaron::AddCommonHistogramColumns(vtkTable::GetData(outputVector, 1), this->AllTimeSteps);
 }
 
 //------------------------------------------------------------------------------
-// Collective.
-void vtkCompareQuality::Compare(vtkDataObject* a, vtkDataObject* b, vtkInformationVector* outputVector)
+void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  camaron::CheckNumber("Number Of Bins", this->NumberOfBins, 1, 100000);
+  camaron::CheckNumber("Tolerance", this->Tolerance, 0.0, 1.0);
   camaron::BinSettings settings;
   settings.NumberOfBins = this->NumberOfBins;
   settings.Scale = camaron::ToBinScale(this->HistogramScale);
@@ -226,23 +182,18 @@ void vtkCompareQuality::Compare(vtkDataObject* a, vtkDataObject* b, vtkInformati
     fractions.push_back(percent / 100);
   }
 
+  vtkDataObject *a = vtkDataObject::GetData(inputVector[0]), *b = vtkDataObject::GetData(inputVector[1]);
   camaron::ControllerReducer reducer;
   const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
   const camaron::ElementBlocks blocks[2] = { { a, reducer }, { b, reducer } };
+  camaron::Grouping groupings[2] = { { this->GroupBy, this->GroupArray, blocks[0], reducer },
+    { this->GroupBy, this->GroupArray, blocks[1], reducer } };
+  const std::vector<camaron::Group> groups =
+    camaron::JoinGroups(groupings[0].GetGroups(), groupings[1].GetGroups());
   const bool sameCells = camaron::HaveSameCells(blocks[0], blocks[1], reducer);
-  std::string leftOut, missing;
-  const std::vector<camaron::StatisticsArray> common = FindCommonArrays(
-    camaron::FindArrays(blocks[0], reducer), camaron::FindArrays(blocks[1], reducer), leftOut);
-  const std::vector<camaron::StatisticsArray> arrays = camaron::ChooseArrays(common, this->Arrays, missing);
-  if (!missing.empty() && leftOut.empty())
-  {
-    leftOut = " There are no cell arrays with one component in both meshes named: " + missing + '.';
-  }
+  const std::vector<camaron::StatisticsArray> arrays = this->ChooseCommonArrays(blocks, reducer);
   const bool isRoot = reducer.GetProcess() == 0;
-  if (!leftOut.empty() && isRoot)
-  {
-    vtkWarningMacro("Not compared." << leftOut);
-  }
+  this->WarnOfNoGroups(groups.size(), isRoot);
 
   camaron::NewCellArrays deltas;
   for (std::size_t i = 0; i < arrays.size(); ++i)
@@ -252,35 +203,74 @@ void vtkCompareQuality::Compare(vtkDataObject* a, vtkDataObject* b, vtkInformati
     camaron::ArrayComparison comparison;
     comparison.Name = arrays[i].Name;
     comparison.Unit = arrays[i].Unit;
+    comparison.Time = this->Steps->GetTime();
     comparison.Better = criterion ? criterion->Better : camaron::Better::Neither;
     comparison.Acceptable = ranges.Find(arrays[i].Name, arrays[i].Unit);
-    for (int mesh = 0; mesh < 2; ++mesh)
-    {
-      comparison.Summaries[mesh] = camaron::Summarize(values[mesh].Get(),
-        comparison.Acceptable ? *comparison.Acceptable : camaron::ValueRange(), reducer);
-      comparison.Quantiles[mesh] =
-        camaron::GetQuantiles(values[mesh].Get(), comparison.Summaries[mesh], fractions, reducer);
-    }
+    const camaron::ValueRange limits = comparison.Acceptable ? *comparison.Acceptable : camaron::ValueRange();
     settings.OfIntegers = arrays[i].OfIntegers;
-    comparison.Bins = camaron::MakeBins(Join(comparison.Summaries[0], comparison.Summaries[1]), settings);
-    for (int mesh = 0; mesh < 2; ++mesh)
+    for (const camaron::Group& group : groups)
     {
-      comparison.Histograms[mesh] = camaron::CountBins(values[mesh].Get(), comparison.Bins, reducer);
+      comparison.Group = group.Label;
+      const camaron::Population populations[2] = { groupings[0].GetPopulation(group, values[0]),
+        groupings[1].GetPopulation(group, values[1]) };
+      for (int mesh = 0; mesh < 2; ++mesh)
+      {
+        comparison.Summaries[mesh] = camaron::Summarize(populations[mesh], limits, reducer);
+        comparison.Quantiles[mesh] =
+          camaron::GetQuantiles(populations[mesh], comparison.Summaries[mesh], fractions, reducer);
+      }
+      if (group.IsAll)
+      {
+        // All groups share the bins of all cells.
+        comparison.Bins = camaron::MakeBins(Join(comparison.Summaries[0], comparison.Summaries[1]), settings);
+      }
+      for (int mesh = 0; mesh < 2; ++mesh)
+      {
+        comparison.Histograms[mesh] = camaron::CountBins(populations[mesh], comparison.Bins, reducer);
+      }
+      comparison.Distance = camaron::FindDistributionDistance(populations[0], populations[1], reducer);
+      if (sameCells)
+      {
+        const MatchedValues matched(values[0], populations[0], values[1], populations[1]);
+        comparison.Changes =
+          camaron::CountChanges(matched.Before, matched.After, comparison.Better, this->Tolerance, reducer);
+        if (group.IsAll && this->Steps->IsLast())
+        {
+          AddDeltas(arrays[i].Name, matched, blocks[1], deltas);
+        }
+      }
+      if (isRoot)
+      {
+        camaron::AddComparisonRow(vtkTable::GetData(outputVector, 0), comparison);
+        camaron::AddCommonHistogramRows(vtkTable::GetData(outputVector, 1), comparison);
+      }
     }
-    comparison.Distance = camaron::FindDistributionDistance(values[0].Get(), values[1].Get(), reducer);
-    if (sameCells)
-    {
-      const MatchedValues matched(values[0], values[1]);
-      comparison.Changes =
-        camaron::CountChanges(matched.Before, matched.After, comparison.Better, this->Tolerance, reducer);
-      AddDeltas(arrays[i].Name, matched, blocks[1], deltas);
-    }
-    if (isRoot)
-    {
-      camaron::AddComparisonRow(vtkTable::GetData(outputVector, 0), comparison);
-      camaron::AddCommonHistogramRows(vtkTable::GetData(outputVector, 1), comparison);
-    }
-    this->UpdateProgress(static_cast<double>(i + 1) / static_cast<double>(arrays.size()));
+    this->UpdateProgress(
+      this->Steps->GetProgress(static_cast<double>(i + 1) / static_cast<double>(arrays.size())));
   }
-  camaron::CopyWithCellArrays(b, deltas, vtkDataObject::GetData(outputVector, 2));
+  if (this->Steps->IsLast())
+  {
+    camaron::CopyWithCellArrays(b, deltas, vtkDataObject::GetData(outputVector, 2));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Collective.
+std::vector<camaron::StatisticsArray> vtkCompareQuality::ChooseCommonArrays(
+  const camaron::ElementBlocks blocks[2], camaron::Reducer& reducer)
+{
+  std::string reasons;
+  std::vector<std::string> leftOut, missing;
+  const std::vector<camaron::StatisticsArray> common = FindCommonArrays(
+    camaron::FindArrays(blocks[0], reducer), camaron::FindArrays(blocks[1], reducer), reasons, leftOut);
+  std::vector<camaron::StatisticsArray> arrays = camaron::ChooseArrays(common, this->Arrays, missing);
+  const auto isLeftOut = [&](const std::string& name)
+  { return std::find(leftOut.begin(), leftOut.end(), name) != leftOut.end(); };
+  missing.erase(std::remove_if(missing.begin(), missing.end(), isLeftOut), missing.end());
+  if (!reasons.empty() && this->Steps->IsFirst() && reducer.GetProcess() == 0)
+  {
+    vtkWarningMacro("Not compared." << reasons);
+  }
+  this->Found->Add(this->Steps->GetTime(), arrays, missing);
+  return arrays;
 }

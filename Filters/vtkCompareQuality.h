@@ -9,10 +9,13 @@
  * infinite values count as in vtkQualityStatistics.
  *
  * Outputs:
- * 0. vtkTable, one row per array: statistics of A and B and their differences B - A; the distance of the distributions
+ * 0. vtkTable, one row per array and group: statistics of A and B and their differences B - A; the distance of the distributions
  *    (Kolmogorov and Smirnov); if the meshes have the same cells, how many have improved and worsened;
- * 1. vtkTable, histograms of both over the same bins, as fractions: one row per array and bin;
+ * 1. vtkTable, histograms of both over the same bins, as fractions: one row per array, group and bin;
  * 2. mesh B, and if both have the same cells an array "<name>_Delta" of B - A for each array.
+ *
+ * Groups are those of both meshes, see vtkQualityTables; a cell that is compared with itself is in its group of mesh B.
+ * Time steps are those of A, or of B if A has none; both meshes are taken at the same time.
  *
  * The columns are listed in Documentation/compare.md. Cells are the same if blocks, types and points (of polyhedra faces)
  * of the cells are, in the same order on the same processes; where the points are does not matter.
@@ -24,42 +27,28 @@
 #ifndef vtkCompareQuality_h
 #define vtkCompareQuality_h
 
-#include "vtkDataObjectAlgorithm.h"
+#include "vtkQualityTables.h"
 
 #include <string> // for choices
-#include <vector> // for lists
+#include <vector> // for arrays
 
-class vtkCompareQuality : public vtkDataObjectAlgorithm
+namespace camaron
+{
+class ElementBlocks;
+class Reducer;
+struct StatisticsArray;
+}
+
+class vtkCompareQuality : public vtkQualityTables
 {
 public:
   static vtkCompareQuality* New();
-  vtkTypeMacro(vtkCompareQuality, vtkDataObjectAlgorithm);
+  vtkTypeMacro(vtkCompareQuality, vtkQualityTables);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /**
-   * Cell arrays with one component to compare. Default: none, which means every one that both meshes have and that is
-   * named like a criterion, or like a measure that vtkMeshElements makes.
-   */
-  void AddArray(const char* name);
-  void ClearArrays();
-  ///@}
-
-  ///@{
-  /// Whose acceptable ranges to count by, as in vtkQualityStatistics. Default: "Default ranges".
-  void SetPreset(const char* name) { this->SetText(this->Preset, name); }
-  const char* GetPreset() const { return this->Preset.c_str(); }
-  ///@}
-
-  ///@{
-  /// File of acceptable ranges of the user, which come before those of the preset. Default: empty, none.
-  void SetRangesFile(const char* path) { this->SetText(this->RangesFile, path); }
-  const char* GetRangesFile() const { return this->RangesFile.c_str(); }
-  ///@}
-
-  ///@{
-  /// Number of bins per array, at most 100000. Default: 50. Integers have one bin each, constant data a single one.
-  vtkSetClampMacro(NumberOfBins, int, 1, 100000);
+  /// Number of bins per array, 1 to 100000. Default: 50. Integers have one bin each, constant data a single one.
+  vtkSetMacro(NumberOfBins, int);
   vtkGetMacro(NumberOfBins, int);
   ///@}
 
@@ -70,8 +59,8 @@ public:
   ///@}
 
   ///@{
-  /// Difference up to which a value counts as unchanged, relative to the larger magnitude. Default: 1e-9.
-  vtkSetClampMacro(Tolerance, double, 0, 1);
+  /// Difference up to which a value counts as unchanged, relative to the larger magnitude, 0 to 1. Default: 1e-9.
+  vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -79,21 +68,20 @@ protected:
   vtkCompareQuality();
   ~vtkCompareQuality() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void MakeColumns(vtkInformationVector* outputVector) override;
+  void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  const char* GetFailure() const override { return "The meshes cannot be compared"; }
+  const char* GetKindOfArrays() const override { return "common cell"; }
 
 private:
   vtkCompareQuality(const vtkCompareQuality&) = delete;
   void operator=(const vtkCompareQuality&) = delete;
 
-  void SetText(std::string& member, const char* text);
-  void Compare(vtkDataObject* a, vtkDataObject* b, vtkInformationVector* outputVector);
+  std::vector<camaron::StatisticsArray> ChooseCommonArrays(
+    const camaron::ElementBlocks blocks[2], camaron::Reducer& reducer);
 
-  std::vector<std::string> Arrays;
-  std::string Preset;
-  std::string RangesFile;
   int NumberOfBins = 50;
   std::string HistogramScale = "Linear";
   double Tolerance = 1e-9;

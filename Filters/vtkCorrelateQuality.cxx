@@ -3,13 +3,16 @@
 #include "vtkCorrelateQuality.h"
 
 #include "AcceptableRanges.h"
+#include "ArraysOfSteps.h"
 #include "CellField.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
+#include "Grouping.h"
 #include "MeshCopies.h"
 #include "Statistics/Correlation.h"
 #include "StatisticsArrays.h"
 #include "TableRows.h"
+#include "TimeSteps.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -23,7 +26,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
+#include <limits>
+#include <optional>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkCorrelateQuality);
@@ -38,19 +42,20 @@ struct Pairs
 {
   camaron::Population Quality, Field;
 
-  Pairs(const camaron::BlockValues& values, const camaron::CellField& field)
+  /// @a population: of @a values.
+  Pairs(const camaron::Population& population, const camaron::BlockValues& values, const camaron::CellField& field)
   {
-    this->Masks.resize(values.Get().size());
-    for (std::size_t i = 0; i < values.Get().size(); ++i)
+    this->Masks.resize(population.size());
+    for (std::size_t i = 0; i < population.size(); ++i)
     {
       const std::vector<double>& fieldValues = field.Get()[values.GetBlockNumbers()[i]];
-      camaron::ValueBlock quality = values.Get()[i];
+      camaron::ValueBlock quality = population[i];
       if (fieldValues.empty())
       {
         continue;
       }
       std::vector<unsigned char>& mask = this->Masks[i];
-      mask.resize(fieldValues.size());
+      mask.resize(quality.Size);
       for (vtkIdType cell = 0; cell < quality.Size; ++cell)
       {
         mask[cell] = !quality.Contains(cell) || std::isnan(quality.Values[cell]) || std::isnan(fieldValues[cell]);
@@ -62,8 +67,34 @@ struct Pairs
     }
   }
 
+  /// What does not count in each block; empty for one without the field.
+  const std::vector<std::vector<unsigned char>>& GetMasks() const { return this->Masks; }
+
 private:
   std::vector<std::vector<unsigned char>> Masks;
+};
+
+//------------------------------------------------------------------------------
+// Ranks of the field, which are the same for all criteria that have values in the same cells.
+class FieldRanks
+{
+public:
+  /// Collective. Valid until the next call.
+  const camaron::BlockRanks& Get(const Pairs& pairs, camaron::Reducer& reducer)
+  {
+    std::int64_t isOther = this->Masks != pairs.GetMasks();
+    reducer.Max(&isOther, 1);
+    if (isOther)
+    {
+      this->Ranks = camaron::FindDoubledRanks(pairs.Field, reducer);
+      this->Masks = pairs.GetMasks();
+    }
+    return this->Ranks;
+  }
+
+private:
+  std::vector<std::vector<unsigned char>> Masks;
+  camaron::BlockRanks Ranks;
 };
 
 //------------------------------------------------------------------------------
@@ -137,9 +168,13 @@ OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ran
 }
 
 //------------------------------------------------------------------------------
-void AddColumnsOfTable(vtkTable* table)
+void AddColumnsOfTable(vtkTable* table, bool hasTime)
 {
-  camaron::AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Field" });
+  if (hasTime)
+  {
+    camaron::AddColumns<vtkDoubleArray>(table, { "Time" });
+  }
+  camaron::AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group", "Field" });
   camaron::AddColumns<vtkIdTypeArray>(table, { "Count" });
   camaron::AddColumns<vtkDoubleArray>(table, { "Pearson", "Spearman", "AcceptableLow", "AcceptableHigh" });
   camaron::AddColumns<vtkIdTypeArray>(table, { "OutsideCount" });
@@ -160,11 +195,70 @@ std::int64_t CountElements(const camaron::Population& population, camaron::Reduc
   reducer.Sum(&count, 1);
   return count;
 }
+
+//------------------------------------------------------------------------------
+struct Correlation
+{
+  std::int64_t Count;
+  double Pearson, Spearman;
+  OutsideCells Outside;
+};
+
+// Collective.
+Correlation FindCorrelation(const Pairs& pairs, const camaron::BlockRanks& fieldRanks,
+  const std::optional<camaron::ValueRange>& acceptable, camaron::Reducer& reducer)
+{
+  Correlation result;
+  result.Count = CountElements(pairs.Quality, reducer);
+  result.Pearson = camaron::CorrelateLinearly(pairs.Quality, pairs.Field, reducer);
+  const camaron::BlockRanks qualityRanks = camaron::FindDoubledRanks(pairs.Quality, reducer);
+  result.Spearman = camaron::CorrelateLinearly(
+    WithValues(pairs.Quality, qualityRanks), WithValues(pairs.Field, fieldRanks), reducer);
+  if (acceptable)
+  {
+    result.Outside = FindOutsideCells(pairs, fieldRanks, *acceptable, reducer);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void AddNumbers(
+  camaron::TableRow& row, const Correlation& correlation, const std::optional<camaron::ValueRange>& acceptable)
+{
+  row.Add(correlation.Count);
+  row.Add(correlation.Pearson);
+  row.Add(correlation.Spearman);
+  row.Add(acceptable ? acceptable->Low : Unknown);
+  row.Add(acceptable ? acceptable->High : Unknown);
+  row.Add(correlation.Outside.Count);
+  row.Add(correlation.Outside.MeanInside);
+  row.Add(correlation.Outside.MeanOutside);
+  row.Add(correlation.Outside.Above);
+}
+
+//------------------------------------------------------------------------------
+camaron::NewCellArrays MakeFieldArrays(
+  const camaron::ElementBlocks& blocks, const camaron::CellField& field, const std::string& name)
+{
+  camaron::NewCellArrays fields;
+  for (std::size_t b = 0; b < blocks.Get().size(); ++b)
+  {
+    const std::vector<double>& cells = field.Get()[b];
+    if (!cells.empty())
+    {
+      auto array = vtkSmartPointer<vtkDoubleArray>::New();
+      array->SetName(name.c_str());
+      array->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
+      std::copy(cells.begin(), cells.end(), array->GetPointer(0));
+      fields[blocks.Get()[b].FlatIndex].push_back(array);
+    }
+  }
+  return fields;
+}
 }
 
 //------------------------------------------------------------------------------
 vtkCorrelateQuality::vtkCorrelateQuality()
-  : Preset(camaron::GetDefaultRangesName())
 {
   this->SetNumberOfOutputPorts(2);
 }
@@ -176,50 +270,7 @@ vtkCorrelateQuality::~vtkCorrelateQuality() = default;
 void vtkCorrelateQuality::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Arrays:";
-  for (const std::string& name : this->Arrays)
-  {
-    os << ' ' << name;
-  }
-  os << '\n' << indent << "Gradient: " << this->Gradient << '\n';
-  os << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "RangesFile: " << this->RangesFile << '\n';
-}
-
-//------------------------------------------------------------------------------
-void vtkCorrelateQuality::SetText(std::string& member, const char* text)
-{
-  const std::string value = text ? text : "";
-  if (member != value)
-  {
-    member = value;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkCorrelateQuality::AddArray(const char* name)
-{
-  if (name && name[0])
-  {
-    this->Arrays.emplace_back(name);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkCorrelateQuality::ClearArrays()
-{
-  this->Arrays.clear();
-  this->Modified();
-}
-
-//------------------------------------------------------------------------------
-int vtkCorrelateQuality::FillInputPortInformation(int, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
-  return 1;
+  os << indent << "Gradient: " << this->Gradient << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -238,25 +289,15 @@ int vtkCorrelateQuality::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
-int vtkCorrelateQuality::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkCorrelateQuality::MakeColumns(vtkInformationVector* outputVector)
 {
-  AddColumnsOfTable(vtkTable::GetData(outputVector, 0));
-  try
-  {
-    this->Correlate(vtkDataObject::GetData(inputVector[0]), outputVector);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("There is no correlation: " << error.what() << '.');
-    return 0;
-  }
-  return 1;
+  vtkTable* table = vtkTable::GetData(outputVector, 0);
+  table->Initialize();
+  AddColumnsOfTable(table, this->AllTimeSteps);
 }
 
 //------------------------------------------------------------------------------
-// Collective.
-void vtkCorrelateQuality::Correlate(vtkDataObject* input, vtkInformationVector* outputVector)
+void vtkCorrelateQuality::AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkInformation* info = this->GetInputArrayInformation(0);
   if (!info->Has(vtkDataObject::FIELD_NAME()) || !info->Has(vtkDataObject::FIELD_ASSOCIATION()))
@@ -267,64 +308,58 @@ void vtkCorrelateQuality::Correlate(vtkDataObject* input, vtkInformationVector* 
   const bool isOfPoints = info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
   const std::string fieldName = name + (this->Gradient ? "_Gradient" : "_Cells");
 
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   camaron::ControllerReducer reducer;
   const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
   const camaron::ElementBlocks blocks(input, reducer);
+  camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
   const camaron::CellField field(blocks, name, isOfPoints, this->Gradient, reducer);
-  std::string missing;
+  std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
-  const bool isRoot = reducer.GetProcess() == 0;
-  if (!missing.empty() && isRoot)
-  {
-    vtkWarningMacro("There are no cell arrays with one component named: " << missing << '.');
-  }
+  this->Found->Add(this->Steps->GetTime(), arrays, missing);
+  this->WarnOfNoGroups(groups.GetGroups().size(), reducer.GetProcess() == 0);
 
-  for (std::size_t a = 0; a < arrays.size(); ++a)
+  // Group by group, so that the ranks of the field in it are found once for all arrays.
+  std::vector<std::vector<camaron::TableRow>> rows(arrays.size());
+  double done = 0;
+  for (const camaron::Group& group : groups.GetGroups())
   {
-    const camaron::BlockValues values(blocks, arrays[a].Name);
-    const Pairs pairs(values, field);
-    const std::int64_t count = CountElements(pairs.Quality, reducer);
-    const double pearson = camaron::CorrelateLinearly(pairs.Quality, pairs.Field, reducer);
-    const camaron::BlockRanks qualityRanks = camaron::FindDoubledRanks(pairs.Quality, reducer);
-    const camaron::BlockRanks fieldRanks = camaron::FindDoubledRanks(pairs.Field, reducer);
-    const double spearman = camaron::CorrelateLinearly(
-      WithValues(pairs.Quality, qualityRanks), WithValues(pairs.Field, fieldRanks), reducer);
-    const auto acceptable = ranges.Find(arrays[a].Name, arrays[a].Unit);
-    const OutsideCells outside =
-      acceptable ? FindOutsideCells(pairs, fieldRanks, *acceptable, reducer) : OutsideCells();
-    if (isRoot)
+    FieldRanks fieldRanks;
+    for (std::size_t a = 0; a < arrays.size(); ++a)
     {
+      const camaron::BlockValues values(blocks, arrays[a].Name);
+      const Pairs pairs(groups.GetPopulation(group, values), values, field);
+      const auto acceptable = ranges.Find(arrays[a].Name, arrays[a].Unit);
+      const Correlation correlation = FindCorrelation(pairs, fieldRanks.Get(pairs, reducer), acceptable, reducer);
       camaron::TableRow row;
+      if (const auto time = this->Steps->GetTime())
+      {
+        row.Add(*time);
+      }
       row.Add(arrays[a].Name);
       row.Add(arrays[a].Unit);
+      row.Add(group.Label);
       row.Add(fieldName);
-      row.Add(count);
-      row.Add(pearson);
-      row.Add(spearman);
-      row.Add(acceptable ? acceptable->Low : Unknown);
-      row.Add(acceptable ? acceptable->High : Unknown);
-      row.Add(outside.Count);
-      row.Add(outside.MeanInside);
-      row.Add(outside.MeanOutside);
-      row.Add(outside.Above);
-      row.AppendTo(vtkTable::GetData(outputVector, 0));
+      AddNumbers(row, correlation, acceptable);
+      rows[a].push_back(std::move(row));
+      const std::size_t total = groups.GetGroups().size() * arrays.size();
+      this->UpdateProgress(this->Steps->GetProgress(++done / static_cast<double>(total)));
     }
-    this->UpdateProgress(static_cast<double>(a + 1) / static_cast<double>(arrays.size()));
   }
-
-  camaron::NewCellArrays fields;
-  for (std::size_t b = 0; b < blocks.Get().size(); ++b)
+  for (const auto& rowsOfArray : rows)
   {
-    const std::vector<double>& cells = field.Get()[b];
-    if (!cells.empty())
+    for (const camaron::TableRow& row : rowsOfArray)
     {
-      auto array = vtkSmartPointer<vtkDoubleArray>::New();
-      array->SetName(fieldName.c_str());
-      array->SetNumberOfValues(static_cast<vtkIdType>(cells.size()));
-      std::copy(cells.begin(), cells.end(), array->GetPointer(0));
-      fields[blocks.Get()[b].FlatIndex].push_back(array);
+      if (reducer.GetProcess() == 0)
+      {
+        row.AppendTo(vtkTable::GetData(outputVector, 0));
+      }
     }
   }
-  camaron::CopyWithCellArrays(input, fields, vtkDataObject::GetData(outputVector, 1));
+  if (this->Steps->IsLast())
+  {
+    camaron::CopyWithCellArrays(
+      input, MakeFieldArrays(blocks, field, fieldName), vtkDataObject::GetData(outputVector, 1));
+  }
 }

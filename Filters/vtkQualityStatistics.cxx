@@ -3,6 +3,8 @@
 #include "vtkQualityStatistics.h"
 
 #include "AcceptableRanges.h"
+#include "ArraysOfSteps.h"
+#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
@@ -14,6 +16,7 @@
 #include "Statistics/Weights.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
+#include "TimeSteps.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -22,14 +25,13 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTable.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <exception>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkQualityStatistics);
@@ -42,6 +44,13 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
 {
   if (name == "Custom")
   {
+    if (!(custom[0] <= custom[1]))
+    {
+      std::ostringstream text;
+      text << "Custom Range goes from the smaller to the larger number, not from " << custom[0] << " to "
+           << custom[1];
+      throw std::invalid_argument(text.str());
+    }
     return { custom[0], custom[1] };
   }
   if (name != "Automatic" && name != "Acceptable")
@@ -119,7 +128,6 @@ std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& 
 
 //------------------------------------------------------------------------------
 vtkQualityStatistics::vtkQualityStatistics()
-  : Preset(camaron::GetDefaultRangesName())
 {
   this->SetNumberOfOutputPorts(4);
 }
@@ -134,17 +142,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ElementType: " << this->ElementType << '\n';
   os << indent << "OnlySelected: " << this->OnlySelected << '\n';
   os << indent << "SelectionArray: " << this->SelectionArray << '\n';
-  os << indent << "AllTimeSteps: " << this->AllTimeSteps << '\n';
   os << indent << "CurvePoints: " << this->CurvePoints << '\n';
-  os << indent << "Arrays:";
-  for (const std::string& name : this->Arrays)
-  {
-    os << ' ' << name;
-  }
-  os << '\n' << indent << "Preset: " << this->Preset << '\n';
-  os << indent << "RangesFile: " << this->RangesFile << '\n';
-  os << indent << "GroupBy: " << this->GroupBy << '\n';
-  os << indent << "GroupArray: " << this->GroupArray << '\n';
   os << indent << "WeightArray: " << this->WeightArray << '\n';
   os << indent << "Quantiles (%):";
   for (const double percent : this->Quantiles)
@@ -157,34 +155,6 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HistogramScale: " << this->HistogramScale << '\n';
   os << indent << "NumberOfWorst: " << this->NumberOfWorst << '\n';
   os << indent << "WorstValues: " << this->WorstValues << '\n';
-}
-
-//------------------------------------------------------------------------------
-void vtkQualityStatistics::SetText(std::string& member, const char* text)
-{
-  const std::string value = text ? text : "";
-  if (member != value)
-  {
-    member = value;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkQualityStatistics::AddArray(const char* name)
-{
-  if (name && name[0])
-  {
-    this->Arrays.emplace_back(name);
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkQualityStatistics::ClearArrays()
-{
-  this->Arrays.clear();
-  this->Modified();
 }
 
 //------------------------------------------------------------------------------
@@ -211,10 +181,9 @@ void vtkQualityStatistics::ClearQuantiles()
 }
 
 //------------------------------------------------------------------------------
-int vtkQualityStatistics::FillInputPortInformation(int, vtkInformation* info)
+int vtkQualityStatistics::FillOutputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
-  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
   return 1;
 }
 
@@ -230,15 +199,12 @@ struct vtkQualityStatistics::Settings
 };
 
 //------------------------------------------------------------------------------
-struct vtkQualityStatistics::Tables
-{
-  vtkTable *Statistics, *Histogram, *Worst, *Curve;
-  std::optional<double> Time; // of the rows to add
-};
-
-//------------------------------------------------------------------------------
 vtkQualityStatistics::Settings vtkQualityStatistics::CheckSettings() const
 {
+  constexpr int most = 100000;
+  camaron::CheckNumber("Number Of Bins", this->NumberOfBins, 1, most);
+  camaron::CheckNumber("Curve Points", this->CurvePoints, 0, most);
+  camaron::CheckNumber("Number Of Worst", this->NumberOfWorst, 0);
   Settings settings;
   settings.Kind = ToElementKind(this->ElementType);
   settings.Bins.NumberOfBins = this->NumberOfBins;
@@ -255,93 +221,25 @@ vtkQualityStatistics::Settings vtkQualityStatistics::CheckSettings() const
 }
 
 //------------------------------------------------------------------------------
-int vtkQualityStatistics::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkQualityStatistics::MakeColumns(vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  this->TimeSteps.clear();
-  if (const int size = info->Length(Pipeline::TIME_STEPS()))
+  const camaron::TableLayout layout = { this->AllTimeSteps, this->WeightArray };
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
   {
-    this->TimeSteps.resize(size);
-    info->Get(Pipeline::TIME_STEPS(), this->TimeSteps.data());
+    vtkTable::GetData(outputVector, port)->Initialize();
   }
-  for (int port = 0; port < this->GetNumberOfOutputPorts() && this->AllTimeSteps; ++port)
-  {
-    // The tables are those of all times.
-    outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_STEPS());
-    outputVector->GetInformationObject(port)->Remove(Pipeline::TIME_RANGE());
-  }
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkQualityStatistics::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
-{
-  if (this->TimeStep < this->GetNumberOfSteps())
-  {
-    inputVector[0]->GetInformationObject(0)->Set(
-      vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), this->TimeSteps[this->TimeStep]);
-  }
-  return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkQualityStatistics::RequestData(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  Tables tables = { vtkTable::GetData(outputVector, 0), vtkTable::GetData(outputVector, 1),
-    vtkTable::GetData(outputVector, 2), vtkTable::GetData(outputVector, 3), {} };
-  if (this->TimeStep == 0)
-  {
-    const camaron::TableLayout layout = { this->AllTimeSteps, this->WeightArray };
-    for (vtkTable* table : { tables.Statistics, tables.Histogram, tables.Worst, tables.Curve })
-    {
-      table->Initialize();
-    }
-    camaron::AddStatisticsColumns(tables.Statistics, layout, this->Quantiles);
-    camaron::AddHistogramColumns(tables.Histogram, layout);
-    camaron::AddWorstColumns(tables.Worst, layout);
-    camaron::AddCurveColumns(tables.Curve, layout);
-  }
-  if (this->AllTimeSteps)
-  {
-    tables.Time = this->TimeStep < this->GetNumberOfSteps() ? this->TimeSteps[this->TimeStep]
-                                                            : std::numeric_limits<double>::quiet_NaN();
-  }
-  try
-  {
-    // Whatever may be wrong with the properties is found before the first collective call, by every
-    // process.
-    const Settings settings = this->CheckSettings();
-    this->AddRows(vtkDataObject::GetData(inputVector[0]), settings, tables);
-  }
-  catch (const std::exception& error)
-  {
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-    this->TimeStep = 0;
-    vtkErrorMacro("The statistics cannot be made: " << error.what() << '.');
-    return 0;
-  }
-  if (++this->TimeStep < this->GetNumberOfSteps())
-  {
-    request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
-  }
-  else
-  {
-    request->Remove(Pipeline::CONTINUE_EXECUTING());
-    this->TimeStep = 0;
-  }
-  return 1;
+  camaron::AddStatisticsColumns(vtkTable::GetData(outputVector, 0), layout, this->Quantiles);
+  camaron::AddHistogramColumns(vtkTable::GetData(outputVector, 1), layout);
+  camaron::AddWorstColumns(vtkTable::GetData(outputVector, 2), layout);
+  camaron::AddCurveColumns(vtkTable::GetData(outputVector, 3), layout);
 }
 
 //------------------------------------------------------------------------------
 // Collective.
-void vtkQualityStatistics::AddRows(
-  vtkDataObject* input, const Settings& settings, const Tables& tables)
+void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const Settings settings = this->CheckSettings();
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   camaron::ControllerReducer reducer;
   const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
   const bool isRoot = reducer.GetProcess() == 0;
@@ -352,20 +250,11 @@ void vtkQualityStatistics::AddRows(
     blocks.Restrict(FindSelected(blocks, this->SelectionArray, reducer));
   }
   const auto blockNames = camaron::GetBlockNames(blocks, reducer);
-  std::string missing;
+  std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
-  if (!missing.empty() && isRoot && this->TimeStep == 0)
-  {
-    const bool areCells = settings.Kind == camaron::ElementKind::Cells;
-    vtkWarningMacro(
-      "There are no " << (areCells ? "cell" : "point") << " arrays with one component named: " << missing << '.');
-  }
-  if (this->GroupBy == "Cell array" && groups.GetLabels().size() == 1 && isRoot && this->TimeStep == 0)
-  {
-    vtkWarningMacro(
-      "There is nothing to group: no cell array with one component is named '" << this->GroupArray << "'.");
-  }
+  this->Found->Add(this->Steps->GetTime(), arrays, missing);
+  this->WarnOfNoGroups(groups.GetGroups().size(), isRoot);
   const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
     ? std::nullopt
     : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);
@@ -381,9 +270,9 @@ void vtkQualityStatistics::AddRows(
     binSettings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
     const camaron::BlockValues values(blocks, array.Name);
     camaron::Bins bins;
-    for (std::size_t g = 0; g < groups.GetLabels().size(); ++g)
+    for (const camaron::Group& group : groups.GetGroups())
     {
-      const camaron::Population population = groups.GetPopulation(g, values);
+      const camaron::Population population = groups.GetPopulation(group, values);
       const camaron::Summary summary = camaron::Summarize(population, limits, reducer);
       const auto places =
         camaron::FindPlaces({ summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
@@ -397,7 +286,7 @@ void vtkQualityStatistics::AddRows(
       }
       const std::vector<double> quantiles =
         camaron::GetQuantiles(population, summary, settings.Fractions, reducer);
-      if (g == 0)
+      if (group.IsAll)
       {
         bins = camaron::MakeBins(summary, binSettings); // all groups share those of all cells
       }
@@ -413,17 +302,16 @@ void vtkQualityStatistics::AddRows(
       }
       if (isRoot)
       {
-        const camaron::RowLabels labels{ array.Name, array.Unit, groups.GetLabels()[g],
-          blocks.GetIdSpace(), tables.Time };
-        camaron::AddStatisticsRow(tables.Statistics, labels, summary, { places[0], places[1] },
+        const camaron::RowLabels labels{ array.Name, array.Unit, group.Label,
+          blocks.GetIdSpace(), this->Steps->GetTime() };
+        camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, summary, { places[0], places[1] },
           quantiles, acceptable, weighted);
-        camaron::AddHistogramRows(tables.Histogram, labels, bins, histogram);
-        camaron::AddWorstRows(tables.Worst, labels, worst, blockNames);
-        camaron::AddCurveRows(tables.Curve, labels, curve, summary, weighted);
+        camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, histogram);
+        camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels, worst, blockNames);
+        camaron::AddCurveRows(vtkTable::GetData(outputVector, 3), labels, curve, summary, weighted);
       }
     }
-    const int numberOfSteps = std::max(this->GetNumberOfSteps(), 1);
-    const double share = static_cast<double>(a + 1) / static_cast<double>(arrays.size());
-    this->UpdateProgress((this->TimeStep + share) / numberOfSteps);
+    this->UpdateProgress(
+      this->Steps->GetProgress(static_cast<double>(a + 1) / static_cast<double>(arrays.size())));
   }
 }

@@ -106,6 +106,9 @@ TEST(CompareQualityProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));
   EXPECT_EQ(ReadDefault(proxy, "HistogramScale"), filter->GetHistogramScale());
   EXPECT_EQ(std::stod(ReadDefault(proxy, "Tolerance")), filter->GetTolerance());
+  EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
+  EXPECT_EQ(ReadChoices(proxy, "GroupBy"), ReadChoices("QualityStatistics", "GroupBy"));
+  EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
   EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }
 
@@ -117,6 +120,9 @@ TEST(CorrelateQualityProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "Preset"), filter->GetPreset());
   EXPECT_EQ(ReadDefault(proxy, "RangesFile"), filter->GetRangesFile());
   EXPECT_EQ(ReadDefault(proxy, "Gradient"), std::to_string(filter->GetGradient()));
+  EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
+  EXPECT_EQ(ReadChoices(proxy, "GroupBy"), ReadChoices("QualityStatistics", "GroupBy"));
+  EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
   EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }
 

@@ -151,6 +151,78 @@ class TestCompareQuality(camaron_testing.TestCase):
         self.check_row(rows[RATIO], a, WHOLE[RATIO])
         self.assertEqual(rows[RATIO]["SameCells"], 0)
 
+    def test_groups(self):
+        """Groups of both meshes, each cell in its group there; the same bins for all."""
+        material = WHOLE["Material"]
+        for options in ({}, {"ghost_layer": 40}, {"empty_rank": True}):
+            source = mesh_parts.split_source(**options)
+            other = simple.Calculator(
+                Input=change(source),
+                AttributeType="Cell Data",
+                ResultArrayName="Material",
+                ReplaceInvalidResults=0,
+                Function="if(Material > 0, Material + 1, Material)",
+            )
+            comparison = simple.CompareQuality(
+                Input=source, Other=other, Arrays=[RATIO], GroupBy="Cell array", GroupArray="Material"
+            )
+            comparison.UpdatePipeline()
+            table, histogram = tables.fetch(comparison), tables.fetch(comparison, 1)
+            moved = numpy.where(material > 0, material + 1, material)
+            a, b = WHOLE[RATIO], changed(WHOLE[RATIO])
+            if table:
+                self.assertEqual([row["Group"] for row in table], ["All", *map(str, range(-3, 5))])
+                self.check_row(table[0], a, b)
+            for row in table[1:]:
+                with self.subTest(group=row["Group"], **options):
+                    ours, theirs = material == int(row["Group"]), moved == int(row["Group"])
+                    if ours.any() and theirs.any():
+                        self.check_row(row, a[ours], b[theirs])
+                    self.assertEqual((row["CountA"], row["CountB"]), (ours.sum(), theirs.sum()))
+                    self.assertEqual(row["WorsenedCount"], (b < a)[theirs].sum())
+                    bins = [r for r in histogram if r["Group"] == row["Group"]]
+                    self.assertEqual(len(bins), 50)
+                    self.assertEqual(
+                        [r["LowerEdge"] for r in bins], [r["LowerEdge"] for r in histogram[:50]]
+                    )
+                    counts = numpy.array([r["CountA"] for r in bins])
+                    self.assertEqual(counts.sum(), (~numpy.isnan(a[ours])).sum())
+
+    def test_all_time_steps(self):
+        """Rows of each step are those of the step alone; the mesh is that of the last one."""
+        moving = simple.TimeSource(Growing=1)
+        moving.UpdatePipelineInformation()
+        times = list(moving.TimestepValues)
+        numbered = simple.PointAndCellIds(Input=simple.Wavelet())
+        still = simple.Calculator(
+            Input=numbered,
+            AttributeType="Cell Data",
+            ResultArrayName="Cell Value",
+            Function="sin(CellIds)",
+        )
+        for pair in ((moving, still), (still, moving), (moving, moving)):
+            properties = {"Input": pair[0], "Other": pair[1], "Arrays": ["Cell Value"]}
+            every = simple.CompareQuality(AllTimeSteps=1, **properties)
+            one = simple.CompareQuality(**properties)
+            every.UpdatePipeline(times[2])
+            self.assertFalse(hasattr(every, "TimestepValues"))
+            for port in range(2):
+                found = tables.fetch(every, port)
+                for time in times if found else []:
+                    one.UpdatePipeline(time)
+                    expected = tables.fetch(one, port)
+                    here = [
+                        {k: v for k, v in row.items() if k != "Time"}
+                        for row in found
+                        if row["Time"] == time
+                    ]
+                    self.assertEqual(str(here), str(expected))
+            one.UpdatePipeline(times[-1])
+            counts = [
+                simple.OutputPort(f, 2).GetDataInformation().GetNumberOfCells() for f in (every, one)
+            ]
+            self.assertEqual(counts[0], counts[1])
+
     def test_moved_points(self):
         """The points may be elsewhere: smoothing is what people compare."""
         tetrahedra = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[0, 6, 0, 6, 0, 6]))
@@ -181,6 +253,13 @@ class TestCompareQuality(camaron_testing.TestCase):
         with pipeline.Messages() as messages:
             comparison.UpdatePipeline()
         self.assertIn("not 'Cubic'", messages.errors[0])
+        for properties, reason in (
+            ({"Tolerance": math.nan}, "Tolerance is 0 to 1, not nan"),
+            ({"NumberOfBins": 0}, "Number Of Bins is 1 to 100000, not 0"),
+        ):
+            with pipeline.Messages() as messages:
+                simple.CompareQuality(Input=source, Other=source, **properties).UpdatePipeline()
+            self.assertIn(reason, messages.errors[0])
 
 
 if __name__ == "__main__":

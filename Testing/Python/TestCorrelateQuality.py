@@ -90,6 +90,42 @@ class TestCorrelateQuality(camaron_testing.TestCase):
         for name in ("Constant", "AllNull"):
             self.assertTrue(math.isnan(rows[name]["Pearson"]) and math.isnan(rows[name]["Spearman"]))
 
+    def test_groups(self):
+        """Each group by itself, also where cells without a value differ between criteria."""
+        material, field = WHOLE["Material"], WHOLE["Single"]
+        for options in OPTIONS:
+            correlation = simple.CorrelateQuality(
+                Input=mesh_parts.split_source(**options),
+                Field=["CELLS", "Single"],
+                GroupBy="Cell array",
+                GroupArray="Material",
+            )
+            correlation.UpdatePipeline()
+            table = tables.fetch(correlation)
+            if table:
+                groups = [row["Group"] for row in table if row["Criterion"] == "Volume"]
+                self.assertEqual(groups, ["All", *map(str, range(-3, 4))])
+                self.assertEqual(len(table), 4 * len(groups))
+            for row in table:
+                group = row["Group"]
+                cells = material == int(group) if group != "All" else numpy.full(len(material), True)
+                with self.subTest(group=group, criterion=row["Criterion"], **options):
+                    self.check_row(row, WHOLE[row["Criterion"]][cells], field[cells])
+
+    def test_all_time_steps(self):
+        """Rows of each step are those of the step alone."""
+        source = simple.TimeSource(Growing=1)
+        source.UpdatePipelineInformation()
+        properties = {"Input": source, "Field": ["POINTS", "Point Value"], "Arrays": ["Cell Value"]}
+        every = simple.CorrelateQuality(AllTimeSteps=1, **properties)
+        one = simple.CorrelateQuality(**properties)
+        every.UpdatePipeline()
+        found = tables.fetch(every)
+        for row, time in zip(found, source.TimestepValues):
+            one.UpdatePipeline(time)
+            self.assertEqual(row.pop("Time"), time)
+            self.assertEqual(str(row), str(tables.fetch(one)[0]))
+
     def with_point_field(self, function, **options):
         return simple.Calculator(
             Input=mesh_parts.split_source(**options), ResultArrayName="T", Function=function

@@ -608,6 +608,17 @@ class TestStatistics(camaron_testing.TestCase):
             with camaron_testing.pipeline.Messages() as messages:
                 filter_.UpdatePipeline()
             self.assertTrue(any(reason in error for error in messages.errors), messages.errors)
+        for properties, reason in (
+            ({"NumberOfWorst": -1}, "Number Of Worst is 0 or more, not -1"),
+            ({"NumberOfBins": 0}, "Number Of Bins is 1 to 100000, not 0"),
+            ({"CurvePoints": -5}, "Curve Points is 0 to 100000, not -5"),
+            ({"HistogramRange": "Custom", "CustomRange": [5, 3]}, "larger number, not from 5 to 3"),
+            ({"HistogramRange": "Custom", "CustomRange": [0, math.nan]}, "not from 0 to nan"),
+        ):
+            with camaron_testing.pipeline.Messages() as messages:
+                table, _, _ = self.tables(source, **properties)
+            self.assertTrue(any(reason in error for error in messages.errors), messages.errors)
+            self.assertEqual(table, [])
         with camaron_testing.pipeline.Messages() as messages:
             self.tables(source, Arrays=["Volume", "NotThere"])
         self.assertTrue(any("NotThere" in warning for warning in messages.warnings))

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkQualityTables.h"
+
+#include "AcceptableRanges.h"
+#include "ArraysOfSteps.h"
+#include "ControllerReducer.h"
+#include "TimeSteps.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+
+#include <exception>
+#include <sstream>
+
+//------------------------------------------------------------------------------
+vtkQualityTables::vtkQualityTables()
+  : Preset(camaron::GetDefaultRangesName())
+  , Steps(std::make_unique<camaron::TimeSteps>())
+  , Found(std::make_unique<camaron::ArraysOfSteps>())
+{
+}
+
+//------------------------------------------------------------------------------
+vtkQualityTables::~vtkQualityTables() = default;
+
+//------------------------------------------------------------------------------
+void vtkQualityTables::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Arrays:";
+  for (const std::string& name : this->Arrays)
+  {
+    os << ' ' << name;
+  }
+  os << '\n' << indent << "Preset: " << this->Preset << '\n';
+  os << indent << "RangesFile: " << this->RangesFile << '\n';
+  os << indent << "GroupBy: " << this->GroupBy << '\n';
+  os << indent << "GroupArray: " << this->GroupArray << '\n';
+  os << indent << "AllTimeSteps: " << this->AllTimeSteps << '\n';
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityTables::SetText(std::string& member, const char* text)
+{
+  const std::string value = text ? text : "";
+  if (member != value)
+  {
+    member = value;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityTables::AddArray(const char* name)
+{
+  if (name && name[0])
+  {
+    this->Arrays.emplace_back(name);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityTables::ClearArrays()
+{
+  this->Arrays.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityTables::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityTables::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Steps->Find(this->AllTimeSteps, inputVector, this->GetNumberOfInputPorts(), outputVector);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityTables::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  this->Steps->Request(inputVector, this->GetNumberOfInputPorts());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkQualityTables::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (this->Steps->IsFirst())
+  {
+    this->Found->Clear();
+    this->MakeColumns(outputVector);
+  }
+  try
+  {
+    this->AddRows(inputVector, outputVector);
+  }
+  catch (const std::exception& error)
+  {
+    std::ostringstream text;
+    text << this->GetFailure();
+    if (!this->Steps->IsFirst() || !this->Steps->IsLast())
+    {
+      text << " at time " << *this->Steps->GetTime();
+    }
+    text << ": " << error.what() << '.';
+    this->Steps->Stop(request);
+    vtkErrorMacro(<< text.str());
+    return 0;
+  }
+  if (!this->Steps->GoOn(request))
+  {
+    const std::string lacking = this->Found->Describe(this->GetKindOfArrays());
+    if (!lacking.empty() && camaron::ControllerReducer().GetProcess() == 0)
+    {
+      vtkWarningMacro(<< lacking);
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityTables::WarnOfNoGroups(std::size_t numberOfGroups, bool isRoot)
+{
+  if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
+  {
+    vtkWarningMacro(
+      "There is nothing to group: no cell array with one component is named '" << this->GroupArray << "'.");
+  }
+}
