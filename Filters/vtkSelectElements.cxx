@@ -227,11 +227,10 @@ CAMARON_TEXT_PROPERTY(Counts)
 #undef CAMARON_TEXT_PROPERTY
 
 //------------------------------------------------------------------------------
-// Numbers, no smaller than the least one, and choices.
-#define CAMARON_NUMBER_PROPERTY(name, type, least)                                                 \
+// Numbers and choices; what a number cannot be is told by the strategy that needs it.
+#define CAMARON_NUMBER_PROPERTY(name, type)                                                        \
   void vtkSelectElements::Set##name(type value)                                                    \
   {                                                                                                \
-    value = std::max<type>(value, least);                                                          \
     if (this->Parameters->name != value)                                                           \
     {                                                                                              \
       this->Parameters->name = value;                                                              \
@@ -242,17 +241,17 @@ CAMARON_TEXT_PROPERTY(Counts)
   {                                                                                                \
     return this->Parameters->name;                                                                 \
   }
-CAMARON_NUMBER_PROPERTY(NumberOfWorst, int, 0)
-CAMARON_NUMBER_PROPERTY(NumberOfRings, int, 0)
-CAMARON_NUMBER_PROPERTY(PartNumber, int, 1)
-CAMARON_NUMBER_PROPERTY(NumberOfFailures, int, 1)
-CAMARON_NUMBER_PROPERTY(FeatureAngle, double, 0)
-CAMARON_NUMBER_PROPERTY(WorstShare, double, 0)
-CAMARON_NUMBER_PROPERTY(LeaveNulls, bool, false)
-CAMARON_NUMBER_PROPERTY(InsideOut, bool, false)
-CAMARON_NUMBER_PROPERTY(ByTopology, bool, false)
-CAMARON_NUMBER_PROPERTY(OnlyBoundary, bool, false)
-CAMARON_NUMBER_PROPERTY(OnlyInRange, bool, false)
+CAMARON_NUMBER_PROPERTY(NumberOfWorst, int)
+CAMARON_NUMBER_PROPERTY(NumberOfRings, int)
+CAMARON_NUMBER_PROPERTY(PartNumber, int)
+CAMARON_NUMBER_PROPERTY(NumberOfFailures, int)
+CAMARON_NUMBER_PROPERTY(FeatureAngle, double)
+CAMARON_NUMBER_PROPERTY(WorstShare, double)
+CAMARON_NUMBER_PROPERTY(LeaveNulls, bool)
+CAMARON_NUMBER_PROPERTY(InsideOut, bool)
+CAMARON_NUMBER_PROPERTY(ByTopology, bool)
+CAMARON_NUMBER_PROPERTY(OnlyBoundary, bool)
+CAMARON_NUMBER_PROPERTY(OnlyInRange, bool)
 #undef CAMARON_NUMBER_PROPERTY
 
 //------------------------------------------------------------------------------

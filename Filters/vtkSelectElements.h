@@ -129,7 +129,8 @@ public:
   ///@{
   /**
    * By criterion, Worst N, Null, Invert: cell array and point array with one component, whichever belongs
-   * to the elements. Default: none.
+   * to the elements. Where it is empty (default) the one that another process has been told, else the active scalars,
+   * else the first one by name.
    */
   void SetArray(const char* name);
   const char* GetArray() const;
@@ -180,7 +181,7 @@ public:
   ///@}
 
   ///@{
-  /// Worst N: how many cells. Default: 10.
+  /// Worst N: how many cells, 0 or more. Default: 10.
   void SetNumberOfWorst(int number);
   int GetNumberOfWorst() const;
   ///@}
@@ -215,7 +216,7 @@ public:
   ///@}
 
   ///@{
-  /// Failed criteria: how many must fail at least. Default: 1.
+  /// Failed criteria: how many must fail at least, 1 or more. Default: 1.
   void SetNumberOfFailures(int number);
   int GetNumberOfFailures() const;
   ///@}
@@ -288,7 +289,7 @@ public:
   ///@}
 
   ///@{
-  /// Expand, Shrink: how often. Default: 1.
+  /// Expand, Shrink: how often, 0 or more. Default: 1.
   void SetNumberOfRings(int rings);
   int GetNumberOfRings() const;
   ///@}

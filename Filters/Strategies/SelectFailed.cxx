@@ -3,6 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "AcceptableRanges.h"
+#include "CheckNumber.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
@@ -37,6 +38,7 @@ std::vector<std::string> FindNames(const SelectionTask& task, const AcceptableRa
 std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
 {
   const SelectionParameters& parameters = task.Parameters;
+  CheckNumber("Number Of Failures", parameters.NumberOfFailures, 1);
   const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, task.Reducer);
   const std::vector<std::string> names = FindNames(task, ranges);
   std::int64_t numberOfBlocks = static_cast<std::int64_t>(task.Blocks.Get().size());

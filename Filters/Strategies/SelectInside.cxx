@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "CheckNumber.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
@@ -18,6 +19,7 @@
 #include "vtkPlane.h"
 #include "vtkSphere.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <variant>
@@ -61,15 +63,40 @@ Vector GetVector(const double x[3])
 }
 
 //------------------------------------------------------------------------------
-// The inside of Normal * x <= Offset, whatever the length of the normal.
-HalfSpace MakeHalfSpace(const Vector& normal, double offset)
+// The inside of Normal * x <= Offset.
+struct Side
 {
-  const double length = Norm(normal);
-  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(offset))
+  Vector Normal; // of any length but 0
+  double Offset;
+};
+
+HalfSpace MakeHalfSpace(const Side& side)
+{
+  // Squares of very long or short normals are out of range.
+  const Vector& n = side.Normal;
+  const double largest = std::max({ std::abs(n.X), std::abs(n.Y), std::abs(n.Z) });
+  const Vector scaled = { n.X / largest, n.Y / largest, n.Z / largest };
+  const double length = Norm(scaled);
+  if (!std::isfinite(length) || !std::isfinite(side.Offset))
   {
-    throw std::invalid_argument("a plane has no normal");
+    throw std::invalid_argument("a plane has no normal, or no place");
   }
-  return { (1 / length) * normal, offset / length };
+  return { (1 / length) * scaled, side.Offset / largest / length };
+}
+
+//------------------------------------------------------------------------------
+// Through a point.
+HalfSpace MakeHalfSpace(const Vector& origin, const Vector& normal)
+{
+  const HalfSpace atOrigin = MakeHalfSpace(Side{ normal, 0 });
+  return MakeHalfSpace(Side{ atOrigin.Normal, Dot(origin, atOrigin.Normal) });
+}
+
+//------------------------------------------------------------------------------
+double GetRadius(double radius)
+{
+  CheckNumber("Radius", radius, 0.0);
+  return radius;
 }
 
 //------------------------------------------------------------------------------
@@ -154,8 +181,8 @@ std::vector<HalfSpace> GetSides(vtkBox* box)
     const Vector row = { matrix->GetElement(axis, 0), matrix->GetElement(axis, 1),
       matrix->GetElement(axis, 2) };
     const double shift = matrix->GetElement(axis, 3);
-    sides.push_back(MakeHalfSpace(-row, shift - bounds[2 * axis]));
-    sides.push_back(MakeHalfSpace(row, bounds[2 * axis + 1] - shift));
+    sides.push_back(MakeHalfSpace(Side{ -row, shift - bounds[2 * axis] }));
+    sides.push_back(MakeHalfSpace(Side{ row, bounds[2 * axis + 1] - shift }));
   }
   return sides;
 }
@@ -168,7 +195,7 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
   const double tolerance = RelativeTolerance * bounds.GetDiagonal();
   if (auto* sphere = vtkSphere::SafeDownCast(shape))
   {
-    return BallSolid(GetVector(sphere->GetCenter()), sphere->GetRadius(), tolerance);
+    return BallSolid(GetVector(sphere->GetCenter()), GetRadius(sphere->GetRadius()), tolerance);
   }
   if (auto* cylinder = vtkCylinder::SafeDownCast(shape))
   {
@@ -181,7 +208,7 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
     toWorld->MultiplyPoint(center, worldCenter);
     toWorld->MultiplyPoint(axis, worldAxis);
     return CylinderSolid(
-      GetVector(worldCenter), GetVector(worldAxis), cylinder->GetRadius(), tolerance);
+      GetVector(worldCenter), GetVector(worldAxis), GetRadius(cylinder->GetRadius()), tolerance);
   }
   if (auto* box = vtkBox::SafeDownCast(shape))
   {
@@ -189,12 +216,16 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
   }
   if (auto* plane = vtkPlane::SafeDownCast(shape))
   {
-    // Its own function knows of an offset; the inside is where that is negative.
+    // Its own function knows of an offset and of alignment to an axis; the inside is where that is negative.
     double* origin = plane->GetOrigin();
-    const Vector normal = GetVector(plane->GetNormal());
-    const double value = plane->EvaluateFunction(origin);
-    return HalfSpaceSolid(
-      { MakeHalfSpace(normal, Dot(normal, GetVector(origin)) - value) }, bounds, tolerance);
+    double normal[3];
+    plane->EvaluateGradient(origin, normal);
+    HalfSpace halfSpace = MakeHalfSpace(GetVector(origin), GetVector(normal));
+    if (const double value = plane->EvaluateFunction(origin))
+    {
+      halfSpace.Offset -= value / Norm(GetVector(normal));
+    }
+    return HalfSpaceSolid({ halfSpace }, bounds, tolerance);
   }
   throw std::invalid_argument(shape
       ? std::string("Shape is a sphere, box, cylinder or plane, not a ") + shape->GetClassName()
@@ -249,8 +280,7 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
   std::vector<HalfSpace> halfSpaces;
   for (const auto& plane : task.Parameters.Planes)
   {
-    const Vector origin = GetVector(plane.data()), normal = GetVector(plane.data() + 3);
-    halfSpaces.push_back(MakeHalfSpace(normal, Dot(origin, normal)));
+    halfSpaces.push_back(MakeHalfSpace(GetVector(plane.data()), GetVector(plane.data() + 3)));
   }
   if (halfSpaces.empty())
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "CheckNumber.h"
 #include "Selection/Growth.h"
 
 #include <algorithm>
@@ -33,6 +34,7 @@ Adjacency FindAdjacency(const SelectionTask& task)
 //------------------------------------------------------------------------------
 Neighborhood FindNeighborhood(const SelectionTask& task)
 {
+  CheckNumber("Feature Angle", task.Parameters.FeatureAngle, 0.0);
   return { FindAdjacency(task), task.Parameters.FeatureAngle };
 }
 
@@ -73,6 +75,7 @@ SelectionMarks FindAllowed(const SelectionTask& task)
 void Expand(const SelectionTask& task, const SelectionMarks& allowed, SelectionMarks& marks)
 {
   const int rings = task.Parameters.NumberOfRings;
+  CheckNumber("Number Of Rings", rings, 0);
   if (task.HasCells())
   {
     Grow(FindPieces(task), FindNeighborhood(task), rings, allowed, task.Reducer, marks);
@@ -128,6 +131,7 @@ std::string SelectPart(const SelectionTask& task, SelectionMarks& marks)
     }
   }
   const int number = task.Parameters.PartNumber;
+  CheckNumber("Part Number", number, 1);
   const std::int64_t parts =
     KeepPart(FindPieces(task), FindNeighborhood(task), number, ids, task.Reducer, marks);
   return number <= parts

@@ -3,6 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "AcceptableRanges.h"
+#include "CheckNumber.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -33,20 +34,20 @@ std::int64_t MarkWorst(
 std::string SelectWorst(const SelectionTask& task, SelectionMarks& marks)
 {
   const int wanted = task.Parameters.NumberOfWorst;
+  CheckNumber("Number Of Worst", wanted, 0);
   const std::int64_t count = MarkWorst(task, FindValues(task), wanted, marks);
-  return count < wanted ? "there are only " + std::to_string(count) +
-      (task.HasCells() ? " cells" : " points") + " with a value"
-                        : "";
+  const std::string kind = task.HasCells() ? "cell" : "point";
+  const std::string known = count == 1 ? "is only 1 " + kind
+    : count == 0                       ? "is no " + kind
+                                       : "are only " + std::to_string(count) + " " + kind + "s";
+  return count < wanted ? "there " + known + " with a value" : "";
 }
 
 //------------------------------------------------------------------------------
 std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks)
 {
   const double percent = task.Parameters.WorstShare;
-  if (!(percent >= 0 && percent <= 100))
-  {
-    throw std::invalid_argument("Worst Share is 0 to 100 percent");
-  }
+  CheckNumber("Worst Share", percent, 0.0, 100.0);
   const BlockValues values = FindValues(task);
   std::int64_t count = 0;
   for (const ValueBlock& block : values.Get())

@@ -84,7 +84,7 @@ SelectionMarks MakeMarks(const ElementBlocks& blocks);
 class SelectionTask
 {
 public:
-  /// All but the inputs is borrowed. @a numberOfRequestedPieces: see MeshPieces.
+  /// Collective. All but the inputs is borrowed. @a numberOfRequestedPieces: see MeshPieces.
   SelectionTask(const SelectionParameters& parameters, const SelectionInputs& inputs,
     const ElementBlocks& blocks, int numberOfRequestedPieces, camaron::Reducer& reducer);
 
@@ -97,8 +97,9 @@ public:
   /// Of each block and element how many criteria fail, if the strategy counts that.
   mutable std::vector<std::vector<int>> FailedCriteriaCounts;
 
-  /// Array or PointArray, whichever belongs to the elements.
-  const std::string& GetArrayName() const;
+  /// Array or PointArray, whichever belongs to the elements, or what stands for it where it is empty: see there. Empty
+  /// if there is no array at all.
+  const std::string& GetArrayName() const { return this->ArrayName; }
   bool HasCells() const { return this->Blocks.GetKind() == ElementKind::Cells; }
   ///@{
   /**
@@ -114,7 +115,10 @@ public:
   void MarkCopies(SelectionMarks& marks) const;
 
 private:
+  std::string FindArrayName() const;
+
   int NumberOfRequestedPieces;
+  std::string ArrayName;
   mutable bool IsLinked = false;
   mutable std::unique_ptr<MeshPieces> Pieces;
   mutable std::unique_ptr<SharedElements> SharedPoints;

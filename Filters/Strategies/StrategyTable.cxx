@@ -4,6 +4,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 
 #include <stdexcept>
@@ -29,13 +30,44 @@ SelectionTask::SelectionTask(const SelectionParameters& parameters, const Select
   , Blocks(blocks)
   , Reducer(reducer)
   , NumberOfRequestedPieces(numberOfRequestedPieces)
+  , ArrayName(this->FindArrayName())
 {
 }
 
 //------------------------------------------------------------------------------
-const std::string& SelectionTask::GetArrayName() const
+// Collective. Processes with clients of their own may have been told different names, by what they have.
+std::string SelectionTask::FindArrayName() const
 {
-  return this->HasCells() ? this->Parameters.Array : this->Parameters.PointArray;
+  const std::string& own = this->HasCells() ? this->Parameters.Array : this->Parameters.PointArray;
+  const std::vector<std::string> told =
+    this->Reducer.GatherNames(own.empty() ? std::vector<std::string>() : std::vector<std::string>{ own });
+  if (!told.empty())
+  {
+    return told.front();
+  }
+  std::vector<std::string> active, all;
+  for (const ElementBlock& block : this->Blocks.Get())
+  {
+    vtkDataSetAttributes* attributes = block.GetAttributes();
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      const char* name = attributes->GetArrayName(i);
+      if (name && block.GetArray(name))
+      {
+        const bool isActive = attributes->GetArray(i) == attributes->GetScalars();
+        (isActive ? active : all).emplace_back(name);
+      }
+    }
+  }
+  for (const auto* names : { &active, &all })
+  {
+    const std::vector<std::string> known = this->Reducer.GatherNames(*names);
+    if (!known.empty())
+    {
+      return known.front();
+    }
+  }
+  return own;
 }
 
 //------------------------------------------------------------------------------

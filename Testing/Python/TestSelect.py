@@ -109,6 +109,19 @@ class TestSelect(camaron_testing.TestCase):
                     self.assertEqual(cells, sorted(order[:number]), f"{name} {number}")
                 self.assertIn("there are only", self.messages.warnings[0])
 
+    def test_too_few_for_worst(self):
+        for count, words in ((2, "are only 2 cells"), (1, "is only 1 cell"), (0, "is no cell")):
+            grid = mesh_parts.extract(mesh_parts.make_mesh(), 0, 3)
+            values = numpy.full(3, math.nan)
+            values[:count] = 1
+            mesh_parts.add_arrays(grid, {"X": values})
+            select = simple.SelectElements(
+                Input=mesh_parts.producer(grid), Strategy="Worst N", WorstValues="Largest"
+            )
+            with camaron_testing.pipeline.Messages() as messages:
+                select.UpdatePipeline()
+            self.assertIn(f"there {words} with a value", messages.warnings[0])
+
     def test_worst_share(self):
         """Percent of the values that are not null, rounded down."""
         values = self.values["EdgeLengthRatio"]
@@ -207,6 +220,17 @@ class TestSelect(camaron_testing.TestCase):
         self.assert_error("expected a number, found '1,5'", LowerLimit="1,5", **custom)
         self.assert_error("expected a number, found 'nan'", UpperLimit="nan", **custom)
         self.assert_error("Lower Limit is above", LowerLimit="2", UpperLimit="1", **custom)
+        values = {"Array": "EdgeLengthRatio"}
+        worst = {"Strategy": "Worst N", **values}
+        self.assert_error("Number Of Worst is 0 or more, not -1", NumberOfWorst=-1, **worst)
+        share = {"Strategy": "Worst share", **values}
+        self.assert_error("Worst Share is 0 to 100, not -2", WorstShare=-2, **share)
+        self.assert_error("Worst Share is 0 to 100, not nan", WorstShare=math.nan, **share)
+        failed = {"Strategy": "Failed criteria", "NumberOfFailures": 0}
+        self.assert_error("Number Of Failures is 1 or more, not 0", **failed)
+        self.assert_error("Number Of Rings is 0 or more", Strategy="Expand", NumberOfRings=-1)
+        self.assert_error("Feature Angle is 0 or more", Strategy="Expand", FeatureAngle=-1)
+        self.assert_error("Part Number is 1 or more, not 0", Strategy="Part", PartNumber=0)
         for name, value, reason in (
             ("Strategy", "By luck", "no strategy named 'By luck'"),
             ("Array", "Nonsense", "named 'Nonsense'"),

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Select Elements in shapes, between planes and in surfaces, against distances of convex hulls."""
 
+import math
+
 import camaron_testing
 import mesh_parts
 import numpy
@@ -297,6 +299,25 @@ class TestSelectInside(camaron_testing.TestCase):
             with camaron_testing.pipeline.Messages() as messages:
                 select.UpdatePipeline()
             self.assertIn(reason, messages.errors[0])
+        for shape in ("Sphere", "Cylinder"):
+            for radius in (-1, math.nan):
+                select = simple.SelectElements(Input=source, Strategy="Shape", Shape=shape)
+                select.Shape.Radius = radius
+                with camaron_testing.pipeline.Messages() as messages:
+                    select.UpdatePipeline()
+                self.assertIn(f"Radius is 0 or more, not {radius}", messages.errors[0])
+
+    def test_normals_of_any_length(self):
+        """Only the direction of a normal counts, also where its square is out of range."""
+        source = simple.Wavelet(WholeExtent=[0, 9] * 3)
+        expected = self.select(source, Strategy="Half-spaces", Planes=[4, 4, 4, 1, 2, -1])
+        self.assertTrue(0 < len(expected) < 9**3)
+        for length in (1e-320, 1e-200, 1e200, 0.5e308):
+            normal = [length, 2 * length, -length]
+            planes = self.select(source, Strategy="Half-spaces", Planes=[4, 4, 4, *normal])
+            self.assertEqual(planes, expected, length)
+            found = self.select_in("Plane", source, Origin=[4, 4, 4], Normal=normal)
+            self.assertEqual(found, expected, length)
 
     def test_case_of_specification(self):
         """A ball within a cell, without touching its vertices."""

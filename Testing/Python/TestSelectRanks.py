@@ -97,6 +97,15 @@ class TestRanks(camaron_testing.TestCase):
                 select.UpdatePipeline()
             self.assertIn("Nothing can be selected", messages.errors[0])
 
+    def test_default_array(self):
+        """The first one by name, also on a rank without any, and where the client has not seen the mesh."""
+        everything = range(len(IDS))
+        for options in ({}, {"empty_rank": True}, {"ghost_layer": 40}):
+            source = mesh_parts.split_source(**options)
+            select = self.check(source, everything, Strategy="Null")
+            self.assertEqual(select.Array, "")
+            self.check(source, everything, Strategy="Null", Array="AllNull")
+
     def test_active_selection(self):
         source = mesh_parts.split_source(ghost_layer=40)
         expected = worst("EdgeLengthRatio", 1, 55, numpy.arange(len(IDS)))
