@@ -59,7 +59,14 @@ void CellElements::FindEdges(const MeshTopology& topology)
     CellFacets facets(this->Mesh);
     for (vtkIdType cell = begin; cell < end; ++cell)
     {
-      facets.ForEachEdge(cell, [&](vtkIdType a, vtkIdType b) { visit(cell, a, b); });
+      facets.ForEachEdge(cell,
+        [&](vtkIdType a, vtkIdType b)
+        {
+          if (a != b) // as of collapsed cells
+          {
+            visit(cell, a, b);
+          }
+        });
     }
   };
   constexpr vtkIdType chunk = 1 << 14;

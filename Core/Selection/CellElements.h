@@ -66,8 +66,11 @@ public:
       facets.ForEachEdge(cell,
         [&](vtkIdType a, vtkIdType b)
         {
-          const vtkIdType ends[2] = { a, b };
-          visit(this->Edges[next++], ends, vtkIdType(2));
+          if (a != b)
+          {
+            const vtkIdType ends[2] = { a, b };
+            visit(this->Edges[next++], ends, vtkIdType(2));
+          }
         });
     }
     else

@@ -7,6 +7,7 @@
 #include "Mesh/DisjointSets.h"
 #include "Mesh/FacetLinks.h"
 #include "Parallel.h"
+#include "Selection/EdgeGrowth.h"
 #include "Selection/SharedElements.h"
 
 #include <algorithm>
@@ -374,6 +375,14 @@ private:
 };
 
 //------------------------------------------------------------------------------
+bool IsInOnePiece(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
+{
+  auto numberOfPieces = static_cast<std::int64_t>(pieces.size());
+  reducer.Sum(&numberOfPieces, 1);
+  return numberOfPieces == 1;
+}
+
+//------------------------------------------------------------------------------
 // Whether any process has something new: if not, no ring after this one has.
 bool IsAnyNew(bool isNewHere, Reducer& reducer)
 {
@@ -387,6 +396,14 @@ bool IsAnyNew(bool isNewHere, Reducer& reducer)
 void Grow(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, int rings,
   const CellMarks& allowed, Reducer& reducer, CellMarks& marks)
 {
+  if (neighborhood.Adjacency == Adjacency::Edge && IsInOnePiece(pieces, reducer))
+  {
+    if (!pieces.empty())
+    {
+      GrowOverEdges(pieces.front(), rings, allowed.front(), marks.front());
+    }
+    return;
+  }
   Bridges bridges(pieces, neighborhood, reducer);
   std::vector<Front> fronts;
   std::vector<std::vector<unsigned char>> reached;

@@ -7,6 +7,7 @@ No min and max here: programmable sources replace them in the main module.
 """
 
 import functools
+import unittest
 
 import camaron_testing
 import numpy
@@ -236,6 +237,21 @@ class TestSelectNeighbors(camaron_testing.TestCase):
             grown.UpdatePipeline()
             grown.UpdatePropertyInformation()
             self.assertEqual(grown.GetPropertyValue("NumberOfSelectedElements"), size, angle)
+
+    @unittest.skipIf(camaron_testing.rank_count() > 1, "a file for one rank")
+    def test_collapsed_cells(self):
+        """A cell whose edges have shrunk to points has no edge in common with one at such a point."""
+        corners = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (2, 1, 0), (2, 2, 0), (2, 1, 1)]
+        corners += [(0, 0, 1), (1, 0, 1), (1, 1, 1)]
+        cells = [(12, (0, 1, 2, 2, 6, 7, 8, 8)), (10, (2, 3, 4, 5))]
+        path = camaron_testing.write_vtk(self.folder / "collapsed.vtk", corners, cells)
+        numbered = simple.PointAndCellIds(Input=self.open(path), CellIdsArrayName="Number")
+        for adjacency, expected in (("Face", {0}), ("Edge", {0}), ("Vertex", {0, 1})):
+            for strategy in ("Connected", "Expand"):
+                select = simple.SelectElements(
+                    Input=self.seed(numbered, 0, 0), Strategy=strategy, Adjacency=adjacency
+                )
+                self.assertEqual(self.numbers(select), expected, f"{strategy} {adjacency}")
 
     def test_points(self):
         """Corner of 2 x 2 x 2 cubes: points on its edges, faces, cell."""
