@@ -183,19 +183,20 @@ void AddWorstColumns(vtkTable* table, const TableLayout& layout)
   AddColumns<vtkIdTypeArray>(table, { "Rank", "Id" });
   AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
   AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z" });
+  AddColumns<vtkStringArray>(table, { "Vertices" });
 }
 
 //------------------------------------------------------------------------------
 void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
-  const std::vector<std::pair<int, std::string>>& blockNames)
+  const std::vector<std::string>& vertices, const std::vector<std::pair<int, std::string>>& blockNames)
 {
-  std::int64_t rank = 0;
-  for (const WorstElement& element : worst)
+  for (std::size_t i = 0; i < worst.size(); ++i)
   {
+    const WorstElement& element = worst[i];
     const auto block = std::find_if(blockNames.begin(), blockNames.end(),
       [&](const auto& entry) { return entry.first == element.BlockNumber; });
     Row row(labels);
-    row.Add(++rank);
+    row.Add(static_cast<std::int64_t>(i + 1));
     row.Add(std::int64_t(element.Id));
     row.Add(labels.IdSpace);
     row.Add(block == blockNames.end() ? std::string() : block->second);
@@ -204,6 +205,7 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
     row.Add(element.Place[0]);
     row.Add(element.Place[1]);
     row.Add(element.Place[2]);
+    row.Add(vertices[i]);
     row.AppendTo(table);
   }
 }

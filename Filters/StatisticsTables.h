@@ -58,9 +58,9 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   const std::optional<WeightedSummary>& weighted);
 void AddHistogramRows(
   vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram);
-/// @a blockNames: by the block number of the elements. A point has PointCellType.
+/// @a vertices: of each element; @a blockNames: by the block number of the elements. A point has PointCellType.
 void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
-  const std::vector<std::pair<int, std::string>>& blockNames);
+  const std::vector<std::string>& vertices, const std::vector<std::pair<int, std::string>>& blockNames);
 /// @a weighted: of the same elements, if the curve has weights.
 void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve, const Summary& summary,
   const std::optional<WeightedSummary>& weighted);

@@ -9,6 +9,7 @@
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
+#include "ElementVertices.h"
 #include "Grouping.h"
 #include "Statistics/Cumulative.h"
 #include "Statistics/MissingValues.h"
@@ -112,6 +113,7 @@ std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& 
       [&](camaron::WorstElement& element)
       {
         const camaron::ElementBlock& block = blocks.Get()[values.GetBlockNumbers()[element.Block]];
+        element.Process = reducer.GetProcess();
         element.BlockNumber = block.Number;
         element.CellType = blocks.GetKind() == camaron::ElementKind::Points
           ? camaron::PointCellType
@@ -258,6 +260,7 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
   const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
     ? std::nullopt
     : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);
+  const camaron::ElementVertices vertices(blocks, reducer);
   camaron::BinSettings binSettings = settings.Bins;
 
   for (std::size_t a = 0; a < arrays.size(); ++a)
@@ -300,6 +303,7 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
         worst = FindWorstElements(
           population, settings.ListsNull, this->NumberOfWorst, *worstEnd, blocks, values, reducer);
       }
+      const std::vector<std::string> verticesOfWorst = vertices.Find(worst, values);
       if (isRoot)
       {
         const camaron::RowLabels labels{ array.Name, array.Unit, group.Label,
@@ -307,7 +311,7 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
         camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, summary, { places[0], places[1] },
           quantiles, acceptable, weighted);
         camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, histogram);
-        camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels, worst, blockNames);
+        camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels, worst, verticesOfWorst, blockNames);
         camaron::AddCurveRows(vtkTable::GetData(outputVector, 3), labels, curve, summary, weighted);
       }
     }

@@ -38,6 +38,7 @@ struct WorstElement
   ///@}
   ///@{
   /// For the owner to fill in.
+  int Process = 0;
   int BlockNumber = 0;
   int CellType = 0;
   double Place[3] = { 0, 0, 0 };

@@ -171,7 +171,7 @@ def _write(summary, quality, surface, folder, with_pictures) -> None:
     with open(folder / "worst.csv", "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)
         rows.writerow(
-            ["criterion", "unit", "rank", "block", "cell", "type", "value", "x", "y", "z"]
+            ["criterion", "unit", "rank", "block", "cell", "type", "value", "x", "y", "z", "vertices"]
         )
         for c in summary["criteria"]:
             for w in c["worst"]:
@@ -186,6 +186,7 @@ def _write(summary, quality, surface, folder, with_pictures) -> None:
                         w["type"],
                         repr(w["value"]),
                         *place,
+                        " ".join(map(str, w["vertices"])),
                     ]
                 )
 

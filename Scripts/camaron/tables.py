@@ -147,6 +147,7 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
                 "type": text.cell_type(row["CellType"], 1),
                 "value": row["Value"],
                 "center": [row["X"], row["Y"], row["Z"]],
+                "vertices": [int(point) for point in row["Vertices"].split()],
             }
         )
     for row in _of_all(statistics, 3):

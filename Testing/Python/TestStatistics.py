@@ -371,6 +371,10 @@ class TestStatistics(camaron_testing.TestCase):
             self.assertEqual(
                 [row["CellType"] for row in found], [kinds[grid.GetCellType(i)] for i in order]
             )
+            for row, i in zip(found, order):
+                cell = grid.GetCell(i)
+                points = [str(cell.GetPointId(k)) for k in range(cell.GetNumberOfPoints())]
+                self.assertEqual(row["Vertices"], " ".join(points))
 
     def test_acceptable_ranges(self):
         grid = mesh_parts.make_full_mesh()
@@ -555,6 +559,27 @@ class TestStatistics(camaron_testing.TestCase):
             [(r["Group"], r["Count"]) for r in statistics],
             [("All", 300), ("rotor/blades", 100), ("rotor/Block 4", 0), ("stator", 200)],
         )
+
+    def test_adaptive(self):
+        """Of boxes that are refined, and again under finer ones, each place counts once."""
+        pulse = simple.AMRGaussianPulseSource()
+        pulse.UpdatePipeline()
+        bounds = pulse.GetDataInformation().GetBounds()
+        domain = math.prod(high - low for low, high in zip(bounds[::2], bounds[1::2]))
+        quality = simple.ElementQuality(Input=pulse, Criteria=["Volume"])
+        ((row,), histogram, worst) = self.tables(quality)
+        self.assertAlmostEqual(row["Sum"], domain, delta=1e-12 * domain)
+        self.assertLess(row["Count"], pulse.GetDataInformation().GetNumberOfCells())
+        self.assertEqual(worst[0]["Value"], row["Min"])
+        seed = simple.SelectElements(
+            Input=quality, Strategy="Worst N", Array="Volume", NumberOfWorst=7, WorstValues="Largest"
+        )
+        (chosen,), _, _ = self.tables(seed, OnlySelected=1)
+        self.assertEqual((chosen["Count"], chosen["Min"], chosen["Max"]), (7, row["Max"], row["Max"]))
+        everything = simple.SelectElements(Input=quality, Strategy="All")
+        everything.UpdatePipeline()
+        everything.UpdatePropertyInformation()
+        self.assertEqual(everything.GetPropertyValue("NumberOfSelectedElements"), row["Count"])
 
     def test_images_and_surfaces(self):
         """Input need not be an unstructured grid."""

@@ -1,11 +1,16 @@
 # ranks: 1 2 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of Quality Statistics, written to CSV, are the same byte for byte on any number of ranks."""
+"""The tables of Quality Statistics, written to CSV, are the same byte for byte on any number of ranks.
+
+No all and sum here: programmable sources replace them in the main module.
+"""
 
 import csv
 import os
+import shutil
 import sys
+import tempfile
 from pathlib import Path
 
 import camaron_testing
@@ -97,30 +102,42 @@ def points_of_cells(grid):
 
 
 class TestRanks(camaron_testing.TestCase):
-    def reference(self, global_ids):
-        folder = self.folder / "reference"
-        if not folder.exists():
-            folder.mkdir()
-            camaron_testing.run_alone(__file__, folder, timeout=200)
-        return read_tables(folder / str(global_ids))
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.references = Path(tempfile.mkdtemp(prefix="camaron-test-"))
+        cls.addClassCleanup(shutil.rmtree, cls.references, ignore_errors=True)
+        camaron_testing.run_alone(__file__, cls.references, timeout=200)
+
+    def reference(self, name):
+        return read_tables(self.references / str(name))
+
+    def compare(self, tables, expected, message=""):
+        """Points have no global ids in these meshes, so in several pieces they have no names."""
+        for mine, other in zip(tables["worst"], expected["worst"]):
+            vertices = mine.pop("Vertices")
+            self.assertIn(vertices, ("", other.pop("Vertices")))
+            if camaron_testing.rank_count() == 1:
+                self.assertTrue(vertices)
+        for name in PORTS:
+            self.assertEqual(tables[name], expected[name], f"{name} {message}")
 
     def check(self, global_ids, **options):
         source = mesh_parts.split_source(global_ids=global_ids, **options)
         tables = save_tables(source, self.folder, GroupBy="Cell type", WorstValues="Largest")
-        for name, expected in self.reference(global_ids).items():
-            self.assertGreaterEqual(len(expected), len(ARRAYS))
-            self.assertEqual(tables[name], expected, f"{name} with {options}")
+        expected = self.reference(global_ids)
+        for name in PORTS:
+            self.assertGreaterEqual(len(expected[name]), len(ARRAYS))
+        self.compare(tables, expected, options)
 
     def test_null_by_material(self):
         """Groups are the same wherever the cells are; so are the cells without a value."""
         for global_ids in (False, True):
             source = mesh_parts.split_source(global_ids=global_ids, ghost_layer=40, empty_rank=True)
             tables = save_tables(source, self.folder, **NULL_BY_MATERIAL)
-            self.reference(global_ids)
-            expected = read_tables(self.folder / "reference" / f"null-{global_ids}")
+            expected = self.reference(f"null-{global_ids}")
             self.assertGreater(len(expected["worst"]), 100)
-            for name in PORTS:
-                self.assertEqual(tables[name], expected[name], name)
+            self.compare(tables, expected)
 
     def test_pieces(self):
         """Consecutive ranges of cells: ids are their places in the whole mesh."""
@@ -144,17 +161,13 @@ class TestRanks(camaron_testing.TestCase):
         source = mesh_parts.split_source(global_ids=True)
         moved = simple.RedistributeDataSet(Input=source, GenerateGlobalCellIds=0)
         tables = save_tables(moved, self.folder, GroupBy="Cell type", WorstValues="Largest")
-        for name, expected in self.reference(True).items():
-            self.assertEqual(tables[name], expected, name)
+        self.compare(tables, self.reference(True))
 
     def test_blocks(self):
         """Indices count one block after the other, whichever ranks have them."""
-        self.reference(False)
         tables = save_tables(make_blocks(), self.folder, GroupBy="Block")
         self.assertEqual({row["Group"] for row in tables["statistics"]}, {"All", "rotor", "stator"})
-        expected = read_tables(self.folder / "reference" / "blocks")
-        for name in PORTS:
-            self.assertEqual(tables[name], expected[name], name)
+        self.compare(tables, self.reference("blocks"))
 
     def test_points(self):
         """A point at the border of pieces counts once, with and without ghost cells around them."""
@@ -203,12 +216,12 @@ class TestRanks(camaron_testing.TestCase):
 
     def test_examples(self):
         """From the file to the tables: pieces and ghosts as the reader makes them."""
-        self.reference(False)
         for name in EXAMPLES:
             tables = save_tables(
                 evaluate_example(name), self.folder, Arrays=[], GroupBy="Cell type"
             )
-            expected = read_tables(self.folder / "reference" / name)
+            expected = self.reference(name)
+            self.assertNotIn("", [row["Vertices"] for row in tables["worst"]])
             for table in PORTS:
                 for row in tables[table] + expected[table]:
                     row.pop(
