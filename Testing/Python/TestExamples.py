@@ -10,6 +10,8 @@ import shutil
 import subprocess
 
 import camaron_testing
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 MESHES = ["flange.visf", "polygon-ring.visf", "voronoi-ball.visf"]
 
@@ -58,6 +60,25 @@ class TestExamples(camaron_testing.TestCase):
         mesh = self.fetch(self.open(self.folder / "voronoi-ball.vtu"))
         self.assertEqual(mesh.GetNumberOfCells(), 800)
         self.assertTrue(mesh.GetCellData().HasArray("MinDihedralAngle"))
+
+
+@camaron_testing.require_display()
+class TestPictures(camaron_testing.TestCase):
+    def test_pictures(self):
+        """Scripts of Mesh Inspection make their pictures, of something coloured in front of white."""
+        for name in ("cut_under_glass", "isolines", "isosurfaces"):
+            with self.subTest(name):
+                picture = self.folder / f"{name}.png"
+                script = camaron_testing.EXAMPLES / f"{name}.py"
+                camaron_testing.run_alone(script, picture, 20000, timeout=100)
+                reader = vtkPNGReader()
+                reader.SetFileName(str(picture))
+                reader.Update()
+                colors = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+                self.assertEqual(reader.GetOutput().GetDimensions()[:2], (1200, 1000))
+                spread = colors.max(axis=1) - colors.min(axis=1)
+                self.assertGreater((spread > 40).mean(), 0.05)
+                self.assertGreater((colors.min(axis=1) == 255).mean(), 0.2)
 
 
 if __name__ == "__main__":
