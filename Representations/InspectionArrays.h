@@ -17,6 +17,8 @@ constexpr const char* SelectedArrayName = "Selected";
 constexpr const char* CellIdsName = "InspectionCellIds";
 constexpr const char* PointIdsName = "InspectionPointIds";
 constexpr const char* ProcessIdsName = "InspectionProcesses";
+/// See OuterFacets.h; there where processes may exchange cells.
+constexpr const char* OuterFacetsName = "InspectionOuterFacets";
 constexpr const char* BlockIdsName = "InspectionBlocks";
 ///@}
 }

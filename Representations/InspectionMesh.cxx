@@ -29,6 +29,15 @@ const unsigned char* GetGhosts(vtkUnstructuredGrid* grid)
   return ghosts ? ghosts->GetPointer(0) : nullptr;
 }
 
+// On its way the array may have become another of 64 bit integers.
+const std::uint64_t* GetOuterFacets(vtkUnstructuredGrid* grid)
+{
+  vtkDataArray* bits = grid->GetCellData()->GetArray(OuterFacetsName);
+  const bool isUsable = bits && bits->GetDataTypeSize() == 8 && bits->GetDataType() != VTK_DOUBLE &&
+    bits->HasStandardMemoryLayout();
+  return isUsable ? static_cast<const std::uint64_t*>(bits->GetVoidPointer(0)) : nullptr;
+}
+
 // Fills and uploads a table of `size` rows in parallel.
 template <typename Value, typename Function>
 void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
@@ -44,6 +53,12 @@ void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
     });
   table.Upload(rows.data(), rows.size());
 }
+}
+
+//------------------------------------------------------------------------------
+CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid)
+{
+  return { GetGhosts(grid), GetOuterFacets(grid) };
 }
 
 //------------------------------------------------------------------------------
@@ -69,7 +84,7 @@ void InspectionMesh::Update()
     vtkCellArray* cells = this->Grid->GetCells();
     geometry = GetVersionOf({ this->Grid->GetPoints()->GetData(), cells->GetOffsetsArray(),
       cells->GetConnectivityArray(), this->Grid->GetCellTypesArray(),
-      this->Grid->GetCellGhostArray() });
+      this->Grid->GetCellGhostArray(), this->Grid->GetCellData()->GetArray(OuterFacetsName) });
     selected =
       GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),
         this->Grid->GetCellGhostArray() });
@@ -106,7 +121,7 @@ void InspectionMesh::NeedFaces(bool inner)
   }
   const MeshTopology topology(this->Grid);
   const DrawableFaces faces = MakeDrawableFaces(
-    topology, GetGhosts(this->Grid), inner ? FacesToDraw::All : FacesToDraw::Outer);
+    topology, GetCellsToDraw(this->Grid), inner ? FacesToDraw::All : FacesToDraw::Outer);
   this->Triangles.Upload(faces.Triangles.data(), faces.Triangles.size());
   this->Faces.Upload(faces.Faces.data(), faces.Faces.size());
   this->NumberOfOuterTriangles = faces.NumberOfOuterTriangles;

@@ -26,6 +26,11 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
+struct CellsToDraw;
+
+/// What the arrays of a grid say of its cells.
+CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid);
+
 class InspectionMesh
 {
 public:

@@ -99,6 +99,8 @@ struct InspectionStyle
 
   CutBy Cut = CutBy::Nothing;
   bool KeepInside = false;
+  /// Faces towards another process are drawn in a part of the mesh: right behind what is opaque, walls behind the rest.
+  bool BordersAreOpen = true;
   bool CutFaces = false; ///< walls that the cut opens have their own colour
   Color CutColor = { { 0.9, 0.75, 0.4 } };
   ConvexShape Shape;

@@ -9,7 +9,6 @@
 
 #include "vtkDataArray.h"
 #include "vtkMath.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
@@ -32,9 +31,7 @@ std::vector<Row> MakeNormals(vtkUnstructuredGrid* grid)
 {
   const MeshTopology topology(grid);
   const MeshView& mesh = topology.GetMesh();
-  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
-  const DrawableFaces faces = MakeDrawableFaces(
-    topology, ghosts ? ghosts->GetPointer(0) : nullptr, FacesToDraw::Outer);
+  const DrawableFaces faces = MakeDrawableFaces(topology, GetCellsToDraw(grid), FacesToDraw::Outer);
   std::vector<std::array<double, 3>> sums(mesh.GetNumberOfPoints(), { { 0, 0, 0 } });
   for (const auto& triangle : faces.Triangles)
   {

@@ -74,6 +74,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   request.Version = mesh.GetVersion();
   request.WallsToDraw = walls;
   request.CellsToDraw = style.CellsToDraw;
+  request.BordersAreOpen = style.BordersAreOpen;
   if (hasCut)
   {
     request.Cut = style.Cut;
@@ -103,6 +104,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   this->TriangleProgram.SetTable("triangleTable", mesh.Triangles, 0);
   this->TriangleProgram.SetTable("faceTable", mesh.Faces, 1);
   this->TriangleProgram.SetTable("keepTable", this->Keep, 2);
+  this->TriangleProgram.SetUniform("bordersAreOpen", style.BordersAreOpen ? 1 : 0);
   this->TriangleProgram.SetUniform(
     "wallsToDraw", walls == Walls::Complete ? 2 : walls == Walls::Interior ? 1 : 0);
   this->NumberOfTriangles = this->TriangleProgram.Run(numberOfTriangles, this->Table);

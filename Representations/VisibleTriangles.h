@@ -54,12 +54,13 @@ private:
     Chosen CellsToDraw = Chosen::All;
     CutBy Cut = CutBy::Nothing;
     bool KeepInside = false;
+    bool BordersAreOpen = true;
     ConvexShape Shape;
     bool operator==(const Request& other) const
     {
       return this->Version == other.Version && this->WallsToDraw == other.WallsToDraw &&
         this->CellsToDraw == other.CellsToDraw && this->Cut == other.Cut &&
-        this->KeepInside == other.KeepInside && this->Shape == other.Shape;
+        this->KeepInside == other.KeepInside && this->BordersAreOpen == other.BordersAreOpen && this->Shape == other.Shape;
     }
   };
 

@@ -4,12 +4,16 @@
 
 #include "InspectionArrays.h"
 
+#include "ControllerReducer.h"
+#include "Drawing/OuterFacets.h"
+#include "ElementBlocks.h"
+#include "Mesh/FacetLinks.h"
 #include "MeshInput.h"
+#include "MeshPieces.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkConstantArray.h"
 #include "vtkIdTypeArray.h"
@@ -21,10 +25,13 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProcessModule.h"
+#include "vtkTypeUInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnsignedIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
+#include <exception>
 #include <numeric>
 
 using namespace camaron;
@@ -131,34 +138,68 @@ int vtkInspectionMesh::RequestData(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
-  if (auto* data = vtkDataSet::SafeDownCast(input))
+  const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
+  const std::vector<DataSetLeaf> leaves = GetLeaves(input);
+  const std::vector<vtkSmartPointer<vtkDataArray>> outerFacets = this->FindOuterFacets(leaves);
+  vtkNew<vtkAppendFilter> append;
+  for (std::size_t i = 0; i < leaves.size(); ++i)
   {
-    const auto grid = AsGrid(data);
-    if (IsDistributed())
+    const auto grid = AsGrid(leaves[i].Data);
+    if (hasBlocks || IsDistributed())
     {
-      AddOrigins(grid, false, 0);
+      AddOrigins(grid, hasBlocks, leaves[i].FlatIndex);
     }
-    output->ShallowCopy(grid);
+    if (!outerFacets.empty())
+    {
+      grid->GetCellData()->AddArray(outerFacets[i]);
+    }
+    if (!hasBlocks)
+    {
+      output->ShallowCopy(grid);
+    }
+    else if (grid->GetNumberOfCells() > 0)
+    {
+      append->AddInputData(grid);
+    }
   }
-  else if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  if (append->GetNumberOfInputConnections(0) > 0)
   {
-    vtkNew<vtkAppendFilter> append;
-    const auto leaves = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
-    {
-      auto* leaf = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject());
-      if (leaf && leaf->GetNumberOfCells() > 0)
-      {
-        const auto grid = AsGrid(leaf);
-        AddOrigins(grid, true, leaves->GetCurrentFlatIndex());
-        append->AddInputData(grid);
-      }
-    }
-    if (append->GetNumberOfInputConnections(0) > 0)
-    {
-      append->Update();
-      output->ShallowCopy(append->GetOutput());
-    }
+    append->Update();
+    output->ShallowCopy(append->GetOutput());
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSmartPointer<vtkDataArray>> vtkInspectionMesh::FindOuterFacets(
+  const std::vector<DataSetLeaf>& leaves)
+{
+  std::vector<vtkSmartPointer<vtkDataArray>> found;
+  ControllerReducer reducer;
+  if (reducer.GetNumberOfProcesses() == 1)
+  {
+    return found;
+  }
+  try
+  {
+    MeshPieces pieces(leaves, {}, reducer.GetNumberOfProcesses(), reducer);
+    pieces.Link(false);
+    for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
+    {
+      const PieceLinks* links = pieces.GetOptions(piece).Links;
+      const std::vector<std::uint64_t> bits =
+        camaron::FindOuterFacets(pieces.GetTopology(piece), links ? &links->Faces : nullptr);
+      vtkNew<vtkTypeUInt64Array> array;
+      array->SetName(OuterFacetsName);
+      array->SetNumberOfValues(static_cast<vtkIdType>(bits.size()));
+      std::copy(bits.begin(), bits.end(), array->GetPointer(0));
+      found.emplace_back(array);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkWarningMacro("Faces between processes are drawn as if they were outside: " << error.what());
+    found.clear();
+  }
+  return found;
 }

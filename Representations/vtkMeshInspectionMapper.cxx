@@ -385,6 +385,8 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   {
     glGenVertexArrays(1, &self.VertexArray);
   }
+  self.Style.BordersAreOpen =
+    actor->GetProperty()->GetOpacity() >= 1 && !this->HasTranslucentPolygonalGeometry();
   try
   {
     self.UpdateTables(renderer->GetSelector() != nullptr);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/DrawableFaces.h"
 
+#include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
@@ -31,10 +32,10 @@ struct Counts
 class FacesOfCells
 {
 public:
-  FacesOfCells(const MeshTopology& topology, const unsigned char* ghosts)
+  FacesOfCells(const MeshTopology& topology, const CellsToDraw& cells)
     : Mesh(topology.GetMesh())
     , Table(topology.GetFaces())
-    , Ghosts(ghosts)
+    , Cells(cells)
     , Facets(this->Mesh)
   {
   }
@@ -69,8 +70,10 @@ public:
         {
           return;
         }
-        const auto neighbor = other == None ? DrawableFaces::NoCell : static_cast<std::uint32_t>(other);
-        visit(other == None ? Outer : Inner, points, size,
+        const auto neighbor = other != None ? static_cast<std::uint32_t>(other)
+          : this->IsOuter(cell, local)      ? DrawableFaces::NoCell
+                                            : DrawableFaces::CellElsewhere;
+        visit(neighbor == DrawableFaces::NoCell ? Outer : Inner, points, size,
           std::array<std::uint32_t, 2>{ { self, neighbor } });
       });
   }
@@ -79,7 +82,15 @@ private:
   static constexpr vtkIdType None = -1;
   static constexpr vtkIdType NotOurs = -2;
 
-  bool Has(vtkIdType cell, int bit) const { return this->Ghosts && (this->Ghosts[cell] & bit); }
+  bool Has(vtkIdType cell, int bit) const
+  {
+    return this->Cells.Ghosts && (this->Cells.Ghosts[cell] & bit);
+  }
+  bool IsOuter(vtkIdType cell, vtkIdType local) const
+  {
+    return !this->Cells.OuterFacets ||
+      (this->Cells.OuterFacets[cell] & GetFacetBit(static_cast<int>(local)));
+  }
   bool IsGhost(vtkIdType cell) const { return this->Has(cell, vtkDataSetAttributes::DUPLICATECELL); }
 
   // The cell on the other side of a face of `cell`, None, or NotOurs when another cell visits the face.
@@ -106,7 +117,7 @@ private:
 
   const MeshView& Mesh;
   const FacetTable& Table;
-  const unsigned char* Ghosts;
+  const CellsToDraw& Cells;
   CellFacets Facets;
   std::vector<vtkIdType> Polygon;
 };
@@ -142,7 +153,7 @@ void PlaceChunks(std::vector<Counts>& chunks, FacesToDraw which)
 
 //------------------------------------------------------------------------------
 DrawableFaces MakeDrawableFaces(
-  const MeshTopology& topology, const unsigned char* ghosts, FacesToDraw which)
+  const MeshTopology& topology, const CellsToDraw& cells, FacesToDraw which)
 {
   const vtkIdType numberOfCells = topology.GetMesh().GetNumberOfCells();
   std::vector<Counts> chunks((numberOfCells + CellChunk - 1) / CellChunk);
@@ -152,7 +163,7 @@ DrawableFaces MakeDrawableFaces(
     ParallelFor(static_cast<vtkIdType>(chunks.size()), 1,
       [&](vtkIdType begin, vtkIdType end)
       {
-        FacesOfCells faces(topology, ghosts);
+        FacesOfCells faces(topology, cells);
         PolygonTriangles triangles(topology.GetMesh());
         for (vtkIdType chunk = begin; chunk < end; ++chunk)
         {
@@ -187,14 +198,14 @@ DrawableFaces MakeDrawableFaces(
     [&](FacesOfCells& faces, PolygonTriangles& triangles, vtkIdType cell, Counts& next)
     {
       faces.ForEach(cell,
-        [&](int kind, const vtkIdType* points, vtkIdType size, const auto& cells)
+        [&](int kind, const vtkIdType* points, vtkIdType size, const auto& cellsOfFace)
         {
           if (kind == Inner && which == FacesToDraw::Outer)
           {
             return;
           }
           const auto face = static_cast<std::uint32_t>(next.Faces[kind]++);
-          drawable.Faces[face] = cells;
+          drawable.Faces[face] = cellsOfFace;
           triangles.ForEach(points, size,
             [&](const PolygonTriangles::Triangle& triangle)
             {

@@ -23,13 +23,15 @@ class MeshTopology;
 struct DrawableFaces
 {
   static constexpr std::uint32_t NoCell = 0xffffffffu;
+  /// There is a cell, but not in this piece of the mesh.
+  static constexpr std::uint32_t CellElsewhere = 0xfffffffeu;
   /// Bits of a triangle's last entry below the face: its three corners begin an edge of the face.
   static constexpr int EdgeBits = 3;
 
   /// Three points, then the number of the face << EdgeBits | the edges that are the face's own.
   std::vector<std::array<std::uint32_t, 4>> Triangles;
   /**
-   * The cell that the triangles run around outward, and the cell on the other side or NoCell. A face of
+   * The cell that the triangles run around outward, and the cell on the other side, NoCell or CellElsewhere. A face of
    * three and more cells stands once for every further cell, with the first on its other side.
    */
   std::vector<std::array<std::uint32_t, 2>> Faces;
@@ -43,14 +45,22 @@ enum class FacesToDraw
   All
 };
 
+/// What is known of the cells beyond what their topology tells.
+struct CellsToDraw
+{
+  /// vtkGhostType or null. A face between two cells that are another piece's is left out; so are hidden cells, as
+  /// if the mesh did not have them.
+  const unsigned char* Ghosts = nullptr;
+  /// See OuterFacets.h; null: faces with one cell are on the outside.
+  const std::uint64_t* OuterFacets = nullptr;
+};
+
 /**
  * The faces of the 3D cells and the 2D cells themselves, each of which is a face with one cell.
- * @param ghosts vtkGhostType of the cells or null. A face between two cells that are another piece's
- *   is left out; so are hidden cells, as if the mesh did not have them.
  * @throw std::length_error when the faces do not fit into the rows
  */
 DrawableFaces MakeDrawableFaces(
-  const MeshTopology& topology, const unsigned char* ghosts, FacesToDraw which);
+  const MeshTopology& topology, const CellsToDraw& cells, FacesToDraw which);
 }
 
 #endif

@@ -3,6 +3,7 @@
 uniform usamplerBuffer triangleTable;
 uniform usamplerBuffer faceTable;
 uniform usamplerBuffer keepTable;
+uniform int bordersAreOpen; // 1: what another process has counts as not drawn, 0: as drawn with its neighbour
 uniform int wallsToDraw; // 0: between drawn and not drawn, 1: between two drawn cells, 2: all of drawn cells
 
 flat out uint triangleOfPoint;
@@ -12,7 +13,15 @@ void main()
 {
   uvec2 cells = texelFetch(faceTable, int(texelFetch(triangleTable, gl_VertexID).w >> 3)).xy;
   uint first = texelFetch(keepTable, int(cells.x)).x;
-  uint second = cells.y == 0xffffffffu ? 0u : texelFetch(keepTable, int(cells.y)).x;
+  uint second = 0u;
+  if (cells.y == 0xfffffffeu)
+  {
+    second = bordersAreOpen == 1 ? 0u : (first & 1u) | 2u;
+  }
+  else if (cells.y != 0xffffffffu)
+  {
+    second = texelFetch(keepTable, int(cells.y)).x;
+  }
   bool isFirst = (first & 1u) == 1u;
   bool isSecond = (second & 1u) == 1u;
   bool isWall = isFirst && isSecond;

@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/DrawableFaces.h"
+#include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/MeshTopology.h"
 #include "Mesh/Vector.h"
 #include "TestMeshes.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkExtractCells.h"
+#include "vtkIdList.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bitset>
 #include <set>
 
 using namespace camaron;
@@ -21,7 +25,9 @@ namespace
 DrawableFaces Make(vtkUnstructuredGrid* grid, FacesToDraw which, const std::vector<unsigned char>& ghosts = {})
 {
   const MeshTopology topology(grid);
-  return MakeDrawableFaces(topology, ghosts.empty() ? nullptr : ghosts.data(), which);
+  CellsToDraw cells;
+  cells.Ghosts = ghosts.empty() ? nullptr : ghosts.data();
+  return MakeDrawableFaces(topology, cells, which);
 }
 
 Vector GetPoint(vtkUnstructuredGrid* grid, vtkIdType id)
@@ -132,6 +138,50 @@ TEST(DrawableFaces, GhostAndHiddenCells)
   EXPECT_EQ(Make(grid, FacesToDraw::All, { 0, hidden, 0 }).Faces.size(), 12u);
   EXPECT_EQ(Make(grid, FacesToDraw::Outer, { hidden, 0, 0 }).Faces.size(), 10u);
   EXPECT_EQ(Make(grid, FacesToDraw::All, { hidden, hidden, hidden }).Faces.size(), 0u);
+}
+
+//------------------------------------------------------------------------------
+// Half of a mesh still knows which faces were inside: they are no part of the outside.
+TEST(DrawableFaces, HalfOfAMesh)
+{
+  for (const bool asPolyhedra : { false, true })
+  {
+    const Grid whole = MakeHexahedra(2, 3, 1, asPolyhedra);
+    const MeshTopology topology(whole);
+    const std::vector<std::uint64_t> outer = FindOuterFacets(topology, nullptr);
+    int count = 0;
+    for (const std::uint64_t bits : outer)
+    {
+      count += static_cast<int>(std::bitset<64>(bits).count());
+    }
+    EXPECT_EQ(count, 2 * (2 * 3 + 3 * 1 + 2 * 1));
+    vtkNew<vtkIdList> half;
+    std::vector<std::uint64_t> outerOfHalf;
+    for (vtkIdType cell = 0; cell < 6; ++cell)
+    {
+      if (whole->GetCell(cell)->GetBounds()[1] < 0.5 * (whole->GetBounds()[0] + whole->GetBounds()[1]) + 0.1)
+      {
+        half->InsertNextId(cell);
+        outerOfHalf.push_back(outer[cell]);
+      }
+    }
+    ASSERT_EQ(half->GetNumberOfIds(), 3);
+    vtkNew<vtkExtractCells> extract;
+    extract->SetInputData(whole);
+    extract->SetCellList(half);
+    extract->Update();
+    const MeshTopology part(extract->GetOutput());
+    CellsToDraw cells;
+    cells.OuterFacets = outerOfHalf.data();
+    const DrawableFaces faces = MakeDrawableFaces(part, cells, FacesToDraw::All);
+    int elsewhere = 0;
+    for (const auto& pair : faces.Faces)
+    {
+      elsewhere += pair[1] == DrawableFaces::CellElsewhere;
+    }
+    EXPECT_EQ(elsewhere, 3);
+    EXPECT_EQ(faces.NumberOfOuterTriangles, 2u * (2 * 3 * 1 + 2 * 1 + 3 * 1));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,21 @@ class TestInspectionServer(camaron_testing.TestCase):
         # Points where two processes meet are drawn by both, in the same place: either is right.
         self.assertLess(len(points ^ same_points), 1 + len(points) / 50)
 
+    def translucent(self, source):
+        """Through it, walls between pieces would show: Surface has them."""
+        view = make_view()
+        view.RemoteRenderThreshold = 0
+        display = simple.Show(source, view)
+        display.SetRepresentationType("Mesh Inspection")
+        simple.ColorBy(display, ("POINTS", "RTData"))
+        display.DrawEdges, display.Opacity = 0, 0.5
+        turn(view)
+        made = picture(view)
+        simple.Delete(view)
+        return made
+
     def test_servers(self):
+        whole = None
         for ranks in (1, 2):
             self.serve(ranks)
             mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]))
@@ -44,6 +58,11 @@ class TestInspectionServer(camaron_testing.TestCase):
             for where in ("server", "client"):
                 with self.subTest(ranks=ranks, where=where):
                     self.compare(where, mesh)
+            made = self.translucent(mesh)
+            if whole is not None:
+                with self.subTest(ranks=ranks, opacity=0.5):
+                    self.assertLess(difference(whole, made), 0.004)
+            whole = made
             simple.Disconnect()
 
 
