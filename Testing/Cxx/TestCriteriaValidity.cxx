@@ -327,7 +327,8 @@ TEST(CriteriaValidity, FlatnessOfTangledPolygons)
     }
     cells.push_back({ VTK_POLYGON, ids });
   }
-  for (const double flatness : EvaluateAll(MakeGrid(points, cells)).at("MinFaceFlatness"))
+  const auto values = EvaluateAll(MakeGrid(points, cells));
+  for (const double flatness : values.at("MinFaceFlatness"))
   {
     EXPECT_GE(flatness, 0);
     EXPECT_LE(flatness, 1);
