@@ -4,6 +4,7 @@
 
 #include "InspectionStyle.h"
 #include "ShapeConversion.h"
+#include "vtkHalfSpaces.h"
 #include "vtkInspectionMesh.h"
 #include "vtkMeshInspectionMapper.h"
 
@@ -17,6 +18,7 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPoints.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPassThrough.h"
@@ -92,9 +94,11 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
     return;
   }
   const std::string error = ConvertShape(this->CutFunction, this->Style.Shape);
-  // The default shape of an empty mesh, which has no bounds, is nobody's fault.
+  // The default shape of an empty mesh, which has no bounds, and one without planes yet are nobody's fault.
   const bool isEmpty = this->Style.Bounds[0] > this->Style.Bounds[1];
-  if (!error.empty() && error != this->LastShapeError && !isEmpty)
+  auto* planes = vtkHalfSpaces::SafeDownCast(this->CutFunction);
+  const bool isUnfinished = planes && planes->GetPoints()->GetNumberOfPoints() == 0;
+  if (!error.empty() && error != this->LastShapeError && !isEmpty && !isUnfinished)
   {
     vtkErrorWithObjectMacro(self, << error);
   }

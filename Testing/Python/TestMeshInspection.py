@@ -113,5 +113,48 @@ class TestMeshInspection(camaron_testing.TestCase):
                     display.CutBy = "No cut"
 
 
+    def test_half_spaces(self):
+        """Planes of a table cut as the box that they make, and none cut nothing."""
+        source = tetrahedra()
+        display = self.show(source, "Mesh Inspection")
+        turn(self.view)
+        uncut = picture(self.view)
+        display.CutBy, display.CutShape = "Any vertex", "Box"
+        low, length = [-6, -2.3, 0.4], [5.1, 3.3, 6]
+        display.CutShape.Position, display.CutShape.Length = low, length
+        boxed = picture(self.view)
+        self.assertGreater(difference(uncut, boxed), 0.02)
+        display.CutShape = "HalfSpaces"
+        self.assertEqual(difference(uncut, picture(self.view)), 0)
+        high = [low[i] + length[i] for i in range(3)]
+        planes = []
+        for axis in range(3):
+            normal = [3.0 if i == axis else 0.0 for i in range(3)]
+            planes += [*high, *normal, *low, *(-value for value in normal)]
+        display.CutShape.Planes = planes
+        self.assertEqual(difference(boxed, picture(self.view)), 0)
+
+    def test_cut_stays_in_view(self):
+        """A plane across the line of sight stays so, wherever the camera goes."""
+        source = tetrahedra()
+        display = self.show(source, "Mesh Inspection")
+        places = [[30, 10, 8], [-8, 30, 10]]  # equally far away
+        self.view.CameraFocalPoint, self.view.CameraViewUp = [0, 0, 0], [0, 0, 1]
+        self.view.CameraPosition = places[0]
+        display.CutBy, display.CutShape, display.CutKeeps = "Centroid", "Plane", "Inside"
+        display.CutShape.Origin, display.CutShape.Normal = [0, 0, 0], places[0]
+        display.CutMovesWith = "View"
+        first = picture(self.view)
+        self.view.CameraPosition = places[1]
+        stays = picture(self.view)
+        display.CutMovesWith = "Mesh"
+        self.assertGreater(difference(stays, picture(self.view)), 0.05)
+        display.CutShape.Normal = places[1]
+        self.assertLess(difference(stays, picture(self.view)), 0.004)
+        self.view.CameraPosition = places[0]
+        display.CutShape.Normal = places[0]
+        self.assertEqual(difference(first, picture(self.view)), 0)
+
+
 if __name__ == "__main__":
     camaron_testing.main()
