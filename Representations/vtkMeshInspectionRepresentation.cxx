@@ -299,7 +299,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
     {
       box.SetBounds(mesh->GetBounds());
     }
-    lines.NormalLength = self.NormalLength * box.GetDiagonalLength();
+    lines.NormalLength = box.IsValid() ? self.NormalLength * box.GetDiagonalLength() : 0;
     self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
     self.LineMapper->SetStyle(lines);
     self.LineMapper->SetInputDataObject(mesh);

@@ -26,7 +26,9 @@ def memory():
 
 def tetrahedra():
     wavelet = simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
-    return simple.ElementQuality(Input=simple.Tetrahedralize(Input=wavelet))
+    quality = simple.ElementQuality(Input=simple.Tetrahedralize(Input=wavelet))
+    quality.UpdatePipeline()  # shapes are as large as what is known of it
+    return quality
 
 
 @camaron_testing.require_display()
@@ -87,7 +89,6 @@ class TestInspectionPanel(camaron_testing.TestCase):
             turn(self.view)
             darkest = picture(self.view).min()
             self.assertAlmostEqual(darkest, 255 * (1 - opacity), delta=3)
-
 
     def test_anything_goes(self):
         """No message, and no crash, whatever is set, one property after the other."""
