@@ -236,19 +236,6 @@ void InspectionMesh::NeedTetrahedra()
 }
 
 //------------------------------------------------------------------------------
-std::size_t InspectionMesh::GetMemorySize() const
-{
-  std::size_t size = 0;
-  for (const TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
-         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Tetrahedra,
-         &this->CellsOfTetrahedra })
-  {
-    size += table->GetMemorySize();
-  }
-  return size;
-}
-
-//------------------------------------------------------------------------------
 void InspectionMesh::Release()
 {
   for (TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,

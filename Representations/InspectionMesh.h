@@ -73,8 +73,6 @@ public:
   /// Where those of a block of cells begin, see CellTetrahedra.h.
   const std::vector<std::uint32_t>& GetTetrahedronBlocks() const { return this->Blocks; }
 
-  /// Bytes of graphics memory.
-  std::size_t GetMemorySize() const;
   void Release();
 
 private:

@@ -58,6 +58,8 @@ enum class Emphasis
 /// A convex shape in the coordinates of the mesh.
 struct ConvexShape
 {
+  static constexpr int MaxPlanes = 64; ///< as InShape.glsl
+
   /// Inside where a x + b y + c z + d <= 0 for all of them. None: a sphere.
   std::vector<std::array<double, 4>> Planes;
   /// Takes the sphere to the unit sphere; row by row.

@@ -68,7 +68,6 @@ bool Isosurfaces::Update(
   }
   this->NumberOfTriangles = rows / 3;
   this->Isovalues = isovalues;
-  ++this->NumberOfRuns;
   return true;
 }
 

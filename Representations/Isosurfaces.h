@@ -39,12 +39,7 @@ public:
   /// One row for each corner of a triangle: two points, where between them (of 2^24), the cell.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
-  int GetNumberOfRuns() const { return this->NumberOfRuns; }
   const std::string& GetError() const { return this->Error; }
-  std::size_t GetMemorySize() const
-  {
-    return this->Values.GetMemorySize() + this->Table.GetMemorySize();
-  }
   void Release();
 
 private:
@@ -60,7 +55,6 @@ private:
   unsigned long long ArrayTime = 0;
   std::vector<double> Isovalues;
   std::size_t NumberOfTriangles = 0;
-  int NumberOfRuns = 0;
   std::string Error;
 };
 }

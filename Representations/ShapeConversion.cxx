@@ -20,7 +20,7 @@ namespace camaron
 {
 namespace
 {
-constexpr int MaxPlanes = 64; // as InShape.glsl
+constexpr int MaxPlanes = ConvexShape::MaxPlanes;
 
 //------------------------------------------------------------------------------
 // False for a normal without a direction. The length does not matter, but float must be able to hold it.

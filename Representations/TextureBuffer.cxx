@@ -70,16 +70,6 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
 }
 
 //------------------------------------------------------------------------------
-void TextureBuffer::Change(const void* rows, std::size_t first, std::size_t numberOfRows)
-{
-  const std::size_t bytes = GetFormat(this->Kind).Bytes;
-  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
-  glBufferSubData(GL_TEXTURE_BUFFER, static_cast<GLintptr>(first * bytes),
-    static_cast<GLsizeiptr>(numberOfRows * bytes), rows);
-  glBindBuffer(GL_TEXTURE_BUFFER, 0);
-}
-
-//------------------------------------------------------------------------------
 void TextureBuffer::Bind(int unit) const
 {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));
@@ -96,11 +86,5 @@ void TextureBuffer::Release()
   }
   this->Texture = this->Buffer = 0;
   this->NumberOfRows = 0;
-}
-
-//------------------------------------------------------------------------------
-std::size_t TextureBuffer::GetMemorySize() const
-{
-  return this->NumberOfRows * GetFormat(this->Kind).Bytes;
 }
 }

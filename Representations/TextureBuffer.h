@@ -41,8 +41,6 @@ public:
    * @throw std::length_error for more rows than the graphics card's textures have
    */
   void Upload(const void* rows, std::size_t numberOfRows);
-  /// Replaces @a numberOfRows rows from row @a first on.
-  void Change(const void* rows, std::size_t first, std::size_t numberOfRows);
   /// Makes the table known to shaders as the texture of a unit (0, 1, ...).
   void Bind(int unit) const;
   /// Gives the memory back; the table can be uploaded again.
@@ -51,8 +49,6 @@ public:
   bool IsUploaded() const { return this->Buffer != 0; }
   unsigned int GetBuffer() const { return this->Buffer; }
   std::size_t GetNumberOfRows() const { return this->NumberOfRows; }
-  /// Bytes held in graphics memory.
-  std::size_t GetMemorySize() const;
 
 private:
   const Row Kind;

@@ -17,7 +17,7 @@ namespace camaron
 {
 namespace
 {
-constexpr int MaxPlanes = 64; // as InShape.glsl
+constexpr int MaxPlanes = ConvexShape::MaxPlanes;
 
 // The shape in the coordinates of the tables, which are relative to the middle of the mesh.
 void SetShape(
@@ -109,7 +109,6 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
     "wallsToDraw", walls == Walls::Complete ? 2 : walls == Walls::Interior ? 1 : 0);
   this->NumberOfTriangles = this->TriangleProgram.Run(numberOfTriangles, this->Table);
   this->Last = request;
-  ++this->NumberOfRuns;
   return true;
 }
 

@@ -33,14 +33,7 @@ public:
   /// One row, triangle << 1 | side, for each visible triangle.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
-  /// How often Update had something to do.
-  int GetNumberOfRuns() const { return this->NumberOfRuns; }
   const std::string& GetError() const { return this->Error; }
-  /// Bytes of graphics memory.
-  std::size_t GetMemorySize() const
-  {
-    return this->Keep.GetMemorySize() + this->Table.GetMemorySize();
-  }
 
   void Release();
 
@@ -70,7 +63,6 @@ private:
   TextureBuffer Table{ TextureBuffer::Row::UInt };
   Request Last;
   std::size_t NumberOfTriangles = 0;
-  int NumberOfRuns = 0;
   std::string Error;
 };
 }

@@ -261,27 +261,6 @@ void vtkMeshInspectionMapper::ShareMesh(vtkMeshInspectionMapper* other)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkMeshInspectionMapper::GetNumberOfVisibleTriangles() const
-{
-  return static_cast<vtkIdType>(this->Internal->NumberOfTriangles);
-}
-
-//------------------------------------------------------------------------------
-int vtkMeshInspectionMapper::GetNumberOfSearches() const
-{
-  return this->Internal->Visible.GetNumberOfRuns() + this->Internal->Isosurface.GetNumberOfRuns();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkMeshInspectionMapper::GetGraphicsMemorySize() const
-{
-  const Internals& self = *this->Internal;
-  return static_cast<vtkIdType>((self.OwnsMesh ? self.Mesh->GetMemorySize() : 0) +
-    self.Visible.GetMemorySize() + self.Isosurface.GetMemorySize() + self.Colors.GetTable().GetMemorySize() +
-    self.Normals.GetTable().GetMemorySize() + self.Values.GetTable().GetMemorySize() + self.Levels.GetTable().GetMemorySize());
-}
-
-//------------------------------------------------------------------------------
 // The base class sees a vtkPolyData that has nothing but the points of the grid.
 void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
 {
@@ -404,7 +383,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   using Kind = InspectionColors::Kind;
   if (this->ColorCoordinates)
   {
-    self.Colors.Update(Kind::Coordinates, vtkArrayDownCast<vtkDataArray>(this->ColorCoordinates));
+    self.Colors.Update(Kind::Coordinates, this->ColorCoordinates);
     if (!this->InternalColorTexture)
     {
       this->InternalColorTexture = vtkOpenGLTexture::New();

@@ -36,14 +36,6 @@ public:
   /// Draws the mesh of another mapper, from the same tables. It must have the same input.
   void ShareMesh(vtkMeshInspectionMapper* other);
 
-  ///@{
-  /// Of the last picture: triangles drawn, and how often they were searched or made since the beginning.
-  vtkIdType GetNumberOfVisibleTriangles() const;
-  int GetNumberOfSearches() const;
-  /// Bytes of graphics memory, colours included.
-  vtkIdType GetGraphicsMemorySize() const;
-  ///@}
-
   using Superclass::SetInputConnection;
   using Superclass::SetInputDataObject;
   void SetInputConnection(int port, vtkAlgorithmOutput* producerOfGrid) override;

@@ -26,6 +26,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <array>
 
 using namespace camaron;
 
@@ -56,6 +57,27 @@ void CopyColoring(vtkMapper* from, vtkMapper* to)
 class vtkMeshInspectionRepresentation::Internals
 {
 public:
+  /// Something beside the mesh that is drawn of it, from the same tables.
+  struct Companion
+  {
+    vtkNew<vtkActor> Actor;
+    vtkNew<vtkMeshInspectionMapper> Mapper;
+
+    void Initialize(vtkMeshInspectionMapper* ofMesh, vtkProperty* property)
+    {
+      this->Mapper->ShareMesh(ofMesh);
+      this->Actor->SetMapper(this->Mapper);
+      this->Actor->SetProperty(property);
+      this->Actor->VisibilityOff();
+    }
+    void Show(const InspectionStyle& style, vtkDataObject* mesh, vtkActor* ofMesh)
+    {
+      this->Mapper->SetStyle(style);
+      this->Mapper->SetInputDataObject(mesh);
+      this->Actor->SetUserMatrix(ofMesh->GetMatrix());
+    }
+  };
+
   InspectionStyle Style;
   bool GlassShell = false;
   int CutMoves = WithMesh;
@@ -67,18 +89,19 @@ public:
 
   int NormalsOf = 0;           ///< 1: faces, 2: vertices
   double NormalLength = 0.03; ///< as a part of the diagonal of the bounds
-  vtkNew<vtkActor> Lines;
+  Companion Lines;
   vtkNew<vtkProperty> LineProperty;
-  vtkNew<vtkMeshInspectionMapper> LineMapper;
 
   bool DrawIsosurfaces = false;
+  Companion Isosurfaces;
 
-  vtkNew<vtkActor> Isosurfaces;
-  vtkNew<vtkMeshInspectionMapper> IsosurfaceMapper;
-  vtkNew<vtkActor> Shell;
+  Companion Shell;
   vtkNew<vtkProperty> ShellProperty;
-  vtkNew<vtkMeshInspectionMapper> ShellMapper;
 
+  std::array<Companion*, 3> GetCompanions()
+  {
+    return { { &this->Shell, &this->Lines, &this->Isosurfaces } };
+  }
   void UpdateShape(vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer);
 };
 
@@ -141,27 +164,19 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   backfaceMapper->ShareMesh(mapper);
 
   Internals& self = *this->Internal;
-  self.IsosurfaceMapper->ShareMesh(mapper);
-  self.Isosurfaces->SetMapper(self.IsosurfaceMapper);
-  self.Isosurfaces->SetProperty(this->Property);
-  self.Isosurfaces->VisibilityOff();
-  self.ShellMapper->ShareMesh(mapper);
-  self.ShellMapper->ScalarVisibilityOff();
+  self.Isosurfaces.Initialize(mapper, this->Property);
+
+  self.Shell.Initialize(mapper, self.ShellProperty);
+  self.Shell.Mapper->ScalarVisibilityOff();
+  self.Shell.Actor->PickableOff();
   self.ShellProperty->SetColor(0.75, 0.85, 1.0);
   self.ShellProperty->SetSpecular(0.6);
   self.ShellProperty->SetSpecularPower(60);
-  self.Shell->SetMapper(self.ShellMapper);
-  self.Shell->SetProperty(self.ShellProperty);
-  self.Shell->PickableOff();
-  self.Shell->VisibilityOff();
 
-  self.LineMapper->ShareMesh(mapper);
-  self.LineMapper->ScalarVisibilityOff();
+  self.Lines.Initialize(mapper, self.LineProperty);
+  self.Lines.Mapper->ScalarVisibilityOff();
+  self.Lines.Actor->PickableOff();
   self.LineProperty->LightingOff();
-  self.Lines->SetMapper(self.LineMapper);
-  self.Lines->SetProperty(self.LineProperty);
-  self.Lines->PickableOff();
-  self.Lines->VisibilityOff();
 }
 
 //------------------------------------------------------------------------------
@@ -173,10 +188,11 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
-    renderView->GetRenderer()->AddActor(this->Internal->Shell);
-    renderView->GetRenderer()->AddActor(this->Internal->Lines);
-    renderView->GetRenderer()->AddActor(this->Internal->Isosurfaces);
-    renderView->RegisterPropForHardwareSelection(this, this->Internal->Isosurfaces);
+    for (Internals::Companion* companion : this->Internal->GetCompanions())
+    {
+      renderView->GetRenderer()->AddActor(companion->Actor);
+    }
+    renderView->RegisterPropForHardwareSelection(this, this->Internal->Isosurfaces.Actor);
   }
   return this->Superclass::AddToView(view);
 }
@@ -187,10 +203,11 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
-    renderView->GetRenderer()->RemoveActor(this->Internal->Shell);
-    renderView->GetRenderer()->RemoveActor(this->Internal->Lines);
-    renderView->GetRenderer()->RemoveActor(this->Internal->Isosurfaces);
-    renderView->UnRegisterPropForHardwareSelection(this, this->Internal->Isosurfaces);
+    for (Internals::Companion* companion : this->Internal->GetCompanions())
+    {
+      renderView->GetRenderer()->RemoveActor(companion->Actor);
+    }
+    renderView->UnRegisterPropForHardwareSelection(this, this->Internal->Isosurfaces.Actor);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -240,11 +257,12 @@ int vtkMeshInspectionRepresentation::RequestData(
 void vtkMeshInspectionRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
-  if (!visible)
+  for (Internals::Companion* companion : this->Internal->GetCompanions())
   {
-    this->Internal->Shell->VisibilityOff();
-    this->Internal->Isosurfaces->VisibilityOff();
-    this->Internal->Lines->VisibilityOff();
+    if (!visible)
+    {
+      companion->Actor->VisibilityOff();
+    }
   }
 }
 
@@ -287,13 +305,13 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
   static_cast<vtkMeshInspectionMapper*>(this->Mapper)->SetStyle(style);
   static_cast<vtkMeshInspectionMapper*>(this->BackfaceMapper)->SetStyle(style);
 
+  auto* mesh = vtkDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
   const bool hasLines = self.NormalsOf != 0 && this->GetVisibility();
-  self.Lines->SetVisibility(hasLines);
+  self.Lines.Actor->SetVisibility(hasLines);
   if (hasLines)
   {
     InspectionStyle lines = style.GetVisible();
     lines.What = self.NormalsOf == 1 ? Figure::FaceNormals : Figure::PointNormals;
-    auto* mesh = vtkDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
     vtkBoundingBox box(style.Bounds.data());
     if (!box.IsValid() && mesh)
     {
@@ -301,13 +319,11 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
     }
     lines.NormalLength = box.IsValid() ? self.NormalLength * box.GetDiagonalLength() : 0;
     self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
-    self.LineMapper->SetStyle(lines);
-    self.LineMapper->SetInputDataObject(mesh);
-    self.Lines->SetUserMatrix(this->Actor->GetMatrix());
+    self.Lines.Show(lines, mesh, this->Actor);
   }
 
   const bool hasIsosurfaces = self.DrawIsosurfaces && this->GetVisibility();
-  self.Isosurfaces->SetVisibility(hasIsosurfaces);
+  self.Isosurfaces.Actor->SetVisibility(hasIsosurfaces);
   if (hasIsosurfaces)
   {
     InspectionStyle surfaces = style;
@@ -316,25 +332,20 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
     surfaces.Edges = surfaces.Points = surfaces.Isolines = false;
     surfaces.ShrinkFactor = 1;
     surfaces.ExplodeFactor = 0;
-    vtkMeshInspectionMapper* mapper = self.IsosurfaceMapper;
-    mapper->SetStyle(surfaces);
-    mapper->SetInputDataObject(vtkPVView::GetDeliveredPiece(inInfo, this));
-    CopyColoring(this->Mapper, mapper);
-    self.Isosurfaces->SetUserMatrix(this->Actor->GetMatrix());
-    self.Isosurfaces->SetPickable(this->Actor->GetPickable());
+    CopyColoring(this->Mapper, self.Isosurfaces.Mapper);
+    self.Isosurfaces.Show(surfaces, mesh, this->Actor);
+    self.Isosurfaces.Actor->SetPickable(this->Actor->GetPickable());
   }
 
   const bool hasShell = self.GlassShell && this->GetVisibility();
-  self.Shell->SetVisibility(hasShell);
+  self.Shell.Actor->SetVisibility(hasShell);
   if (hasShell)
   {
     InspectionStyle glass;
     glass.Glass = true;
     glass.Edges = false;
     glass.GlassStrength = style.GlassStrength;
-    self.ShellMapper->SetStyle(glass);
-    self.ShellMapper->SetInputDataObject(vtkPVView::GetDeliveredPiece(inInfo, this));
-    self.Shell->SetUserMatrix(this->Actor->GetMatrix());
+    self.Shell.Show(glass, mesh, this->Actor);
   }
 }
 
