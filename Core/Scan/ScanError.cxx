@@ -50,7 +50,7 @@ std::string QuoteWord(std::string_view word)
       quoted += "...";
       break;
     }
-    quoted += letter > ' ' && letter < '\x7f' ? letter : '?';
+    quoted += ToPrintable(letter);
   }
   return "'" + quoted + "'";
 }

@@ -43,6 +43,12 @@ struct ScanError
 /// VTK's error code (vtkErrorCode) that comes nearest to the kind.
 unsigned long GetVTKErrorCode(ErrorKind kind);
 
+/// A character of a file as messages show it: itself, or '?' if it cannot be printed as ASCII.
+inline char ToPrintable(char c)
+{
+  return c >= ' ' && c < '\x7f' ? c : '?';
+}
+
 /// A word of a file as messages quote it: up to its first white space, short and printable.
 std::string QuoteWord(std::string_view word);
 

@@ -106,7 +106,7 @@ void FluentFile::FailAt(const char* place, ErrorKind kind, const std::string& ex
       word += "...";
       break;
     }
-    word += *c > ' ' && *c < '\x7f' ? *c : '?';
+    word += ToPrintable(*c);
     if (*c == ')')
     {
       break;

@@ -30,9 +30,9 @@ bool BeginsWith(const char* text, const char* end, std::string_view keyword)
 void OtherSections::Add(const char* text, const char* end)
 {
   constexpr int MaxName = 30;
-  for (int i = 0; this->Count == 0 && i < MaxName && text < end && *text >= ' '; ++i)
+  for (int i = 0; this->Count == 0 && i < MaxName && text < end && *text != '\r' && *text != '\n'; ++i)
   {
-    this->First += *text++;
+    this->First += ToPrintable(*text++);
   }
   ++this->Count;
 }
