@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeedbackProgram.h"
 
+#include "ShapeUniforms.h"
 #include "TextureBuffer.h"
 
 #include <algorithm>
@@ -97,15 +98,13 @@ void FeedbackProgram::SetUniform(const char* name, float value) const
 }
 
 //------------------------------------------------------------------------------
-void FeedbackProgram::SetUniform(const char* name, const float* rowsOf4, int numberOfRows) const
+void FeedbackProgram::SetShape(const ShapeUniforms& shape) const
 {
-  glUniform4fv(glGetUniformLocation(this->Program, name), numberOfRows, rowsOf4);
-}
-
-//------------------------------------------------------------------------------
-void FeedbackProgram::SetMatrix(const char* name, const float values[16]) const
-{
-  glUniformMatrix4fv(glGetUniformLocation(this->Program, name), 1, GL_FALSE, values);
+  this->SetUniform("numberOfPlanes", shape.NumberOfPlanes);
+  glUniform4fv(glGetUniformLocation(this->Program, "planes"), ConvexShape::MaxPlanes,
+    shape.Planes[0]);
+  glUniformMatrix4fv(
+    glGetUniformLocation(this->Program, "toUnitSphere"), 1, GL_FALSE, shape.ToUnitSphere);
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,7 @@
 namespace camaron
 {
 class TextureBuffer;
+struct ShapeUniforms;
 
 class FeedbackProgram
 {
@@ -39,8 +40,8 @@ public:
   void Use() const;
   void SetUniform(const char* name, int value) const;
   void SetUniform(const char* name, float value) const;
-  void SetUniform(const char* name, const float* rowsOf4, int numberOfRows) const;
-  void SetMatrix(const char* name, const float values[16]) const;
+  /// The uniforms of InShape.glsl.
+  void SetShape(const ShapeUniforms& shape) const;
   /// Makes @a table the sampler @a name, through texture unit @a unit.
   void SetTable(const char* name, const TextureBuffer& table, int unit) const;
 

@@ -35,7 +35,8 @@ enum class CutBy
   Nothing,
   Centroid,
   AnyVertex,
-  AllVertices
+  AllVertices,
+  Exactly ///< cells are cut through
 };
 
 /// What faces are coloured by.
@@ -80,7 +81,8 @@ enum class Figure
   Faces, ///< themselves, their edges and their points
   FaceNormals,
   PointNormals,
-  Isosurfaces
+  Isosurfaces,
+  Cap ///< what an exact cut shows of the inside of cells
 };
 
 struct InspectionStyle
@@ -153,18 +155,23 @@ struct InspectionStyle
   {
     return this->ColorBy == Coloring::Height || this->ColorBy == Coloring::Depth;
   }
+  /// True when the figure is made of the faces of cells.
+  bool DrawsFaces() const { return this->What != Figure::Isosurfaces && this->What != Figure::Cap; }
   /// True when the figure is made of lines of one colour.
   bool DrawsNormals() const
   {
     return this->What == Figure::FaceNormals || this->What == Figure::PointNormals;
   }
+  bool CutsExactly() const { return this->Cut == CutBy::Exactly; }
+  /// True when whole cells are cut away.
+  bool CutsCells() const { return this->Cut != CutBy::Nothing && !this->CutsExactly(); }
   /// True when cells move, so that each needs its own faces.
   bool MovesCells() const { return this->ShrinkFactor != 1 || this->ExplodeFactor != 0; }
   /// True when the faces that are seen are just those with one cell in the mesh.
   bool IsWholeSurface() const
   {
     return this->WallsToDraw == Walls::Surface && this->CellsToDraw == Chosen::All &&
-      this->Cut == CutBy::Nothing && !this->MovesCells();
+      !this->CutsCells() && !this->MovesCells();
   }
 };
 }

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderModes.h"
 
+#include "CapGLSL.h"
+#include "CutExactlyGLSL.h"
 #include "CutFacesGLSL.h"
 #include "EmphasisGLSL.h"
 #include "GlassGLSL.h"
 #include "IsolinesGLSL.h"
+#include "InShapeGLSL.h"
 #include "PropertyGLSL.h"
 #include "RampGLSL.h"
+#include "ShapeUniforms.h"
 #include "SmoothGLSL.h"
 #include "ValuesGLSL.h"
 #include "WireframeGLSL.h"
@@ -86,11 +90,38 @@ void SetIsolines(vtkShaderProgram* program, const RenderContext& context)
 }
 
 //------------------------------------------------------------------------------
+void SetShape(vtkShaderProgram* program, const RenderContext& context)
+{
+  const ShapeUniforms shape(context.Style.Shape, context.Middle);
+  program->SetUniformi("numberOfPlanes", shape.NumberOfPlanes);
+  program->SetUniform4fv("planes", ConvexShape::MaxPlanes, shape.Planes);
+  program->SetUniformMatrix4x4("toUnitSphere", const_cast<float*>(shape.ToUnitSphere));
+  program->SetUniformi("keepInside", context.Style.KeepInside ? 1 : 0);
+}
+
+//------------------------------------------------------------------------------
+void SetCap(vtkShaderProgram* program, const RenderContext& context)
+{
+  float eye[4];
+  std::copy(context.Eye.begin(), context.Eye.end(), eye);
+  program->SetUniform4f("eye", eye);
+  SetShape(program, context);
+}
+
+//------------------------------------------------------------------------------
 const std::vector<RenderMode>& GetRenderModes()
 {
   using Style = InspectionStyle;
   using Context = RenderContext;
+  static const std::string cutExactly = std::string(InShapeGLSL) + CutExactlyGLSL;
+  static const std::string cap = std::string(InShapeGLSL) + CapGLSL;
   static const std::vector<RenderMode> modes = {
+    { [](const Style& style)
+      {
+        return style.CutsExactly() && !style.Glass && style.What != Figure::Cap &&
+          style.What != Figure::Isosurfaces;
+      },
+      "HAS_POSITION", cutExactly.c_str(), "cutExactly();", false, &SetShape },
     { [](const Style&) { return true; }, nullptr, PropertyGLSL,
       "property(ambientColor, diffuseColor, opacity);", false, &SetNothing },
     { [](const Style& style) { return style.ColorBy == Coloring::TwoColors && !style.Glass; }, nullptr,
@@ -126,6 +157,9 @@ const std::vector<RenderMode>& GetRenderModes()
       { program->SetUniformf("glassStrength", static_cast<float>(context.Style.GlassStrength)); } },
     { [](const Style& style) { return style.DrawsNormals(); }, nullptr, "", "", false,
       &SetNormalLines },
+    // After those whose inputs it finds.
+    { [](const Style& style) { return style.What == Figure::Cap; }, "IS_CAP", cap.c_str(), "", false,
+      &SetCap },
   };
   return modes;
 }

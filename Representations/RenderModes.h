@@ -27,6 +27,8 @@ struct RenderContext
   vtkProperty* Property;
   const std::array<double, 4>& Distance; ///< see GetDistanceRamp
   const int* Viewport; ///< x, y, width, height in pixels
+  const std::array<double, 3>& Middle; ///< what coordinates in shaders are relative to
+  const std::array<double, 4>& Eye;    ///< there; a place (1 at the end) or a direction (0)
 };
 
 struct RenderMode

@@ -5,57 +5,18 @@
 #include "InShapeGLSL.h"
 #include "InspectionMesh.h"
 #include "KeepCellsVS.h"
+#include "ShapeUniforms.h"
 #include "VisibleTrianglesGS.h"
 #include "VisibleTrianglesVS.h"
 
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
-#include <vector>
-
 namespace camaron
 {
-namespace
-{
-constexpr int MaxPlanes = ConvexShape::MaxPlanes;
-
-// The shape in the coordinates of the tables, which are relative to the middle of the mesh.
-void SetShape(
-  const FeedbackProgram& program, const ConvexShape& shape, const std::array<double, 3>& middle)
-{
-  const int numberOfPlanes = std::min(static_cast<int>(shape.Planes.size()), MaxPlanes);
-  std::vector<float> planes(4 * MaxPlanes, 0.0f);
-  for (int i = 0; i < numberOfPlanes; ++i)
-  {
-    const std::array<double, 4>& plane = shape.Planes[i];
-    for (int k = 0; k < 3; ++k)
-    {
-      planes[4 * i + k] = static_cast<float>(plane[k]);
-    }
-    planes[4 * i + 3] = static_cast<float>(
-      plane[3] + plane[0] * middle[0] + plane[1] * middle[1] + plane[2] * middle[2]);
-  }
-  float columns[16];
-  for (int row = 0; row < 4; ++row)
-  {
-    const double* from = &shape.ToUnitSphere[4 * row];
-    for (int k = 0; k < 3; ++k)
-    {
-      columns[4 * k + row] = static_cast<float>(from[k]);
-    }
-    columns[12 + row] = static_cast<float>(
-      from[3] + from[0] * middle[0] + from[1] * middle[1] + from[2] * middle[2]);
-  }
-  program.SetUniform("numberOfPlanes", numberOfPlanes);
-  program.SetUniform("planes", planes.data(), MaxPlanes);
-  program.SetMatrix("toUnitSphere", columns);
-}
-}
-
 //------------------------------------------------------------------------------
 bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style)
 {
-  const bool hasCut = style.Cut != CutBy::Nothing;
+  const bool hasCut = style.CutsCells();
   const Walls walls = style.MovesCells() && style.WallsToDraw == Walls::Surface
     ? Walls::Complete
     : style.WallsToDraw;
@@ -130,10 +91,10 @@ void VisibleTriangles::KeepCells(InspectionMesh& mesh, const InspectionStyle& st
   program.SetTable("centroidTable", hasCentroids ? mesh.Centroids : mesh.Points, 2);
   program.SetTable("cellOffsetTable", hasConnectivity ? mesh.CellOffsets : mesh.Marks, 3);
   program.SetTable("cellPointTable", hasConnectivity ? mesh.CellPoints : mesh.Marks, 4);
-  program.SetUniform("cutBy", static_cast<int>(style.Cut));
+  program.SetUniform("cutBy", style.CutsCells() ? static_cast<int>(style.Cut) : 0);
   program.SetUniform("keepInside", style.KeepInside ? 1 : 0);
   program.SetUniform("cellsToDraw", static_cast<int>(style.CellsToDraw));
-  SetShape(program, style.Shape, mesh.GetMiddle());
+  program.SetShape(ShapeUniforms(style.Shape, mesh.GetMiddle()));
   program.Run(numberOfCells, this->Keep);
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshInspectionMapper.h"
 
+#include "CapVS.h"
+#include "CutTetrahedra.h"
 #include "DistanceRamp.h"
 #include "FacesVS.h"
 #include "InspectionArrays.h"
@@ -55,6 +57,60 @@ using namespace camaron;
 
 vtkStandardNewMacro(vtkMeshInspectionMapper);
 
+namespace
+{
+//------------------------------------------------------------------------------
+// From the coordinates of the tables, which are relative to the middle of the mesh, to those of the camera.
+void GetViewOfTables(vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& middle,
+  vtkMatrix4x4* toView)
+{
+  vtkNew<vtkMatrix4x4> shift;
+  for (int i = 0; i < 3; ++i)
+  {
+    shift->SetElement(i, 3, middle[i]);
+  }
+  vtkMatrix4x4::Multiply4x4(actor->GetMatrix(), shift, toView);
+  vtkMatrix4x4::Multiply4x4(
+    renderer->GetActiveCamera()->GetModelViewTransformMatrix(), toView, toView);
+}
+
+//------------------------------------------------------------------------------
+// Where the eye is in the coordinates of the tables, or in which direction.
+std::array<double, 4> GetEye(
+  vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& middle)
+{
+  vtkNew<vtkMatrix4x4> toTables;
+  GetViewOfTables(renderer, actor, middle, toTables);
+  toTables->Invert();
+  const bool isParallel = renderer->GetActiveCamera()->GetParallelProjection();
+  const double inView[4] = { 0, 0, isParallel ? 1.0 : 0.0, isParallel ? 0.0 : 1.0 };
+  std::array<double, 4> eye;
+  toTables->MultiplyPoint(inView, eye.data());
+  return eye;
+}
+
+//------------------------------------------------------------------------------
+// What is drawn is not the face, but what Cap.glsl finds before it.
+void PutOnCap(std::string& fragment)
+{
+  const auto replace = [&](const char* place, const char* code)
+  { vtkShaderProgram::Substitute(fragment, std::string("//VTK::") + place, code); };
+  replace("PositionVC::Dec", "");
+  replace("PositionVC::Impl",
+    "bool isHit = findHit();\n"
+    "  vec4 vertexVC = MCVCMatrix * vec4(hitPlace, 1.0);\n"
+    "  vec4 hitDC = MCDCMatrix * vec4(hitPlace, 1.0);\n"
+    "  findInputs();\n");
+  replace("Depth::Impl",
+    "if (!isHit || abs(hitDC.z) > hitDC.w) { discard; }\n"
+    "  gl_FragDepth = 0.5 * hitDC.z / hitDC.w + 0.5;\n");
+  replace("Normal::Dec", "");
+  replace("Normal::Impl",
+    "vec3 normalVCVSOutput = normalize(normalMatrix * hitNormal);\n"
+    "  vec3 coatNormalVCVSOutput = normalVCVSOutput;\n");
+}
+}
+
 //==============================================================================
 class vtkMeshInspectionMapper::Internals
 {
@@ -64,6 +120,7 @@ public:
   bool OwnsMesh = true;
   VisibleTriangles Visible;
   Isosurfaces Isosurface;
+  CutTetrahedra Cut;
   bool IsListed = false;
   std::size_t NumberOfTriangles = 0;
 
@@ -94,7 +151,7 @@ public:
 void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
 {
   this->Mesh->Update();
-  this->IsListed = this->Style.What != Figure::Isosurfaces && !this->Style.IsWholeSurface();
+  this->IsListed = this->Style.DrawsFaces() && !this->Style.IsWholeSurface();
   if (this->Style.What == Figure::Isosurfaces)
   {
     vtkDataArray* array = this->Grid->GetPointData()->GetArray(this->Style.IsosurfaceArray.c_str());
@@ -103,6 +160,14 @@ void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
       throw std::runtime_error("The graphics card makes no isosurfaces: " + this->Isosurface.GetError());
     }
     this->NumberOfTriangles = this->Isosurface.GetNumberOfTriangles();
+  }
+  else if (this->Style.What == Figure::Cap)
+  {
+    if (!this->Cut.Update(*this->Mesh, this->Style))
+    {
+      throw std::runtime_error("The graphics card refuses to cut: " + this->Cut.GetError());
+    }
+    this->NumberOfTriangles = 4 * this->Cut.GetNumberOfTetrahedra();
   }
   else if (this->IsListed)
   {
@@ -219,6 +284,7 @@ void vtkMeshInspectionMapper::Internals::Release()
   }
   this->Visible.Release();
   this->Isosurface.Release();
+  this->Cut.Release();
   this->Colors.Release();
   this->Normals.Release();
   this->Values.Release();
@@ -467,7 +533,8 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
 {
   this->Superclass::GetShaderTemplate(shaders, renderer, actor);
   const Internals& self = *this->Internal;
-  std::string vertex = self.Style.DrawsNormals() ? NormalLinesVS : FacesVS;
+  const bool isCap = self.Style.What == Figure::Cap;
+  std::string vertex = self.Style.DrawsNormals() ? NormalLinesVS : isCap ? CapVS : FacesVS;
   vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
   vtkShaderProgram::Substitute(vertex, "//Camaron::Place", PlaceGLSL);
   shaders[vtkShader::Vertex]->SetSource(vertex);
@@ -478,10 +545,6 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
                              "flat in uint cellMarks;\n"
                              "flat in int isCutFace;\n" +
     self.Code.Declarations;
-  if (self.Colors.GetKind() == InspectionColors::Kind::Coordinates)
-  {
-    declarations += "in vec2 colorTCoordVCVSOutput;\nuniform sampler2D colortexture;\n";
-  }
   // The modes speak of the uniforms of the material and the camera, which VTK declares last.
   vtkShaderProgram::Substitute(
     fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + self.Code.Defines);
@@ -491,6 +554,10 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
     fragment, "//VTK::Edges::Impl", self.Code.ColorCalls + "//VTK::Edges::Impl\n");
   vtkShaderProgram::Substitute(
     fragment, "//VTK::PBR::Impl", self.Code.NormalCalls + "//VTK::PBR::Impl\n");
+  if (isCap)
+  {
+    PutOnCap(fragment);
+  }
   shaders[vtkShader::Fragment]->SetSource(fragment);
 }
 
@@ -562,6 +629,9 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   self.Attach(program, "markTable", mesh.Marks);
   self.Attach(program, "visibleTable", self.IsListed ? self.Visible.GetTable() : mesh.Marks);
   self.Attach(program, "cornerTable", self.Isosurface.GetTable());
+  self.Attach(program, "cutTable", self.Cut.GetTable());
+  self.Attach(program, "tetrahedronTable", mesh.Tetrahedra);
+  self.Attach(program, "cellOfTetrahedronTable", mesh.CellsOfTetrahedra);
   self.Attach(program, "centroidTable", mesh.Centroids);
   self.Attach(program, "ownerTable", mesh.Owners);
   self.Attach(program, "colorTable", self.Colors.GetTable());
@@ -585,7 +655,9 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
     renderer->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), toView);
   const std::array<double, 4> distance = GetDistanceRamp(
     style, hasBounds ? style.Bounds.data() : this->GetBounds(), mesh.GetMiddle(), toView);
-  const RenderContext context{ style, actor->GetProperty(), distance, viewport };
+  const std::array<double, 4> eye = GetEye(renderer, actor, mesh.GetMiddle());
+  const RenderContext context{ style, actor->GetProperty(), distance, viewport, mesh.GetMiddle(),
+    eye };
   for (const RenderMode& mode : GetRenderModes())
   {
     if (mode.IsOn(style))
@@ -601,17 +673,10 @@ void vtkMeshInspectionMapper::SetCameraShaderParameters(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetCameraShaderParameters(helper, renderer, actor);
-  vtkNew<vtkMatrix4x4> shift;
-  for (int i = 0; i < 3; ++i)
-  {
-    shift->SetElement(i, 3, this->Internal->Mesh->GetMiddle()[i]);
-  }
   vtkNew<vtkMatrix4x4> toView, toDisplay;
-  vtkCamera* camera = renderer->GetActiveCamera();
-  vtkMatrix4x4::Multiply4x4(actor->GetMatrix(), shift, toView);
-  vtkMatrix4x4::Multiply4x4(camera->GetModelViewTransformMatrix(), toView, toView);
+  GetViewOfTables(renderer, actor, this->Internal->Mesh->GetMiddle(), toView);
   vtkMatrix4x4::Multiply4x4(
-    camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1), toView, toDisplay);
+    renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1), toView, toDisplay);
   // GLSL has its matrices by columns.
   toView->Transpose();
   toDisplay->Transpose();
@@ -640,6 +705,15 @@ void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
   {
     const bool isOfFaces = style.What == Figure::FaceNormals;
     this->Draw(renderer, actor, PrimitiveTris, GL_TRIANGLES, isOfFaces ? 2 * corners : 6 * corners);
+    return;
+  }
+  if (style.What == Figure::Cap)
+  {
+    // There are no points on it to pick.
+    if (!this->PointPicking)
+    {
+      this->Draw(renderer, actor, PrimitiveTris, GL_TRIANGLES, corners);
+    }
     return;
   }
   if (style.Faces || style.Edges)

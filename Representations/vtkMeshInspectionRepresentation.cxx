@@ -75,6 +75,10 @@ public:
       this->Mapper->SetStyle(style);
       this->Mapper->SetInputDataObject(mesh);
       this->Actor->SetUserMatrix(ofMesh->GetMatrix());
+      if (this->Actor->GetMTime() < ofMesh->GetMTime())
+      {
+        this->Actor->Modified(); // it does not see that its matrix changed
+      }
     }
   };
 
@@ -94,13 +98,14 @@ public:
 
   bool DrawIsosurfaces = false;
   Companion Isosurfaces;
+  Companion Cap; ///< of an exact cut
 
   Companion Shell;
   vtkNew<vtkProperty> ShellProperty;
 
-  std::array<Companion*, 3> GetCompanions()
+  std::array<Companion*, 4> GetCompanions()
   {
-    return { { &this->Shell, &this->Lines, &this->Isosurfaces } };
+    return { { &this->Shell, &this->Lines, &this->Isosurfaces, &this->Cap } };
   }
   void UpdateShape(vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer);
 };
@@ -165,6 +170,7 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
 
   Internals& self = *this->Internal;
   self.Isosurfaces.Initialize(mapper, this->Property);
+  self.Cap.Initialize(mapper, this->Property);
 
   self.Shell.Initialize(mapper, self.ShellProperty);
   self.Shell.Mapper->ScalarVisibilityOff();
@@ -193,6 +199,7 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
       renderView->GetRenderer()->AddActor(companion->Actor);
     }
     renderView->RegisterPropForHardwareSelection(this, this->Internal->Isosurfaces.Actor);
+    renderView->RegisterPropForHardwareSelection(this, this->Internal->Cap.Actor);
   }
   return this->Superclass::AddToView(view);
 }
@@ -208,6 +215,7 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
       renderView->GetRenderer()->RemoveActor(companion->Actor);
     }
     renderView->UnRegisterPropForHardwareSelection(this, this->Internal->Isosurfaces.Actor);
+    renderView->UnRegisterPropForHardwareSelection(this, this->Internal->Cap.Actor);
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -335,6 +343,16 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
     CopyColoring(this->Mapper, self.Isosurfaces.Mapper);
     self.Isosurfaces.Show(surfaces, mesh, this->Actor);
     self.Isosurfaces.Actor->SetPickable(this->Actor->GetPickable());
+  }
+
+  const bool hasCap = style.CutsExactly() && (style.Faces || style.Edges) && this->GetVisibility();
+  self.Cap.Actor->SetVisibility(hasCap);
+  if (hasCap)
+  {
+    style.What = Figure::Cap;
+    CopyColoring(this->Mapper, self.Cap.Mapper);
+    self.Cap.Show(style, mesh, this->Actor);
+    self.Cap.Actor->SetPickable(this->Actor->GetPickable());
   }
 
   const bool hasShell = self.GlassShell && this->GetVisibility();

@@ -6,9 +6,12 @@
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
 
+#include "vtkBoundingBox.h"
+
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace camaron
 {
@@ -23,7 +26,7 @@ vtkIdType GetNumberOfBlocks(const MeshView& mesh)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(a, b, c, d) for the tetrahedra of a cell.
+// Calls visit(a, b, c, d, walls) for the tetrahedra of a cell.
 class TetrahedraOfCell
 {
 public:
@@ -43,7 +46,7 @@ public:
     if (this->Mesh.GetCellType(cell) == VTK_TETRA)
     {
       const IndexRange points = this->Mesh.GetCellPoints(cell);
-      visit(points[0], points[1], points[2], points[3]);
+      visit(points[0], points[1], points[2], points[3], AllWalls);
       return;
     }
     vtkIdType apex = -1;
@@ -53,6 +56,7 @@ public:
         const vtkIdType first = points[this->FindFirst(points, size)];
         apex = apex < 0 || this->IsBefore(first, apex) ? first : apex;
       });
+    this->FindEdgesAround(cell, apex);
     this->Facets.ForEach(cell,
       [&](const vtkIdType* points, vtkIdType size, vtkIdType)
       {
@@ -64,12 +68,38 @@ public:
         const auto corner = [&](vtkIdType i) { return points[(first + i) % size]; };
         for (vtkIdType i = 1; i + 1 < size; ++i)
         {
-          visit(apex, points[first], corner(i), corner(i + 1));
+          const std::uint32_t walls = 1 | this->IsAround(corner(i), corner(i + 1)) << 1 |
+            (i + 2 == size && this->IsAround(corner(i + 1), corner(0))) << 2 |
+            (i == 1 && this->IsAround(corner(0), corner(1))) << 3;
+          visit(apex, points[first], corner(i), corner(i + 1), walls);
         }
       });
   }
 
 private:
+  static constexpr std::uint32_t AllWalls = 15;
+
+  // A triangle from the apex to an edge lies in a face of the cell if that face has both.
+  void FindEdgesAround(vtkIdType cell, vtkIdType apex)
+  {
+    this->Around.clear();
+    this->Facets.ForEach(cell,
+      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+      {
+        if (std::find(points, points + size, apex) != points + size)
+        {
+          for (vtkIdType i = 0; i < size; ++i)
+          {
+            this->Around.emplace_back(std::minmax(points[i], points[(i + 1) % size]));
+          }
+        }
+      });
+  }
+  bool IsAround(vtkIdType a, vtkIdType b) const
+  {
+    const std::pair<vtkIdType, vtkIdType> edge = std::minmax(a, b);
+    return std::find(this->Around.begin(), this->Around.end(), edge) != this->Around.end();
+  }
   bool IsBefore(vtkIdType a, vtkIdType b) const
   {
     double p[3], q[3];
@@ -96,6 +126,7 @@ private:
 
   const MeshView& Mesh;
   CellFacets Facets;
+  std::vector<std::pair<vtkIdType, vtkIdType>> Around;
 };
 
 //------------------------------------------------------------------------------
@@ -120,6 +151,10 @@ void ForEachBlock(const MeshView& mesh, Function&& perBlock)
 //------------------------------------------------------------------------------
 CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
 {
+  if (mesh.GetNumberOfCells() >= vtkIdType(1) << (32 - CellTetrahedra::WallBits))
+  {
+    throw std::length_error("Cells can be cut open in pieces of up to 2^28 of them.");
+  }
   std::vector<vtkIdType> counts(GetNumberOfBlocks(mesh), 0);
   ForEachBlock(mesh,
     [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
@@ -127,7 +162,7 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         tetrahedra.ForEach(
-          cell, [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType) { ++counts[block]; });
+          cell, [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType, std::uint32_t) { ++counts[block]; });
       }
     });
   CellTetrahedra made;
@@ -152,11 +187,11 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         tetrahedra.ForEach(cell,
-          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d)
+          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls)
           {
             made.Points[next] = { { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
               static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(d) } };
-            made.Cells[next] = static_cast<std::uint32_t>(cell);
+            made.Cells[next] = static_cast<std::uint32_t>(cell) << CellTetrahedra::WallBits | walls;
             ++next;
           });
       }
@@ -187,5 +222,32 @@ std::vector<std::array<float, 2>> FindBlockRanges(
       }
     });
   return ranges;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::array<double, 6>> FindBlockBounds(const MeshView& mesh)
+{
+  std::vector<std::array<double, 6>> bounds(
+    GetNumberOfBlocks(mesh), std::array<double, 6>{ { 1, -1, 1, -1, 1, -1 } });
+  ForEachBlock(mesh,
+    [&](TetrahedraOfCell&, vtkIdType block, vtkIdType begin, vtkIdType end)
+    {
+      vtkBoundingBox box;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const IndexRange points = mesh.GetCellPoints(cell);
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          double x[3];
+          mesh.GetPoint(points[i], x);
+          box.AddPoint(x);
+        }
+      }
+      if (box.IsValid())
+      {
+        box.GetBounds(bounds[block].data());
+      }
+    });
+  return bounds;
 }
 }

@@ -30,18 +30,25 @@ struct CellTetrahedra
   /// Cells that lie together in memory, and mostly in space.
   static constexpr vtkIdType CellsPerBlock = 64;
 
+  /// Room for the bits beside a cell.
+  static constexpr int WallBits = 4;
+
   std::vector<std::array<std::uint32_t, 4>> Points;
+  /// The cell << WallBits; bit i: the face opposite point i lies in a face of the cell.
   std::vector<std::uint32_t> Cells;
   /// Where the tetrahedra of each block of cells begin, and the end.
   std::vector<std::uint32_t> Blocks;
 };
 
-/// @throw std::length_error for 2^32 tetrahedra or more
+/// @throw std::length_error for 2^32 tetrahedra or 2^28 cells, or more
 CellTetrahedra MakeCellTetrahedra(const MeshView& mesh);
 
 /// The least and the largest value that the points of each block of cells have; NaN does not count.
 std::vector<std::array<float, 2>> FindBlockRanges(
   const MeshView& mesh, const std::vector<float>& pointValues);
+
+/// The boxes around each block of cells, (x, x, y, y, z, z) in the unit of coordinates; 1, -1 around no points.
+std::vector<std::array<double, 6>> FindBlockBounds(const MeshView& mesh);
 }
 
 #endif

@@ -54,6 +54,10 @@ flat out uint cellOfFace;
 flat out uint cellMarks;
 flat out int isCutFace;
 
+#ifdef HAS_POSITION
+out vec3 positionOfFragment;
+#endif
+
 vec4 vertexMC;
 
 //VTK::CustomUniforms::Dec
@@ -115,6 +119,9 @@ void main()
   isCutFace = isListed == 1 && cells[1] != 0xffffffffu ? 1 : 0;
 #endif
   vertexMC = mix(place(firstPoint, cell), place(secondPoint, cell), between);
+#ifdef HAS_POSITION
+  positionOfFragment = vertexMC.xyz;
+#endif
   cellOfFace = cell;
   cellMarks = texelFetch(markTable, int(cell)).x;
 

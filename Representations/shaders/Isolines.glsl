@@ -3,7 +3,7 @@ uniform float isolineFirst;
 uniform float isolineSpacing;
 uniform float isolineWidth;
 uniform vec3 isolineColor;
-in float level;
+VARYING float level;
 
 void isolines(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 {

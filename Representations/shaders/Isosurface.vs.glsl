@@ -16,7 +16,7 @@ void main()
   {
     values[i] = texelFetch(valueTable, int(pointsOfTetrahedron[i])).x;
   }
-  cell = texelFetch(cellOfTetrahedronTable, gl_VertexID).x;
+  cell = texelFetch(cellOfTetrahedronTable, gl_VertexID).x >> 4;
   // Cells of another piece, and hidden ones, have no part: no value is as large as this one.
   if ((texelFetch(markTable, int(cell)).x & 3u) != 0u)
   {

@@ -21,6 +21,10 @@ flat out uint cellOfFace;
 flat out uint cellMarks;
 flat out int isCutFace;
 
+#ifdef HAS_POSITION
+out vec3 positionOfFragment;
+#endif
+
 vec4 vertexMC;
 
 //VTK::CustomUniforms::Dec
@@ -97,6 +101,9 @@ void main()
   vec3 end = start + normal * (normalLength / max(size, 1.0e-30));
   bool isEnd = corner == 1 || corner == 2 || corner == 4;
   vertexMC = vec4(isEnd ? end : start, 1.0);
+#ifdef HAS_POSITION
+  positionOfFragment = start; // whole lines
+#endif
 
   //VTK::CustomBegin::Impl
   //VTK::Color::Impl

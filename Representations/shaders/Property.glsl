@@ -1,10 +1,14 @@
-// The colour of the cell or point by the transfer function. Coordinates of a colour texture (HAS_COLOR_COORDINATES)
-// are VTK's business.
+// The colour of the cell or point by the transfer function. What is done with coordinates of a colour texture
+// (HAS_COLOR_COORDINATES) is VTK's business.
 #ifdef HAS_CELL_COLORS
 uniform samplerBuffer colorTable;
 #endif
+#ifdef HAS_COLOR_COORDINATES
+VARYING vec2 colorTCoordVCVSOutput;
+uniform sampler2D colortexture;
+#endif
 #ifdef HAS_POINT_COLORS
-in vec4 colorOfPoint;
+VARYING vec4 colorOfPoint;
 #endif
 
 void property(inout vec3 ambient, inout vec3 diffuse, inout float opacity)

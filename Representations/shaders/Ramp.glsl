@@ -3,7 +3,7 @@
 uniform vec3 lowColor;
 uniform vec3 highColor;
 #ifdef HAS_DISTANCE
-in float distancePart;
+VARYING float distancePart;
 #else
 uniform vec3 nullColor;
 uniform vec2 rampRange;

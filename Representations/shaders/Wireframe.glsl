@@ -1,6 +1,10 @@
 // Edges of the faces in a single pass: the distance to the nearest edge, in pixels, decides.
+#ifdef IS_CAP
+float pixelsToWall;
+#else
 flat in vec3 lines[3];
 uniform vec2 viewportOrigin;
+#endif
 uniform float edgeWidth;
 uniform vec3 edgesColor;
 uniform float edgesOpacity;
@@ -9,8 +13,12 @@ uniform int edgesOfSelectedOnly; // 1: of the cells marked as selected
 
 void wireframe(inout vec3 ambient, inout vec3 diffuse, inout float opacity)
 {
+#ifdef IS_CAP
+  float nearest = pixelsToWall;
+#else
   vec3 pixel = vec3(gl_FragCoord.xy - viewportOrigin, 1.0);
   float nearest = min(abs(dot(lines[0], pixel)), min(abs(dot(lines[1], pixel)), abs(dot(lines[2], pixel))));
+#endif
   float amount = clamp(0.5 * edgeWidth + 0.5 - nearest, 0.0, 1.0);
   if (edgesOfSelectedOnly == 1 && (cellMarks & 4u) == 0u)
   {

@@ -3,7 +3,7 @@
 #include "Drawing/CellTetrahedra.h"
 #include "Mesh/MeshView.h"
 #include "Mesh/Vector.h"
-#include "TestMeshes.h"
+#include "CriteriaTesting.h"
 
 #include <gtest/gtest.h>
 
@@ -119,7 +119,7 @@ TEST(CellTetrahedra, BlockRanges)
     float low = 1e30f, high = -1e30f;
     for (std::uint32_t t = tetrahedra.Blocks[block]; t < tetrahedra.Blocks[block + 1]; ++t)
     {
-      EXPECT_EQ(tetrahedra.Cells[t] / CellTetrahedra::CellsPerBlock, block);
+      EXPECT_EQ((tetrahedra.Cells[t] >> CellTetrahedra::WallBits) / CellTetrahedra::CellsPerBlock, block);
       for (const std::uint32_t point : tetrahedra.Points[t])
       {
         low = std::fmin(low, values[point]);
@@ -128,5 +128,68 @@ TEST(CellTetrahedra, BlockRanges)
     }
     EXPECT_EQ(ranges[block][0], low);
     EXPECT_EQ(ranges[block][1], high);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The faces of tetrahedra that lie in faces of cells cover these, and no others do.
+TEST(CellTetrahedra, WallsCoverCells)
+{
+  const auto sumWalls = [](vtkUnstructuredGrid* grid)
+  {
+    double sum = 0;
+    const CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(grid));
+    for (std::size_t t = 0; t < tetrahedra.Points.size(); ++t)
+    {
+      for (int without = 0; without < 4; ++without)
+      {
+        if (tetrahedra.Cells[t] >> without & 1)
+        {
+          Vector x[3];
+          for (int i = 0; i < 3; ++i)
+          {
+            double p[3];
+            grid->GetPoint(tetrahedra.Points[t][(without + 1 + i) % 4], p);
+            x[i] = { p[0], p[1], p[2] };
+          }
+          sum += Norm(Cross(x[1] - x[0], x[2] - x[0])) / 2;
+        }
+      }
+    }
+    return sum;
+  };
+  for (const bool asPolyhedra : { false, true })
+  {
+    const Grid grid = MakeHexahedra(3, 3, 3, asPolyhedra);
+    double bounds[6];
+    grid->GetBounds(bounds);
+    const double x = bounds[1] - bounds[0], y = bounds[3] - bounds[2], z = bounds[5] - bounds[4];
+    EXPECT_NEAR(sumWalls(grid), 2 * 3 * (x * y + y * z + z * x), 1e-12);
+  }
+  for (const int type : StandardTypes3D)
+  {
+    const Grid cell = MakeStandardCell(type);
+    const Grid polyhedron = ToPolyhedra(cell);
+    const double area = EvaluateAll(polyhedron).at("SurfaceArea")[0];
+    EXPECT_NEAR(sumWalls(cell), area, 1e-12 * area) << type;
+    EXPECT_NEAR(sumWalls(polyhedron), area, 1e-12 * area) << type;
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(CellTetrahedra, BlockBounds)
+{
+  const Grid grid = MakeHexahedra(100, 1, 1, false);
+  double all[6];
+  grid->GetBounds(all);
+  const auto bounds = FindBlockBounds(MeshView(grid));
+  ASSERT_EQ(bounds.size(), 2u);
+  const double middle = all[0] + 0.64 * (all[1] - all[0]);
+  for (const auto& [side, block] : { std::pair<double, int>{ all[0], 0 }, { all[1], 1 } })
+  {
+    EXPECT_NEAR(bounds[block][block], side, 1e-12);
+    EXPECT_NEAR(bounds[block][1 - block], middle, 1e-12);
+    EXPECT_EQ(bounds[block][2], all[2]);
+    EXPECT_EQ(bounds[block][5], all[5]);
   }
 }

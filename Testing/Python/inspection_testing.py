@@ -38,7 +38,7 @@ def picture(view):
 
 def difference(one, other, tolerance=24):
     """Part of the pixels where two pictures differ by more than `tolerance` of 255."""
-    return float(numpy.mean(numpy.abs(one - other).max(axis=2) > tolerance))
+    return float(numpy.mean(numpy.abs(one - other).max(axis=-1) > tolerance))
 
 
 def selected(view, source, kind):

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CutTetrahedra.h"
+
+#include "CutTetrahedraGS.h"
+#include "CutTetrahedraVS.h"
+#include "InShapeGLSL.h"
+#include "InspectionMesh.h"
+#include "ShapeUniforms.h"
+
+#include "Drawing/CellTetrahedra.h"
+#include "Mesh/MeshView.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::size_t FirstCapacity = 1 << 15; // rows
+
+//------------------------------------------------------------------------------
+// A linear function at the middle of a box, and how much it changes at most from there to its corners.
+struct Linear
+{
+  Linear(const double* row, const std::array<double, 6>& box)
+    : AtMiddle(row[3])
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->AtMiddle += row[i] * (0.5 * box[2 * i] + 0.5 * box[2 * i + 1]);
+      this->Change += std::abs(row[i]) * (0.5 * box[2 * i + 1] - 0.5 * box[2 * i]);
+    }
+  }
+  double AtMiddle;
+  double Change = 0;
+};
+
+//------------------------------------------------------------------------------
+// False if the box is certainly on one side. Shaders are less exact: what they may see from another side counts.
+bool MayCross(const ConvexShape& shape, const std::array<double, 6>& box)
+{
+  constexpr double Slack = 1 + 1e-3;
+  if (box[0] > box[1])
+  {
+    return false;
+  }
+  bool isInside = true;
+  for (const std::array<double, 4>& plane : shape.Planes)
+  {
+    const Linear height(plane.data(), box);
+    if (height.AtMiddle > Slack * height.Change)
+    {
+      return false;
+    }
+    isInside = isInside && height.AtMiddle < -Slack * height.Change;
+  }
+  if (!shape.Planes.empty())
+  {
+    return !isInside;
+  }
+  double nearest = 0, farthest = 0;
+  for (int row = 0; row < 3; ++row)
+  {
+    const Linear x(&shape.ToUnitSphere[4 * row], box);
+    const double middle = std::abs(x.AtMiddle);
+    const double change = Slack * x.Change;
+    nearest += middle > change ? (middle - change) * (middle - change) : 0;
+    farthest += (middle + change) * (middle + change);
+  }
+  return nearest <= Slack && farthest >= 1 / Slack;
+}
+}
+
+//------------------------------------------------------------------------------
+bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
+{
+  mesh.NeedMarks();
+  mesh.NeedPoints();
+  mesh.NeedTetrahedra();
+  Request request;
+  request.Version = mesh.GetVersion();
+  request.CellsToDraw = style.CellsToDraw;
+  request.CellsMove = style.MovesCells();
+  request.Shape = style.Shape;
+  if (request == this->Last && this->Table.IsUploaded())
+  {
+    return true;
+  }
+  const std::string vertex = std::string("#version 150\n") + InShapeGLSL + CutTetrahedraVS;
+  if (!this->Program.Build(vertex.c_str(), CutTetrahedraGS, "cut"))
+  {
+    this->Error = this->Program.GetError();
+    return false;
+  }
+  if (request.Version != this->Last.Version)
+  {
+    this->BlockBounds = FindBlockBounds(MeshView(mesh.GetGrid()));
+  }
+  if (!this->Table.IsUploaded())
+  {
+    this->Table.Upload(nullptr, FirstCapacity);
+  }
+  this->Program.Use();
+  this->Program.SetTable("tetrahedronTable", mesh.Tetrahedra, 0);
+  this->Program.SetTable("cellOfTetrahedronTable", mesh.CellsOfTetrahedra, 1);
+  this->Program.SetTable("markTable", mesh.Marks, 2);
+  this->Program.SetTable("pointTable", mesh.Points, 3);
+  this->Program.SetUniform("cellsToDraw", static_cast<int>(style.CellsToDraw));
+  this->Program.SetUniform("cellsMove", request.CellsMove ? 1 : 0);
+  this->Program.SetShape(ShapeUniforms(style.Shape, mesh.GetMiddle()));
+  const auto draw = [&] { this->Draw(mesh, style); };
+  std::size_t rows = this->Program.Run(this->Table, draw);
+  if (rows > this->Table.GetNumberOfRows())
+  {
+    this->Table.Upload(nullptr, rows + rows / 8);
+    rows = this->Program.Run(this->Table, draw);
+  }
+  this->NumberOfTetrahedra = rows;
+  this->Last = request;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Neighbouring blocks that may be cut are drawn together.
+void CutTetrahedra::Draw(const InspectionMesh& mesh, const InspectionStyle& style) const
+{
+  const std::vector<std::uint32_t>& starts = mesh.GetTetrahedronBlocks();
+  const auto isWanted = [&](std::size_t block)
+  { return style.MovesCells() || MayCross(style.Shape, this->BlockBounds[block]); };
+  for (std::size_t block = 0; block < this->BlockBounds.size(); ++block)
+  {
+    const std::size_t first = block;
+    while (block < this->BlockBounds.size() && isWanted(block))
+    {
+      ++block;
+    }
+    if (block > first)
+    {
+      this->Program.Draw(starts[first], starts[block] - starts[first]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CutTetrahedra::Release()
+{
+  this->Program.Release();
+  this->Table.Release();
+  this->BlockBounds = {};
+  this->Last = {};
+  this->NumberOfTetrahedra = 0;
+}
+}

@@ -1,0 +1,90 @@
+//VTK::System::Dec
+//Camaron::Defines
+//Camaron::Place
+
+// The far faces of the tetrahedra that the boundary of the shape crosses: twelve vertices for each. Through every pixel of
+// them goes a line of sight, and Cap.glsl finds where it meets the boundary in the tetrahedron.
+
+uniform usamplerBuffer cutTable;
+uniform usamplerBuffer tetrahedronTable;
+uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
+uniform usamplerBuffer markTable;
+uniform vec4 eye; // a place (w is 1), or the direction towards it (w is 0)
+#ifdef IS_PICKING
+uniform usamplerBuffer ownerTable;
+flat out uint pickedPoint;
+flat out uvec2 pickedOwner;
+#endif
+
+flat out uint cellOfFace;
+flat out uint cellMarks;
+flat out int isCutFace;
+
+flat out uvec4 corners;
+flat out uint walls;
+flat out vec3 firstCorner;
+flat out mat3 toWeights; // of a place from the first corner to the weights of the others
+out vec3 farPlace;
+
+vec4 vertexMC;
+
+//VTK::CustomUniforms::Dec
+//VTK::PositionVC::Dec
+//VTK::Normal::Dec
+//VTK::Light::Dec
+//VTK::TCoord::Dec
+//VTK::Color::Dec
+//VTK::Clip::Dec
+//VTK::Camera::Dec
+//VTK::PrimID::Dec
+//VTK::ValuePass::Dec
+//VTK::Picking::Dec
+
+void main()
+{
+  int row = gl_VertexID / 12;
+  int corner = gl_VertexID - 12 * row;
+  int opposite = corner / 3; // the corner that the face does not have
+  int tetrahedron = int(texelFetch(cutTable, row).x);
+  corners = texelFetch(tetrahedronTable, tetrahedron);
+  uint owner = texelFetch(cellOfTetrahedronTable, tetrahedron).x;
+  walls = owner & 15u;
+  cellOfFace = owner >> 4;
+  cellMarks = texelFetch(markTable, int(cellOfFace)).x;
+  isCutFace = 1;
+
+  vec3 places[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    places[i] = place(corners[i], cellOfFace).xyz;
+  }
+  firstCorner = places[0];
+  toWeights = inverse(
+    mat3(places[1] - firstCorner, places[2] - firstCorner, places[3] - firstCorner));
+  farPlace = places[(opposite + 1 + corner - 3 * opposite) % 4];
+  vertexMC = vec4(farPlace, 1.0);
+#ifdef IS_PICKING
+  pickedPoint = corners[0];
+  pickedOwner = texelFetch(ownerTable, int(cellOfFace)).xy;
+#endif
+
+  //VTK::CustomBegin::Impl
+  //VTK::Color::Impl
+  //VTK::Normal::Impl
+  //VTK::TCoord::Impl
+  //VTK::Clip::Impl
+  //VTK::PrimID::Impl
+  //VTK::PositionVC::Impl
+  //VTK::ValuePass::Impl
+  //VTK::Light::Impl
+  //VTK::Picking::Impl
+  //VTK::CustomEnd::Impl
+
+  vec3 start = places[(opposite + 1) % 4];
+  vec3 normal = cross(places[(opposite + 2) % 4] - start, places[(opposite + 3) % 4] - start);
+  normal = dot(normal, places[opposite] - start) > 0.0 ? -normal : normal;
+  if (dot(normal, eye.xyz - eye.w * start) > 0.0)
+  {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // a near face: nothing is drawn
+  }
+}

@@ -1,0 +1,63 @@
+// One run for each tetrahedron: whether the boundary of the shape may cross it. Those that it touches only
+// from outside count, those that it touches only from inside do not.
+// (InShape.glsl goes before this.)
+uniform usamplerBuffer tetrahedronTable;
+uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
+uniform usamplerBuffer markTable;
+uniform samplerBuffer pointTable;
+uniform int cellsToDraw; // as in KeepCells.vs.glsl
+uniform int cellsMove;   // 1: nobody knows here where they are drawn
+
+flat out uint tetrahedron;
+flat out int isCut;
+
+bool isCrossed(uvec4 points)
+{
+  vec3 corners[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    corners[i] = texelFetch(pointTable, int(points[i])).xyz;
+  }
+  if (numberOfPlanes == 0)
+  {
+    vec3 center = vec3(0.0);
+    for (int i = 0; i < 4; ++i)
+    {
+      corners[i] = (toUnitSphere * vec4(corners[i], 1.0)).xyz;
+      center += 0.25 * corners[i];
+    }
+    float farthest = 0.0;
+    float size = 0.0;
+    for (int i = 0; i < 4; ++i)
+    {
+      farthest = max(farthest, length(corners[i]));
+      size = max(size, distance(corners[i], center));
+    }
+    return farthest > 1.0 && length(center) <= 1.0 + size;
+  }
+  bool isInside = true;
+  for (int plane = 0; plane < numberOfPlanes; ++plane)
+  {
+    int outside = 0;
+    for (int i = 0; i < 4; ++i)
+    {
+      outside += dot(planes[plane], vec4(corners[i], 1.0)) > 0.0 ? 1 : 0;
+    }
+    if (outside == 4)
+    {
+      return false;
+    }
+    isInside = isInside && outside == 0;
+  }
+  return !isInside;
+}
+
+void main()
+{
+  tetrahedron = uint(gl_VertexID);
+  uint marks = texelFetch(markTable, int(texelFetch(cellOfTetrahedronTable, gl_VertexID).x >> 4)).x;
+  bool isSelected = (marks & 4u) != 0u;
+  bool isDrawn = (marks & 3u) == 0u && (cellsToDraw == 0 || isSelected == (cellsToDraw == 1));
+  isCut = isDrawn && (cellsMove == 1 || isCrossed(texelFetch(tetrahedronTable, gl_VertexID))) ? 1 : 0;
+  gl_Position = vec4(0.0);
+}

@@ -1,0 +1,215 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cuts through cells: pictures and selections are those of ParaView's Clip, and of the shape itself."""
+
+import camaron_testing
+import numpy
+from inspection_testing import difference, make_view, picture, selected, turn
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+ORIGIN, NORMAL = [0.3, -0.2, 0.15], [-0.5, -0.3, -0.8]
+
+
+def hexahedra():
+    mesh = simple.AppendDatasets(Input=[simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])])
+    return simple.PointAndCellIds(Input=mesh)
+
+
+def polyhedra():
+    mesh = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+    return simple.PointAndCellIds(Input=mesh)
+
+
+@camaron_testing.require_display()
+class TestExactCut(camaron_testing.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.view = make_view()
+        self.addCleanup(simple.ResetSession)
+
+    def show(self, source, representation="Mesh Inspection", color=None, **properties):
+        simple.HideAll(self.view)
+        display = simple.Show(source, self.view)
+        display.SetRepresentationType(representation)
+        if color or display.ColorArrayName[1]:
+            simple.ColorBy(display, color)
+        if color:
+            table = display.LookupTable
+            table.AutomaticRescaleRangeMode, table.NumberOfTableValues = "Never", 1024
+            table.RescaleTransferFunction(-1.0, 1.0)
+            display.SetScalarBarVisibility(self.view, False)
+        display.DrawEdges = 0
+        for name, value in properties.items():
+            setattr(display, name, value)
+        return display
+
+    def take(self, of):
+        """As others see the mesh, whatever is left of it."""
+        display = simple.Show(of, self.view)
+        turn(self.view)
+        camera = [list(self.view.CameraPosition), list(self.view.CameraFocalPoint)]
+        simple.Hide(of, self.view)
+        del display
+        self.view.CameraPosition, self.view.CameraFocalPoint = camera
+        return picture(self.view)
+
+    def heights(self, mesh, scale):
+        """A linear array from -1 to 1."""
+        end = numpy.array([3.0, 4.0, 5.0]) / 50**0.5 * scale
+        return simple.Elevation(
+            Input=mesh, LowPoint=list(-end), HighPoint=list(end), ScalarRange=[-1.0, 1.0]
+        )
+
+    def same(self, one, other, tolerance=0.004):
+        self.assertLess(difference(one, other), tolerance)
+        self.assertGreater(difference(one, one * 0 + 255), 0.05)  # there is a mesh
+
+    def test_plane(self):
+        """As Clip does it, with whatever colours, on either side, through hexahedra and polyhedra."""
+        for name, mesh, scale in (("hexahedra", hexahedra(), 8), ("polyhedra", polyhedra(), 1)):
+            mesh = self.heights(mesh, scale)
+            frame = simple.Outline(Input=mesh)
+            origin = [scale / 4 * x for x in ORIGIN]
+            for keeps in ("Outside", "Inside"):
+                clip = simple.Clip(Input=mesh, ClipType="Plane", Invert=int(keeps == "Inside"))
+                clip.ClipType.Origin, clip.ClipType.Normal = origin, NORMAL
+                for color in (None, ("POINTS", "Elevation"), ("CELLS", "CellIds")):
+                    with self.subTest(mesh=name, keeps=keeps, color=color):
+                        self.show(clip, "Surface", color)
+                        expected = self.take(frame)
+                        display = self.show(mesh, color=color, CutBy="Exactly", CutShape="Plane")
+                        display.CutShape.Origin, display.CutShape.Normal = origin, NORMAL
+                        display.CutKeeps = keeps
+                        self.same(expected, self.take(frame))
+
+    def test_box(self):
+        mesh = self.heights(polyhedra(), 1)
+        frame = simple.Outline(Input=mesh)
+        display = self.show(mesh, color=("POINTS", "Elevation"), CutBy="Exactly", CutShape="Box")
+        shape = {"Position": [-0.3, -0.35, -0.2], "Length": [0.9, 1, 1.2], "Rotation": [20, 30, 10]}
+        for name, value in shape.items():
+            setattr(display.CutShape, name, value)
+        for keeps in ("Inside", "Outside"):
+            with self.subTest(keeps=keeps):
+                display = self.show(mesh, color=("POINTS", "Elevation"), CutKeeps=keeps)
+                made = self.take(frame)
+                clip = simple.Clip(Input=mesh, ClipType="Box", Invert=int(keeps == "Inside"), Exact=1)
+                for name, value in shape.items():
+                    setattr(clip.ClipType, name, value)
+                self.show(clip, "Surface", ("POINTS", "Elevation"))
+                # Clip's box is not exact at its edges.
+                self.same(self.take(frame), made, 0.012)
+
+    def test_sphere(self):
+        """Round, however coarse the mesh: inside of it what stays is a sphere; with both projections, and scaled."""
+        mesh = self.heights(hexahedra(), 8)
+        frame = simple.Outline(Input=mesh)
+        sphere = simple.Sphere(Center=[0.5, -0.4, 0.6], Radius=3.5, ThetaResolution=200, PhiResolution=200)
+        ball = self.heights(sphere, 8)
+        color = ("POINTS", "Elevation")
+        for parallel in (0, 1):
+            for scale in ([1, 1, 1], [0.5, 1, 0.8]):
+                with self.subTest(parallel=parallel, scale=scale):
+                    self.view.CameraParallelProjection = parallel
+                    self.show(ball, "Surface", color, Interpolation="Gouraud", Scale=scale)
+                    expected = self.take(frame)
+                    display = self.show(mesh, color=color, CutBy="Exactly", CutShape="Sphere", Scale=scale)
+                    display.CutShape.Center, display.CutShape.Radius = [0.5, -0.4, 0.6], 3.5
+                    display.CutKeeps = "Inside"
+                    self.same(expected, self.take(frame), 0.006)
+        self.view.CameraParallelProjection = 0
+
+    def test_edges(self):
+        """Lines on the cut are where one cell ends and the next begins, and nowhere else."""
+        mesh = simple.ProgrammableFilter(Input=hexahedra())
+        mesh.Script = (
+            "import numpy\nsize = inputs[0].GetNumberOfCells()\n"
+            "output.CellData.append(numpy.random.default_rng(1).random(size), 'Random')"
+        )
+        frame = simple.Outline(Input=mesh)
+        display = self.show(mesh, color=("CELLS", "Random"), CutBy="Exactly", CutShape="Plane")
+        display.CutShape.Origin, display.CutShape.Normal = ORIGIN, NORMAL
+        cells = self.take(frame)
+        display.DrawEdges, display.EdgeColor = 1, [0, 0, 0]
+        lines = numpy.abs(self.take(frame) - cells).max(axis=2) > 12
+        jumps = numpy.zeros_like(lines)
+        for axis in (0, 1):
+            jumps |= numpy.abs(cells - numpy.roll(cells, 1, axis)).max(axis=2) > 8
+        near = lambda marks: sum(
+            numpy.roll(marks, (i, k), (0, 1)).astype(int) for i in (-1, 0, 1) for k in (-1, 0, 1)
+        )
+        self.assertGreater(jumps.sum(), 4000)
+        # The rim of the cut is no edge.
+        self.assertLess((jumps & (near(lines) == 0)).sum(), 0.05 * jumps.sum())
+        self.assertLess((lines & (near(near(jumps)) == 0)).sum(), 0.05 * lines.sum())
+
+    def test_selection(self):
+        """Cells are picked on the cut; what is cut away hides nothing and is not picked."""
+        mesh = polyhedra()
+        frame = simple.Outline(Input=mesh)
+        clip = simple.Clip(Input=mesh, ClipType="Plane", Invert=0)
+        clip.ClipType.Origin, clip.ClipType.Normal = [x / 4 for x in ORIGIN], NORMAL
+        self.show(clip, "Surface")
+        self.take(frame)
+        pieces = [index for _, _, index in selected(self.view, clip, "cells")]
+        ids = vtk_to_numpy(servermanager.Fetch(clip).GetCellData().GetArray("CellIds"))
+        expected = {int(ids[index]) for index in pieces}
+        display = self.show(mesh, CutBy="Exactly", CutShape="Plane")
+        display.CutShape.Origin, display.CutShape.Normal = [x / 4 for x in ORIGIN], NORMAL
+        self.take(frame)
+        found = {index for _, _, index in selected(self.view, mesh, "cells")}
+        self.assertGreater(len(found), 100)
+        self.assertLess(len(found ^ expected), 0.03 * len(found))  # slivers of a pixel or less
+
+    def test_translucent(self):
+        """Both sides of what stays are seen through it, as of Clip's surface."""
+        mesh = hexahedra()
+        frame = simple.Outline(Input=mesh)
+        clip = simple.Clip(Input=mesh, ClipType="Plane", Invert=0)
+        clip.ClipType.Origin, clip.ClipType.Normal = ORIGIN, NORMAL
+        surface = simple.ExtractSurface(Input=clip)
+        self.show(surface, "Surface", Opacity=0.5)
+        expected = self.take(frame)
+        display = self.show(mesh, CutBy="Exactly", CutShape="Plane", Opacity=0.5)
+        display.CutShape.Origin, display.CutShape.Normal = ORIGIN, NORMAL
+        self.same(expected, self.take(frame), 0.01)
+
+    def test_choice_of_cells(self):
+        """The cut shows the insides of cells that are drawn only, in its own colour if it has one."""
+        mesh = hexahedra()
+        frame = simple.Outline(Input=mesh)
+        chosen = simple.ProgrammableFilter(Input=mesh)
+        chosen.Script = (
+            "ids = inputs[0].CellData['CellIds']\n"
+            "output.CellData.append((ids % 3 > 0).astype('uint8'), 'Selected')"
+        )
+        some = simple.Threshold(Input=chosen, Scalars=["CELLS", "Selected"], LowerThreshold=1, UpperThreshold=1)
+        pictures = []
+        for source, cells in ((some, "All"), (chosen, "Selected")):
+            display = self.show(source, CellsToDraw=cells, CutBy="Exactly", CutShape="Plane")
+            display.CutShape.Origin, display.CutShape.Normal = ORIGIN, NORMAL
+            pictures.append(self.take(frame))
+        self.same(*pictures)
+        self.show(some, ColorCutFaces=1, CutColor=[0, 1, 0])
+        colored = self.take(frame)
+        green = colored[:, :, 1] > colored[:, :, 0] + 20
+        self.assertGreater(green.sum(), 5000)
+        self.assertLess(difference(colored[~green], pictures[0][~green]), 0.001)
+
+    def test_moved_cells(self):
+        """Cells are cut where they are drawn."""
+        mesh = hexahedra()
+        frame = simple.Outline(Input=mesh)
+        shrunk = simple.Shrink(Input=mesh, ShrinkFactor=0.7)
+        clip = simple.Clip(Input=shrunk, ClipType="Plane", Invert=0)
+        clip.ClipType.Origin, clip.ClipType.Normal = ORIGIN, NORMAL
+        self.show(clip, "Surface")
+        expected = self.take(frame)
+        display = self.show(mesh, ShrinkFactor=0.7, CutBy="Exactly", CutShape="Plane")
+        display.CutShape.Origin, display.CutShape.Normal = ORIGIN, NORMAL
+        self.same(expected, self.take(frame), 0.01)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
