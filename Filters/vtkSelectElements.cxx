@@ -134,7 +134,7 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Placement: " << this->GetPlacement() << '\n';
   os << indent << "InsideOut: " << this->GetInsideOut() << '\n';
   os << indent << "Shape: " << this->GetShape() << '\n';
-  os << indent << "Number of planes: " << this->Parameters->Planes.size() << '\n';
+  os << indent << "Numbers of planes: " << this->Parameters->Planes.size() << '\n';
   os << indent << "LeaveNulls: " << this->GetLeaveNulls() << '\n';
   os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
   os << indent << "Report: " << this->Report << '\n';
@@ -175,10 +175,9 @@ vtkImplicitFunction* vtkSelectElements::GetShape() const
 }
 
 //------------------------------------------------------------------------------
-void vtkSelectElements::AddPlane(
-  double x, double y, double z, double normalX, double normalY, double normalZ)
+void vtkSelectElements::AddPlaneNumber(double number)
 {
-  this->Parameters->Planes.push_back({ { x, y, z, normalX, normalY, normalZ } });
+  this->Parameters->Planes.push_back(number);
   this->Modified();
 }
 

@@ -246,8 +246,9 @@ public:
   ///@}
 
   ///@{
-  /// Half-spaces: a point of each plane and its normal, which points away from the inside. Default: none.
-  void AddPlane(double x, double y, double z, double normalX, double normalY, double normalZ);
+  /// Half-spaces: six numbers for each plane, a point of it and its normal, which points away from the inside. Default:
+  /// none.
+  void AddPlaneNumber(double number);
   void ClearPlanes();
   ///@}
 

@@ -29,6 +29,7 @@ namespace camaron
 namespace
 {
 constexpr double RelativeTolerance = 1e-12; // of the diagonal of the mesh
+constexpr std::size_t NumbersPerPlane = 6;  // a point and a normal
 
 //------------------------------------------------------------------------------
 struct PlacementName
@@ -276,15 +277,22 @@ std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks)
 //------------------------------------------------------------------------------
 std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
 {
-  const Bounds bounds = FindBounds(task);
-  std::vector<HalfSpace> halfSpaces;
-  for (const auto& plane : task.Parameters.Planes)
-  {
-    halfSpaces.push_back(MakeHalfSpace(GetVector(plane.data()), GetVector(plane.data() + 3)));
-  }
-  if (halfSpaces.empty())
+  const std::vector<double>& planes = task.Parameters.Planes;
+  if (planes.empty())
   {
     throw std::invalid_argument("there are no Planes");
+  }
+  if (planes.size() % NumbersPerPlane != 0)
+  {
+    throw std::invalid_argument("Planes have 6 numbers each, a point and a normal; expected a multiple of 6 numbers, "
+                                "found " +
+      std::to_string(planes.size()));
+  }
+  const Bounds bounds = FindBounds(task);
+  std::vector<HalfSpace> halfSpaces;
+  for (std::size_t i = 0; i < planes.size(); i += NumbersPerPlane)
+  {
+    halfSpaces.push_back(MakeHalfSpace(GetVector(&planes[i]), GetVector(&planes[i + 3])));
   }
   return MarkInside(
     task, HalfSpaceSolid(halfSpaces, bounds, RelativeTolerance * bounds.GetDiagonal()), marks);

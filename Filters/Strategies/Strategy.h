@@ -17,7 +17,6 @@
 
 #include "vtkImplicitFunction.h" // for a shape
 
-#include <array>  // for planes
 #include <memory> // for the pieces
 #include <string> // for parameters
 #include <vector> // for marks
@@ -62,7 +61,7 @@ struct SelectionParameters
   int PartNumber = 1;
   std::string Quantifier = "Any";
   vtkSmartPointer<vtkImplicitFunction> Shape;
-  std::vector<std::array<double, 6>> Planes; ///< a point and the normal to the outside of each
+  std::vector<double> Planes; ///< of each six numbers: a point and the normal to the outside
 };
 
 /// What the inputs of vtkSelectElements are, all but the mesh or none.

@@ -291,6 +291,8 @@ class TestSelectInside(camaron_testing.TestCase):
         for properties, reason in (
             ({"Strategy": "Half-spaces"}, "there are no Planes"),
             ({"Strategy": "Half-spaces", "Planes": [0] * 6}, "a plane has no normal"),
+            ({"Strategy": "Half-spaces", "Planes": [0] * 5}, "a multiple of 6 numbers, found 5"),
+            ({"Strategy": "Half-spaces", "Planes": [1] * 13}, "a multiple of 6 numbers, found 13"),
             ({"Strategy": "Surface"}, "there is no Surface"),
             ({"Strategy": "Surface", "Surface": simple.Plane()}, "not closed: 4 edges have"),
             ({"Strategy": "Surface", "Surface": source}, "has 3D cells"),
