@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grouping.h"
 
+#include "AgreedName.h"
 #include "Mesh/MeshView.h"
+#include "StatisticsArrays.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkNew.h"
 
@@ -15,6 +18,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -116,6 +120,28 @@ const Way& FindWay(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+// Collective. Ids and ghost types are no groups.
+std::string FindArrayName(const std::string& told, const ElementBlocks& blocks, Reducer& reducer)
+{
+  std::vector<std::string> ofIntegers, all;
+  for (const ElementBlock& block : blocks.Get())
+  {
+    vtkDataSetAttributes* attributes = block.GetAttributes();
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      const char* name = attributes->GetArrayName(i);
+      vtkDataArray* array = name ? block.GetArray(name) : nullptr;
+      if (array && array != attributes->GetGlobalIds() && array != attributes->GetPedigreeIds() &&
+        std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) != 0)
+      {
+        (IsOfIntegers(array) ? ofIntegers : all).emplace_back(name);
+      }
+    }
+  }
+  return AgreeOnName(told, { ofIntegers, all }, reducer);
+}
+
+//------------------------------------------------------------------------------
 // Union over all processes of numbers with labels, by number.
 std::vector<std::pair<int, std::string>> GatherLabels(
   const std::set<std::pair<int, std::string>>& labels, Reducer& reducer)
@@ -155,11 +181,15 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
   {
     throw std::invalid_argument("points are not grouped by '" + name + "'");
   }
+  if (way.GetKeys == &GetArrayValues)
+  {
+    this->ArrayName = FindArrayName(arrayName, blocks, reducer);
+  }
   std::set<std::pair<int, std::string>> labels;
   for (const ElementBlock& block : blocks.Get())
   {
     std::vector<int> keys;
-    way.GetKeys(block, arrayName, keys);
+    way.GetKeys(block, this->ArrayName, keys);
     const bool perCell = static_cast<vtkIdType>(keys.size()) == block.GetSize();
     std::set<int> found = { NoKey };
     for (std::size_t cell = 0; cell < keys.size() && labels.size() <= way.MaxNumberOfGroups; ++cell)
@@ -178,7 +208,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
   }
   if (this->Groups.size() - 1 > way.MaxNumberOfGroups)
   {
-    throw std::invalid_argument("the array '" + arrayName + "' has more than " +
+    throw std::invalid_argument("the array '" + this->ArrayName + "' has more than " +
       std::to_string(way.MaxNumberOfGroups) + " different values, too many to group by");
   }
 }

@@ -36,8 +36,9 @@ public:
   /**
    * Collective. @a name: "None", "Cell type", "Block" or "Cell array"; throws std::invalid_argument for
    * any other, and for points by cell type, on all processes alike. By cell array, of points by point
-   * array, there is a group for each whole number that the array @a arrayName with one component holds;
-   * throws if there are more than 1000. Keeps a reference to @a blocks.
+   * array, there is a group for each whole number that the array @a arrayName with one component holds, or if it is
+   * empty on all processes, the first array of integers, else the first array; throws if there are more than
+   * 1000. Keeps a reference to @a blocks.
    */
   Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
     Reducer& reducer);
@@ -45,11 +46,15 @@ public:
   /// That of all elements, then the others by their keys; the same on every process.
   const std::vector<Group>& GetGroups() const { return this->Groups; }
 
+  /// Of the array to group by; the same on every process.
+  const std::string& GetArrayName() const { return this->ArrayName; }
+
   /// The part of @a values in a group, which may be one of another mesh; valid until the next call.
   Population GetPopulation(const Group& group, const BlockValues& values);
 
 private:
   const ElementBlocks& Blocks;
+  std::string ArrayName;
   std::vector<Group> Groups;
   std::vector<std::vector<int>> BlockKeys; ///< of the cells of each block, or one for all of them
   std::vector<std::vector<unsigned char>> Masks;

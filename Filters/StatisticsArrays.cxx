@@ -16,12 +16,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-bool IsIntegral(int dataType)
-{
-  return dataType != VTK_FLOAT && dataType != VTK_DOUBLE;
-}
-
-//------------------------------------------------------------------------------
 // Names of the arrays of Mesh Elements that are no ids, counts or flags, without those that criteria have, too.
 std::vector<std::string> GetMeasuresOfElements()
 {
@@ -42,6 +36,13 @@ std::vector<std::string> GetMeasuresOfElements()
 }
 
 //------------------------------------------------------------------------------
+bool IsOfIntegers(vtkDataArray* array)
+{
+  const Criterion* criterion = array->GetName() ? FindCriterion(array->GetName()) : nullptr;
+  return criterion ? criterion->IsInteger : array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
+//------------------------------------------------------------------------------
 std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& reducer)
 {
   constexpr char separator = '\1'; // sorts before all characters of a name
@@ -56,11 +57,9 @@ std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& re
       {
         const bool hasUnit =
           array->HasInformation() && array->GetInformation()->Has(vtkDataArray::UNITS_LABEL());
-        const Criterion* criterion = FindCriterion(array->GetName());
-        const bool ofIntegers = criterion ? criterion->IsInteger : IsIntegral(array->GetDataType());
         own.push_back(std::string(array->GetName()) + separator +
           (hasUnit ? array->GetInformation()->Get(vtkDataArray::UNITS_LABEL()) : "") +
-          (ofIntegers ? 'i' : 'r'));
+          (IsOfIntegers(array) ? 'i' : 'r'));
       }
     }
   }

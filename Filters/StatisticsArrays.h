@@ -22,6 +22,9 @@ struct StatisticsArray
   bool OfIntegers = true; ///< a count of the registry, or an array of an integer type
 };
 
+/// Whether it is of an integer type, or a count of the registry.
+bool IsOfIntegers(vtkDataArray* array);
+
 /// Collective. All numeric arrays with one component that any process has, by name, with their units.
 std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& reducer);
 

@@ -186,14 +186,15 @@ void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformati
   camaron::ControllerReducer reducer;
   const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
   const camaron::ElementBlocks blocks[2] = { { a, reducer }, { b, reducer } };
-  camaron::Grouping groupings[2] = { { this->GroupBy, this->GroupArray, blocks[0], reducer },
-    { this->GroupBy, this->GroupArray, blocks[1], reducer } };
+  camaron::Grouping groupOfA(this->GroupBy, this->GroupArray, blocks[0], reducer);
+  camaron::Grouping groupings[2] = { groupOfA,
+    { this->GroupBy, groupOfA.GetArrayName(), blocks[1], reducer } };
   const std::vector<camaron::Group> groups =
     camaron::JoinGroups(groupings[0].GetGroups(), groupings[1].GetGroups());
   const bool sameCells = camaron::HaveSameCells(blocks[0], blocks[1], reducer);
   const std::vector<camaron::StatisticsArray> arrays = this->ChooseCommonArrays(blocks, reducer);
   const bool isRoot = reducer.GetProcess() == 0;
-  this->WarnOfNoGroups(groups.size(), isRoot);
+  this->WarnOfNoGroups(groupings[0].GetArrayName(), groups.size(), isRoot);
 
   camaron::NewCellArrays deltas;
   for (std::size_t i = 0; i < arrays.size(); ++i)

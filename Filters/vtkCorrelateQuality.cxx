@@ -3,9 +3,11 @@
 #include "vtkCorrelateQuality.h"
 
 #include "AcceptableRanges.h"
+#include "AgreedName.h"
 #include "ArraysOfSteps.h"
 #include "CellField.h"
 #include "ControllerReducer.h"
+#include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
 #include "Grouping.h"
 #include "MeshCopies.h"
@@ -14,12 +16,14 @@
 #include "TableRows.h"
 #include "TimeSteps.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -237,6 +241,63 @@ void AddNumbers(
 }
 
 //------------------------------------------------------------------------------
+// Names of arrays of cells or points after a letter for the one or the other.
+constexpr char OfCells = 'C', OfPoints = 'P';
+
+std::string GetToldField(vtkInformation* info)
+{
+  if (!info->Has(vtkDataObject::FIELD_NAME()) || !info->Has(vtkDataObject::FIELD_ASSOCIATION()))
+  {
+    return "";
+  }
+  const std::string name = info->Get(vtkDataObject::FIELD_NAME());
+  const bool isOfPoints = info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  return name.empty() ? "" : (isOfPoints ? OfPoints : OfCells) + name;
+}
+
+//------------------------------------------------------------------------------
+struct ChosenField
+{
+  bool IsOfPoints;
+  std::string Name;
+};
+
+// Collective. Where no field is told: the active scalars of points, else any array of points, else one of cells that
+// is no criterion.
+ChosenField ChooseField(vtkInformation* info, const camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
+{
+  std::vector<std::string> active, ofPoints, ofCells;
+  for (const camaron::ElementBlock& block : blocks.Get())
+  {
+    vtkPointData* points = block.Data->GetPointData();
+    for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+    {
+      if (points->GetArray(i) && points->GetArrayName(i))
+      {
+        const bool isActive = points->GetArray(i) == points->GetScalars();
+        (isActive ? active : ofPoints).push_back(OfPoints + std::string(points->GetArrayName(i)));
+      }
+    }
+    vtkCellData* cells = block.Data->GetCellData();
+    for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
+    {
+      if (cells->GetArray(i) && cells->GetArrayName(i) && !camaron::FindCriterion(cells->GetArrayName(i)))
+      {
+        ofCells.push_back(OfCells + std::string(cells->GetArrayName(i)));
+      }
+    }
+  }
+  const std::string name = camaron::AgreeOnName(GetToldField(info), { active, ofPoints, ofCells }, reducer);
+  std::int64_t numberOfBlocks = static_cast<std::int64_t>(blocks.Get().size());
+  reducer.Sum(&numberOfBlocks, 1);
+  if (name.empty() && numberOfBlocks > 0)
+  {
+    throw std::invalid_argument("there is no field to choose");
+  }
+  return { !name.empty() && name.front() == OfPoints, name.empty() ? name : name.substr(1) };
+}
+
+//------------------------------------------------------------------------------
 camaron::NewCellArrays MakeFieldArrays(
   const camaron::ElementBlocks& blocks, const camaron::CellField& field, const std::string& name)
 {
@@ -299,26 +360,19 @@ void vtkCorrelateQuality::MakeColumns(vtkInformationVector* outputVector)
 //------------------------------------------------------------------------------
 void vtkCorrelateQuality::AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkInformation* info = this->GetInputArrayInformation(0);
-  if (!info->Has(vtkDataObject::FIELD_NAME()) || !info->Has(vtkDataObject::FIELD_ASSOCIATION()))
-  {
-    throw std::invalid_argument("no field is chosen");
-  }
-  const std::string name = info->Get(vtkDataObject::FIELD_NAME());
-  const bool isOfPoints = info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  const std::string fieldName = name + (this->Gradient ? "_Gradient" : "_Cells");
-
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   camaron::ControllerReducer reducer;
   const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
   const camaron::ElementBlocks blocks(input, reducer);
   camaron::Grouping groups(this->GroupBy, this->GroupArray, blocks, reducer);
+  const auto [isOfPoints, name] = ChooseField(this->GetInputArrayInformation(0), blocks, reducer);
+  const std::string fieldName = name + (this->Gradient ? "_Gradient" : "_Cells");
   const camaron::CellField field(blocks, name, isOfPoints, this->Gradient, reducer);
   std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
   this->Found->Add(this->Steps->GetTime(), arrays, missing);
-  this->WarnOfNoGroups(groups.GetGroups().size(), reducer.GetProcess() == 0);
+  this->WarnOfNoGroups(groups.GetArrayName(), groups.GetGroups().size(), reducer.GetProcess() == 0);
 
   // Group by group, so that the ranks of the field in it are found once for all arrays.
   std::vector<std::vector<camaron::TableRow>> rows(arrays.size());

@@ -256,7 +256,7 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
   this->Found->Add(this->Steps->GetTime(), arrays, missing);
-  this->WarnOfNoGroups(groups.GetGroups().size(), isRoot);
+  this->WarnOfNoGroups(groups.GetArrayName(), groups.GetGroups().size(), isRoot);
   const std::optional<camaron::BlockWeights> weights = this->WeightArray.empty()
     ? std::nullopt
     : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);

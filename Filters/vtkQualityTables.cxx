@@ -130,11 +130,11 @@ int vtkQualityTables::RequestData(
 }
 
 //------------------------------------------------------------------------------
-void vtkQualityTables::WarnOfNoGroups(std::size_t numberOfGroups, bool isRoot)
+void vtkQualityTables::WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot)
 {
   if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
   {
-    vtkWarningMacro(
-      "There is nothing to group: no cell array with one component is named '" << this->GroupArray << "'.");
+    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers is named '"
+      << arrayName << "'.");
   }
 }

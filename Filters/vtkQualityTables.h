@@ -68,7 +68,8 @@ public:
   ///@{
   /**
    * Cell array with one component to group by, such as a material or a region; up to 1000 different
-   * values. Cells with other values than whole numbers of 32 bits are in no group. Default: empty.
+   * values. Cells with other values than whole numbers of 32 bits are in no group. Default: empty, the first array
+   * of integers, else the first one.
    */
   void SetGroupArray(const char* name) { this->SetText(this->GroupArray, name); }
   const char* GetGroupArray() const { return this->GroupArray.c_str(); }
@@ -103,8 +104,8 @@ protected:
   virtual const char* GetKindOfArrays() const { return "cell"; }
 
   void SetText(std::string& member, const char* text);
-  /// For AddRows, @a numberOfGroups with that of all: says on the root if there is nothing to group by.
-  void WarnOfNoGroups(std::size_t numberOfGroups, bool isRoot);
+  /// For AddRows, @a numberOfGroups with that of all: says on the root if there is nothing to group by the array.
+  void WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot);
 
   std::vector<std::string> Arrays;
   std::string Preset;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "AgreedName.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -35,16 +37,9 @@ SelectionTask::SelectionTask(const SelectionParameters& parameters, const Select
 }
 
 //------------------------------------------------------------------------------
-// Collective. Processes with clients of their own may have been told different names, by what they have.
+// Collective.
 std::string SelectionTask::FindArrayName() const
 {
-  const std::string& own = this->HasCells() ? this->Parameters.Array : this->Parameters.PointArray;
-  const std::vector<std::string> told =
-    this->Reducer.GatherNames(own.empty() ? std::vector<std::string>() : std::vector<std::string>{ own });
-  if (!told.empty())
-  {
-    return told.front();
-  }
   std::vector<std::string> active, all;
   for (const ElementBlock& block : this->Blocks.Get())
   {
@@ -59,15 +54,8 @@ std::string SelectionTask::FindArrayName() const
       }
     }
   }
-  for (const auto* names : { &active, &all })
-  {
-    const std::vector<std::string> known = this->Reducer.GatherNames(*names);
-    if (!known.empty())
-    {
-      return known.front();
-    }
-  }
-  return own;
+  return AgreeOnName(
+    this->HasCells() ? this->Parameters.Array : this->Parameters.PointArray, { active, all }, this->Reducer);
 }
 
 //------------------------------------------------------------------------------
