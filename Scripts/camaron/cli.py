@@ -98,12 +98,7 @@ def _parser() -> argparse.ArgumentParser:
         metavar="N",
         help="length of the lists of worst cells (%(default)s)",
     )
-    inspect.add_argument(
-        "--group-by",
-        default="type",
-        metavar="WHAT",
-        help="groups with numbers of their own: type, block, none or a cell array (%(default)s)",
-    )
+    _add_groups(inspect, "type")
     _add_common(inspect)
     inspect.add_argument(
         "--json", action="store_true", help="print the summary as JSON instead of the table"
@@ -148,6 +143,7 @@ def _parser() -> argparse.ArgumentParser:
         "-o", "--output", metavar="DIR", help="folder of the report; default: A-B-comparison"
     )
     _add_criteria(compare)
+    _add_groups(compare, "none")
     _add_common(compare)
     compare.add_argument(
         "--json", action="store_true", help="print the summary as JSON instead of the table"
@@ -231,6 +227,15 @@ def _add_criteria(parser: argparse.ArgumentParser) -> None:
         default=50,
         metavar="N",
         help="bins of the histograms (%(default)s)",
+    )
+
+
+def _add_groups(parser: argparse.ArgumentParser, default: str) -> None:
+    parser.add_argument(
+        "--group-by",
+        default=default,
+        metavar="WHAT",
+        help="groups with numbers of their own: type, block, none or a cell array (%(default)s)",
     )
 
 
@@ -382,6 +387,7 @@ def _compare(options: argparse.Namespace, _rest: list[str]) -> int:
         criteria=options.criteria.split(",") if options.criteria else None,
         ranges=options.ranges,
         bins=options.bins,
+        group_by=options.group_by,
         time=options.time,
         say=_complain,
     )

@@ -12,11 +12,13 @@ from typing import Any, Callable, Iterable, Optional
 
 from paraview import simple
 
-from . import comparison_report, facts, pipeline, tables
-from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria
+from . import comparison_report, facts, pipeline, tables, text
+from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, set_groups
 from .files import Staging, same_file
 from .json_text import to_json
 
+#: The group of all cells.
+WHOLE = "All"
 #: Keys of summary.json of what Compare Quality knows of both meshes.
 OF_BOTH = {
     "count": "Count",
@@ -45,6 +47,7 @@ def compare(
     criteria: Optional[Iterable[str]] = None,
     ranges: Optional[os.PathLike | str] = None,
     bins: int = 50,
+    group_by: str = "none",
     time: str = "last",
     say: Callable[[str], None] = lambda words: None,
 ) -> dict[str, Any]:
@@ -52,7 +55,8 @@ def compare(
 
     The meshes are any files that ParaView can open, A what there was before and B what there is now.
     `directory` is made if needed; by default it is A-B-comparison in the current folder, with the
-    names of the meshes. The other arguments are those of `inspect`.
+    names of the meshes. The other arguments are those of `inspect`; there are no groups unless `group_by` asks for
+    them.
 
     Returns what summary.json holds (Documentation/compare.md). Raises ValueError for a name that does
     not exist and RuntimeError for a file that cannot be read or written.
@@ -81,6 +85,7 @@ def compare(
             comparison.Preset = chosen
         if ranges is not None:
             comparison.RangesFile = str(ranges)
+        set_groups(comparison, group_by, first.opened, second.opened)
         with pipeline.Messages() as messages:
             rows = _read(comparison, chosen, ranges)
             described = [
@@ -91,6 +96,9 @@ def compare(
             raise RuntimeError(f"{a}, {b}: {messages.errors[0]}")
         if chosen is None and (criteria is None or criteria == [ALL]):
             rows = [row for row in rows if _has_values(row) and row["name"] not in NOT_REPORTED]
+        if group_by == "type":
+            for group in (group for row in rows for group in row["groups"]):
+                group["group"] = text.cell_type(group["group"])
         notes = messages.warnings
         for path, mesh in zip(paths, meshes):
             more = mesh.opened.warnings + facts.notes(mesh.opened)
@@ -105,6 +113,7 @@ def compare(
             "b": described[1],
             "preset": chosen,
             "ranges": None if ranges is None else str(ranges),
+            "group_by": group_by,
             "same_cells": any(row["same_cells"] for row in rows),
             "worse": [row["name"] for row in rows if is_worse(row)],
             "criteria": rows,
@@ -144,12 +153,32 @@ def _finite(value: float) -> Optional[float]:
     return value if math.isfinite(value) else None
 
 
+def _numbers(row: dict[str, Any]) -> dict[str, Any]:
+    """Of both meshes, of all cells or those of a group."""
+    return {
+        **{
+            mesh: {key: _number(row[column + mesh.upper()]) for key, column in OF_BOTH.items()}
+            for mesh in "ab"
+        },
+        "distance": _number(row["Distance"]),
+        "distance_value": _number(row["DistanceValue"]),
+        "same_cells": bool(row["SameCells"]),
+        "compared": row["ComparedCount"],
+        "improved": row["ImprovedCount"],
+        "worsened": row["WorsenedCount"],
+        "unchanged": row["UnchangedCount"],
+    }
+
+
 def _read(comparison: Any, preset: Optional[str], ranges: Any) -> list[dict[str, Any]]:
     """The tables of Compare Quality: one dictionary for each criterion."""
     known = tables.known_criteria()
     sources = tables.range_sources(preset, ranges)
-    criteria = {}
+    criteria: dict[str, dict[str, Any]] = {}
     for row in tables.fetch(comparison):
+        if row["Group"] != WHOLE:
+            criteria[row["Criterion"]]["groups"].append({"group": row["Group"], **_numbers(row)})
+            continue
         about = known[row["Criterion"]]
         limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
         criteria[row["Criterion"]] = {
@@ -159,20 +188,13 @@ def _read(comparison: Any, preset: Optional[str], ranges: Any) -> list[dict[str,
             "acceptable_source": sources.get(about["name"], about["acceptable_source"])
             if limits != [None, None]
             else "",
-            **{
-                mesh: {key: _number(row[column + mesh.upper()]) for key, column in OF_BOTH.items()}
-                for mesh in "ab"
-            },
-            "distance": _number(row["Distance"]),
-            "distance_value": _number(row["DistanceValue"]),
-            "same_cells": bool(row["SameCells"]),
-            "compared": row["ComparedCount"],
-            "improved": row["ImprovedCount"],
-            "worsened": row["WorsenedCount"],
-            "unchanged": row["UnchangedCount"],
+            **_numbers(row),
             "histogram": {"edges": [], "a": [], "b": []},
+            "groups": [],
         }
     for row in tables.fetch(comparison, 1):
+        if row["Group"] != WHOLE:
+            continue
         histogram = criteria[row["Criterion"]]["histogram"]
         if row["Bin"] == 0:
             histogram["edges"].append(row["LowerEdge"])

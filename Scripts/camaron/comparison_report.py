@@ -154,7 +154,33 @@ def _criterion(summary, c) -> str:
         '<th><span class="a">A</span></th><th><span class="b">B</span></th></tr></thead>'
         f'<tbody>{"".join(rows)}</tbody></table>'
         + (f"<p>{'. '.join(remarks)}.</p>" if remarks else "")
-        + "</div></div></article>"
+        + f"</div></div>{_groups(c)}</article>"
+    )
+
+
+def _groups(c) -> str:
+    """A table of the groups, where there are any."""
+    if not c["groups"]:
+        return ""
+    head = [""]
+    for label in ("Cells", "Minimum", "Median", "Maximum", "Outside"):
+        head += [f"{label} A", "B"]
+    head.append("Distance")
+    rows = []
+    for group in c["groups"]:
+        cells = [f"<td>{escape(group['group'])}</td>"]
+        cells += [f"<td>{text.count(group[mesh]['count'], THIN)}</td>" for mesh in "ab"]
+        for key in ("min", "median", "max"):
+            cells += [f"<td>{text.number(group[mesh][key])}</td>" for mesh in "ab"]
+        for mesh in "ab":
+            is_limited = group[mesh]["out_of_range_percent"] is not None
+            cells.append(f"<td>{text.count(group[mesh]['out_of_range'], THIN) if is_limited else ''}</td>")
+        cells.append(f"<td>{text.number(group['distance'], 3)}</td>")
+        rows.append(f"<tr>{''.join(cells)}</tr>")
+    return (
+        '<details><summary>Groups</summary><div class="scroll"><table class="worst groups"><thead><tr>'
+        + "".join(f"<th>{name}</th>" for name in head)
+        + f'</tr></thead><tbody>{"".join(rows)}</tbody></table></div></details>'
     )
 
 

@@ -20,7 +20,7 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
     rows = summary["criteria"]
     if rows:
         lines.append("")
-        for line, row in zip(_table(summary), [None, *rows]):
+        for line, row in zip(_table(summary), [None, *_lines(rows)]):
             worse = row is not None and row["name"] in summary["worse"]
             mark = "! " if worse else "  "
             lines.append(f"\x1b[1;31m{mark}{line}\x1b[0m" if color and worse else mark + line)
@@ -28,9 +28,20 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
     return "\n".join(lines)
 
 
+def _lines(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The criteria, each with its groups after it, which have other numbers and are named by themselves."""
+    return [
+        line
+        for row in rows
+        for line in [row, *({**row, **group, "name": f"  {group['group']}"} for group in row["groups"])]
+    ]
+
+
 def _table(summary: dict[str, Any]) -> list[str]:
     """Pairs of columns; those of single cells only where these can be compared."""
     columns = [("criterion", lambda c: c["name"]), ("unit", lambda c: c["unit"])]
+    if any(c["groups"] for c in summary["criteria"]):
+        columns += [(f"cells {mesh.upper()}", lambda c, mesh=mesh: str(c[mesh]["count"])) for mesh in "ab"]
     for label, key in (("min", "min"), ("median", "median"), ("max", "max"), ("outside", "")):
         for mesh in "ab":
             columns.append((f"{label} {mesh.upper()}", _cell(key, mesh)))
@@ -40,7 +51,7 @@ def _table(summary: dict[str, Any]) -> list[str]:
             # Without a better direction nobody knows.
             columns.append((label, lambda c, key=key: "" if c["better"] == "neither" else str(c[key])))
         columns.append(("same", lambda c: str(c["unchanged"])))
-    rows = [[value(c) for _, value in columns] for c in summary["criteria"]]
+    rows = [[value(c) for _, value in columns] for c in _lines(summary["criteria"])]
     return text.table([name for name, _ in columns], rows, left=2)
 
 

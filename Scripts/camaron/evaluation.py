@@ -16,6 +16,8 @@ from . import pipeline, tables, text
 CELL_TYPE, CELL_FAMILY = NOT_REPORTED = ("CellTypeId", "CellFamilyId")
 #: Preset whose criteria are evaluated unless asked otherwise, and the word for all there are.
 GENERAL, ALL = "General", "all"
+#: Choices of `group_by` besides cell arrays.
+WAYS_TO_GROUP = {"type": "Cell type", "block": "Block", "none": "None"}
 #: Seconds from which on people should know how long it will take.
 LONG = 10.0
 
@@ -91,3 +93,15 @@ def choose_criteria(
         general = tables.known_presets()[GENERAL]["rules"]
         quality.Criteria = [*dict.fromkeys([*general, *more, CELL_TYPE])]
     return preset
+
+
+def set_groups(tables_of: Any, group_by: str, *meshes: pipeline.Opened) -> None:
+    """What divides the cells of all the meshes into groups: see WAYS_TO_GROUP, or a cell array that one of them has."""
+    if group_by in WAYS_TO_GROUP:
+        tables_of.GroupBy = WAYS_TO_GROUP[group_by]
+        return
+    arrays = [
+        array.Name for mesh in meshes for array in mesh.source.CellData if array.GetNumberOfComponents() == 1
+    ]
+    tables_of.GroupBy = "Cell array"
+    tables_of.GroupArray = text.lookup(group_by, list(dict.fromkeys(arrays)), "cell array")

@@ -15,17 +15,13 @@ from typing import Any, Callable, Iterable, Optional
 from paraview import simple
 
 from . import conversion, facts, pictures, pipeline, ranking, report, tables, text
-from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria
+from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, set_groups
 from .files import Staging, same_file
 from .json_text import to_json
 
 #: Points of the cumulative curves, and what they weigh cells by.
 CURVE_POINTS = 51
 VOLUME = "Volume"
-#: Choices of `group_by` besides cell arrays.
-WAYS_TO_GROUP = {"type": "Cell type", "block": "Block", "none": "None"}
-
-
 def inspect(
     mesh: os.PathLike | str,
     directory: Optional[os.PathLike | str] = None,
@@ -76,7 +72,7 @@ def inspect(
         of_preset = tables.known_presets().get(quality.GetProperty("Preset").GetData())
         if VOLUME in (of_preset["rules"] if of_preset else quality.Criteria):
             statistics.WeightArray = VOLUME
-        _set_groups(statistics, group_by, opened)
+        set_groups(statistics, group_by, opened)
         if preset:
             statistics.Preset = preset
         if ranges is not None:
@@ -125,15 +121,6 @@ def inspect(
                 if path.name not in published and not same_file(path, mesh):
                     shutil.rmtree(path) if path.is_dir() else path.unlink()
         return summary
-
-
-def _set_groups(statistics: Any, group_by: str, opened: pipeline.Opened) -> None:
-    if group_by in WAYS_TO_GROUP:
-        statistics.GroupBy = WAYS_TO_GROUP[group_by]
-        return
-    arrays = [array.Name for array in opened.source.CellData if array.GetNumberOfComponents() == 1]
-    statistics.GroupBy = "Cell array"
-    statistics.GroupArray = text.lookup(group_by, arrays, "cell array")
 
 
 def _earlier_mesh(directory: Path) -> list[Path]:

@@ -124,6 +124,28 @@ class TestCompare(camaron_testing.TestCase):
         self.assertEqual(same[0], 0)
         self.assertEqual(json.loads(same[1])["worse"], [])
 
+    def test_groups(self):
+        """Groups have the cells that the facts about the meshes tell, and together their extremes."""
+        summary = compare(FLANGE, BALL, self.folder / "both", criteria=CRITERIA, group_by="type")
+        types = {mesh: {t["name"]: t["count"] for t in summary[mesh]["cell_types"]} for mesh in "ab"}
+        self.assertGreater(len(types["a"]), 1)
+        for row in summary["criteria"]:
+            for mesh in "ab":
+                counts = {group["group"]: group[mesh]["count"] for group in row["groups"]}
+                self.assertEqual({name: n for name, n in counts.items() if n}, types[mesh])
+                lows = [group[mesh]["min"] for group in row["groups"] if group[mesh]["min"] is not None]
+                self.assertEqual(min(lows), row[mesh]["min"])
+        page = (self.folder / "both" / "report.html").read_text("utf-8")
+        self.assertEqual(page.count("<summary>Groups</summary>"), len(CRITERIA))
+        arguments = ["--criteria", "Volume", "-o", "x", "--group-by"]
+        status, out, err = self.run_compare(FLANGE, FLANGE, *arguments, "facecount")
+        self.assertEqual((status, "did you mean" in err), (2, False), err)  # no array of the file
+        evaluated = self.folder / "evaluated.vtu"
+        simple.SaveData(str(evaluated), simple.ElementQuality(Input=self.open(FLANGE), Criteria=["FaceCount"]))
+        status, out, err = self.run_compare(evaluated, evaluated, *arguments, "facecount")
+        self.assertEqual((status, err), (0, ""))
+        self.assertRegex(out, r"(?m)^    6 +")
+
     def test_errors(self):
         for arguments, reason in (
             (("none.visf", BALL), "none.visf: there is no such file"),
