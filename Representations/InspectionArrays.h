@@ -21,6 +21,13 @@ constexpr const char* ProcessIdsName = "InspectionProcesses";
 constexpr const char* OuterFacetsName = "InspectionOuterFacets";
 constexpr const char* BlockIdsName = "InspectionBlocks";
 ///@}
+
+///@{
+/// Of a grid of blocks: see InspectionBlocks.
+constexpr const char* LeavesName = "InspectionLeaves";
+constexpr const char* HiddenLeavesName = "InspectionHiddenLeaves"; ///< a byte each
+constexpr const char* LeafLooksName = "InspectionLeafLooks"; ///< colour or below 0, opacity or below 0
+///@}
 }
 
 #endif

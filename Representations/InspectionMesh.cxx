@@ -13,6 +13,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -87,7 +88,7 @@ void InspectionMesh::Update()
       this->Grid->GetCellGhostArray(), this->Grid->GetCellData()->GetArray(OuterFacetsName) });
     selected =
       GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),
-        this->Grid->GetCellGhostArray() });
+        this->Grid->GetCellGhostArray(), this->Grid->GetFieldData()->GetArray(HiddenLeavesName) });
   }
   if (geometry != this->Geometry)
   {
@@ -154,13 +155,20 @@ void InspectionMesh::NeedMarks()
   {
     const unsigned char* ghosts = GetGhosts(this->Grid);
     vtkDataArray* selected = this->Grid->GetCellData()->GetArray(SelectedArrayName);
+    vtkDataArray* leaves = this->Grid->GetCellData()->GetArray(LeavesName);
+    vtkDataArray* hidden = this->Grid->GetFieldData()->GetArray(HiddenLeavesName);
+    const auto isHidden = [=](vtkIdType cell)
+    {
+      return leaves && hidden &&
+        hidden->GetComponent(static_cast<vtkIdType>(leaves->GetComponent(cell, 0)), 0) != 0;
+    };
     Fill<unsigned char>(this->Marks, this->Grid->GetNumberOfCells(),
       [&](vtkIdType cell)
       {
         const int ghost = ghosts ? ghosts[cell] : 0;
         return static_cast<unsigned char>(
           (ghost & vtkDataSetAttributes::DUPLICATECELL ? 1 : 0) |
-          (ghost & vtkDataSetAttributes::HIDDENCELL ? 2 : 0) |
+          (ghost & vtkDataSetAttributes::HIDDENCELL || isHidden(cell) ? 2 : 0) |
           (selected && selected->GetComponent(cell, 0) != 0 ? 4 : 0));
       });
   }
@@ -224,6 +232,17 @@ void InspectionMesh::NeedOwners()
 }
 
 //------------------------------------------------------------------------------
+void InspectionMesh::NeedLeaves()
+{
+  vtkDataArray* leaves = this->Grid->GetCellData()->GetArray(LeavesName);
+  if (leaves && !this->Leaves.IsUploaded())
+  {
+    Fill<std::uint32_t>(this->Leaves, this->Grid->GetNumberOfCells(),
+      [&](vtkIdType cell) { return static_cast<std::uint32_t>(leaves->GetComponent(cell, 0)); });
+  }
+}
+
+//------------------------------------------------------------------------------
 void InspectionMesh::NeedTetrahedra()
 {
   if (!this->Tetrahedra.IsUploaded())
@@ -239,7 +258,7 @@ void InspectionMesh::NeedTetrahedra()
 void InspectionMesh::Release()
 {
   for (TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
-         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Tetrahedra,
+         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Leaves, &this->Tetrahedra,
          &this->CellsOfTetrahedra })
   {
     table->Release();

@@ -53,6 +53,7 @@ public:
   void NeedCentroids();
   void NeedConnectivity();
   void NeedOwners();
+  void NeedLeaves();
   void NeedTetrahedra();
   ///@}
 
@@ -68,6 +69,7 @@ public:
   TextureBuffer CellOffsets{ TextureBuffer::Row::UInt };
   TextureBuffer CellPoints{ TextureBuffer::Row::UInt };
   TextureBuffer Owners{ TextureBuffer::Row::UInt2 }; ///< process and block of a cell
+  TextureBuffer Leaves{ TextureBuffer::Row::UInt };  ///< the block of a cell, as a row of how blocks look
   TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 };
   TextureBuffer CellsOfTetrahedra{ TextureBuffer::Row::UInt };
   /// Where those of a block of cells begin, see CellTetrahedra.h.

@@ -109,6 +109,8 @@ struct InspectionStyle
   Color CutColor = { { 0.9, 0.75, 0.4 } };
   ConvexShape Shape;
 
+  bool HasLooks = false; ///< blocks of the mesh have colours or opacities of their own
+
   Coloring ColorBy = Coloring::TransferFunction;
   std::array<double, 3> HeightDirection = { { 0, 0, 1 } };
   Color LowColor = { { 0.1, 0.2, 0.5 } };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderModes.h"
 
+#include "BlocksGLSL.h"
 #include "CapGLSL.h"
 #include "CutExactlyGLSL.h"
 #include "CutFacesGLSL.h"
@@ -124,6 +125,8 @@ const std::vector<RenderMode>& GetRenderModes()
       "HAS_POSITION", cutExactly.c_str(), "cutExactly();", false, &SetShape },
     { [](const Style&) { return true; }, nullptr, PropertyGLSL,
       "property(ambientColor, diffuseColor, opacity);", false, &SetNothing },
+    { [](const Style& style) { return style.HasLooks; }, "HAS_LOOKS", BlocksGLSL,
+      "blocks(ambientColor, diffuseColor, opacity);", false, &SetNothing },
     { [](const Style& style) { return style.ColorBy == Coloring::TwoColors && !style.Glass; }, nullptr,
       RampGLSL, "ramp(ambientColor, diffuseColor, opacity);", false, &SetRamp },
     { [](const Style& style) { return style.ColorsByDistance() && !style.Glass; }, "HAS_DISTANCE",

@@ -14,14 +14,20 @@
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkConstantArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProcessModule.h"
@@ -32,6 +38,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <map>
 #include <numeric>
 
 using namespace camaron;
@@ -89,7 +96,7 @@ void AddIds(vtkDataSetAttributes* attributes, vtkIdType size, const char* name)
 }
 
 //------------------------------------------------------------------------------
-void AddConstant(vtkCellData* data, vtkIdType size, const char* name, unsigned int value)
+void AddConstant(vtkDataSetAttributes* data, vtkIdType size, const char* name, unsigned int value)
 {
   vtkNew<vtkConstantArray<unsigned int>> values;
   values->SetName(name);
@@ -115,6 +122,81 @@ void AddOrigins(vtkUnstructuredGrid* grid, bool hasBlocks, unsigned int block)
 }
 
 //------------------------------------------------------------------------------
+// ParaView counts the blocks of a vtkMultiBlockDataSet to colour them, empty ones included; those of the other
+// composites have their own number.
+std::map<unsigned int, int> NumberBlocks(vtkDataObject* input)
+{
+  std::map<unsigned int, int> numbers;
+  if (auto* tree = vtkMultiBlockDataSet::SafeDownCast(input))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> it;
+    it.TakeReference(tree->NewTreeIterator());
+    it->SkipEmptyNodesOff();
+    it->VisitOnlyLeavesOn();
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      numbers.emplace(it->GetCurrentFlatIndex(), static_cast<int>(numbers.size()));
+    }
+  }
+  return numbers;
+}
+
+//------------------------------------------------------------------------------
+// Puts blocks where they are in the input, by their flat index. A block that another process has is empty here, as
+// for Surface: all processes have the same tree.
+void FillTree(vtkDataObject* input,
+  const std::map<unsigned int, vtkSmartPointer<vtkUnstructuredGrid>>& blocks,
+  vtkDataObjectTree* output)
+{
+  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  if (!tree)
+  {
+    auto* list = vtkMultiBlockDataSet::SafeDownCast(output);
+    for (const auto& block : blocks)
+    {
+      list->SetBlock(list->GetNumberOfBlocks(), block.second);
+    }
+    return;
+  }
+  output->CopyStructure(tree);
+  const int last = blocks.empty() ? -1 : static_cast<int>(blocks.rbegin()->first);
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
+  int lastOfAll = last;
+  if (!isAlone)
+  {
+    controller->AllReduce(&last, &lastOfAll, 1, vtkCommunicator::MAX_OP);
+  }
+  std::vector<unsigned char> here(lastOfAll + 1, 0);
+  for (const auto& block : blocks)
+  {
+    here[block.first] = 1;
+  }
+  std::vector<unsigned char> somewhere = here;
+  if (!isAlone && lastOfAll >= 0)
+  {
+    controller->AllReduce(here.data(), somewhere.data(), lastOfAll + 1, vtkCommunicator::MAX_OP);
+  }
+  vtkSmartPointer<vtkDataObjectTreeIterator> it;
+  it.TakeReference(output->NewTreeIterator());
+  it->SkipEmptyNodesOff();
+  it->VisitOnlyLeavesOn();
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    const unsigned int index = it->GetCurrentFlatIndex();
+    const auto found = blocks.find(index);
+    if (found != blocks.end())
+    {
+      output->SetDataSet(it, found->second);
+    }
+    else if (index < somewhere.size() && somewhere[index])
+    {
+      output->SetDataSet(it, vtkNew<vtkUnstructuredGrid>());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Pieces meet on their way, or the data leave the process that has them.
 bool IsDistributed()
 {
@@ -133,15 +215,30 @@ int vtkInspectionMesh::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
+int vtkInspectionMesh::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  const int type = !vtkCompositeDataSet::SafeDownCast(input) ? VTK_UNSTRUCTURED_GRID
+    : vtkPartitionedDataSetCollection::SafeDownCast(input)   ? VTK_PARTITIONED_DATA_SET_COLLECTION
+                                                             : VTK_MULTIBLOCK_DATA_SET;
+  return vtkDataObjectAlgorithm::SetOutputDataObject(
+           type, outputVector->GetInformationObject(0), /*exact*/ true)
+    ? 1
+    : 0;
+}
+
+//------------------------------------------------------------------------------
 int vtkInspectionMesh::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
-  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   const std::vector<DataSetLeaf> leaves = GetLeaves(input);
   const std::vector<vtkSmartPointer<vtkDataArray>> outerFacets = this->FindOuterFacets(leaves);
-  vtkNew<vtkAppendFilter> append;
+  const std::map<unsigned int, int> numbers = NumberBlocks(input);
+  std::map<unsigned int, vtkSmartPointer<vtkUnstructuredGrid>> blocks;
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     const auto grid = AsGrid(leaves[i].Data);
@@ -156,18 +253,30 @@ int vtkInspectionMesh::RequestData(
     if (!hasBlocks)
     {
       output->ShallowCopy(grid);
+      return 1;
     }
-    else if (grid->GetNumberOfCells() > 0)
-    {
-      append->AddInputData(grid);
-    }
+    grid->GetFieldData()->ShallowCopy(leaves[i].Data->GetFieldData());
+    this->MarkBlock(grid, leaves[i].FlatIndex,
+      numbers.count(leaves[i].FlatIndex) ? numbers.at(leaves[i].FlatIndex) : leaves[i].Number);
+    blocks[leaves[i].FlatIndex] = grid;
   }
-  if (append->GetNumberOfInputConnections(0) > 0)
+  if (hasBlocks)
   {
-    append->Update();
-    output->ShallowCopy(append->GetOutput());
+    FillTree(input, blocks, vtkDataObjectTree::SafeDownCast(output));
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// As ParaView does for Surface.
+void vtkInspectionMesh::MarkBlock(vtkUnstructuredGrid* grid, unsigned int flatIndex, int number)
+{
+  AddConstant(grid->GetPointData(), grid->GetNumberOfPoints(), "vtkCompositeIndex", flatIndex);
+  AddConstant(grid->GetCellData(), grid->GetNumberOfCells(), "vtkCompositeIndex", flatIndex);
+  vtkNew<vtkUnsignedIntArray> color;
+  color->SetName("vtkBlockColors");
+  color->InsertNextValue(static_cast<unsigned int>(number % this->BlockColorsDistinctValues));
+  grid->GetFieldData()->AddArray(color);
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,8 @@
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -129,6 +131,8 @@ public:
   InspectionValues Values; ///< of the array that colours
   bool HasCellValues = false;
   InspectionValues Levels; ///< of isolines
+  TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< of blocks
+  vtkSmartPointer<vtkFloatArray> UploadedLooks;
 
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkNew<vtkPolyData> Placeholder;
@@ -141,6 +145,8 @@ public:
 
   void UpdateTables(bool isPicking);
   void UpdateNormals(vtkProperty* property);
+  vtkFloatArray* GetLooks() const;
+  void UpdateLooks();
   InspectionStyle GetStyleOfPicture(vtkMeshInspectionMapper* self, bool ofPoints) const;
   void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
   void Detach(vtkOpenGLState* state);
@@ -215,11 +221,37 @@ void vtkMeshInspectionMapper::Internals::UpdateNormals(vtkProperty* property)
 }
 
 //------------------------------------------------------------------------------
+// How the blocks look, if one looks unlike the mesh.
+vtkFloatArray* vtkMeshInspectionMapper::Internals::GetLooks() const
+{
+  const bool isAlike = !this->Grid || this->Style.Glass || this->Style.DrawsNormals();
+  return isAlike
+    ? nullptr
+    : vtkFloatArray::SafeDownCast(this->Grid->GetFieldData()->GetArray(LeafLooksName));
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::Internals::UpdateLooks()
+{
+  vtkFloatArray* looks = this->GetLooks();
+  if (looks && looks != this->UploadedLooks)
+  {
+    this->Looks.Upload(looks->GetPointer(0), looks->GetNumberOfTuples());
+  }
+  this->UploadedLooks = looks;
+  if (looks)
+  {
+    this->Mesh->NeedLeaves();
+  }
+}
+
+//------------------------------------------------------------------------------
 // What of the style is possible with the arrays that there are.
 InspectionStyle vtkMeshInspectionMapper::Internals::GetStyleOfPicture(
   vtkMeshInspectionMapper* self, bool ofPoints) const
 {
   InspectionStyle style = this->Style;
+  style.HasLooks = this->UploadedLooks != nullptr;
   style.Isolines = style.Isolines && !this->Levels.IsEmpty();
   style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // normals of the mesh are as they are
   style.Smooth = style.What == Figure::Faces && !this->Normals.IsEmpty();
@@ -289,6 +321,8 @@ void vtkMeshInspectionMapper::Internals::Release()
   this->Normals.Release();
   this->Values.Release();
   this->Levels.Release();
+  this->Looks.Release();
+  this->UploadedLooks = nullptr;
   if (this->VertexArray)
   {
     glDeleteVertexArrays(1, &this->VertexArray);
@@ -330,6 +364,10 @@ void vtkMeshInspectionMapper::ShareMesh(vtkMeshInspectionMapper* other)
 // The base class sees a vtkPolyData that has nothing but the points of the grid.
 void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
 {
+  if (vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return; // the representation joins blocks
+  }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   Internals& self = *this->Internal;
   if (grid != self.Grid)
@@ -355,7 +393,7 @@ void vtkMeshInspectionMapper::SetInputConnection(int port, vtkAlgorithmOutput* c
   vtkDataObject* data = connection
     ? connection->GetProducer()->GetOutputDataObject(connection->GetIndex())
     : nullptr;
-  if (vtkUnstructuredGrid::SafeDownCast(data))
+  if (vtkUnstructuredGrid::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data))
   {
     this->SetInputDataObject(port, data);
   }
@@ -386,6 +424,15 @@ bool vtkMeshInspectionMapper::HasTranslucentPolygonalGeometry()
   if (this->Internal->Style.Glass)
   {
     return true;
+  }
+  vtkFloatArray* looks = this->Internal->GetLooks();
+  for (vtkIdType i = 0; looks && i < looks->GetNumberOfTuples(); ++i)
+  {
+    const float opacity = looks->GetTypedComponent(i, 3);
+    if (opacity >= 0 && opacity < 1)
+    {
+      return true;
+    }
   }
   int cellFlag = 0;
   vtkAbstractArray* array = grid && this->ScalarVisibility
@@ -436,6 +483,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   {
     self.UpdateTables(renderer->GetSelector() != nullptr);
     self.UpdateNormals(actor->GetProperty());
+    self.UpdateLooks();
   }
   catch (const std::exception& error)
   {
@@ -638,6 +686,8 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   self.Attach(program, "normalTable", self.Normals.GetTable());
   self.Attach(program, "valueTable", self.Values.GetTable());
   self.Attach(program, "levelTable", self.Levels.GetTable());
+  self.Attach(program, "leafTable", mesh.Leaves);
+  self.Attach(program, "lookTable", self.Looks);
   program->SetUniformi("isListed", self.IsListed ? 1 : 0);
   program->SetUniformf("shrinkFactor", static_cast<float>(self.Style.ShrinkFactor));
   program->SetUniformf("explodeFactor", static_cast<float>(self.Style.ExplodeFactor));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshInspectionRepresentation.h"
 
+#include "InspectionBlocks.h"
 #include "InspectionStyle.h"
 #include "ShapeConversion.h"
 #include "vtkHalfSpaces.h"
@@ -12,9 +13,12 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommunicator.h"
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkImplicitFunction.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
@@ -24,6 +28,8 @@
 #include "vtkPassThrough.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkScalarsToColors.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +89,9 @@ public:
   };
 
   InspectionStyle Style;
+  InspectionBlocks Blocks;
+  vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes;
+  bool ColorMissingArraysWithNanColor = false;
   bool GlassShell = false;
   int CutMoves = WithMesh;
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
@@ -232,11 +241,19 @@ int vtkMeshInspectionRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  auto* grid = vtkDataSet::SafeDownCast(this->GeometryFilter->GetOutputDataObject(0));
-  double bounds[6] = { 1, -1, 1, -1, 1, -1 };
-  if (grid && grid->GetNumberOfCells() > 0)
+  vtkBoundingBox box;
+  for (vtkUnstructuredGrid* grid : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(
+         this->GeometryFilter->GetOutputDataObject(0)))
   {
-    grid->GetBounds(bounds);
+    if (grid->GetNumberOfCells() > 0)
+    {
+      box.AddBounds(grid->GetBounds());
+    }
+  }
+  double bounds[6] = { 1, -1, 1, -1, 1, -1 };
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds);
   }
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (controller && controller->GetNumberOfProcesses() > 1)
@@ -282,6 +299,7 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
   {
     return this->GetVisibility() ? 1 : 0; // the mesh is on the graphics card already
   }
+  const bool areBlocksChanged = this->BlockAttrChanged; // the base class takes that for seen
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
   {
     return 0;
@@ -290,16 +308,50 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
   {
     // Cells stay whole: those on the border between two processes go to one of them.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+    if (vtkCompositeDataSet::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0)))
+    {
+      // ParaView moves blocks of polygons alone: others are gone after it. They stay, and processes are composed in
+      // the order of their bounds.
+      vtkPVRenderView::SetOrderedCompositingConfiguration(
+        inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
+    }
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->UpdateStyles(inInfo);
+    this->UpdateStyles(this->UpdateMesh(inInfo, areBlocksChanged));
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
+// Blocks have been delivered one by one, so that none of them loses an array on the way; they are joined here.
+vtkDataSet* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation* inInfo, bool areBlocksChanged)
+{
+  Internals& self = *this->Internal;
+  vtkDataObject* delivered = vtkPVView::GetDeliveredPiece(inInfo, this);
+  const bool isNew = self.Blocks.IsNew(delivered);
+  vtkUnstructuredGrid* mesh = self.Blocks.Join(delivered);
+  if (vtkCompositeDataSet::SafeDownCast(delivered))
+  {
+    if (isNew || areBlocksChanged)
+    {
+      this->PopulateBlockAttributes(self.BlockAttributes, delivered);
+    }
+    double missing[3];
+    this->Property->GetDiffuseColor(missing);
+    if (self.ColorMissingArraysWithNanColor)
+    {
+      this->Mapper->GetLookupTable()->GetColor(vtkMath::Nan(), missing);
+    }
+    self.Blocks.SetLooks(self.BlockAttributes, this->Mapper, missing);
+  }
+  this->Mapper->SetInputDataObject(mesh);
+  this->BackfaceMapper->SetInputDataObject(mesh);
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
 {
   Internals& self = *this->Internal;
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
@@ -313,7 +365,6 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkInformation* inInfo)
   static_cast<vtkMeshInspectionMapper*>(this->Mapper)->SetStyle(style);
   static_cast<vtkMeshInspectionMapper*>(this->BackfaceMapper)->SetStyle(style);
 
-  auto* mesh = vtkDataSet::SafeDownCast(vtkPVView::GetDeliveredPiece(inInfo, this));
   const bool hasLines = self.NormalsOf != 0 && this->GetVisibility();
   self.Lines.Actor->SetVisibility(hasLines);
   if (hasLines)
@@ -376,6 +427,19 @@ void vtkMeshInspectionRepresentation::Change(Value& member, const Value& value)
     member = value;
     this->Modified();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetBlockColorsDistinctValues(int number)
+{
+  static_cast<vtkInspectionMesh*>(this->GeometryFilter)->SetBlockColorsDistinctValues(number);
+  this->MarkModified();
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetColorMissingArraysWithNanColor(bool on)
+{
+  this->Change(this->Internal->ColorMissingArraysWithNanColor, on);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 
 #include <memory> // for the implementation
 
+class vtkDataSet;
 class vtkImplicitFunction;
 
 class vtkMeshInspectionRepresentation : public vtkGeometryRepresentationWithFaces
@@ -68,7 +69,9 @@ public:
   void SetIsolineSpacing(double spacing);
   void SetIsolineWidth(double pixels);
   void SetIsolineColor(double red, double green, double blue);
+  void SetBlockColorsDistinctValues(int number);
   ///@}
+  void SetColorMissingArraysWithNanColor(bool on) override;
 
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
@@ -90,7 +93,8 @@ private:
 
   template <typename Value>
   void Change(Value& member, const Value& value);
-  void UpdateStyles(vtkInformation* inInfo);
+  vtkDataSet* UpdateMesh(vtkInformation* inInfo, bool areBlocksChanged);
+  void UpdateStyles(vtkDataSet* mesh);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

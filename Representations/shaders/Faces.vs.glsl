@@ -22,6 +22,11 @@ out vec4 colorOfPoint;
 uniform samplerBuffer colorTable;
 out vec2 colorTCoordVCVSOutput;
 #endif
+#ifdef HAS_LOOKS
+uniform usamplerBuffer leafTable; // the block of a cell
+uniform samplerBuffer lookTable;  // colour or below 0, opacity or below 0, of every block
+flat out vec4 lookOfBlock;
+#endif
 #ifdef HAS_POINT_VALUES
 uniform samplerBuffer valueTable;
 out float valueOfPoint;
@@ -125,6 +130,9 @@ void main()
   cellOfFace = cell;
   cellMarks = texelFetch(markTable, int(cell)).x;
 
+#ifdef HAS_LOOKS
+  lookOfBlock = texelFetch(lookTable, int(texelFetch(leafTable, int(cell)).x));
+#endif
 #ifdef HAS_POINT_COLORS
   colorOfPoint = ofPoint(colorTable);
 #endif
@@ -145,7 +153,8 @@ void main()
   vec3 flatNormal = normalize(cross(texelFetch(pointTable, int(triangle[1])).xyz - origin,
     texelFetch(pointTable, int(triangle[2])).xyz - origin));
   vec3 normal = texelFetch(normalTable, int(firstPoint)).xyz;
-  normal = dot(normal, flatNormal) < smoothCosine ? flatNormal : normal;
+  normal = dot(normal, flatNormal) >= smoothCosine ? normal : flatNormal; // also where there is none
+
   // Inner faces are no part of the curved outside.
   normalOfCorners = isCutFace == 1 ? vec3(0.0) : normalMatrix * normal;
 #endif
@@ -175,6 +184,11 @@ void main()
   //VTK::Light::Impl
   //VTK::Picking::Impl
   //VTK::CustomEnd::Impl
+
+  if ((cellMarks & 2u) != 0u)
+  {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // of a hidden block: nothing is drawn
+  }
 
 #ifdef ARE_POINTS
   gl_Position.z -= 1.0e-4 * gl_Position.w; // before the faces that they are corners of

@@ -8,6 +8,7 @@
 uniform usamplerBuffer visibleTable;  // as in Faces.vs.glsl
 uniform usamplerBuffer triangleTable;
 uniform usamplerBuffer faceTable;
+uniform usamplerBuffer markTable;
 uniform int isListed;
 uniform float normalLength;
 uniform float normalWidth; // pixels
@@ -84,7 +85,7 @@ void main()
   uvec2 cells = texelFetch(faceTable, int(triangle.w >> 3)).xy;
   uint cell = cells[side];
   cellOfFace = cell;
-  cellMarks = 0u;
+  cellMarks = texelFetch(markTable, int(cell)).x;
   isCutFace = 0;
 
   vec3 start, normal;
@@ -97,7 +98,7 @@ void main()
   findLine(index, cell, start, normal);
   normal = side == 1 ? -normal : normal;
 #endif
-  float size = length(normal);
+  float size = (cellMarks & 2u) != 0u ? 0.0 : length(normal);
   vec3 end = start + normal * (normalLength / max(size, 1.0e-30));
   bool isEnd = corner == 1 || corner == 2 || corner == 4;
   vertexMC = vec4(isEnd ? end : start, 1.0);

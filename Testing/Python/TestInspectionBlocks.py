@@ -1,0 +1,136 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Mesh Inspection of blocks: arrays that only some have, and what the MultiBlock Inspector sets, are as on Surface."""
+
+import camaron_testing
+import TestClientServer
+from inspection_testing import difference, make_view, picture, selected, turn
+from mesh_parts import producer
+from paraview import simple
+from vtkmodules.vtkCommonDataModel import (
+    vtkCompositeDataSet,
+    vtkMultiBlockDataSet,
+    vtkPartitionedDataSetCollection,
+)
+
+
+def parts():
+    """Sources of three meshes beside each other: one with all arrays, one with its ids alone, and a round surface."""
+    wavelet = simple.Wavelet(WholeExtent=[-4, 4, -4, 4, -4, 4])
+    first = simple.PointAndCellIds(Input=simple.Tetrahedralize(Input=wavelet))
+    moved = simple.Calculator(
+        Input=first, CoordinateResults=1, Function="coords + 9*jHat", ResultArrayName="Unused"
+    )
+    second = simple.PassArrays(Input=moved, PointDataArrays=[], CellDataArrays=["CellIds"])
+    third = simple.Sphere(Center=[9, 0, 0], Radius=4, ThetaResolution=20, PhiResolution=20)
+    return first, second, third
+
+
+@camaron_testing.require_display()
+class TestInspectionBlocks(camaron_testing.TestCase):
+    serve = TestClientServer.TestClientServer.serve
+
+    def tree(self):
+        """A list of the blocks A, B and C, of which C is a list of an empty block and one more."""
+        first, second, third = (self.fetch(part) for part in parts())
+        inner = vtkMultiBlockDataSet()
+        inner.SetNumberOfBlocks(2)
+        inner.SetBlock(1, second)
+        blocks = vtkMultiBlockDataSet()
+        for i, block in enumerate((first, third, inner)):
+            blocks.SetBlock(i, block)
+            blocks.GetMetaData(i).Set(vtkCompositeDataSet.NAME(), "ABC"[i])
+        return producer(blocks)
+
+    def collection(self):
+        """Two blocks, the first of which has two pieces."""
+        first, second, third = (self.fetch(part) for part in parts())
+        blocks = vtkPartitionedDataSetCollection()
+        blocks.SetPartition(0, 0, first)
+        blocks.SetPartition(0, 1, second)
+        blocks.SetPartition(1, 0, third)
+        return producer(blocks)
+
+    def compare(self, view, source, color=None, tolerance=0.004, **properties):
+        """The picture, which is that of Surface."""
+        pictures = []
+        for representation in ("Surface", "Mesh Inspection"):
+            display = simple.Show(source, view)
+            display.SetRepresentationType(representation)
+            display.DrawEdges = 0
+            if color or display.ColorArrayName[1]:
+                simple.ColorBy(display, color)
+                display.SetScalarBarVisibility(view, False)
+            for name, value in properties.items():
+                setattr(display, name, value)
+            turn(view)
+            pictures.append(picture(view))
+        self.assertLess(difference(*pictures), tolerance, (color, properties))
+        self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.1)
+        return pictures[1]
+
+    def test_arrays_of_some_blocks(self):
+        """They colour the blocks that have them, and the others are solid, or null."""
+        view = make_view()
+        self.addCleanup(simple.ResetSession)
+        for source in (self.tree(), self.collection()):
+            simple.HideAll(view)
+            simple.UpdatePipeline(proxy=source)
+            self.compare(view, source)
+            for color in (("POINTS", "RTData"), ("CELLS", "CellIds"), ("POINTS", "PointIds")):
+                solid = self.compare(view, source, color, UseNanColorForMissingArrays=0)
+                null = self.compare(view, source, color, UseNanColorForMissingArrays=1)
+                self.assertGreater(difference(solid, null), 0.05)
+            self.compare(view, source, ("FIELD", "vtkBlockColors"))
+
+    def test_looks_of_blocks(self):
+        """Hidden, coloured and translucent blocks; hidden ones are not selected, and cannot be cut open."""
+        view = make_view()
+        self.addCleanup(simple.ResetSession)
+        source = self.tree()
+        simple.UpdatePipeline(proxy=source)
+        whole = self.compare(view, source)
+        names = {"A": "/Root/A", "B": "/Root/B", "C": "/Root/C"}
+        colors = [names["A"], "1", "0", "0", names["C"], "0", "0.5", "0"]
+        for properties in (
+            {"BlockColors": colors},
+            {"BlockOpacities": [names["B"], "0.3"]},
+            {"BlockSelectors": [names["A"], names["C"]]},
+        ):
+            self.assertGreater(difference(whole, self.compare(view, source, **properties)), 0.02)
+        found = {}
+        display = simple.GetDisplayProperties(source, view)
+        for representation in ("Surface", "Mesh Inspection"):
+            display.SetRepresentationType(representation)
+            display.BlockOpacities = []
+            found[representation] = selected(view, source, "cells")
+        self.assertGreater(len(found["Surface"]), 100)
+        self.assertEqual({block for block, _, _ in found["Surface"]}, {1, 5})
+        self.assertEqual(*found.values())
+        # With all of the other blocks cut away, nothing is left.
+        display.CutBy, display.CutShape = "Centroid", "Box"
+        display.CutShape.Position, display.CutShape.Length = [-9, -9, -9], [14, 30, 18]
+        self.assertEqual(difference(whole * 0 + 255, picture(view)), 0)
+        display.BlockSelectors = ["/"]
+        self.assertGreater(difference(whole * 0 + 255, picture(view)), 0.02)
+
+    def test_servers(self):
+        """Drawn there and, from blocks that are sent over, here."""
+        self.serve(2)
+        blocks = simple.GroupDatasets(Input=list(parts()))
+        blocks.BlockNames = ["A", "B", "C"]
+        simple.UpdatePipeline(proxy=blocks)
+        for threshold in (0, 100000):
+            with self.subTest(threshold=threshold):
+                view = make_view()
+                view.RemoteRenderThreshold = threshold
+                self.compare(view, blocks, ("POINTS", "RTData"))
+                self.compare(view, blocks, None, BlockColors=["/Root/A", "1", "0", "0"])
+                self.compare(view, blocks, None, BlockSelectors=["/Root/B", "/Root/C"])
+                self.compare(view, blocks, None, 0.02, BlockOpacities=["/Root/C", "0.3"])
+                simple.Delete(view)
+        simple.Disconnect()
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
