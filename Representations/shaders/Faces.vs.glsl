@@ -78,11 +78,18 @@ vec4 vertexMC;
 //VTK::Picking::Dec
 
 #ifdef HAS_LINES
+float largest(vec3 a)
+{
+  return max(max(abs(a.x), abs(a.y)), abs(a.z));
+}
+
 // The line through two corners in pixels. It needs no division, so corners behind the eye do no harm.
 vec3 lineThrough(vec4 a, vec4 b)
 {
-  vec3 line = cross(vec3((a.xy + a.w) * 0.5 * viewportSize, a.w),
-    vec3((b.xy + b.w) * 0.5 * viewportSize, b.w));
+  vec3 p = vec3((a.xy + a.w) * 0.5 * viewportSize, a.w);
+  vec3 q = vec3((b.xy + b.w) * 0.5 * viewportSize, b.w);
+  // Of size 1, whatever the unit of coordinates is: squares of the large ones are too much for float.
+  vec3 line = cross(p / largest(p), q / largest(q));
   return line / length(line.xy);
 }
 #endif
@@ -150,8 +157,8 @@ void main()
 #endif
 #ifdef HAS_NORMALS
   vec3 origin = texelFetch(pointTable, int(triangle[0])).xyz;
-  vec3 flatNormal = normalize(cross(texelFetch(pointTable, int(triangle[1])).xyz - origin,
-    texelFetch(pointTable, int(triangle[2])).xyz - origin));
+  vec3 flatNormal = normalize(cross(normalize(texelFetch(pointTable, int(triangle[1])).xyz - origin),
+    normalize(texelFetch(pointTable, int(triangle[2])).xyz - origin)));
   vec3 normal = texelFetch(normalTable, int(firstPoint)).xyz;
   normal = dot(normal, flatNormal) >= smoothCosine ? normal : flatNormal; // also where there is none
 

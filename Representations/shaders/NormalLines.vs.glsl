@@ -50,6 +50,7 @@ void findLine(int first, uint cell, out vec3 start, out vec3 normal)
     return;
   }
   float size = 0.0;
+  float scale = max(normalLength, 1.0e-30); // squares of large coordinates are too much for float
   int end = textureSize(triangleTable);
   for (int i = first; i < end; ++i)
   {
@@ -61,7 +62,7 @@ void findLine(int first, uint cell, out vec3 start, out vec3 normal)
     vec3 a = place(triangle[0], cell).xyz;
     vec3 b = place(triangle[1], cell).xyz;
     vec3 c = place(triangle[2], cell).xyz;
-    vec3 area = cross(b - a, c - a);
+    vec3 area = cross((b - a) / scale, (c - a) / scale);
     normal += area;
     start += length(area) * (a + b + c) / 3.0;
     size += length(area);

@@ -134,6 +134,25 @@ class TestMeshInspection(camaron_testing.TestCase):
         display.CutShape.Planes = planes
         self.assertEqual(difference(boxed, picture(self.view)), 0)
 
+    def test_unit_of_coordinates(self):
+        """Edges and normals are the same in any unit, and far from the origin: squares of them would not fit float."""
+        mesh = tetrahedra()
+        pictures = []
+        for scale, offset in ((1, 0), (1e12, 0), (1e-9, 0), (1e-3, 1e7)):
+            moved = simple.Calculator(
+                Input=mesh,
+                CoordinateResults=1,
+                ResultArrayType="Double",
+                Function=f"{scale}*coords + {offset}*iHat - {offset}*kHat",
+            )
+            display = self.show(moved, "Mesh Inspection", DrawNormals="Faces", SmoothShading=1)
+            simple.ColorBy(display, ("POINTS", "RTData"))
+            turn(self.view)
+            pictures.append(picture(self.view))
+            simple.Hide(moved, self.view)
+        for other in pictures[1:]:
+            self.assertLess(difference(pictures[0], other), 0.01)
+
     def test_cut_stays_in_view(self):
         """A plane across the line of sight stays so, wherever the camera goes."""
         source = tetrahedra()
