@@ -16,6 +16,12 @@ flat out uint pickedPoint;
 flat out uvec2 pickedOwner;
 #endif
 
+#ifdef HAS_LOOKS
+uniform usamplerBuffer leafTable; // as in Faces.vs.glsl
+uniform samplerBuffer lookTable;
+flat out vec4 lookOfBlock;
+#endif
+
 flat out uint cellOfFace;
 flat out uint cellMarks;
 flat out int isCutFace;
@@ -63,6 +69,9 @@ void main()
     mat3(places[1] - firstCorner, places[2] - firstCorner, places[3] - firstCorner));
   farPlace = places[(opposite + 1 + corner - 3 * opposite) % 4];
   vertexMC = vec4(farPlace, 1.0);
+#ifdef HAS_LOOKS
+  lookOfBlock = texelFetch(lookTable, int(texelFetch(leafTable, int(cellOfFace)).x));
+#endif
 #ifdef IS_PICKING
   pickedPoint = corners[0];
   pickedOwner = texelFetch(ownerTable, int(cellOfFace)).xy;

@@ -113,6 +113,15 @@ class TestInspectionBlocks(camaron_testing.TestCase):
         self.assertEqual(difference(whole * 0 + 255, picture(view)), 0)
         display.BlockSelectors = ["/"]
         self.assertGreater(difference(whole * 0 + 255, picture(view)), 0.02)
+        # The cut face of a red block, which fills the view, is red.
+        display.BlockColors, display.DisableLighting = ["/", "1", "0", "0"], 1
+        display.CutBy, display.CutShape, display.CutKeeps = "Exactly", "Sphere", "Inside"
+        display.CutShape.Center, display.CutShape.Radius = [0, 0, 0], 3
+        simple.ResetCamera(view)
+        image = picture(view)
+        red = (image[:, :, 0] > 200) & (image[:, :, 1:].max(axis=2) < 50)
+        self.assertGreater(red.sum(), 1000)
+        self.assertGreater(red.sum(), 0.95 * (image.min(axis=2) < 128).sum())
 
     def test_servers(self):
         """Drawn there and, from blocks that are sent over, here."""
