@@ -18,6 +18,12 @@ PROPERTIES = {
         "EdgeArrays": ["EdgeAngleSum"],
         "VertexArrays": ["VertexAngleSum", "IsBoundary"],
     },
+    "SelectElements": {
+        "Strategy": "Half-spaces",
+        "Planes": [0, 0, 0.1, 0, 0, 1, 0.2, 0, 0, 1, 1, 0],
+        "Placement": "Cut by boundary",
+        "Combination": "Add",
+    },
     "MeshKernel": {"KernelOf": "Each Cell", "ChosenBy": "VertexCount"},
 }
 
@@ -27,7 +33,7 @@ def make_pipeline():
     quality = simple.ElementQuality(
         registrationName="ElementQuality", Input=mesh, **PROPERTIES["ElementQuality"]
     )
-    for name in ("MeshElements", "MeshKernel"):
+    for name in ("MeshElements", "SelectElements", "MeshKernel"):
         getattr(simple, name)(registrationName=name, Input=quality, **PROPERTIES[name])
 
 
@@ -42,6 +48,9 @@ def summary():
         source.UpdatePipeline()
         for port in range(source.GetNumberOfOutputPorts()):
             data = servermanager.Fetch(source, idx=port)
+            if data.IsA("vtkSelection"):
+                found[name, port] = data.GetNode(0).GetSelectionList().GetNumberOfTuples()
+                continue
             arrays = data.GetCellData()
             ranges = {
                 arrays.GetArrayName(i): arrays.GetArray(i).GetFiniteRange()

@@ -3,21 +3,10 @@
 """In ParaView's window: cells by rubber band, one ring more, their faces, less a sphere; and the state of that."""
 
 import json
-import os
-import shutil
-import subprocess
 
 import camaron_testing
 import numpy
-
-WINDOW = "pqClientMainWindow"
-PANEL = f"{WINDOW}/propertiesDock/propertiesPanel"
-PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
-FRAME = (
-    f"{WINDOW}/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1"
-    "/Container/Frame.0"
-)
-SHELL = f"{WINDOW}/pythonShellDock/pythonShell"
+from window_testing import FRAME, WindowTestCase, add_filter, apply, choose, event, open_example, save_state
 
 #: Run in the window's Python shell: what each filter selects, and the faces' cells.
 LIST = """
@@ -38,33 +27,6 @@ with open(PATH, "w") as file:
 """
 
 
-def event(target, command, arguments=""):
-    return f'  <pqevent object="{target}" command="{command}" arguments="{arguments}" />'
-
-
-def apply():
-    return event(f"{PANEL}/Accept", "activate")
-
-
-def choose(name, value):
-    return event(f"{PROPERTIES}/{name}", "set_string", value)
-
-
-def add_filter(name):
-    menu = f"{WINDOW}/menubar"
-    return [
-        event(menu, "activate", "menuFilters"),
-        event(f"{menu}/menuFilters/Camaron", "activate", name),
-    ]
-
-
-def run_script(path):
-    return [
-        event(f"{SHELL}/runScriptButton", "activate"),
-        event(f"{SHELL}/PythonShellRunScriptDialog", "filesSelected", path),
-    ]
-
-
 def rubber_band(first, last):
     viewport = f"{FRAME}/CentralWidgetFrame/Viewport"
     return [
@@ -75,40 +37,9 @@ def rubber_band(first, last):
     ]
 
 
-@camaron_testing.require_display()
-class TestSelectByMouse(camaron_testing.TestCase):
-    def play(self, *events, options=()):
-        """A session of the window."""
-        test = self.folder / "session.xml"
-        lines = ['<?xml version="1.0" ?>', "<pqevents>", *events, "</pqevents>"]
-        test.write_text("\n".join(lines) + "\n")
-        program = shutil.which("paraview")
-        if not program:
-            self.skipTest("no paraview")
-        command = [
-            program,
-            "--dr",
-            f"--plugin-search-paths={os.environ['PV_PLUGIN_PATH']}",
-            "--plugins=Camaron",
-            f"--data-directory={camaron_testing.EXAMPLES}",
-            f"--test-directory={self.folder}",
-            f"--test-script={test}",
-            "--exit",
-            *options,
-        ]
-        done = subprocess.run(
-            command,
-            capture_output=True,
-            text=True,
-            timeout=120,
-            env=camaron_testing.environment_alone(),
-        )
-        self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
-
-    def script(self, name):
-        path = self.folder / f"{name}.py"
-        path.write_text(LIST.replace("PATH", repr(str(self.folder / f"{name}.json"))))
-        return path
+class TestSelectByMouse(WindowTestCase):
+    def list(self, name):
+        return self.script(name, LIST.replace("PATH", repr(str(self.folder / f"{name}.json"))))
 
     def found(self, name):
         return json.loads((self.folder / f"{name}.json").read_text())
@@ -116,8 +47,7 @@ class TestSelectByMouse(camaron_testing.TestCase):
     def test_session(self):
         state = self.folder / "session.pvsm"
         self.play(
-            event(f"{WINDOW}/MainControlsToolbar/actionOpenData", "activate"),
-            event(f"{WINDOW}/FileOpenDialog", "filesSelected", "$PARAVIEW_DATA_ROOT/voronoi-ball.visf"),
+            *open_example("voronoi-ball.visf"),
             apply(),
             *rubber_band(0.42, 0.58),
             *add_filter("SelectElements"),
@@ -136,12 +66,11 @@ class TestSelectByMouse(camaron_testing.TestCase):
             choose("Strategy/ComboBox", "Shape"),
             choose("Combination/ComboBox", "Subtract"),
             apply(),
-            *run_script(self.script("before")),
-            event(f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
-            event(f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", state),
+            *self.list("before"),
+            *save_state(state),
         )
         self.play(
-            *run_script(self.script("after")),
+            *self.list("after"),
             options=[f"--state={state}"],
         )
         before, after = self.found("before"), self.found("after")

@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Sessions of ParaView's window: events as its own tests record them, played in a process of its own."""
+
+import os
+import shutil
+import subprocess
+
+import camaron_testing
+
+WINDOW = "pqClientMainWindow"
+PANEL = f"{WINDOW}/propertiesDock/propertiesPanel"
+PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
+FRAME = (
+    f"{WINDOW}/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1"
+    "/Container/Frame.0"
+)
+SHELL = f"{WINDOW}/pythonShellDock/pythonShell"
+
+
+def event(target, command, arguments=""):
+    return f'  <pqevent object="{target}" command="{command}" arguments="{arguments}" />'
+
+
+def apply():
+    return event(f"{PANEL}/Accept", "activate")
+
+
+def choose(name, value):
+    return event(f"{PROPERTIES}/{name}", "set_string", value)
+
+
+def add_filter(name):
+    menu = f"{WINDOW}/menubar"
+    return [
+        event(menu, "activate", "menuFilters"),
+        event(f"{menu}/menuFilters/Camaron", "activate", name),
+    ]
+
+
+def open_example(name):
+    return [
+        event(f"{WINDOW}/MainControlsToolbar/actionOpenData", "activate"),
+        event(f"{WINDOW}/FileOpenDialog", "filesSelected", f"$PARAVIEW_DATA_ROOT/{name}"),
+    ]
+
+
+def save_state(path):
+    return [
+        event(f"{WINDOW}/menubar/menu_File", "activate", "actionFileSaveServerState"),
+        event(f"{WINDOW}/FileSaveServerStateDialog", "filesSelected", path),
+    ]
+
+
+def run_script(path):
+    return [
+        event(f"{SHELL}/runScriptButton", "activate"),
+        event(f"{SHELL}/PythonShellRunScriptDialog", "filesSelected", path),
+    ]
+
+
+@camaron_testing.require_display()
+class WindowTestCase(camaron_testing.TestCase):
+    def play(self, *events, options=()):
+        """A session of the window."""
+        test = self.folder / "session.xml"
+        lines = ['<?xml version="1.0" ?>', "<pqevents>", *events, "</pqevents>"]
+        test.write_text("\n".join(lines) + "\n")
+        program = shutil.which("paraview")
+        if not program:
+            self.skipTest("no paraview")
+        command = [
+            program,
+            "--dr",
+            f"--plugin-search-paths={os.environ['PV_PLUGIN_PATH']}",
+            "--plugins=Camaron",
+            f"--data-directory={camaron_testing.EXAMPLES}",
+            f"--test-directory={self.folder}",
+            f"--test-script={test}",
+            "--exit",
+            *options,
+        ]
+        done = subprocess.run(
+            command,
+            capture_output=True,
+            text=True,
+            timeout=140,
+            env=camaron_testing.environment_alone(),
+        )
+        self.assertEqual(done.returncode, 0, done.stdout[-3000:] + done.stderr[-3000:])
+
+    def script(self, name, text):
+        """Events that run a text in the window's Python shell, from a file of that name."""
+        path = self.folder / f"{name}.py"
+        path.write_text(text)
+        return run_script(path)
