@@ -87,6 +87,7 @@ enum class Figure
 
 struct InspectionStyle
 {
+  bool OnProcessor = false; ///< drawn as an ordinary surface, without the shaders
   Figure What = Figure::Faces;
   double NormalLength = 1; ///< of the lines that are normals, in the unit of coordinates
   bool Faces = true;

@@ -46,7 +46,7 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
     this->Release();
     throw std::length_error("Mesh Inspection needs a table of " + std::to_string(numberOfRows) +
       " rows, but those of this graphics card have up to " + std::to_string(maxRows) +
-      ". Surface draws the mesh, or fewer cells.");
+      ".");
   }
   const bool isNew = this->Buffer == 0;
   if (isNew)

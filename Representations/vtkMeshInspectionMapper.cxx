@@ -16,6 +16,7 @@
 #include "PickingGLSL.h"
 #include "PlaceGLSL.h"
 #include "PointNormals.h"
+#include "ProcessorSurface.h"
 #include "RenderModes.h"
 #include "SelectorPixels.h"
 #include "VisibleTriangles.h"
@@ -136,6 +137,18 @@ public:
 
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkNew<vtkPolyData> Placeholder;
+
+  ProcessorSurface Surface;
+  vtkNew<vtkOpenGLPolyDataMapper> OfSurface;
+  vtkNew<vtkActor> SurfaceActor; ///< with edges as the style has them
+  vtkMTimeType PropertyTime = 0;
+  vtkSmartPointer<vtkUnstructuredGrid> RefusedGrid; ///< by the graphics card
+  vtkMTimeType RefusedTime = 0;
+  bool IsOnProcessor() const
+  {
+    return this->Style.OnProcessor ||
+      (this->Grid && this->Grid == this->RefusedGrid && this->Grid->GetMTime() == this->RefusedTime);
+  }
   RenderModeCode Code;
   std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
 
@@ -351,6 +364,7 @@ void vtkMeshInspectionMapper::SetStyle(const InspectionStyle& style)
   {
     this->Internal->Style.WallsToDraw = Walls::Complete;
   }
+  this->SetInputDataObject(0, this->Internal->Grid);
 }
 
 //------------------------------------------------------------------------------
@@ -374,6 +388,16 @@ void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
   {
     self.Grid = grid;
     this->Modified();
+  }
+  if (self.Style.OnProcessor)
+  {
+    // Ray tracers look at the input only.
+    vtkPolyData* surface = self.Surface.Update(grid, self.Style);
+    if (this->GetInput() != surface)
+    {
+      this->Superclass::SetInputDataObject(port, surface);
+    }
+    return;
   }
   const bool isEmpty = !grid || grid->GetNumberOfCells() == 0;
   if (self.Placeholder->GetPoints() != (isEmpty ? nullptr : grid->GetPoints()))
@@ -488,7 +512,9 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
   catch (const std::exception& error)
   {
     self.NumberOfTriangles = 0;
-    vtkErrorMacro(<< error.what());
+    self.RefusedGrid = grid;
+    self.RefusedTime = grid->GetMTime();
+    vtkWarningMacro(<< error.what() << " The processor draws the mesh instead.");
   }
 
   // VTK makes the colours; of points they are either colours or coordinates in a texture.
@@ -738,6 +764,52 @@ void vtkMeshInspectionMapper::SetCameraShaderParameters(
 }
 
 //------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  if (!this->Internal->IsOnProcessor())
+  {
+    this->Superclass::RenderPiece(renderer, actor);
+  }
+  // The graphics card may just have refused.
+  if (this->Internal->IsOnProcessor())
+  {
+    this->DrawOnProcessor(renderer, actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::DrawOnProcessor(vtkRenderer* renderer, vtkActor* actor)
+{
+  Internals& self = *this->Internal;
+  vtkPolyData* surface = self.Surface.Update(self.Grid, self.Style);
+  if (surface->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  self.OfSurface->vtkMapper::ShallowCopy(this);
+  self.OfSurface->SetInputData(surface);
+  self.OfSurface->SetCellIdArrayName(CellIdsName);
+  self.OfSurface->SetPointIdArrayName(PointIdsName);
+  self.OfSurface->SetProcessIdArrayName(ProcessIdsName);
+  self.OfSurface->SetCompositeIdArrayName(BlockIdsName);
+
+  vtkProperty* property = self.SurfaceActor->GetProperty();
+  if (self.PropertyTime != actor->GetProperty()->GetMTime())
+  {
+    self.PropertyTime = actor->GetProperty()->GetMTime();
+    property->DeepCopy(actor->GetProperty());
+  }
+  property->SetEdgeVisibility(self.Style.Faces && self.Style.Edges);
+  self.SurfaceActor->SetUserMatrix(actor->GetMatrix());
+  self.SurfaceActor->SetPropertyKeys(actor->GetPropertyKeys());
+  if (self.SurfaceActor->GetMTime() < actor->GetMTime())
+  {
+    self.SurfaceActor->Modified(); // it does not see that its matrix changed
+  }
+  self.OfSurface->RenderPiece(renderer, self.SurfaceActor);
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor)
 {
   Internals& self = *this->Internal;
@@ -825,11 +897,16 @@ void vtkMeshInspectionMapper::UpdateMaximumPointCellIds(vtkRenderer* renderer, v
 
 //------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
-  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp*)
+  vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop)
 {
   vtkUnstructuredGrid* grid = this->Internal->Grid;
   if (!grid || !this->PopulateSelectionSettings)
   {
+    return;
+  }
+  if (this->Internal->IsOnProcessor())
+  {
+    this->Internal->OfSurface->ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
     return;
   }
   switch (selector->GetCurrentPass())
@@ -854,5 +931,6 @@ void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
 void vtkMeshInspectionMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
+  this->Internal->OfSurface->ReleaseGraphicsResources(window);
   this->Internal->Release();
 }

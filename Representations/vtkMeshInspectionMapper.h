@@ -9,7 +9,7 @@
  * give lights, materials, depth peeling and picking. What is drawn how is a camaron::InspectionStyle.
  *
  * Cells and points are picked by their ids in the input, or by those that vtkInspectionMesh gave them. Needs
- * OpenGL 3.2.
+ * OpenGL 3.2; where the graphics card cannot, VTK's filters make a surface of what is to be seen, and VTK draws it.
  */
 #ifndef vtkMeshInspectionMapper_h
 #define vtkMeshInspectionMapper_h
@@ -40,6 +40,7 @@ public:
   using Superclass::SetInputDataObject;
   void SetInputConnection(int port, vtkAlgorithmOutput* producerOfGrid) override;
   void SetInputDataObject(int port, vtkDataObject* grid) override;
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   void ProcessSelectorPixelBuffers(vtkHardwareSelector* selector,
@@ -74,6 +75,7 @@ private:
   vtkMeshInspectionMapper(const vtkMeshInspectionMapper&) = delete;
   void operator=(const vtkMeshInspectionMapper&) = delete;
 
+  void DrawOnProcessor(vtkRenderer* renderer, vtkActor* actor);
   void UpdateValues();
   void Draw(vtkRenderer* renderer, vtkActor* actor, int primitive, unsigned int mode,
     std::size_t numberOfVertices);

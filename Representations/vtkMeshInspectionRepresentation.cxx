@@ -27,6 +27,7 @@
 #include "vtkPVRenderView.h"
 #include "vtkPassThrough.h"
 #include "vtkProperty.h"
+#include "vtkRenderPass.h"
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnstructuredGrid.h"
@@ -96,6 +97,7 @@ public:
   int CutMoves = WithMesh;
   vtkSmartPointer<vtkImplicitFunction> CutFunction;
   std::string LastShapeError;
+  bool WarnedOfRayTracing = false;
   // Where the camera looked when the shape was last fixed in the view.
   vtkNew<vtkMatrix4x4> FixedView;
   bool HasFixedView = false;
@@ -362,6 +364,17 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
   {
     style.Cut = CutBy::Nothing;
   }
+  if (renderer && renderer->GetPass() && renderer->GetPass()->IsA("vtkOSPRayPass"))
+  {
+    // A ray tracer knows nothing of our shaders.
+    if (!self.WarnedOfRayTracing)
+    {
+      vtkWarningMacro("Mesh Inspection is ray traced as an ordinary surface: without glass, isolines, normals, "
+                      "inner walls and emphasis.");
+    }
+    self.WarnedOfRayTracing = true;
+    style.OnProcessor = true;
+  }
   static_cast<vtkMeshInspectionMapper*>(this->Mapper)->SetStyle(style);
   static_cast<vtkMeshInspectionMapper*>(this->BackfaceMapper)->SetStyle(style);
 
@@ -440,6 +453,12 @@ void vtkMeshInspectionRepresentation::SetBlockColorsDistinctValues(int number)
 void vtkMeshInspectionRepresentation::SetColorMissingArraysWithNanColor(bool on)
 {
   this->Change(this->Internal->ColorMissingArraysWithNanColor, on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawWith(int what)
+{
+  this->Change(this->Internal->Style.OnProcessor, what == 1);
 }
 
 //------------------------------------------------------------------------------

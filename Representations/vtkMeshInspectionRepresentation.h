@@ -27,6 +27,7 @@ public:
 
   ///@{
   /// See the properties of these names in MeshInspection.xml.
+  void SetDrawWith(int what);
   void SetDrawFaces(bool on);
   void SetDrawEdges(bool on);
   void SetEdgesOf(int which);

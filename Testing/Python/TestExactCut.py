@@ -4,7 +4,7 @@
 
 import camaron_testing
 import numpy
-from inspection_testing import difference, make_view, picture, selected, turn
+from inspection_testing import PictureTestCase, difference, selected
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -22,48 +22,13 @@ def polyhedra():
 
 
 @camaron_testing.require_display()
-class TestExactCut(camaron_testing.TestCase):
-    def setUp(self):
-        super().setUp()
-        self.view = make_view()
-        self.addCleanup(simple.ResetSession)
-
-    def show(self, source, representation="Mesh Inspection", color=None, **properties):
-        simple.HideAll(self.view)
-        display = simple.Show(source, self.view)
-        display.SetRepresentationType(representation)
-        if color or display.ColorArrayName[1]:
-            simple.ColorBy(display, color)
-        if color:
-            table = display.LookupTable
-            table.AutomaticRescaleRangeMode, table.NumberOfTableValues = "Never", 1024
-            table.RescaleTransferFunction(-1.0, 1.0)
-            display.SetScalarBarVisibility(self.view, False)
-        display.DrawEdges = 0
-        for name, value in properties.items():
-            setattr(display, name, value)
-        return display
-
-    def take(self, of):
-        """As others see the mesh, whatever is left of it."""
-        display = simple.Show(of, self.view)
-        turn(self.view)
-        camera = [list(self.view.CameraPosition), list(self.view.CameraFocalPoint)]
-        simple.Hide(of, self.view)
-        del display
-        self.view.CameraPosition, self.view.CameraFocalPoint = camera
-        return picture(self.view)
-
+class TestExactCut(PictureTestCase):
     def heights(self, mesh, scale):
         """A linear array from -1 to 1."""
         end = numpy.array([3.0, 4.0, 5.0]) / 50**0.5 * scale
         return simple.Elevation(
             Input=mesh, LowPoint=list(-end), HighPoint=list(end), ScalarRange=[-1.0, 1.0]
         )
-
-    def same(self, one, other, tolerance=0.004):
-        self.assertLess(difference(one, other), tolerance)
-        self.assertGreater(difference(one, one * 0 + 255), 0.05)  # there is a mesh
 
     def test_plane(self):
         """As Clip does it, with whatever colours, on either side, through hexahedra and polyhedra."""

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of, and selections in, a view with one representation."""
 
+import camaron_testing
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -60,3 +61,42 @@ def selected(view, source, kind):
             found.add((-1, *values[k : k + 2]) if width == 2 else tuple(values[k : k + 3]))
     simple.ClearSelection(source)
     return found
+
+
+class PictureTestCase(camaron_testing.TestCase):
+    """Compares pictures of one source after the other in one view."""
+
+    def setUp(self):
+        super().setUp()
+        self.view = make_view()
+        self.addCleanup(simple.ResetSession)
+
+    def show(self, source, representation="Mesh Inspection", color=None, **properties):
+        """Shows a source alone, coloured from -1 to 1, without edges unless they are asked for."""
+        simple.HideAll(self.view)
+        display = simple.Show(source, self.view)
+        display.SetRepresentationType(representation)
+        if color or display.ColorArrayName[1]:
+            simple.ColorBy(display, color)
+        if color:
+            table = display.LookupTable
+            table.AutomaticRescaleRangeMode, table.NumberOfTableValues = "Never", 1024
+            table.RescaleTransferFunction(-1.0, 1.0)
+            display.SetScalarBarVisibility(self.view, False)
+        display.DrawEdges = 0
+        for name, value in properties.items():
+            setattr(display, name, value)
+        return display
+
+    def take(self, of):
+        """The picture of what is shown, with the camera that sees all of another source."""
+        simple.Show(of, self.view)
+        turn(self.view)
+        camera = [list(self.view.CameraPosition), list(self.view.CameraFocalPoint)]
+        simple.Hide(of, self.view)
+        self.view.CameraPosition, self.view.CameraFocalPoint = camera
+        return picture(self.view)
+
+    def same(self, one, other, tolerance=0.004):
+        self.assertLess(difference(one, other), tolerance)
+        self.assertGreater(difference(one, one * 0 + 255), 0.05)  # there is a mesh

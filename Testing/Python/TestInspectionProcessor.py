@@ -1,0 +1,87 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Mesh Inspection without the graphics card: the same pictures and selections, made by VTK's filters."""
+
+import camaron_testing
+from inspection_testing import PictureTestCase, selected
+from paraview import simple
+
+
+def hexahedra():
+    mesh = simple.AppendDatasets(Input=[simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])])
+    return simple.Elevation(
+        Input=simple.PointAndCellIds(Input=mesh),
+        LowPoint=[-5, -5, -5],
+        HighPoint=[5, 5, 5],
+        ScalarRange=[-1.0, 1.0],
+    )
+
+
+def polyhedra():
+    mesh = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+    return simple.Elevation(Input=mesh, LowPoint=[-1, -1, -1], HighPoint=[1, 1, 1], ScalarRange=[-1.0, 1.0])
+
+
+@camaron_testing.require_display()
+class TestInspectionProcessor(PictureTestCase):
+    def compare(self, mesh, tolerance=0.004, **properties):
+        """Both pictures; the second one is made by the processor."""
+        frame = simple.Outline(Input=mesh)
+        pictures = []
+        for draw_with in ("Graphics card", "Processor"):
+            display = self.show(mesh, DrawWith=draw_with, **properties)
+            pictures.append(self.take(frame))
+        display.DrawWith = "Graphics card"
+        self.same(*pictures, tolerance)
+        return pictures
+
+    def test_surface(self):
+        for mesh in (hexahedra(), polyhedra()):
+            for properties in (
+                {"color": ("POINTS", "Elevation")},
+                {"DrawEdges": 1, "EdgeColor": [1, 0, 0]},
+                {"Opacity": 0.5},
+            ):
+                with self.subTest(**properties):
+                    # Edges of triangles of polygons are VTK's, as wide as VTK draws them.
+                    self.compare(mesh, 0.03 if "DrawEdges" in properties else 0.004, **properties)
+
+    def test_cuts(self):
+        for mesh in (hexahedra(), polyhedra()):
+            display = self.show(mesh, CutShape="Sphere")
+            scale = 0.2 * mesh.GetDataInformation().GetBounds()[1]
+            display.CutShape.Center, display.CutShape.Radius = [2 * scale, scale, 5 * scale], 3.6 * scale
+            for cut in ("Centroid", "Any vertex", "All vertices", "Exactly"):
+                for keeps in ("Inside", "Outside"):
+                    with self.subTest(cut=cut, keeps=keeps):
+                        # Clip's sphere is one of straight pieces.
+                        tolerance = 0.02 if cut == "Exactly" else 0.004
+                        color = ("POINTS", "Elevation")
+                        self.compare(mesh, tolerance, color=color, CutBy=cut, CutKeeps=keeps)
+
+    def test_isosurfaces(self):
+        self.compare(
+            polyhedra(),
+            color=("POINTS", "Elevation"),
+            DrawFaces=0,
+            DrawIsosurfaces=1,
+            IsosurfaceArray=["POINTS", "Elevation"],
+            IsosurfaceValues=[-0.4, 0.0, 0.3],
+        )
+
+    def test_selections(self):
+        """Also where a cut leaves other cells and points, in other places, than the mesh has."""
+        mesh = hexahedra()
+        frame = simple.Outline(Input=mesh)
+        sets = []
+        for draw_with in ("Graphics card", "Processor"):
+            display = self.show(mesh, DrawWith=draw_with, CutBy="Any vertex", CutShape="Sphere")
+            display.CutShape.Center, display.CutShape.Radius = [3, 3, 5], 4
+            self.take(frame)
+            sets.append([selected(self.view, mesh, kind) for kind in ("cells", "points")])
+        self.assertGreater(min(map(len, sets[0])), 100)
+        self.assertEqual(*sets)
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
