@@ -4,6 +4,7 @@
 
 #include "Criteria/RangesFile.h"
 #include "Scan/MappedFile.h"
+#include "SmallFile.h"
 
 #include "vtkMath.h"
 
@@ -13,43 +14,13 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr std::size_t MaxFileSize = 1 << 20; // what is larger is another file
-
-//------------------------------------------------------------------------------
-// The text of a small file after a zero byte, or the reason why there is none.
-std::vector<char> ReadSmallFile(const std::string& path)
-{
-  MappedFile file;
-  ScanError error;
-  if (file.Open(path, error) && file.size() > MaxFileSize)
-  {
-    error = { ErrorKind::NotThisFormat, file.GetName() + ": too large for a file of ranges" };
-  }
-  if (error)
-  {
-    return { error.Message.begin(), error.Message.end() };
-  }
-  std::vector<char> bytes(1, '\0');
-  bytes.insert(bytes.end(), file.begin(), file.end());
-  return bytes;
-}
-}
-
 //------------------------------------------------------------------------------
 std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer)
 {
-  std::vector<std::size_t> sizes;
-  const std::vector<char> bytes = reducer.Gather(
-    reducer.GetProcess() == 0 ? ReadSmallFile(path) : std::vector<char>(), sizes);
-  if (bytes.empty() || bytes[0] != '\0')
-  {
-    throw std::runtime_error(std::string(bytes.begin(), bytes.end()));
-  }
+  const std::string text = ReadSmallFile(path, "a file of ranges", reducer);
   ScanError error;
   std::vector<Preset::Rule> rules =
-    ParseRanges(GetFileName(path), bytes.data() + 1, bytes.data() + bytes.size(), error);
+    ParseRanges(GetFileName(path), text.data(), text.data() + text.size(), error);
   if (error)
   {
     throw std::runtime_error(error.Message);

@@ -134,7 +134,7 @@ void vtkQualityTables::WarnOfNoGroups(const std::string& arrayName, std::size_t 
 {
   if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
   {
-    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers is named '"
+    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers of 32 bits is named '"
       << arrayName << "'.");
   }
 }

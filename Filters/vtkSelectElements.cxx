@@ -134,6 +134,7 @@ void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Placement: " << this->GetPlacement() << '\n';
   os << indent << "InsideOut: " << this->GetInsideOut() << '\n';
   os << indent << "Shape: " << this->GetShape() << '\n';
+  os << indent << "ShapeFile: " << this->GetShapeFile() << '\n';
   os << indent << "Numbers of planes: " << this->Parameters->Planes.size() << '\n';
   os << indent << "LeaveNulls: " << this->GetLeaveNulls() << '\n';
   os << indent << "NumberOfSelectedElements: " << this->NumberOfSelectedElements << '\n';
@@ -216,6 +217,7 @@ CAMARON_TEXT_PROPERTY(RangesFile)
 CAMARON_TEXT_PROPERTY(LowerLimit)
 CAMARON_TEXT_PROPERTY(UpperLimit)
 CAMARON_TEXT_PROPERTY(WorstValues)
+CAMARON_TEXT_PROPERTY(ShapeFile)
 CAMARON_TEXT_PROPERTY(Placement)
 CAMARON_TEXT_PROPERTY(Quantifier)
 CAMARON_TEXT_PROPERTY(Adjacency)

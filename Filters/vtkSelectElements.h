@@ -27,7 +27,7 @@
  * the int array `FailedCriteriaCount`;
  * - "By id": a list of ids;
  * - "Shape", "Half-spaces", "Surface": what lies in a sphere, box, cylinder or behind a plane; behind all
- * planes of a list; in a closed surface, as Placement says;
+ * planes of a list; in a closed surface, as Placement says; "Shape file": the same of a shape as text;
  * - "Expand", "Shrink": the selection so far with rings of neighbours, or without;
  * - "Connected": all that hangs together with the selection so far; "Part": of its parts the n-th largest;
  * - "Change kind": cells with any or all of their faces, edges or points selected, or these of cells;
@@ -253,8 +253,14 @@ public:
   ///@}
 
   ///@{
+  /// Shape file: a sphere, planes or the polygons of a closed surface as text, see camaron::ShapeText. Default: none.
+  void SetShapeFile(const char* path);
+  const char* GetShapeFile() const;
+  ///@}
+
+  ///@{
   /**
-   * Shape, Half-spaces, Surface: which cells are taken, those with "Any vertex inside", "All vertices
+   * Shape, Half-spaces, Surface, Shape file: which cells are taken, those with "Any vertex inside", "All vertices
    * inside", "Centroid inside" (default); "Intersects": with any point inside, be it of a face or an edge, or
    * all of the shape within the cell; "Cut by boundary": with points inside and outside. What lies on
    * the surface, up to 1e-12 of the diagonal of the mesh, is inside.
@@ -274,7 +280,7 @@ public:
   ///@}
 
   ///@{
-  /// Shape, Half-spaces, Surface: whether to take the other elements instead. Default: off.
+  /// Shape, Half-spaces, Surface, Shape file: whether to take the other elements instead. Default: off.
   void SetInsideOut(bool insideOut);
   bool GetInsideOut() const;
   vtkBooleanMacro(InsideOut, bool);

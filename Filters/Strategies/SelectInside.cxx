@@ -8,7 +8,10 @@
 #include "MeshInput.h"
 #include "RunTogether.h"
 #include "Selection/SelectBySolid.h"
+#include "Scan/MappedFile.h"
 #include "Selection/SurfaceSolid.h"
+#include "SmallFile.h"
+#include "Strategies/ShapeText.h"
 
 #include "vtkBox.h"
 #include "vtkCylinder.h"
@@ -265,6 +268,47 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
     });
   return task.Reducer.GatherItems(triangles);
 }
+
+//------------------------------------------------------------------------------
+// Of polygons as rows of points: triangles about the mean of their points, as those of cells.
+std::vector<Simplex> MakeTriangles(const std::vector<std::vector<double>>& rows)
+{
+  std::vector<Simplex> triangles;
+  for (const std::vector<double>& row : rows)
+  {
+    const std::size_t size = row.size() / 3;
+    const auto point = [&](std::size_t i) { return GetVector(&row[3 * (i % size)]); };
+    if (size == 3)
+    {
+      triangles.push_back({ { point(0), point(1), point(2) }, 3 });
+      continue;
+    }
+    Vector mean = {};
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      mean = mean + (1.0 / static_cast<double>(size)) * point(i);
+    }
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      triangles.push_back({ { point(i), point(i + 1), mean }, 3 });
+    }
+  }
+  return triangles;
+}
+
+//------------------------------------------------------------------------------
+// @a subject: of the message if the surface is open, such as "the Surface is".
+std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& triangles, const std::string& subject,
+  SelectionMarks& marks)
+{
+  if (const std::size_t open = SurfaceSolid::CountOpenEdges(triangles))
+  {
+    throw std::invalid_argument(subject + " not closed: " + std::to_string(open) +
+      (open == 1 ? " edge has" : " edges have") + " an odd number of polygons");
+  }
+  const Bounds bounds = FindBounds(task);
+  return MarkInside(task, SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), marks);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -301,19 +345,41 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
 //------------------------------------------------------------------------------
 std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks)
 {
-  const Bounds bounds = FindBounds(task);
   std::vector<Simplex> triangles = GatherTriangles(task);
   if (triangles.empty())
   {
     throw std::invalid_argument("there is no Surface, or it has no polygons");
   }
-  if (const std::size_t open = SurfaceSolid::CountOpenEdges(triangles))
+  return MarkInSurface(task, std::move(triangles), "the Surface is", marks);
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks)
+{
+  const std::string& path = task.Parameters.ShapeFile;
+  if (path.empty())
   {
-    throw std::invalid_argument("the Surface is not closed: " + std::to_string(open) +
-      (open == 1 ? " edge has" : " edges have") + " an odd number of polygons");
+    throw std::invalid_argument("there is no Shape File");
   }
-  const SurfaceSolid solid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal());
-  return MarkInside(task, solid, marks);
+  const std::string name = GetFileName(path);
+  const ShapeText shape = ParseShape(name, ReadSmallFile(path, "a shape", task.Reducer));
+  if (shape.What == ShapeText::Kind::Polygons)
+  {
+    return MarkInSurface(task, MakeTriangles(shape.Rows), name + ": the polygons are", marks);
+  }
+  const Bounds bounds = FindBounds(task);
+  const double tolerance = RelativeTolerance * bounds.GetDiagonal();
+  if (shape.What == ShapeText::Kind::Sphere)
+  {
+    const std::vector<double>& row = shape.Rows[0];
+    return MarkInside(task, BallSolid(GetVector(row.data()), GetRadius(row[3]), tolerance), marks);
+  }
+  std::vector<HalfSpace> halfSpaces;
+  for (const std::vector<double>& row : shape.Rows)
+  {
+    halfSpaces.push_back(MakeHalfSpace(GetVector(row.data() + 3), GetVector(row.data())));
+  }
+  return MarkInside(task, HalfSpaceSolid(halfSpaces, bounds, tolerance), marks);
 }
 
 //------------------------------------------------------------------------------

@@ -61,6 +61,7 @@ struct SelectionParameters
   int PartNumber = 1;
   std::string Quantifier = "Any";
   vtkSmartPointer<vtkImplicitFunction> Shape;
+  std::string ShapeFile;
   std::vector<double> Planes; ///< of each six numbers: a point and the normal to the outside
 };
 
@@ -145,6 +146,7 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks);
+std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectInverse(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectNull(const SelectionTask& task, SelectionMarks& marks);
 std::string SelectPart(const SelectionTask& task, SelectionMarks& marks);

@@ -118,6 +118,7 @@ const std::vector<Strategy>& GetStrategies()
     { "Shape", &SelectInShape, true },
     { "Half-spaces", &SelectInHalfSpaces, true },
     { "Surface", &SelectInSurface, true },
+    { "Shape file", &SelectInShapeFile, true },
     { "Expand", &SelectExpanded, true },
     { "Shrink", &SelectShrunk, true },
     { "Connected", &SelectConnected, false },
