@@ -9,6 +9,7 @@
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -17,6 +18,9 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace camaron
 {
@@ -63,6 +67,34 @@ CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
+std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid)
+{
+  std::array<double, 6> bounds;
+  grid->GetBounds(bounds.data());
+  const auto isFinite = [](double x) { return std::isfinite(x); };
+  if (std::all_of(bounds.begin(), bounds.end(), isFinite))
+  {
+    return bounds;
+  }
+  vtkBoundingBox box;
+  for (vtkIdType point = 0; point < grid->GetNumberOfPoints(); ++point)
+  {
+    double x[3];
+    grid->GetPoint(point, x);
+    if (std::all_of(x, x + 3, isFinite))
+    {
+      box.AddPoint(x);
+    }
+  }
+  bounds = { { 1, -1, 1, -1, 1, -1 } };
+  if (box.IsValid())
+  {
+    box.GetBounds(bounds.data());
+  }
+  return bounds;
+}
+
+//------------------------------------------------------------------------------
 InspectionMesh::~InspectionMesh() = default;
 
 //------------------------------------------------------------------------------
@@ -94,10 +126,10 @@ void InspectionMesh::Update()
   {
     this->Release();
     this->Geometry = geometry;
-    double bounds[6] = { 0, 0, 0, 0, 0, 0 };
+    std::array<double, 6> bounds = { { 0, 0, 0, 0, 0, 0 } };
     if (!geometry.empty())
     {
-      this->Grid->GetBounds(bounds);
+      bounds = GetFiniteBounds(this->Grid);
     }
     for (int i = 0; i < 3; ++i)
     {

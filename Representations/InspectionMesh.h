@@ -15,7 +15,7 @@
 #include "vtkSmartPointer.h" // for the grid
 #include "vtkType.h"         // for vtkMTimeType
 
-#include <array>   // for the middle
+#include <array>   // for bounds
 #include <cstdint> // for counts
 #include <utility> // for the key
 #include <vector>  // for the key
@@ -30,6 +30,9 @@ struct CellsToDraw;
 
 /// What the arrays of a grid say of its cells.
 CellsToDraw GetCellsToDraw(vtkUnstructuredGrid* grid);
+
+/// Bounds of the points that are neither NaN nor infinite; 1, -1 if there are none.
+std::array<double, 6> GetFiniteBounds(vtkUnstructuredGrid* grid);
 
 class InspectionMesh
 {

@@ -20,6 +20,7 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -55,6 +56,47 @@ bool HasOnlyPolygons(vtkPolyData* surface)
 }
 
 //------------------------------------------------------------------------------
+bool HasAny(vtkUnsignedCharArray* ghosts, int bits)
+{
+  return ghosts &&
+    std::any_of(ghosts->GetPointer(0), ghosts->GetPointer(0) + ghosts->GetNumberOfValues(),
+      [=](int ghost) { return (ghost & bits) != 0; });
+}
+
+//------------------------------------------------------------------------------
+// Cells that a finer mesh stands for, and those at hidden points, are hidden, too.
+void HideCells(vtkUnstructuredGrid* grid)
+{
+  constexpr int unseen = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  vtkUnsignedCharArray* cells = grid->GetCellGhostArray();
+  vtkUnsignedCharArray* points = grid->GetPointGhostArray();
+  const bool hasRefined = HasAny(cells, vtkDataSetAttributes::REFINEDCELL);
+  const bool hasHiddenPoints = HasAny(points, vtkDataSetAttributes::HIDDENPOINT);
+  if (!hasRefined && !hasHiddenPoints)
+  {
+    return;
+  }
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(grid->GetNumberOfCells());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int ghost = cells ? cells->GetValue(cell) : 0;
+    bool isUnseen = (ghost & unseen) != 0;
+    if (hasHiddenPoints && !isUnseen)
+    {
+      grid->GetCellPoints(cell, corners);
+      isUnseen = std::any_of(corners->begin(), corners->end(), [&](vtkIdType point)
+        { return (points->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0; });
+    }
+    ghosts->SetValue(
+      cell, static_cast<unsigned char>(ghost | (isUnseen ? vtkDataSetAttributes::HIDDENCELL : 0)));
+  }
+  grid->GetCellData()->AddArray(ghosts);
+}
+
+//------------------------------------------------------------------------------
 // A grid with the cells of `data`, which shares what it can.
 vtkSmartPointer<vtkUnstructuredGrid> AsGrid(vtkDataSet* data)
 {
@@ -82,6 +124,7 @@ vtkSmartPointer<vtkUnstructuredGrid> AsGrid(vtkDataSet* data)
   {
     grid->ShallowCopy(mesh);
   }
+  HideCells(grid);
   return grid;
 }
 

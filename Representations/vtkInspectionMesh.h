@@ -8,7 +8,8 @@
  * the input with such blocks; a grid, and a surface of polygons alone, are passed without a copy. Composites that are
  * no trees become a vtkMultiBlockDataSet. When ids could get lost on the way to the screen, because there are blocks or
  * several processes, the grids have the arrays of ids that vtkMeshInspectionMapper picks by. Blocks also have the arrays
- * that ParaView tells them apart by: vtkCompositeIndex and vtkBlockColors. With several processes, which may exchange cells before they draw, cells
+ * that ParaView tells them apart by: vtkCompositeIndex and vtkBlockColors.
+ * With several processes, which may exchange cells before they draw, cells
  * also know which of their faces are on the outside.
  */
 #ifndef vtkInspectionMesh_h

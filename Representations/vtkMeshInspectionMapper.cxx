@@ -433,7 +433,8 @@ void vtkMeshInspectionMapper::ComputeBounds()
   vtkUnstructuredGrid* grid = this->Internal->Grid;
   if (grid && grid->GetNumberOfCells() > 0)
   {
-    grid->GetBounds(this->Bounds);
+    const std::array<double, 6> bounds = GetFiniteBounds(grid);
+    std::copy(bounds.begin(), bounds.end(), this->Bounds);
   }
   else
   {

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshInspectionRepresentation.h"
 
+#include "InspectionArrays.h"
 #include "InspectionBlocks.h"
+#include "InspectionMesh.h"
 #include "InspectionStyle.h"
+#include "LinesAndVertices.h"
 #include "ShapeConversion.h"
 #include "vtkHalfSpaces.h"
 #include "vtkInspectionMesh.h"
@@ -22,10 +25,12 @@
 #include "vtkMatrix4x4.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPoints.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPassThrough.h"
+#include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
@@ -34,6 +39,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 using namespace camaron;
 
@@ -90,6 +96,7 @@ public:
   };
 
   InspectionStyle Style;
+  std::array<double, 6> LocalBounds = { { 1, -1, 1, -1, 1, -1 } }; ///< of the points here that are somewhere
   InspectionBlocks Blocks;
   vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes;
   bool ColorMissingArraysWithNanColor = false;
@@ -114,12 +121,44 @@ public:
   Companion Shell;
   vtkNew<vtkProperty> ShellProperty;
 
-  std::array<Companion*, 4> GetCompanions()
+  /// Cells without faces, which VTK draws.
+  LinesAndVertices Wires;
+  vtkNew<vtkActor> WireActor;
+  vtkNew<vtkOpenGLPolyDataMapper> WireMapper;
+
+  std::array<vtkActor*, 5> GetActors()
   {
-    return { { &this->Shell, &this->Lines, &this->Isosurfaces, &this->Cap } };
+    return { { this->Shell.Actor, this->Lines.Actor, this->Isosurfaces.Actor, this->Cap.Actor,
+      this->WireActor } };
+  }
+  /// Those that show cells.
+  std::array<vtkActor*, 3> GetPickableActors()
+  {
+    return { { this->Isosurfaces.Actor, this->Cap.Actor, this->WireActor } };
   }
   void UpdateShape(vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer);
+  void ShowWires(const InspectionStyle& style, vtkUnstructuredGrid* mesh, vtkActor* ofMesh);
 };
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::Internals::ShowWires(
+  const InspectionStyle& style, vtkUnstructuredGrid* mesh, vtkActor* ofMesh)
+{
+  const bool isOn = ofMesh->GetVisibility() && (style.Faces || style.Edges);
+  vtkPolyData* cells = this->Wires.Update(isOn ? mesh : nullptr, style);
+  this->WireActor->SetVisibility(cells->GetNumberOfCells() > 0);
+  if (cells->GetNumberOfCells() > 0)
+  {
+    CopyColoring(ofMesh->GetMapper(), this->WireMapper);
+    this->WireMapper->SetInputData(cells);
+    this->WireActor->SetUserMatrix(ofMesh->GetMatrix());
+    this->WireActor->SetPickable(ofMesh->GetPickable());
+    if (this->WireActor->GetMTime() < ofMesh->GetMTime())
+    {
+      this->WireActor->Modified();
+    }
+  }
+}
 
 //------------------------------------------------------------------------------
 // The shape in the coordinates of the mesh. One that stays in the view is as the camera saw it when that
@@ -183,6 +222,14 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   self.Isosurfaces.Initialize(mapper, this->Property);
   self.Cap.Initialize(mapper, this->Property);
 
+  self.WireActor->SetMapper(self.WireMapper);
+  self.WireActor->SetProperty(this->Property);
+  self.WireActor->VisibilityOff();
+  self.WireMapper->SetPointIdArrayName(PointIdsName);
+  self.WireMapper->SetCellIdArrayName(CellIdsName);
+  self.WireMapper->SetProcessIdArrayName(ProcessIdsName);
+  self.WireMapper->SetCompositeIdArrayName(BlockIdsName);
+
   self.Shell.Initialize(mapper, self.ShellProperty);
   self.Shell.Mapper->ScalarVisibilityOff();
   self.Shell.Actor->PickableOff();
@@ -205,12 +252,14 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
-    for (Internals::Companion* companion : this->Internal->GetCompanions())
+    for (vtkActor* actor : this->Internal->GetActors())
     {
-      renderView->GetRenderer()->AddActor(companion->Actor);
+      renderView->GetRenderer()->AddActor(actor);
     }
-    renderView->RegisterPropForHardwareSelection(this, this->Internal->Isosurfaces.Actor);
-    renderView->RegisterPropForHardwareSelection(this, this->Internal->Cap.Actor);
+    for (vtkActor* actor : this->Internal->GetPickableActors())
+    {
+      renderView->RegisterPropForHardwareSelection(this, actor);
+    }
   }
   return this->Superclass::AddToView(view);
 }
@@ -221,12 +270,14 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
-    for (Internals::Companion* companion : this->Internal->GetCompanions())
+    for (vtkActor* actor : this->Internal->GetActors())
     {
-      renderView->GetRenderer()->RemoveActor(companion->Actor);
+      renderView->GetRenderer()->RemoveActor(actor);
     }
-    renderView->UnRegisterPropForHardwareSelection(this, this->Internal->Isosurfaces.Actor);
-    renderView->UnRegisterPropForHardwareSelection(this, this->Internal->Cap.Actor);
+    for (vtkActor* actor : this->Internal->GetPickableActors())
+    {
+      renderView->UnRegisterPropForHardwareSelection(this, actor);
+    }
   }
   return this->Superclass::RemoveFromView(view);
 }
@@ -249,7 +300,8 @@ int vtkMeshInspectionRepresentation::RequestData(
   {
     if (grid->GetNumberOfCells() > 0)
     {
-      box.AddBounds(grid->GetBounds());
+      const std::array<double, 6> ofGrid = GetFiniteBounds(grid);
+      box.AddBounds(ofGrid.data());
     }
   }
   double bounds[6] = { 1, -1, 1, -1, 1, -1 };
@@ -257,6 +309,7 @@ int vtkMeshInspectionRepresentation::RequestData(
   {
     box.GetBounds(bounds);
   }
+  std::copy_n(bounds, 6, this->Internal->LocalBounds.begin());
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (controller && controller->GetNumberOfProcesses() > 1)
   {
@@ -284,11 +337,11 @@ int vtkMeshInspectionRepresentation::RequestData(
 void vtkMeshInspectionRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
-  for (Internals::Companion* companion : this->Internal->GetCompanions())
+  for (vtkActor* actor : this->Internal->GetActors())
   {
     if (!visible)
     {
-      companion->Actor->VisibilityOff();
+      actor->VisibilityOff();
     }
   }
 }
@@ -310,6 +363,13 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
   {
     // Cells stay whole: those on the border between two processes go to one of them.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+    if (!std::all_of(this->VisibleDataBounds, this->VisibleDataBounds + 6,
+          [](double bound) { return std::isfinite(bound); }))
+    {
+      // The camera cannot look at points that are nowhere.
+      vtkPVRenderView::SetGeometryBounds(
+        inInfo, this, this->Internal->LocalBounds.data(), this->Actor->GetMatrix());
+    }
     if (vtkCompositeDataSet::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0)))
     {
       // ParaView moves blocks of polygons alone: others are gone after it. They stay, and processes are composed in
@@ -377,6 +437,8 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
   }
   static_cast<vtkMeshInspectionMapper*>(this->Mapper)->SetStyle(style);
   static_cast<vtkMeshInspectionMapper*>(this->BackfaceMapper)->SetStyle(style);
+
+  self.ShowWires(style, vtkUnstructuredGrid::SafeDownCast(mesh), this->Actor);
 
   const bool hasLines = self.NormalsOf != 0 && this->GetVisibility();
   self.Lines.Actor->SetVisibility(hasLines);

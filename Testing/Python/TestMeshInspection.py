@@ -2,11 +2,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The representation Mesh Inspection shows and selects what Surface does of the same cells."""
 
+import math
+
 import camaron_testing
 import gallery
+import numpy
 from inspection_testing import difference, make_view, picture, selected, turn
 from mesh_parts import producer
 from paraview import simple
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_LINE,
+    VTK_POLY_LINE,
+    VTK_POLY_VERTEX,
+    VTK_TETRA,
+    VTK_TRIANGLE,
+    VTK_VERTEX,
+    vtkUnstructuredGrid,
+)
 
 
 def tetrahedra():
@@ -152,6 +166,102 @@ class TestMeshInspection(camaron_testing.TestCase):
             simple.Hide(moved, self.view)
         for other in pictures[1:]:
             self.assertLess(difference(pictures[0], other), 0.01)
+
+    def wires(self):
+        """A tetrahedron, a triangle, and lines and vertices of all kinds about them."""
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        for i in range(24):  # a coil; nothing is in one plane
+            points.InsertNextPoint(math.cos(0.7 * i), math.sin(0.7 * i), 0.15 * i)
+        grid.SetPoints(points)
+        cells = (
+            (VTK_TETRA, range(4)),
+            (VTK_LINE, (4, 5)),
+            (VTK_POLY_LINE, (6, 7, 8, 9)),
+            (VTK_VERTEX, (10,)),
+            (VTK_POLY_VERTEX, (11, 12, 13)),
+            (VTK_TRIANGLE, (14, 15, 16)),
+            (VTK_LINE, (17, 18)),
+            (VTK_VERTEX, (19,)),
+            (VTK_LINE, (20, 21)),
+            (VTK_POLY_VERTEX, (22, 23)),
+        )
+        for kind, ids in cells:
+            grid.InsertNextCell(kind, len(ids), list(ids))
+        return simple.PointAndCellIds(Input=producer(grid))
+
+    def test_lines_and_vertices(self):
+        """Cells without faces are drawn, coloured, selected and cut as the others."""
+        source = self.wires()
+        simple.UpdatePipeline(proxy=source)
+        sets = []
+        for color in (("CELLS", "CellIds"), ("POINTS", "PointIds")):
+            pictures = []
+            for representation in ("Surface", "Mesh Inspection"):
+                display = self.show(source, representation, DrawEdges=0, LineWidth=3, PointSize=7)
+                simple.ColorBy(display, color)
+                turn(self.view)
+                pictures.append(picture(self.view))
+                sets.append([selected(self.view, source, kind) for kind in ("cells", "points")])
+            self.assertLess(difference(*pictures), 0.0005)
+            self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.01)
+        self.assertEqual(len(sets[0][0]), 10)
+        self.assertTrue(all(found == sets[0] for found in sets))
+        display.CutBy, display.CutShape = "Centroid", "Plane"
+        display.CutShape.Origin, display.CutShape.Normal = [0, 0, 2.325], [0, 0, -1]
+        kept = {cell for _, _, cell in selected(self.view, source, "cells")}
+        self.assertEqual(kept, set(range(6)))
+        display.CutKeeps = "Inside"
+        kept = {cell for _, _, cell in selected(self.view, source, "cells")}
+        self.assertEqual(kept, set(range(6, 10)))
+        display.CutBy = "No cut"
+
+    def test_hidden_cells(self):
+        """Hidden cells, those that finer ones stand for, and those at hidden points are not there."""
+        data = self.fetch(tetrahedra())
+        corners = vtk_to_numpy(data.GetCells().GetConnectivityArray()).reshape(-1, 4)
+        cells = numpy.arange(len(corners)) > len(corners) / 2
+        points = numpy.arange(data.GetNumberOfPoints()) > data.GetNumberOfPoints() / 2
+        at_points = points[corners].any(axis=1)
+        for hidden, given, bit in ((cells, cells, 32), (cells, cells, 8), (at_points, points, 2)):
+            with self.subTest(bit=bit):
+                pictures = []
+                for representation, marks, value in (
+                    ("Surface", hidden, 32),
+                    ("Mesh Inspection", given, bit),
+                ):
+                    mesh = data.NewInstance()
+                    mesh.ShallowCopy(data)
+                    ghosts = numpy_to_vtk(numpy.where(marks, value, 0).astype(numpy.uint8), deep=True)
+                    ghosts.SetName("vtkGhostType")
+                    kind = 0 if marks is points else 1
+                    mesh.GetAttributes(kind).AddArray(ghosts)
+                    source = producer(mesh)
+                    simple.ColorBy(
+                        self.show(source, representation, DrawEdges=0), ("POINTS", "RTData")
+                    )
+                    if not pictures:
+                        turn(self.view)
+                    pictures.append(picture(self.view))
+                    simple.Hide(source, self.view)
+                self.assertLess(difference(*pictures), 0.004)
+                self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.1)
+
+    def test_points_that_are_nowhere(self):
+        """One point that is no number, and one infinitely far away, do not take the rest out of the picture."""
+        source = tetrahedra()
+        data = self.fetch(source)
+        mesh = data.NewInstance()
+        mesh.DeepCopy(data)
+        inner = 5 + 11 * 5 + 121 * 5
+        mesh.GetPoints().SetPoint(inner, math.nan, 0, 0)
+        mesh.GetPoints().SetPoint(inner + 1, math.inf, 0, 0)
+        color = ("POINTS", "RTData")
+        expected = self.compare(source, color)[1]
+        simple.HideAll(self.view)
+        simple.ColorBy(self.show(producer(mesh), "Mesh Inspection", DrawEdges=0), color)
+        turn(self.view)
+        self.assertLess(difference(expected, picture(self.view)), 0.004)
 
     def test_cut_stays_in_view(self):
         """A plane across the line of sight stays so, wherever the camera goes."""

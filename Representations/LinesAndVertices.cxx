@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LinesAndVertices.h"
+
+#include "InspectionArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+
+namespace camaron
+{
+namespace
+{
+bool IsVertex(int type)
+{
+  return type == VTK_VERTEX || type == VTK_POLY_VERTEX;
+}
+
+/// Two ends first, then the points between them.
+bool IsCurve(int type)
+{
+  return type == VTK_QUADRATIC_EDGE || type == VTK_CUBIC_LINE || type == VTK_LAGRANGE_CURVE ||
+    type == VTK_BEZIER_CURVE;
+}
+
+bool IsLine(int type)
+{
+  return type == VTK_LINE || type == VTK_POLY_LINE || IsCurve(type);
+}
+
+//------------------------------------------------------------------------------
+bool IsInShape(const double x[3], const ConvexShape& shape)
+{
+  if (!shape.Planes.empty())
+  {
+    return std::all_of(shape.Planes.begin(), shape.Planes.end(), [&](const auto& plane)
+      { return plane[0] * x[0] + plane[1] * x[1] + plane[2] * x[2] + plane[3] <= 0; });
+  }
+  double square = 0;
+  for (int row = 0; row < 3; ++row)
+  {
+    const double* m = &shape.ToUnitSphere[4 * row];
+    const double unit = m[0] * x[0] + m[1] * x[1] + m[2] * x[2] + m[3];
+    square += unit * unit;
+  }
+  return square <= 1;
+}
+
+//------------------------------------------------------------------------------
+bool IsCellInShape(vtkUnstructuredGrid* grid, vtkIdType cell, const InspectionStyle& style)
+{
+  vtkNew<vtkIdList> points;
+  grid->GetCellPoints(cell, points);
+  const vtkIdType size = points->GetNumberOfIds();
+  double x[3];
+  vtkIdType inside = 0;
+  double centroid[3] = { 0, 0, 0 };
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    grid->GetPoint(points->GetId(i), x);
+    inside += IsInShape(x, style.Shape);
+    for (int k = 0; k < 3; ++k)
+    {
+      centroid[k] += x[k] / static_cast<double>(size);
+    }
+  }
+  return style.Cut == CutBy::AnyVertex ? inside > 0
+    : style.Cut == CutBy::AllVertices  ? inside == size && size > 0
+                                       : IsInShape(centroid, style.Shape);
+}
+
+//------------------------------------------------------------------------------
+void AddCells(vtkUnstructuredGrid* grid, const std::vector<vtkIdType>& ids, vtkCellArray* cells)
+{
+  vtkNew<vtkIdList> points;
+  for (const vtkIdType id : ids)
+  {
+    grid->GetCellPoints(id, points);
+    if (IsCurve(grid->GetCellType(id)) && points->GetNumberOfIds() > 2)
+    {
+      vtkIdType* begin = points->GetPointer(0);
+      std::rotate(begin + 1, begin + 2, begin + points->GetNumberOfIds());
+    }
+    cells->InsertNextCell(points);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where elements come from, if they do not know it themselves.
+void AddIds(vtkDataSetAttributes* attributes, const char* name, vtkIdType size)
+{
+  if (!attributes->HasArray(name))
+  {
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName(name);
+    ids->SetNumberOfValues(size);
+    std::iota(ids->GetPointer(0), ids->GetPointer(0) + size, vtkIdType(0));
+    attributes->AddArray(ids);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+LinesAndVertices::LinesAndVertices() = default;
+
+//------------------------------------------------------------------------------
+LinesAndVertices::~LinesAndVertices() = default;
+
+//------------------------------------------------------------------------------
+vtkPolyData* LinesAndVertices::Update(vtkUnstructuredGrid* grid, const InspectionStyle& style)
+{
+  if (!grid)
+  {
+    this->Grid = nullptr;
+    this->Cells->Initialize();
+    return this->Cells;
+  }
+  const vtkMTimeType timeOfFields = grid->GetFieldData()->GetMTime();
+  const bool isSameMesh = grid == this->Grid && grid->GetMTime() == this->Time;
+  const InspectionStyle& last = this->Style;
+  if (isSameMesh && timeOfFields == this->TimeOfFields && last.Cut == style.Cut &&
+    last.KeepInside == style.KeepInside && last.CellsToDraw == style.CellsToDraw &&
+    (style.Cut == CutBy::Nothing || last.Shape == style.Shape))
+  {
+    return this->Cells;
+  }
+  if (!isSameMesh)
+  {
+    this->Grid = grid;
+    this->Time = grid->GetMTime();
+    this->Vertices.clear();
+    this->Lines.clear();
+    for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+    {
+      const int type = grid->GetCellType(cell);
+      if (IsVertex(type) || IsLine(type))
+      {
+        (IsVertex(type) ? this->Vertices : this->Lines).push_back(cell);
+      }
+    }
+  }
+  this->TimeOfFields = timeOfFields;
+  this->Style = style;
+  this->Find(style);
+  return this->Cells;
+}
+
+//------------------------------------------------------------------------------
+void LinesAndVertices::Find(const InspectionStyle& style)
+{
+  this->Cells->Initialize();
+  std::vector<vtkIdType> drawn[2];
+  const std::vector<vtkIdType>* all[2] = { &this->Vertices, &this->Lines };
+  for (int i = 0; i < 2; ++i)
+  {
+    std::copy_if(all[i]->begin(), all[i]->end(), std::back_inserter(drawn[i]),
+      [&](vtkIdType cell) { return this->IsDrawn(cell, style); });
+  }
+  if (drawn[0].empty() && drawn[1].empty())
+  {
+    return;
+  }
+  vtkNew<vtkCellArray> vertices, lines;
+  AddCells(this->Grid, drawn[0], vertices);
+  AddCells(this->Grid, drawn[1], lines);
+  this->Cells->SetPoints(this->Grid->GetPoints());
+  this->Cells->SetVerts(vertices);
+  this->Cells->SetLines(lines);
+  this->Cells->GetPointData()->ShallowCopy(this->Grid->GetPointData());
+  AddIds(this->Cells->GetPointData(), PointIdsName, this->Grid->GetNumberOfPoints());
+
+  // A polydata has vertices first, then lines.
+  vtkNew<vtkCellData> ofMesh;
+  ofMesh->ShallowCopy(this->Grid->GetCellData());
+  AddIds(ofMesh, CellIdsName, this->Grid->GetNumberOfCells());
+  vtkCellData* data = this->Cells->GetCellData();
+  data->CopyAllOn();
+  data->CopyAllocate(ofMesh, static_cast<vtkIdType>(drawn[0].size() + drawn[1].size()));
+  vtkIdType to = 0;
+  for (const std::vector<vtkIdType>& ids : drawn)
+  {
+    for (const vtkIdType from : ids)
+    {
+      data->CopyData(ofMesh, from, to++);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool LinesAndVertices::IsDrawn(vtkIdType cell, const InspectionStyle& style) const
+{
+  vtkCellData* data = this->Grid->GetCellData();
+  vtkUnsignedCharArray* ghosts = this->Grid->GetCellGhostArray();
+  constexpr int unseen =
+    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  if (ghosts && (ghosts->GetValue(cell) & unseen))
+  {
+    return false;
+  }
+  vtkDataArray* leaves = data->GetArray(LeavesName);
+  vtkDataArray* hidden = this->Grid->GetFieldData()->GetArray(HiddenLeavesName);
+  if (leaves && hidden &&
+    hidden->GetComponent(static_cast<vtkIdType>(leaves->GetComponent(cell, 0)), 0) != 0)
+  {
+    return false;
+  }
+  vtkDataArray* selected = data->GetArray(SelectedArrayName);
+  const bool isSelected = selected && selected->GetComponent(cell, 0) != 0;
+  if (style.CellsToDraw != Chosen::All && isSelected != (style.CellsToDraw == Chosen::Selected))
+  {
+    return false;
+  }
+  return style.Cut == CutBy::Nothing ||
+    IsCellInShape(this->Grid, cell, style) == style.KeepInside;
+}
+}
