@@ -117,27 +117,55 @@ public:
       });
   }
 
+  /// Calls @a visit(const vtkIdType* points, vtkIdType numberOfPoints) for one facet.
+  template <typename Visitor>
+  void Visit(vtkIdType cell, vtkIdType wanted, Visitor&& visit)
+  {
+    const unsigned char type = this->Mesh.GetCellType(cell);
+    const CellShape& shape = this->Shapes[type];
+    if (shape.ListsFaces)
+    {
+      this->Points.clear();
+      this->AppendListedFace(cell, wanted, this->Points);
+      visit(static_cast<const vtkIdType*>(this->Points.data()), static_cast<vtkIdType>(this->Points.size()));
+      return;
+    }
+    const IndexRange points = this->Mesh.GetCellPoints(cell);
+    if (type == VTK_TETRA)
+    {
+      const int* nodes = shape.FacePoints + 3 * wanted;
+      const vtkIdType triangle[3] = { points[nodes[0]], points[nodes[1]], points[nodes[2]] };
+      visit(static_cast<const vtkIdType*>(triangle), vtkIdType(3));
+    }
+    else if (shape.Dimension == 3)
+    {
+      vtkIdType face[CellShape::MaxFacePoints];
+      const int begin = shape.FaceOffsets[wanted], size = shape.FaceOffsets[wanted + 1] - begin;
+      for (int i = 0; i < size; ++i)
+      {
+        face[i] = points[shape.FacePoints[begin + i]];
+      }
+      visit(static_cast<const vtkIdType*>(face), vtkIdType(size));
+    }
+    else
+    {
+      const vtkIdType size = this->GetPolygonSize(type, shape, cell);
+      const vtkIdType edge[2] = { points[GetPolygonNode(type, size, wanted)],
+        points[GetPolygonNode(type, size, wanted + 1 < size ? wanted + 1 : 0)] };
+      visit(static_cast<const vtkIdType*>(edge), vtkIdType(2));
+    }
+  }
+
   /// Appends the points of one facet.
   void GetFacet(vtkIdType cell, vtkIdType wanted, std::vector<vtkIdType>& facet)
   {
     if (this->Shapes[this->Mesh.GetCellType(cell)].ListsFaces)
     {
-      const IndexRange points =
-        this->Mesh.GetPolyhedronFacePoints(this->Mesh.GetPolyhedronFaces(cell)[wanted]);
-      for (vtkIdType i = 0; i < points.Size; ++i)
-      {
-        facet.push_back(points[i]);
-      }
+      this->AppendListedFace(cell, wanted, facet); // no scratch memory is needed
       return;
     }
-    this->ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-      {
-        if (local == wanted)
-        {
-          facet.insert(facet.end(), points, points + size);
-        }
-      });
+    this->Visit(cell, wanted,
+      [&facet](const vtkIdType* points, vtkIdType size) { facet.insert(facet.end(), points, points + size); });
   }
 
   /// Corners of a 2D cell in order; of a strip its outline.
@@ -149,22 +177,39 @@ public:
     polygon.resize(size);
     for (vtkIdType i = 0; i < size; ++i)
     {
-      vtkIdType node = i;
-      if (type == VTK_PIXEL && i > 1)
-      {
-        node = 5 - i;
-      }
-      else if (type == VTK_TRIANGLE_STRIP && i > 0)
-      {
-        // p0, then the odd points upwards, then the even ones downwards.
-        const vtkIdType odd = size / 2;
-        node = i <= odd ? 2 * i - 1 : 2 * (size - i);
-      }
-      polygon[i] = points[node];
+      polygon[i] = points[GetPolygonNode(type, size, i)];
     }
   }
 
 private:
+  void AppendListedFace(vtkIdType cell, vtkIdType wanted, std::vector<vtkIdType>& face) const
+  {
+    const IndexRange points =
+      this->Mesh.GetPolyhedronFacePoints(this->Mesh.GetPolyhedronFaces(cell)[wanted]);
+    const std::size_t begin = face.size();
+    face.resize(begin + points.Size);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      face[begin + i] = points[i];
+    }
+  }
+
+  /// The node of a 2D cell that is its corner @a i.
+  static vtkIdType GetPolygonNode(unsigned char type, vtkIdType size, vtkIdType i)
+  {
+    if (type == VTK_PIXEL && i > 1)
+    {
+      return 5 - i;
+    }
+    if (type == VTK_TRIANGLE_STRIP && i > 0)
+    {
+      // p0, then the odd points upwards, then the even ones downwards.
+      const vtkIdType odd = size / 2;
+      return i <= odd ? 2 * i - 1 : 2 * (size - i);
+    }
+    return i;
+  }
+
   vtkIdType GetPolygonSize(unsigned char type, const CellShape& shape, vtkIdType cell) const
   {
     if (shape.NumberOfCorners)

@@ -18,16 +18,15 @@ namespace
 constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType UseChunk = 1 << 16;
 constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // a use must fit CellFacet with its direction bit
-constexpr vtkIdType MaxPoints = (vtkIdType(1) << 31) - 16; // larger values of Extra are marks
+constexpr vtkIdType MaxPoints = (vtkIdType(1) << 31) - 16; // larger values mark keys
 
-constexpr int PointsPerShareBits = 8; // threads share the points out in runs of 2^8
-constexpr int MaxShares = 64;
-constexpr int MaxListBits = 3;
-constexpr Index NodesPerBlock = 4096;
+constexpr Index UsesPerBucket = 4096; // what a processor has in its cache with the hash table of the bucket
+constexpr Index MaxBuckets = 4096;    // into which a thread writes at the same time
+constexpr vtkIdType BucketGrain = 8;
+constexpr vtkIdType MaxChunks = 64; // of cells
 
 constexpr vtkIdType MaxUnsorted = 12; // points of a facet that are compared pair by pair
 
-constexpr std::uint32_t DownBit = 0x80000000u;
 // Values of the last part of a key where it is not the fourth point.
 constexpr std::uint32_t HashedBit = 0x80000000u;
 constexpr std::uint32_t ThreePoints = 0x7fffffffu;
@@ -43,7 +42,11 @@ bool RunsDown(const vtkIdType* points, vtkIdType size)
   {
     return points[0] > points[1];
   }
-  const vtkIdType smallest = std::min_element(points, points + size) - points;
+  vtkIdType smallest = 0;
+  for (vtkIdType i = 1; i < size; ++i)
+  {
+    smallest = points[i] < points[smallest] ? i : smallest;
+  }
   const vtkIdType next = points[smallest + 1 < size ? smallest + 1 : 0];
   const vtkIdType previous = points[smallest > 0 ? smallest - 1 : size - 1];
   return next > previous;
@@ -101,17 +104,40 @@ bool IsSameRing(const vtkIdType* a, const vtkIdType* b, vtkIdType size)
 }
 
 //------------------------------------------------------------------------------
-// What tells a facet from the others with its smallest point: of up to four points the other ones, of more
-// a hash.
+vtkIdType GetSmallest(const vtkIdType* points, vtkIdType size)
+{
+  if (size == 3)
+  {
+    return std::min(points[0], std::min(points[1], points[2]));
+  }
+  vtkIdType smallest = points[0];
+  for (vtkIdType i = 1; i < size; ++i)
+  {
+    smallest = std::min(smallest, points[i]);
+  }
+  return smallest;
+}
+
+//------------------------------------------------------------------------------
+// What tells a facet from others: the smallest of its points, and of up to four points the other ones, of more a hash.
 struct FacetKey
 {
+  std::uint32_t Smallest;
   std::uint32_t Parts[3];
   bool Down; // see RunsDown
+  bool IsHashed() const { return (this->Parts[2] & HashedBit) != 0; }
 };
 
 std::uint32_t Part(vtkIdType id)
 {
   return static_cast<std::uint32_t>(id);
+}
+
+void Order(vtkIdType& low, vtkIdType& high)
+{
+  const vtkIdType smaller = std::min(low, high);
+  high = std::max(low, high);
+  low = smaller;
 }
 
 //------------------------------------------------------------------------------
@@ -124,15 +150,51 @@ FacetKey MakeHashedKey(const vtkIdType* points, vtkIdType size, bool down)
     sum += Mix(1, static_cast<std::uint64_t>(points[i]));
   }
   const std::uint64_t hash = Mix(sum, static_cast<std::uint64_t>(size));
-  return { { static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
-             HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33) },
+  return { Part(GetSmallest(points, size)),
+    { static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
+      HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33) },
     down };
 }
 
 //------------------------------------------------------------------------------
-// Sorting is for facets of few points, and for the rare ones that come to a point twice. Of others its branches
-// would be as hard to foresee as the numbering of the points.
-FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& sorted)
+// Sorting is for the rare facets that come to a point twice. Of others its branches would be as hard to foresee as
+// the numbering of the points.
+FacetKey MakeKeyOfAny(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& sorted)
+{
+  const bool down = RunsDown(points, size);
+  if (size > 4 && size <= MaxUnsorted && !HasRepeatedPoints(points, size))
+  {
+    return MakeHashedKey(points, size, down);
+  }
+  if (size == 4)
+  {
+    vtkIdType a = points[0], b = points[1], c = points[2], d = points[3];
+    Order(a, b), Order(c, d), Order(a, c), Order(b, d), Order(b, c);
+    if (a != b && b != c && c != d)
+    {
+      return { Part(a), { Part(b), Part(c), Part(d) }, down };
+    }
+  }
+  sorted.assign(points, points + size);
+  SortDistinct(sorted);
+  const std::uint32_t smallest = Part(sorted[0]);
+  switch (sorted.size())
+  {
+    case 1:
+      return { smallest, { 0, 0, OnePoint }, down };
+    case 2:
+      return { smallest, { Part(sorted[1]), 0, TwoPoints }, down };
+    case 3:
+      return { smallest, { Part(sorted[1]), Part(sorted[2]), ThreePoints }, down };
+    case 4:
+      return { smallest, { Part(sorted[1]), Part(sorted[2]), Part(sorted[3]) }, down };
+    default:
+      return MakeHashedKey(sorted.data(), static_cast<vtkIdType>(sorted.size()), down);
+  }
+}
+
+//------------------------------------------------------------------------------
+inline FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& scratch)
 {
   if (size == 3)
   {
@@ -143,71 +205,148 @@ FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>
     const bool down = (a > b) ^ (b > c) ^ (a > c);
     if (low != middle && middle != high)
     {
-      return { { Part(middle), Part(high), ThreePoints }, down };
+      return { Part(low), { Part(middle), Part(high), ThreePoints }, down };
     }
   }
-  const bool down = RunsDown(points, size);
-  if (size > 4 && size <= MaxUnsorted && !HasRepeatedPoints(points, size))
-  {
-    return MakeHashedKey(points, size, down);
-  }
-  sorted.assign(points, points + size);
-  SortDistinct(sorted);
-  switch (sorted.size())
-  {
-    case 1:
-      return { { 0, 0, OnePoint }, down };
-    case 2:
-      return { { Part(sorted[1]), 0, TwoPoints }, down };
-    case 3:
-      return { { Part(sorted[1]), Part(sorted[2]), ThreePoints }, down };
-    case 4:
-      return { { Part(sorted[1]), Part(sorted[2]), Part(sorted[3]) }, down };
-    default:
-      return MakeHashedKey(sorted.data(), static_cast<vtkIdType>(sorted.size()), down);
-  }
+  return MakeKeyOfAny(points, size, scratch);
+}
 }
 
 //------------------------------------------------------------------------------
-vtkIdType GetSmallest(const vtkIdType* points, vtkIdType size)
+// Uses by runs of smallest points, and in order within each.
+struct FacetTableBuilder::Buckets
 {
-  if (size == 3)
-  {
-    return std::min(points[0], std::min(points[1], points[2]));
-  }
-  return *std::min_element(points, points + size);
-}
+  std::unique_ptr<Index[]> Uses;
+  std::vector<Index> Begins;
+};
 
 //------------------------------------------------------------------------------
-Index GetUse(std::uint32_t item)
-{
-  return static_cast<Index>(item & ~DownBit);
-}
-}
-
-//------------------------------------------------------------------------------
-// Hands nodes out to threads in blocks. The memory is that of the worst case, but only what is used of it
-// is ever touched.
-class FacetTableBuilder::NodePool
+// Compares the uses of one bucket after the other. Holds its memory for the next bucket.
+class FacetTableBuilder::BucketMatcher
 {
 public:
-  NodePool(Index numberOfUses, int numberOfShares)
-    : Nodes(new Node[static_cast<std::size_t>(numberOfUses) +
-        static_cast<std::size_t>(numberOfShares) * NodesPerBlock])
+  explicit BucketMatcher(FacetTableBuilder& builder)
+    : Table(builder.Table)
+    , Facets(builder.Mesh)
   {
   }
-  Node& operator[](Index node) { return this->Nodes[node]; }
-  /// The next node of a share whose last one was @a node, -1 for none so far.
-  Index GetNext(Index node)
+
+  void Match(const Index* uses, Index size)
   {
-    return node < 0 || (node + 1) % NodesPerBlock == 0
-      ? this->NextBlock.fetch_add(NodesPerBlock, std::memory_order_relaxed)
-      : node + 1;
+    this->LoadEntries(uses, size);
+    int bits = 1;
+    while ((Index(1) << bits) < size)
+    {
+      ++bits;
+    }
+    this->Lists.assign(std::size_t(2) << bits, -1);
+    for (Index i = 0; i < size; ++i)
+    {
+      Entry& entry = this->Entries[i];
+      Index& list = this->Lists[entry.Hash >> (63 - bits)];
+      Index found = list;
+      while (found >= 0 && !this->IsSame(this->Entries[found], entry))
+      {
+        found = this->Entries[found].Next;
+      }
+      CellFacet& use = this->Table.CellFacets[uses[i]];
+      if (found >= 0)
+      {
+        const bool isReversed = this->Entries[found].Key.Down != entry.Key.Down;
+        use.Packed = ~CellFacet(uses[found], isReversed).Packed;
+        continue;
+      }
+      entry.Next = list;
+      list = i;
+      use = CellFacet(uses[i], false);
+    }
   }
 
 private:
-  std::unique_ptr<Node[]> Nodes;
-  std::atomic<Index> NextBlock{ 0 };
+  struct Entry
+  {
+    FacetKey Key;
+    std::uint64_t Hash;
+    vtkIdType Begin, Size; // in Points, if the key is hashed
+    Index Next;            // with the same hash
+  };
+
+  void LoadEntries(const Index* uses, Index size)
+  {
+    this->Entries.resize(size);
+    this->Points.clear();
+    vtkIdType cell = 0;
+    for (Index i = 0; i < size; ++i)
+    {
+      cell = this->FindCell(uses[i], cell);
+      this->Facets.Visit(cell, uses[i] - this->Table.GetOffset(cell),
+        [&](const vtkIdType* points, vtkIdType numberOfPoints)
+        { this->Load(this->Entries[i], points, numberOfPoints); });
+    }
+  }
+
+  void Load(Entry& entry, const vtkIdType* points, vtkIdType size)
+  {
+    const FacetKey key = MakeKey(points, size, this->Sorted);
+    entry.Key = key;
+    entry.Hash = Mix(Mix(1, Join(key.Smallest, key.Parts[0])), Join(key.Parts[1], key.Parts[2]));
+    if (key.IsHashed())
+    {
+      entry.Begin = static_cast<vtkIdType>(this->Points.size());
+      entry.Size = size;
+      this->Points.insert(this->Points.end(), points, points + size);
+    }
+  }
+
+  static std::uint64_t Join(std::uint32_t a, std::uint32_t b)
+  {
+    return static_cast<std::uint64_t>(a) << 32 | b;
+  }
+
+  bool IsSame(const Entry& a, const Entry& b) const
+  {
+    const std::uint32_t *first = a.Key.Parts, *second = b.Key.Parts;
+    return a.Key.Smallest == b.Key.Smallest && first[0] == second[0] && first[1] == second[1] &&
+      first[2] == second[2] && (!a.Key.IsHashed() || this->HaveSamePoints(a, b));
+  }
+
+  /// Each however often.
+  bool HaveSamePoints(const Entry& a, const Entry& b) const
+  {
+    const vtkIdType *first = this->Points.data() + a.Begin, *second = this->Points.data() + b.Begin;
+    if (a.Size == b.Size && IsSameRing(first, second, a.Size))
+    {
+      return true;
+    }
+    std::vector<vtkIdType> firsts(first, first + a.Size), seconds(second, second + b.Size);
+    SortDistinct(firsts);
+    SortDistinct(seconds);
+    return firsts == seconds;
+  }
+
+  /// The cell of a use, in larger and larger steps from one that is not behind it.
+  vtkIdType FindCell(Index use, vtkIdType from) const
+  {
+    const FacetTable& table = this->Table;
+    if (table.Stride)
+    {
+      return use / table.Stride;
+    }
+    const auto begin = table.CellOffsets.begin() + from, end = table.CellOffsets.end();
+    vtkIdType step = 1;
+    while (step < end - begin && begin[step] <= use)
+    {
+      step *= 2;
+    }
+    const auto next = std::upper_bound(begin + step / 2, begin + std::min<vtkIdType>(step, end - begin), use);
+    return next - table.CellOffsets.begin() - 1;
+  }
+
+  FacetTable& Table;
+  CellFacets Facets;
+  std::vector<Entry> Entries;
+  std::vector<Index> Lists; // of entries with the same hash
+  std::vector<vtkIdType> Points, Sorted;
 };
 
 //------------------------------------------------------------------------------
@@ -297,7 +436,9 @@ void FacetTableBuilder::CountFacets()
     throw std::length_error("more than 2^30 faces of cells in one piece of a mesh");
   }
   this->NumberOfUses = static_cast<Index>(total);
-  this->Table.CellFacets.resize(total);
+  CellFacet none;
+  none.Packed = -1;
+  this->Table.CellFacets.assign(total, none);
 }
 
 //------------------------------------------------------------------------------
@@ -310,7 +451,7 @@ void FacetTableBuilder::MatchUses()
       {
         const vtkIdType first = this->Table.GetOffset(cell);
         facets.ForEach(cell, [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-          { visit(static_cast<std::uint32_t>(first + local), points, size); });
+          { visit(static_cast<Index>(first + local), points, size); });
       }
     });
 }
@@ -341,7 +482,7 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
             down[use] = RunsDown(points, size);
             if (firstUses[given[use]] == use)
             {
-              visit(static_cast<std::uint32_t>(use), points, size);
+              visit(use, points, size);
             }
           });
       }
@@ -355,131 +496,131 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
         const Index first = firstUses[given[use]];
         if (first != use)
         {
-          const Index leader = uses[first].Facet();
-          uses[use] = CellFacet(leader, down[use] != down[leader]);
+          const Index leader = this->GetLeader(first).Facet();
+          uses[use].Packed = ~CellFacet(leader, down[use] != down[leader]).Packed;
         }
       }
     });
 }
 
 //------------------------------------------------------------------------------
-// Leaves in CellFacets for every visited item the first use with the same points. Every list of facets
-// belongs to one share of the points and sees its items in order, whatever the number of shares.
+// Leaves in CellFacets for every visited item the first use with the same points: itself, or the complement of
+// another one.
 template <typename ForEachItem>
 void FacetTableBuilder::Match(ForEachItem&& forEachItem)
 {
-  const vtkIdType numberOfPoints = this->Mesh.GetNumberOfPoints();
-  // Where many facets share their smallest point, as in a mesh of tetrahedra, it has several lists.
-  int listBits = 0;
-  while (listBits < MaxListBits && (numberOfPoints << (listBits + 2)) < this->NumberOfUses)
-  {
-    ++listBits;
-  }
-  std::vector<Index> lists(static_cast<std::size_t>(numberOfPoints) << listBits, -1);
-  WithThreads(
-    [&]
+  const Buckets buckets = this->FillBuckets(forEachItem);
+  ParallelFor(static_cast<vtkIdType>(buckets.Begins.size()) - 1, BucketGrain,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const int numberOfShares =
-        std::max(1, std::min(vtkSMPTools::GetEstimatedNumberOfThreads(), MaxShares));
-      std::vector<unsigned char> shares((numberOfPoints >> PointsPerShareBits) + 1);
-      for (std::size_t run = 0; run < shares.size(); ++run)
+      BucketMatcher matcher(*this);
+      for (vtkIdType bucket = begin; bucket < end; ++bucket)
       {
-        shares[run] = static_cast<unsigned char>(run % numberOfShares);
+        const Index first = buckets.Begins[bucket];
+        matcher.Match(buckets.Uses.get() + first, buckets.Begins[bucket + 1] - first);
       }
-      NodePool nodes(this->NumberOfUses, numberOfShares);
-      const auto matchShare = [&](int share)
-      {
-        CellFacets facets(this->Mesh), others(this->Mesh);
-        std::vector<vtkIdType> scratch;
-        Index lastNode = -1;
-        vtkIdType cell = 0;
-        const auto match = [&](std::uint32_t use, const vtkIdType* points, vtkIdType size)
-        {
-          if (size == 0)
-          {
-            this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
-            return;
-          }
-          const vtkIdType smallest = GetSmallest(points, size);
-          if (shares[smallest >> PointsPerShareBits] != share)
-          {
-            return;
-          }
-          const FacetKey key = MakeKey(points, size, scratch);
-          const std::uint32_t which = (key.Parts[0] ^ key.Parts[1]) & ((1u << listBits) - 1);
-          Index& list = lists[(smallest << listBits) + which];
-          Index found = list;
-          for (; found >= 0; found = nodes[found].Next)
-          {
-            const Node& node = nodes[found];
-            if (node.Key[0] == key.Parts[0] && node.Key[1] == key.Parts[1] &&
-              node.Key[2] == key.Parts[2] &&
-              (!(key.Parts[2] & HashedBit) || this->HasPoints(node, points, size, others, scratch)))
-            {
-              break;
-            }
-          }
-          if (found < 0)
-          {
-            lastNode = nodes.GetNext(lastNode);
-            nodes[lastNode] = { { key.Parts[0], key.Parts[1], key.Parts[2] }, list,
-              use | (key.Down ? DownBit : 0u), static_cast<Index>(cell) };
-            list = lastNode;
-            this->Table.CellFacets[use] = CellFacet(static_cast<Index>(use), false);
-            return;
-          }
-          const std::uint32_t first = nodes[found].Item;
-          this->Table.CellFacets[use] =
-            CellFacet(GetUse(first), ((first & DownBit) != 0) != key.Down);
-        };
-        for (; cell < this->Mesh.GetNumberOfCells(); ++cell)
-        {
-          forEachItem(facets, cell, match);
-        }
-      };
-      vtkSMPTools::For(0, numberOfShares, 1,
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType share = begin; share < end; ++share)
-          {
-            matchShare(static_cast<int>(share));
-          }
-        });
     });
 }
 
 //------------------------------------------------------------------------------
-// Whether the first use of a facet has the same points, each however often.
-bool FacetTableBuilder::HasPoints(const Node& node, const vtkIdType* points, vtkIdType size,
-  CellFacets& facets, std::vector<vtkIdType>& first) const
+// Every use gets its smallest point first, which says how much every chunk of cells puts into every bucket.
+template <typename ForEachItem>
+FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(ForEachItem&& forEachItem)
 {
-  first.clear();
-  facets.GetFacet(node.Cell, GetUse(node.Item) - this->Table.GetOffset(node.Cell), first);
-  if (static_cast<vtkIdType>(first.size()) == size && IsSameRing(points, first.data(), size))
+  const vtkIdType numberOfCells = this->Mesh.GetNumberOfCells();
+  const Index numberOfPoints = static_cast<Index>(this->Mesh.GetNumberOfPoints());
+  int shift = 0;
+  while (numberOfPoints >> shift >= std::min(MaxBuckets, this->NumberOfUses / UsesPerBucket + 1))
   {
-    return true;
+    ++shift;
   }
-  std::vector<vtkIdType> sorted(points, points + size);
-  SortDistinct(sorted);
-  SortDistinct(first);
-  return first == sorted;
+  const Index numberOfBuckets = (numberOfPoints >> shift) + 1;
+  const vtkIdType chunk = std::max(CellGrain, numberOfCells / MaxChunks + 1);
+  const vtkIdType numberOfChunks = (numberOfCells + chunk - 1) / chunk;
+  std::vector<std::vector<Index>> ends(numberOfChunks, std::vector<Index>(numberOfBuckets, 0));
+  std::vector<CellFacet>& smallest = this->Table.CellFacets; // -1 where there is none
+  const auto forEachChunk = [&](auto&& function)
+  {
+    ParallelFor(numberOfChunks, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType c = begin; c < end; ++c)
+        {
+          function(ends[c], c * chunk, std::min(numberOfCells, (c + 1) * chunk));
+        }
+      });
+  };
+
+  forEachChunk(
+    [&](std::vector<Index>& sizes, vtkIdType begin, vtkIdType end)
+    {
+      CellFacets facets(this->Mesh);
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        forEachItem(facets, cell,
+          [&](Index use, const vtkIdType* points, vtkIdType size)
+          {
+            if (size > 0)
+            {
+              smallest[use].Packed = static_cast<Index>(GetSmallest(points, size));
+              ++sizes[smallest[use].Packed >> shift];
+            }
+          });
+      }
+    });
+  Buckets buckets;
+  buckets.Begins.resize(numberOfBuckets + 1);
+  Index total = 0;
+  for (Index bucket = 0; bucket < numberOfBuckets; ++bucket)
+  {
+    buckets.Begins[bucket] = total;
+    for (std::vector<Index>& sizes : ends)
+    {
+      total += std::exchange(sizes[bucket], total);
+    }
+  }
+  buckets.Begins[numberOfBuckets] = total;
+  buckets.Uses.reset(new Index[total]);
+  forEachChunk(
+    [&](std::vector<Index>& places, vtkIdType begin, vtkIdType end)
+    {
+      const Index last = static_cast<Index>(this->Table.GetOffset(end));
+      for (Index use = static_cast<Index>(this->Table.GetOffset(begin)); use < last; ++use)
+      {
+        if (smallest[use].Packed >= 0)
+        {
+          buckets.Uses[places[smallest[use].Packed >> shift]++] = use;
+        }
+        else
+        {
+          smallest[use] = CellFacet(use, false);
+        }
+      }
+    });
+  return buckets;
 }
 
 //------------------------------------------------------------------------------
-// From "first use with the same points" to consecutive facet numbers.
+CellFacet FacetTableBuilder::GetLeader(Index use) const
+{
+  CellFacet leader = this->Table.CellFacets[use];
+  leader.Packed = leader.Packed < 0 ? ~leader.Packed : leader.Packed;
+  return leader;
+}
+
+//------------------------------------------------------------------------------
+// Consecutive numbers for the first uses of facets; the others still name these.
 void FacetTableBuilder::NumberFacets()
 {
   std::vector<CellFacet>& uses = this->Table.CellFacets;
-  const vtkIdType size = this->NumberOfUses;
-  // Numbered leaders are kept as complements, and so told from uses that still name their leader.
   const vtkIdType numberOfFacets = ParallelScan(
-    size, UseChunk,
+    this->NumberOfUses, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType leaders = 0;
       for (vtkIdType use = begin; use < end; ++use)
       {
-        leaders += uses[use].Facet() == use;
+        leaders += uses[use].Packed >= 0;
       }
       return leaders;
     },
@@ -487,21 +628,9 @@ void FacetTableBuilder::NumberFacets()
     {
       for (vtkIdType use = begin; use < end; ++use)
       {
-        if (uses[use].Facet() == use)
-        {
-          uses[use].Packed = ~CellFacet(static_cast<Index>(number++), false).Packed;
-        }
-      }
-    });
-  ParallelFor(size, UseChunk,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType use = begin; use < end; ++use)
-      {
         if (uses[use].Packed >= 0)
         {
-          const CellFacet toLeader = uses[use];
-          uses[use].Packed = ~uses[toLeader.Facet()].Packed | (toLeader.IsReversed() ? 1 : 0);
+          uses[use] = CellFacet(static_cast<Index>(number++), false);
         }
       }
     });
@@ -509,31 +638,10 @@ void FacetTableBuilder::NumberFacets()
 }
 
 //------------------------------------------------------------------------------
-// Owners first, so that every further use finds the owner of its facet.
+// Cells of facets, and with them the numbers of further uses.
 void FacetTableBuilder::ListCells()
 {
   FacetTable& table = this->Table;
-  ParallelFor(table.NumberOfCells, CellGrain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        const vtkIdType last = table.GetOffset(cell + 1);
-        for (vtkIdType use = table.GetOffset(cell); use < last; ++use)
-        {
-          CellFacet& facet = table.CellFacets[use];
-          if (facet.Packed < 0)
-          {
-            facet.Packed = ~facet.Packed;
-            table.FacetCells[facet.Facet()].First = static_cast<Index>(cell);
-          }
-          else
-          {
-            facet.Packed = -2 - facet.Packed; // marked as a further use until the next pass
-          }
-        }
-      }
-    });
   const vtkIdType numberOfFacets = table.GetNumberOfFacets();
   std::unique_ptr<std::atomic<Index>[]> seconds(new std::atomic<Index>[numberOfFacets]);
   ParallelFor(numberOfFacets, UseChunk,
@@ -554,18 +662,21 @@ void FacetTableBuilder::ListCells()
         for (vtkIdType use = table.GetOffset(cell); use < last; ++use)
         {
           CellFacet& facet = table.CellFacets[use];
-          if (facet.Packed < 0)
+          if (facet.Packed >= 0)
           {
-            facet.Packed = -2 - facet.Packed;
-            // Threads may meet at a facet with more than two cells; all but one cell go to the extra
-            // list, which is put in order below.
-            Index none = -1;
-            if (!seconds[facet.Facet()].compare_exchange_strong(
-                  none, static_cast<Index>(cell), std::memory_order_relaxed))
-            {
-              const std::lock_guard<std::mutex> lock(extraMutex);
-              table.ExtraCells.push_back({ facet.Facet(), static_cast<Index>(cell) });
-            }
+            table.FacetCells[facet.Facet()].First = static_cast<Index>(cell);
+            continue;
+          }
+          const CellFacet leader = this->GetLeader(static_cast<Index>(use));
+          facet = CellFacet(table.CellFacets[leader.Facet()].Facet(), leader.IsReversed());
+          // Threads may meet at a facet with more than two cells; all but one cell go to the extra
+          // list, which is put in order below.
+          Index none = -1;
+          if (!seconds[facet.Facet()].compare_exchange_strong(
+                none, static_cast<Index>(cell), std::memory_order_relaxed))
+          {
+            const std::lock_guard<std::mutex> lock(extraMutex);
+            table.ExtraCells.push_back({ facet.Facet(), static_cast<Index>(cell) });
           }
         }
       }

@@ -4,10 +4,9 @@
  * @class camaron::FacetTableBuilder
  * @brief Finds the unique facets of a mesh.
  *
- * Facets are listed by their smallest point id and compared within a list by their other points, so that
- * time and memory stay proportional to the mesh; 24 bytes per unique facet are needed meanwhile. Cells
- * are visited in order, so that a mesh whose neighbours are near in memory is read from the cache. Every
- * thread visits all cells, but takes care of its own share of the points only.
+ * Uses of facets are put into buckets by their smallest point id and compared within a bucket, whose keys fit
+ * into the cache of a processor. So time and memory stay proportional to the mesh however it is numbered; 4 bytes per
+ * use are needed meanwhile.
  */
 #ifndef camaron_FacetTableBuilder_h
 #define camaron_FacetTableBuilder_h
@@ -33,15 +32,8 @@ public:
 private:
   FacetTableBuilder(const MeshView& mesh, int dimension);
 
-  /// A facet found so far.
-  struct Node
-  {
-    std::uint32_t Key[3]; ///< what tells it from other facets with its smallest point
-    Index Next;           ///< in its list, -1 at the end
-    std::uint32_t Item;   ///< its first use; the top bit says that this use runs downwards
-    Index Cell;           ///< of that use
-  };
-  class NodePool;
+  struct Buckets;
+  class BucketMatcher;
 
   void CountFacets();
   void MatchUses();
@@ -50,8 +42,10 @@ private:
   void ListCells();
   template <typename ForEachItem>
   void Match(ForEachItem&& forEachItem);
-  bool HasPoints(const Node& node, const vtkIdType* points, vtkIdType size,
-    CellFacets& facets, std::vector<vtkIdType>& first) const;
+  template <typename ForEachItem>
+  Buckets FillBuckets(ForEachItem&& forEachItem);
+  /// The first use with the same points, as long as facets have no numbers.
+  CellFacet GetLeader(Index use) const;
 
   const MeshView& Mesh;
   int Dimension;

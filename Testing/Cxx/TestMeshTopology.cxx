@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <random>
 #include <set>
 
 using namespace camaron;
@@ -189,6 +191,60 @@ TEST(MeshTopology, LargeFacesAreSets)
   std::vector<Index> sharing;
   faces.GetCells(faces.GetCellFacets(5)[0].Facet(), sharing);
   EXPECT_EQ(sharing, (std::vector<Index>{ 0, 1, 2, 3, 4, 5 }));
+}
+
+// More faces than are compared at once, numbered at random, many with more than two cells: as found one by one.
+TEST(MeshTopology, TangleOfCells)
+{
+  constexpr vtkIdType numberOfPoints = 3000, numberOfCells = 9000, window = 16;
+  std::mt19937 random(1);
+  const auto draw = [&random](vtkIdType end) { return static_cast<vtkIdType>(random() % end); };
+  Cells cells;
+  for (vtkIdType c = 0; c < numberOfCells; ++c)
+  {
+    const bool isHexahedron = draw(2) != 0;
+    const vtkIdType first = window * draw(numberOfPoints / window);
+    std::set<vtkIdType> chosen;
+    while (chosen.size() < (isHexahedron ? 8 : 4))
+    {
+      chosen.insert(first + draw(window));
+    }
+    std::vector<vtkIdType> nodes(chosen.begin(), chosen.end());
+    for (std::size_t i = nodes.size() - 1; i > 0; --i)
+    {
+      std::swap(nodes[i], nodes[draw(static_cast<vtkIdType>(i + 1))]);
+    }
+    cells.push_back({ isHexahedron ? VTK_HEXAHEDRON : VTK_TETRA, nodes });
+  }
+  const auto grid = MakeGrid(Points(numberOfPoints), cells);
+  const FacetTable& table = MeshTopology(grid).GetFaces();
+
+  struct Found
+  {
+    Index Number;
+    std::vector<Index> Cells;
+  };
+  std::map<std::set<vtkIdType>, Found> expected;
+  for (Index c = 0; c < numberOfCells; ++c)
+  {
+    const Faces faces = GetFaces(grid, c);
+    const auto facets = table.GetCellFacets(c);
+    ASSERT_EQ(facets.size(), static_cast<Index>(faces.size()));
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      const Found next = { static_cast<Index>(expected.size()), {} };
+      Found& found = expected.insert({ { faces[f].begin(), faces[f].end() }, next }).first->second;
+      found.Cells.push_back(c);
+      ASSERT_EQ(facets[static_cast<Index>(f)].Facet(), found.Number) << c << ' ' << f;
+    }
+  }
+  ASSERT_EQ(table.GetNumberOfFacets(), static_cast<Index>(expected.size()));
+  for (const auto& [points, found] : expected)
+  {
+    std::vector<Index> all;
+    table.GetCells(found.Number, all);
+    ASSERT_EQ(all, found.Cells);
+  }
 }
 
 // The same table for every number of threads, and when a reader hands its faces over.
