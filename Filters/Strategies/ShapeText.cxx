@@ -3,6 +3,7 @@
 #include "Strategies/ShapeText.h"
 
 #include "Scan/Number.h"
+#include "Scan/ScanError.h"
 
 #include <algorithm>
 #include <cctype>
@@ -105,7 +106,7 @@ ShapeText ParseShape(const std::string& file, const std::string& text)
           [&](const KindName& name) { return name.Word == ToLower(word); });
         if (known == std::end(KindNames))
         {
-          Fail(here, "sphere, normals or polygons", '\'' + word + '\'');
+          Fail(here, "sphere, normals or polygons", QuoteWord(word));
         }
         kind = known->What;
       }
@@ -115,7 +116,7 @@ ShapeText ParseShape(const std::string& file, const std::string& text)
       }
       else if (std::find(std::begin(Labels), std::end(Labels), ToLower(word)) == std::end(Labels))
       {
-        Fail(here, "a number", '\'' + word + '\'');
+        Fail(here, "a number", QuoteWord(word));
       }
     }
     if (row.empty())

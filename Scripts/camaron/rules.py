@@ -194,6 +194,16 @@ class _Line:
         return False
 
 
+def _readable(message: str) -> str:
+    """Without the ends of endless words, and with escapes for what cannot be printed.
+
+    >>> _readable("found 'a" + chr(0) + "b'")
+    "found 'a\\\\x00b'"
+    """
+    message = re.sub(r"\S{80,}", lambda word: word[0][:60] + "...", message)
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in message)
+
+
 class Parser:
     """Reads rules; knows the criteria, the presets (`tables.known_presets`), VTK's cell types."""
 
@@ -236,7 +246,7 @@ class Parser:
                     else:
                         of_presets[rule.criterion, rule.scope] = rule
             except _Wrong as wrong:
-                problems.append(f"{name}:{number}: {wrong}")
+                problems.append(f"{name}:{number}: {_readable(str(wrong))}")
         if problems:
             raise RulesError(problems)
         for rule in written:
@@ -311,7 +321,7 @@ class Parser:
                 raise line.wrong("of, in, where, tolerate, null or end of line", readers)
             member, reader = readers[word]
             if member in members:
-                what = {"scope": "one of of, in and where", "tolerance": "one tolerate"}
+                what = {"scope": "one of the words of, in and where", "tolerance": "one tolerate"}
                 raise _Wrong(f"expected {what.get(member, 'one null')}, found another: '{word}'")
             line.tokens.pop(0)
             members[member] = reader(line)

@@ -214,6 +214,8 @@ class TestRules(camaron_testing.TestCase):
             ),
             ("qqq >= 10", "expected the name of a criterion, found 'qqq'"),
             (">= 10", "expected the name of a criterion, found '>='"),
+            ("q\0q >= 10", "expected the name of a criterion, found 'q\\x00q'"),
+            (1000 * "q" + " >= 10", f"expected the name of a criterion, found '{59 * 'q'}..."),
             ("Volume", "expected a range: >= 10, or a lower and an upper limit, found end of line"),
             ("Volume of wedges", "expected the lower limit: a number, or * for none, found 'of'"),
             ("Volume 1", "expected the upper limit: a number, or * for none, found end of line"),
@@ -273,7 +275,7 @@ class TestRules(camaron_testing.TestCase):
                 "expected fails or passes after null, found 'pass'; did you mean passes?",
             ),
             ("Volume > 0 tolerat 1%", CLAUSES + ", found 'tolerat'; did you mean tolerate?"),
-            ("Volume > 0 of wedges in x", "expected one of of, in and where, found another: 'in'"),
+            ("Volume > 0 of wedges in x", "expected one of the words of, in and where, found another: 'in'"),
             (
                 "Volume > 0 tolerate 1 tolerate 1",
                 "expected one tolerate, found another: 'tolerate'",
