@@ -70,6 +70,15 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
 }
 
 //------------------------------------------------------------------------------
+void TextureBuffer::Download(void* rows, std::size_t numberOfRows) const
+{
+  const std::size_t bytes = numberOfRows * GetFormat(this->Kind).Bytes;
+  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+  glGetBufferSubData(GL_TEXTURE_BUFFER, 0, static_cast<GLsizeiptr>(bytes), rows);
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
 void TextureBuffer::Bind(int unit) const
 {
   glActiveTexture(static_cast<GLenum>(GL_TEXTURE0 + unit));

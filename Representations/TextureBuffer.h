@@ -41,6 +41,8 @@ public:
    * @throw std::length_error for more rows than the graphics card's textures have
    */
   void Upload(const void* rows, std::size_t numberOfRows);
+  /// Fetches the first rows, of which there must be as many.
+  void Download(void* rows, std::size_t numberOfRows) const;
   /// Makes the table known to shaders as the texture of a unit (0, 1, ...).
   void Bind(int unit) const;
   /// Gives the memory back; the table can be uploaded again.

@@ -12,6 +12,7 @@
 #include "InspectionStyle.h"
 #include "InspectionValues.h"
 #include "Isosurfaces.h"
+#include "MeshMatrices.h"
 #include "NormalLinesVS.h"
 #include "PickingGLSL.h"
 #include "PlaceGLSL.h"
@@ -63,27 +64,12 @@ vtkStandardNewMacro(vtkMeshInspectionMapper);
 namespace
 {
 //------------------------------------------------------------------------------
-// From the coordinates of the tables, which are relative to the middle of the mesh, to those of the camera.
-void GetViewOfTables(vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& middle,
-  vtkMatrix4x4* toView)
-{
-  vtkNew<vtkMatrix4x4> shift;
-  for (int i = 0; i < 3; ++i)
-  {
-    shift->SetElement(i, 3, middle[i]);
-  }
-  vtkMatrix4x4::Multiply4x4(actor->GetMatrix(), shift, toView);
-  vtkMatrix4x4::Multiply4x4(
-    renderer->GetActiveCamera()->GetModelViewTransformMatrix(), toView, toView);
-}
-
-//------------------------------------------------------------------------------
 // Where the eye is in the coordinates of the tables, or in which direction.
 std::array<double, 4> GetEye(
   vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& middle)
 {
-  vtkNew<vtkMatrix4x4> toTables;
-  GetViewOfTables(renderer, actor, middle, toTables);
+  const MeshMatrices matrices(renderer, actor, middle);
+  vtkMatrix4x4* toTables = matrices.ToView;
   toTables->Invert();
   const bool isParallel = renderer->GetActiveCamera()->GetParallelProjection();
   const double inView[4] = { 0, 0, isParallel ? 1.0 : 0.0, isParallel ? 0.0 : 1.0 };
@@ -372,6 +358,18 @@ void vtkMeshInspectionMapper::ShareMesh(vtkMeshInspectionMapper* other)
 {
   this->Internal->Mesh = other->Internal->Mesh;
   this->Internal->OwnsMesh = false;
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<InspectionMesh> vtkMeshInspectionMapper::GetMesh() const
+{
+  return this->Internal->Mesh;
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::IsOnProcessor() const
+{
+  return this->Internal->IsOnProcessor();
 }
 
 //------------------------------------------------------------------------------
@@ -750,17 +748,14 @@ void vtkMeshInspectionMapper::SetCameraShaderParameters(
   vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
 {
   this->Superclass::SetCameraShaderParameters(helper, renderer, actor);
-  vtkNew<vtkMatrix4x4> toView, toDisplay;
-  GetViewOfTables(renderer, actor, this->Internal->Mesh->GetMiddle(), toView);
-  vtkMatrix4x4::Multiply4x4(
-    renderer->GetActiveCamera()->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1, 1), toView, toDisplay);
+  const MeshMatrices matrices(renderer, actor, this->Internal->Mesh->GetMiddle());
   // GLSL has its matrices by columns.
-  toView->Transpose();
-  toDisplay->Transpose();
-  helper.Program->SetUniformMatrix("MCDCMatrix", toDisplay);
+  matrices.ToView->Transpose();
+  matrices.ToDisplay->Transpose();
+  helper.Program->SetUniformMatrix("MCDCMatrix", matrices.ToDisplay);
   if (helper.Program->IsUniformUsed("MCVCMatrix"))
   {
-    helper.Program->SetUniformMatrix("MCVCMatrix", toView);
+    helper.Program->SetUniformMatrix("MCVCMatrix", matrices.ToView);
   }
 }
 

@@ -35,6 +35,10 @@ public:
 
   /// Draws the mesh of another mapper, from the same tables. It must have the same input.
   void ShareMesh(vtkMeshInspectionMapper* other);
+  /// The tables, for what else is drawn of them.
+  std::shared_ptr<camaron::InspectionMesh> GetMesh() const;
+  /// Whether there are none, because the graphics card has no part in it.
+  bool IsOnProcessor() const;
 
   using Superclass::SetInputConnection;
   using Superclass::SetInputDataObject;

@@ -6,9 +6,11 @@
 #include "InspectionBlocks.h"
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
+#include "LabelStyle.h"
 #include "LinesAndVertices.h"
 #include "ShapeConversion.h"
 #include "vtkHalfSpaces.h"
+#include "vtkIdLabels.h"
 #include "vtkInspectionMesh.h"
 #include "vtkMeshInspectionMapper.h"
 
@@ -54,6 +56,15 @@ enum CutMoves
   WithView  ///< it stays where it is in the picture while the camera turns
 };
 
+//------------------------------------------------------------------------------
+// Cells are exchanged between processes when these draw something translucent.
+bool IsRedistributed(vtkPVRenderView* view)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return view && controller && controller->GetNumberOfProcesses() > 1 && view->GetUseOrderedCompositing();
+}
+
+//------------------------------------------------------------------------------
 void CopyColoring(vtkMapper* from, vtkMapper* to)
 {
   to->SetLookupTable(from->GetLookupTable());
@@ -125,6 +136,9 @@ public:
   LinesAndVertices Wires;
   vtkNew<vtkActor> WireActor;
   vtkNew<vtkOpenGLPolyDataMapper> WireMapper;
+
+  LabelStyle Ids;
+  vtkNew<vtkIdLabels> IdLabels;
 
   std::array<vtkActor*, 5> GetActors()
   {
@@ -241,6 +255,8 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   self.Lines.Mapper->ScalarVisibilityOff();
   self.Lines.Actor->PickableOff();
   self.LineProperty->LightingOff();
+
+  self.IdLabels->SetMesh(mapper, this->Actor);
 }
 
 //------------------------------------------------------------------------------
@@ -261,7 +277,14 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
       renderView->RegisterPropForHardwareSelection(this, actor);
     }
   }
-  return this->Superclass::AddToView(view);
+  const bool isAdded = this->Superclass::AddToView(view);
+  if (renderView)
+  {
+    // After the mesh, whose colours are behind the smooth rims of letters.
+    renderView->GetRenderer()->AddActor(this->Internal->IdLabels);
+    this->Internal->IdLabels->SetRenderer(renderView->GetRenderer());
+  }
+  return isAdded;
 }
 
 //------------------------------------------------------------------------------
@@ -270,6 +293,8 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
+    renderView->GetRenderer()->RemoveActor(this->Internal->IdLabels);
+    this->Internal->IdLabels->SetRenderer(nullptr);
     for (vtkActor* actor : this->Internal->GetActors())
     {
       renderView->GetRenderer()->RemoveActor(actor);
@@ -343,6 +368,10 @@ void vtkMeshInspectionRepresentation::SetVisibility(bool visible)
     {
       actor->VisibilityOff();
     }
+  }
+  if (!visible)
+  {
+    this->Internal->IdLabels->VisibilityOff();
   }
 }
 
@@ -469,6 +498,14 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
     CopyColoring(this->Mapper, self.Isosurfaces.Mapper);
     self.Isosurfaces.Show(surfaces, mesh, this->Actor);
     self.Isosurfaces.Actor->SetPickable(this->Actor->GetPickable());
+  }
+
+  const bool hasIds = !self.Ids.IsEmpty() && this->GetVisibility();
+  self.IdLabels->SetVisibility(hasIds);
+  if (hasIds)
+  {
+    self.IdLabels->Show(self.Ids, style, mesh);
+    self.IdLabels->SetHasPieces(!IsRedistributed(view));
   }
 
   const bool hasCap = style.CutsExactly() && (style.Faces || style.Edges) && this->GetVisibility();
@@ -701,6 +738,70 @@ void vtkMeshInspectionRepresentation::SetNormalLength(double part)
 void vtkMeshInspectionRepresentation::SetNormalColor(double red, double green, double blue)
 {
   this->Internal->LineProperty->SetColor(red, green, blue);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetNumberOfIds(int number)
+{
+  this->Change(this->Internal->Ids.MaxLabels, number);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetIdSize(int points)
+{
+  this->Change(this->Internal->Ids.FontSize, points);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawPointIds(bool on)
+{
+  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Point)], on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetPointIdColor(double red, double green, double blue)
+{
+  this->Change(
+    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Point)], Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawEdgeIds(bool on)
+{
+  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Edge)], on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetEdgeIdColor(double red, double green, double blue)
+{
+  this->Change(
+    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Edge)], Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawFaceIds(bool on)
+{
+  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Face)], on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetFaceIdColor(double red, double green, double blue)
+{
+  this->Change(
+    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Face)], Color{ { red, green, blue } });
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetDrawCellIds(bool on)
+{
+  this->Change(this->Internal->Ids.Shows[static_cast<int>(LabelKind::Cell)], on);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionRepresentation::SetCellIdColor(double red, double green, double blue)
+{
+  this->Change(
+    this->Internal->Ids.Colors[static_cast<int>(LabelKind::Cell)], Color{ { red, green, blue } });
 }
 
 //------------------------------------------------------------------------------

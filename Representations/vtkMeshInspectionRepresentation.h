@@ -60,6 +60,16 @@ public:
   void SetDrawNormals(int of);
   void SetNormalLength(double part);
   void SetNormalColor(double red, double green, double blue);
+  void SetDrawPointIds(bool on);
+  void SetDrawEdgeIds(bool on);
+  void SetDrawFaceIds(bool on);
+  void SetDrawCellIds(bool on);
+  void SetNumberOfIds(int number);
+  void SetIdSize(int points);
+  void SetPointIdColor(double red, double green, double blue);
+  void SetEdgeIdColor(double red, double green, double blue);
+  void SetFaceIdColor(double red, double green, double blue);
+  void SetCellIdColor(double red, double green, double blue);
   void SetDrawIsosurfaces(bool on);
   void SetIsosurfaceArray(int, int, int, int association, const char* name);
   void SetNumberOfIsosurfaceValues(int number);

@@ -63,6 +63,22 @@ def selected(view, source, kind):
     return found
 
 
+def labels(view):
+    """The ids that the last picture of a view has: a list of kinds, ids, places and rectangles of pixels, or None.
+
+    Kinds are those of camaron::LabelKind.
+    """
+    actors = view.GetRenderer().GetActors()
+    actors.InitTraversal()
+    for _ in range(actors.GetNumberOfItems()):
+        actor = actors.GetNextActor()
+        data = actor.GetMapper().GetInput() if actor.GetVisibility() and actor.GetMapper() else None
+        if data and data.GetFieldData().HasArray("LabelIds"):
+            names = ("LabelKinds", "LabelIds", "LabelPlaces", "LabelPixels")
+            return [vtk_to_numpy(data.GetFieldData().GetArray(name)).copy() for name in names]
+    return None
+
+
 class PictureTestCase(camaron_testing.TestCase):
     """Compares pictures of one source after the other in one view."""
 
