@@ -433,6 +433,16 @@ void vtkMeshInspectionMapper::ComputeBounds()
   {
     const std::array<double, 6> bounds = GetFiniteBounds(grid);
     std::copy(bounds.begin(), bounds.end(), this->Bounds);
+    // Several processes compose no more of the picture than what is within.
+    const InspectionStyle& style = this->Internal->Style;
+    const double length = style.DrawsNormals() ? style.NormalLength : 0;
+    for (int i = 0; i < 3 && bounds[0] <= bounds[1]; ++i)
+    {
+      const double more =
+        length + 0.5 * style.ExplodeFactor * (bounds[2 * i + 1] - bounds[2 * i]);
+      this->Bounds[2 * i] -= more;
+      this->Bounds[2 * i + 1] += more;
+    }
   }
   else
   {

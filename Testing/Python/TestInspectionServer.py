@@ -49,8 +49,20 @@ class TestInspectionServer(camaron_testing.TestCase):
         simple.Delete(view)
         return made
 
+    def beyond(self, source):
+        """What is drawn farther out than the mesh is."""
+        view = make_view()
+        view.RemoteRenderThreshold = 0
+        display = simple.Show(source, view)
+        display.SetRepresentationType("Mesh Inspection")
+        display.DrawEdges, display.DrawNormals, display.NormalLength = 0, "Faces", 0.1
+        turn(view)
+        made = picture(view)
+        simple.Delete(view)
+        return made
+
     def test_servers(self):
-        whole = None
+        whole = lines = None
         for ranks in (1, 2):
             self.serve(ranks)
             mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]))
@@ -63,6 +75,11 @@ class TestInspectionServer(camaron_testing.TestCase):
                 with self.subTest(ranks=ranks, opacity=0.5):
                     self.assertLess(difference(whole, made), 0.004)
             whole = made
+            made = self.beyond(mesh)
+            if lines is not None:
+                with self.subTest(ranks=ranks, normals=True):
+                    self.assertLess(difference(lines, made), 0.004)
+            lines = made
             simple.Disconnect()
 
 
