@@ -3,33 +3,23 @@
 #include "vtkMeshInspectionMapper.h"
 
 #include "CapVS.h"
-#include "CutTetrahedra.h"
 #include "DistanceRamp.h"
 #include "FacesVS.h"
 #include "InspectionArrays.h"
-#include "InspectionColors.h"
-#include "InspectionMesh.h"
-#include "InspectionStyle.h"
-#include "InspectionValues.h"
-#include "Isosurfaces.h"
+#include "InspectionTables.h"
 #include "MeshMatrices.h"
 #include "NormalLinesVS.h"
 #include "PickingGLSL.h"
 #include "PlaceGLSL.h"
-#include "PointNormals.h"
-#include "ProcessorSurface.h"
+#include "ProcessorDrawing.h"
 #include "RenderModes.h"
 #include "SelectorPixels.h"
-#include "VisibleTriangles.h"
-
-#include "Criteria/Criterion.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -47,7 +37,6 @@
 #include "vtkRenderer.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureUnitManager.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -101,33 +90,14 @@ void PutOnCap(std::string& fragment)
 }
 
 //==============================================================================
-class vtkMeshInspectionMapper::Internals
+class vtkMeshInspectionMapper::Internals : public InspectionTables
 {
 public:
-  InspectionStyle Style;
-  std::shared_ptr<InspectionMesh> Mesh = std::make_shared<InspectionMesh>();
-  bool OwnsMesh = true;
-  VisibleTriangles Visible;
-  Isosurfaces Isosurface;
-  CutTetrahedra Cut;
-  bool IsListed = false;
-  std::size_t NumberOfTriangles = 0;
-
-  InspectionColors Colors;
-  PointNormals Normals;
-  InspectionValues Values; ///< of the array that colours
-  bool HasCellValues = false;
-  InspectionValues Levels; ///< of isolines
-  TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< of blocks
-  vtkSmartPointer<vtkFloatArray> UploadedLooks;
-
-  vtkSmartPointer<vtkUnstructuredGrid> Grid;
   vtkNew<vtkPolyData> Placeholder;
+  RenderModeCode Code;
+  std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
 
-  ProcessorSurface Surface;
-  vtkNew<vtkOpenGLPolyDataMapper> OfSurface;
-  vtkNew<vtkActor> SurfaceActor; ///< with edges as the style has them
-  vtkMTimeType PropertyTime = 0;
+  ProcessorDrawing Processor;
   vtkSmartPointer<vtkUnstructuredGrid> RefusedGrid; ///< by the graphics card
   vtkMTimeType RefusedTime = 0;
   bool IsOnProcessor() const
@@ -135,199 +105,7 @@ public:
     return this->Style.OnProcessor ||
       (this->Grid && this->Grid == this->RefusedGrid && this->Grid->GetMTime() == this->RefusedTime);
   }
-  RenderModeCode Code;
-  std::map<vtkOpenGLHelper*, std::string> ShaderKeys;
-
-  unsigned int VertexArray = 0;
-  vtkTextureUnitManager* Units = nullptr;
-  std::vector<int> UsedUnits;
-
-  void UpdateTables(bool isPicking);
-  void UpdateNormals(vtkProperty* property);
-  vtkFloatArray* GetLooks() const;
-  void UpdateLooks();
-  InspectionStyle GetStyleOfPicture(vtkMeshInspectionMapper* self, bool ofPoints) const;
-  void Attach(vtkShaderProgram* program, const char* name, const TextureBuffer& table);
-  void Detach(vtkOpenGLState* state);
-  void Release();
 };
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::Internals::UpdateTables(bool isPicking)
-{
-  this->Mesh->Update();
-  this->IsListed = this->Style.DrawsFaces() && !this->Style.IsWholeSurface();
-  if (this->Style.What == Figure::Isosurfaces)
-  {
-    vtkDataArray* array = this->Grid->GetPointData()->GetArray(this->Style.IsosurfaceArray.c_str());
-    if (!this->Isosurface.Update(*this->Mesh, array, this->Style.IsosurfaceValues))
-    {
-      throw std::runtime_error("The graphics card makes no isosurfaces: " + this->Isosurface.GetError());
-    }
-    this->NumberOfTriangles = this->Isosurface.GetNumberOfTriangles();
-  }
-  else if (this->Style.What == Figure::Cap)
-  {
-    if (!this->Cut.Update(*this->Mesh, this->Style))
-    {
-      throw std::runtime_error("The graphics card refuses to cut: " + this->Cut.GetError());
-    }
-    this->NumberOfTriangles = 4 * this->Cut.GetNumberOfTetrahedra();
-  }
-  else if (this->IsListed)
-  {
-    if (!this->Visible.Update(*this->Mesh, this->Style))
-    {
-      throw std::runtime_error("The graphics card refuses to cut: " + this->Visible.GetError());
-    }
-    this->NumberOfTriangles = this->Visible.GetNumberOfTriangles();
-  }
-  else
-  {
-    this->Mesh->NeedFaces(false);
-    this->Mesh->NeedPoints();
-    this->Mesh->NeedMarks();
-    this->NumberOfTriangles = this->Mesh->GetNumberOfOuterTriangles();
-  }
-  if (this->Style.MovesCells())
-  {
-    this->Mesh->NeedCentroids();
-  }
-  if (isPicking)
-  {
-    this->Mesh->NeedOwners();
-  }
-  this->Levels.Update(this->Style.Isolines
-      ? this->Grid->GetPointData()->GetArray(this->Style.IsolineArray.c_str())
-      : nullptr);
-}
-
-//------------------------------------------------------------------------------
-// The mesh's own normals, as for Surface, or those of its outside.
-void vtkMeshInspectionMapper::Internals::UpdateNormals(vtkProperty* property)
-{
-  const bool isOwn = this->Style.Smooth || this->Style.What == Figure::PointNormals;
-  vtkDataArray* given = isOwn ? nullptr : this->Grid->GetPointData()->GetNormals();
-  const bool isLit = property->GetInterpolation() != VTK_FLAT;
-  if (this->Style.What == Figure::PointNormals || (isLit && (this->Style.Smooth || given)))
-  {
-    this->Normals.Update(*this->Mesh, given);
-  }
-  else
-  {
-    this->Normals.Release();
-  }
-}
-
-//------------------------------------------------------------------------------
-// How the blocks look, if one looks unlike the mesh.
-vtkFloatArray* vtkMeshInspectionMapper::Internals::GetLooks() const
-{
-  const bool isAlike = !this->Grid || this->Style.Glass || this->Style.DrawsNormals();
-  return isAlike
-    ? nullptr
-    : vtkFloatArray::SafeDownCast(this->Grid->GetFieldData()->GetArray(LeafLooksName));
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::Internals::UpdateLooks()
-{
-  vtkFloatArray* looks = this->GetLooks();
-  if (looks && looks != this->UploadedLooks)
-  {
-    this->Looks.Upload(looks->GetPointer(0), looks->GetNumberOfTuples());
-  }
-  this->UploadedLooks = looks;
-  if (looks)
-  {
-    this->Mesh->NeedLeaves();
-  }
-}
-
-//------------------------------------------------------------------------------
-// What of the style is possible with the arrays that there are.
-InspectionStyle vtkMeshInspectionMapper::Internals::GetStyleOfPicture(
-  vtkMeshInspectionMapper* self, bool ofPoints) const
-{
-  InspectionStyle style = this->Style;
-  style.HasLooks = this->UploadedLooks != nullptr;
-  style.Isolines = style.Isolines && !this->Levels.IsEmpty();
-  style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // normals of the mesh are as they are
-  style.Smooth = style.What == Figure::Faces && !this->Normals.IsEmpty();
-  if (ofPoints)
-  {
-    style.Edges = style.Isolines = style.CutFaces = style.Smooth = false;
-  }
-  if (style.ValuesToEmphasize == Emphasis::Unacceptable)
-  {
-    const Criterion* criterion = FindCriterion(self->GetArrayName() ? self->GetArrayName() : "");
-    if (criterion && criterion->HasAcceptableRange())
-    {
-      std::copy_n(criterion->Acceptable, 2, style.AcceptableRange.begin());
-    }
-    else
-    {
-      style.ValuesToEmphasize = Emphasis::Nothing;
-    }
-  }
-  if (this->Values.IsEmpty())
-  {
-    style.ValuesToEmphasize = Emphasis::Nothing;
-    style.ColorBy = style.ColorsByDistance() ? style.ColorBy : Coloring::TransferFunction;
-  }
-  else if (style.ColorBy == Coloring::TwoColors && !style.CustomColorRange)
-  {
-    std::copy_n(self->GetLookupTable()->GetRange(), 2, style.ColorRange.begin());
-  }
-  return style;
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::Internals::Attach(
-  vtkShaderProgram* program, const char* name, const TextureBuffer& table)
-{
-  if (program->IsUniformUsed(name))
-  {
-    const int unit = this->Units->Allocate();
-    this->UsedUnits.push_back(unit);
-    table.Bind(unit);
-    program->SetUniformi(name, unit);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::Internals::Detach(vtkOpenGLState* state)
-{
-  for (const int unit : this->UsedUnits)
-  {
-    this->Units->Free(unit);
-  }
-  this->UsedUnits.clear();
-  state->ResetGLActiveTexture();
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::Internals::Release()
-{
-  if (this->OwnsMesh)
-  {
-    this->Mesh->Release();
-  }
-  this->Visible.Release();
-  this->Isosurface.Release();
-  this->Cut.Release();
-  this->Colors.Release();
-  this->Normals.Release();
-  this->Values.Release();
-  this->Levels.Release();
-  this->Looks.Release();
-  this->UploadedLooks = nullptr;
-  if (this->VertexArray)
-  {
-    glDeleteVertexArrays(1, &this->VertexArray);
-    this->VertexArray = 0;
-  }
-}
 
 //==============================================================================
 vtkMeshInspectionMapper::vtkMeshInspectionMapper()
@@ -390,7 +168,7 @@ void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
   if (self.Style.OnProcessor)
   {
     // Ray tracers look at the input only.
-    vtkPolyData* surface = self.Surface.Update(grid, self.Style);
+    vtkPolyData* surface = self.Processor.GetSurface(grid, self.Style);
     if (this->GetInput() != surface)
     {
       this->Superclass::SetInputDataObject(port, surface);
@@ -772,47 +550,16 @@ void vtkMeshInspectionMapper::SetCameraShaderParameters(
 //------------------------------------------------------------------------------
 void vtkMeshInspectionMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
-  if (!this->Internal->IsOnProcessor())
+  Internals& self = *this->Internal;
+  if (!self.IsOnProcessor())
   {
     this->Superclass::RenderPiece(renderer, actor);
   }
   // The graphics card may just have refused.
-  if (this->Internal->IsOnProcessor())
+  if (self.IsOnProcessor())
   {
-    this->DrawOnProcessor(renderer, actor);
+    self.Processor.Draw(renderer, actor, this, self.Grid, self.Style);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkMeshInspectionMapper::DrawOnProcessor(vtkRenderer* renderer, vtkActor* actor)
-{
-  Internals& self = *this->Internal;
-  vtkPolyData* surface = self.Surface.Update(self.Grid, self.Style);
-  if (surface->GetNumberOfCells() == 0)
-  {
-    return;
-  }
-  self.OfSurface->vtkMapper::ShallowCopy(this);
-  self.OfSurface->SetInputData(surface);
-  self.OfSurface->SetCellIdArrayName(CellIdsName);
-  self.OfSurface->SetPointIdArrayName(PointIdsName);
-  self.OfSurface->SetProcessIdArrayName(ProcessIdsName);
-  self.OfSurface->SetCompositeIdArrayName(BlockIdsName);
-
-  vtkProperty* property = self.SurfaceActor->GetProperty();
-  if (self.PropertyTime != actor->GetProperty()->GetMTime())
-  {
-    self.PropertyTime = actor->GetProperty()->GetMTime();
-    property->DeepCopy(actor->GetProperty());
-  }
-  property->SetEdgeVisibility(self.Style.Faces && self.Style.Edges);
-  self.SurfaceActor->SetUserMatrix(actor->GetMatrix());
-  self.SurfaceActor->SetPropertyKeys(actor->GetPropertyKeys());
-  if (self.SurfaceActor->GetMTime() < actor->GetMTime())
-  {
-    self.SurfaceActor->Modified(); // it does not see that its matrix changed
-  }
-  self.OfSurface->RenderPiece(renderer, self.SurfaceActor);
 }
 
 //------------------------------------------------------------------------------
@@ -912,7 +659,7 @@ void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
   }
   if (this->Internal->IsOnProcessor())
   {
-    this->Internal->OfSurface->ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+    this->Internal->Processor.GetMapper()->ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
     return;
   }
   switch (selector->GetCurrentPass())
@@ -937,6 +684,6 @@ void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
 void vtkMeshInspectionMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);
-  this->Internal->OfSurface->ReleaseGraphicsResources(window);
+  this->Internal->Processor.GetMapper()->ReleaseGraphicsResources(window);
   this->Internal->Release();
 }

@@ -79,7 +79,6 @@ private:
   vtkMeshInspectionMapper(const vtkMeshInspectionMapper&) = delete;
   void operator=(const vtkMeshInspectionMapper&) = delete;
 
-  void DrawOnProcessor(vtkRenderer* renderer, vtkActor* actor);
   void UpdateValues();
   void Draw(vtkRenderer* renderer, vtkActor* actor, int primitive, unsigned int mode,
     std::size_t numberOfVertices);

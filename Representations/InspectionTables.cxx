@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InspectionTables.h"
+
+#include "InspectionArrays.h"
+
+#include "Criteria/Criterion.h"
+
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkMapper.h"
+#include "vtkOpenGLState.h"
+#include "vtkPointData.h"
+#include "vtkProperty.h"
+#include "vtkScalarsToColors.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureUnitManager.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "OpenGL.h"
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+void InspectionTables::UpdateTables(bool isPicking)
+{
+  this->Mesh->Update();
+  this->IsListed = this->Style.DrawsFaces() && !this->Style.IsWholeSurface();
+  if (this->Style.What == Figure::Isosurfaces)
+  {
+    vtkDataArray* array = this->Grid->GetPointData()->GetArray(this->Style.IsosurfaceArray.c_str());
+    if (!this->Isosurface.Update(*this->Mesh, array, this->Style.IsosurfaceValues))
+    {
+      throw std::runtime_error("The graphics card makes no isosurfaces: " + this->Isosurface.GetError());
+    }
+    this->NumberOfTriangles = this->Isosurface.GetNumberOfTriangles();
+  }
+  else if (this->Style.What == Figure::Cap)
+  {
+    if (!this->Cut.Update(*this->Mesh, this->Style))
+    {
+      throw std::runtime_error("The graphics card refuses to cut: " + this->Cut.GetError());
+    }
+    this->NumberOfTriangles = 4 * this->Cut.GetNumberOfTetrahedra();
+  }
+  else if (this->IsListed)
+  {
+    if (!this->Visible.Update(*this->Mesh, this->Style))
+    {
+      throw std::runtime_error("The graphics card refuses to cut: " + this->Visible.GetError());
+    }
+    this->NumberOfTriangles = this->Visible.GetNumberOfTriangles();
+  }
+  else
+  {
+    this->Mesh->NeedFaces(false);
+    this->Mesh->NeedPoints();
+    this->Mesh->NeedMarks();
+    this->NumberOfTriangles = this->Mesh->GetNumberOfOuterTriangles();
+  }
+  if (this->Style.MovesCells())
+  {
+    this->Mesh->NeedCentroids();
+  }
+  if (isPicking)
+  {
+    this->Mesh->NeedOwners();
+  }
+  this->Levels.Update(this->Style.Isolines
+      ? this->Grid->GetPointData()->GetArray(this->Style.IsolineArray.c_str())
+      : nullptr);
+}
+
+//------------------------------------------------------------------------------
+// The mesh's own normals, as for Surface, or those of its outside.
+void InspectionTables::UpdateNormals(vtkProperty* property)
+{
+  const bool isOwn = this->Style.Smooth || this->Style.What == Figure::PointNormals;
+  vtkDataArray* given = isOwn ? nullptr : this->Grid->GetPointData()->GetNormals();
+  const bool isLit = property->GetInterpolation() != VTK_FLAT;
+  if (this->Style.What == Figure::PointNormals || (isLit && (this->Style.Smooth || given)))
+  {
+    this->Normals.Update(*this->Mesh, given);
+  }
+  else
+  {
+    this->Normals.Release();
+  }
+}
+
+//------------------------------------------------------------------------------
+// How the blocks look, if one looks unlike the mesh.
+vtkFloatArray* InspectionTables::GetLooks() const
+{
+  const bool isAlike = !this->Grid || this->Style.Glass || this->Style.DrawsNormals();
+  return isAlike
+    ? nullptr
+    : vtkFloatArray::SafeDownCast(this->Grid->GetFieldData()->GetArray(LeafLooksName));
+}
+
+//------------------------------------------------------------------------------
+void InspectionTables::UpdateLooks()
+{
+  vtkFloatArray* looks = this->GetLooks();
+  if (looks && looks != this->UploadedLooks)
+  {
+    this->Looks.Upload(looks->GetPointer(0), looks->GetNumberOfTuples());
+  }
+  this->UploadedLooks = looks;
+  if (looks)
+  {
+    this->Mesh->NeedLeaves();
+  }
+}
+
+//------------------------------------------------------------------------------
+InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPoints) const
+{
+  InspectionStyle style = this->Style;
+  style.HasLooks = this->UploadedLooks != nullptr;
+  style.Isolines = style.Isolines && !this->Levels.IsEmpty();
+  style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // normals of the mesh are as they are
+  style.Smooth = style.What == Figure::Faces && !this->Normals.IsEmpty();
+  if (ofPoints)
+  {
+    style.Edges = style.Isolines = style.CutFaces = style.Smooth = false;
+  }
+  if (style.ValuesToEmphasize == Emphasis::Unacceptable)
+  {
+    const Criterion* criterion = FindCriterion(mapper->GetArrayName() ? mapper->GetArrayName() : "");
+    if (criterion && criterion->HasAcceptableRange())
+    {
+      std::copy_n(criterion->Acceptable, 2, style.AcceptableRange.begin());
+    }
+    else
+    {
+      style.ValuesToEmphasize = Emphasis::Nothing;
+    }
+  }
+  if (this->Values.IsEmpty())
+  {
+    style.ValuesToEmphasize = Emphasis::Nothing;
+    style.ColorBy = style.ColorsByDistance() ? style.ColorBy : Coloring::TransferFunction;
+  }
+  else if (style.ColorBy == Coloring::TwoColors && !style.CustomColorRange)
+  {
+    std::copy_n(mapper->GetLookupTable()->GetRange(), 2, style.ColorRange.begin());
+  }
+  return style;
+}
+
+//------------------------------------------------------------------------------
+void InspectionTables::Attach(
+  vtkShaderProgram* program, const char* name, const TextureBuffer& table)
+{
+  if (program->IsUniformUsed(name))
+  {
+    const int unit = this->Units->Allocate();
+    this->UsedUnits.push_back(unit);
+    table.Bind(unit);
+    program->SetUniformi(name, unit);
+  }
+}
+
+//------------------------------------------------------------------------------
+void InspectionTables::Detach(vtkOpenGLState* state)
+{
+  for (const int unit : this->UsedUnits)
+  {
+    this->Units->Free(unit);
+  }
+  this->UsedUnits.clear();
+  state->ResetGLActiveTexture();
+}
+
+//------------------------------------------------------------------------------
+void InspectionTables::Release()
+{
+  if (this->OwnsMesh)
+  {
+    this->Mesh->Release();
+  }
+  this->Visible.Release();
+  this->Isosurface.Release();
+  this->Cut.Release();
+  this->Colors.Release();
+  this->Normals.Release();
+  this->Values.Release();
+  this->Levels.Release();
+  this->Looks.Release();
+  this->UploadedLooks = nullptr;
+  if (this->VertexArray)
+  {
+    glDeleteVertexArrays(1, &this->VertexArray);
+    this->VertexArray = 0;
+  }
+}
+}
