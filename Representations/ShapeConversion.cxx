@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ShapeConversion.h"
 
+#include "vtkHalfSpaces.h"
+
 #include "vtkAbstractTransform.h"
 #include "vtkBox.h"
 #include "vtkDataArray.h"
@@ -116,6 +118,12 @@ bool SetSphere(vtkSphere* sphere, ConvexShape& shape)
 //------------------------------------------------------------------------------
 std::string ConvertShape(vtkImplicitFunction* function, ConvexShape& shape)
 {
+  auto* halfSpaces = vtkHalfSpaces::SafeDownCast(function);
+  if (halfSpaces && halfSpaces->GetNumberOfNumbers() % 6 != 0)
+  {
+    return "Half Spaces: expected a multiple of 6 numbers, a point and a normal for each plane, found " +
+      std::to_string(halfSpaces->GetNumberOfNumbers()) + ".";
+  }
   ConvexShape converted;
   bool isValid = false;
   if (auto* sphere = vtkSphere::SafeDownCast(function))

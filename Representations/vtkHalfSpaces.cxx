@@ -12,20 +12,26 @@ vtkStandardNewMacro(vtkHalfSpaces);
 //------------------------------------------------------------------------------
 vtkHalfSpaces::vtkHalfSpaces()
 {
-  this->ClearPlanes();
+  this->ClearNumbers();
 }
 
 //------------------------------------------------------------------------------
-void vtkHalfSpaces::AddPlane(const double pointAndNormal[6])
+void vtkHalfSpaces::AddNumber(double number)
 {
-  this->Points->InsertNextPoint(pointAndNormal);
-  this->Normals->InsertNextTuple(pointAndNormal + 3);
+  this->Numbers.push_back(number);
+  if (this->Numbers.size() % 6 == 0)
+  {
+    const double* plane = &this->Numbers[this->Numbers.size() - 6];
+    this->Points->InsertNextPoint(plane);
+    this->Normals->InsertNextTuple(plane + 3);
+  }
   this->Modified();
 }
 
 //------------------------------------------------------------------------------
-void vtkHalfSpaces::ClearPlanes()
+void vtkHalfSpaces::ClearNumbers()
 {
+  this->Numbers.clear();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> normals;

@@ -11,6 +11,8 @@
 
 #include "vtkPlanes.h"
 
+#include <vector> // for the numbers
+
 class vtkHalfSpaces : public vtkPlanes
 {
 public:
@@ -18,9 +20,10 @@ public:
   vtkTypeMacro(vtkHalfSpaces, vtkPlanes);
 
   ///@{
-  /// A plane by a point of it and its normal, of any length, which points outward. Default: none.
-  void AddPlane(const double pointAndNormal[6]);
-  void ClearPlanes();
+  /// Six numbers are a plane: a point of it and its normal, of any length, which points outward. Default: none.
+  void AddNumber(double number);
+  void ClearNumbers();
+  std::size_t GetNumberOfNumbers() const { return this->Numbers.size(); }
   ///@}
 
 protected:
@@ -28,6 +31,8 @@ protected:
   ~vtkHalfSpaces() override = default;
 
 private:
+  std::vector<double> Numbers;
+
   vtkHalfSpaces(const vtkHalfSpaces&) = delete;
   void operator=(const vtkHalfSpaces&) = delete;
 };

@@ -95,7 +95,7 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
   // The default shape of an empty mesh, which has no bounds, and one without planes yet are nobody's fault.
   const bool isEmpty = this->Style.Bounds[0] > this->Style.Bounds[1];
   auto* planes = vtkHalfSpaces::SafeDownCast(this->CutFunction);
-  const bool isUnfinished = planes && planes->GetPoints()->GetNumberOfPoints() == 0;
+  const bool isUnfinished = planes && planes->GetNumberOfNumbers() == 0;
   if (!error.empty() && error != this->LastShapeError && !isEmpty && !isUnfinished)
   {
     vtkErrorWithObjectMacro(self, << error);

@@ -147,6 +147,11 @@ class TestMeshInspection(camaron_testing.TestCase):
             planes += [*high, *normal, *low, *(-value for value in normal)]
         display.CutShape.Planes = planes
         self.assertEqual(difference(boxed, picture(self.view)), 0)
+        # A row that is not complete is told, and nothing is cut by a shape that nobody meant.
+        display.CutShape.Planes = planes[:-1]
+        with camaron_testing.messages() as told:
+            self.assertEqual(difference(uncut, picture(self.view)), 0)
+        self.assertIn("a multiple of 6 numbers, a point and a normal for each plane, found 35", told())
 
     def test_unit_of_coordinates(self):
         """Edges and normals are the same in any unit, and far from the origin: squares of them would not fit float."""

@@ -15,6 +15,7 @@ A test is a script of unittest cases that ends with `camaron_testing.main()`:
         camaron_testing.main()
 """
 
+import contextlib
 import io
 import os
 import shutil
@@ -27,6 +28,7 @@ from pathlib import Path
 
 import numpy
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from camaron import pipeline
 
@@ -118,6 +120,17 @@ def run_command(*arguments, without=(), **options):
     return subprocess.run(
         command, capture_output=True, text=True, timeout=240, env=environment, **options
     )
+
+
+@contextlib.contextmanager
+def messages():
+    """What VTK says meanwhile, as a function that returns it."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    try:
+        yield window.GetOutput
+    finally:
+        vtkOutputWindow.SetInstance(before)
 
 
 def read_visf(path):
