@@ -23,6 +23,8 @@ def polyhedra():
 
 @camaron_testing.require_display()
 class TestExactCut(PictureTestCase):
+    color_range = (-1.0, 1.0)
+
     def heights(self, mesh, scale):
         """A linear array from -1 to 1."""
         end = numpy.array([3.0, 4.0, 5.0]) / 50**0.5 * scale

@@ -5,7 +5,7 @@
 import camaron_testing
 import gallery
 import numpy
-from inspection_testing import difference, make_view, picture, selected, turn
+from inspection_testing import PictureTestCase, difference, picture, selected, turn
 from mesh_parts import producer
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -47,26 +47,7 @@ def table_of(display, low, high):
 
 
 @camaron_testing.require_display()
-class TestInspectionModes(camaron_testing.TestCase):
-    def setUp(self):
-        super().setUp()
-        self.view = make_view()
-        self.addCleanup(simple.ResetSession)
-
-    def show(self, source, representation="Mesh Inspection", color=None, **properties):
-        """The picture of a source alone, and its display."""
-        simple.HideAll(self.view)
-        display = simple.Show(source, self.view)
-        display.SetRepresentationType(representation)
-        if color or display.ColorArrayName[1]:
-            simple.ColorBy(display, color)
-        if color:
-            display.SetScalarBarVisibility(self.view, False)
-        display.DrawEdges = 0
-        for name, value in properties.items():
-            setattr(display, name, value)
-        return display
-
+class TestInspectionModes(PictureTestCase):
     def show_too(self, source, representation="Mesh Inspection", **properties):
         """With what is shown already."""
         display = simple.Show(source, self.view)
@@ -74,14 +55,6 @@ class TestInspectionModes(camaron_testing.TestCase):
         display.DrawNormals, display.DrawPoints, display.DrawEdges = "None", 0, 0
         for name, value in properties.items():
             setattr(display, name, value)
-
-    def take(self):
-        turn(self.view)
-        return picture(self.view)
-
-    def same(self, one, other, tolerance=0.004):
-        self.assertLess(difference(one, other), tolerance)
-        self.assertGreater(difference(one, one * 0 + 255), 0.05)  # there is a mesh
 
     def elevation(self, mesh, low, high):
         """What Height and Depth do, as an array of the points on Surface."""

@@ -24,6 +24,8 @@ def polyhedra():
 
 @camaron_testing.require_display()
 class TestInspectionProcessor(PictureTestCase):
+    color_range = (-1.0, 1.0)
+
     def compare(self, mesh, tolerance=0.004, **properties):
         """Both pictures; the second one is made by the processor."""
         frame = simple.Outline(Input=mesh)

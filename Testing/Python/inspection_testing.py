@@ -82,30 +82,37 @@ def labels(view):
 class PictureTestCase(camaron_testing.TestCase):
     """Compares pictures of one source after the other in one view."""
 
+    #: The range of the transfer function of what is coloured; None: as ParaView chooses it.
+    color_range = None
+
     def setUp(self):
         super().setUp()
         self.view = make_view()
         self.addCleanup(simple.ResetSession)
 
     def show(self, source, representation="Mesh Inspection", color=None, **properties):
-        """Shows a source alone, coloured from -1 to 1, without edges unless they are asked for."""
+        """Shows a source alone, without edges unless they are asked for; its display."""
         simple.HideAll(self.view)
         display = simple.Show(source, self.view)
         display.SetRepresentationType(representation)
         if color or display.ColorArrayName[1]:
             simple.ColorBy(display, color)
         if color:
+            display.SetScalarBarVisibility(self.view, False)
+        if color and self.color_range:
             table = display.LookupTable
             table.AutomaticRescaleRangeMode, table.NumberOfTableValues = "Never", 1024
-            table.RescaleTransferFunction(-1.0, 1.0)
-            display.SetScalarBarVisibility(self.view, False)
+            table.RescaleTransferFunction(*self.color_range)
         display.DrawEdges = 0
         for name, value in properties.items():
             setattr(display, name, value)
         return display
 
-    def take(self, of):
-        """The picture of what is shown, with the camera that sees all of another source."""
+    def take(self, of=None):
+        """The picture of what is shown, with a camera that sees all of it, and of another source."""
+        if not of:
+            turn(self.view)
+            return picture(self.view)
         simple.Show(of, self.view)
         turn(self.view)
         camera = [list(self.view.CameraPosition), list(self.view.CameraFocalPoint)]
