@@ -19,8 +19,6 @@ namespace camaron
 {
 namespace
 {
-constexpr std::size_t FirstCapacity = 1 << 15; // rows
-
 //------------------------------------------------------------------------------
 // A linear function at the middle of a box, and how much it changes at most from there to its corners.
 struct Linear
@@ -99,10 +97,6 @@ bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
   {
     this->BlockBounds = FindBlockBounds(MeshView(mesh.GetGrid()));
   }
-  if (!this->Table.IsUploaded())
-  {
-    this->Table.Upload(nullptr, FirstCapacity);
-  }
   this->Program.Use();
   this->Program.SetTable("tetrahedronTable", mesh.Tetrahedra, 0);
   this->Program.SetTable("cellOfTetrahedronTable", mesh.CellsOfTetrahedra, 1);
@@ -111,37 +105,15 @@ bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
   this->Program.SetUniform("cellsToDraw", static_cast<int>(style.CellsToDraw));
   this->Program.SetUniform("cellsMove", request.CellsMove ? 1 : 0);
   this->Program.SetShape(ShapeUniforms(style.Shape, mesh.GetMiddle()));
-  const auto draw = [&] { this->Draw(mesh, style); };
-  std::size_t rows = this->Program.Run(this->Table, draw);
-  if (rows > this->Table.GetNumberOfRows())
-  {
-    this->Table.Upload(nullptr, rows + rows / 8);
-    rows = this->Program.Run(this->Table, draw);
-  }
-  this->NumberOfTetrahedra = rows;
+  this->NumberOfTetrahedra = this->Program.RunToEnd(this->Table,
+    [&]
+    {
+      this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(),
+        [&](std::size_t block)
+        { return request.CellsMove || MayCross(style.Shape, this->BlockBounds[block]); });
+    });
   this->Last = request;
   return true;
-}
-
-//------------------------------------------------------------------------------
-// Neighbouring blocks that may be cut are drawn together.
-void CutTetrahedra::Draw(const InspectionMesh& mesh, const InspectionStyle& style) const
-{
-  const std::vector<std::uint32_t>& starts = mesh.GetTetrahedronBlocks();
-  const auto isWanted = [&](std::size_t block)
-  { return style.MovesCells() || MayCross(style.Shape, this->BlockBounds[block]); };
-  for (std::size_t block = 0; block < this->BlockBounds.size(); ++block)
-  {
-    const std::size_t first = block;
-    while (block < this->BlockBounds.size() && isWanted(block))
-    {
-      ++block;
-    }
-    if (block > first)
-    {
-      this->Program.Draw(starts[first], starts[block] - starts[first]);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

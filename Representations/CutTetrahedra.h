@@ -38,8 +38,6 @@ public:
   void Release();
 
 private:
-  void Draw(const InspectionMesh& mesh, const InspectionStyle& style) const;
-
   struct Request
   {
     int Version = -1;

@@ -122,6 +122,44 @@ std::size_t FeedbackProgram::Run(std::size_t numberOfPoints, TextureBuffer& outp
 }
 
 //------------------------------------------------------------------------------
+std::size_t FeedbackProgram::RunToEnd(
+  TextureBuffer& output, const std::function<void()>& draw) const
+{
+  constexpr std::size_t FirstCapacity = 1 << 15; // rows
+  if (!output.IsUploaded())
+  {
+    output.Upload(nullptr, FirstCapacity);
+  }
+  std::size_t rows = this->Run(output, draw);
+  if (rows > output.GetNumberOfRows())
+  {
+    output.Upload(nullptr, rows + rows / 8);
+    rows = this->Run(output, draw);
+  }
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+void FeedbackProgram::DrawBlocks(const std::vector<std::uint32_t>& starts,
+  const std::function<bool(std::size_t block)>& isWanted) const
+{
+  const std::size_t numberOfBlocks = starts.empty() ? 0 : starts.size() - 1;
+  for (std::size_t block = 0; block < numberOfBlocks; ++block)
+  {
+    const std::size_t first = block;
+    while (block < numberOfBlocks && isWanted(block))
+    {
+      ++block;
+    }
+    if (block > first)
+    {
+      this->Draw(starts[first], starts[block] - starts[first]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The number of rows that there would be if the output had room for them.
 std::size_t FeedbackProgram::Run(TextureBuffer& output, const std::function<void()>& draw) const
 {
   GLuint rows = 0;

@@ -12,8 +12,10 @@
 #define camaron_FeedbackProgram_h
 
 #include <cstddef>    // for counts
+#include <cstdint>    // for where blocks begin
 #include <functional> // for what is drawn
 #include <string>     // for errors
+#include <vector>     // for where blocks begin
 
 namespace camaron
 {
@@ -53,15 +55,20 @@ public:
   std::size_t Run(std::size_t numberOfPoints, TextureBuffer& output) const;
 
   /**
-   * The same for all points that @a draw draws, which calls Draw and may set uniforms between.
-   * @return the number of rows that there would be if @a output had room for them
+   * The same for all points that @a draw draws, which calls DrawBlocks and may set uniforms between. When
+   * @a output has no room for all rows it gets more, and @a draw is called once more.
    */
-  std::size_t Run(TextureBuffer& output, const std::function<void()>& draw) const;
-  void Draw(std::size_t firstPoint, std::size_t numberOfPoints) const;
+  std::size_t RunToEnd(TextureBuffer& output, const std::function<void()>& draw) const;
+  /// @param starts where the points of each block begin, and the end; those of wanted neighbours are drawn together
+  void DrawBlocks(const std::vector<std::uint32_t>& starts,
+    const std::function<bool(std::size_t block)>& isWanted) const;
 
   void Release();
 
 private:
+  std::size_t Run(TextureBuffer& output, const std::function<void()>& draw) const;
+  void Draw(std::size_t firstPoint, std::size_t numberOfPoints) const;
+
   unsigned int Program = 0;
   unsigned int VertexArray = 0;
   unsigned int Query = 0;

@@ -13,15 +13,8 @@
 #include "vtkDataArray.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <algorithm>
-
 namespace camaron
 {
-namespace
-{
-constexpr std::size_t FirstCapacity = 1 << 15; // rows
-}
-
 //------------------------------------------------------------------------------
 bool Isosurfaces::Update(
   InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues)
@@ -50,23 +43,13 @@ bool Isosurfaces::Update(
   {
     this->UpdateValues(mesh, array);
   }
-  if (!this->Table.IsUploaded())
-  {
-    this->Table.Upload(nullptr, FirstCapacity);
-  }
   this->Program.Use();
   this->Program.SetTable("tetrahedronTable", mesh.Tetrahedra, 0);
   this->Program.SetTable("cellOfTetrahedronTable", mesh.CellsOfTetrahedra, 1);
   this->Program.SetTable("markTable", mesh.Marks, 2);
   this->Program.SetTable("valueTable", this->Values, 3);
-  const auto draw = [&] { this->Draw(mesh, isovalues); };
-  std::size_t rows = this->Program.Run(this->Table, draw);
-  if (rows > this->Table.GetNumberOfRows())
-  {
-    this->Table.Upload(nullptr, rows + rows / 8);
-    rows = this->Program.Run(this->Table, draw);
-  }
-  this->NumberOfTriangles = rows / 3;
+  this->NumberOfTriangles =
+    this->Program.RunToEnd(this->Table, [&] { this->Draw(mesh, isovalues); }) / 3;
   this->Isovalues = isovalues;
   return true;
 }
@@ -83,28 +66,15 @@ void Isosurfaces::UpdateValues(InspectionMesh& mesh, vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-// Neighbouring blocks that the value meets are drawn together.
 void Isosurfaces::Draw(const InspectionMesh& mesh, const std::vector<double>& isovalues) const
 {
-  const std::vector<std::uint32_t>& starts = mesh.GetTetrahedronBlocks();
   for (const double isovalue : isovalues)
   {
     const auto value = static_cast<float>(isovalue);
     this->Program.SetUniform("isovalue", value);
-    const auto isMet = [&](std::size_t block)
-    { return this->BlockRanges[block][0] < value && this->BlockRanges[block][1] >= value; };
-    for (std::size_t block = 0; block < this->BlockRanges.size(); ++block)
-    {
-      if (isMet(block))
-      {
-        const std::size_t first = block;
-        while (block < this->BlockRanges.size() && isMet(block))
-        {
-          ++block;
-        }
-        this->Program.Draw(starts[first], starts[block] - starts[first]);
-      }
-    }
+    this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(),
+      [&](std::size_t block)
+      { return this->BlockRanges[block][0] < value && this->BlockRanges[block][1] >= value; });
   }
 }
 

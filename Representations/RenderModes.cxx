@@ -10,6 +10,7 @@
 #include "GlassGLSL.h"
 #include "IsolinesGLSL.h"
 #include "InShapeGLSL.h"
+#include "InputsGLSL.h"
 #include "PropertyGLSL.h"
 #include "RampGLSL.h"
 #include "ShapeUniforms.h"
@@ -115,7 +116,7 @@ const std::vector<RenderMode>& GetRenderModes()
   using Style = InspectionStyle;
   using Context = RenderContext;
   static const std::string cutExactly = std::string(InShapeGLSL) + CutExactlyGLSL;
-  static const std::string cap = std::string(InShapeGLSL) + CapGLSL;
+  static const std::string cap = std::string(InShapeGLSL) + InputsGLSL + CapGLSL;
   static const std::vector<RenderMode> modes = {
     { [](const Style& style)
       {

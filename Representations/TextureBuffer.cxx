@@ -62,9 +62,11 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   if (isNew)
   {
+    GLint bound = 0; // to the current unit, by a program that is about to run
+    glGetIntegerv(GL_TEXTURE_BINDING_BUFFER, &bound);
     glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
     glTexBuffer(GL_TEXTURE_BUFFER, format.Name, this->Buffer);
-    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    glBindTexture(GL_TEXTURE_BUFFER, static_cast<GLuint>(bound));
   }
   this->NumberOfRows = numberOfRows;
 }

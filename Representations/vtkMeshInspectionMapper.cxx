@@ -6,6 +6,7 @@
 #include "DistanceRamp.h"
 #include "FacesVS.h"
 #include "InspectionArrays.h"
+#include "InputsGLSL.h"
 #include "InspectionTables.h"
 #include "MeshMatrices.h"
 #include "NormalLinesVS.h"
@@ -78,7 +79,8 @@ void PutOnCap(std::string& fragment)
     "bool isHit = findHit();\n"
     "  vec4 vertexVC = MCVCMatrix * vec4(hitPlace, 1.0);\n"
     "  vec4 hitDC = MCDCMatrix * vec4(hitPlace, 1.0);\n"
-    "  findInputs();\n");
+    "  findInputs(vec4(hitPlace, 1.0));\n"
+    "  findLines();\n");
   replace("Depth::Impl",
     "if (!isHit || abs(hitDC.z) > hitDC.w) { discard; }\n"
     "  gl_FragDepth = 0.5 * hitDC.z / hitDC.w + 0.5;\n");
@@ -398,6 +400,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
   std::string vertex = self.Style.DrawsNormals() ? NormalLinesVS : isCap ? CapVS : FacesVS;
   vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
   vtkShaderProgram::Substitute(vertex, "//Camaron::Place", PlaceGLSL);
+  vtkShaderProgram::Substitute(vertex, "//Camaron::Inputs", InputsGLSL);
   shaders[vtkShader::Vertex]->SetSource(vertex);
   shaders[vtkShader::Geometry]->SetSource("");
 

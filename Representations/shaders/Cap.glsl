@@ -1,5 +1,5 @@
 // Where the line of sight meets the boundary of the shape, and what there is in the tetrahedron at that place.
-// (InShape.glsl and the modes, whose inputs this finds, go before.)
+// (InShape.glsl, the modes and Inputs.glsl go before.)
 flat in uvec4 corners;
 flat in uint walls;
 flat in vec3 firstCorner;
@@ -10,18 +10,6 @@ uniform int keepInside;
 uniform mat4 MCDCMatrix;
 uniform mat4 MCVCMatrix;
 uniform mat3 normalMatrix;
-#if defined(HAS_POINT_COLORS) || defined(HAS_COLOR_COORDINATES)
-uniform samplerBuffer colorTable;
-#endif
-#ifdef HAS_POINT_VALUES
-uniform samplerBuffer valueTable;
-#endif
-#ifdef HAS_DISTANCE
-uniform vec4 distanceRamp;
-#endif
-#ifdef HAS_ISOLINES
-uniform samplerBuffer levelTable;
-#endif
 
 vec3 hitPlace;
 vec3 hitNormal;
@@ -82,7 +70,7 @@ bool findHit()
     all(greaterThanEqual(hitWeights, vec4(-1.0e-4)));
 }
 
-vec4 ofCorners(samplerBuffer table)
+vec4 ofPlace(samplerBuffer table)
 {
   vec4 sum = vec4(0.0);
   for (int i = 0; i < 4; ++i)
@@ -92,23 +80,8 @@ vec4 ofCorners(samplerBuffer table)
   return sum;
 }
 
-void findInputs()
+void findLines()
 {
-#ifdef HAS_POINT_COLORS
-  colorOfPoint = ofCorners(colorTable);
-#endif
-#ifdef HAS_COLOR_COORDINATES
-  colorTCoordVCVSOutput = ofCorners(colorTable).xy;
-#endif
-#ifdef HAS_POINT_VALUES
-  valueOfPoint = ofCorners(valueTable).x;
-#endif
-#ifdef HAS_DISTANCE
-  distancePart = dot(distanceRamp, vec4(hitPlace, 1.0));
-#endif
-#ifdef HAS_ISOLINES
-  level = ofCorners(levelTable).x;
-#endif
 #ifdef HAS_LINES
   // The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels.
   vec4 rates = sqrt(dFdx(hitWeights) * dFdx(hitWeights) + dFdy(hitWeights) * dFdy(hitWeights));

@@ -1,6 +1,7 @@
 //VTK::System::Dec
 //Camaron::Defines
 //Camaron::Place
+//Camaron::Inputs
 
 // Vertices of the triangles in the list of visible ones. There are no vertex attributes: everything is read
 // from tables by gl_VertexID.
@@ -14,26 +15,10 @@ uniform usamplerBuffer faceTable;     // the two cells of a face
 uniform usamplerBuffer markTable;     // bits of a cell: 1 ghost, 2 hidden, 4 selected
 uniform int isListed;                 // 0: all triangles that are stored are visible
 
-#ifdef HAS_POINT_COLORS
-uniform samplerBuffer colorTable;
-out vec4 colorOfPoint;
-#endif
-#ifdef HAS_COLOR_COORDINATES
-uniform samplerBuffer colorTable;
-out vec2 colorTCoordVCVSOutput;
-#endif
 #ifdef HAS_LOOKS
 uniform usamplerBuffer leafTable; // the block of a cell
 uniform samplerBuffer lookTable;  // colour or below 0, opacity or below 0, of every block
 flat out vec4 lookOfBlock;
-#endif
-#ifdef HAS_POINT_VALUES
-uniform samplerBuffer valueTable;
-out float valueOfPoint;
-#endif
-#ifdef HAS_DISTANCE
-uniform vec4 distanceRamp;
-out float distancePart;
 #endif
 #ifdef HAS_NORMALS
 uniform samplerBuffer normalTable;
@@ -44,10 +29,6 @@ out vec3 normalOfCorners;
 #ifdef HAS_LINES
 uniform vec2 viewportSize;
 flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
-#endif
-#ifdef HAS_ISOLINES
-uniform samplerBuffer levelTable;
-out float level;
 #endif
 #ifdef IS_PICKING
 uniform usamplerBuffer ownerTable; // process and block of a cell
@@ -99,13 +80,11 @@ uint firstPoint;
 uint secondPoint;
 float between;
 
-#if defined(HAS_POINT_COLORS) || defined(HAS_COLOR_COORDINATES) || defined(HAS_POINT_VALUES) || defined(HAS_ISOLINES)
-vec4 ofPoint(samplerBuffer table)
+vec4 ofPlace(samplerBuffer table)
 {
   vec4 first = texelFetch(table, int(firstPoint));
   return between == 0.0 ? first : mix(first, texelFetch(table, int(secondPoint)), between);
 }
-#endif
 
 void main()
 {
@@ -140,21 +119,7 @@ void main()
 #ifdef HAS_LOOKS
   lookOfBlock = texelFetch(lookTable, int(texelFetch(leafTable, int(cell)).x));
 #endif
-#ifdef HAS_POINT_COLORS
-  colorOfPoint = ofPoint(colorTable);
-#endif
-#ifdef HAS_COLOR_COORDINATES
-  colorTCoordVCVSOutput = ofPoint(colorTable).xy;
-#endif
-#ifdef HAS_POINT_VALUES
-  valueOfPoint = ofPoint(valueTable).x;
-#endif
-#ifdef HAS_DISTANCE
-  distancePart = dot(distanceRamp, vertexMC);
-#endif
-#ifdef HAS_ISOLINES
-  level = ofPoint(levelTable).x;
-#endif
+  findInputs(vertexMC);
 #ifdef HAS_NORMALS
   vec3 origin = texelFetch(pointTable, int(triangle[0])).xyz;
   vec3 flatNormal = normalize(cross(normalize(texelFetch(pointTable, int(triangle[1])).xyz - origin),
