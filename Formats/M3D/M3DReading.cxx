@@ -36,10 +36,16 @@ struct NodeRow
 //------------------------------------------------------------------------------
 bool ReadNode(TextRow& row, M3DDialect dialect, NodeRow& node)
 {
-  if (dialect != M3DDialect::MVM &&
-    (!row.ReadInteger(node.Code, "the code of a node") || node.Code != static_cast<int>(node.Code)))
+  if (dialect != M3DDialect::MVM)
   {
-    return row.FailAt(row.GetPosition(), ErrorKind::Syntax, "a code of a node below 2147483648");
+    if (!row.ReadInteger(node.Code, "the code of a node"))
+    {
+      return false;
+    }
+    if (node.Code != static_cast<int>(node.Code))
+    {
+      return row.FailAtLast(ErrorKind::Syntax, "a code of a node of 32 bits");
+    }
   }
   return row.ReadPoint(node.Position, "a coordinate of a node") &&
     ((node.Code != 2 && node.Code != 3) ||

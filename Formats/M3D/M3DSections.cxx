@@ -73,7 +73,8 @@ bool ReadHeading(TextScanner& scanner, M3DDialect& dialect, OtherSections& other
   }
   scanner.SetPosition(begin);
   std::string_view word;
-  if (scanner.SkipSpace() && scanner.ReadWord(word, "") && word == "MIXED")
+  if (scanner.SkipSpace() && scanner.ReadWord(word, "") && word.size() == 5 &&
+    BeginsWith(word.data(), word.data() + word.size(), "mixed"))
   {
     dialect = M3DDialect::MVM;
     return true;

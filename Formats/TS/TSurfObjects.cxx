@@ -152,22 +152,40 @@ private:
         properties.emplace_back();
         properties.back().Name = name.c_str(); // arrays have names without zero bytes
       }
+      return this->ReadEach(this->Sizes, &Preamble::ReadSize) &&
+        this->ReadEach(this->NoData, &Preamble::ReadNoData);
     }
-    else if (keyword == "ESIZES" || keyword == "NO_DATA_VALUES")
+    else if (keyword == "ESIZES")
     {
-      const char* const end = rest.data() + rest.size();
-      this->Scanner.SetPosition(rest.data());
-      for (std::size_t i = 0; i < properties.size(); ++i)
+      this->Sizes = rest;
+      return this->ReadEach(rest, &Preamble::ReadSize);
+    }
+    else if (keyword == "NO_DATA_VALUES")
+    {
+      this->NoData = rest;
+      return this->ReadEach(rest, &Preamble::ReadNoData);
+    }
+    return true;
+  }
+
+  /// Takes a word of the line for every property that is known by now.
+  bool ReadEach(std::string_view words, bool (Preamble::*read)(TSurfProperty&))
+  {
+    if (words.empty())
+    {
+      return true;
+    }
+    this->Scanner.SetPosition(words.data());
+    for (TSurfProperty& property : this->Object.Properties)
+    {
+      TextRow row(this->Scanner);
+      if (this->Scanner.GetPosition() >= words.data() + words.size() || !row.HasMore())
       {
-        TextRow row(this->Scanner);
-        if (this->Scanner.GetPosition() >= end || !row.HasMore())
-        {
-          break; // the others are as usual
-        }
-        if (keyword == "ESIZES" ? !this->ReadSize(properties[i]) : !this->ReadNoData(properties[i]))
-        {
-          return false;
-        }
+        break; // the others are as usual
+      }
+      if (!(this->*read)(property))
+      {
+        return false;
       }
     }
     return true;
@@ -194,6 +212,7 @@ private:
 
   TextScanner& Scanner;
   TSurfObject& Object;
+  std::string_view Sizes, NoData; ///< what the lines of these say, which may come before the names
   bool IsInBraces = false;
   bool IsHeader = false;
 };

@@ -108,25 +108,20 @@ bool TSurfValues::MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoin
 //------------------------------------------------------------------------------
 // Calls take(array, component, value) for the values of a row. Anything but a number ends them.
 template <typename Take>
-bool TSurfValues::ReadProperties(TextRow& row, std::size_t object, bool& isShort, Take&& take) const
+bool TSurfValues::ReadProperties(TextRow& row, std::size_t object, Fit& fit, Take&& take) const
 {
+  constexpr std::string_view Control = "CNXYZ"; // a vertex that stays where it is
+  std::string_view word;
+  double value;
   const std::vector<TSurfProperty>& properties = this->Objects[object].Properties;
   const std::vector<std::size_t>& arrays = this->ArraysOfObjects[object];
   for (std::size_t p = 0; p < arrays.size(); ++p)
   {
     for (int c = 0; c < properties[p].Size; ++c)
     {
-      constexpr std::string_view Control = "CNXYZ"; // a vertex that stays where it is
-      std::string_view word;
-      if (!row.HasMore())
+      if (!row.HasMore() || !row.ReadWord(word, Value) || word == Control)
       {
-        isShort = true;
-        return true;
-      }
-      double value;
-      if (!row.ReadWord(word, Value) || word == Control)
-      {
-        isShort = true;
+        fit = Fit::Short;
         return true;
       }
       const char* const end = word.data() + word.size();
@@ -138,13 +133,18 @@ bool TSurfValues::ReadProperties(TextRow& row, std::size_t object, bool& isShort
       take(arrays[p], c, isNone ? std::numeric_limits<double>::quiet_NaN() : value);
     }
   }
+  if (row.HasMore() && row.ReadWord(word, Value) &&
+    ParseReal(word.data(), word.data() + word.size(), value) == word.data() + word.size())
+  {
+    fit = Fit::Long;
+  }
   return true;
 }
 
 //------------------------------------------------------------------------------
 // Any vertex or atom; -1 for a point that the piece does not have.
 bool TSurfValues::ReadVertex(
-  TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, bool& isShort)
+  TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, Fit& fit)
 {
   std::int64_t id;
   if (!row.ReadInteger(id, VertexId))
@@ -171,7 +171,7 @@ bool TSurfValues::ReadVertex(
   {
     return true;
   }
-  return this->ReadProperties(row, object, isShort,
+  return this->ReadProperties(row, object, fit,
     [this, point](std::size_t array, int component, double value)
     {
       if (point >= 0)
@@ -187,7 +187,7 @@ const char* TSurfValues::ReadChunk(
   const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellPiece& piece)
 {
   const TSurfRecords::Chunk& next = *(&chunk + 1);
-  vtkIdType record = chunk.Records, point = chunk.Points, shortRecords = 0;
+  vtkIdType record = chunk.Records, point = chunk.Points, shortRecords = 0, longRecords = 0;
   const char* const wrong = TSurfRecords::ForEachLine(chunk,
     [&](TSurfLine what, TextRow& row, const char*)
     {
@@ -202,8 +202,8 @@ const char* TSurfValues::ReadChunk(
         return false; // the file was changed since they were counted
       }
       const vtkIdType local = isAtom ? -1 : piece.FindPoint(point);
-      bool isShort = false;
-      if (!this->ReadVertex(row, what, chunk.Object, local, isShort))
+      Fit fit = Fit::Exact;
+      if (!this->ReadVertex(row, what, chunk.Object, local, fit))
       {
         return false;
       }
@@ -211,12 +211,14 @@ const char* TSurfValues::ReadChunk(
       {
         this->Ids[local] = records.GetId(record);
       }
-      shortRecords += isShort;
+      shortRecords += fit == Fit::Short;
+      longRecords += fit == Fit::Long;
       point += !isAtom;
       ++record;
       return true;
     });
   this->Short += shortRecords;
+  this->Long += longRecords;
   return wrong;
 }
 
@@ -238,10 +240,11 @@ void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellPiece& piece)
       ReadKeyword(text, line.End);
       TextRow row(text, line.End, '#');
       std::int64_t id;
-      bool isShort = false, isOther = false;
+      Fit fit;
+      bool isOther = false;
       row.ReadInteger(id, VertexId);
       row.ReadInteger(id, VertexId);
-      this->ReadProperties(row, chunk.Object, isShort,
+      this->ReadProperties(row, chunk.Object, fit,
         [&](std::size_t array, int component, double value)
         {
           Array& to = this->Arrays[array];
@@ -274,8 +277,8 @@ bool TSurfValues::Read(TSurfRecords& records, const CellPiece& piece, const Prog
       {
         ++object;
       }
-      bool isShort;
-      this->ReadVertex(row, what, object, -1, isShort);
+      Fit fit;
+      this->ReadVertex(row, what, object, -1, fit);
     });
   if (good)
   {
@@ -291,6 +294,11 @@ void TSurfValues::Warn(Warnings& warnings) const
   {
     warnings.Add(
       "vertices with fewer values than there are properties: " + std::to_string(this->Short));
+  }
+  if (this->Long > 0)
+  {
+    warnings.Add("vertices with more values than there are properties, which are left out: " +
+      std::to_string(this->Long));
   }
   if (this->Conflicts > 0)
   {

@@ -48,9 +48,16 @@ private:
   bool MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints);
   // An array of that name and size, which objects share, but none that this object has used already.
   std::size_t FindArray(const TSurfProperty& property, const std::vector<std::size_t>& used);
+  /// Whether a record has as many values as there are properties.
+  enum class Fit
+  {
+    Exact,
+    Short,
+    Long
+  };
   template <typename Take>
-  bool ReadProperties(TextRow& row, std::size_t object, bool& isShort, Take&& take) const;
-  bool ReadVertex(TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, bool& isShort);
+  bool ReadProperties(TextRow& row, std::size_t object, Fit& fit, Take&& take) const;
+  bool ReadVertex(TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, Fit& fit);
   const char* ReadChunk(
     const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellPiece& piece);
   void ReadAtoms(const TSurfRecords& records, const CellPiece& piece);
@@ -62,6 +69,7 @@ private:
   std::vector<Array> Arrays;
   std::vector<std::vector<std::size_t>> ArraysOfObjects; ///< one for each property
   std::atomic<vtkIdType> Short{ 0 }; ///< records with fewer values than properties
+  std::atomic<vtkIdType> Long{ 0 };  ///< records with more
   vtkIdType Conflicts = 0;           ///< atoms with other values than their vertex
 };
 }

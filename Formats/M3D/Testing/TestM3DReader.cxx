@@ -192,6 +192,7 @@ TEST(M3DReader, ReadsMVM)
   const Result result = ReadBytes("MIXED\n6 4\n\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 1\n0 1 1\nR6 0 1 "
                                   "2 3 4 5\nT 0 1 2\nQ 0 1 4 3\nT 0 1 2 3\n");
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+  EXPECT_EQ(ReadBytes("Mixed 1 0\n0 0 0\n").Grid->GetNumberOfPoints(), 1);
   ASSERT_EQ(result.Grid->GetNumberOfCells(), 4);
   EXPECT_EQ(GetVolumes(result.Grid)[0], 0.5);
   EXPECT_EQ(result.Grid->GetCellType(1), VTK_TRIANGLE);

@@ -233,6 +233,27 @@ TEST(TSReader, WarnsOfOddThings)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, values get lost without a word.
+TEST(TSReader, KeepsEveryValue)
+{
+  const Result early = ReadBytes("GOCAD TSurf 1\nNO_DATA_VALUES -1 -2\nESIZES 1 2\nPROPERTIES a b\n"
+                                 "PVRTX 1 0 0 0 5 6 7\nPVRTX 2 1 0 0 -1 -1 -2 CNXYZ\nEND\n");
+  ASSERT_TRUE(early.Errors.empty()) << early.Errors[0];
+  EXPECT_TRUE(early.Warnings.empty());
+  ASSERT_EQ(GetPointArray(early, "b")->GetNumberOfComponents(), 2);
+  EXPECT_EQ(GetPointArray(early, "b")->GetComponent(0, 1), 7);
+  EXPECT_TRUE(std::isnan(GetPointArray(early, "a")->GetComponent(1, 0)));
+  EXPECT_TRUE(std::isnan(GetPointArray(early, "b")->GetComponent(1, 1)));
+
+  const Result more =
+    ReadBytes("GOCAD TSurf 1\nPROPERTIES a\nPVRTX 1 0 0 0 5 6\nPVRTX 2 1 0 0 5\nEND\n");
+  ASSERT_EQ(more.Warnings.size(), 1u);
+  EXPECT_NE(
+    more.Warnings[0].find("more values than there are properties, which are left out: 1"),
+    std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, an array without a name is made, which ParaView does not show.
 TEST(TSReader, NamesEveryArray)
 {
