@@ -3,19 +3,16 @@
 #include "MeshInput.h"
 
 #include "Mesh/MeshView.h"
+#include "Mesh/PointSetHulls.h"
 
 #include "vtkAppendFilter.h"
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
-
 
 namespace camaron
 {
@@ -33,51 +30,6 @@ bool HasCellsOfType(vtkUnstructuredGrid* grid, unsigned char type)
     }
   }
   return false;
-}
-
-//------------------------------------------------------------------------------
-// Gives convex point sets the faces of their hull, as VTK finds them. Rare cells, so clarity first.
-vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid)
-{
-  vtkNew<vtkCellArray> connectivity, faces, locations;
-  vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkGenericCell> cell;
-  vtkNew<vtkIdList> points;
-  vtkNew<vtkCellArray> cellFaces;
-  for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
-  {
-    const int type = grid->GetCellType(id);
-    grid->GetCellPoints(id, points);
-    connectivity->InsertNextCell(points);
-    locations->InsertNextCell(0);
-    if (type == VTK_CONVEX_POINT_SET)
-    {
-      grid->GetCell(id, cell);
-      const int numberOfFaces = cell->GetNumberOfFaces();
-      for (int f = 0; f < numberOfFaces; ++f)
-      {
-        locations->InsertCellPoint(faces->InsertNextCell(cell->GetFace(f)->GetPointIds()));
-      }
-      locations->UpdateCellCount(numberOfFaces);
-    }
-    else if (type == VTK_POLYHEDRON)
-    {
-      grid->GetPolyhedronFaces(id, cellFaces);
-      for (vtkIdType f = 0; f < cellFaces->GetNumberOfCells(); ++f)
-      {
-        cellFaces->GetCellAtId(f, points);
-        locations->InsertCellPoint(faces->InsertNextCell(points));
-      }
-      locations->UpdateCellCount(static_cast<int>(cellFaces->GetNumberOfCells()));
-    }
-    types->InsertNextValue(static_cast<unsigned char>(type));
-  }
-  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  result->SetPoints(grid->GetPoints());
-  result->SetPolyhedralCells(types, connectivity, locations, faces);
-  result->GetCellData()->ShallowCopy(grid->GetCellData());
-  result->GetPointData()->ShallowCopy(grid->GetPointData());
-  return result;
 }
 
 //------------------------------------------------------------------------------
@@ -135,11 +87,7 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    if (HasCellsOfType(grid, VTK_CONVEX_POINT_SET))
-    {
-      return WithHulls(grid);
-    }
-    return data;
+    return WithHulls(grid, VTK_CONVEX_POINT_SET);
   }
   if (vtkPolyData::SafeDownCast(data))
   {

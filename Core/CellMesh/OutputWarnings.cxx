@@ -83,6 +83,12 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
 }
 
 //------------------------------------------------------------------------------
+std::string DescribeArray(vtkAbstractArray* array)
+{
+  return array->GetName() && *array->GetName() ? array->GetName() : "an array without name";
+}
+
+//------------------------------------------------------------------------------
 void WarnOfArrays(
   vtkDataSet* mesh, const char* format, Warnings& warnings, const std::vector<std::string>& written)
 {
@@ -93,7 +99,7 @@ void WarnOfArrays(
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
-      const std::string name = array->GetName() ? array->GetName() : "without name";
+      const std::string name = DescribeArray(array);
       const vtkAbstractArray* globalIds = data->GetGlobalIds();
       if (array != globalIds && name != vtkDataSetAttributes::GhostArrayName() &&
         std::find(written.begin(), written.end(), name) == written.end())

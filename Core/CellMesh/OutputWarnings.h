@@ -12,11 +12,15 @@
 #include <string> // for names
 #include <vector> // for names
 
+class vtkAbstractArray;
 class vtkDataArray;
 class vtkDataSet;
 
 namespace camaron
 {
+/// The name of an array, or words for one without.
+std::string DescribeArray(vtkAbstractArray* array);
+
 /**
  * Warns of arrays of points and cells that are not written, except those for VTK's own use (global
  * ids, ghosts).

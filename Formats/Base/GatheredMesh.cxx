@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GatheredMesh.h"
 
+#include "PartialArrays.h"
 #include "Mesh/MeshView.h"
 #include "Scan/Buffer.h"
 #include "Scan/ScanError.h"
@@ -111,7 +112,7 @@ public:
   /// Places where some piece has several points, and others have some, too.
   vtkIdType GetNumberOfUnclearPlaces() const { return this->NumberOfUnclearPlaces; }
 
-  vtkSmartPointer<vtkUnstructuredGrid> Merge() const
+  vtkSmartPointer<vtkUnstructuredGrid> Merge(Warnings& warnings) const
   {
     auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
     const Sizes sizes = this->Measure();
@@ -125,7 +126,7 @@ public:
       this->MergeCells<vtkTypeInt64>(sizes, grid);
     }
     this->MergePoints(grid);
-    this->MergeArrays(grid);
+    this->MergeArrays(grid, warnings);
     return grid;
   }
 
@@ -143,7 +144,7 @@ private:
   template <typename Id>
   void MergeCells(const Sizes& sizes, vtkUnstructuredGrid* grid) const;
   void MergePoints(vtkUnstructuredGrid* grid) const;
-  void MergeArrays(vtkUnstructuredGrid* grid) const;
+  void MergeArrays(vtkUnstructuredGrid* grid, Warnings& warnings) const;
 
   /// Calls @a visit(piece, cell) for the cells that stay, in their order.
   template <typename Visit>
@@ -577,7 +578,7 @@ void RestoreOrder(vtkDataSetAttributes* data, vtkDataSetAttributes* model)
 }
 
 //------------------------------------------------------------------------------
-void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid) const
+void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid, Warnings& warnings) const
 {
   vtkDataSetAttributes::FieldList pointFields, cellFields;
   for (const Piece& piece : this->Pieces)
@@ -612,10 +613,39 @@ void PieceMerger::MergeArrays(vtkUnstructuredGrid* grid) const
   {
     data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   }
-  if (!this->Pieces.empty())
+  if (this->Pieces.empty())
   {
-    RestoreOrder(points, this->Pieces.front().Mesh->GetPointData());
-    RestoreOrder(cells, this->Pieces.front().Mesh->GetCellData());
+    return;
+  }
+  RestoreOrder(points, this->Pieces.front().Mesh->GetPointData());
+  RestoreOrder(cells, this->Pieces.front().Mesh->GetCellData());
+
+  std::vector<vtkDataSetAttributes*> pointParts, cellParts;
+  for (const Piece& piece : this->Pieces)
+  {
+    pointParts.push_back(piece.Mesh->GetPointData());
+    cellParts.push_back(piece.Mesh->GetCellData());
+  }
+  const auto getSource = [this](vtkIdType id, vtkIdType Piece::*first)
+  {
+    const Piece& piece = this->FindPiece(id, first);
+    return TupleSource{ static_cast<std::size_t>(&piece - this->Pieces.data()), id - piece.*first };
+  };
+  std::vector<std::string> leftOut = AddPartialArrays(
+    pointParts, static_cast<vtkIdType>(this->OldIds.size()),
+    [&](vtkIdType i) { return getSource(this->OldIds[i], &Piece::FirstPoint); }, points);
+  const std::vector<std::string> ofCells = AddPartialArrays(
+    cellParts, grid->GetNumberOfCells(),
+    [&](vtkIdType i) { return getSource(this->OldCells[i], &Piece::FirstCell); }, cells);
+  leftOut.insert(leftOut.end(), ofCells.begin(), ofCells.end());
+  std::string names;
+  for (const std::string& name : leftOut)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  if (!names.empty())
+  {
+    warnings.Add("arrays that parts of the mesh lack, or have in another form, are left out: " + names);
   }
 }
 
@@ -659,7 +689,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeParts(
     pieces.push_back(parts.front());
   }
   const PieceMerger merger(pieces);
-  const auto merged = merger.Merge();
+  const auto merged = merger.Merge(warnings);
   MergeFieldData(parts, merged->GetFieldData());
   if (merger.GetNumberOfTwins() > 0)
   {

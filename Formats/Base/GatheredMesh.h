@@ -39,8 +39,8 @@ bool HasSeams(vtkDataSet* mesh);
  * block are merged by global id or, if its pieces have none, where points of different pieces are at the
  * same place. Which of several points of a piece at one place was meant cannot be told; they stay apart.
  *
- * Arrays that all parts with points have are kept; a merged point has the values of the first. Field data is
- * that of all parts, by name of the first.
+ * Arrays are those of all parts, see AddPartialArrays for what not all have; a merged point has the values of
+ * the first. Field data is that of all parts, by name of the first.
  * @param parts sorted by block
  */
 vtkSmartPointer<vtkUnstructuredGrid> MergeParts(

@@ -3,6 +3,7 @@
 #include "PieceGathering.h"
 
 #include "GatheredMesh.h"
+#include "Mesh/PointSetHulls.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
@@ -215,7 +216,11 @@ private:
 
   void AddLeaf(vtkDataSet* leaf)
   {
-    if (leaf && (leaf->IsA("vtkUnstructuredGrid") || leaf->IsA("vtkPolyData")))
+    if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf))
+    {
+      this->Parts.push_back({ WithHulls(grid, VTK_POLYHEDRON), this->Block });
+    }
+    else if (leaf && leaf->IsA("vtkPolyData"))
     {
       this->Parts.push_back({ leaf, this->Block });
     }

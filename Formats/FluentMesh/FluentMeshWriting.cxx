@@ -359,6 +359,10 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
   {
     return reason.empty() ? false : refuse(reason);
   }
+  if (output.GetFaces().empty())
+  {
+    return refuse("expected cells with faces, found none");
+  }
   if (std::max(output.GetNumberOfPoints(), static_cast<vtkIdType>(output.GetFaces().size())) >
     INT32_MAX)
   {

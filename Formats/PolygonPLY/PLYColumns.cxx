@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYColumns.h"
 
+#include "CellMesh/OutputWarnings.h"
+
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 
@@ -117,7 +119,7 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
     {
       this->AddOther(array);
     }
-    written.push_back(GetArrayName(array));
+    written.push_back(DescribeArray(array));
   }
   this->Messages = nullptr;
 }

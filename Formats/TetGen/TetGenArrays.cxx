@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenArrays.h"
 
+#include "CellMesh/OutputWarnings.h"
+
 #include "vtkDataSetAttributes.h"
 
 #include <algorithm>
@@ -18,7 +20,7 @@ const std::string AttributePrefix = "attr_";
 //------------------------------------------------------------------------------
 bool IsMarker(vtkDataArray* array)
 {
-  if (array->GetName() != MarkerName || array->GetDataType() == VTK_FLOAT ||
+  if (!array->GetName() || array->GetName() != MarkerName || array->GetDataType() == VTK_FLOAT ||
     array->GetDataType() == VTK_DOUBLE)
   {
     return false;
@@ -66,7 +68,7 @@ void TetGenArrays::Column::Set(vtkDataArray* array)
     this->Array->DeepCopy(array);
   }
   this->Values = this->Array->GetVoidPointer(0);
-  this->Name = array->GetName() ? array->GetName() : "an array without name";
+  this->Name = DescribeArray(array);
 }
 
 //------------------------------------------------------------------------------

@@ -8,9 +8,13 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -169,6 +173,50 @@ TEST(GatheredMesh, MergesEveryBlockByItself)
   EXPECT_EQ(merged->GetNumberOfPoints(), 6 + 4);
   EXPECT_TRUE(warnings.GetSentences().empty());
   EXPECT_EQ(merged->GetCell(2)->GetPointId(0), 6);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, what only some blocks know is lost, or lost without a word.
+TEST(GatheredMesh, KeepsArraysOfSomeBlocks)
+{
+  const Grid left = MakeSquares({ 0 }), right = MakeSquares({ 1, 2 });
+  const auto add = [](vtkDataSetAttributes* data, vtkAbstractArray* array, const char* name,
+                     vtkIdType size, int components = 1)
+  {
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(size);
+    data->AddArray(array);
+    if (auto* const numbers = vtkDataArray::SafeDownCast(array))
+    {
+      numbers->Fill(7);
+    }
+  };
+  vtkNew<vtkIntArray> zone, number, one;
+  vtkNew<vtkDoubleArray> real, number2, three;
+  vtkNew<vtkStringArray> text;
+  add(right->GetCellData(), zone, "zone", 2);
+  add(left->GetPointData(), real, "real", 4);
+  add(left->GetCellData(), number, "number", 1);
+  add(right->GetCellData(), number2, "number", 2);
+  add(left->GetCellData(), one, "sizes", 1);
+  add(right->GetCellData(), three, "sizes", 2, 3);
+  add(left->GetCellData(), text, "text", 1);
+  Warnings warnings;
+  const auto merged = MergeParts({ { left, 0 }, { right, 1 } }, warnings);
+  vtkDataArray* const zones = merged->GetCellData()->GetArray("zone");
+  ASSERT_NE(vtkIntArray::SafeDownCast(zones), nullptr);
+  EXPECT_EQ(zones->GetComponent(0, 0), 0);
+  EXPECT_EQ(zones->GetComponent(2, 0), 7);
+  vtkDataArray* const reals = merged->GetPointData()->GetArray("real");
+  ASSERT_NE(reals, nullptr);
+  EXPECT_EQ(reals->GetComponent(3, 0), 7);
+  EXPECT_TRUE(std::isnan(reals->GetComponent(4, 0)));
+  vtkDataArray* const numbers = merged->GetCellData()->GetArray("number");
+  ASSERT_NE(vtkDoubleArray::SafeDownCast(numbers), nullptr);
+  EXPECT_EQ(numbers->GetComponent(0, 0), 7);
+  ASSERT_EQ(warnings.GetSentences().size(), 1u);
+  EXPECT_NE(warnings.GetSentences()[0].find("sizes, text"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

@@ -178,6 +178,7 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
   vtkPointData* points = grid->GetPointData();
   AddArray<vtkIntArray>(points, "x", 1, 5);
   AddArray<vtkIntArray>(points, "two words", 1, 5);
+  AddArray<vtkIntArray>(points, nullptr, 1, 5);
   AddArray<vtkIntArray>(points, "v", 2, 5);
   AddArray<vtkIntArray>(points, "v_1", 1, 5);
   AddArray<vtkIdTypeArray>(points, "small", 1, 5, -1);
@@ -192,7 +193,7 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
   const Written written = WriteText(grid);
   ASSERT_TRUE(written.Success);
   for (const char* line :
-    { "property int x_\n", "property int two_words\n", "property int v_0\n", "property int v_1_\n",
+    { "property int x_\n", "property int two_words\n", "property int array\n", "property int v_0\n", "property int v_1_\n",
       "property int small\n", "property uint large\n", "property double larger\n",
       "property double largest\n", "property int vertex_indices_\n", "comment components v 2\n" })
   {

@@ -116,6 +116,17 @@ TEST(TetGenWriter, WritesNodesAndElements)
 }
 
 //------------------------------------------------------------------------------
+TEST(TetGenWriter, WritesArraysWithoutNames)
+{
+  Grid grid = MakeTwoTetrahedra();
+  AddArray<vtkIntArray>(grid->GetPointData(), nullptr, { 1, 2, 3, 4, 5 });
+  const WrittenFiles written = Write(grid);
+  ASSERT_TRUE(written.Success);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("an array without name as attr_0"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 TEST(TetGenWriter, WritesAttributesAndMarkers)
 {
   Grid grid = MakeTwoTetrahedra();

@@ -288,6 +288,18 @@ TEST(VisfWriter, OtherTypesOfCells)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, convex point sets, which do not list their faces, are lost.
+TEST(VisfWriter, HullsOfPointSets)
+{
+  const auto octahedron = MakeGrid(
+    { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+    { { VTK_CONVEX_POINT_SET, { 0, 1, 2, 3, 4, 5 } } });
+  const Result result = ReadBytes(WriteBytes(octahedron));
+  ASSERT_EQ(Count(result.Grid, VTK_POLYHEDRON), 1);
+  EXPECT_EQ(result.Grid->GetCell(0)->GetNumberOfFaces(), 8);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, arrays or digits are lost without a word.
 TEST(VisfWriter, SaysWhatIsLost)
 {

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PointSetHulls.h
+ * @brief Gives convex point sets faces.
+ */
+#ifndef camaron_PointSetHulls_h
+#define camaron_PointSetHulls_h
+
+#include "vtkSmartPointer.h" // for the result
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/**
+ * The grid itself, or if it has cells of type VTK_CONVEX_POINT_SET one in which these list the faces of their
+ * hull, as VTK finds them, and are of the given type: the same, or VTK_POLYHEDRON.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int type);
+}
+
+#endif
