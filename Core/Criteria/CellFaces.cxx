@@ -168,10 +168,12 @@ void CellGeometry::ComputeFanAreas() const
     this->FanAreas[pair.First] = 0.5 * sum[0];
     this->FanAreas[pair.Second] = 0.5 * sum[1];
   }
+  // No surface within the edges of a face is less than its vector area, to which triangles of a face that crosses
+  // itself need not add up.
   this->SurfaceArea = 0;
-  for (const double area : this->FanAreas)
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
-    this->SurfaceArea += area;
+    this->SurfaceArea += std::max(this->FanAreas[f], this->FaceAreas[f]);
   }
 }
 }

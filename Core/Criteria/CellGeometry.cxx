@@ -166,6 +166,24 @@ double CellGeometry::GetTotalEdgeLength() const
 }
 
 //------------------------------------------------------------------------------
+double CellGeometry::GetPerimeter() const
+{
+  const bool isFace = this->Topology->GetNumberOfFaces() > 0;
+  const int size = isFace ? this->Topology->GetFaceSize(0) : 0;
+  if (size == static_cast<int>(this->SquaredLengths.size()))
+  {
+    return this->GetTotalEdgeLength();
+  }
+  double sum = 0;
+  for (int i = 0; i < size; ++i)
+  {
+    const int* const corners = this->Topology->GetFace(0);
+    sum += Norm(this->Points[corners[i]] - this->Points[corners[i == 0 ? size - 1 : i - 1]]);
+  }
+  return isFace ? sum : this->GetTotalEdgeLength();
+}
+
+//------------------------------------------------------------------------------
 // From the tetrahedra of the origin, every edge of a face and the centre of that face, with signs.
 void CellGeometry::ComputeCentroid()
 {

@@ -151,6 +151,8 @@ public:
   double GetEdgeLength(int edge) const { return std::sqrt(this->SquaredLengths[edge]); }
   double GetSumOfSquaredLengths() const;
   double GetTotalEdgeLength() const;
+  /// Length of the way around a polygon cell, which may run along an edge more than once.
+  double GetPerimeter() const;
   double GetMinEdgeLength() const { return std::sqrt(this->MinSquaredLength); }
   double GetMaxEdgeLength() const { return std::sqrt(this->MaxSquaredLength); }
   ///@}

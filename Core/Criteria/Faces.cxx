@@ -149,12 +149,13 @@ std::vector<Criterion> FaceCriteria()
     { "CellConcavity", "Cell concavity",
       "Largest distance of the centre of a face outside the plane of a neighbouring face, divided by the "
       "diameter; not above 0 where the cell is convex.",
-      Polyhedra, Unit::None, { -1, 1 }, None, Better::Smaller,
+      Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity),
       { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge",
-        "0 for a flat cell; null (degenerate) when no face has an area, null (invalid topology) for "
-        "an open cell. Inside out or not makes no difference.",
+        "0 for a flat cell; beyond 1 where the centre of a face that crosses itself lies far outside; null "
+        "(degenerate) when no face has an area, null (invalid topology) for an open cell. Inside out or not makes no "
+        "difference.",
         "No other program here reports it; Validate Cells of VTK answers yes or no." } },
     { "Openness", "Openness",
       "Largest component of the sum of the face vectors relative to the sum of the sizes of that "

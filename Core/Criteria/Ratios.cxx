@@ -67,7 +67,7 @@ double IsoperimetricQuotient(const CellGeometry& cell)
 {
   if (cell.GetShapes() & Polygons)
   {
-    const double perimeter = cell.GetTotalEdgeLength();
+    const double perimeter = cell.GetPerimeter();
     return cell.IsZeroLength(perimeter) ? Null(NullReason::Degenerate)
                                         : 4 * Pi * cell.GetPolygonArea() / (perimeter * perimeter);
   }

@@ -46,7 +46,7 @@ double Area(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double Perimeter(const CellGeometry& cell)
 {
-  return cell.GetTotalEdgeLength();
+  return cell.GetPerimeter();
 }
 
 //------------------------------------------------------------------------------
@@ -196,15 +196,15 @@ std::vector<Criterion> SizeCriteria()
     { "Perimeter", "Perimeter", "Sum of the edge lengths.",
       Polygons, Unit::Length, { 0, Infinity }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(Perimeter),
-      { "P = Σ lᵢ",
-        "0 for a polygon in one point.",
+      { "P = Σ |pᵢ₊₁ − pᵢ|",
+        "0 for a polygon in one point. An edge along which the polygon runs twice counts twice.",
         "Camarón's and camaron-web's." } },
     { "SurfaceArea", "Surface area",
       "Sum over the faces of the signed triangle areas about the face centre; of a planar face its area.",
       Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(SurfaceArea),
       { "Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, the sign being that of the "
-        "triangle's direction relative to S_f",
+        "triangle's direction relative to S_f, but no face less than |S_f|",
         "0 for a cell in one point; of an open cell the area of the faces that it has.",
         "OpenFOAM adds triangles without their sign, so that a planar face that is not convex counts "
         "for more. Camarón adds areas that are 0 until its own Area was evaluated." } },

@@ -142,16 +142,18 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality. `EdgeRatio` is the same, except of hexahedra, of which "
         "Verdict looks at six edges for the largest." } },
     { "VerdictEquiangleSkew", "Verdict equiangle skew",
-      "Largest relative deviation of an angle from that of the regular shape.", Unit::None, { 0, 1 }, 0,
+      "Largest relative deviation of an angle from that of the regular shape.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
       { verdict::tri_equiangle_skew, verdict::quad_equiangle_skew, verdict::tet_equiangle_skew,
         verdict::pyramid_equiangle_skew, verdict::wedge_equiangle_skew, verdict::hex_equiangle_skew },
       { "max((θmax − θₑ)/(180° − θₑ), (θₑ − θmin)/θₑ), the largest of the faces; of a tetrahedron "
         "also of its dihedral angles with θₑ = 70.53°",
-        "1 for a flat triangle or tetrahedron.",
-        "VTK's Mesh Quality and Cell Quality. `EquiangleSkewness` is the same, except of tetrahedra." } },
+        "1 for a flat triangle or tetrahedron, above 1 for a reflex corner; null (degenerate) for a quadrilateral with "
+        "a collapsed edge.",
+        "VTK's Mesh Quality and Cell Quality, which say −1 for a quadrilateral with a collapsed edge. `EquiangleSkewness` "
+        "is the same, except of tetrahedra." } },
     { "VerdictEquivolumeSkew", "Verdict equivolume skew",
-      "Relative deviation of the volume from that of the regular tetrahedron of the same circumsphere.", Unit::None, { 0, 1 }, 0,
+      "Relative deviation of the volume from that of the regular tetrahedron of the same circumsphere.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
       { nullptr, nullptr, verdict::tet_equivolume_skew,
         nullptr, nullptr, nullptr },
@@ -181,7 +183,7 @@ constexpr Measure Measures[] = {
         nullptr, nullptr, nullptr },
       { "max θᵢ of the corners",
         "180 for a collinear triangle, 0 for one with two equal points. A reflex corner of a "
-        "quadrilateral counts as above 180.",
+        "quadrilateral counts as above 180; null (degenerate) for a quadrilateral with a collapsed edge.",
         "VTK's Mesh Quality and Cell Quality. `MaxInteriorAngle` is the same for healthy cells." } },
     { "VerdictMaxAspectFrobenius", "Verdict largest aspect Frobenius",
       "Largest aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
@@ -241,7 +243,7 @@ constexpr Measure Measures[] = {
       { "min θᵢ of the corners; of a tetrahedron the smallest of the six angles between normals, of "
         "which some are dihedral angles and others their supplements, depending on the order of the "
         "nodes",
-        "0 for a flat cell.",
+        "0 for a flat cell, null (degenerate) for a quadrilateral with a collapsed edge, of which Verdict says 360.",
         "VTK's Mesh Quality and Cell Quality. `MinInteriorAngle` is the same for healthy polygons; "
         "`MinDihedralAngle` is what the name promises for tetrahedra." } },
     { "VerdictNodalJacobianRatio", "Verdict nodal Jacobian ratio",
@@ -272,13 +274,13 @@ constexpr Measure Measures[] = {
         "Infinite for a collapsed edge, a flat or inverted cell.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictRadiusRatio", "Verdict radius ratio",
-      "Circumradius divided by the inradius, relative to the regular shape.", Unit::None, { 1, Infinity }, 1,
+      "Circumradius divided by the inradius, relative to the regular shape.", Unit::None, { 0, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { verdict::tri_radius_ratio, verdict::quad_radius_ratio, verdict::tet_radius_ratio,
         nullptr, nullptr, nullptr },
       { "R/(2r) of a triangle, R/(3r) of a tetrahedron, h √(Σ lᵢ²) / (2√2 min |eᵢ × eᵢ₊₁|) of a "
         "quadrilateral",
-        "Infinite for a flat cell.",
+        "Infinite for a flat cell; below 1 for some warped quadrilaterals.",
         "VTK's Mesh Quality and Cell Quality. One divided by `TriangleRadiusRatio` or "
         "`TetRadiusRatio`." } },
     { "VerdictRelativeSizeSquared", "Verdict relative size squared",
@@ -338,7 +340,7 @@ constexpr Measure Measures[] = {
       { nullptr, verdict::quad_shear_and_size, nullptr,
         nullptr, nullptr, verdict::hex_shear_and_size } },
     { "VerdictSkew", "Verdict skew",
-      "Largest cosine of the angles between the principal axes.", Unit::None, { 0, 1 }, 0,
+      "Largest cosine of the angles between the principal axes.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.5 },
       { nullptr, verdict::quad_skew, nullptr,
         nullptr, nullptr, verdict::hex_skew },
@@ -486,12 +488,19 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   {
     return Null(NullReason::Degenerate);
   }
+  const Function function = measure.Functions[index];
+  const bool isOfAngles = function == verdict::quad_minimum_angle ||
+    function == verdict::quad_maximum_angle || function == verdict::quad_equiangle_skew;
+  if (isOfAngles && cell.IsZeroLength(cell.GetMinEdgeLength()))
+  {
+    return Null(NullReason::Degenerate); // of no angle Verdict says 360 for the least and 0 for the largest
+  }
   double corners[MaxSimpleNodes][3] = {};
   const int size = GetCorners(cell, ShapesInOrder[index], corners);
   double value = 0;
-  if (measure.Functions[index])
+  if (function)
   {
-    value = EvaluateScaled(measure, measure.Functions[index], cell, size, corners);
+    value = EvaluateScaled(measure, function, cell, size, corners);
   }
   else
   {

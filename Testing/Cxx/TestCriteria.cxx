@@ -474,6 +474,67 @@ TEST(Criteria, ValuesInRange)
 }
 
 //------------------------------------------------------------------------------
+// The same of cells of which no mesh should be made: any points in any order, on a grid where many coincide or lie in
+// a plane or line. What is null is so with a reason.
+TEST(Criteria, ValuesOfTangledCellsInRange)
+{
+  constexpr int NumberOfCells = 600, NumberOfKinds = 7;
+  constexpr int Types[] = { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_QUAD };
+  constexpr int Sizes[] = { 4, 5, 6, 8, 4 };
+  std::mt19937 random(7);
+  std::vector<Grid> meshes;
+  for (int cell = 0; cell < NumberOfCells; ++cell)
+  {
+    const int kind = cell % NumberOfKinds, corners = 3 + cell / NumberOfKinds % 4;
+    const int size = kind < 5 ? Sizes[kind] : kind == 5 ? corners + 2 : 2 * corners;
+    const double steps = cell % 3 == 0 ? 2 : 1 << 20, height = cell % 5 == 0 ? 1e-9 : cell % 5 == 1 ? 0 : 1;
+    Points points;
+    std::vector<vtkIdType> ids;
+    for (int i = 0; i < size; ++i)
+    {
+      const auto next = [&] { return std::round(steps * (random() / 4294967296.0)) / steps; };
+      const double x = next(), y = next();
+      points.push_back({ { x, y, height * next() } });
+      ids.push_back(i);
+    }
+    if (kind < 6)
+    {
+      meshes.push_back(MakeGrid(points, { { kind < 5 ? Types[kind] : VTK_POLYGON, ids } }));
+      continue;
+    }
+    Faces faces(2);
+    for (vtkIdType i = 0; i < corners; ++i)
+    {
+      const vtkIdType after = (i + 1) % corners;
+      faces[0].insert(faces[0].begin(), i);
+      faces[1].push_back(corners + i);
+      faces.push_back({ i, after, corners + after, corners + i });
+    }
+    meshes.push_back(MakePolyhedron(points, faces));
+  }
+  // A polygon that runs twice around has the area of two, and so the perimeter.
+  meshes.push_back(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { VTK_POLYGON, { 0, 1, 2, 3, 0, 1, 2, 3 } } }));
+  EXPECT_NEAR(EvaluateAll(meshes.back()).at("Perimeter")[0], 8, 1e-12);
+  for (const Grid& mesh : meshes)
+  {
+    const Values values = EvaluateAll(mesh);
+    for (const Criterion& criterion : GetCriteria())
+    {
+      const double value = values.at(criterion.Name)[0];
+      const auto id = &mesh - meshes.data();
+      if (std::isnan(value))
+      {
+        EXPECT_NE(GetNullReason(value), NullReason::Value) << criterion.Name << " of " << id;
+        continue;
+      }
+      EXPECT_GE(value, criterion.Range[0] - 1e-12) << criterion.Name << " of " << id;
+      EXPECT_LE(value, criterion.Range[1] + 1e-12) << criterion.Name << " of " << id;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, powers of the size leave the range of numbers: a product of twelve lengths.
 TEST(Criteria, IsotropyOfAnySize)
 {

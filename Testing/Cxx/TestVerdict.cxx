@@ -257,6 +257,13 @@ TEST(Verdict, PitfallsAreMended)
   EXPECT_LT(EvaluateOne(inverted, "VerdictCondition"), FindCriterion("VerdictCondition")->Acceptable[0]);
   // What has no such measure is null, and not -1.
   EXPECT_EQ(GetNullReason(EvaluateOne(flat, "VerdictMaxAngle")), NullReason::NotApplicable);
+  // Of a quadrilateral with a collapsed edge Verdict's smallest angle is 360, and its skew below that of a square.
+  const Grid collapsed = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
+    { { VTK_QUAD, { 0, 1, 2, 3 } } });
+  for (const char* name : { "VerdictMinAngle", "VerdictMaxAngle", "VerdictEquiangleSkew" })
+  {
+    EXPECT_EQ(GetNullReason(EvaluateOne(collapsed, name)), NullReason::Degenerate) << name;
+  }
   // A tetrahedron is one whatever its VTK type.
   const Grid healthy = MakeStandardCell(VTK_TETRA);
   EXPECT_NEAR(EvaluateOne(ToPolyhedra(healthy), "VerdictShape"), EvaluateOne(healthy, "VerdictShape"), 1e-12);
