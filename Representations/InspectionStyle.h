@@ -153,6 +153,11 @@ struct InspectionStyle
     return style;
   }
   bool DrawsPointsOnly() const { return this->Points && !this->Faces && !this->Edges; }
+  /// True when edges are lines of their own, instead of a colour of the faces beside them.
+  bool DrawsEdgesAlone() const
+  {
+    return this->What == Figure::Faces && this->Edges && !this->Faces && !this->Glass;
+  }
   /// True when colours depend on where things are.
   bool ColorsByDistance() const
   {

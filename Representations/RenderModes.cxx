@@ -6,6 +6,7 @@
 #include "CapGLSL.h"
 #include "CutExactlyGLSL.h"
 #include "CutFacesGLSL.h"
+#include "EdgesAloneGLSL.h"
 #include "EmphasisGLSL.h"
 #include "GlassGLSL.h"
 #include "IsolinesGLSL.h"
@@ -146,8 +147,11 @@ const std::vector<RenderMode>& GetRenderModes()
       { program->SetUniform3f("cutColor", context.Style.CutColor.data()); } },
     { [](const Style& style) { return style.Isolines && !style.Glass; }, "HAS_ISOLINES", IsolinesGLSL,
       "isolines(ambientColor, diffuseColor, opacity);", false, &SetIsolines },
-    { [](const Style& style) { return style.Edges && !style.Glass; }, "HAS_LINES", WireframeGLSL,
-      "wireframe(ambientColor, diffuseColor, opacity);", false, &SetWireframe },
+    { [](const Style& style) { return style.Edges && !style.Glass && !style.DrawsEdgesAlone(); },
+      "HAS_LINES", WireframeGLSL, "wireframe(ambientColor, diffuseColor, opacity);", false,
+      &SetWireframe },
+    { [](const Style& style) { return style.DrawsEdgesAlone(); }, "ARE_EDGES", EdgesAloneGLSL,
+      "edgesAlone(ambientColor, diffuseColor);", false, &SetWireframe },
     { [](const Style& style) { return style.Smooth; }, "HAS_NORMALS", SmoothGLSL,
       "smoothNormals(normalVCVSOutput);", true,
       [](vtkShaderProgram* program, const Context& context)

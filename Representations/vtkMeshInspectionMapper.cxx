@@ -369,7 +369,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   const bool isPicking = renderer->GetSelector() != nullptr;
   const bool isPoints = &helper == &this->Primitives[PrimitivePoints];
   self.Code = GetRenderModeCode(
-    self.GetStyleOfPicture(this, isPoints), this->PrimitiveInfo[&helper].LastLightComplexity > 0);
+    self.GetStyleOfPicture(this, isPoints || this->PointPicking), this->PrimitiveInfo[&helper].LastLightComplexity > 0);
   self.Code.Defines += self.Colors.GetDefine();
   if (!self.Values.IsEmpty())
   {
@@ -513,8 +513,8 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   }
   int viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
-  const InspectionStyle style =
-    self.GetStyleOfPicture(this, &helper == &this->Primitives[PrimitivePoints]);
+  const InspectionStyle style = self.GetStyleOfPicture(
+    this, this->PointPicking || &helper == &this->Primitives[PrimitivePoints]);
   const bool hasBounds = style.Bounds[0] <= style.Bounds[1];
   vtkNew<vtkMatrix4x4> toView;
   vtkMatrix4x4::Multiply4x4(
@@ -594,14 +594,15 @@ void vtkMeshInspectionMapper::RenderPieceDraw(vtkRenderer* renderer, vtkActor* a
     }
     return;
   }
-  if (style.Faces || style.Edges)
+  if (this->PointPicking && (style.Faces || style.Edges))
   {
-    if (this->PointPicking)
-    {
-      state->vtkglPointSize(static_cast<float>(this->GetPointPickingPrimitiveSize(PrimitiveTris)));
-    }
-    this->Draw(
-      renderer, actor, PrimitiveTris, this->PointPicking ? GL_POINTS : GL_TRIANGLES, corners);
+    state->vtkglPointSize(static_cast<float>(this->GetPointPickingPrimitiveSize(PrimitiveTris)));
+    this->Draw(renderer, actor, PrimitiveTris, GL_POINTS, corners);
+  }
+  else if (style.Faces || style.Edges)
+  {
+    const std::size_t perCorner = style.DrawsEdgesAlone() ? 6 : 1;
+    this->Draw(renderer, actor, PrimitiveTris, GL_TRIANGLES, perCorner * corners);
   }
   if (style.Points && (!renderer->GetSelector() || style.DrawsPointsOnly()))
   {

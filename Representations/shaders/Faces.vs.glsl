@@ -3,8 +3,8 @@
 //Camaron::Place
 //Camaron::Inputs
 
-// Vertices of the triangles in the list of visible ones. There are no vertex attributes: everything is read
-// from tables by gl_VertexID.
+// Vertices of the triangles in the list of visible ones, or (ARE_EDGES) of quads of constant width in pixels along
+// their edges, six for each. There are no vertex attributes: everything is read from tables by gl_VertexID.
 
 #ifdef IS_ISOSURFACE
 uniform usamplerBuffer cornerTable;   // two points, where between them (of 2^24), the cell
@@ -29,6 +29,10 @@ out vec3 normalOfCorners;
 #ifdef HAS_LINES
 uniform vec2 viewportSize;
 flat out vec3 lines[3]; // |dot(line, (x, y, 1))| is the distance in pixels
+#endif
+#ifdef ARE_EDGES
+uniform vec2 viewportSize;
+uniform float edgeWidth;
 #endif
 #ifdef IS_PICKING
 uniform usamplerBuffer ownerTable; // process and block of a cell
@@ -86,6 +90,34 @@ vec4 ofPlace(samplerBuffer table)
   return between == 0.0 ? first : mix(first, texelFetch(table, int(secondPoint)), between);
 }
 
+#ifdef ARE_EDGES
+// How far corners on the side of the line are from the edge, in the coordinates of the display.
+vec2 sideOfEdge = vec2(0.0);
+bool isEdgeSeen;
+
+// The end of the edge where a corner of its quad is, on the near side of the camera's near plane.
+void findEnd(uint cell, int corner)
+{
+  bool isEnd = corner == 1 || corner == 2 || corner == 4;
+  vec4 first = MCDCMatrix * place(firstPoint, cell);
+  vec4 last = MCDCMatrix * place(secondPoint, cell);
+  float before = first.z + first.w;
+  float after = last.z + last.w;
+  float crossing = before / (before - after);
+  float start = before < 0.0 ? crossing : 0.0;
+  float end = after < 0.0 ? crossing : 1.0;
+  between = isEnd ? end : start;
+  isEdgeSeen = before > 0.0 || after > 0.0;
+
+  vec4 from = mix(first, last, start);
+  vec4 to = mix(first, last, end);
+  vec2 along = (to.xy / to.w - from.xy / from.w) * viewportSize;
+  along = dot(along, along) > 1.0e-12 ? normalize(along) : vec2(1.0, 0.0);
+  vec2 across = (corner == 2 || corner == 4 || corner == 5 ? 1.0 : -1.0) * vec2(-along.y, along.x);
+  sideOfEdge = edgeWidth / viewportSize * (across + (isEnd ? along : -along)); // lines meet where they end
+}
+#endif
+
 void main()
 {
 #ifdef IS_ISOSURFACE
@@ -96,17 +128,30 @@ void main()
   between = float(corner.z) / 16777216.0;
   isCutFace = 0;
 #else
+#ifdef ARE_EDGES
+  int edge = gl_VertexID / 6;
+  int row = edge / 3;
+#else
   int row = gl_VertexID / 3;
-  int cornerOfRow = gl_VertexID - 3 * row;
+#endif
   uint entry = isListed == 1 ? texelFetch(visibleTable, row).x : uint(row) << 1;
   int side = int(entry & 1u);
   uvec4 triangle = texelFetch(triangleTable, int(entry >> 1));
   uvec2 cells = texelFetch(faceTable, int(triangle.w >> 3)).xy;
   uint cell = cells[side];
   // The second cell has the face the other way round.
-  firstPoint = triangle[side == 1 ? 2 - cornerOfRow : cornerOfRow];
+#ifdef ARE_EDGES
+  int corner = edge - 3 * row;
+  firstPoint = triangle[corner];
+  secondPoint = triangle[corner == 2 ? 0 : corner + 1];
+  findEnd(cell, gl_VertexID - 6 * edge);
+  isEdgeSeen = isEdgeSeen && (triangle.w >> corner & 1u) == 1u; // diagonals of polygons are none
+#else
+  int corner = gl_VertexID - 3 * row;
+  firstPoint = triangle[side == 1 ? 2 - corner : corner];
   secondPoint = firstPoint;
   between = 0.0;
+#endif
   isCutFace = isListed == 1 && cells[1] != 0xffffffffu ? 1 : 0;
 #endif
   vertexMC = mix(place(firstPoint, cell), place(secondPoint, cell), between);
@@ -162,6 +207,13 @@ void main()
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0); // of a hidden block: nothing is drawn
   }
 
+#ifdef ARE_EDGES
+  gl_Position.xy += sideOfEdge * gl_Position.w;
+  if (!isEdgeSeen)
+  {
+    gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  }
+#endif
 #ifdef ARE_POINTS
   gl_Position.z -= 1.0e-4 * gl_Position.w; // before the faces that they are corners of
 #endif

@@ -197,6 +197,27 @@ class TestInspectionModes(PictureTestCase):
         unit = lambda rows: rows / numpy.linalg.norm(rows, axis=1)[:, None]
         return (corners.mean(axis=1), unit(areas)), (points, unit(sums))
 
+    def test_edges_alone(self):
+        """Lines that are whole wherever they are, also at the outline and when one ends behind the camera."""
+        mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2]))
+        edges = simple.ExtractEdges(Input=simple.ExtractSurface(Input=mesh))
+        shown = {}
+        for width, place in ((1, None), (3, None), (2, [0.3, 0.2, 1.1])):
+            with self.subTest(width=width, place=place):
+                pictures = []
+                for source, representation in ((edges, "Surface"), (mesh, "Mesh Inspection")):
+                    display = self.show(source, representation, LineWidth=width)
+                    display.DiffuseColor = display.AmbientColor = display.EdgeColor = RED
+                    if source == mesh:
+                        display.DrawEdges, display.DrawFaces = 1, 0
+                    turn(self.view)
+                    self.view.CameraPosition = place or self.view.CameraPosition
+                    pictures.append(picture(self.view).min(axis=2) < 160)  # more than a third of a pixel
+                self.assertLess(unlike(*pictures), 0.01)
+                shown[width] = pictures[1].sum()
+        self.assertGreater(min(shown.values()), 3000)
+        self.assertGreater(shown[3], 2 * shown[1])
+
     def test_normals(self):
         """Lines where a source of lines has them; those of a polygon once; none where nothing is visible."""
         mesh = simple.PassArrays(Input=tetrahedra(), PointDataArrays=[], CellDataArrays=[])
