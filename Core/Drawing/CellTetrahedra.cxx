@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/CellTetrahedra.h"
 
-#include "Mesh/CellFacets.h"
+#include "Drawing/CurvedFacets.h"
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
 
@@ -39,7 +39,7 @@ public:
   template <typename Visitor>
   void ForEach(vtkIdType cell, Visitor&& visit)
   {
-    if (this->Facets.GetDimension(cell) != 3)
+    if (GetCellShape(this->Mesh.GetCellType(cell)).Dimension != 3)
     {
       return;
     }
@@ -50,15 +50,15 @@ public:
       return;
     }
     vtkIdType apex = -1;
-    this->Facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType size)
       {
         const vtkIdType first = points[this->FindFirst(points, size)];
         apex = apex < 0 || this->IsBefore(first, apex) ? first : apex;
       });
     this->FindEdgesAround(cell, apex);
-    this->Facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType size)
       {
         if (size < 3 || std::find(points, points + size, apex) != points + size)
         {
@@ -83,8 +83,8 @@ private:
   void FindEdgesAround(vtkIdType cell, vtkIdType apex)
   {
     this->Around.clear();
-    this->Facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType size)
       {
         if (std::find(points, points + size, apex) != points + size)
         {
@@ -125,7 +125,7 @@ private:
   }
 
   const MeshView& Mesh;
-  CellFacets Facets;
+  CurvedFacets Facets;
   std::vector<std::pair<vtkIdType, vtkIdType>> Around;
 };
 

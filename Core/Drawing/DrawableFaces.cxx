@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/DrawableFaces.h"
 
+#include "Drawing/CurvedFacets.h"
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/CellFacets.h"
@@ -37,10 +38,11 @@ public:
     , Table(topology.GetFaces())
     , Cells(cells)
     , Facets(this->Mesh)
+    , Curved(this->Mesh)
   {
   }
 
-  // Calls visit(kind, points, numberOfPoints, cells).
+  // Calls visit(kind, outline, cells).
   template <typename Visitor>
   void ForEach(vtkIdType cell, Visitor&& visit)
   {
@@ -53,7 +55,8 @@ public:
     if (dimension == 2 && !this->IsGhost(cell))
     {
       this->Facets.GetPolygon(cell, this->Polygon);
-      visit(Outer, this->Polygon.data(), static_cast<vtkIdType>(this->Polygon.size()),
+      visit(Outer,
+        this->GetOutline(cell, 0, this->Polygon.data(), static_cast<vtkIdType>(this->Polygon.size())),
         std::array<std::uint32_t, 2>{ { self, DrawableFaces::NoCell } });
     }
     if (dimension != 3)
@@ -73,14 +76,25 @@ public:
         const auto neighbor = other != None ? static_cast<std::uint32_t>(other)
           : this->IsOuter(cell, local)      ? DrawableFaces::NoCell
                                             : DrawableFaces::CellElsewhere;
-        visit(neighbor == DrawableFaces::NoCell ? Outer : Inner, points, size,
-          std::array<std::uint32_t, 2>{ { self, neighbor } });
+        visit(neighbor == DrawableFaces::NoCell ? Outer : Inner,
+          this->GetOutline(cell, local, points, size), std::array<std::uint32_t, 2>{ { self, neighbor } });
       });
   }
 
 private:
   static constexpr vtkIdType None = -1;
   static constexpr vtkIdType NotOurs = -2;
+
+  PolygonTriangles::Outline GetOutline(
+    vtkIdType cell, vtkIdType local, const vtkIdType* points, vtkIdType size)
+  {
+    if (!this->Curved.IsCurved(cell))
+    {
+      return { points, size, false };
+    }
+    const std::vector<vtkIdType>& curved = this->Curved.GetOutline(cell, local);
+    return { curved.data(), static_cast<vtkIdType>(curved.size()), true };
+  }
 
   bool Has(vtkIdType cell, int bit) const
   {
@@ -119,6 +133,7 @@ private:
   const FacetTable& Table;
   const CellsToDraw& Cells;
   CellFacets Facets;
+  CurvedFacets Curved;
   std::vector<vtkIdType> Polygon;
 };
 
@@ -179,10 +194,10 @@ DrawableFaces MakeDrawableFaces(
     [](FacesOfCells& faces, PolygonTriangles&, vtkIdType cell, Counts& counts)
     {
       faces.ForEach(cell,
-        [&](int kind, const vtkIdType*, vtkIdType size, const auto&)
+        [&](int kind, const PolygonTriangles::Outline& outline, const auto&)
         {
           ++counts.Faces[kind];
-          counts.Triangles[kind] += std::max<vtkIdType>(size - 2, 0);
+          counts.Triangles[kind] += std::max<vtkIdType>(outline.Size - 2, 0);
         });
     });
   PlaceChunks(chunks, which);
@@ -198,7 +213,7 @@ DrawableFaces MakeDrawableFaces(
     [&](FacesOfCells& faces, PolygonTriangles& triangles, vtkIdType cell, Counts& next)
     {
       faces.ForEach(cell,
-        [&](int kind, const vtkIdType* points, vtkIdType size, const auto& cellsOfFace)
+        [&](int kind, const PolygonTriangles::Outline& outline, const auto& cellsOfFace)
         {
           if (kind == Inner && which == FacesToDraw::Outer)
           {
@@ -206,13 +221,13 @@ DrawableFaces MakeDrawableFaces(
           }
           const auto face = static_cast<std::uint32_t>(next.Faces[kind]++);
           drawable.Faces[face] = cellsOfFace;
-          triangles.ForEach(points, size,
+          triangles.ForEach(outline,
             [&](const PolygonTriangles::Triangle& triangle)
             {
               auto& row = drawable.Triangles[next.Triangles[kind]++];
               for (int i = 0; i < 3; ++i)
               {
-                row[i] = static_cast<std::uint32_t>(points[triangle.Corners[i]]);
+                row[i] = static_cast<std::uint32_t>(outline.Points[triangle.Corners[i]]);
               }
               row[3] = face << DrawableFaces::EdgeBits | triangle.Edges;
             });

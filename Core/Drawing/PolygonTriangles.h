@@ -4,7 +4,7 @@
  * @class camaron::PolygonTriangles
  * @brief Cuts a polygon into triangles to draw, and knows which of their edges are the polygon's.
  *
- * A convex polygon becomes a fan; any other is cut by VTK's ear clipping. Holds scratch memory: use one
+ * A convex polygon becomes a fan; any other is cut by VTK's ear clipping. With curved edges, corners are cut off first. Holds scratch memory: use one
  * per thread.
  */
 #ifndef camaron_PolygonTriangles_h
@@ -30,6 +30,13 @@ public:
     unsigned int Edges;
   };
 
+  struct Outline
+  {
+    const vtkIdType* Points;
+    vtkIdType Size;
+    bool IsCurved; ///< every second point is a node on a curved edge, as CurvedFacets gives them
+  };
+
   explicit PolygonTriangles(const MeshView& mesh)
     : Mesh(mesh)
   {
@@ -37,12 +44,25 @@ public:
 
   /// Calls @a visit(triangle) max(size - 2, 0) times, whatever the polygon looks like.
   template <typename Visitor>
-  void ForEach(const vtkIdType* points, vtkIdType size, Visitor&& visit)
+  void ForEach(const Outline& outline, Visitor&& visit)
   {
+    const vtkIdType* points = outline.Points;
+    const vtkIdType size = outline.Size;
     const int last = static_cast<int>(size) - 1;
     if (size == 3)
     {
       visit(Triangle{ { 0, 1, 2 }, 7u });
+    }
+    else if (outline.IsCurved)
+    {
+      for (int i = 0; i < last; i += 2)
+      {
+        visit(Triangle{ { i, i + 1, i ? i - 1 : last }, 1u | 4u });
+      }
+      for (int i = 3; i < last; i += 2)
+      {
+        visit(Triangle{ { 1, i, i + 2 }, 0u });
+      }
     }
     else if (size > 3 && this->IsConvex(points, size))
     {

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
@@ -8,8 +9,12 @@
 #include "TestMeshes.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkDataSetSurfaceFilter.h"
 #include "vtkExtractCells.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
+#include "vtkMassProperties.h"
+#include "vtkPolyData.h"
 
 #include <gtest/gtest.h>
 
@@ -198,6 +203,78 @@ TEST(DrawableFaces, NonManifold)
 }
 
 //------------------------------------------------------------------------------
+// A curved cell whose nodes are those of VTK's own cell, bent.
+Grid MakeCurvedCell(int cellType)
+{
+  vtkNew<vtkGenericCell> cell;
+  cell->SetCellType(cellType);
+  const double* nodes = cell->GetParametricCoords();
+  Points points;
+  std::vector<vtkIdType> ids;
+  for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+  {
+    const double x = nodes[3 * i], y = nodes[3 * i + 1], z = nodes[3 * i + 2];
+    points.push_back({ x + 0.15 * y * y, y - 0.1 * z * z, z + 0.2 * x * x });
+    ids.push_back(i);
+  }
+  return MakeGrid(points, { { cellType, ids } });
+}
+
+//------------------------------------------------------------------------------
+// Triangles go through the nodes on edges and close around the cell, and its tetrahedra fill just what they enclose.
+TEST(DrawableFaces, OfCurvedCells)
+{
+  for (const int cellType : { VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE,
+         VTK_QUADRATIC_PYRAMID, VTK_TRIQUADRATIC_HEXAHEDRON, VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON,
+         VTK_BIQUADRATIC_QUADRATIC_WEDGE, VTK_TRIQUADRATIC_PYRAMID })
+  {
+    SCOPED_TRACE(cellType);
+    const Grid grid = MakeCurvedCell(cellType);
+    vtkCell* cell = grid->GetCell(0);
+    const int numberOfEdges = cell->GetNumberOfEdges();
+    const DrawableFaces faces = Make(grid, FacesToDraw::All);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& triangle : faces.Triangles)
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        if (triangle[3] >> i & 1)
+        {
+          edges.insert(std::minmax(triangle[i], triangle[(i + 1) % 3]));
+        }
+      }
+    }
+    EXPECT_EQ(edges.size(), 2u * numberOfEdges);
+    const double volume = GetVolume(grid, faces, [](std::uint32_t) { return true; });
+    double filled = 0;
+    const CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(grid));
+    for (const auto& points : tetrahedra.Points)
+    {
+      const Vector apex = GetPoint(grid, points[0]);
+      filled += Dot(GetPoint(grid, points[1]) - apex,
+                  Cross(GetPoint(grid, points[2]) - apex, GetPoint(grid, points[3]) - apex)) / 6;
+    }
+    EXPECT_GT(volume, 0.05);
+    EXPECT_NEAR(filled, volume, cellType == VTK_QUADRATIC_TETRA ? 1e-12 : 0.02); // quads may be cut either way
+  }
+}
+
+//------------------------------------------------------------------------------
+// VTK cuts a quadratic triangle in the same four.
+TEST(DrawableFaces, OfQuadraticTetrahedronAsVTK)
+{
+  const Grid grid = MakeCurvedCell(VTK_QUADRATIC_TETRA);
+  vtkNew<vtkDataSetSurfaceFilter> surface;
+  surface->SetInputData(grid);
+  surface->SetNonlinearSubdivisionLevel(1);
+  vtkNew<vtkMassProperties> properties;
+  properties->SetInputConnection(surface->GetOutputPort());
+  const double volume =
+    GetVolume(grid, Make(grid, FacesToDraw::All), [](std::uint32_t) { return true; });
+  EXPECT_NEAR(volume, properties->GetVolumeProjected(), 1e-7); // of single precision
+}
+
+//------------------------------------------------------------------------------
 // An L: a fan from its first corner would leave it. The triangles cover its area, once.
 TEST(PolygonTriangles, OfConcavePolygon)
 {
@@ -214,7 +291,7 @@ TEST(PolygonTriangles, OfConcavePolygon)
     PolygonTriangles triangles(mesh);
     double area = 0;
     int count = 0, edges = 0;
-    triangles.ForEach(polygon.data(), 6,
+    triangles.ForEach({ polygon.data(), 6, false },
       [&](const PolygonTriangles::Triangle& triangle)
       {
         const auto point = [&](int i) { return GetPoint(grid, polygon[triangle.Corners[i]]); };

@@ -28,6 +28,14 @@ def tetrahedra():
     return simple.PointAndCellIds(Input=mesh)
 
 
+def bent(grid):
+    """With edges that are not straight."""
+    points = vtk_to_numpy(grid.GetPoints().GetData())
+    points[:, 2] += 0.25 * numpy.sin(2 * points[:, 0])
+    points[:, 1] += 0.2 * numpy.sin(3 * points[:, 0])
+    return grid
+
+
 @camaron_testing.require_display()
 class TestMeshInspection(camaron_testing.TestCase):
     def setUp(self):
@@ -59,6 +67,8 @@ class TestMeshInspection(camaron_testing.TestCase):
         yield "tetrahedra", tetrahedra()
         yield "polyhedra", producer(gallery.polyhedra())
         yield "mixed", producer(gallery.mixed())
+        yield "curved", producer(bent(gallery.quadratic_mixed()))
+        yield "curved tetrahedra", producer(bent(gallery.quadratic_tetrahedra()))
         yield "surface", simple.PointAndCellIds(
             Input=simple.Sphere(ThetaResolution=20, PhiResolution=20)
         )
