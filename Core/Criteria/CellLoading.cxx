@@ -3,6 +3,7 @@
 // How CellGeometry gets the points and faces of a cell.
 #include "Criteria/CellGeometry.h"
 #include "Criteria/SimpleShapes.h"
+#include "Mesh/LengthUnit.h"
 #include "Mesh/LocalNumbers.h"
 
 #include <algorithm>
@@ -130,19 +131,12 @@ void CellGeometry::ChooseUnit()
   double largest = 0;
   for (int i = 1; i < this->NumberOfPoints; ++i)
   {
-    const Vector& point = this->Points[i];
-    largest = std::max({ largest, std::abs(point.X), std::abs(point.Y), std::abs(point.Z) });
+    largest = std::max(largest, GetLargestComponent(this->Points[i]));
   }
-  if (largest == 0 || (largest > SmallestUsualSize && largest < LargestUsualSize))
+  this->LengthExponent = GetUnitExponent(largest);
+  for (int i = 1; i < this->NumberOfPoints && this->LengthExponent != 0; ++i)
   {
-    return;
-  }
-  this->LengthExponent = std::ilogb(largest);
-  for (int i = 1; i < this->NumberOfPoints; ++i)
-  {
-    Vector& point = this->Points[i];
-    const auto scale = [this](double x) { return std::ldexp(x, -this->LengthExponent); };
-    point = { scale(point.X), scale(point.Y), scale(point.Z) };
+    this->Points[i] = TimesPowerOfTwo(this->Points[i], -this->LengthExponent);
   }
 }
 
@@ -165,9 +159,7 @@ Vector CellGeometry::ToMesh(const Vector& place) const
 Vector CellGeometry::ToCell(const Vector& place) const
 {
   const Vector offset = place - this->Origin;
-  const auto scale = [this](double x) { return std::ldexp(x, -this->LengthExponent); };
-  return this->LengthExponent == 0 ? offset
-                                   : Vector{ scale(offset.X), scale(offset.Y), scale(offset.Z) };
+  return this->LengthExponent == 0 ? offset : TimesPowerOfTwo(offset, -this->LengthExponent);
 }
 
 //------------------------------------------------------------------------------

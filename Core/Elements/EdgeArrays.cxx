@@ -6,6 +6,7 @@
 #include "Elements/FacetValues.h"
 #include "Elements/NeighborhoodPass.h"
 #include "Mesh/CellFacets.h"
+#include "Mesh/LengthUnit.h"
 #include "Parallel.h"
 
 #include <algorithm>
@@ -96,13 +97,33 @@ Vector GetNormal(const MeshView& mesh, vtkIdType cell)
 {
   std::vector<vtkIdType> polygon;
   CellFacets(mesh).GetPolygon(cell, polygon);
-  Vector sum;
   const Vector origin = GetPoint(mesh, polygon[0]);
+  double largest = 0;
+  for (const vtkIdType point : polygon)
+  {
+    largest = std::max(largest, GetLargestComponent(GetPoint(mesh, point) - origin));
+  }
+  const int exponent = GetUnitExponent(largest);
+  const auto getOffset = [&](std::size_t i)
+  {
+    const Vector offset = GetPoint(mesh, polygon[i]) - origin;
+    return exponent == 0 ? offset : TimesPowerOfTwo(offset, -exponent);
+  };
+  Vector sum;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
   {
-    sum += Cross(GetPoint(mesh, polygon[i]) - origin, GetPoint(mesh, polygon[i + 1]) - origin);
+    sum += Cross(getOffset(i), getOffset(i + 1));
   }
   return Unit(sum);
+}
+
+//------------------------------------------------------------------------------
+// From one point to another, with the exponent of its unit.
+Vector GetOffset(const MeshView& mesh, vtkIdType from, vtkIdType to, int& exponent)
+{
+  const Vector offset = GetPoint(mesh, to) - GetPoint(mesh, from);
+  exponent = GetUnitExponent(GetLargestComponent(offset));
+  return exponent == 0 ? offset : TimesPowerOfTwo(offset, -exponent);
 }
 
 //------------------------------------------------------------------------------
@@ -112,7 +133,11 @@ void EdgeLength(const ElementContext& context, double* values)
   const MeshView& mesh = context.GetMesh();
   ForEdges(context,
     [&](vtkIdType edge)
-    { values[edge] = Norm(GetPoint(mesh, edges[edge][1]) - GetPoint(mesh, edges[edge][0])); });
+    {
+      int exponent;
+      const double length = Norm(GetOffset(mesh, edges[edge][0], edges[edge][1], exponent));
+      values[edge] = exponent == 0 ? length : std::ldexp(length, exponent);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -191,7 +216,8 @@ void EdgeDihedralAngle(const ElementContext& context, double* values)
       }
       const double sign = IsReversedInSecond(table, edge.Facet) ? 1 : -1;
       const Vector n0 = GetNormal(mesh, cells.First), n1 = sign * GetNormal(mesh, cells.Second);
-      const Vector along = Unit(GetPoint(mesh, edge.Points[1]) - GetPoint(mesh, edge.Points[0]));
+      int exponent;
+      const Vector along = Unit(GetOffset(mesh, edge.Points[0], edge.Points[1], exponent));
       values[edge.Edge] = Norm2(n0) == 0 || Norm2(n1) == 0 || Norm2(along) == 0
         ? Null(NullReason::Degenerate)
         : Pi - std::atan2(Dot(along, Cross(n0, n1)), Dot(n0, n1));

@@ -140,6 +140,7 @@ EdgeAngles ComputeEdgeAngles(
       for (vtkIdType id = begin; id < end; ++id)
       {
         cell.Load(mesh, id, options);
+        cell.Normalize();
         if (!(cell.GetShapes() & Polyhedra))
         {
           continue;

@@ -84,7 +84,9 @@ void FaceMismatch(const ElementContext& context, unsigned char* values)
 //------------------------------------------------------------------------------
 double FacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
 {
-  return std::isnan(cell.GetSize()) ? cell.GetSize() : GetFacePyramidVolume(cell, facet);
+  return std::isnan(cell.GetSize())
+    ? cell.GetSize()
+    : cell.GetGeometry().ToMesh(GetFacePyramidVolume(cell, facet), 3);
 }
 
 //------------------------------------------------------------------------------
@@ -107,6 +109,7 @@ void EvaluatePolygonCells(const ElementContext& context,
       for (vtkIdType face = begin; face < end; ++face)
       {
         cell.Load(context.GetMesh(), cells[face], context.GetOptions());
+        cell.Normalize();
         cell.Compute(NeedsEdges | NeedsFaces | NeedsCorners);
         const bool hasFace = cell.IsFinite() && cell.GetTopology().GetNumberOfFaces() > 0;
         for (std::size_t row = 0; row < rows.size(); ++row)

@@ -46,21 +46,21 @@ struct KernelPart
   {
     this->Points.insert(this->Points.end(), { point.X, point.Y, point.Z });
   }
-  void AddPolygon(const std::vector<Vector>& corners, const Vector& origin)
+  void AddPolygon(const std::vector<Vector>& corners, const CellGeometry& cell)
   {
     for (const Vector& corner : corners)
     {
-      this->AddPoint(origin + corner);
+      this->AddPoint(cell.ToMesh(corner));
     }
     this->Types.push_back(VTK_POLYGON);
     this->PointCounts.push_back(static_cast<vtkIdType>(corners.size()));
     this->FaceCounts.push_back(0);
   }
-  void AddPolyhedron(const ConvexPolyhedron& polyhedron, const Vector& origin)
+  void AddPolyhedron(const ConvexPolyhedron& polyhedron, const CellGeometry& cell)
   {
     for (const Vector& point : polyhedron.GetPoints())
     {
-      this->AddPoint(origin + point);
+      this->AddPoint(cell.ToMesh(point));
     }
     for (int f = 0; f < polyhedron.GetNumberOfFaces(); ++f)
     {
@@ -156,6 +156,7 @@ void AddKernel(const MeshView& mesh, vtkIdType id, const EvaluationOptions& opti
   CellGeometry& cell, std::vector<Vector>& corners, KernelPart& part)
 {
   cell.Load(mesh, id, options);
+  cell.Normalize();
   if (!(cell.GetShapes() & PolygonsAndPolyhedra))
   {
     return;
@@ -176,12 +177,12 @@ void AddKernel(const MeshView& mesh, vtkIdType id, const EvaluationOptions& opti
   if (isPolygon)
   {
     kernel.MakePolygon(cell, corners);
-    part.AddPolygon(corners, cell.GetOrigin());
+    part.AddPolygon(corners, cell);
   }
   else
   {
     kernel.MakePolyhedron(cell, [](double) { return true; });
-    part.AddPolyhedron(kernel.GetPolyhedron(), cell.GetOrigin());
+    part.AddPolyhedron(kernel.GetPolyhedron(), cell);
   }
 }
 
@@ -371,6 +372,7 @@ SurfaceKernel MakeSurfaceKernel(const SurfacePolygons& polygons, const Evaluatio
   const vtkSmartPointer<vtkUnstructuredGrid> grid = MakePolyhedron(polygons);
   CellGeometry cell;
   cell.Load(MeshView(grid), 0, options);
+  cell.Normalize();
   cell.Compute(KernelNeeds);
   if (std::isnan(cell.GetVolume()) || cell.IsZeroVolume(cell.GetVolume()))
   {
@@ -386,7 +388,7 @@ SurfaceKernel MakeSurfaceKernel(const SurfacePolygons& polygons, const Evaluatio
     return SurfaceKernel::Empty;
   }
   std::vector<KernelPart> parts(1);
-  parts[0].AddPolyhedron(polyhedron, cell.GetOrigin());
+  parts[0].AddPolyhedron(polyhedron, cell);
   parts[0].Ratios.push_back(std::min(1.0, polyhedron.GetVolume() / std::abs(cell.GetVolume())));
   FillGrid(parts, kernel);
   return SurfaceKernel::Found;

@@ -17,7 +17,7 @@ namespace camaron
  * Calls @a visit(id, uses, cell, neighborhood) for the cells with facets in @a table, but for those with coordinates
  * that are not finite. Several threads call it, each for different cells.
  * @param uses FacetTable::Range of the cell
- * @param cell CellGeometry, with CellNeighborhood::BaseNeeds and @a needs
+ * @param cell CellGeometry, normalized, with CellNeighborhood::BaseNeeds and @a needs
  * @param neighborhood CellNeighborhood
  */
 template <typename Visit>
@@ -37,6 +37,7 @@ void ForEachNeighborhood(
       {
         const FacetTable::Range uses = table.GetCellFacets(id);
         cell.Load(mesh, id, context.GetOptions());
+        cell.Normalize();
         if (uses.size() == 0 || !cell.IsFinite())
         {
           continue;

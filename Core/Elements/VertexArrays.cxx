@@ -97,6 +97,7 @@ void SumAngles(const ElementContext& context, unsigned shapes, unsigned needs, d
       for (vtkIdType id = begin; id < end; ++id)
       {
         cell.Load(mesh, id, context.GetOptions());
+        cell.Normalize();
         if (cell.GetShapes() & shapes)
         {
           cell.Compute(needs);

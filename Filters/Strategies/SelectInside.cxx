@@ -4,6 +4,7 @@
 
 #include "CheckNumber.h"
 #include "Mesh/CellFacets.h"
+#include "Mesh/LengthUnit.h"
 #include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
 #include "RunTogether.h"
@@ -20,6 +21,8 @@
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkSphere.h"
 
 #include <algorithm>
@@ -33,6 +36,47 @@ namespace
 {
 constexpr double RelativeTolerance = 1e-12; // of the diagonal of the mesh
 constexpr std::size_t NumbersPerPlane = 6;  // a point and a normal
+
+//------------------------------------------------------------------------------
+// Of a mesh so large or small that squares of lengths leave the range of numbers: what all lengths are measured in.
+struct MeshUnit
+{
+  int Exponent = 0; ///< of two
+
+  double Scale(double length) const { return std::ldexp(length, -this->Exponent); }
+  Vector Scale(const Vector& place) const { return TimesPowerOfTwo(place, -this->Exponent); }
+  HalfSpace Scale(const HalfSpace& side) const { return { side.Normal, this->Scale(side.Offset) }; }
+  std::vector<HalfSpace> Scale(std::vector<HalfSpace> sides) const
+  {
+    for (HalfSpace& side : sides)
+    {
+      side = this->Scale(side);
+    }
+    return sides;
+  }
+  /// The mesh itself, or a copy with other points.
+  vtkSmartPointer<vtkDataSet> Scale(vtkDataSet* mesh) const
+  {
+    auto* const points = vtkPointSet::SafeDownCast(mesh);
+    if (this->Exponent == 0 || !points)
+    {
+      return mesh;
+    }
+    const auto copy = vtkSmartPointer<vtkPointSet>::Take(points->NewInstance());
+    copy->ShallowCopy(points);
+    vtkNew<vtkPoints> scaled;
+    scaled->SetDataTypeToDouble();
+    scaled->SetNumberOfPoints(mesh->GetNumberOfPoints());
+    for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+    {
+      double x[3];
+      points->GetPoint(id, x);
+      scaled->SetPoint(id, this->Scale(x[0]), this->Scale(x[1]), this->Scale(x[2]));
+    }
+    copy->SetPoints(scaled);
+    return copy;
+  }
+};
 
 //------------------------------------------------------------------------------
 struct PlacementName
@@ -104,8 +148,8 @@ double GetRadius(double radius)
 }
 
 //------------------------------------------------------------------------------
-// Box around the points of all processes.
-Bounds FindBounds(const SelectionTask& task)
+// Box around the points of all processes, in the unit that goes with it.
+Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
 {
   Bounds own;
   for (std::size_t piece = 0; piece < task.Blocks.Get().size(); ++piece)
@@ -129,17 +173,26 @@ Bounds FindBounds(const SelectionTask& task)
       all.Add(bounds);
     }
   }
+  if (!all.IsEmpty())
+  {
+    unit.Exponent =
+      GetUnitExponent(std::max(GetLargestComponent(all.Low), GetLargestComponent(all.High)));
+    all.Low = unit.Scale(all.Low);
+    all.High = unit.Scale(all.High);
+  }
   return all;
 }
 
 //------------------------------------------------------------------------------
 template <typename Solid>
-std::string MarkInside(const SelectionTask& task, const Solid& solid, SelectionMarks& marks)
+std::string MarkInside(
+  const SelectionTask& task, const Solid& solid, const MeshUnit& unit, SelectionMarks& marks)
 {
   const Placement placement = FindPlacement(task.Parameters.Placement);
   for (std::size_t piece = 0; piece < marks.size(); ++piece)
   {
-    const MeshView mesh(task.GetPieces().GetMesh(piece));
+    const vtkSmartPointer<vtkDataSet> data = unit.Scale(task.GetPieces().GetMesh(piece));
+    const MeshView mesh(data);
     if (task.HasCells())
     {
       MarkCells(mesh, solid, placement, marks[piece]);
@@ -194,12 +247,13 @@ std::vector<HalfSpace> GetSides(vtkBox* box)
 //------------------------------------------------------------------------------
 using Solid = std::variant<BallSolid, CylinderSolid, HalfSpaceSolid>;
 
-Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
+Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit& unit)
 {
   const double tolerance = RelativeTolerance * bounds.GetDiagonal();
   if (auto* sphere = vtkSphere::SafeDownCast(shape))
   {
-    return BallSolid(GetVector(sphere->GetCenter()), GetRadius(sphere->GetRadius()), tolerance);
+    return BallSolid(unit.Scale(GetVector(sphere->GetCenter())),
+      unit.Scale(GetRadius(sphere->GetRadius())), tolerance);
   }
   if (auto* cylinder = vtkCylinder::SafeDownCast(shape))
   {
@@ -211,12 +265,12 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
     double worldCenter[4], worldAxis[4];
     toWorld->MultiplyPoint(center, worldCenter);
     toWorld->MultiplyPoint(axis, worldAxis);
-    return CylinderSolid(
-      GetVector(worldCenter), GetVector(worldAxis), GetRadius(cylinder->GetRadius()), tolerance);
+    return CylinderSolid(unit.Scale(GetVector(worldCenter)), GetVector(worldAxis),
+      unit.Scale(GetRadius(cylinder->GetRadius())), tolerance);
   }
   if (auto* box = vtkBox::SafeDownCast(shape))
   {
-    return HalfSpaceSolid(GetSides(box), bounds, tolerance);
+    return HalfSpaceSolid(unit.Scale(GetSides(box)), bounds, tolerance);
   }
   if (auto* plane = vtkPlane::SafeDownCast(shape))
   {
@@ -229,7 +283,7 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds)
     {
       halfSpace.Offset -= value / Norm(GetVector(normal));
     }
-    return HalfSpaceSolid({ halfSpace }, bounds, tolerance);
+    return HalfSpaceSolid({ unit.Scale(halfSpace) }, bounds, tolerance);
   }
   throw std::invalid_argument(shape
       ? std::string("Shape is a sphere, box, cylinder or plane, not a ") + shape->GetClassName()
@@ -306,16 +360,27 @@ std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& tria
     throw std::invalid_argument(subject + " not closed: " + std::to_string(open) +
       (open == 1 ? " edge has" : " edges have") + " an odd number of polygons");
   }
-  const Bounds bounds = FindBounds(task);
-  return MarkInside(task, SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), marks);
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
+  for (Simplex& triangle : triangles)
+  {
+    for (Vector& point : triangle.Points)
+    {
+      point = unit.Scale(point);
+    }
+  }
+  return MarkInside(
+    task, SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), unit, marks);
 }
 }
 
 //------------------------------------------------------------------------------
 std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks)
 {
-  const Solid solid = MakeSolid(task.Parameters.Shape, FindBounds(task));
-  return std::visit([&](const auto& known) { return MarkInside(task, known, marks); }, solid);
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
+  const Solid solid = MakeSolid(task.Parameters.Shape, bounds, unit);
+  return std::visit([&](const auto& known) { return MarkInside(task, known, unit, marks); }, solid);
 }
 
 //------------------------------------------------------------------------------
@@ -332,14 +397,16 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
                                 "found " +
       std::to_string(planes.size()));
   }
-  const Bounds bounds = FindBounds(task);
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
   std::vector<HalfSpace> halfSpaces;
   for (std::size_t i = 0; i < planes.size(); i += NumbersPerPlane)
   {
     halfSpaces.push_back(MakeHalfSpace(GetVector(&planes[i]), GetVector(&planes[i + 3])));
   }
+  const double tolerance = RelativeTolerance * bounds.GetDiagonal();
   return MarkInside(
-    task, HalfSpaceSolid(halfSpaces, bounds, RelativeTolerance * bounds.GetDiagonal()), marks);
+    task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
 }
 
 //------------------------------------------------------------------------------
@@ -367,19 +434,21 @@ std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks)
   {
     return MarkInSurface(task, MakeTriangles(shape.Rows), name + ": the polygons are", marks);
   }
-  const Bounds bounds = FindBounds(task);
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
   const double tolerance = RelativeTolerance * bounds.GetDiagonal();
   if (shape.What == ShapeText::Kind::Sphere)
   {
     const std::vector<double>& row = shape.Rows[0];
-    return MarkInside(task, BallSolid(GetVector(row.data()), GetRadius(row[3]), tolerance), marks);
+    const BallSolid ball(unit.Scale(GetVector(row.data())), unit.Scale(GetRadius(row[3])), tolerance);
+    return MarkInside(task, ball, unit, marks);
   }
   std::vector<HalfSpace> halfSpaces;
   for (const std::vector<double>& row : shape.Rows)
   {
     halfSpaces.push_back(MakeHalfSpace(GetVector(row.data() + 3), GetVector(row.data())));
   }
-  return MarkInside(task, HalfSpaceSolid(halfSpaces, bounds, tolerance), marks);
+  return MarkInside(task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
 }
 
 //------------------------------------------------------------------------------

@@ -4,10 +4,13 @@
 // that are not what they should be.
 #include "Criteria/CellStatusBits.h"
 #include "Criteria/Evaluation.h"
+#include "Elements/KernelCells.h"
 
 #include "HalfSpaceTesting.h"
 #include "ReferenceShapes.h"
 #include "TestMeshes.h"
+
+#include "vtkCellData.h"
 
 #include <gtest/gtest.h>
 
@@ -163,6 +166,53 @@ Points FindCorners(const std::vector<HalfSpace>& halfSpaces)
     }
   }
   return corners;
+}
+
+//------------------------------------------------------------------------------
+// If this fails, kernels of very large or small cells are lost or out of place.
+TEST(Kernel, MeshesOfExtremeSizes)
+{
+  const Grid prism = FindReferenceShape("L-prism").Polyhedron;
+  const Grid polygon = MakeGrid({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0 }, { 1, 1, 0 }, { 0, 2, 0 } },
+    { { VTK_POLYGON, { 0, 1, 2, 3, 4 } } });
+  for (const Grid& mesh : { prism, polygon })
+  {
+    const auto makeKernel = [&mesh](int exponent)
+    {
+      auto grid = Grid::New();
+      grid->ShallowCopy(mesh);
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        const double* const x = mesh->GetPoint(i);
+        points->InsertNextPoint(
+          std::ldexp(1 + x[0], exponent), std::ldexp(x[1], exponent), std::ldexp(x[2], exponent));
+      }
+      grid->SetPoints(points);
+      auto kernel = Grid::New();
+      EXPECT_TRUE(MakeKernelCells(grid, {}, nullptr, [](double) { return true; }, kernel));
+      return kernel;
+    };
+    const Grid usual = makeKernel(0);
+    ASSERT_EQ(usual->GetNumberOfCells(), 1);
+    for (const int exponent : { 500, -500 })
+    {
+      const Grid extreme = makeKernel(exponent);
+      ASSERT_EQ(extreme->GetNumberOfCells(), 1) << exponent;
+      ASSERT_EQ(extreme->GetNumberOfPoints(), usual->GetNumberOfPoints());
+      EXPECT_NEAR(extreme->GetCellData()->GetArray("KernelRatio")->GetComponent(0, 0),
+        usual->GetCellData()->GetArray("KernelRatio")->GetComponent(0, 0), 1e-12);
+      for (vtkIdType i = 0; i < usual->GetNumberOfPoints(); ++i)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          EXPECT_NEAR(
+            std::ldexp(extreme->GetPoint(i)[k], -exponent), usual->GetPoint(i)[k], 1e-12);
+        }
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -236,6 +236,58 @@ TEST(MeshElements, WorstFacesAreThoseOfCells)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, arrays of very large or small meshes are made of squares that are 0 or infinite.
+TEST(MeshElements, ExtremeSizes)
+{
+  const Grid surface = MakeGrid({ { 0, 0, 0 }, { 2, 0, 0.5 }, { 1, 1, 0 }, { 0, 1.5, 0 }, { 3, 1, 1 } },
+    { { VTK_POLYGON, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 2, 1, 4 } } });
+  for (const Grid& mesh : { Warp(MakeHexahedra(3, 2, 2, true), 3), surface })
+  {
+    const auto scaled = [&mesh](int exponent)
+    {
+      auto grid = Grid::New();
+      grid->ShallowCopy(mesh);
+      vtkNew<vtkPoints> points;
+      points->SetDataTypeToDouble();
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+      {
+        const double* const x = mesh->GetPoint(i);
+        points->InsertNextPoint(
+          std::ldexp(x[0], exponent), std::ldexp(x[1], exponent), std::ldexp(x[2], exponent));
+      }
+      grid->SetPoints(points);
+      return std::make_unique<Elements>(grid);
+    };
+    const auto usual = scaled(0);
+    for (const int exponent : { 330, -330 }) // 1e99, 1e-99: volumes are numbers, their squares are not
+    {
+      const auto extreme = scaled(exponent);
+      const auto compare = [exponent](vtkPolyData* expected, vtkPolyData* found,
+                             const std::vector<ElementArray>& rows)
+      {
+        for (const ElementArray& row : rows)
+        {
+          const int dimension = row.Unit == Unit::Length ? 1 : row.Unit == Unit::Volume ? 3 : 0;
+          for (vtkIdType i = 0; expected->GetCellData()->HasArray(row.Name) && i < expected->GetNumberOfCells(); ++i)
+          {
+            const double value = std::ldexp(Get(found, row.Name, i), -exponent * dimension);
+            const double before = Get(expected, row.Name, i);
+            EXPECT_EQ(std::isnan(value), std::isnan(before)) << row.Name << " of " << i;
+            if (!std::isnan(before))
+            {
+              EXPECT_NEAR(value, before, 1e-12 * std::max(1.0, std::abs(before))) << row.Name << " of " << i;
+            }
+          }
+        }
+      };
+      compare(usual->Faces, extreme->Faces, GetFaceArrays());
+      compare(usual->Edges, extreme->Edges, GetEdgeArrays());
+      compare(usual->Vertices, extreme->Vertices, GetVertexArrays());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Bit for bit the same on one thread and on many.
 TEST(MeshElements, IndependentOfThreads)
 {

@@ -384,6 +384,48 @@ class TestSelectInside(camaron_testing.TestCase):
             found = self.select_in("Plane", source, Origin=[4, 4, 4], Normal=normal)
             self.assertEqual(found, expected, length)
 
+    def test_extreme_sizes(self):
+        """If this fails, squares of lengths are 0 or infinite, and everything lies inside."""
+        ids = vtkIdList()
+        data = self.fetch(simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2] * 3)))
+        points = numpy.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+        cells = []
+        for cell in range(data.GetNumberOfCells()):
+            data.GetCellPoints(cell, ids)
+            cells.append((10, [ids.GetId(i) for i in range(4)]))
+        found = {}
+        for exponent in (0, 600, -600):
+            unit = 2.0**exponent
+            path = camaron_testing.write_vtk(self.folder / f"{exponent}.vtk", unit * points, cells)
+            source = simple.LegacyVTKReader(FileNames=[str(path)])
+            corners = [[x, y, z] for x in (-1, 1.2) for y in (-1.1, 1) for z in (-0.9, 1)]
+            surface = mesh_parts.producer(box_surface(unit * numpy.array(corners)))
+            found[exponent] = [
+                self.all_placements(
+                    "Sphere", source, Center=[0.1 * unit, 0.0, 0.0], Radius=1.8 * unit
+                ),
+                self.all_placements(
+                    "Cylinder", source, Center=[0.1 * unit, 0.0, 0.0], Radius=1.8 * unit
+                ),
+                [
+                    self.select(
+                        source,
+                        Strategy="Half-spaces",
+                        Planes=[0.3 * unit, 0, 0, 1, 0.5, 0],
+                        Placement=placement,
+                    )
+                    for placement in PLACEMENTS
+                ],
+                [
+                    self.select(source, Strategy="Surface", Surface=surface, Placement=placement)
+                    for placement in PLACEMENTS
+                ],
+            ]
+        for placement, cells_inside in found[0][0].items():
+            self.assertTrue(0 < len(cells_inside) < len(cells), placement)
+        self.assertEqual(found[600], found[0])
+        self.assertEqual(found[-600], found[0])
+
     def test_case_of_specification(self):
         """A ball within a cell, without touching its vertices."""
         cube = simple.Wavelet(WholeExtent=[0, 1, 0, 1, 0, 1])
