@@ -12,7 +12,9 @@
 #ifndef camaron_Number_h
 #define camaron_Number_h
 
+#include <cfloat>   // for the extended format
 #include <charconv> // for std::to_chars
+#include <cstddef>  // for std::ptrdiff_t
 #include <cstdint>  // for integers of known size
 #include <cstring>  // for std::memcpy
 #include <limits>   // for the range of float
@@ -65,9 +67,71 @@ constexpr double PowersOfTen[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 
   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
 
 /**
- * The common case: at most 19 digits that make an integer below 2^53, times a power of ten that is
- * exact in double; one division or multiplication then rounds correctly (W. D. Clinger, How to read
- * floating point numbers accurately, 1990). Returns nullptr for everything else.
+ * Appends eight digits to a number at once; false if there are not that many, or if the machine is not
+ * known to be one where that works: in a word of characters less '0', digits are bytes below ten, and
+ * neighbours add up to numbers of two, four and eight digits.
+ */
+inline bool ReadEightDigits(const char* p, const char* end, std::uint64_t& number)
+{
+#if defined(__GNUC__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+  constexpr std::uint64_t EveryByte = 0x0101010101010101u;
+  std::uint64_t word;
+  if (end - p < static_cast<std::ptrdiff_t>(sizeof(word)))
+  {
+    return false;
+  }
+  std::memcpy(&word, p, sizeof(word));
+  word ^= EveryByte * '0';
+  if (((word + EveryByte * (0x80 - 10)) | word) & (EveryByte * 0x80))
+  {
+    return false;
+  }
+  constexpr std::uint64_t EveryFourth = 0x000000ff000000ffu;
+  word = word * 10 + (word >> 8);
+  word = (word & EveryFourth) * ((std::uint64_t(1000000) << 32) + 100) +
+    (word >> 16 & EveryFourth) * ((std::uint64_t(10000) << 32) + 1);
+  number = number * 100000000 + (word >> 32);
+  return true;
+#else
+  (void)p;
+  (void)end;
+  (void)number;
+  return false;
+#endif
+}
+
+/**
+ * An integer times a power of ten that is exact in double. If the integer is so as well, one division or
+ * multiplication rounds correctly (W. D. Clinger, How to read floating point numbers accurately, 1990).
+ * Else the same is done in the extended format of x86, where both are exact: its result rounded again is
+ * right unless it lies half way between two doubles. Then, and where there is no such format, false.
+ */
+inline bool ScaleByPowerOfTen(std::uint64_t integer, int exponent, double& value)
+{
+  constexpr std::uint64_t MaxExact = std::uint64_t(1) << 53;
+  if (integer <= MaxExact)
+  {
+    value = static_cast<double>(integer);
+    value = exponent < 0 ? value / PowersOfTen[-exponent] : value * PowersOfTen[exponent];
+    return true;
+  }
+#if defined(__GNUC__) && LDBL_MANT_DIG == 64
+  auto wide = static_cast<long double>(integer);
+  wide = exponent < 0 ? wide / PowersOfTen[-exponent] : wide * PowersOfTen[exponent];
+  value = static_cast<double>(wide);
+  std::uint64_t fraction; // is what comes first of the format
+  std::memcpy(&fraction, &wide, sizeof(fraction));
+  constexpr std::uint64_t Dropped = (std::uint64_t(1) << 11) - 1; // 64 - 53 bits
+  constexpr std::uint64_t HalfWay = std::uint64_t(1) << 10;
+  return (fraction & Dropped) != HalfWay;
+#else
+  return false;
+#endif
+}
+
+/**
+ * The common case: at most 19 digits, which make an integer of 64 bits, and a power of ten that is exact
+ * in double. Returns nullptr for everything else.
  */
 inline const char* ParseRealFast(const char* text, const char* end, double& value)
 {
@@ -85,6 +149,10 @@ inline const char* ParseRealFast(const char* text, const char* end, double& valu
   if (p < end && *p == '.')
   {
     first = ++p;
+    while (ReadEightDigits(p, end, mantissa))
+    {
+      p += 8;
+    }
     for (; p < end && IsDigit(*p); ++p)
     {
       mantissa = mantissa * 10 + static_cast<unsigned char>(*p - '0');
@@ -113,14 +181,13 @@ inline const char* ParseRealFast(const char* text, const char* end, double& valu
       p = q;
     }
   }
-  constexpr std::uint64_t MaxMantissa = std::uint64_t(1) << 53;
   constexpr int MaxExponent = 22;
-  if (mantissa > MaxMantissa || exponent < -MaxExponent || exponent > MaxExponent)
+  double result;
+  if (exponent < -MaxExponent || exponent > MaxExponent ||
+    !ScaleByPowerOfTen(mantissa, exponent, result))
   {
     return nullptr;
   }
-  double result = static_cast<double>(mantissa);
-  result = exponent < 0 ? result / PowersOfTen[-exponent] : result * PowersOfTen[exponent];
   value = negative ? -result : result;
   return p;
 }

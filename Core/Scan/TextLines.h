@@ -60,6 +60,22 @@ public:
   template <typename Visit>
   bool ForEach(const Section& section, const Progress& progress, Visit&& visit) const
   {
+    return this->ForEachToEnd(section, progress,
+      [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+      {
+        const char* const lineEnd = FindLineFeed(text, end);
+        return visit(piece, line, text, lineEnd) ? lineEnd : nullptr;
+      });
+  }
+
+  /**
+   * The same for a visitor that comes by the end of the line anyway, which need not be looked for then:
+   * it is given that of the text, and returns the line's own as GetEndOfLine does, or nullptr if
+   * something is wrong.
+   */
+  template <typename Visit>
+  bool ForEachToEnd(const Section& section, const Progress& progress, Visit&& visit) const
+  {
     const vtkIdType firstChunk = this->GetChunk(section.Begin);
     std::atomic<bool> good{ true };
     progress.For(this->GetNumberOfPieces(section),
@@ -78,9 +94,10 @@ public:
           bool pieceIsGood = true;
           while (pieceIsGood && this->NextLine(text, end))
           {
-            const char* lineEnd = FindLineFeed(text, end);
             // There are not as many as were counted if the file was changed since.
-            pieceIsGood = line >= 0 && line < lastLine && visit(piece, line, text, lineEnd);
+            const char* const lineEnd =
+              line >= 0 && line < lastLine ? visit(piece, line, text, end) : nullptr;
+            pieceIsGood = lineEnd != nullptr;
             text = lineEnd;
             ++line;
           }
@@ -100,6 +117,23 @@ public:
   bool IsBlank(const char* text, const char* end) const;
   /// True if no lone CR is left in the line.
   static bool HasOneEnd(const char* text, const char* end);
+
+  /// The line feed after @a text, or @a end; nullptr if a lone CR comes before it.
+  static const char* GetEndOfLine(const char* text, const char* end)
+  {
+    if (text < end && *text == '\n')
+    {
+      return text;
+    }
+    const char* const lineEnd = FindLineFeed(text, end);
+    return HasOneEnd(text, lineEnd) ? lineEnd : nullptr;
+  }
+  /// The same, but nullptr also if something is left of the line.
+  const char* GetEndOfBlankLine(const char* text, const char* end) const
+  {
+    const char* const lineEnd = GetEndOfLine(text, end);
+    return lineEnd && (lineEnd == text || this->IsBlank(text, lineEnd)) ? lineEnd : nullptr;
+  }
 
 private:
   struct Chunk

@@ -33,6 +33,7 @@ enum class RowLayout
 class TextRow
 {
 public:
+  /// @param end of the text; the row ends with the line
   TextRow(const char* begin, const char* end, char comment)
     : Text(begin)
     , End(end)
@@ -187,7 +188,8 @@ private:
   // A CR is at the end of the line or ends it, and then the scanner has to see to it.
   void SkipBlanks()
   {
-    while (this->Text < this->End && IsSpace(*this->Text) && *this->Text != '\r')
+    while (this->Text < this->End && IsSpace(*this->Text) && *this->Text != '\r' &&
+      *this->Text != '\n')
     {
       ++this->Text;
     }
@@ -210,11 +212,11 @@ template <typename Visit>
 bool VisitRows(const TextLines& lines, const TextLines::Section& section, char comment,
   const Progress& progress, Visit&& visit)
 {
-  return lines.ForEach(section, progress,
+  return lines.ForEachToEnd(section, progress,
     [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
     {
       TextRow row(text, end, comment);
-      return visit(line, piece, row) && TextLines::HasOneEnd(row.GetPosition(), end);
+      return visit(line, piece, row) ? TextLines::GetEndOfLine(row.GetPosition(), end) : nullptr;
     });
 }
 

@@ -79,6 +79,17 @@ TEST(ScanNumbers, RealsAsTheLibraryReadsThem)
     const double half = (static_cast<double>(f) + std::nextafter(f, 2 * f)) / 2;
     std::snprintf(text, sizeof(text), "%.*e", 15 + i % 10, half);
     ExpectAsLibrary(text);
+    // Half way between two doubles, and next to it, in all the digits that fit 64 bits.
+    constexpr std::uint64_t Hidden = std::uint64_t(1) << 53;
+    const std::uint64_t odd = (bits & (Hidden - 1)) | Hidden | 1;
+    const std::uint64_t halfWay = odd << random() % 10;
+    std::snprintf(text, sizeof(text), "%llu", static_cast<unsigned long long>(halfWay));
+    ExpectAsLibrary(text);
+    std::snprintf(text, sizeof(text), "%llu", static_cast<unsigned long long>(halfWay + 1));
+    ExpectAsLibrary(text);
+    std::snprintf(text, sizeof(text), "%llue%d", static_cast<unsigned long long>(bits >> 1),
+      static_cast<int>(random() % 60) - 30);
+    ExpectAsLibrary(text);
   }
 }
 
