@@ -36,16 +36,14 @@ void CellShell::Clear()
 }
 
 //------------------------------------------------------------------------------
-void CellShell::Load(const IdLists& faces, const IdList& cell)
+void CellShell::Load(const IdList& cell, const IdList* faces)
 {
   this->Clear();
   for (std::int32_t f = 0; f < cell.Size; ++f)
   {
-    const std::int32_t id = cell[f];
-    const IdList face = faces[id];
-    if (face.Size > 0)
+    if (faces[f].Size > 0)
     {
-      this->Add(id, face);
+      this->Add(cell[f], faces[f]);
     }
   }
   this->NumberPoints();

@@ -29,8 +29,8 @@ public:
   {
   }
 
-  /// Takes the faces of a cell; faces without points are left out.
-  void Load(const IdLists& faces, const IdList& cell);
+  /// Takes the faces of a cell, which has a list of their ids; faces without points are left out.
+  void Load(const IdList& cell, const IdList* faces);
   /// The same of faces that are somewhere; ids may count from any number, as long as no volume is asked.
   void Load(const IdList* faces, std::int32_t count);
   /// Turns the faces; false if the cell is not closed.

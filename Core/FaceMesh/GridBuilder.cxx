@@ -21,7 +21,7 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType BlockSize = 1024;
+constexpr vtkIdType BlockSize = IdLists::BlockSize;
 constexpr vtkIdType Ahead = 8; // items whose faces are fetched meanwhile
 constexpr vtkIdType MaxInt32 = INT32_MAX;
 
@@ -87,7 +87,10 @@ public:
   }
 
 private:
-  Shape Expect(vtkIdType item, const Exception* exception) const;
+  /// @param getSize of face f of the item, whose id it is given, too
+  template <typename GetSize>
+  Shape Expect(vtkIdType item, const IdList& cell, const Exception* exception,
+    const GetSize& getSize) const;
   bool Measure(const Progress& progress);
   bool Fill(const Progress& progress)
   {
@@ -104,41 +107,76 @@ private:
   template <typename Id>
   void TurnSecondUses(Arrays<Id>& arrays) const;
 
-  /// Visits the items of one block in order, each with what is expected of it.
+  /// Lists that a thread has read.
+  struct Lists
+  {
+    IdListGroup Cells; ///< of a block
+    IdListGroup Faces; ///< of the current item
+  };
+
+  /**
+   * Calls @a visit(i, cell, shape) for the items of one block in order, with the faces of each that is a
+   * cell and what is expected of it. If @a readFaces, @a lists has the item's faces meanwhile.
+   */
   template <typename Visit>
-  void ForBlock(vtkIdType block, Visit&& visit) const
+  void ForBlock(vtkIdType block, bool readFaces, Lists& lists, Visit&& visit) const
   {
     const vtkIdType first = block * BlockSize;
     const vtkIdType last = std::min(first + BlockSize, this->Piece.GetNumberOfItems());
+    this->ReadCells(first, last, lists.Cells);
     auto next = std::lower_bound(this->Exceptions.begin(), this->Exceptions.end(), first,
       [](const Exception& e, vtkIdType i) { return e.Item < i; });
     for (vtkIdType i = first; i < last; ++i)
     {
-      this->PrefetchFaces(i + Ahead);
+      this->PrefetchFaces(GetList(lists.Cells, i - first + Ahead));
       const vtkIdType item = this->Piece.GetItem(i);
+      const IdList cell = GetList(lists.Cells, i - first);
+      if (readFaces)
+      {
+        this->ReadFaces(item, cell, lists.Faces);
+      }
       const bool isException = next != this->Exceptions.end() && next->Item == i;
-      if (isException || item >= this->NumberOfUniformCells)
+      if (!isException && item < this->NumberOfUniformCells)
       {
-        visit(i, this->Expect(item, isException ? &*next++ : nullptr));
+        visit(i, cell, this->UniformShape);
+        continue;
       }
-      else
-      {
-        visit(i, this->UniformShape);
-      }
+      const Exception* const exception = isException ? &*next++ : nullptr;
+      visit(i, cell,
+        readFaces
+          ? this->Expect(item, cell, exception,
+              [&](std::int32_t f, vtkIdType) { return lists.Faces[f].Size; })
+          : this->Expect(item, cell, exception,
+              [this](std::int32_t, vtkIdType id) { return this->Mesh.Faces.GetSize(id); }));
     }
   }
-  void PrefetchFaces(vtkIdType i) const
+  void ReadCells(vtkIdType first, vtkIdType last, IdListGroup& cells) const;
+  void ReadFaces(vtkIdType item, const IdList& cell, IdListGroup& faces) const
   {
-    const vtkIdType item =
-      i < this->Piece.GetNumberOfItems() ? this->Piece.GetItem(i) : this->Mesh.Cells.GetCount();
     if (item < this->Mesh.Cells.GetCount())
     {
-      const IdList cell = this->Mesh.Cells[item];
-      for (std::int32_t f = 0; f < cell.Size; ++f)
-      {
-        this->Mesh.Faces.Prefetch(cell[f]);
-      }
+      this->Mesh.Faces.Read(cell, faces);
+      return;
     }
+    const auto face = static_cast<std::int32_t>(this->Piece.GetFace(item));
+    this->Mesh.Faces.Read({ reinterpret_cast<const char*>(&face), 1, 0 }, faces);
+  }
+  static IdList GetList(const IdListGroup& lists, vtkIdType i)
+  {
+    return i < lists.size() ? lists[i] : IdList();
+  }
+  void PrefetchFaces(const IdList& cell) const
+  {
+    for (std::int32_t f = 0; f < cell.Size; ++f)
+    {
+      this->Mesh.Faces.Prefetch(cell[f]);
+    }
+  }
+  /// Whether a block is full of cells of the one shape.
+  bool IsUniform(vtkIdType block) const
+  {
+    return this->Piece.IsWhole() && this->Exceptions.empty() &&
+      (block + 1) * BlockSize <= this->NumberOfUniformCells;
   }
   vtkIdType GetNumberOfBlocks() const
   {
@@ -162,13 +200,15 @@ private:
 //------------------------------------------------------------------------------
 // What the sizes of its faces say an item is, if all is well with it: a polyhedron is expected to be
 // closed and without handles (Euler: points - edges + faces = 2).
-Shape GridBuilder::Expect(vtkIdType item, const Exception* exception) const
+template <typename GetSize>
+Shape GridBuilder::Expect(vtkIdType item, const IdList& cell, const Exception* exception,
+  const GetSize& getSize) const
 {
   Shape shape;
   const vtkIdType numberOfCells = this->Mesh.Cells.GetCount();
   if (item >= numberOfCells)
   {
-    const std::int32_t size = this->Mesh.Faces[this->Piece.GetFace(item)].Size;
+    const std::int32_t size = getSize(0, this->Piece.GetFace(item));
     shape.Type = size == 1 ? VTK_VERTEX
       : size == 2          ? VTK_LINE
       : size == 3          ? VTK_TRIANGLE
@@ -178,7 +218,6 @@ Shape GridBuilder::Expect(vtkIdType item, const Exception* exception) const
     return shape;
   }
 
-  const IdList cell = this->Mesh.Cells[item];
   std::int32_t faces = 0, triangles = 0, quads = 0;
   vtkIdType corners = 0;
   const std::int32_t commonSize = this->Mesh.Faces.GetCommonSize();
@@ -193,7 +232,7 @@ Shape GridBuilder::Expect(vtkIdType item, const Exception* exception) const
   {
     for (std::int32_t f = 0; f < cell.Size; ++f)
     {
-      const std::int32_t size = this->Mesh.Faces[cell[f]].Size;
+      const std::int32_t size = getSize(f, cell[f]);
       faces += size > 0;
       triangles += size == 3;
       quads += size == 4;
@@ -223,31 +262,78 @@ Shape GridBuilder::Expect(vtkIdType item, const Exception* exception) const
 }
 
 //------------------------------------------------------------------------------
+void GridBuilder::ReadCells(vtkIdType first, vtkIdType last, IdListGroup& cells) const
+{
+  const vtkIdType numberOfCells = this->Mesh.Cells.GetCount();
+  if (this->Piece.IsWhole())
+  {
+    this->Mesh.Cells.ReadBlock(first, std::min(last, numberOfCells), cells);
+    return;
+  }
+  std::array<std::int32_t, BlockSize> items;
+  for (vtkIdType i = first; i < last; ++i)
+  {
+    // What is no cell has an empty list here.
+    items[static_cast<std::size_t>(i - first)] = static_cast<std::int32_t>(
+      std::min(this->Piece.GetItem(i), numberOfCells));
+  }
+  this->Mesh.Cells.Read({ reinterpret_cast<const char*>(items.data()),
+                          static_cast<std::int32_t>(last - first), 0 },
+    cells);
+}
+
+//------------------------------------------------------------------------------
+// The only type that a cell of these faces can be.
+unsigned char GuessType(const IdListGroup& faces)
+{
+  const auto count = static_cast<std::int32_t>(faces.size());
+  std::int32_t triangles = 0, quads = 0;
+  for (std::int32_t f = 0; f < count; ++f)
+  {
+    triangles += faces[f].Size == 3;
+    quads += faces[f].Size == 4;
+  }
+  return PrimitiveMatcher::Guess(count, triangles, quads);
+}
+
+//------------------------------------------------------------------------------
 bool GridBuilder::Measure(const Progress& progress)
 {
-  if (this->Mesh.Cells.GetCommonSize() > 0 && this->Mesh.Faces.GetCommonSize() > 0)
+  const std::int32_t cellSize = this->Mesh.Cells.GetCommonSize();
+  const std::int32_t faceSize = this->Mesh.Faces.GetCommonSize();
+  if (cellSize > 0 && faceSize > 0)
   {
     this->NumberOfUniformCells = this->Mesh.Cells.GetCount();
-    this->UniformShape = this->Expect(0, nullptr);
+    this->UniformShape = this->Expect(0, { nullptr, cellSize, 0 }, nullptr,
+      [faceSize](std::int32_t, vtkIdType) { return faceSize; });
   }
   this->Blocks.assign(static_cast<std::size_t>(this->GetNumberOfBlocks()) + 1, Extent());
   std::atomic<bool> isTooLarge{ false };
   const bool finished = progress.For(this->GetNumberOfBlocks(),
     [&](vtkIdType first, vtkIdType last)
     {
+      Lists lists;
       for (vtkIdType block = first; block < last; ++block)
       {
-        Extent sum;
-        this->ForBlock(block,
-          [&](vtkIdType, const Shape& shape)
+        Extent& sum = this->Blocks[block + 1];
+        const auto add = [&](const Shape& shape)
+        {
+          sum += shape.Size;
+          if (shape.Size.PolyhedronFacePoints > MaxInt32)
           {
-            sum += shape.Size;
-            if (shape.Size.PolyhedronFacePoints > MaxInt32)
-            {
-              isTooLarge = true;
-            }
-          });
-        this->Blocks[block + 1] = sum;
+            isTooLarge = true;
+          }
+        };
+        if (this->IsUniform(block))
+        {
+          for (vtkIdType i = 0; i < BlockSize; ++i)
+          {
+            add(this->UniformShape);
+          }
+          continue;
+        }
+        this->ForBlock(
+          block, false, lists, [&](vtkIdType, const IdList&, const Shape& shape) { add(shape); });
       }
     });
   for (std::size_t block = 1; block < this->Blocks.size(); ++block)
@@ -294,9 +380,11 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
       CellShell shell(this->Mesh.Points);
       std::vector<std::array<vtkIdType, 2>> localOpen;
       std::vector<Exception> localExceptions;
+      Lists lists;
+      const IdListGroup& faces = lists.Faces;
       Extent at = this->Blocks[first];
 
-      const auto fill = [&](vtkIdType i, const Shape& shape)
+      const auto fill = [&](vtkIdType i, const IdList& cell, const Shape& shape)
       {
         const vtkIdType item = this->Piece.GetItem(i);
         arrays.Types[i] = shape.Type;
@@ -308,7 +396,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         Id* ids = arrays.Connectivity.data() + at.Points;
         if (shape.Type == VTK_POLYHEDRON)
         {
-          shell.Load(this->Mesh.Faces, this->Mesh.Cells[item]);
+          shell.Load(cell, faces.data());
           const auto& points = shell.GetPoints();
           if (shell.GetNumberOfFaces() != shape.Size.PolyhedronFaces ||
             shell.GetNumberOfCorners() != shape.Size.PolyhedronFacePoints)
@@ -348,21 +436,14 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         }
         else if (shape.Size.Faces > 0)
         {
-          constexpr int MaxFaces = 6; // of a hexahedron
-          const IdList cell = this->Mesh.Cells[item];
-          IdList faces[MaxFaces];
-          if (cell.Size != shape.Size.Faces || cell.Size > MaxFaces)
+          if (GuessType(faces) != shape.Type)
           {
             hasChanged = true;
             return;
           }
-          for (std::int32_t f = 0; f < cell.Size; ++f)
+          if (!matcher.Match(shape.Type, faces.data()))
           {
-            faces[f] = this->Mesh.Faces[cell[f]];
-          }
-          if (!matcher.Match(shape.Type, faces))
-          {
-            shell.Load(this->Mesh.Faces, cell);
+            shell.Load(cell, faces.data());
             localExceptions.push_back(
               { i, VTK_POLYHEDRON, static_cast<vtkIdType>(shell.GetPoints().size()) });
             return;
@@ -379,7 +460,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
         }
         else if (shape.Type != VTK_EMPTY_CELL)
         {
-          const IdList face = this->Mesh.Faces[this->Piece.GetFace(item)];
+          const IdList& face = faces[0];
           for (std::int32_t j = 0; j < std::min<vtkIdType>(face.Size, shape.Size.Points); ++j)
           {
             ids[j] = static_cast<Id>(this->Piece.GetPoint(face[j]));
@@ -389,15 +470,15 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
 
       for (vtkIdType block = first; block < last; ++block)
       {
-        this->ForBlock(block,
-          [&](vtkIdType i, const Shape& shape)
+        this->ForBlock(block, true, lists,
+          [&](vtkIdType i, const IdList& cell, const Shape& shape)
           {
             if (!at.HasRoom(shape.Size, this->Blocks[block + 1]))
             {
               hasChanged = true;
               return;
             }
-            fill(i, shape);
+            fill(i, cell, shape);
             at += shape.Size;
           });
       }
@@ -440,16 +521,21 @@ template <typename Id>
 void GridBuilder::TurnSecondUses(Arrays<Id>& arrays) const
 {
   IdSet faces(this->Mesh.Faces.GetCount());
-  for (const auto& cell : this->OpenCells)
-  {
-    const IdList list = this->Mesh.Cells[cell[0]];
-    for (std::int32_t f = 0; f < list.Size; ++f)
-    {
-      faces.Add(list[f]);
-    }
-  }
-  std::vector<bool> reversed(static_cast<std::size_t>(faces.Number()), false);
   auto next = this->OpenCells.begin();
+  this->Mesh.Cells.ForEachInOrder(
+    [&](vtkIdType cell, const IdList& list)
+    {
+      if (next != this->OpenCells.end() && (*next)[0] == cell)
+      {
+        for (std::int32_t f = 0; f < list.Size; ++f)
+        {
+          faces.Add(list[f]);
+        }
+        ++next;
+      }
+    });
+  std::vector<bool> reversed(static_cast<std::size_t>(faces.Number()), false);
+  next = this->OpenCells.begin();
   this->Mesh.Cells.ForEachInOrder(
     [&](vtkIdType cell, const IdList& list)
     {
@@ -458,7 +544,7 @@ void GridBuilder::TurnSecondUses(Arrays<Id>& arrays) const
       for (std::int32_t f = 0; f < list.Size; ++f)
       {
         const std::int32_t face = list[f];
-        if (!faces.Contains(face) || this->Mesh.Faces[face].Size == 0)
+        if (!faces.Contains(face) || this->Mesh.Faces.GetSize(face) == 0)
         {
           continue;
         }

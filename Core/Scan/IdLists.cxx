@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <optional>
 
 namespace camaron
 {
@@ -274,153 +275,99 @@ bool IdLists::Scan(TextScanner& scanner, const TextLines* lines, vtkIdType count
   this->Count = count;
   this->Swap = false;
   this->CommonSize = -1;
-  if (lines && !expected.AccessAll &&
-    this->CheckLines(scanner, *lines, dropRest, expected, progress))
+  this->Needed = nullptr;
+  if (lines && this->CheckLines(scanner, *lines, dropRest, expected, progress))
   {
     return true;
   }
-  if (progress.IsStopped())
+  this->Lines = nullptr;
+  this->LineStarts = Buffer<std::uint16_t>();
+  if (progress.IsStopped() || !this->ScanText(scanner, dropRest, expected))
   {
     return false;
   }
-  this->Lines = nullptr;
-  if (!(lines && this->ScanLines(scanner, *lines, dropRest, expected, progress.Part(0, 0.8))))
-  {
-    if (progress.IsStopped() || !this->ScanText(scanner, dropRest, expected))
-    {
-      return false;
-    }
-  }
   // From here on the text is as good as a binary file without errors.
-  const char* words = reinterpret_cast<const char*>(
-    this->Words.size() > 0 ? this->Words.data() : this->GrownWords.data());
-  const auto size = this->Words.size() + static_cast<vtkIdType>(this->GrownWords.size());
-  BinaryScanner memory("", words, words + 4 * size, GetByteOrder());
+  const char* words = reinterpret_cast<const char*>(this->Words.data());
+  BinaryScanner memory("", words, words + 4 * this->Words.size(), GetByteOrder());
   return this->Scan(memory, count, expected, progress.Part(0.8, 1));
 }
 
 //------------------------------------------------------------------------------
-bool IdLists::ScanLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
-  const Expectation& expected, const Progress& progress)
+// Reads the next number of a line, which must be in [0, limit); false if something is wrong with it.
+inline bool IdLists::ReadNumber(
+  const char*& text, const char* end, std::int64_t limit, std::int32_t& number) const
 {
-  const TextLines::Section section = lines.Find(scanner.GetPosition(), this->Count);
-  if (!section)
+  // Most are a blank, some digits, and a blank or the end of the line. That takes half of the time.
+  constexpr int UsualDigits = 9;
+  if (end - text > UsualDigits + 1)
   {
-    return false;
-  }
-  const char comment = scanner.GetComment();
-  const auto parse = [comment](const char*& text, const char* end, std::int64_t& value)
-  {
-    while (text < end && IsSpace(*text))
+    const char* p = text + (*text == ' ');
+    const char* const first = p;
+    const char* const last = p + UsualDigits;
+    std::int32_t usual = 0;
+    for (; p < last && IsDigit(*p); ++p)
     {
-      ++text;
+      usual = usual * 10 + (*p - '0');
     }
-    text = ParseInteger(text, end, value);
-    return text && (text == end || IsSpace(*text) || *text == comment);
-  };
-
-  // The length of every list first, so that there is exactly the memory that is needed.
-  std::vector<vtkIdType> first(static_cast<std::size_t>(lines.GetNumberOfPieces(section)) + 1, 0);
-  bool good = lines.ForEach(section, progress.Part(0, 0.2),
-    [&](vtkIdType piece, vtkIdType, const char* text, const char* end)
+    if (p > first && (*p == ' ' || *p == '\n') && usual < limit)
     {
-      std::int64_t size = 0;
-      const char* const begin = text;
-      if (!parse(text, end, size) || size < 0 || size > (end - begin) / 2)
-      {
-        return false;
-      }
-      first[piece + 1] += 1 + size;
+      text = p;
+      number = usual;
       return true;
-    });
-  if (!good)
+    }
+  }
+  while (text < end && IsSpace(*text) && *text != '\n')
+  {
+    ++text;
+  }
+  std::int64_t value = 0;
+  const char* const next = ParseInteger(text, end, value);
+  if (!next || (next < end && !IsSpace(*next) && *next != this->Comment) || value < 0 ||
+    value >= limit)
   {
     return false;
   }
-  for (std::size_t piece = 1; piece < first.size(); ++piece)
-  {
-    first[piece] += first[piece - 1];
-  }
-
-  Buffer<std::int32_t> words(first.back());
-  const std::vector<vtkIdType> last(first.begin() + 1, first.end());
-  const auto limit = static_cast<std::uint64_t>(expected.Limit);
-  const vtkIdType lastLine = this->Count - 1;
-  good = lines.ForEach(section, progress.Part(0.2, 1),
-    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
-    {
-      std::int64_t size = 0;
-      if (!parse(text, end, size) || size < 0 || size >= last[piece] - first[piece])
-      {
-        return false; // the file was changed
-      }
-      std::int32_t* word = words.data() + first[piece];
-      *word++ = static_cast<std::int32_t>(size);
-      for (std::int64_t j = 0; j < size; ++j)
-      {
-        std::int64_t id;
-        if (!parse(text, end, id) || static_cast<std::uint64_t>(id) >= limit)
-        {
-          return false;
-        }
-        *word++ = static_cast<std::int32_t>(id);
-      }
-      first[piece] += 1 + size;
-      return dropRest || line == lastLine ? TextLines::HasOneEnd(text, end)
-                                          : lines.IsBlank(text, end);
-    });
-  if (good)
-  {
-    this->Words = std::move(words);
-    scanner.SetPosition(section.End);
-  }
-  return good;
+  text = next;
+  number = static_cast<std::int32_t>(value);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-// Reads a list; false if something is wrong with it. What follows it is left.
-bool IdLists::ReadLine(
-  const char*& text, const char* end, std::vector<std::int32_t>& ids) const
+// False, and nothing is appended, if something is wrong with the list. What follows it is left.
+bool IdLists::ReadLine(const char*& text, const char* end, std::vector<std::int32_t>& words,
+  std::size_t& size) const
 {
-  const auto limit = static_cast<std::uint64_t>(this->Limit);
-  const auto parse = [&](std::int64_t& value)
-  {
-    while (text < end && IsSpace(*text))
-    {
-      ++text;
-    }
-    const char* const next = ParseInteger(text, end, value);
-    text = next ? next : text;
-    return next && (next == end || IsSpace(*next) || *next == this->Comment);
-  };
-  std::int64_t size = 0, id = 0;
-  if (!parse(size) || size < 0 || size > (end - text) / 2)
+  std::int32_t count = 0;
+  if (!this->ReadNumber(text, end, std::min<std::int64_t>((end - text) / 2 + 1, INT32_MAX), count))
   {
     return false;
   }
-  ids.resize(static_cast<std::size_t>(size));
-  for (std::int32_t& place : ids)
+  const std::size_t newSize = size + static_cast<std::size_t>(count);
+  if (newSize > words.size())
   {
-    if (!parse(id) || static_cast<std::uint64_t>(id) >= limit)
+    words.resize(2 * newSize);
+  }
+  std::int32_t* const list = words.data() + size;
+  for (std::int32_t j = 0; j < count; ++j)
+  {
+    if (!this->ReadNumber(text, end, this->Limit, list[j]))
     {
       return false;
     }
-    place = static_cast<std::int32_t>(id);
   }
+  size = newSize;
   return true;
 }
 
 //------------------------------------------------------------------------------
 // The same of the next line that counts.
-bool IdLists::ReadNextLine(const char*& text, std::vector<std::int32_t>& ids) const
+bool IdLists::ReadNextLine(
+  const char*& text, std::vector<std::int32_t>& words, std::size_t& size) const
 {
-  TextScanner scanner("", text, this->Section.End, this->Comment);
-  scanner.SetPosition(text);
-  const bool isThere = scanner.SkipSpace();
-  text = scanner.GetPosition();
-  scanner.SkipLine();
-  const bool good = isThere && this->ReadLine(text, scanner.GetPosition(), ids);
-  text = scanner.GetPosition();
+  const char* const end = this->Section.End;
+  const bool good = this->Lines->NextLine(text, end) && this->ReadLine(text, end, words, size);
+  const char* const lineEnd = good ? TextLines::GetEndOfLine(text, end) : nullptr;
+  text = lineEnd ? lineEnd : end;
   return good;
 }
 
@@ -436,35 +383,56 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
   this->Lines = &lines;
   this->Comment = scanner.GetComment();
   this->Limit = expected.Limit;
+  this->Groups.resize(static_cast<std::size_t>((this->Count + GroupSize - 1) / GroupSize));
+  this->LineStarts = Buffer<std::uint16_t>(expected.AccessAll ? this->Count : 0);
   struct Seen
   {
-    std::vector<std::int32_t> Ids;
+    std::vector<std::int32_t> Words;
+    std::optional<IdSet::Adder> Used;
     vtkIdType NumberOfIds = 0;
+    std::int32_t Least = INT32_MAX, Most = -1;
     Tally Empty, Short, Repeating;
   };
   std::vector<Seen> pieces(this->GetNumberOfPieces());
   const vtkIdType lastLine = this->Count - 1;
-  const bool good = lines.ForEach(this->Section, progress,
-    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+  const bool good = lines.ForEachToEnd(this->Section, progress,
+    [&](vtkIdType piece, vtkIdType line, const char* text, const char* end) -> const char*
     {
-      Seen& seen = pieces[piece];
-      if (!this->ReadLine(text, end, seen.Ids) ||
-        !(dropRest || line == lastLine ? TextLines::HasOneEnd(text, end)
-                                       : lines.IsBlank(text, end)))
+      if (expected.AccessAll)
       {
-        return false;
+        this->LineStarts[line] = this->GetLineStart(text);
       }
-      const auto size = static_cast<vtkIdType>(seen.Ids.size());
-      seen.NumberOfIds += size;
-      std::int32_t previous = size > 0 ? seen.Ids.back() : -1;
-      bool repeats = false;
-      for (const std::int32_t id : seen.Ids)
+      if (line % GroupSize == 0)
       {
-        repeats |= id == previous;
-        previous = id;
-        if (expected.Used)
+        this->Groups[static_cast<std::size_t>(line / GroupSize)] = text;
+      }
+      Seen& seen = pieces[static_cast<std::size_t>(piece)];
+      std::size_t count = 0;
+      if (!this->ReadLine(text, end, seen.Words, count))
+      {
+        return nullptr;
+      }
+      const auto size = static_cast<std::int32_t>(count);
+      seen.NumberOfIds += size;
+      seen.Least = std::min(seen.Least, size);
+      seen.Most = std::max(seen.Most, size);
+      const std::int32_t* const ids = seen.Words.data();
+      std::int32_t previous = size > 0 ? ids[size - 1] : -1;
+      bool repeats = false;
+      for (std::int32_t j = 0; j < size; ++j)
+      {
+        repeats |= ids[j] == previous;
+        previous = ids[j];
+      }
+      if (expected.Used)
+      {
+        if (!seen.Used)
         {
-          expected.Used->Add(id);
+          seen.Used.emplace(*expected.Used);
+        }
+        for (std::int32_t j = 0; j < size; ++j)
+        {
+          seen.Used->Add(ids[j]);
         }
       }
       if (size < 3)
@@ -475,10 +443,12 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
       {
         seen.Repeating.Add(line);
       }
-      return true;
+      return dropRest || line == lastLine ? TextLines::GetEndOfLine(text, end)
+                                          : lines.GetEndOfBlankLine(text, end);
     });
-  if (!good)
+  if (!good || !this->AreGroupsSmall())
   {
+    pieces.clear(); // adds what is left of used ids
     if (expected.Used)
     {
       *expected.Used = IdSet(expected.Used->GetLimit());
@@ -486,61 +456,110 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
     return false;
   }
   this->NumberOfIds = 0;
+  std::int32_t least = INT32_MAX, most = -1;
   for (const Seen& seen : pieces)
   {
     this->NumberOfIds += seen.NumberOfIds;
+    least = std::min(least, seen.Least);
+    most = std::max(most, seen.Most);
     expected.Empty.Merge(seen.Empty);
     expected.Short.Merge(seen.Short);
     expected.Repeating.Merge(seen.Repeating);
   }
+  this->LineSize = least == most ? least : -1;
   scanner.SetPosition(this->Section.End);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool IdLists::KeepNeeded(const Progress& progress)
+bool IdLists::AreGroupsSmall() const
 {
-  std::vector<std::vector<std::int32_t>> kept(this->GetNumberOfPieces()), ids(kept.size());
-  if (!this->Lines->ForEach(this->Section, progress,
-        [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
-        {
-          if (!this->Needed->Contains(line))
-          {
-            return true;
-          }
-          const bool good = this->ReadLine(text, end, ids[piece]);
-          kept[piece].push_back(static_cast<std::int32_t>(ids[piece].size()));
-          kept[piece].insert(kept[piece].end(), ids[piece].begin(), ids[piece].end());
-          return good;
-        }))
+  const char* end = this->Section.End;
+  bool areSmall = true;
+  for (auto group = this->Groups.rbegin(); group != this->Groups.rend(); ++group)
   {
-    return false;
+    areSmall &= end - *group <= UINT16_MAX;
+    end = *group;
+  }
+  return areSmall;
+}
+
+//------------------------------------------------------------------------------
+// The sizes are known, and the words follow each other.
+void IdLists::PointToWords(IdListGroup& group)
+{
+  const std::int32_t* words = group.Words.data();
+  for (IdList& list : group.Lists)
+  {
+    list.Ids = reinterpret_cast<const char*>(words);
+    words += list.Size;
+  }
+}
+
+//------------------------------------------------------------------------------
+void IdLists::Read(const IdList& numbers, IdListGroup& group) const
+{
+  group.Lists.resize(static_cast<std::size_t>(numbers.Size));
+  if (!this->Lines)
+  {
+    for (std::int32_t j = 0; j < numbers.Size; ++j)
+    {
+      group.Lists[static_cast<std::size_t>(j)] = (*this)[numbers[j]];
+    }
+    return;
   }
   std::size_t size = 0;
-  for (const auto& words : kept)
+  for (std::int32_t j = 0; j < numbers.Size; ++j)
   {
-    size += words.size();
+    const std::size_t begin = size;
+    if (this->Has(numbers[j]))
+    {
+      const char* text = this->FindLine(numbers[j]);
+      this->ReadLine(text, this->Section.End, group.Words, size);
+    }
+    group.Lists[static_cast<std::size_t>(j)] = { nullptr, static_cast<std::int32_t>(size - begin),
+      0 };
   }
-  this->Words = Buffer<std::int32_t>(static_cast<vtkIdType>(size));
-  std::int32_t* word = this->Words.data();
-  for (auto& words : kept)
+  PointToWords(group);
+}
+
+//------------------------------------------------------------------------------
+void IdLists::ReadBlock(vtkIdType first, vtkIdType last, IdListGroup& group) const
+{
+  static_assert(BlockSize % GroupSize == 0, "blocks begin where groups do");
+  group.Lists.clear();
+  if (!this->Lines)
   {
-    word = std::copy(words.begin(), words.end(), word);
-    words = {};
+    const char* place = first < last ? this->GetBlock(first / BlockSize) : nullptr;
+    for (vtkIdType i = first; i < last; ++i)
+    {
+      group.Lists.push_back(this->At(place));
+      place = group.Lists.back().Ids + 4 * std::ptrdiff_t(group.Lists.back().Size);
+    }
+    return;
   }
-  this->End = reinterpret_cast<const char*>(word);
-  this->Blocks.assign(static_cast<std::size_t>((this->Count + BlockSize - 1) / BlockSize), nullptr);
-  this->Starts = Buffer<std::uint32_t>(this->Needed->GetNumberOfMembers());
-  const char* place = reinterpret_cast<const char*>(this->Words.data());
-  vtkIdType number = 0;
-  for (const std::int32_t list : this->Needed->GetMembers())
+  std::size_t size = 0;
+  const char* text =
+    first < last ? this->Groups[static_cast<std::size_t>(first / GroupSize)] : nullptr;
+  for (vtkIdType i = first; i < last; ++i)
   {
-    const char*& block = this->Blocks[static_cast<std::size_t>(list / BlockSize)];
-    block = block ? block : place;
-    this->Starts[number++] = static_cast<std::uint32_t>((place - block) / 4);
-    place += 4 + 4 * std::ptrdiff_t(this->At(place).Size);
+    const std::size_t begin = size;
+    this->ReadNextLine(text, group.Words, size);
+    group.Lists.push_back({ nullptr, static_cast<std::int32_t>(size - begin), 0 });
   }
-  return true;
+  PointToWords(group);
+}
+
+//------------------------------------------------------------------------------
+std::int32_t IdLists::GetSize(vtkIdType i) const
+{
+  if (!this->Lines)
+  {
+    return (*this)[i].Size;
+  }
+  std::int32_t size = 0;
+  const char* text = this->Has(i) ? this->FindLine(i) : this->Section.End;
+  return this->ReadNumber(text, this->Section.End, INT32_MAX, size) ? size : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -555,14 +574,14 @@ bool IdLists::ScanText(TextScanner& scanner, bool dropRest, const Expectation& e
     {
       return false;
     }
-    this->GrownWords.push_back(static_cast<std::int32_t>(value));
+    this->Words.push_back(static_cast<std::int32_t>(value));
     for (std::int64_t left = value; left > 0; --left)
     {
       if (!scanner.ReadInteger(value, 0, expected.Limit - 1, ErrorKind::Index, id.c_str()))
       {
         return false;
       }
-      this->GrownWords.push_back(static_cast<std::int32_t>(value));
+      this->Words.push_back(static_cast<std::int32_t>(value));
     }
     if (dropRest || i + 1 == this->Count)
     {
@@ -582,7 +601,16 @@ bool IdLists::MakeRandomAccess(const IdSet& needed, const Progress& progress)
   this->Needed = &needed;
   if (this->Lines)
   {
-    return this->KeepNeeded(progress);
+    this->LineStarts = Buffer<std::uint16_t>(needed.GetNumberOfMembers());
+    return this->Lines->ForEach(this->Section, progress,
+      [&](vtkIdType, vtkIdType line, const char* text, const char*)
+      {
+        if (needed.Contains(line))
+        {
+          this->LineStarts[needed.GetNumber(line)] = this->GetLineStart(text);
+        }
+        return true;
+      });
   }
   this->Starts = Buffer<std::uint32_t>(needed.GetNumberOfMembers());
   return this->ForEach(progress,

@@ -6,9 +6,11 @@
  *
  * The lists stay where they are, usually in a mapped file of either byte order. Lists of one common
  * length are found by arithmetic. For others the start of every 1024th list is kept, and, once
- * MakeRandomAccess was called or if the reader asks for it, the start of every list that is needed. Lists
- * of text are read into memory if all are to be accessible. If not they stay text, one per line, which is read
- * whenever they are visited, and only those that are needed are kept.
+ * MakeRandomAccess was called or if the reader asks for it, the start of every list that is needed.
+ *
+ * Lists of text stay text, too, if each has a line, as numbers take much more memory than the two bytes
+ * for where a line starts. They are read whenever they are visited or asked for, by Read, say; operator[]
+ * is not for them.
  *
  * As the lists are in a file that another program may change, what was checked need not stay true: lists
  * and ids may then be any, but a list is always one that can be read.
@@ -38,6 +40,20 @@ struct IdList
   }
 };
 
+/// Lists read together; each is in place, or a copy of what is text.
+class IdListGroup
+{
+public:
+  const IdList& operator[](vtkIdType i) const { return this->Lists[static_cast<std::size_t>(i)]; }
+  const IdList* data() const { return this->Lists.data(); }
+  vtkIdType size() const { return static_cast<vtkIdType>(this->Lists.size()); }
+
+private:
+  friend class IdLists;
+  std::vector<IdList> Lists;
+  std::vector<std::int32_t> Words;
+};
+
 class IdLists
 {
 public:
@@ -48,7 +64,7 @@ public:
     const char* Id = "";    ///< what an id stands for, e.g. "vertex"
     vtkIdType Limit = 0;    ///< ids must be in [0, Limit)
     IdSet* Used = nullptr;  ///< if given, all ids found are added to it
-    bool AccessAll = true;  ///< whether operator[] shall work for all lists
+    bool AccessAll = true;  ///< whether any list may be asked for, not only blocks of them
     Tally Empty;            ///< lists without ids
     Tally Short;            ///< lists with one or two ids
     Tally Repeating;        ///< lists with the same id twice in a row (cyclically)
@@ -61,7 +77,7 @@ public:
   /**
    * Takes @a count lists from text; false with the error in the scanner, or if stopped.
    * @param lines of the text if it is large enough to read it in parallel, else nullptr; they must stay
-   *   alive if not all lists are to be accessible
+   *   alive
    * @param dropRest whether the rest of the line after every list is ignored; otherwise only that
    *   after the last one is
    */
@@ -72,7 +88,7 @@ public:
   /// Length of all lists together.
   vtkIdType GetNumberOfIds() const { return this->NumberOfIds; }
   /// The common length of the lists, or -1.
-  std::int32_t GetCommonSize() const { return this->CommonSize; }
+  std::int32_t GetCommonSize() const { return this->Lines ? this->LineSize : this->CommonSize; }
 
   /// Calls @a visit(i, list) for all lists in parallel; one thread visits ascending runs.
   template <typename Visit>
@@ -84,10 +100,11 @@ public:
       return this->Lines->ForEach(this->Section, progress,
         [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
         {
-          const bool good = this->ReadLine(text, end, ids[piece]);
+          std::size_t size = 0;
+          const bool good = this->ReadLine(text, end, ids[piece], size);
           if (good)
           {
-            visit(line, MakeList(ids[piece]));
+            visit(line, MakeList(ids[piece], size));
           }
           return good;
         });
@@ -117,11 +134,12 @@ public:
       return this->Lines->ForEach(this->Section, progress,
         [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
         {
+          std::size_t size = 0;
           const bool isWanted = lists.Contains(line);
-          const bool good = !isWanted || this->ReadLine(text, end, ids[piece]);
+          const bool good = !isWanted || this->ReadLine(text, end, ids[piece], size);
           if (isWanted && good)
           {
-            visit(line, MakeList(ids[piece]));
+            visit(line, MakeList(ids[piece], size));
           }
           return good;
         });
@@ -144,9 +162,11 @@ public:
     {
       std::vector<std::int32_t> ids;
       const char* text = this->Section.Begin;
-      for (vtkIdType i = 0; i < this->Count && this->ReadNextLine(text, ids); ++i)
+      std::size_t size = 0;
+      for (vtkIdType i = 0; i < this->Count && this->ReadNextLine(text, ids, size); ++i)
       {
-        visit(i, MakeList(ids));
+        visit(i, MakeList(ids, size));
+        size = 0;
       }
       return;
     }
@@ -159,9 +179,17 @@ public:
     }
   }
 
-  /// Makes operator[] work for the members of @a needed, which must be numbered and stay alive.
+  /// Makes the members of @a needed, which must be numbered and stay alive, ones to be asked for.
   bool MakeRandomAccess(const IdSet& needed, const Progress& progress);
 
+  /// Reads the lists of given numbers; one without ids stands for any that cannot be read any more.
+  void Read(const IdList& numbers, IdListGroup& group) const;
+  /// The same for lists that follow each other, the first at a multiple of BlockSize.
+  void ReadBlock(vtkIdType first, vtkIdType last, IdListGroup& group) const;
+  /// Length of a list.
+  std::int32_t GetSize(vtkIdType i) const;
+
+  /// A list of numbers.
   IdList operator[](vtkIdType i) const
   {
     return this->Has(i) ? this->At(this->FindPlace(i)) : IdList{ this->End, 0, this->Swap };
@@ -172,12 +200,13 @@ public:
   {
     if (this->Has(i))
     {
-      camaron::Prefetch(this->FindPlace(i));
+      camaron::Prefetch(this->Lines ? this->FindLine(i) : this->FindPlace(i));
     }
   }
 
-private:
   static constexpr vtkIdType BlockSize = 1024;
+
+private:
 
   bool Has(vtkIdType i) const
   {
@@ -226,29 +255,53 @@ private:
   vtkIdType CheckBlocks(vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen, bool& even);
   bool GuessCommonSize(const BinaryScanner& scanner);
   void FailAtList(BinaryScanner& scanner, vtkIdType bad, const Expectation& expected) const;
-  bool ScanLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
-    const Expectation& expected, const Progress& progress);
   bool ScanText(TextScanner& scanner, bool dropRest, const Expectation& expected);
 
   ///@{
   /// Lists that stay text.
   bool CheckLines(TextScanner& scanner, const TextLines& lines, bool dropRest,
     Expectation& expected, const Progress& progress);
-  bool ReadLine(const char*& text, const char* end, std::vector<std::int32_t>& ids) const;
-  bool ReadNextLine(const char*& text, std::vector<std::int32_t>& ids) const;
-  bool KeepNeeded(const Progress& progress);
+  bool ReadNumber(
+    const char*& text, const char* end, std::int64_t limit, std::int32_t& number) const;
+  ///@{
+  /// Appends a list to the first @a size of some words, which grow if they have to.
+  bool ReadLine(const char*& text, const char* end, std::vector<std::int32_t>& words,
+    std::size_t& size) const;
+  bool ReadNextLine(
+    const char*& text, std::vector<std::int32_t>& words, std::size_t& size) const;
+  ///@}
+  /// Whether lines are found by the lower bits of their starts.
+  bool AreGroupsSmall() const;
+  std::uint16_t GetLineStart(const char* line) const
+  {
+    return static_cast<std::uint16_t>(line - this->Section.Begin);
+  }
+  const char* FindLine(vtkIdType i) const
+  {
+    const vtkIdType number = this->Needed ? this->Needed->GetNumber(i) : i;
+    const char* const group = this->Groups[static_cast<std::size_t>(i / GroupSize)];
+    return number < this->LineStarts.size()
+      ? group + static_cast<std::uint16_t>(this->LineStarts[number] - this->GetLineStart(group))
+      : this->Section.End;
+  }
   std::size_t GetNumberOfPieces() const
   {
     return static_cast<std::size_t>(this->Lines->GetNumberOfPieces(this->Section));
   }
-  static IdList MakeList(const std::vector<std::int32_t>& ids)
+  static IdList MakeList(const std::vector<std::int32_t>& words, std::size_t size)
   {
-    return { reinterpret_cast<const char*>(ids.data()), static_cast<std::int32_t>(ids.size()), 0 };
+    return { reinterpret_cast<const char*>(words.data()), static_cast<std::int32_t>(size), 0 };
   }
+  static void PointToWords(IdListGroup& group);
+
+  static constexpr vtkIdType GroupSize = 64; ///< lines
   const TextLines* Lines = nullptr;
   TextLines::Section Section;
   char Comment = '\0';
   vtkIdType Limit = 0;
+  std::int32_t LineSize = -1;       ///< the common length of the lists
+  std::vector<const char*> Groups;  ///< starts of the first lines of groups
+  Buffer<std::uint16_t> LineStarts; ///< lower bits of the starts of all or the needed lines
   ///@}
 
   vtkIdType Count = 0;
@@ -261,8 +314,7 @@ private:
   std::vector<const char*> Blocks;
   const IdSet* Needed = nullptr;
   Buffer<std::uint32_t> Starts; ///< words from the start of the block
-  Buffer<std::int32_t> Words;   ///< the lists, if they came from text
-  std::vector<std::int32_t> GrownWords;
+  std::vector<std::int32_t> Words; ///< the lists, if they came from text of another layout
 };
 }
 

@@ -118,6 +118,27 @@ public:
   /// True if no lone CR is left in the line.
   static bool HasOneEnd(const char* text, const char* end);
 
+  /// Moves @a text to the next line that counts; false at the end.
+  bool NextLine(const char*& text, const char* end) const
+  {
+    while (text < end)
+    {
+      if (IsSpace(*text))
+      {
+        ++text;
+      }
+      else if (*text == this->Comment && this->Comment != '\0')
+      {
+        text = FindLineEnd(text, end);
+      }
+      else
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
   /// The line feed after @a text, or @a end; nullptr if a lone CR comes before it.
   static const char* GetEndOfLine(const char* text, const char* end)
   {
@@ -142,26 +163,6 @@ private:
     vtkIdType FirstLine;
   };
 
-  /// Moves @a text to the next line that counts; false at the end.
-  bool NextLine(const char*& text, const char* end) const
-  {
-    while (text < end)
-    {
-      if (IsSpace(*text))
-      {
-        ++text;
-      }
-      else if (*text == this->Comment && this->Comment != '\0')
-      {
-        text = FindLineEnd(text, end);
-      }
-      else
-      {
-        return true;
-      }
-    }
-    return false;
-  }
   static const char* FindLineFeed(const char* text, const char* end)
   {
     const void* found = text < end ? std::memchr(text, '\n', end - text) : nullptr;

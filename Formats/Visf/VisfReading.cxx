@@ -163,7 +163,8 @@ void VisfReading::Expect(Content& content, vtkIdType points, vtkIdType faces) co
   content.Cells.List = "polyhedron";
   content.Cells.Id = "polygon";
   content.Cells.Limit = faces;
-  content.Faces.AccessAll = content.Cells.AccessAll = !this->InPieces;
+  content.Faces.AccessAll = !this->InPieces;
+  content.Cells.AccessAll = false; // they are visited in order
 }
 
 //------------------------------------------------------------------------------

@@ -85,9 +85,15 @@ TEST(VisfPieces, ThreadsAndChunksChangeNothing)
   split[split.find(' ', 5000)] = '\n'; // one vertex on two lines
   std::string oldMac = odd;
   std::replace(oldMac.begin() + 8000, oldMac.begin() + 12000, '\n', '\r');
+  // Lines that are further apart than two bytes can tell.
+  std::string wide = Encode(mesh, Encoding::Ascii);
+  for (const std::size_t part : { 3, 5, 9 })
+  {
+    wide.insert(wide.find('\n', wide.size() / 10 * part), " # " + std::string(70000, '-'));
+  }
   const std::string files[] = { Encode(mesh, Encoding::Little03), Encode(mesh, Encoding::Big03),
     Encode(mesh, Encoding::Ascii), Encode(mesh, Encoding::Web),
-    Encode(withNeighbors, Encoding::Ascii), odd, split, oldMac };
+    Encode(withNeighbors, Encoding::Ascii), odd, split, oldMac, wide };
   for (const std::string& bytes : files)
   {
     const File file(bytes);
