@@ -11,6 +11,7 @@
 #include "InspectionStyle.h"
 #include "LabelStyle.h"
 #include "LinesAndVertices.h"
+#include "vtkCoarseInspectionMesh.h"
 #include "vtkIdLabels.h"
 #include "vtkMeshInspectionMapper.h"
 #include "vtkMeshInspectionRepresentation.h"
@@ -23,13 +24,14 @@
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
 
 class vtkDataObject;
 class vtkRenderer;
-class vtkUnstructuredGrid;
 
 namespace camaron
 {
@@ -44,23 +46,55 @@ enum CutMoves
 class vtkMeshInspectionRepresentation::Internals
 {
 public:
+  /// What has come to be drawn, whole or coarse.
+  struct Delivered
+  {
+    camaron::InspectionBlocks Blocks;
+    vtkNew<vtkCompositeDataDisplayAttributes> Attributes;
+    bool AreAttributesOld = true;
+  };
+
+  /// The one of them that is in the picture.
+  struct Drawn
+  {
+    vtkUnstructuredGrid* Mesh = nullptr;
+    vtkMapper* Mapper = nullptr; ///< of its faces
+    bool IsCoarse = false;
+  };
+
+  static void CopyColoring(vtkMapper* from, vtkMapper* to);
+
   /// Something beside the mesh that is drawn of it, from the same tables.
   struct Companion
   {
     vtkNew<vtkActor> Actor;
-    vtkNew<vtkMeshInspectionMapper> Mapper;
+    vtkNew<vtkMeshInspectionMapper> Mapper, CoarseMapper;
 
-    void Initialize(vtkMeshInspectionMapper* ofMesh, vtkProperty* property)
+    void Initialize(
+      vtkMeshInspectionMapper* ofMesh, vtkMeshInspectionMapper* ofCoarseMesh, vtkProperty* property)
     {
       this->Mapper->ShareMesh(ofMesh);
+      this->CoarseMapper->ShareMesh(ofCoarseMesh);
       this->Actor->SetMapper(this->Mapper);
       this->Actor->SetProperty(property);
       this->Actor->VisibilityOff();
     }
-    void Show(const camaron::InspectionStyle& style, vtkDataObject* mesh, vtkActor* ofMesh)
+    void HasOneColor()
     {
-      this->Mapper->SetStyle(style);
-      this->Mapper->SetInputDataObject(mesh);
+      this->Mapper->ScalarVisibilityOff();
+      this->CoarseMapper->ScalarVisibilityOff();
+    }
+    void Show(const camaron::InspectionStyle& style, const Drawn& drawn, vtkActor* ofMesh,
+      bool hasColorsOfMesh = false)
+    {
+      vtkMeshInspectionMapper* mapper = drawn.IsCoarse ? this->CoarseMapper : this->Mapper;
+      if (hasColorsOfMesh)
+      {
+        CopyColoring(drawn.Mapper, mapper);
+      }
+      this->Actor->SetMapper(mapper);
+      mapper->SetStyle(style);
+      mapper->SetInputDataObject(drawn.Mesh);
       this->Actor->SetUserMatrix(ofMesh->GetMatrix());
       if (this->Actor->GetMTime() < ofMesh->GetMTime())
       {
@@ -71,8 +105,8 @@ public:
 
   camaron::InspectionStyle Style;
   std::array<double, 6> LocalBounds = { { 1, -1, 1, -1, 1, -1 } }; ///< of the points here that are somewhere
-  camaron::InspectionBlocks Blocks;
-  vtkNew<vtkCompositeDataDisplayAttributes> BlockAttributes;
+  Delivered Whole, Coarse;
+  vtkNew<vtkCoarseInspectionMesh> MakeCoarse;
   bool ColorMissingArraysWithNanColor = false;
   bool GlassShell = false;
   int CutMoves = camaron::WithMesh;
@@ -113,8 +147,10 @@ public:
   {
     return { { this->Isosurfaces.Actor, this->Cap.Actor, this->WireActor } };
   }
+  /// Of the last picture of the whole mesh.
+  std::size_t CountTriangles(vtkMapper* ofMesh) const;
   void UpdateShape(vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer);
-  void ShowWires(const camaron::InspectionStyle& style, vtkUnstructuredGrid* mesh, vtkActor* ofMesh);
+  void ShowWires(const camaron::InspectionStyle& style, const Drawn& drawn, vtkActor* ofMesh);
 };
 
 #endif

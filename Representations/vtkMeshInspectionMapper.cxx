@@ -147,6 +147,14 @@ std::shared_ptr<InspectionMesh> vtkMeshInspectionMapper::GetMesh() const
 }
 
 //------------------------------------------------------------------------------
+std::size_t vtkMeshInspectionMapper::GetNumberOfTriangles(bool changesWithCamera) const
+{
+  const Internals& self = *this->Internal;
+  return changesWithCamera && self.IsListed ? self.Mesh->Triangles.GetNumberOfRows()
+                                            : self.NumberOfTriangles;
+}
+
+//------------------------------------------------------------------------------
 bool vtkMeshInspectionMapper::IsOnProcessor() const
 {
   return this->Internal->IsOnProcessor();

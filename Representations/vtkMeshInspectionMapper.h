@@ -37,6 +37,8 @@ public:
   void ShareMesh(vtkMeshInspectionMapper* other);
   /// The tables, for what else is drawn of them.
   std::shared_ptr<camaron::InspectionMesh> GetMesh() const;
+  /// What was drawn last, and what had to be looked at for it when that changes with the camera.
+  std::size_t GetNumberOfTriangles(bool changesWithCamera) const;
   /// Whether there are none, because the graphics card has no part in it.
   bool IsOnProcessor() const;
 

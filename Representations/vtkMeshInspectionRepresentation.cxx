@@ -45,9 +45,10 @@ bool IsRedistributed(vtkPVRenderView* view)
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return view && controller && controller->GetNumberOfProcesses() > 1 && view->GetUseOrderedCompositing();
 }
+}
 
 //------------------------------------------------------------------------------
-void CopyColoring(vtkMapper* from, vtkMapper* to)
+void vtkMeshInspectionRepresentation::Internals::CopyColoring(vtkMapper* from, vtkMapper* to)
 {
   to->SetLookupTable(from->GetLookupTable());
   to->SetUseLookupTableScalarRange(from->GetUseLookupTableScalarRange());
@@ -57,19 +58,17 @@ void CopyColoring(vtkMapper* from, vtkMapper* to)
   to->SelectColorArray(from->GetArrayName());
   to->SetScalarMode(from->GetScalarMode());
 }
-}
-
 
 //------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::Internals::ShowWires(
-  const InspectionStyle& style, vtkUnstructuredGrid* mesh, vtkActor* ofMesh)
+  const InspectionStyle& style, const Drawn& drawn, vtkActor* ofMesh)
 {
   const bool isOn = ofMesh->GetVisibility() && (style.Faces || style.Edges);
-  vtkPolyData* cells = this->Wires.Update(isOn ? mesh : nullptr, style);
+  vtkPolyData* cells = this->Wires.Update(isOn ? drawn.Mesh : nullptr, style);
   this->WireActor->SetVisibility(cells->GetNumberOfCells() > 0);
   if (cells->GetNumberOfCells() > 0)
   {
-    CopyColoring(ofMesh->GetMapper(), this->WireMapper);
+    CopyColoring(drawn.Mapper, this->WireMapper);
     this->WireMapper->SetInputData(cells);
     this->WireActor->SetUserMatrix(ofMesh->GetMatrix());
     this->WireActor->SetPickable(ofMesh->GetPickable());
@@ -78,6 +77,19 @@ void vtkMeshInspectionRepresentation::Internals::ShowWires(
       this->WireActor->Modified();
     }
   }
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkMeshInspectionRepresentation::Internals::CountTriangles(vtkMapper* ofMesh) const
+{
+  const bool isListAnew = this->CutMoves == WithView && this->Style.CutsCells();
+  std::size_t number =
+    static_cast<vtkMeshInspectionMapper*>(ofMesh)->GetNumberOfTriangles(isListAnew);
+  for (const Companion* other : { &this->Lines, &this->Isosurfaces, &this->Cap, &this->Shell })
+  {
+    number += other->Actor->GetVisibility() ? other->Mapper->GetNumberOfTriangles(isListAnew) : 0;
+  }
+  return number;
 }
 
 //------------------------------------------------------------------------------
@@ -135,12 +147,20 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   this->BackfaceMapper->Delete();
   auto* backfaceMapper = vtkMeshInspectionMapper::New();
   this->BackfaceMapper = backfaceMapper;
+  // The same for the coarse mesh.
+  this->LODMapper->Delete();
+  auto* coarseMapper = vtkMeshInspectionMapper::New();
+  this->LODMapper = coarseMapper;
+  this->LODBackfaceMapper->Delete();
+  auto* coarseBackfaceMapper = vtkMeshInspectionMapper::New();
+  this->LODBackfaceMapper = coarseBackfaceMapper;
   this->SetupDefaults();
   backfaceMapper->ShareMesh(mapper);
+  coarseBackfaceMapper->ShareMesh(coarseMapper);
 
   Internals& self = *this->Internal;
-  self.Isosurfaces.Initialize(mapper, this->Property);
-  self.Cap.Initialize(mapper, this->Property);
+  self.Isosurfaces.Initialize(mapper, coarseMapper, this->Property);
+  self.Cap.Initialize(mapper, coarseMapper, this->Property);
 
   self.WireActor->SetMapper(self.WireMapper);
   self.WireActor->SetProperty(this->Property);
@@ -150,15 +170,15 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   self.WireMapper->SetProcessIdArrayName(ProcessIdsName);
   self.WireMapper->SetCompositeIdArrayName(BlockIdsName);
 
-  self.Shell.Initialize(mapper, self.ShellProperty);
-  self.Shell.Mapper->ScalarVisibilityOff();
+  self.Shell.Initialize(mapper, coarseMapper, self.ShellProperty);
+  self.Shell.HasOneColor();
   self.Shell.Actor->PickableOff();
   self.ShellProperty->SetColor(0.75, 0.85, 1.0);
   self.ShellProperty->SetSpecular(0.6);
   self.ShellProperty->SetSpecularPower(60);
 
-  self.Lines.Initialize(mapper, self.LineProperty);
-  self.Lines.Mapper->ScalarVisibilityOff();
+  self.Lines.Initialize(mapper, coarseMapper, self.LineProperty);
+  self.Lines.HasOneColor();
   self.Lines.Actor->PickableOff();
   self.LineProperty->LightingOff();
 
@@ -287,7 +307,11 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
 {
   if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
-    return this->GetVisibility() ? 1 : 0; // the mesh is on the graphics card already
+    if (this->GetVisibility())
+    {
+      this->MakeCoarseMesh(inInfo);
+    }
+    return this->GetVisibility() ? 1 : 0;
   }
   const bool areBlocksChanged = this->BlockAttrChanged; // the base class takes that for seen
   if (!this->Superclass::ProcessViewRequest(request, inInfo, outInfo))
@@ -315,42 +339,95 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
   }
   else if (request == vtkPVView::REQUEST_RENDER())
   {
-    this->UpdateStyles(this->UpdateMesh(inInfo, areBlocksChanged));
+    Internals& self = *this->Internal;
+    self.Whole.AreAttributesOld = self.Whole.AreAttributesOld || areBlocksChanged;
+    self.Coarse.AreAttributesOld = self.Coarse.AreAttributesOld || areBlocksChanged;
+    const bool isCoarse = this->DrawsCoarseMesh(inInfo);
+    static_cast<vtkPVLODActor*>(this->Actor)->SetEnableLOD(isCoarse);
+    this->UpdateStyles(this->UpdateMesh(inInfo, isCoarse), isCoarse);
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-// Blocks have been delivered one by one, so that none of them loses an array on the way; they are joined here.
-vtkDataSet* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation* inInfo, bool areBlocksChanged)
+// Given to the view, which brings it to where it is drawn.
+void vtkMeshInspectionRepresentation::MakeCoarseMesh(vtkInformation* inInfo)
 {
-  Internals& self = *this->Internal;
-  vtkDataObject* delivered = vtkPVView::GetDeliveredPiece(inInfo, this);
+  vtkDataObject* whole = vtkPVView::GetPiece(inInfo, this);
+  if (!whole || this->SuppressLOD)
+  {
+    return;
+  }
+  vtkCoarseInspectionMesh* coarse = this->Internal->MakeCoarse;
+  coarse->SetInputDataObject(whole);
+  coarse->SetWholeBounds(this->Internal->Style.Bounds.data());
+  coarse->SetOutlineOnly(inInfo->Has(vtkPVRenderView::USE_OUTLINE_FOR_LOD()) != 0);
+  if (inInfo->Has(vtkPVRenderView::LOD_RESOLUTION()))
+  {
+    coarse->SetResolution(inInfo->Get(vtkPVRenderView::LOD_RESOLUTION()));
+  }
+  coarse->Update();
+  vtkPVView::SetPieceLOD(inInfo, this, coarse->GetOutputDataObject(0));
+}
+
+//------------------------------------------------------------------------------
+// ParaView compares its threshold with all of the mesh. Where that is here anyway, what counts is what is drawn of it,
+// as for Surface. Several processes may draw different parts of it, but have to do the same.
+bool vtkMeshInspectionRepresentation::DrawsCoarseMesh(vtkInformation* inInfo)
+{
+  if (this->SuppressLOD || !inInfo->Has(vtkPVRenderView::USE_LOD()) ||
+    !vtkPVView::GetDeliveredPieceLOD(inInfo, this))
+  {
+    return false;
+  }
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
+  vtkDataObject* whole = vtkPVView::GetDeliveredPiece(inInfo, this);
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  if (!isAlone || !view || !whole || whole->GetNumberOfElements(vtkDataObject::CELL) == 0)
+  {
+    return true;
+  }
+  constexpr double megabytesOfTriangle = 40.0 / 1024 / 1024; // three ids, an offset and half a point
+  return megabytesOfTriangle * static_cast<double>(this->Internal->CountTriangles(this->Mapper)) >=
+    view->GetLODRenderingThreshold();
+}
+
+//------------------------------------------------------------------------------
+// Blocks have been delivered one by one, so that none of them loses an array on the way; they are joined here.
+vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation* inInfo, bool isCoarse)
+{
+  Internals::Delivered& self = isCoarse ? this->Internal->Coarse : this->Internal->Whole;
+  vtkDataObject* delivered = isCoarse ? vtkPVView::GetDeliveredPieceLOD(inInfo, this)
+                                      : vtkPVView::GetDeliveredPiece(inInfo, this);
   const bool isNew = self.Blocks.IsNew(delivered);
   vtkUnstructuredGrid* mesh = self.Blocks.Join(delivered);
+  vtkMapper* mapper = isCoarse ? this->LODMapper : this->Mapper;
   if (vtkCompositeDataSet::SafeDownCast(delivered))
   {
-    if (isNew || areBlocksChanged)
+    if (isNew || self.AreAttributesOld)
     {
-      this->PopulateBlockAttributes(self.BlockAttributes, delivered);
+      this->PopulateBlockAttributes(self.Attributes, delivered);
+      self.AreAttributesOld = false;
     }
     double missing[3];
     this->Property->GetDiffuseColor(missing);
-    if (self.ColorMissingArraysWithNanColor)
+    if (this->Internal->ColorMissingArraysWithNanColor)
     {
-      this->Mapper->GetLookupTable()->GetColor(vtkMath::Nan(), missing);
+      mapper->GetLookupTable()->GetColor(vtkMath::Nan(), missing);
     }
-    self.Blocks.SetLooks(self.BlockAttributes, this->Mapper, missing);
+    self.Blocks.SetLooks(self.Attributes, mapper, missing);
   }
-  this->Mapper->SetInputDataObject(mesh);
-  this->BackfaceMapper->SetInputDataObject(mesh);
+  mapper->SetInputDataObject(mesh);
+  (isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper)->SetInputDataObject(mesh);
   return mesh;
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
+void vtkMeshInspectionRepresentation::UpdateStyles(vtkUnstructuredGrid* mesh, bool isCoarse)
 {
   Internals& self = *this->Internal;
+  const Internals::Drawn drawn{ mesh, isCoarse ? this->LODMapper : this->Mapper, isCoarse };
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   vtkRenderer* renderer = view ? view->GetRenderer() : nullptr;
   self.UpdateShape(this, this->Actor, renderer);
@@ -370,10 +447,12 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
     self.WarnedOfRayTracing = true;
     style.OnProcessor = true;
   }
-  static_cast<vtkMeshInspectionMapper*>(this->Mapper)->SetStyle(style);
-  static_cast<vtkMeshInspectionMapper*>(this->BackfaceMapper)->SetStyle(style);
+  for (vtkMapper* mapper : { drawn.Mapper, isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper })
+  {
+    static_cast<vtkMeshInspectionMapper*>(mapper)->SetStyle(style);
+  }
 
-  self.ShowWires(style, vtkUnstructuredGrid::SafeDownCast(mesh), this->Actor);
+  self.ShowWires(style, drawn, this->Actor);
 
   const bool hasLines = self.NormalsOf != 0 && this->GetVisibility();
   self.Lines.Actor->SetVisibility(hasLines);
@@ -388,7 +467,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
     }
     lines.NormalLength = box.IsValid() ? self.NormalLength * box.GetDiagonalLength() : 0;
     self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
-    self.Lines.Show(lines, mesh, this->Actor);
+    self.Lines.Show(lines, drawn, this->Actor);
   }
 
   const bool hasIsosurfaces = self.DrawIsosurfaces && this->GetVisibility();
@@ -401,12 +480,12 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
     surfaces.Edges = surfaces.Points = surfaces.Isolines = false;
     surfaces.ShrinkFactor = 1;
     surfaces.ExplodeFactor = 0;
-    CopyColoring(this->Mapper, self.Isosurfaces.Mapper);
-    self.Isosurfaces.Show(surfaces, mesh, this->Actor);
+    self.Isosurfaces.Show(surfaces, drawn, this->Actor, true);
     self.Isosurfaces.Actor->SetPickable(this->Actor->GetPickable());
   }
 
-  const bool hasIds = !self.Ids.IsEmpty() && this->GetVisibility();
+  // A coarse mesh has cells, but not those that ids are of.
+  const bool hasIds = !self.Ids.IsEmpty() && this->GetVisibility() && !isCoarse;
   self.IdLabels->SetVisibility(hasIds);
   if (hasIds)
   {
@@ -419,8 +498,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
   if (hasCap)
   {
     style.What = Figure::Cap;
-    CopyColoring(this->Mapper, self.Cap.Mapper);
-    self.Cap.Show(style, mesh, this->Actor);
+    self.Cap.Show(style, drawn, this->Actor, true);
     self.Cap.Actor->SetPickable(this->Actor->GetPickable());
   }
 
@@ -432,7 +510,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkDataSet* mesh)
     glass.Glass = true;
     glass.Edges = false;
     glass.GlassStrength = style.GlassStrength;
-    self.Shell.Show(glass, mesh, this->Actor);
+    self.Shell.Show(glass, drawn, this->Actor);
   }
 }
 

@@ -16,8 +16,8 @@
 
 #include <memory> // for the implementation
 
-class vtkDataSet;
 class vtkImplicitFunction;
+class vtkUnstructuredGrid;
 
 class vtkMeshInspectionRepresentation : public vtkGeometryRepresentationWithFaces
 {
@@ -104,10 +104,12 @@ private:
 
   template <typename Value>
   void Change(Value& member, const Value& value);
-  vtkDataSet* UpdateMesh(vtkInformation* inInfo, bool areBlocksChanged);
-  void UpdateStyles(vtkDataSet* mesh);
-
   class Internals;
+  void MakeCoarseMesh(vtkInformation* inInfo);
+  bool DrawsCoarseMesh(vtkInformation* inInfo);
+  vtkUnstructuredGrid* UpdateMesh(vtkInformation* inInfo, bool isCoarse);
+  void UpdateStyles(vtkUnstructuredGrid* mesh, bool isCoarse);
+
   std::unique_ptr<Internals> Internal;
 };
 

@@ -26,6 +26,22 @@ vtkIdType GetNumberOfBlocks(const MeshView& mesh)
 }
 
 //------------------------------------------------------------------------------
+bool IsBefore(const MeshView& mesh, vtkIdType a, vtkIdType b)
+{
+  double p[3], q[3];
+  mesh.GetPoint(a, p);
+  mesh.GetPoint(b, q);
+  for (int i = 0; i < 3; ++i)
+  {
+    if (p[i] != q[i])
+    {
+      return p[i] < q[i];
+    }
+  }
+  return a < b;
+}
+
+//------------------------------------------------------------------------------
 // Calls visit(a, b, c, d, walls) for the tetrahedra of a cell.
 class TetrahedraOfCell
 {
@@ -53,8 +69,8 @@ public:
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
       {
-        const vtkIdType first = points[this->FindFirst(points, size)];
-        apex = apex < 0 || this->IsBefore(first, apex) ? first : apex;
+        const vtkIdType first = points[FindFirstPoint(this->Mesh, points, size)];
+        apex = apex < 0 || IsBefore(this->Mesh, first, apex) ? first : apex;
       });
     this->FindEdgesAround(cell, apex);
     this->Facets.ForEachPart(cell,
@@ -64,7 +80,7 @@ public:
         {
           return;
         }
-        const vtkIdType first = this->FindFirst(points, size);
+        const vtkIdType first = FindFirstPoint(this->Mesh, points, size);
         const auto corner = [&](vtkIdType i) { return points[(first + i) % size]; };
         for (vtkIdType i = 1; i + 1 < size; ++i)
         {
@@ -100,29 +116,6 @@ private:
     const std::pair<vtkIdType, vtkIdType> edge = std::minmax(a, b);
     return std::find(this->Around.begin(), this->Around.end(), edge) != this->Around.end();
   }
-  bool IsBefore(vtkIdType a, vtkIdType b) const
-  {
-    double p[3], q[3];
-    this->Mesh.GetPoint(a, p);
-    this->Mesh.GetPoint(b, q);
-    for (int i = 0; i < 3; ++i)
-    {
-      if (p[i] != q[i])
-      {
-        return p[i] < q[i];
-      }
-    }
-    return a < b;
-  }
-  vtkIdType FindFirst(const vtkIdType* points, vtkIdType size) const
-  {
-    vtkIdType first = 0;
-    for (vtkIdType i = 1; i < size; ++i)
-    {
-      first = this->IsBefore(points[i], points[first]) ? i : first;
-    }
-    return first;
-  }
 
   const MeshView& Mesh;
   CurvedFacets Facets;
@@ -146,6 +139,17 @@ void ForEachBlock(const MeshView& mesh, Function&& perBlock)
       }
     });
 }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType FindFirstPoint(const MeshView& mesh, const vtkIdType* points, vtkIdType size)
+{
+  vtkIdType first = 0;
+  for (vtkIdType i = 1; i < size; ++i)
+  {
+    first = IsBefore(mesh, points[i], points[first]) ? i : first;
+  }
+  return first;
 }
 
 //------------------------------------------------------------------------------

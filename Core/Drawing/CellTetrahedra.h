@@ -40,6 +40,9 @@ struct CellTetrahedra
   std::vector<std::uint32_t> Blocks;
 };
 
+/// Where in a list of points the first by coordinates, then by id, is.
+vtkIdType FindFirstPoint(const MeshView& mesh, const vtkIdType* points, vtkIdType size);
+
 /// @throw std::length_error for 2^32 tetrahedra or 2^28 cells, or more
 CellTetrahedra MakeCellTetrahedra(const MeshView& mesh);
 

@@ -41,25 +41,29 @@ public:
   template <typename Visitor>
   void ForEachPart(vtkIdType cell, Visitor&& visit)
   {
-    const bool isCurved = this->IsCurved(cell);
-    this->Facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-      {
-        if (!isCurved)
-        {
-          visit(points, size);
-          return;
-        }
-        const std::vector<vtkIdType>& outline = this->GetOutline(cell, local);
-        this->Middle.clear();
-        for (vtkIdType i = 0; i < 2 * size; i += 2)
-        {
-          const vtkIdType corner[3] = { outline[i], outline[i + 1], outline[i ? i - 1 : 2 * size - 1] };
-          this->Middle.push_back(corner[1]);
-          visit(static_cast<const vtkIdType*>(corner), vtkIdType(3));
-        }
-        visit(static_cast<const vtkIdType*>(this->Middle.data()), size);
-      });
+    this->Facets.ForEach(cell, [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+      { this->ForEachPartOf(cell, local, points, size, visit); });
+  }
+
+  /// The same for one of them, whose corners are known.
+  template <typename Visitor>
+  void ForEachPartOf(
+    vtkIdType cell, vtkIdType local, const vtkIdType* points, vtkIdType size, Visitor&& visit)
+  {
+    if (!this->IsCurved(cell))
+    {
+      visit(points, size);
+      return;
+    }
+    const std::vector<vtkIdType>& outline = this->GetOutline(cell, local);
+    this->Middle.clear();
+    for (vtkIdType i = 0; i < 2 * size; i += 2)
+    {
+      const vtkIdType corner[3] = { outline[i], outline[i + 1], outline[i ? i - 1 : 2 * size - 1] };
+      this->Middle.push_back(corner[1]);
+      visit(static_cast<const vtkIdType*>(corner), vtkIdType(3));
+    }
+    visit(static_cast<const vtkIdType*>(this->Middle.data()), size);
   }
 
 private:
