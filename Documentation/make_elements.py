@@ -31,7 +31,7 @@ An element between pieces belongs to the one whose cell has the smallest id; in 
 Elements of copies of cells alone are left out. Faces run out of, and are seen from, their owner: the cell of the smaller
 id. Ids of cells are global ones; without them the cells of a block are counted piece after piece, so that a mesh that
 is split into ranges of cells keeps its numbers. `OwnerCell` and the points tell which element is the same in another
-partition; the numbers of elements in their data sets are those of one process, faces in the order of their owners.
+partition; the numbers of elements in their data sets are those of one process, faces in the order of its own cells.
 """
 
 source = simple.CriteriaTable()

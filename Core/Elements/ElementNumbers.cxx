@@ -3,6 +3,7 @@
 #include "Elements/ElementNumbers.h"
 
 #include "Elements/Counters.h"
+#include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
 #include "Parallel.h"
 
@@ -69,32 +70,23 @@ std::size_t ElementNumbers::FindPiece(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// Facets are numbered by their first cells, so that those of a piece stand together.
+// Facets of a piece have cells of that piece only.
 void ElementNumbers::NumberFaces() const
 {
   const FacetTable& table = this->Topology.GetFaces();
   this->Faces.resize(table.GetNumberOfFacets(), None);
-  std::vector<Index> cells;
   std::size_t piece = 0;
   Index next = 0;
-  for (Index face = 0; face < table.GetNumberOfFacets(); ++face)
-  {
-    const Index owner = table.GetCells(face).First;
-    for (; piece + 1 < this->Pieces.size() && owner >= this->Pieces[piece + 1].FirstCell; ++piece)
+  ForEachOwnFacet(
+    table, [&](Index cell) { return !this->IsGhost(cell); },
+    [&](Index face, Index cell)
     {
-      next = 0;
-    }
-    bool isKept = !this->IsGhost(owner);
-    if (!isKept)
-    {
-      table.GetCells(face, cells);
-      isKept = !std::all_of(cells.begin(), cells.end(), [&](Index cell) { return this->IsGhost(cell); });
-    }
-    if (isKept)
-    {
+      for (; piece + 1 < this->Pieces.size() && cell >= this->Pieces[piece + 1].FirstCell; ++piece)
+      {
+        next = 0;
+      }
       this->Faces[face] = next++;
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------

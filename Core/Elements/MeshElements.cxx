@@ -3,6 +3,7 @@
 #include "Elements/MeshElements.h"
 
 #include "Elements/Counters.h"
+#include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
 #include "Parallel.h"
 
@@ -100,27 +101,18 @@ vtkSmartPointer<vtkCellArray> MakeCells(vtkIdType size, int points)
 }
 
 //------------------------------------------------------------------------------
-// Leaves only the elements that are marked.
-void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<unsigned char>& isKept,
+// Leaves only some of the elements, in the order of @a ids.
+void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<vtkIdType>& ids,
   void (vtkPolyData::*set)(vtkCellArray*))
 {
   vtkNew<vtkIdList> kept;
-  for (std::size_t i = 0; i < isKept.size(); ++i)
-  {
-    if (isKept[i])
-    {
-      kept->InsertNextId(static_cast<vtkIdType>(i));
-    }
-  }
-  if (kept->GetNumberOfIds() == elements->GetNumberOfCells())
-  {
-    return;
-  }
+  kept->SetNumberOfIds(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), kept->begin());
   vtkNew<vtkCellArray> left;
   vtkNew<vtkIdList> points;
-  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  for (const vtkIdType id : ids)
   {
-    cells->GetCellAtId(kept->GetId(i), points);
+    cells->GetCellAtId(id, points);
     left->InsertNextCell(points);
   }
   vtkNew<vtkCellData> data;
@@ -129,6 +121,25 @@ void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<unsigned
   elements->GetCellData()->CopyAllocate(data, kept->GetNumberOfIds());
   elements->GetCellData()->CopyData(data, kept, vtkIdType(0));
   (elements->*set)(left);
+}
+
+//------------------------------------------------------------------------------
+// Leaves only the elements that are marked.
+void Keep(vtkPolyData* elements, vtkCellArray* cells, const std::vector<unsigned char>& isKept,
+  void (vtkPolyData::*set)(vtkCellArray*))
+{
+  std::vector<vtkIdType> ids;
+  for (std::size_t i = 0; i < isKept.size(); ++i)
+  {
+    if (isKept[i])
+    {
+      ids.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  if (ids.size() < isKept.size())
+  {
+    Keep(elements, cells, ids, set);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -264,24 +275,32 @@ void MakeFaces(
     return;
   }
   unsigned char* ghosts = AddGhostArray(faces);
-  std::vector<unsigned char> isKept(static_cast<std::size_t>(faces->GetNumberOfCells()));
-  std::vector<Index> cells;
-  for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face)
+  std::vector<vtkIdType> kept;
+  if (isVolume)
   {
-    if (isVolume)
+    std::vector<Index> cells;
+    for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face)
     {
       table.GetCells(static_cast<Index>(face), cells);
       ghosts[face] = context.BelongsToGhost(cells);
     }
-    else
-    {
-      cells.assign(1, static_cast<Index>(context.GetPolygonCells()[face]));
-      ghosts[face] = context.GetOptions().Ghosts[cells[0]];
-    }
-    isKept[face] =
-      !std::all_of(cells.begin(), cells.end(), [&](Index cell) { return context.IsCopy(cell); });
+    ForEachOwnFacet(
+      table, [&](Index cell) { return !context.IsCopy(cell); },
+      [&](Index face, Index) { kept.push_back(face); });
   }
-  Keep(faces, faces->GetPolys(), isKept, &vtkPolyData::SetPolys);
+  else
+  {
+    for (vtkIdType face = 0; face < faces->GetNumberOfCells(); ++face)
+    {
+      const vtkIdType cell = context.GetPolygonCells()[face];
+      ghosts[face] = context.GetOptions().Ghosts[cell];
+      if (!context.IsCopy(cell))
+      {
+        kept.push_back(face);
+      }
+    }
+  }
+  Keep(faces, faces->GetPolys(), kept, &vtkPolyData::SetPolys);
 }
 
 //------------------------------------------------------------------------------

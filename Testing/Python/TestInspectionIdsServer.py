@@ -61,7 +61,7 @@ class TestInspectionIdsServer(camaron_testing.TestCase):
     def test_servers(self):
         """Drawn there they are in the picture; on the client, each is one of the process that the element is from."""
         expected = {kind: self.write(self.mesh(), [kind], 0)[0] for kind in ("Point", "Face")}
-        for ranks in (1, 2):
+        for ranks in (1, 2, 3):
             self.serve(ranks)
             mesh = self.mesh()
             for kind, alone in expected.items():
@@ -83,8 +83,7 @@ class TestInspectionIdsServer(camaron_testing.TestCase):
                         (int(number), *numpy.round(place, 3))
                         for number, place in zip(ids[mine], places[mine])
                     }
-                    if ranks == 1 or KINDS[kind] != "Face":  # see Documentation/inspection.md
-                        self.assertEqual(found - known, set(), KINDS[kind])
+                    self.assertEqual(found - known, set(), KINDS[kind])
             simple.Disconnect()
 
 
