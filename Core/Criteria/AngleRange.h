@@ -4,12 +4,14 @@
  * @class camaron::AngleRange
  * @brief The smallest and the largest of some angles between 0 and 2 pi.
  *
- * Angles are compared by sine and cosine; only the two extremes cost an arc tangent.
+ * Angles are compared by sine and cosine; only the two extremes cost an arc tangent. AngleRangePair is two ranges
+ * at a time.
  */
 #ifndef camaron_AngleRange_h
 #define camaron_AngleRange_h
 
 #include "Criteria/Criterion.h"
+#include "Mesh/VectorPair.h"
 
 #include <cmath> // for std::atan2
 
@@ -65,6 +67,7 @@ public:
   ///@}
 
 private:
+  friend class AngleRangePair;
   struct Direction
   {
     double Sine, Cosine;
@@ -78,6 +81,37 @@ private:
   double MinOrder = 5, MaxOrder = -1;
   Direction Min = { 0, 1 }, Max = { 0, 1 };
   NullReason Reason = NullReason::Degenerate;
+};
+
+class AngleRangePair
+{
+public:
+  void Add(Pair sine, Pair cosine)
+  {
+    const Pair zero = MakePair(0, 0), one = MakePair(1, 1);
+    const Pair sum = Abs(sine) + Abs(cosine);
+    const Pair x = SelectLess(zero, sum, cosine / sum, one);
+    const Pair order = SelectLess(sine, zero, MakePair(3, 3) + x, one - x);
+    this->MinSine = SelectLess(order, this->MinOrder, sine, this->MinSine);
+    this->MinCosine = SelectLess(order, this->MinOrder, cosine, this->MinCosine);
+    this->MinOrder = SelectLess(order, this->MinOrder, order, this->MinOrder);
+    this->MaxSine = SelectLess(this->MaxOrder, order, sine, this->MaxSine);
+    this->MaxCosine = SelectLess(this->MaxOrder, order, cosine, this->MaxCosine);
+    this->MaxOrder = SelectLess(this->MaxOrder, order, order, this->MaxOrder);
+  }
+  AngleRange operator[](int i) const
+  {
+    AngleRange range;
+    range.MinOrder = this->MinOrder[i];
+    range.MaxOrder = this->MaxOrder[i];
+    range.Min = { this->MinSine[i], this->MinCosine[i] };
+    range.Max = { this->MaxSine[i], this->MaxCosine[i] };
+    return range;
+  }
+
+private:
+  Pair MinOrder = MakePair(5, 5), MinSine = MakePair(0, 0), MinCosine = MakePair(1, 1);
+  Pair MaxOrder = MakePair(-1, -1), MaxSine = MakePair(0, 0), MaxCosine = MakePair(1, 1);
 };
 }
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The angles of CellGeometry: interior angles of faces, dihedral and solid angles.
+// The angles of CellGeometry: interior angles of faces, dihedral and solid angles. Faces, edges and points are taken two
+// at a time; where something is collapsed or straight, one after the other.
 #include "Criteria/CellGeometry.h"
+#include "Mesh/VectorPair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,13 +13,73 @@ namespace camaron
 //------------------------------------------------------------------------------
 void CellGeometry::ComputeCorners()
 {
-  const int numberOfFaces = this->Topology->GetNumberOfFaces();
-  this->FaceAngles.resize(numberOfFaces);
-  for (int f = 0; f < numberOfFaces; ++f)
+  this->FaceAngles.resize(this->Topology->GetNumberOfFaces());
+  for (const CellTopology::FacePair& pair : this->Topology->FacePairs)
   {
-    this->FaceAngles[f].Clear();
-    this->ComputeFaceAngles(f, this->FaceAngles[f]);
+    const bool isTriangle = this->Topology->GetFaceSize(pair.First) == 3;
+    const double area = std::min(this->FaceAreas[pair.First], this->FaceAreas[pair.Second]);
+    if (this->HasCollapsedEdge || (!isTriangle && this->IsZeroArea(area)))
+    {
+      for (const int face : { pair.First, pair.Second })
+      {
+        this->FaceAngles[face].Clear();
+        this->ComputeFaceAngles(face, this->FaceAngles[face]);
+      }
+    }
+    else
+    {
+      isTriangle ? this->ComputeTriangleAngles(pair) : this->ComputePolygonAngles(pair);
+    }
   }
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::KeepAngles(
+  const CellTopology::FacePair& pair, const AngleRangePair& angles)
+{
+  this->FaceAngles[pair.First] = angles[0];
+  this->FaceAngles[pair.Second] = angles[1];
+}
+
+//------------------------------------------------------------------------------
+// All corners have the same sine times the lengths of their sides: twice the area.
+void CellGeometry::ComputeTriangleAngles(const CellTopology::FacePair& pair)
+{
+  const int *first = this->Topology->GetFace(pair.First), *second = this->Topology->GetFace(pair.Second);
+  const Vector* points = this->Points.data();
+  const VectorPair p0(points[first[0]], points[second[0]]), p1(points[first[1]], points[second[1]]),
+    p2(points[first[2]], points[second[2]]);
+  const VectorPair a = p1 - p0, b = p2 - p1, c = p0 - p2, normal = Cross(a, b);
+  const Pair sine = Sqrt(Dot(normal, normal)), zero = MakePair(0, 0);
+  AngleRangePair angles;
+  angles.Add(sine, zero - Dot(a, b));
+  angles.Add(sine, zero - Dot(b, c));
+  angles.Add(sine, zero - Dot(c, a));
+  this->KeepAngles(pair, angles);
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::ComputePolygonAngles(const CellTopology::FacePair& pair)
+{
+  const int *first = this->Topology->GetFace(pair.First), *second = this->Topology->GetFace(pair.Second);
+  const int size = this->Topology->GetFaceSize(pair.First);
+  const Vector* points = this->Points.data();
+  const VectorPair area(this->FaceVectors[pair.First], this->FaceVectors[pair.Second]);
+  VectorPair point(points[first[0]], points[second[0]]);
+  VectorPair toPrevious = VectorPair(points[first[size - 1]], points[second[size - 1]]) - point;
+  AngleRangePair angles;
+  for (int i = 0; i < size; ++i)
+  {
+    const int k = i + 1 < size ? i + 1 : 0;
+    const VectorPair next(points[first[k]], points[second[k]]), toNext = next - point;
+    const VectorPair normal = Cross(toNext, toPrevious);
+    // Reflex where the normal of the corner points against that of the face.
+    const Pair sine = TurnSign(Sqrt(Dot(normal, normal)), Dot(normal, area));
+    angles.Add(sine, Dot(toNext, toPrevious));
+    toPrevious = point - next;
+    point = next;
+  }
+  this->KeepAngles(pair, angles);
 }
 
 //------------------------------------------------------------------------------
@@ -82,14 +144,33 @@ void CellGeometry::ComputeDihedralAngles()
     this->DihedralAngles.Clear(NullReason::InvalidTopology);
     return;
   }
-  for (std::size_t e = 0; e < this->Topology->Edges.size(); ++e)
+  const int numberOfEdges = static_cast<int>(this->Topology->Edges.size());
+  if (this->HasCollapsedEdge ||
+    this->IsZeroArea(*std::min_element(this->FaceAreas.begin(), this->FaceAreas.end())))
   {
-    this->AddDihedralAngle(static_cast<int>(e), this->DihedralAngles);
+    for (int e = 0; e < numberOfEdges; ++e)
+    {
+      this->AddDihedralAngle(e, this->DihedralAngles);
+    }
+    return;
   }
+  AngleRangePair angles;
+  for (int e = 0; e < numberOfEdges; e += 2)
+  {
+    this->AddDihedralAngles(e, std::min(e + 1, numberOfEdges - 1), angles);
+  }
+  this->DihedralAngles.Add(angles[0]);
+  this->DihedralAngles.Add(angles[1]);
 }
 
 //------------------------------------------------------------------------------
-inline void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
+namespace
+{
+constexpr double DihedralRounding = 1e-14; // of sines
+}
+
+//------------------------------------------------------------------------------
+void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
 {
   const CellTopology::Edge& edge = this->Topology->Edges[e];
   const double length = std::sqrt(this->SquaredLengths[e]);
@@ -103,12 +184,31 @@ inline void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
   // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must not
   // turn an angle of 0 into one of 2 pi.
   double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
-  constexpr double rounding = 1e-14;
-  if (std::abs(sine) <= rounding * length * area0 * area1)
+  if (std::abs(sine) <= DihedralRounding * length * area0 * area1)
   {
     sine = 0;
   }
   angles.Add(sine, -length * Dot(s0, s1));
+}
+
+//------------------------------------------------------------------------------
+// The same for two edges that have a length, and two faces with an area each.
+inline void CellGeometry::AddDihedralAngles(int first, int second, AngleRangePair& angles) const
+{
+  const CellTopology::Edge *a = &this->Topology->Edges[first], *b = &this->Topology->Edges[second];
+  const auto areasOf = [&](int side)
+  { return MakePair(this->FaceAreas[a->Faces[side]], this->FaceAreas[b->Faces[side]]); };
+  const auto vectorsOf = [&](int side)
+  { return VectorPair(this->FaceVectors[a->Faces[side]], this->FaceVectors[b->Faces[side]]); };
+  const auto endsOf = [&](int end)
+  { return VectorPair(this->Points[a->Points[end]], this->Points[b->Points[end]]); };
+  const Pair length = Sqrt(MakePair(this->SquaredLengths[first], this->SquaredLengths[second]));
+  const VectorPair s0 = vectorsOf(0), s1 = vectorsOf(1), along = endsOf(1) - endsOf(0);
+  const Pair zero = MakePair(0, 0), sign = MakePair(this->OrientationSign, this->OrientationSign),
+             rounding = MakePair(DihedralRounding, DihedralRounding);
+  const Pair sine = sign * Dot(along, Cross(s0, s1));
+  const Pair limit = rounding * length * areasOf(0) * areasOf(1);
+  angles.Add(SelectLess(limit, Abs(sine), sine, zero), (zero - length) * Dot(s0, s1));
 }
 
 //------------------------------------------------------------------------------
@@ -151,13 +251,85 @@ void CellGeometry::ComputeSolidAngles()
     this->EdgeDirections[e] = Unit(this->Points[edge.Points[1]] - this->Points[edge.Points[0]]);
   }
   this->HalfSolidAngles.Clear();
+  AngleRangePair simple;
+  int waiting = -1; // a point of three edges
   for (int point = 0; point < topology.NumberOfPoints; ++point)
   {
-    if (topology.SpokeOffsets[point + 1] > topology.SpokeOffsets[point])
+    const int valence = topology.SpokeOffsets[point + 1] - topology.SpokeOffsets[point];
+    if (valence == 3 && waiting < 0 && !collapsed)
+    {
+      waiting = point;
+    }
+    else if (valence == 3 && !collapsed)
+    {
+      if (!this->AddSimpleAngles(topology, waiting, point, simple))
+      {
+        this->AddSolidAngle(topology, waiting, this->HalfSolidAngles);
+        this->AddSolidAngle(topology, point, this->HalfSolidAngles);
+      }
+      waiting = -1;
+    }
+    else if (valence > 0)
     {
       this->AddSolidAngle(topology, point, this->HalfSolidAngles);
     }
   }
+  if (waiting >= 0)
+  {
+    this->AddSolidAngle(topology, waiting, this->HalfSolidAngles);
+  }
+  this->HalfSolidAngles.Add(simple[0]);
+  this->HalfSolidAngles.Add(simple[1]);
+}
+
+//------------------------------------------------------------------------------
+namespace
+{
+constexpr double StraightCorner = 1e-9; // of a face: its sine
+// A triangle whose corner lies opposite to another one, or to its other side, has no area of its own.
+constexpr double DegenerateFan = 1e-6;
+// Rounding must not turn an angle of 0 into a full sphere.
+constexpr double SolidRounding = 1e-13;
+}
+
+//------------------------------------------------------------------------------
+// Of two points with three edges each; false, and nothing is added, where the general way has more to look at.
+bool CellGeometry::AddSimpleAngles(
+  const CellTopology& topology, int first, int second, AngleRangePair& halfAngles) const
+{
+  const CellTopology::Spoke *a = &topology.Spokes[topology.SpokeOffsets[first]],
+                            *b = &topology.Spokes[topology.SpokeOffsets[second]];
+  const auto getSign = [&](int edge, int point)
+  { return static_cast<double>(1 - 2 * (topology.Edges[edge].Points[0] != point)); };
+  const auto getSpoke = [&](int i)
+  {
+    return MakePair(getSign(a[i].Edge, first), getSign(b[i].Edge, second)) *
+      VectorPair(this->EdgeDirections[a[i].Edge], this->EdgeDirections[b[i].Edge]);
+  };
+  const VectorPair spokes[3] = { getSpoke(0), getSpoke(1), getSpoke(2) };
+  for (int i = 0; i < 3; ++i)
+  {
+    const VectorPair area(this->FaceVectors[a[i].Face], this->FaceVectors[b[i].Face]);
+    const Pair turn = Dot(Cross(spokes[i < 2 ? i + 1 : 0], spokes[i]), area);
+    if (turn[0] <= StraightCorner * this->FaceAreas[a[i].Face] ||
+      turn[1] <= StraightCorner * this->FaceAreas[b[i].Face])
+    {
+      return false;
+    }
+  }
+  const Pair y = Dot(spokes[0], Cross(spokes[1], spokes[2]));
+  const Pair x = MakePair(1, 1) + Dot(spokes[0], spokes[1]) + Dot(spokes[1], spokes[2]) +
+    Dot(spokes[2], spokes[0]);
+  const Pair square = x * x + y * y;
+  if (square[0] < DegenerateFan || square[1] < DegenerateFan)
+  {
+    return false;
+  }
+  const Pair zero = MakePair(0, 0), sign = MakePair(this->OrientationSign, this->OrientationSign),
+             rounding = MakePair(-SolidRounding, -SolidRounding);
+  const Pair sine = sign * y;
+  halfAngles.Add(SelectLess(sine, zero, SelectLess(sine, rounding * x, sine, zero), sine), x);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -238,8 +410,7 @@ void CellGeometry::AddSolidAngle(
       const int number = merged ? topology.FaceNumbers[f] : f;
       const Vector& area = this->FaceVectors[number];
       const double turn = Dot(Cross(next, spoke), area);
-      constexpr double straight = 1e-9;
-      const double flat = straight * this->FaceAreas[number];
+      const double flat = StraightCorner * this->FaceAreas[number];
       if (turn < -flat || (turn < 0 && Dot(spoke, next) > 0))
       {
         this->Spokes[numberOfSpokes++] = Unit(-(spoke + next));
@@ -251,10 +422,8 @@ void CellGeometry::AddSolidAngle(
     }
     spoke = next;
   }
-  // A triangle whose corner lies opposite to another one, or to its other side, has no area of its own.
-  constexpr double degenerate = 1e-6;
   HalfAngle half = this->SumFan(this->Spokes[0], numberOfSpokes);
-  if (half.Smallest < degenerate)
+  if (half.Smallest < DegenerateFan)
   {
     // Directions that meshes do not prefer, the best of which counts.
     const Vector others[] = { { 2, 3, 4 }, { -3, 1, -2 }, { 1, -4, 2 } };
@@ -266,9 +435,7 @@ void CellGeometry::AddSolidAngle(
   }
   double sine = this->OrientationSign * half.Sine;
   const double cosine = half.Cosine;
-  // Rounding must not turn an angle of 0 into a full sphere.
-  constexpr double rounding = 1e-13;
-  if (sine < 0 && cosine > 0 && -sine <= rounding * cosine)
+  if (sine < 0 && cosine > 0 && -sine <= SolidRounding * cosine)
   {
     sine = 0;
   }

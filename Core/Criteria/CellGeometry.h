@@ -275,10 +275,16 @@ private:
   void ComputeCentroid();
   void ComputeCorners();
   void ComputeFaceAngles(int face, AngleRange& angles);
+  void ComputeTriangleAngles(const CellTopology::FacePair& pair);
+  void ComputePolygonAngles(const CellTopology::FacePair& pair);
+  void KeepAngles(const CellTopology::FacePair& pair, const AngleRangePair& angles);
   void ComputeDihedralAngles();
   void ComputeSolidAngles();
   void AddDihedralAngle(int edge, AngleRange& angles) const;
+  void AddDihedralAngles(int first, int second, AngleRangePair& angles) const;
   void AddSolidAngle(const CellTopology& topology, int point, AngleRange& halfAngles);
+  bool AddSimpleAngles(
+    const CellTopology& topology, int first, int second, AngleRangePair& halfAngles) const;
   /// Half of a solid angle, with the smallest squared length of the factors that it is the product of.
   struct HalfAngle
   {

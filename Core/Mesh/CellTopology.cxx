@@ -334,7 +334,7 @@ bool CellTopology::IsBalanced() const
 void CellTopology::FindShells(bool makeConsistent)
 {
   const int numberOfFaces = this->GetNumberOfFaces();
-  if (this->IsOneShell)
+  if (this->IsOneShell || this->IsConnectedManifold())
   {
     this->Shells.assign(numberOfFaces, 0);
     this->NumberOfShells = 1;
@@ -359,6 +359,34 @@ void CellTopology::FindShells(bool makeConsistent)
   {
     this->JoinOpenShells();
   }
+}
+
+//------------------------------------------------------------------------------
+// Whether the edges are there, closed by two faces each, and all faces hang together; asked of few faces only.
+bool CellTopology::IsConnectedManifold() const
+{
+  const int numberOfFaces = this->GetNumberOfFaces();
+  if (!this->HasEdges || !this->IsClosed || !this->IsManifold || numberOfFaces > MaxBits)
+  {
+    return false;
+  }
+  std::uint64_t neighbors[MaxBits] = {};
+  for (const Edge& edge : this->Edges)
+  {
+    neighbors[edge.Faces[0]] |= std::uint64_t(1) << edge.Faces[1];
+    neighbors[edge.Faces[1]] |= std::uint64_t(1) << edge.Faces[0];
+  }
+  const std::uint64_t all = ~std::uint64_t(0) >> (MaxBits - numberOfFaces);
+  std::uint64_t reached = 1, done = 0;
+  while (reached != all && reached != done)
+  {
+    done = reached;
+    for (int f = 0; f < numberOfFaces; ++f)
+    {
+      reached |= done >> f & 1 ? neighbors[f] : 0;
+    }
+  }
+  return reached == all;
 }
 
 //------------------------------------------------------------------------------
@@ -492,53 +520,47 @@ void CellTopology::ReverseShells(const std::vector<unsigned char>& areReversed)
 }
 
 //------------------------------------------------------------------------------
+// Where two faces run along every edge in opposite directions, the next corner of a point lies at the end of its edge
+// in the other face. Nowhere else do the faces at all points form cycles, but where there are none.
 void CellTopology::MakeVertexFigures()
 {
-  this->CornerLists.assign(this->NumberOfPoints, -1);
-  this->Corners.clear();
-  for (int f = 0; f < this->GetNumberOfFaces(); ++f)
+  this->HasVertexFigures = this->FacePoints.empty() || (this->IsClosed && this->IsManifold);
+  if (!this->HasVertexFigures)
   {
-    const int begin = this->FaceOffsets[f], end = this->FaceOffsets[f + 1];
-    int previous = this->FaceEdges[end - 1];
-    for (int i = begin; i < end; ++i)
-    {
-      int& first = this->CornerLists[this->FacePoints[i]];
-      this->Corners.push_back({ f, previous, this->FaceEdges[i], first });
-      first = static_cast<int>(this->Corners.size()) - 1;
-      previous = this->FaceEdges[i];
-    }
+    return;
   }
-  this->Spokes.clear();
-  this->SpokeOffsets.assign(1, 0);
-  this->HasVertexFigures = true;
+  const int size = static_cast<int>(this->FacePoints.size());
+  this->Twins.assign(this->Edges.size(), 0);
+  this->LastCornersOfPoints.resize(this->NumberOfPoints);
+  this->CornerCounts.assign(this->NumberOfPoints, 0);
+  const int *points = this->FacePoints.data(), *edges = this->FaceEdges.data(),
+            *faces = this->CornerFaces.data(), *offsets = this->FaceOffsets.data();
+  int *const twins = this->Twins.data(), *const counts = this->CornerCounts.data();
+  for (int i = 0; i < size; ++i)
+  {
+    twins[edges[i]] += i;
+    this->LastCornersOfPoints[points[i]] = i;
+    ++counts[points[i]];
+  }
+  this->Spokes.resize(size);
+  this->SpokeOffsets.resize(this->NumberOfPoints + 1);
+  Spoke* to = this->Spokes.data();
+  this->SpokeOffsets[0] = 0;
   for (int point = 0; point < this->NumberOfPoints; ++point)
   {
-    const int first = this->CornerLists[point];
-    int numberOfCorners = 0;
-    for (int c = first; c >= 0; c = this->Corners[c].NextCorner)
-    {
-      ++numberOfCorners;
-    }
-    // The next face comes to the point along the edge on which this one leaves it.
+    const int first = this->LastCornersOfPoints[point], count = counts[point];
     int corner = first, steps = 0;
-    while (corner >= 0 && steps < numberOfCorners)
+    while (steps < count && (steps == 0 || corner != first))
     {
-      this->Spokes.push_back({ this->Corners[corner].PreviousEdge, this->Corners[corner].Face });
+      const int twin = twins[edges[corner]] - corner, face = faces[twin];
+      *to++ = { edges[corner], face };
+      corner = twin + 1 < offsets[face + 1] ? twin + 1 : offsets[face];
       ++steps;
-      const int edge = this->Corners[corner].NextEdge;
-      for (corner = first; corner >= 0 && this->Corners[corner].PreviousEdge != edge;)
-      {
-        corner = this->Corners[corner].NextCorner;
-      }
-      if (corner == first)
-      {
-        break;
-      }
     }
-    this->HasVertexFigures =
-      this->HasVertexFigures && steps == numberOfCorners && (numberOfCorners == 0 || corner == first);
-    this->SpokeOffsets.push_back(static_cast<int>(this->Spokes.size()));
+    this->HasVertexFigures &= steps == count && (count == 0 || corner == first);
+    this->SpokeOffsets[point + 1] = static_cast<int>(to - this->Spokes.data());
   }
+  this->Spokes.resize(to - this->Spokes.data());
 }
 
 //------------------------------------------------------------------------------

@@ -56,10 +56,10 @@ public:
   bool IsManifold = false;
 
   ///@{
-  /// Spokes around every vertex, in one cycle; only after MakeVertexFigures.
+  /// Spokes around every vertex, in one cycle; only after MakeVertexFigures, and if HasVertexFigures.
   std::vector<int> SpokeOffsets;
   std::vector<Spoke> Spokes;
-  /// False when the faces around some vertex do not form exactly one cycle.
+  /// False when the faces around some vertex do not form exactly one cycle, or some edge has not two faces.
   bool HasVertexFigures = false;
   ///@}
 
@@ -105,6 +105,7 @@ private:
   bool DropRepeatedPoints();
   void ListCorners();
   bool IsClosedShell() const;
+  bool IsConnectedManifold() const;
   void ListEdges();
   int NumberEdges();
   void FindSecondFaces();
@@ -123,12 +124,9 @@ private:
   std::vector<int> Shells, Stack;
   std::vector<unsigned char> Reversed;
   int NumberOfShells = 0;
-  struct Corner
-  {
-    int Face, PreviousEdge, NextEdge, NextCorner;
-  };
-  std::vector<Corner> Corners;
-  std::vector<int> CornerLists; // of every point the first one of Corners
+  std::vector<int> LastCornersOfPoints; // places in FacePoints
+  std::vector<int> CornerCounts; // of every point
+  std::vector<int> Twins;        // of every edge the sum of its two places in FaceEdges
 };
 }
 

@@ -40,6 +40,10 @@ inline Pair operator*(Pair a, Pair b)
 {
   return { { a[0] * b[0], a[1] * b[1] } };
 }
+inline Pair operator/(Pair a, Pair b)
+{
+  return { { a[0] / b[0], a[1] / b[1] } };
+}
 #endif
 
 inline Pair MakePair(double a, double b)
@@ -69,6 +73,23 @@ inline Pair TurnSign(Pair a, Pair sign)
 #else
   return MakePair(sign[0] < 0 ? -a[0] : a[0], sign[1] < 0 ? -a[1] : a[1]);
 #endif
+}
+
+/// @a yes where @a a is less than @a b, @a no elsewhere. No branch, which would be as hard to foresee as the mesh is
+/// irregular.
+inline Pair SelectLess(Pair a, Pair b, Pair yes, Pair no)
+{
+#if defined(__SSE2__) && defined(__GNUC__)
+  const __m128d isLess = _mm_cmplt_pd(a, b);
+  return _mm_or_pd(_mm_and_pd(isLess, yes), _mm_andnot_pd(isLess, no));
+#else
+  return MakePair(a[0] < b[0] ? yes[0] : no[0], a[1] < b[1] ? yes[1] : no[1]);
+#endif
+}
+
+inline Pair Abs(Pair a)
+{
+  return TurnSign(a, a);
 }
 
 struct VectorPair
