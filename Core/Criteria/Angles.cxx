@@ -67,10 +67,11 @@ double MaxSolidAngle(const CellGeometry& cell)
 double EquiangleSkewness(const CellGeometry& cell)
 {
   // Faces with the same number of corners share their ideal angle and so their extremes.
-  constexpr int manyCorners = 12;
-  AngleRange ranges[manyCorners];
+  const CellTopology& topology = cell.GetTopology();
   double worst = Null(NullReason::Degenerate);
-  const auto add = [&](const AngleRange& angles, int size)
+  AngleRange angles;
+  int size = 0; // of the faces in angles
+  const auto close = [&]
   {
     if (!angles.IsEmpty())
     {
@@ -79,16 +80,19 @@ double EquiangleSkewness(const CellGeometry& cell)
         std::max((angles.GetMax() - ideal) / (Pi - ideal), (ideal - angles.GetMin()) / ideal);
       worst = std::isnan(worst) ? skewness : std::max(worst, skewness);
     }
+    angles.Clear();
   };
-  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  for (const CellTopology::FacePair& pair : topology.FacePairs) // by size
   {
-    const int size = cell.GetTopology().GetFaceSize(f);
-    size < manyCorners ? ranges[size].Add(cell.GetFaceAngles(f)) : add(cell.GetFaceAngles(f), size);
+    if (topology.GetFaceSize(pair.First) != size)
+    {
+      close();
+      size = topology.GetFaceSize(pair.First);
+    }
+    angles.Add(cell.GetFaceAngles(pair.First));
+    angles.Add(cell.GetFaceAngles(pair.Second));
   }
-  for (int size = 3; size < manyCorners; ++size)
-  {
-    add(ranges[size], size);
-  }
+  close();
   return worst;
 }
 

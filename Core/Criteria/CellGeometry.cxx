@@ -7,12 +7,6 @@
 
 namespace camaron
 {
-namespace
-{
-constexpr double MinRelativeTolerance = 1e-12; // quality criteria, section 1
-constexpr double RoundingUnits = 8;
-}
-
 //------------------------------------------------------------------------------
 void CellGeometry::Compute(unsigned needs)
 {
@@ -76,9 +70,7 @@ void CellGeometry::Compute(unsigned needs)
 //------------------------------------------------------------------------------
 CellGeometry::Scale CellGeometry::GetScale(double diameter) const
 {
-  const double length = this->DegeneracyTolerance > 0
-    ? this->DegeneracyTolerance * diameter
-    : std::max(MinRelativeTolerance * diameter, this->AbsoluteTolerance);
+  const double length = camaron::GetZeroLength(*this->Options, diameter, this->AbsoluteTolerance);
   return { length, length * diameter, length * diameter * diameter };
 }
 
@@ -96,9 +88,7 @@ void CellGeometry::ComputeBoxScale() const
   const Vector a = low + origin, b = high + origin;
   const double largest = std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X),
     std::abs(b.Y), std::abs(b.Z) });
-  this->AbsoluteTolerance = RoundingUnits * largest *
-    (this->HasFloatPoints ? std::numeric_limits<float>::epsilon()
-                          : std::numeric_limits<double>::epsilon());
+  this->AbsoluteTolerance = GetAbsoluteTolerance(largest, this->HasFloatPoints);
   this->BoxScale = this->GetScale(Norm(high - low));
 }
 

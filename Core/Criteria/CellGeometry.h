@@ -23,7 +23,9 @@
 #include "Mesh/Vector.h"
 #include "Mesh/VectorPair.h"
 
-#include <vector> // for the parts
+#include <algorithm> // for tolerances
+#include <limits>    // for tolerances
+#include <vector>    // for the parts
 
 class vtkDataArray;
 
@@ -66,6 +68,26 @@ struct EvaluationOptions
   /// The groups of cells at points over all pieces; if none, those of the mesh that is evaluated.
   const PointRegions* PointGroups = nullptr;
 };
+
+///@{
+/**
+ * What counts as zero: no length for coordinates up to @a largest, and no length in a cell of a diameter. See the
+ * methods of CellGeometry for areas and volumes.
+ */
+inline double GetAbsoluteTolerance(double largest, bool areFloats)
+{
+  constexpr double roundingUnits = 8; // quality criteria, section 1
+  return roundingUnits * largest *
+    (areFloats ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
+}
+inline double GetZeroLength(
+  const EvaluationOptions& options, double diameter, double absoluteTolerance)
+{
+  constexpr double minRelativeTolerance = 1e-12;
+  return options.DegeneracyTolerance > 0 ? options.DegeneracyTolerance * diameter
+                                         : std::max(minRelativeTolerance * diameter, absoluteTolerance);
+}
+///@}
 
 class CellGeometry
 {
@@ -149,6 +171,7 @@ public:
   ///@{
   /// With NeedsEdges. A point that follows itself makes an edge of length 0.
   double GetEdgeLength(int edge) const { return std::sqrt(this->SquaredLengths[edge]); }
+  int GetNumberOfEdges() const { return static_cast<int>(this->Topology->Edges.size()); }
   double GetSumOfSquaredLengths() const;
   double GetTotalEdgeLength() const;
   /// Length of the way around a polygon cell, which may run along an edge more than once.
@@ -309,7 +332,6 @@ private:
   bool HasFloatPoints = false;
   bool TrustFaceOrientation = false;
   double AngleFactor = 1;
-  double DegeneracyTolerance = 0;
   mutable double AbsoluteTolerance = 0; // with BoxScale
   mutable Scale BoxScale = { -1, -1, -1 };
   mutable double Diameter = -1;    // not computed yet

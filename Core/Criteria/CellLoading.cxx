@@ -73,7 +73,6 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->HasFloatPoints = mesh.HasFloatPoints();
   this->Options = &options;
   this->TrustFaceOrientation = options.TrustFaceOrientation;
-  this->DegeneracyTolerance = options.DegeneracyTolerance;
   this->AngleFactor = options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
   this->Shapes = 0;
   this->BoxScale.Length = -1;

@@ -11,6 +11,7 @@
 #include "Criteria/CellNeighborhood.h"
 #include "Criteria/Criterion.h"
 #include "Criteria/MeshContext.h"
+#include "Criteria/SoundTetrahedron.h"
 
 #include <limits> // for infinity
 
@@ -41,11 +42,28 @@ constexpr bool Real = false;
       values[i] = Function(cells[i]);                                                              \
     }                                                                                              \
   },                                                                                               \
-    nullptr, nullptr
+    nullptr, nullptr, nullptr
+// The same for a template `double Function(const Cell&)` that needs no topology: tetrahedra go without.
+#define CAMARON_CELLS_AND_TETRAHEDRA(Function)                                                     \
+  [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
+  {                                                                                                \
+    for (int i = 0; i < numberOfCells; ++i)                                                        \
+    {                                                                                              \
+      values[i] = Function(cells[i]);                                                              \
+    }                                                                                              \
+  },                                                                                               \
+    nullptr, nullptr,                                                                              \
+    [](const SoundTetrahedron* cells, int numberOfCells, double* values)                           \
+  {                                                                                                \
+    for (int i = 0; i < numberOfCells; ++i)                                                        \
+    {                                                                                              \
+      values[i] = Function(cells[i]);                                                              \
+    }                                                                                              \
+  }
 // The same for a function with neighbours, which has the loop itself.
-#define CAMARON_MESH(Function) nullptr, Function, nullptr
+#define CAMARON_MESH(Function) nullptr, Function, nullptr, nullptr
 // The same for a function of a cell and the cells at its facets.
-#define CAMARON_NEIGHBORS(Function) nullptr, nullptr, Function
+#define CAMARON_NEIGHBORS(Function) nullptr, nullptr, Function, nullptr
 }
 
 #endif

@@ -7,12 +7,14 @@
 #include "Criteria/MeanSizes.h"
 #include "Criteria/MeshContext.h"
 #include "Criteria/MeshRegions.h"
+#include "Criteria/SoundTetrahedron.h"
 #include "Criteria/SurfaceSides.h"
 #include "Parallel.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -21,6 +23,7 @@ namespace camaron
 namespace
 {
 constexpr int MaxBlockSize = 16;      // cells whose geometry is held at once
+constexpr int MaxTetrahedra = 32;     // the same of tetrahedra without topology
 constexpr int MaxBlockPoints = 64;    // about; the geometry of more would not stay in the nearest cache
 constexpr vtkIdType SlabSize = 65536; // cells between two reports of progress, at least
 constexpr vtkIdType Grain = 1024;
@@ -67,6 +70,9 @@ public:
     , Options(options)
     , Criteria(criteria)
     , Centers(centers)
+    , TakesTetrahedra(!centers &&
+        std::all_of(criteria.begin(), criteria.end(),
+          [](const CriterionValues& row) { return row.Criterion->TetrahedronFunction != nullptr; }))
     , Needs(centers ? CellNeighborhood::BaseNeeds : 0)
   {
     for (const CriterionValues& row : criteria)
@@ -79,6 +85,57 @@ public:
   {
     std::vector<CellGeometry>& block = this->Blocks.Local();
     block.resize(MaxBlockSize);
+    if (this->TakesTetrahedra)
+    {
+      this->EvaluateTetrahedra(block, begin, end);
+    }
+    else
+    {
+      this->EvaluateCells(block, begin, end);
+    }
+  }
+
+private:
+  // Sound tetrahedra by themselves, and what is between them as other cells.
+  void EvaluateTetrahedra(std::vector<CellGeometry>& block, vtkIdType begin, vtkIdType end) const
+  {
+    std::array<SoundTetrahedron, MaxTetrahedra> cells;
+    std::array<double, MaxTetrahedra> values;
+    std::array<vtkIdType, MaxTetrahedra> ids;
+    for (vtkIdType next = begin; next < end;)
+    {
+      int size = 0;
+      for (; next < end && size < MaxTetrahedra; ++next)
+      {
+        ids[size] = next;
+        if (cells[size].Load(this->Mesh, next, this->Options))
+        {
+          ++size;
+        }
+        else
+        {
+          vtkIdType last = next + 1;
+          while (last < end && this->Mesh.GetCellType(last) != VTK_TETRA)
+          {
+            ++last;
+          }
+          this->EvaluateCells(block, next, last);
+          next = last - 1;
+        }
+      }
+      for (const CriterionValues& row : this->Criteria)
+      {
+        row.Criterion->TetrahedronFunction(cells.data(), size, values.data());
+        for (int i = 0; i < size; ++i)
+        {
+          row.Values[ids[i]] = values[i];
+        }
+      }
+    }
+  }
+
+  void EvaluateCells(std::vector<CellGeometry>& block, vtkIdType begin, vtkIdType end) const
+  {
     int size = 0;
     for (vtkIdType first = begin; first < end; first += size)
     {
@@ -133,11 +190,11 @@ public:
     }
   }
 
-private:
   const MeshView& Mesh;
   const EvaluationOptions& Options;
   const std::vector<CriterionValues>& Criteria;
   CellCenters* Centers;
+  bool TakesTetrahedra; ///< those that are sound go without topology
   unsigned Needs;
   mutable vtkSMPThreadLocal<std::vector<CellGeometry>> Blocks; // keep their memory from loop to loop
 };

@@ -10,7 +10,8 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-double EdgeLengthRatio(const CellGeometry& cell)
+template <typename Cell>
+double EdgeLengthRatio(const Cell& cell)
 {
   const double shortest = cell.GetMinEdgeLength(), longest = cell.GetMaxEdgeLength();
   if (cell.IsZeroLength(longest))
@@ -21,7 +22,8 @@ double EdgeLengthRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double EdgeRatio(const CellGeometry& cell)
+template <typename Cell>
+double EdgeRatio(const Cell& cell)
 {
   const double shortest = cell.GetMinEdgeLength(), longest = cell.GetMaxEdgeLength();
   if (cell.IsZeroLength(longest))
@@ -32,7 +34,8 @@ double EdgeRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double EdgeDiameterRatio(const CellGeometry& cell)
+template <typename Cell>
+double EdgeDiameterRatio(const Cell& cell)
 {
   const double shortest = cell.GetMinEdgeLength(), diameter = cell.GetDiameter();
   if (cell.IsZeroLength(diameter))
@@ -88,7 +91,8 @@ double Sphericity(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double VolumeEdgeRatio(const CellGeometry& cell)
+template <typename Cell>
+double VolumeEdgeRatio(const Cell& cell)
 {
   const double volume = cell.GetVolume();
   if (std::isnan(volume))
@@ -99,8 +103,7 @@ double VolumeEdgeRatio(const CellGeometry& cell)
   {
     return Null(NullReason::Degenerate);
   }
-  const double edges = static_cast<double>(cell.GetTopology().Edges.size());
-  const double length = std::sqrt(cell.GetSumOfSquaredLengths() / edges);
+  const double length = std::sqrt(cell.GetSumOfSquaredLengths() / cell.GetNumberOfEdges());
   return cell.IsZeroVolume(volume) ? 0 : volume / (length * length * length);
 }
 
@@ -154,7 +157,7 @@ std::vector<Criterion> RatioCriteria()
     { "EdgeLengthRatio", "Edge length ratio", "Shortest edge divided by longest edge.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1.0 / 3, Infinity }, "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
-      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(EdgeLengthRatio),
+      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeLengthRatio),
       { "min lᵢ / max lᵢ",
         "0 when an edge is collapsed, null (degenerate) when all are.",
         "Camarón's aspect ratio. One divided by Verdict's edge ratio, except of hexahedra, where "
@@ -162,14 +165,14 @@ std::vector<Criterion> RatioCriteria()
     { "EdgeRatio", "Edge ratio", "Longest edge divided by shortest edge; infinite if an edge is collapsed.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
       { -Infinity, 3 }, "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals",
-      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(EdgeRatio),
+      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeRatio),
       { "max lᵢ / min lᵢ",
         "Infinite when an edge is collapsed, null (degenerate) when all are.",
         "Verdict's for triangles, quadrilaterals, tetrahedra and wedges; of hexahedra Verdict seeks "
         "the longest among six of the edges." } },
     { "EdgeDiameterRatio", "Edge to diameter", "Shortest edge divided by the largest distance of two vertices.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(EdgeDiameterRatio),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeDiameterRatio),
       { "min lᵢ / h",
         "0 when an edge is collapsed, null (degenerate) for a cell in one point.",
         "Verdict's stretch of a quadrilateral divided by √2, of a hexahedron by √3, as far as a "
@@ -203,7 +206,7 @@ std::vector<Criterion> RatioCriteria()
     { "VolumeEdgeRatio", "Volume to edges", "Volume divided by the cube of the root mean square of the edge lengths; cube 1.",
       Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(VolumeEdgeRatio),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(VolumeEdgeRatio),
       { "V / l³ with l² = Σ lᵢ² / number of edges",
         "0 for a flat cell, negative for an inverted one; null (degenerate) for a cell in one point, "
         "null (invalid topology) for an open one.",

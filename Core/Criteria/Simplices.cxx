@@ -17,7 +17,8 @@ constexpr double RegularVolume = 0.5132002392796673; // 8 sqrt(3) / 27, of circu
 
 //------------------------------------------------------------------------------
 // All points in one place: 0/0 for every ratio.
-bool IsOnePoint(const CellGeometry& cell)
+template <typename Cell>
+bool IsOnePoint(const Cell& cell)
 {
   return cell.IsZeroLength(cell.GetMaxEdgeLength());
 }
@@ -25,7 +26,8 @@ bool IsOnePoint(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 // Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, edges from the first
 // point, which is the origin.
-double CircumradiusTimes12Volumes(const CellGeometry& tetrahedron)
+template <typename Cell>
+double CircumradiusTimes12Volumes(const Cell& tetrahedron)
 {
   const Vector &a = tetrahedron.GetPoint(1), &b = tetrahedron.GetPoint(2),
                &c = tetrahedron.GetPoint(3);
@@ -77,7 +79,8 @@ double TriangleRadiusEdgeRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double TetRadiusEdgeRatio(const CellGeometry& cell)
+template <typename Cell>
+double TetRadiusEdgeRatio(const Cell& cell)
 {
   if (IsOnePoint(cell))
   {
@@ -94,7 +97,8 @@ double TetRadiusEdgeRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double TetRadiusRatio(const CellGeometry& cell)
+template <typename Cell>
+double TetRadiusRatio(const Cell& cell)
 {
   if (IsOnePoint(cell))
   {
@@ -110,7 +114,8 @@ double TetRadiusRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double TetMeanRatio(const CellGeometry& cell)
+template <typename Cell>
+double TetMeanRatio(const Cell& cell)
 {
   if (IsOnePoint(cell))
   {
@@ -126,7 +131,8 @@ double TetMeanRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double TetQualityFoam(const CellGeometry& cell)
+template <typename Cell>
+double TetQualityFoam(const Cell& cell)
 {
   if (IsOnePoint(cell))
   {
@@ -174,7 +180,7 @@ std::vector<Criterion> SimplexCriteria()
       "smallest dihedral angle.",
       Tetrahedra, Unit::None, { SquareRootOf3Over8, Infinity }, SquareRootOf3Over8, Better::Smaller,
       { -Infinity, 2 }, "TetGen's default bound", Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(TetRadiusEdgeRatio),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusEdgeRatio),
       { "R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, b, c at "
         "one vertex",
         "Infinite for a flat tetrahedron, null (degenerate) for one in one point; inverted or not "
@@ -183,7 +189,7 @@ std::vector<Criterion> SimplexCriteria()
     { "TetRadiusRatio", "Tetrahedron radius ratio", "Three times the inradius divided by the circumradius.",
       Tetrahedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1.0 / 3, Infinity }, VerdictManual, Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(TetRadiusRatio),
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusRatio),
       { "3r/R with r = 3|V| / surface area and R as for `TetRadiusEdgeRatio`",
         "0 for a flat tetrahedron, null (degenerate) for one in one point; inverted or not makes no "
         "difference.",
@@ -192,7 +198,7 @@ std::vector<Criterion> SimplexCriteria()
       "12 (3 volume)^(2/3) / sum of squared edge lengths, negative when inverted.",
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 0.3, Infinity }, "Verdict manual, rev. A, shape of tetrahedra", Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(TetMeanRatio),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetMeanRatio),
       { "± 12 (3|V|)^⅔ / Σ lᵢ² with the sign of V",
         "0 for a flat tetrahedron, negative for an inverted one, null (degenerate) for one in one "
         "point.",
@@ -202,7 +208,7 @@ std::vector<Criterion> SimplexCriteria()
       "Volume divided by that of the regular tetrahedron with the same circumsphere.",
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS(TetQualityFoam),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetQualityFoam),
       { "V / (8√3/27 · R³) with R as for `TetRadiusEdgeRatio`",
         "0 for a flat tetrahedron, negative for an inverted one, null (degenerate) for one in one "
         "point.",

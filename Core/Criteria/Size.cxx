@@ -50,13 +50,15 @@ double Perimeter(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double SurfaceArea(const CellGeometry& cell)
+template <typename Cell>
+double SurfaceArea(const Cell& cell)
 {
   return cell.GetSurfaceArea();
 }
 
 //------------------------------------------------------------------------------
-double Volume(const CellGeometry& cell)
+template <typename Cell>
+double Volume(const Cell& cell)
 {
   return cell.GetVolume();
 }
@@ -80,26 +82,30 @@ double FaceCount(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double MinEdgeLength(const CellGeometry& cell)
+template <typename Cell>
+double MinEdgeLength(const Cell& cell)
 {
   return cell.GetMinEdgeLength();
 }
 
 //------------------------------------------------------------------------------
-double MaxEdgeLength(const CellGeometry& cell)
+template <typename Cell>
+double MaxEdgeLength(const Cell& cell)
 {
   return cell.GetMaxEdgeLength();
 }
 
 //------------------------------------------------------------------------------
-double MeanEdgeLength(const CellGeometry& cell)
+template <typename Cell>
+double MeanEdgeLength(const Cell& cell)
 {
-  const std::size_t count = cell.GetTopology().Edges.size();
-  return count > 0 ? cell.GetTotalEdgeLength() / static_cast<double>(count) : 0;
+  const int count = cell.GetNumberOfEdges();
+  return count > 0 ? cell.GetTotalEdgeLength() / count : 0;
 }
 
 //------------------------------------------------------------------------------
-double Diameter(const CellGeometry& cell)
+template <typename Cell>
+double Diameter(const Cell& cell)
 {
   return cell.GetDiameter();
 }
@@ -202,7 +208,7 @@ std::vector<Criterion> SizeCriteria()
     { "SurfaceArea", "Surface area",
       "Sum over the faces of the signed triangle areas about the face centre; of a planar face its area.",
       Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(SurfaceArea),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS_AND_TETRAHEDRA(SurfaceArea),
       { "Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, the sign being that of the "
         "triangle's direction relative to S_f, but no face less than |S_f|",
         "0 for a cell in one point; of an open cell the area of the faces that it has.",
@@ -212,7 +218,7 @@ std::vector<Criterion> SizeCriteria()
       "Volume by the divergence theorem, the same for a standard cell and for its polyhedron; negative "
       "for a standard cell whose nodes are in the wrong order. Null for an open polyhedron.",
       Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Neither,
-      { Positive, Infinity }, "neither flat nor inverted", Cited, Real, Cost::Edges, NeedsVolume, CAMARON_CELLS(Volume),
+      { Positive, Infinity }, "neither flat nor inverted", Cited, Real, Cost::Edges, NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(Volume),
       { "V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point",
         "0 for a flat cell, negative for a standard cell in wrong order. A polyhedron whose faces "
         "point inward is turned first unless Trust Face Orientation is on; of several closed surfaces each, so "
@@ -242,25 +248,25 @@ std::vector<Criterion> SizeCriteria()
         "Camarón's, where no face is collapsed." } },
     { "MinEdgeLength", "Shortest edge", "Length of the shortest edge; 0 when an edge is collapsed.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(MinEdgeLength),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MinEdgeLength),
       { "min lᵢ",
         "0 when an edge is collapsed or a point is used twice in a row.",
         "Camarón's and camaron-web's." } },
     { "MaxEdgeLength", "Longest edge", "Length of the longest edge.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(MaxEdgeLength),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MaxEdgeLength),
       { "max lᵢ",
         "0 for a cell in one point.",
         "Camarón's and camaron-web's." } },
     { "MeanEdgeLength", "Mean edge", "Mean length of the distinct edges.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS(MeanEdgeLength),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MeanEdgeLength),
       { "Σ lᵢ / number of edges",
         "0 for a cell in one point; collapsed edges count.",
         "No other program here reports it per cell." } },
     { "Diameter", "Diameter", "Largest distance between two vertices.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS(Diameter),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(Diameter),
       { "h = max |pᵢ − pⱼ| over all pairs of vertices",
         "0 for a cell in one point.",
         "The h of the literature on finite and virtual elements. Verdict's diameters are of edges and "

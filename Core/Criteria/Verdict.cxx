@@ -555,7 +555,7 @@ Criterion MakeCriterion(
     { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
     { measure.Acceptable[0], measure.Acceptable[1] },
     hasRange ? "Verdict manual, rev. A, of the most lenient shape" : "", true, false, Cost::Edges,
-    NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function, nullptr, nullptr, measure.Notes };
+    NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function, nullptr, nullptr, nullptr, measure.Notes };
   return criterion;
 }
 

@@ -398,6 +398,66 @@ TEST(Criteria, IndependentOfThreadsAndCompany)
   }
 }
 
+// Sound tetrahedra go without topology: if this fails, a value depends on whether they do, and so on what else is asked
+// for. Among them are flat and inverted ones, one with a point used twice, huge and tiny ones, one that is not a number,
+// and other cells.
+TEST(Criteria, TetrahedraWithoutTopology)
+{
+  std::mt19937 random(5);
+  Points points;
+  Cells cells;
+  const double huge = std::numeric_limits<double>::max(), nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double size : { 1.0, 1e-3, 1e6, 1e-40, 1e40, huge, nan })
+  {
+    for (const double height : { 1.0, -1.0, 1e-5, 1e-7, 3e-12, 1e-13, 0.0 })
+    {
+      for (const double place : { 0.0, 1.0, 1e4 })
+      {
+        const auto first = static_cast<vtkIdType>(points.size());
+        for (int i = 0; i < 4; ++i)
+        {
+          const auto next = [&] { return size * (place + random() / 4294967296.0); };
+          const double x = next(), y = next(), z = next();
+          points.push_back({ { x, y, height * z } });
+        }
+        cells.push_back({ VTK_TETRA, { first, first + 1, first + 2, first + 3 } });
+        if (cells.size() % 10 == 0)
+        {
+          cells.push_back({ VTK_TETRA, { first, first + 1, first + 1, first + 3 } });
+          cells.push_back({ VTK_TRIANGLE, { first, first + 1, first + 2 } });
+          cells.push_back({ VTK_PYRAMID, { 0, first + 1, first + 2, first + 3, 1 } });
+        }
+      }
+    }
+  }
+  const Grid grid = MakeGrid(points, cells);
+  int tried = 0;
+  for (const double tolerance : { 0.0, 1e-3 })
+  {
+    EvaluationOptions options;
+    options.DegeneracyTolerance = tolerance;
+    const Values together = EvaluateAll(grid, options);
+    for (const Criterion& criterion : GetCriteria())
+    {
+      if (!criterion.TetrahedronFunction)
+      {
+        continue;
+      }
+      ++tried;
+      std::vector<double> alone(grid->GetNumberOfCells());
+      Evaluate(MeshTopology(grid), options, { { &criterion, alone.data() } }, [](double) { return true; });
+      const std::vector<double>& expected = together.at(criterion.Name);
+      for (std::size_t i = 0; i < alone.size(); ++i)
+      {
+        EXPECT_TRUE(alone[i] == expected[i] || (std::isnan(alone[i]) && std::isnan(expected[i])))
+          << criterion.Name << " of cell " << i << ": " << alone[i] << ' ' << expected[i];
+        EXPECT_EQ(GetNullReason(alone[i]), GetNullReason(expected[i])) << criterion.Name;
+      }
+    }
+  }
+  EXPECT_GT(tried, 0);
+}
+
 // Stopping leaves at once; progress runs from 0 upwards.
 TEST(Criteria, ProgressAndAbort)
 {
