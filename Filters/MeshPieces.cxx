@@ -10,6 +10,7 @@
 #include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
 #include "RunTogether.h"
+#include "SharedCopies.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
@@ -20,7 +21,7 @@ namespace camaron
 {
 //------------------------------------------------------------------------------
 MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
-  int numberOfRequestedPieces, camaron::Reducer& reducer)
+  int numberOfRequestedPieces, camaron::Reducer& reducer, bool sharesCopies)
   : Reducer(reducer)
   , OthersAreUnknown(numberOfRequestedPieces > reducer.GetNumberOfProcesses())
 {
@@ -30,7 +31,8 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
       for (const DataSetLeaf& leaf : leaves)
       {
         CheckPointIds(leaf.Data);
-        this->Meshes.push_back(AsMesh(leaf.Data));
+        this->Meshes.push_back(
+          AsMesh(sharesCopies ? ShareCopiesOfPoints(leaf.Data).Get() : leaf.Data));
         vtkDataSet* mesh = this->Meshes.back();
         this->Topologies.push_back(std::make_unique<MeshTopology>(mesh));
         LinkedPiece piece;

@@ -40,9 +40,10 @@ public:
    * @param options what they have in common; the rest is set for each
    * @param numberOfRequestedPieces in how many pieces the pipeline works; if there are more than processes,
    *   the others cannot be asked, and a border without ghost cells is unknown
+   * @param sharesCopies whether cells share points that a data set has several times, see ShareCopiesOfPoints
    */
   MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
-    int numberOfRequestedPieces, Reducer& reducer);
+    int numberOfRequestedPieces, Reducer& reducer, bool sharesCopies = false);
   ~MeshPieces();
 
   const std::vector<LinkedPiece>& Get() const { return this->Pieces; }

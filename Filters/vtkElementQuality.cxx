@@ -284,7 +284,7 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
       leaf.Data->ShallowCopy(triangulated);
     }
   }
-  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
+  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer, true);
   const auto any = [&](auto&& predicate)
   { return std::any_of(criteria.begin(), criteria.end(), predicate); };
   if (any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }))

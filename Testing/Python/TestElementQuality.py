@@ -7,7 +7,10 @@ import re
 import runpy
 
 import camaron_testing
+import gallery
+import mesh_parts
 from paraview import servermanager, simple, smtrace
+from vtkmodules.vtkCommonCore import vtkIdTypeArray
 from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, VTK_TETRA, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
@@ -53,6 +56,41 @@ class TestElementQuality(camaron_testing.TestCase):
                 self.assertTrue(
                     any(reason in error for error in messages.errors), (bad, messages.errors)
                 )
+
+    def test_pieces_in_one_data_set(self):
+        """A reader that puts several pieces of a file together leaves the points of their borders twice."""
+
+        def mesh(points, cells, ids):
+            grid = gallery.make_grid([points[i] for i in ids], cells)
+            array = vtkIdTypeArray()
+            array.SetName("GlobalPointIds")
+            for number in ids:
+                array.InsertNextValue(number)
+            grid.GetPointData().SetGlobalIds(array)
+            return grid
+
+        def polyhedron(ids):
+            sides = (0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)
+            return [[ids[i] for i in side] for side in sides]
+
+        points, cubes = gallery.lattice(3, 2, 1)
+        criteria = ["IsBoundary", "RegionId", "PointRegionCount", "MaxNonOrthogonality"]
+        for kind, make in ((12, list), (42, polyhedron)):
+            whole = mesh(points, [(kind, make(cube)) for cube in cubes], range(len(points)))
+            first = [0, 2, 3]  # of the cells; each piece has points of its own
+            order = first + [i for i in range(len(cubes)) if i not in first]
+            ids, cells = [], []
+            for piece in (order[:3], order[3:]):
+                own = sorted({point for cube in piece for point in cubes[cube]})
+                for cube in piece:
+                    numbers = [len(ids) + own.index(point) for point in cubes[cube]]
+                    cells.append((kind, make(numbers)))
+                ids += own
+            self.assertGreater(len(ids), len(points))
+            expected = self.evaluate(mesh_parts.producer(whole), Criteria=criteria)
+            found = self.evaluate(mesh_parts.producer(mesh(points, cells, ids)), Criteria=criteria)
+            for name in criteria:
+                self.assertEqual(found[name], [expected[name][i] for i in order], (kind, name))
 
     def test_defaults_show_something(self):
         """The first Apply evaluates criteria that no polygon or polyhedron lacks, and colours by one."""
