@@ -64,7 +64,7 @@ bool FluentFaceBatches::FindPlain(const Run& run, vtkIdType begin, vtkIdType end
     {
       const auto cell = Load<std::uint32_t>(place + 4 * (Size + side), run.Swap);
       good &= cell <= maxCell;
-      faces->Cells[side] = static_cast<std::int32_t>(cell) - 1;
+      faces->Cells[side] = static_cast<std::int32_t>(cell - 1);
     }
     if (std::max(faces->Cells[0], faces->Cells[1]) < 0)
     {
@@ -85,7 +85,7 @@ bool FluentFaceBatches::SetCells(const std::int64_t* cells, Face& face) const
     {
       good &= static_cast<std::uint64_t>(cells[side]) <=
         static_cast<std::uint64_t>(this->Mesh.Cells.GetCount());
-      face.Cells[side] = static_cast<std::int32_t>(cells[side]) - 1;
+      face.Cells[side] = static_cast<std::int32_t>(static_cast<std::uint32_t>(cells[side]) - 1);
     }
     return good;
   }

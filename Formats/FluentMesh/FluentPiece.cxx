@@ -28,7 +28,7 @@ void AddNodes(const FluentFace& face, IdSet& points)
 {
   for (std::int32_t i = 0; i < face.Nodes.Size; ++i)
   {
-    points.Add(face.Nodes[i] - 1);
+    points.Add(vtkIdType(face.Nodes[i]) - 1);
   }
 }
 }
@@ -47,7 +47,7 @@ bool FluentPiece::AddGhosts(
       bool touches = false;
       for (std::int32_t i = 0; run.Bounds && i < face.Nodes.Size && !touches; ++i)
       {
-        touches = before.Contains(face.Nodes[i] - 1);
+        touches = before.Contains(vtkIdType(face.Nodes[i]) - 1);
       }
       if (touches)
       {

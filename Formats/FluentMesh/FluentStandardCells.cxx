@@ -279,7 +279,7 @@ bool FluentStandardCells::Finish(const Buffer<std::uint32_t>& states, const Prog
                {
                  isGood =
                    static_cast<std::uint32_t>(*node) - 1 < static_cast<std::uint64_t>(maxNode);
-                 *node = static_cast<Id>(this->Mesh.Piece.GetPoint(*node - 1));
+                 *node = isGood ? static_cast<Id>(this->Mesh.Piece.GetPoint(*node - 1)) : 0;
                }
              }
              if (!isGood)

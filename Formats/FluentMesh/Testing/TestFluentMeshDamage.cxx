@@ -178,6 +178,10 @@ TEST(FluentMeshDamage, WrongWordsInBinary)
     ExpectError(
       set(node + 4, 2), vtkErrorCode::FileFormatError, "a cell of face 1 from 0 to 1, found 2");
     ExpectError(set(node + 3, -1), vtkErrorCode::FileFormatError, "found -1");
+    for (const std::size_t word : { node, node + 3, node + 4 })
+    {
+      ExpectError(set(word, INT32_MIN), vtkErrorCode::FileFormatError, "found -2147483648");
+    }
     if (!uniform)
     {
       ExpectError(set(0, -3), vtkErrorCode::FileFormatError, "the number of nodes of face 1");
