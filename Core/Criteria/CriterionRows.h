@@ -33,33 +33,20 @@ constexpr bool Real = false;
 // Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range, its
 // source, hint or cited, integer or real; cost, needs, function; notes for the documentation.
 
-// Calls `double Function(const CellGeometry&)` for a block of cells. A direct call per cell.
-#define CAMARON_CELLS(Function)                                                                    \
-  [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
-  {                                                                                                \
-    for (int i = 0; i < numberOfCells; ++i)                                                        \
-    {                                                                                              \
-      values[i] = Function(cells[i]);                                                              \
-    }                                                                                              \
-  },                                                                                               \
-    nullptr, nullptr, nullptr
-// The same for a template `double Function(const Cell&)` that needs no topology: tetrahedra go without.
-#define CAMARON_CELLS_AND_TETRAHEDRA(Function)                                                     \
-  [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
-  {                                                                                                \
-    for (int i = 0; i < numberOfCells; ++i)                                                        \
-    {                                                                                              \
-      values[i] = Function(cells[i]);                                                              \
-    }                                                                                              \
-  },                                                                                               \
-    nullptr, nullptr,                                                                              \
-    [](const SoundTetrahedron* cells, int numberOfCells, double* values)                           \
+// Calls `double Function(const Cell&)` for a block of cells. A direct call per cell.
+#define CAMARON_BLOCK(Cell, Function)                                                              \
+  [](const Cell* cells, int numberOfCells, double* values)                                         \
   {                                                                                                \
     for (int i = 0; i < numberOfCells; ++i)                                                        \
     {                                                                                              \
       values[i] = Function(cells[i]);                                                              \
     }                                                                                              \
   }
+// A function of CellGeometry.
+#define CAMARON_CELLS(Function) CAMARON_BLOCK(CellGeometry, Function), nullptr, nullptr, nullptr
+// The same for a template of the cell that needs no topology: tetrahedra go without.
+#define CAMARON_CELLS_AND_TETRAHEDRA(Function)                                                     \
+  CAMARON_BLOCK(CellGeometry, Function), nullptr, nullptr, CAMARON_BLOCK(SoundTetrahedron, Function)
 // The same for a function with neighbours, which has the loop itself.
 #define CAMARON_MESH(Function) nullptr, Function, nullptr, nullptr
 // The same for a function of a cell and the cells at its facets.
