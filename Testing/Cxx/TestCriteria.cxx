@@ -630,20 +630,7 @@ TEST(Criteria, ExtremeSizes)
   for (const auto& mesh : meshes)
   {
     const auto scaled = [&mesh](int exponent)
-    {
-      auto grid = Grid::New();
-      grid->ShallowCopy(mesh.second);
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
-      {
-        const double* p = mesh.second->GetPoint(i);
-        points->InsertNextPoint(
-          std::ldexp(p[0], exponent), std::ldexp(p[1], exponent), std::ldexp(p[2], exponent));
-      }
-      grid->SetPoints(points);
-      return EvaluateAll(grid);
-    };
+    { return EvaluateAll(Scale(mesh.second, exponent)); };
     const Values usual = scaled(0);
     for (const int exponent : { 299, -332, 400, -400, 10, -10 }) // 1e90, 1e-100, 1e120, 1e-120
     {

@@ -179,17 +179,7 @@ TEST(Kernel, MeshesOfExtremeSizes)
   {
     const auto makeKernel = [&mesh](int exponent)
     {
-      auto grid = Grid::New();
-      grid->ShallowCopy(mesh);
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-      {
-        const double* const x = mesh->GetPoint(i);
-        points->InsertNextPoint(
-          std::ldexp(1 + x[0], exponent), std::ldexp(x[1], exponent), std::ldexp(x[2], exponent));
-      }
-      grid->SetPoints(points);
+      const Grid grid = Scale(mesh, exponent, 1);
       auto kernel = Grid::New();
       EXPECT_TRUE(MakeKernelCells(grid, {}, nullptr, [](double) { return true; }, kernel));
       return kernel;

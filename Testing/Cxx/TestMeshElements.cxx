@@ -244,20 +244,7 @@ TEST(MeshElements, ExtremeSizes)
   for (const Grid& mesh : { Warp(MakeHexahedra(3, 2, 2, true), 3), surface })
   {
     const auto scaled = [&mesh](int exponent)
-    {
-      auto grid = Grid::New();
-      grid->ShallowCopy(mesh);
-      vtkNew<vtkPoints> points;
-      points->SetDataTypeToDouble();
-      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-      {
-        const double* const x = mesh->GetPoint(i);
-        points->InsertNextPoint(
-          std::ldexp(x[0], exponent), std::ldexp(x[1], exponent), std::ldexp(x[2], exponent));
-      }
-      grid->SetPoints(points);
-      return std::make_unique<Elements>(grid);
-    };
+    { return std::make_unique<Elements>(Scale(mesh, exponent)); };
     const auto usual = scaled(0);
     for (const int exponent : { 330, -330 }) // 1e99, 1e-99: volumes are numbers, their squares are not
     {

@@ -123,6 +123,23 @@ inline Grid ToPolyhedra(vtkUnstructuredGrid* grid)
   return MakePolyhedra(grid->GetPoints(), cells);
 }
 
+/// The same mesh moved by @a shift along x, then 2^@a exponent times as large; in double precision.
+inline Grid Scale(vtkUnstructuredGrid* mesh, int exponent, double shift = 0)
+{
+  auto grid = Grid::New();
+  grid->ShallowCopy(mesh);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    const double* const x = mesh->GetPoint(i);
+    points->InsertNextPoint(
+      std::ldexp(shift + x[0], exponent), std::ldexp(x[1], exponent), std::ldexp(x[2], exponent));
+  }
+  grid->SetPoints(points);
+  return grid;
+}
+
 /// A block of unit cubes.
 inline Grid MakeHexahedra(int nx, int ny, int nz, bool asPolyhedra)
 {
