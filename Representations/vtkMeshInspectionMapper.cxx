@@ -377,7 +377,8 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   const bool isPicking = renderer->GetSelector() != nullptr;
   const bool isPoints = &helper == &this->Primitives[PrimitivePoints];
   self.Code = GetRenderModeCode(
-    self.GetStyleOfPicture(this, isPoints || this->PointPicking), this->PrimitiveInfo[&helper].LastLightComplexity > 0);
+    self.GetStyleOfPicture(this, this->DrawsPoints(helper)),
+    this->PrimitiveInfo[&helper].LastLightComplexity > 0);
   self.Code.Defines += self.Colors.GetDefine();
   if (!self.Values.IsEmpty())
   {
@@ -521,8 +522,7 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   }
   int viewport[4];
   glGetIntegerv(GL_VIEWPORT, viewport);
-  const InspectionStyle style = self.GetStyleOfPicture(
-    this, this->PointPicking || &helper == &this->Primitives[PrimitivePoints]);
+  const InspectionStyle style = self.GetStyleOfPicture(this, this->DrawsPoints(helper));
   const bool hasBounds = style.Bounds[0] <= style.Bounds[1];
   vtkNew<vtkMatrix4x4> toView;
   vtkMatrix4x4::Multiply4x4(

@@ -82,6 +82,11 @@ private:
   void operator=(const vtkMeshInspectionMapper&) = delete;
 
   void UpdateValues();
+  /// Corners of faces as points, in the picture or for a selection.
+  bool DrawsPoints(const vtkOpenGLHelper& helper) const
+  {
+    return this->PointPicking || &helper == &this->Primitives[PrimitivePoints];
+  }
   void Draw(vtkRenderer* renderer, vtkActor* actor, int primitive, unsigned int mode,
     std::size_t numberOfVertices);
 
