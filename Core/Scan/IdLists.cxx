@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/IdLists.h"
 
+#include "Scan/ShortNumbers.h"
+
 #include <algorithm>
 #include <mutex>
 #include <optional>
@@ -338,7 +340,13 @@ bool IdLists::ReadLine(const char*& text, const char* end, std::vector<std::int3
   std::size_t& size) const
 {
   std::int32_t count = 0;
-  if (!this->ReadNumber(text, end, std::min<std::int64_t>((end - text) / 2 + 1, INT32_MAX), count))
+  constexpr std::ptrdiff_t Room = 20; // for as many ids as a digit says
+  if (end - text > Room && IsDigit(text[0]) && text[1] == ' ')
+  {
+    count = *text++ - '0';
+  }
+  else if (!this->ReadNumber(
+             text, end, std::min<std::int64_t>((end - text) / 2 + 1, INT32_MAX), count))
   {
     return false;
   }
@@ -348,7 +356,7 @@ bool IdLists::ReadLine(const char*& text, const char* end, std::vector<std::int3
     words.resize(2 * newSize);
   }
   std::int32_t* const list = words.data() + size;
-  for (std::int32_t j = 0; j < count; ++j)
+  for (std::int32_t j = ReadShortNumbers(text, end, count, this->Limit, list); j < count; ++j)
   {
     if (!this->ReadNumber(text, end, this->Limit, list[j]))
     {

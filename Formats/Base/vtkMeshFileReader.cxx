@@ -5,6 +5,7 @@
 #include "FaceMesh/FaceMesh.h"
 #include "Scan/FileStates.h"
 #include "Scan/MappedFile.h"
+#include "Scan/PointRanges.h"
 
 #include "vtkCommunicator.h"
 #include "vtkErrorCode.h"
@@ -150,6 +151,7 @@ int vtkMeshFileReader::RequestData(
   }
   if (!hasFailed)
   {
+    camaron::FindPointRanges(output);
     const std::string name = camaron::GetFileName(this->FileName);
     for (const std::string& sentence : warnings.GetSentences())
     {

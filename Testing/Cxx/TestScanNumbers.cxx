@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Text to number and back, against the C library.
 #include "Scan/Number.h"
+#include "Scan/ShortNumbers.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <clocale>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <random>
+#include <vector>
 
 using namespace camaron;
 
@@ -191,5 +195,66 @@ TEST(ScanNumbers, NoLocale)
   if (!found)
   {
     GTEST_SKIP() << "no locale with a decimal comma is installed";
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, ids of text are wrong or read beyond what is there. What is not usual is left to
+// others, in front of its blank: numbers of nine digits, two blanks, signs, other characters.
+TEST(ScanNumbers, ShortNumbersOfLists)
+{
+  std::mt19937 random(7);
+  const std::string odd[] = { " 123456789", "  1", " -1", " +1", "\t1", " 1\t", " 1,", " 1x",
+    " \xe9", " ", "\n", "\r\n", " #", " 1\r" };
+  for (int trial = 0; trial < 20000; ++trial)
+  {
+    std::vector<std::int32_t> expected(random() % 20);
+    std::string text;
+    for (std::int32_t& value : expected)
+    {
+      // Of one to eight digits.
+      value =
+        static_cast<std::int32_t>(random() % static_cast<int>(std::pow(10, 1 + random() % 8)));
+      text += " " + std::to_string(value);
+    }
+    const std::size_t good = text.size();
+    const bool isOdd = trial % 2 == 0;
+    text += isOdd ? odd[random() % std::size(odd)] : std::string(1, trial % 4 == 1 ? '\n' : ' ');
+    text += std::string(random() % 80, trial % 3 == 0 ? '5' : ' ');
+    const char* const end = text.data() + text.size();
+    const auto count = static_cast<std::int32_t>(expected.size()) + (isOdd ? 1 : 0);
+    std::vector<std::int32_t> numbers(expected.size() + 1, -1);
+    const char* place = text.data();
+    const std::int32_t read = ReadShortNumbers(place, end, count, 100000000, numbers.data());
+    ASSERT_LE(place, end);
+    const auto usual = static_cast<std::int32_t>(expected.size());
+    if (read > usual)
+    {
+      ASSERT_EQ(read, usual + 1); // the odd one became a usual one by what follows it
+      ASSERT_GT(place, text.data() + good);
+    }
+    for (std::int32_t i = 0; i < std::min(read, usual); ++i)
+    {
+      ASSERT_EQ(numbers[static_cast<std::size_t>(i)], expected[static_cast<std::size_t>(i)])
+        << text;
+    }
+    // It is where the next number has to be read.
+    std::string rest;
+    for (std::int32_t i = read; i < usual; ++i)
+    {
+      rest += " " + std::to_string(expected[static_cast<std::size_t>(i)]);
+    }
+    if (read <= usual)
+    {
+      ASSERT_EQ(std::string(place, end), rest + text.substr(good)) << text;
+    }
+    if (usual > 0)
+    {
+      // A limit is one, wherever it is exceeded.
+      const std::int32_t limit = expected[0];
+      const char* again = text.data();
+      ASSERT_EQ(ReadShortNumbers(again, end, count, limit, numbers.data()), 0);
+      ASSERT_EQ(again, text.data());
+    }
   }
 }
