@@ -18,7 +18,7 @@ namespace camaron
 class CellGeometry;
 class CellNeighborhood;
 class MeshContext;
-class SoundTetrahedron;
+class SoundTetrahedra;
 
 /// Which end of its range is good.
 enum class Better
@@ -136,12 +136,12 @@ struct Criterion
    * One of the first three is set. CellFunction fills values for a block of cells whose geometry is there;
    * MeshFunction fills the values of cells [begin, end) of a mesh with neighbours; NeighborFunction
    * returns the value of a cell from its geometry and the cells at its faces. TetrahedronFunction, where there is
-   * one, is CellFunction for a kind of cell that needs no topology.
+   * one, is CellFunction for blocks of cells that need no topology.
    */
   void (*CellFunction)(const CellGeometry* cells, int numberOfCells, double* values);
   void (*MeshFunction)(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values);
   double (*NeighborFunction)(const CellNeighborhood& cell);
-  void (*TetrahedronFunction)(const SoundTetrahedron* cells, int numberOfCells, double* values);
+  void (*TetrahedronFunction)(const SoundTetrahedra& cells, double* values);
   ///@}
 
   CriterionNotes Notes;

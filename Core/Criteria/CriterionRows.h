@@ -11,7 +11,7 @@
 #include "Criteria/CellNeighborhood.h"
 #include "Criteria/Criterion.h"
 #include "Criteria/MeshContext.h"
-#include "Criteria/SoundTetrahedron.h"
+#include "Criteria/SoundTetrahedra.h"
 
 #include <limits> // for infinity
 
@@ -33,20 +33,21 @@ constexpr bool Real = false;
 // Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range, its
 // source, hint or cited, integer or real; cost, needs, function; notes for the documentation.
 
-// Calls `double Function(const Cell&)` for a block of cells. A direct call per cell.
-#define CAMARON_BLOCK(Cell, Function)                                                              \
-  [](const Cell* cells, int numberOfCells, double* values)                                         \
+// `double Function(const CellGeometry&)`, called directly for every cell of a block.
+#define CAMARON_BLOCK(Function)                                                                    \
+  [](const CellGeometry* cells, int numberOfCells, double* values)                                 \
   {                                                                                                \
     for (int i = 0; i < numberOfCells; ++i)                                                        \
     {                                                                                              \
       values[i] = Function(cells[i]);                                                              \
     }                                                                                              \
   }
-// A function of CellGeometry.
-#define CAMARON_CELLS(Function) CAMARON_BLOCK(CellGeometry, Function), nullptr, nullptr, nullptr
-// The same for a template of the cell that needs no topology: tetrahedra go without.
-#define CAMARON_CELLS_AND_TETRAHEDRA(Function)                                                     \
-  CAMARON_BLOCK(CellGeometry, Function), nullptr, nullptr, CAMARON_BLOCK(SoundTetrahedron, Function)
+#define CAMARON_CELLS(Function) CAMARON_BLOCK(Function), nullptr, nullptr, nullptr
+// The same where a formula that is a template of its cell gives the value of tetrahedra of which nothing is zero: they
+// are evaluated two at a time and without topology.
+#define CAMARON_CELLS_AND_TETRAHEDRA(Function, Formula)                                            \
+  CAMARON_BLOCK(Function), nullptr, nullptr, [](const SoundTetrahedra& cells, double* values)      \
+  { cells.Evaluate([](const TetrahedronPair& pair) { return Formula(pair); }, values); }
 // The same for a function with neighbours, which has the loop itself.
 #define CAMARON_MESH(Function) nullptr, Function, nullptr, nullptr
 // The same for a function of a cell and the cells at its facets.

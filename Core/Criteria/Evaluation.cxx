@@ -7,7 +7,7 @@
 #include "Criteria/MeanSizes.h"
 #include "Criteria/MeshContext.h"
 #include "Criteria/MeshRegions.h"
-#include "Criteria/SoundTetrahedron.h"
+#include "Criteria/SoundTetrahedra.h"
 #include "Criteria/SurfaceSides.h"
 #include "Parallel.h"
 
@@ -23,7 +23,6 @@ namespace camaron
 namespace
 {
 constexpr int MaxBlockSize = 16;      // cells whose geometry is held at once
-constexpr int MaxTetrahedra = 32;     // the same of tetrahedra without topology
 constexpr int MaxBlockPoints = 64;    // about; the geometry of more would not stay in the nearest cache
 constexpr vtkIdType SlabSize = 65536; // cells between two reports of progress, at least
 constexpr vtkIdType Grain = 1024;
@@ -99,36 +98,34 @@ private:
   // Sound tetrahedra by themselves, and what is between them as other cells.
   void EvaluateTetrahedra(std::vector<CellGeometry>& block, vtkIdType begin, vtkIdType end) const
   {
-    std::array<SoundTetrahedron, MaxTetrahedra> cells;
-    std::array<double, MaxTetrahedra> values;
-    std::array<vtkIdType, MaxTetrahedra> ids;
-    for (vtkIdType next = begin; next < end;)
+    SoundTetrahedra tetrahedra;
+    std::array<double, SoundTetrahedra::Size> rest;
+    for (vtkIdType first = begin; first < end; first += SoundTetrahedra::Size)
     {
-      int size = 0;
-      for (; next < end && size < MaxTetrahedra; ++next)
+      const int size = static_cast<int>(std::min<vtkIdType>(SoundTetrahedra::Size, end - first));
+      const int numberOfSound = tetrahedra.Load(this->Mesh, first, size, this->Options);
+      if (numberOfSound > 0)
       {
-        ids[size] = next;
-        if (cells[size].Load(this->Mesh, next, this->Options))
+        for (const CriterionValues& row : this->Criteria)
         {
-          ++size;
-        }
-        else
-        {
-          vtkIdType last = next + 1;
-          while (last < end && this->Mesh.GetCellType(last) != VTK_TETRA)
+          double* const to = row.Values + first;
+          row.Criterion->TetrahedronFunction(tetrahedra, size == SoundTetrahedra::Size ? to : rest.data());
+          if (size < SoundTetrahedra::Size)
           {
-            ++last;
+            std::copy_n(rest.data(), size, to);
           }
-          this->EvaluateCells(block, next, last);
-          next = last - 1;
         }
       }
-      for (const CriterionValues& row : this->Criteria)
+      for (int i = 0; i < size && numberOfSound < size; ++i)
       {
-        row.Criterion->TetrahedronFunction(cells.data(), size, values.data());
-        for (int i = 0; i < size; ++i)
+        const int other = i;
+        while (i < size && !tetrahedra.IsSound(i))
         {
-          row.Values[ids[i]] = values[i];
+          ++i;
+        }
+        if (other < i)
+        {
+          this->EvaluateCells(block, first + other, first + i);
         }
       }
     }

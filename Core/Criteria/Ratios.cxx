@@ -11,38 +11,47 @@ namespace camaron
 {
 //------------------------------------------------------------------------------
 template <typename Cell>
-double EdgeLengthRatio(const Cell& cell)
+auto GetEdgeLengthRatio(const Cell& cell)
 {
-  const double shortest = cell.GetMinEdgeLength(), longest = cell.GetMaxEdgeLength();
-  if (cell.IsZeroLength(longest))
+  return cell.GetMinEdgeLength() / cell.GetMaxEdgeLength();
+}
+double EdgeLengthRatio(const CellGeometry& cell)
+{
+  if (cell.IsZeroLength(cell.GetMaxEdgeLength()))
   {
     return Null(NullReason::Degenerate);
   }
-  return cell.IsZeroLength(shortest) ? 0 : shortest / longest;
+  return cell.IsZeroLength(cell.GetMinEdgeLength()) ? 0 : GetEdgeLengthRatio(cell);
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double EdgeRatio(const Cell& cell)
+auto GetEdgeRatio(const Cell& cell)
 {
-  const double shortest = cell.GetMinEdgeLength(), longest = cell.GetMaxEdgeLength();
-  if (cell.IsZeroLength(longest))
+  return cell.GetMaxEdgeLength() / cell.GetMinEdgeLength();
+}
+double EdgeRatio(const CellGeometry& cell)
+{
+  if (cell.IsZeroLength(cell.GetMaxEdgeLength()))
   {
     return Null(NullReason::Degenerate);
   }
-  return cell.IsZeroLength(shortest) ? std::numeric_limits<double>::infinity() : longest / shortest;
+  return cell.IsZeroLength(cell.GetMinEdgeLength()) ? Infinity : GetEdgeRatio(cell);
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double EdgeDiameterRatio(const Cell& cell)
+auto GetEdgeDiameterRatio(const Cell& cell)
 {
-  const double shortest = cell.GetMinEdgeLength(), diameter = cell.GetDiameter();
-  if (cell.IsZeroLength(diameter))
+  return cell.GetMinEdgeLength() / cell.GetDiameter();
+}
+double EdgeDiameterRatio(const CellGeometry& cell)
+{
+  if (cell.IsZeroLength(cell.GetDiameter()))
   {
     return Null(NullReason::Degenerate);
   }
-  return cell.IsZeroLength(shortest) ? 0 : shortest / diameter;
+  return cell.IsZeroLength(cell.GetMinEdgeLength()) ? 0 : GetEdgeDiameterRatio(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -92,7 +101,12 @@ double Sphericity(const CellGeometry& cell)
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double VolumeEdgeRatio(const Cell& cell)
+auto GetVolumeEdgeRatio(const Cell& cell)
+{
+  const auto length = Sqrt(cell.GetSumOfSquaredLengths() / cell.GetNumberOfEdges());
+  return cell.GetVolume() / (length * length * length);
+}
+double VolumeEdgeRatio(const CellGeometry& cell)
 {
   const double volume = cell.GetVolume();
   if (std::isnan(volume))
@@ -103,8 +117,7 @@ double VolumeEdgeRatio(const Cell& cell)
   {
     return Null(NullReason::Degenerate);
   }
-  const double length = std::sqrt(cell.GetSumOfSquaredLengths() / cell.GetNumberOfEdges());
-  return cell.IsZeroVolume(volume) ? 0 : volume / (length * length * length);
+  return cell.IsZeroVolume(volume) ? 0 : GetVolumeEdgeRatio(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +170,7 @@ std::vector<Criterion> RatioCriteria()
     { "EdgeLengthRatio", "Edge length ratio", "Shortest edge divided by longest edge.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1.0 / 3, Infinity }, "Verdict manual, rev. A, edge ratio of tetrahedra; 0.77 for triangles and quadrilaterals",
-      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeLengthRatio),
+      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeLengthRatio, GetEdgeLengthRatio),
       { "min lᵢ / max lᵢ",
         "0 when an edge is collapsed, null (degenerate) when all are.",
         "Camarón's aspect ratio. One divided by Verdict's edge ratio, except of hexahedra, where "
@@ -165,14 +178,14 @@ std::vector<Criterion> RatioCriteria()
     { "EdgeRatio", "Edge ratio", "Longest edge divided by shortest edge; infinite if an edge is collapsed.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
       { -Infinity, 3 }, "Verdict manual, rev. A, for tetrahedra; 1.3 for triangles and quadrilaterals",
-      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeRatio),
+      Hint, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeRatio, GetEdgeRatio),
       { "max lᵢ / min lᵢ",
         "Infinite when an edge is collapsed, null (degenerate) when all are.",
         "Verdict's for triangles, quadrilaterals, tetrahedra and wedges; of hexahedra Verdict seeks "
         "the longest among six of the edges." } },
     { "EdgeDiameterRatio", "Edge to diameter", "Shortest edge divided by the largest distance of two vertices.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeDiameterRatio),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeDiameterRatio, GetEdgeDiameterRatio),
       { "min lᵢ / h",
         "0 when an edge is collapsed, null (degenerate) for a cell in one point.",
         "Verdict's stretch of a quadrilateral divided by √2, of a hexahedron by √3, as far as a "
@@ -206,7 +219,7 @@ std::vector<Criterion> RatioCriteria()
     { "VolumeEdgeRatio", "Volume to edges", "Volume divided by the cube of the root mean square of the edge lengths; cube 1.",
       Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(VolumeEdgeRatio),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(VolumeEdgeRatio, GetVolumeEdgeRatio),
       { "V / l³ with l² = Σ lᵢ² / number of edges",
         "0 for a flat cell, negative for an inverted one; null (degenerate) for a cell in one point, "
         "null (invalid topology) for an open one.",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
+#include "Criteria/CubeRoot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,8 +18,7 @@ constexpr double RegularVolume = 0.5132002392796673; // 8 sqrt(3) / 27, of circu
 
 //------------------------------------------------------------------------------
 // All points in one place: 0/0 for every ratio.
-template <typename Cell>
-bool IsOnePoint(const Cell& cell)
+bool IsOnePoint(const CellGeometry& cell)
 {
   return cell.IsZeroLength(cell.GetMaxEdgeLength());
 }
@@ -27,10 +27,9 @@ bool IsOnePoint(const Cell& cell)
 // Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, edges from the first
 // point, which is the origin.
 template <typename Cell>
-double CircumradiusTimes12Volumes(const Cell& tetrahedron)
+auto CircumradiusTimes12Volumes(const Cell& tetrahedron)
 {
-  const Vector &a = tetrahedron.GetPoint(1), &b = tetrahedron.GetPoint(2),
-               &c = tetrahedron.GetPoint(3);
+  const auto a = tetrahedron.GetPoint(1), b = tetrahedron.GetPoint(2), c = tetrahedron.GetPoint(3);
   return Norm(Norm2(a) * Cross(b, c) + Norm2(b) * Cross(c, a) + Norm2(c) * Cross(a, b));
 }
 }
@@ -80,7 +79,11 @@ double TriangleRadiusEdgeRatio(const CellGeometry& cell)
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double TetRadiusEdgeRatio(const Cell& cell)
+auto GetTetRadiusEdgeRatio(const Cell& cell)
+{
+  return CircumradiusTimes12Volumes(cell) / (12 * Abs(cell.GetVolume())) / cell.GetMinEdgeLength();
+}
+double TetRadiusEdgeRatio(const CellGeometry& cell)
 {
   if (IsOnePoint(cell))
   {
@@ -91,60 +94,61 @@ double TetRadiusEdgeRatio(const Cell& cell)
   {
     return volume;
   }
-  return cell.IsZeroVolume(volume)
-    ? Infinity
-    : CircumradiusTimes12Volumes(cell) / (12 * std::abs(volume)) / cell.GetMinEdgeLength();
+  return cell.IsZeroVolume(volume) ? Infinity : GetTetRadiusEdgeRatio(cell);
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double TetRadiusRatio(const Cell& cell)
+auto GetTetRadiusRatio(const Cell& cell)
 {
-  if (IsOnePoint(cell))
-  {
-    return Null(NullReason::Degenerate);
-  }
-  const double volume = cell.GetVolume();
-  if (std::isnan(volume) || cell.IsZeroVolume(volume))
-  {
-    return std::isnan(volume) ? volume : 0;
-  }
   // 3 r / R with r = 3 V / S.
+  const auto volume = cell.GetVolume();
   return 108 * volume * volume / (cell.GetSurfaceArea() * CircumradiusTimes12Volumes(cell));
 }
-
-//------------------------------------------------------------------------------
-template <typename Cell>
-double TetMeanRatio(const Cell& cell)
+double TetRadiusRatio(const CellGeometry& cell)
 {
   if (IsOnePoint(cell))
   {
     return Null(NullReason::Degenerate);
   }
   const double volume = cell.GetVolume();
-  if (std::isnan(volume) || cell.IsZeroVolume(volume))
-  {
-    return std::isnan(volume) ? volume : 0;
-  }
-  const double root = std::cbrt(3 * std::abs(volume));
-  return std::copysign(12 * root * root / cell.GetSumOfSquaredLengths(), volume);
+  return std::isnan(volume) ? volume : cell.IsZeroVolume(volume) ? 0 : GetTetRadiusRatio(cell);
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double TetQualityFoam(const Cell& cell)
+auto GetTetMeanRatio(const Cell& cell)
+{
+  const auto volume = cell.GetVolume();
+  const auto root = CubeRoot(3 * Abs(volume));
+  return TurnSign(12 * root * root / cell.GetSumOfSquaredLengths(), volume);
+}
+double TetMeanRatio(const CellGeometry& cell)
 {
   if (IsOnePoint(cell))
   {
     return Null(NullReason::Degenerate);
   }
   const double volume = cell.GetVolume();
-  if (std::isnan(volume) || cell.IsZeroVolume(volume))
-  {
-    return std::isnan(volume) ? volume : 0;
-  }
-  const double circumradius = CircumradiusTimes12Volumes(cell) / (12 * std::abs(volume));
+  return std::isnan(volume) ? volume : cell.IsZeroVolume(volume) ? 0 : GetTetMeanRatio(cell);
+}
+
+//------------------------------------------------------------------------------
+template <typename Cell>
+auto GetTetQualityFoam(const Cell& cell)
+{
+  const auto volume = cell.GetVolume();
+  const auto circumradius = CircumradiusTimes12Volumes(cell) / (12 * Abs(volume));
   return volume / (RegularVolume * circumradius * circumradius * circumradius);
+}
+double TetQualityFoam(const CellGeometry& cell)
+{
+  if (IsOnePoint(cell))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const double volume = cell.GetVolume();
+  return std::isnan(volume) ? volume : cell.IsZeroVolume(volume) ? 0 : GetTetQualityFoam(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -180,7 +184,7 @@ std::vector<Criterion> SimplexCriteria()
       "smallest dihedral angle.",
       Tetrahedra, Unit::None, { SquareRootOf3Over8, Infinity }, SquareRootOf3Over8, Better::Smaller,
       { -Infinity, 2 }, "TetGen's default bound", Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusEdgeRatio),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusEdgeRatio, GetTetRadiusEdgeRatio),
       { "R / min l with R = |a²(b × c) + b²(c × a) + c²(a × b)| / (12|V|), edge vectors a, b, c at "
         "one vertex",
         "Infinite for a flat tetrahedron, null (degenerate) for one in one point; inverted or not "
@@ -189,7 +193,7 @@ std::vector<Criterion> SimplexCriteria()
     { "TetRadiusRatio", "Tetrahedron radius ratio", "Three times the inradius divided by the circumradius.",
       Tetrahedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1.0 / 3, Infinity }, VerdictManual, Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusRatio),
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetRadiusRatio, GetTetRadiusRatio),
       { "3r/R with r = 3|V| / surface area and R as for `TetRadiusEdgeRatio`",
         "0 for a flat tetrahedron, null (degenerate) for one in one point; inverted or not makes no "
         "difference.",
@@ -198,7 +202,7 @@ std::vector<Criterion> SimplexCriteria()
       "12 (3 volume)^(2/3) / sum of squared edge lengths, negative when inverted.",
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 0.3, Infinity }, "Verdict manual, rev. A, shape of tetrahedra", Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetMeanRatio),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetMeanRatio, GetTetMeanRatio),
       { "± 12 (3|V|)^⅔ / Σ lᵢ² with the sign of V",
         "0 for a flat tetrahedron, negative for an inverted one, null (degenerate) for one in one "
         "point.",
@@ -208,7 +212,7 @@ std::vector<Criterion> SimplexCriteria()
       "Volume divided by that of the regular tetrahedron with the same circumsphere.",
       Tetrahedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetQualityFoam),
+      Cost::Edges, NeedsEdges | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(TetQualityFoam, GetTetQualityFoam),
       { "V / (8√3/27 · R³) with R as for `TetRadiusEdgeRatio`",
         "0 for a flat tetrahedron, negative for an inverted one, null (degenerate) for one in one "
         "point.",

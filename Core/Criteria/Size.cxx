@@ -51,14 +51,14 @@ double Perimeter(const CellGeometry& cell)
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double SurfaceArea(const Cell& cell)
+auto SurfaceArea(const Cell& cell)
 {
   return cell.GetSurfaceArea();
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double Volume(const Cell& cell)
+auto Volume(const Cell& cell)
 {
   return cell.GetVolume();
 }
@@ -83,29 +83,32 @@ double FaceCount(const CellGeometry& cell)
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double MinEdgeLength(const Cell& cell)
+auto MinEdgeLength(const Cell& cell)
 {
   return cell.GetMinEdgeLength();
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double MaxEdgeLength(const Cell& cell)
+auto MaxEdgeLength(const Cell& cell)
 {
   return cell.GetMaxEdgeLength();
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double MeanEdgeLength(const Cell& cell)
+auto GetMeanEdgeLength(const Cell& cell)
 {
-  const int count = cell.GetNumberOfEdges();
-  return count > 0 ? cell.GetTotalEdgeLength() / count : 0;
+  return cell.GetTotalEdgeLength() / cell.GetNumberOfEdges();
+}
+double MeanEdgeLength(const CellGeometry& cell)
+{
+  return cell.GetNumberOfEdges() > 0 ? GetMeanEdgeLength(cell) : 0;
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-double Diameter(const Cell& cell)
+auto Diameter(const Cell& cell)
 {
   return cell.GetDiameter();
 }
@@ -208,7 +211,7 @@ std::vector<Criterion> SizeCriteria()
     { "SurfaceArea", "Surface area",
       "Sum over the faces of the signed triangle areas about the face centre; of a planar face its area.",
       Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS_AND_TETRAHEDRA(SurfaceArea),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS_AND_TETRAHEDRA(SurfaceArea, SurfaceArea),
       { "Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, the sign being that of the "
         "triangle's direction relative to S_f, but no face less than |S_f|",
         "0 for a cell in one point; of an open cell the area of the faces that it has.",
@@ -218,7 +221,7 @@ std::vector<Criterion> SizeCriteria()
       "Volume by the divergence theorem, the same for a standard cell and for its polyhedron; negative "
       "for a standard cell whose nodes are in the wrong order. Null for an open polyhedron.",
       Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Neither,
-      { Positive, Infinity }, "neither flat nor inverted", Cited, Real, Cost::Edges, NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(Volume),
+      { Positive, Infinity }, "neither flat nor inverted", Cited, Real, Cost::Edges, NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(Volume, Volume),
       { "V = ⅓ Σ S_f · (c_f − o) over the faces, S_f outward, o any point",
         "0 for a flat cell, negative for a standard cell in wrong order. A polyhedron whose faces "
         "point inward is turned first unless Trust Face Orientation is on; of several closed surfaces each, so "
@@ -248,25 +251,25 @@ std::vector<Criterion> SizeCriteria()
         "Camarón's, where no face is collapsed." } },
     { "MinEdgeLength", "Shortest edge", "Length of the shortest edge; 0 when an edge is collapsed.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MinEdgeLength),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MinEdgeLength, MinEdgeLength),
       { "min lᵢ",
         "0 when an edge is collapsed or a point is used twice in a row.",
         "Camarón's and camaron-web's." } },
     { "MaxEdgeLength", "Longest edge", "Length of the longest edge.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MaxEdgeLength),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MaxEdgeLength, MaxEdgeLength),
       { "max lᵢ",
         "0 for a cell in one point.",
         "Camarón's and camaron-web's." } },
     { "MeanEdgeLength", "Mean edge", "Mean length of the distinct edges.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MeanEdgeLength),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(MeanEdgeLength, GetMeanEdgeLength),
       { "Σ lᵢ / number of edges",
         "0 for a cell in one point; collapsed edges count.",
         "No other program here reports it per cell." } },
     { "Diameter", "Diameter", "Largest distance between two vertices.",
       PolygonsAndPolyhedra, Unit::Length, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(Diameter),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(Diameter, Diameter),
       { "h = max |pᵢ − pⱼ| over all pairs of vertices",
         "0 for a cell in one point.",
         "The h of the literature on finite and virtual elements. Verdict's diameters are of edges and "

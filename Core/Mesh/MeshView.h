@@ -90,6 +90,13 @@ public:
     }
   }
 
+  /// Calls @a visit with the coordinates of all points one after the other, const float* or const double*.
+  template <typename Visit>
+  void VisitCoordinates(Visit&& visit) const
+  {
+    this->PointsFloat ? visit(this->PointsFloat) : visit(this->PointsDouble);
+  }
+
   /// VTK's type of the cell, e.g. VTK_TETRA.
   unsigned char GetCellType(vtkIdType cell) const
   {

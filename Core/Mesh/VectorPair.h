@@ -44,6 +44,18 @@ inline Pair operator/(Pair a, Pair b)
 {
   return { { a[0] / b[0], a[1] / b[1] } };
 }
+inline Pair operator*(double a, Pair b)
+{
+  return { { a * b[0], a * b[1] } };
+}
+inline Pair operator/(double a, Pair b)
+{
+  return { { a / b[0], a / b[1] } };
+}
+inline Pair operator/(Pair a, double b)
+{
+  return { { a[0] / b, a[1] / b } };
+}
 #endif
 
 inline Pair MakePair(double a, double b)
@@ -87,10 +99,67 @@ inline Pair SelectLess(Pair a, Pair b, Pair yes, Pair no)
 #endif
 }
 
+///@{
+/// The smaller or larger one; @a b if either is no number.
+inline Pair Min(Pair a, Pair b)
+{
+#if defined(__SSE2__) && defined(__GNUC__)
+  return _mm_min_pd(a, b);
+#else
+  return SelectLess(a, b, a, b);
+#endif
+}
+inline Pair Max(Pair a, Pair b)
+{
+#if defined(__SSE2__) && defined(__GNUC__)
+  return _mm_max_pd(a, b);
+#else
+  return SelectLess(b, a, a, b);
+#endif
+}
+///@}
+
 inline Pair Abs(Pair a)
 {
   return TurnSign(a, a);
 }
+
+///@{
+/// Two numbers that follow each other in memory.
+inline Pair LoadPair(const double* values)
+{
+#if defined(__SSE2__) && defined(__GNUC__)
+  return _mm_loadu_pd(values);
+#else
+  return MakePair(values[0], values[1]);
+#endif
+}
+inline void StorePair(Pair a, double* values)
+{
+#if defined(__SSE2__) && defined(__GNUC__)
+  _mm_storeu_pd(values, a);
+#else
+  values[0] = a[0];
+  values[1] = a[1];
+#endif
+}
+///@}
+
+///@{
+/// The same of one number, for templates of either.
+inline double Sqrt(double a)
+{
+  return std::sqrt(a);
+}
+inline double Abs(double a)
+{
+  return std::abs(a);
+}
+inline double TurnSign(double a, double sign)
+{
+  return sign < 0 ? -a : a;
+}
+///@}
 
 struct VectorPair
 {
@@ -134,6 +203,14 @@ inline VectorPair operator*(double s, const VectorPair& a)
 inline Pair Dot(const VectorPair& a, const VectorPair& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
+}
+inline Pair Norm2(const VectorPair& a)
+{
+  return Dot(a, a);
+}
+inline Pair Norm(const VectorPair& a)
+{
+  return Sqrt(Norm2(a));
 }
 inline VectorPair Cross(const VectorPair& a, const VectorPair& b)
 {
