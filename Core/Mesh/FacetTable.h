@@ -82,6 +82,7 @@ public:
   std::size_t GetMemorySize() const;
 
 private:
+  friend class FacetMatcher;
   friend class FacetTableBuilder;
 
   vtkIdType GetOffset(vtkIdType cell) const

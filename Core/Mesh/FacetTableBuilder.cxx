@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/FacetTableBuilder.h"
 
+#include "Mesh/FacetKey.h"
+#include "Mesh/FacetMatcher.h"
 #include "Parallel.h"
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -18,335 +21,58 @@ namespace
 constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType UseChunk = 1 << 16;
 constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // a use must fit CellFacet with its direction bit
-constexpr vtkIdType MaxPoints = (vtkIdType(1) << 31) - 16; // larger values mark keys
 
 constexpr Index UsesPerBucket = 4096; // what a processor has in its cache with the hash table of the bucket
 constexpr Index MaxBuckets = 4096;    // into which a thread writes at the same time
 constexpr vtkIdType BucketGrain = 8;
 constexpr vtkIdType MaxChunks = 64; // of cells
 
-constexpr vtkIdType MaxUnsorted = 12; // points of a facet that are compared pair by pair
-
-// Values of the last part of a key where it is not the fourth point.
-constexpr std::uint32_t HashedBit = 0x80000000u;
-constexpr std::uint32_t ThreePoints = 0x7fffffffu;
-constexpr std::uint32_t TwoPoints = 0x7ffffffeu;
-constexpr std::uint32_t OnePoint = 0x7ffffffdu;
-
 //------------------------------------------------------------------------------
-// True when the polygon runs from its smallest point towards the smaller of that point's neighbours;
-// so two polygons with the same ring of points have equal signs when they run the same way.
-bool RunsDown(const vtkIdType* points, vtkIdType size)
+// Numbers from 0 on that facets of the same points have in common, in whatever order and each however often. Few
+// others have the same, and facets near each other in a well numbered mesh have numbers near each other.
+class PointHash
 {
-  if (size == 2)
+public:
+  explicit PointHash(vtkIdType numberOfPoints)
   {
-    return points[0] > points[1];
-  }
-  vtkIdType smallest = 0;
-  for (vtkIdType i = 1; i < size; ++i)
-  {
-    smallest = points[i] < points[smallest] ? i : smallest;
-  }
-  const vtkIdType next = points[smallest + 1 < size ? smallest + 1 : 0];
-  const vtkIdType previous = points[smallest > 0 ? smallest - 1 : size - 1];
-  return next > previous;
-}
-
-//------------------------------------------------------------------------------
-std::uint64_t Mix(std::uint64_t hash, std::uint64_t value)
-{
-  hash = (hash ^ value) * 0x9e3779b97f4a7c15ull;
-  return hash ^ (hash >> 29);
-}
-
-//------------------------------------------------------------------------------
-// Turns a point list into sorted distinct points.
-template <typename Points>
-void SortDistinct(Points& points)
-{
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-}
-
-//------------------------------------------------------------------------------
-bool HasRepeatedPoints(const vtkIdType* points, vtkIdType size)
-{
-  bool isRepeated = false;
-  for (vtkIdType i = 1; i < size; ++i)
-  {
-    for (vtkIdType j = 0; j < i; ++j)
+    while (numberOfPoints >> this->Shift >= MaxBuckets)
     {
-      isRepeated |= points[i] == points[j];
+      ++this->Shift;
     }
+    this->Largest = static_cast<Index>((numberOfPoints >> this->Shift) << Bits | Mask);
   }
-  return isRepeated;
-}
 
-//------------------------------------------------------------------------------
-// Whether one ring of points is the other one, in the same direction or against it.
-bool IsSameRing(const vtkIdType* a, const vtkIdType* b, vtkIdType size)
-{
-  const vtkIdType start = std::find(b, b + size, a[0]) - b;
-  if (start == size)
-  {
-    return false;
-  }
-  bool isSame = true, isReversed = true;
-  vtkIdType forward = start, backward = start;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    isSame &= a[i] == b[forward];
-    isReversed &= a[i] == b[backward];
-    forward = forward + 1 < size ? forward + 1 : 0;
-    backward = backward > 0 ? backward - 1 : size - 1;
-  }
-  return isSame || isReversed;
-}
+  Index GetLargest() const { return this->Largest; }
 
-//------------------------------------------------------------------------------
-vtkIdType GetSmallest(const vtkIdType* points, vtkIdType size)
-{
-  if (size == 3)
+  Index operator()(const vtkIdType* points, vtkIdType size) const
   {
-    return std::min(points[0], std::min(points[1], points[2]));
+    vtkIdType smallest = points[0], largest = points[0], all = points[0], any = points[0];
+    for (vtkIdType i = 1; i < size; ++i)
+    {
+      smallest = std::min(smallest, points[i]);
+      largest = std::max(largest, points[i]);
+      all &= points[i];
+      any |= points[i];
+    }
+    const std::uint64_t ends = FacetKey::Mix(1, static_cast<std::uint64_t>(smallest << 32 | largest));
+    const std::uint64_t hash = FacetKey::Mix(ends, static_cast<std::uint64_t>(all << 32 | any));
+    return static_cast<Index>((smallest >> this->Shift) << Bits | (static_cast<vtkIdType>(hash >> 32) & Mask));
   }
-  vtkIdType smallest = points[0];
-  for (vtkIdType i = 1; i < size; ++i)
-  {
-    smallest = std::min(smallest, points[i]);
-  }
-  return smallest;
-}
 
-//------------------------------------------------------------------------------
-// What tells a facet from others: the smallest of its points, and of up to four points the other ones, of more a hash.
-struct FacetKey
-{
-  std::uint32_t Smallest;
-  std::uint32_t Parts[3];
-  bool Down; // see RunsDown
-  bool IsHashed() const { return (this->Parts[2] & HashedBit) != 0; }
+private:
+  static constexpr int Bits = 19; // of the hash proper; those above tell up to MaxBuckets buckets
+  static constexpr vtkIdType Mask = (1 << Bits) - 1;
+  int Shift = 0;
+  Index Largest;
 };
-
-std::uint32_t Part(vtkIdType id)
-{
-  return static_cast<std::uint32_t>(id);
-}
-
-void Order(vtkIdType& low, vtkIdType& high)
-{
-  const vtkIdType smaller = std::min(low, high);
-  high = std::max(low, high);
-  low = smaller;
 }
 
 //------------------------------------------------------------------------------
-// Of more than four different points, in whatever order.
-FacetKey MakeHashedKey(const vtkIdType* points, vtkIdType size, bool down)
-{
-  std::uint64_t sum = 0;
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    sum += Mix(1, static_cast<std::uint64_t>(points[i]));
-  }
-  const std::uint64_t hash = Mix(sum, static_cast<std::uint64_t>(size));
-  return { Part(GetSmallest(points, size)),
-    { static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(hash >> 32),
-      HashedBit | static_cast<std::uint32_t>(Mix(hash, 1) >> 33) },
-    down };
-}
-
-//------------------------------------------------------------------------------
-// Sorting is for the rare facets that come to a point twice. Of others its branches would be as hard to foresee as
-// the numbering of the points.
-FacetKey MakeKeyOfAny(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& sorted)
-{
-  const bool down = RunsDown(points, size);
-  if (size > 4 && size <= MaxUnsorted && !HasRepeatedPoints(points, size))
-  {
-    return MakeHashedKey(points, size, down);
-  }
-  if (size == 4)
-  {
-    vtkIdType a = points[0], b = points[1], c = points[2], d = points[3];
-    Order(a, b), Order(c, d), Order(a, c), Order(b, d), Order(b, c);
-    if (a != b && b != c && c != d)
-    {
-      return { Part(a), { Part(b), Part(c), Part(d) }, down };
-    }
-  }
-  sorted.assign(points, points + size);
-  SortDistinct(sorted);
-  const std::uint32_t smallest = Part(sorted[0]);
-  switch (sorted.size())
-  {
-    case 1:
-      return { smallest, { 0, 0, OnePoint }, down };
-    case 2:
-      return { smallest, { Part(sorted[1]), 0, TwoPoints }, down };
-    case 3:
-      return { smallest, { Part(sorted[1]), Part(sorted[2]), ThreePoints }, down };
-    case 4:
-      return { smallest, { Part(sorted[1]), Part(sorted[2]), Part(sorted[3]) }, down };
-    default:
-      return MakeHashedKey(sorted.data(), static_cast<vtkIdType>(sorted.size()), down);
-  }
-}
-
-//------------------------------------------------------------------------------
-inline FacetKey MakeKey(const vtkIdType* points, vtkIdType size, std::vector<vtkIdType>& scratch)
-{
-  if (size == 3)
-  {
-    // An odd number of inversions means that the triangle runs from its smallest point to the largest one.
-    const vtkIdType a = points[0], b = points[1], c = points[2];
-    const vtkIdType low = std::min(a, std::min(b, c)), high = std::max(a, std::max(b, c));
-    const vtkIdType middle = a + b + c - low - high;
-    const bool down = (a > b) ^ (b > c) ^ (a > c);
-    if (low != middle && middle != high)
-    {
-      return { Part(low), { Part(middle), Part(high), ThreePoints }, down };
-    }
-  }
-  return MakeKeyOfAny(points, size, scratch);
-}
-}
-
-//------------------------------------------------------------------------------
-// Uses by runs of smallest points, and in order within each.
+// Uses by runs of their keys, and in order within each.
 struct FacetTableBuilder::Buckets
 {
   std::unique_ptr<Index[]> Uses;
   std::vector<Index> Begins;
-};
-
-//------------------------------------------------------------------------------
-// Compares the uses of one bucket after the other. Holds its memory for the next bucket.
-class FacetTableBuilder::BucketMatcher
-{
-public:
-  explicit BucketMatcher(FacetTableBuilder& builder)
-    : Table(builder.Table)
-    , Facets(builder.Mesh)
-  {
-  }
-
-  void Match(const Index* uses, Index size)
-  {
-    this->LoadEntries(uses, size);
-    int bits = 1;
-    while ((Index(1) << bits) < size)
-    {
-      ++bits;
-    }
-    this->Lists.assign(std::size_t(2) << bits, -1);
-    for (Index i = 0; i < size; ++i)
-    {
-      Entry& entry = this->Entries[i];
-      Index& list = this->Lists[entry.Hash >> (63 - bits)];
-      Index found = list;
-      while (found >= 0 && !this->IsSame(this->Entries[found], entry))
-      {
-        found = this->Entries[found].Next;
-      }
-      CellFacet& use = this->Table.CellFacets[uses[i]];
-      if (found >= 0)
-      {
-        const bool isReversed = this->Entries[found].Key.Down != entry.Key.Down;
-        use.Packed = ~CellFacet(uses[found], isReversed).Packed;
-        continue;
-      }
-      entry.Next = list;
-      list = i;
-      use = CellFacet(uses[i], false);
-    }
-  }
-
-private:
-  struct Entry
-  {
-    FacetKey Key;
-    std::uint64_t Hash;
-    vtkIdType Begin, Size; // in Points, if the key is hashed
-    Index Next;            // with the same hash
-  };
-
-  void LoadEntries(const Index* uses, Index size)
-  {
-    this->Entries.resize(size);
-    this->Points.clear();
-    vtkIdType cell = 0;
-    for (Index i = 0; i < size; ++i)
-    {
-      cell = this->FindCell(uses[i], cell);
-      this->Facets.Visit(cell, uses[i] - this->Table.GetOffset(cell),
-        [&](const vtkIdType* points, vtkIdType numberOfPoints)
-        { this->Load(this->Entries[i], points, numberOfPoints); });
-    }
-  }
-
-  void Load(Entry& entry, const vtkIdType* points, vtkIdType size)
-  {
-    const FacetKey key = MakeKey(points, size, this->Sorted);
-    entry.Key = key;
-    entry.Hash = Mix(Mix(1, Join(key.Smallest, key.Parts[0])), Join(key.Parts[1], key.Parts[2]));
-    if (key.IsHashed())
-    {
-      entry.Begin = static_cast<vtkIdType>(this->Points.size());
-      entry.Size = size;
-      this->Points.insert(this->Points.end(), points, points + size);
-    }
-  }
-
-  static std::uint64_t Join(std::uint32_t a, std::uint32_t b)
-  {
-    return static_cast<std::uint64_t>(a) << 32 | b;
-  }
-
-  bool IsSame(const Entry& a, const Entry& b) const
-  {
-    const std::uint32_t *first = a.Key.Parts, *second = b.Key.Parts;
-    return a.Key.Smallest == b.Key.Smallest && first[0] == second[0] && first[1] == second[1] &&
-      first[2] == second[2] && (!a.Key.IsHashed() || this->HaveSamePoints(a, b));
-  }
-
-  /// Each however often.
-  bool HaveSamePoints(const Entry& a, const Entry& b) const
-  {
-    const vtkIdType *first = this->Points.data() + a.Begin, *second = this->Points.data() + b.Begin;
-    if (a.Size == b.Size && IsSameRing(first, second, a.Size))
-    {
-      return true;
-    }
-    std::vector<vtkIdType> firsts(first, first + a.Size), seconds(second, second + b.Size);
-    SortDistinct(firsts);
-    SortDistinct(seconds);
-    return firsts == seconds;
-  }
-
-  /// The cell of a use, in larger and larger steps from one that is not behind it.
-  vtkIdType FindCell(Index use, vtkIdType from) const
-  {
-    const FacetTable& table = this->Table;
-    if (table.Stride)
-    {
-      return use / table.Stride;
-    }
-    const auto begin = table.CellOffsets.begin() + from, end = table.CellOffsets.end();
-    vtkIdType step = 1;
-    while (step < end - begin && begin[step] <= use)
-    {
-      step *= 2;
-    }
-    const auto next = std::upper_bound(begin + step / 2, begin + std::min<vtkIdType>(step, end - begin), use);
-    return next - table.CellOffsets.begin() - 1;
-  }
-
-  FacetTable& Table;
-  CellFacets Facets;
-  std::vector<Entry> Entries;
-  std::vector<Index> Lists; // of entries with the same hash
-  std::vector<vtkIdType> Points, Sorted;
 };
 
 //------------------------------------------------------------------------------
@@ -373,7 +99,7 @@ FacetTableBuilder::FacetTableBuilder(const MeshView& mesh, int dimension)
   : Mesh(mesh)
   , Dimension(dimension)
 {
-  if (mesh.GetNumberOfPoints() > MaxPoints || mesh.GetNumberOfCells() > MaxUses)
+  if (mesh.GetNumberOfPoints() > FacetKey::MaxPoints || mesh.GetNumberOfCells() > MaxUses)
   {
     throw std::length_error("more points or cells in one piece than 32 bit ids can number");
   }
@@ -442,35 +168,38 @@ void FacetTableBuilder::CountFacets()
 }
 
 //------------------------------------------------------------------------------
+// Leaves in CellFacets for every use the first one with the same points: itself, or the complement of another one.
 void FacetTableBuilder::MatchUses()
 {
-  this->Match(
-    [this](CellFacets& facets, vtkIdType cell, auto&& visit)
+  const Buckets buckets = this->FillBuckets(static_cast<Index>(this->Mesh.GetNumberOfPoints()),
+    [this](CellFacets& facets, vtkIdType cell, auto&& put)
     {
       if (facets.GetDimension(cell) == this->Dimension)
       {
         const vtkIdType first = this->Table.GetOffset(cell);
-        facets.ForEach(cell, [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-          { visit(static_cast<Index>(first + local), points, size); });
+        facets.ForEach(cell,
+          [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+          {
+            if (size > 0)
+            {
+              put(static_cast<Index>(first + local), static_cast<Index>(GetSmallest(points, size)));
+            }
+          });
       }
     });
+  this->Match(buckets, &FacetMatcher::Match);
 }
 
 //------------------------------------------------------------------------------
+// The same. Only the first use of every given number is compared with the others, and few of these have the same
+// points as another one.
 void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index numberOfGiven)
 {
-  // Only the first use of every given number is compared with the others.
-  std::vector<Index> firstUses(numberOfGiven, -1);
-  for (Index use = 0; use < this->NumberOfUses; ++use)
-  {
-    if (firstUses[given[use]] < 0)
-    {
-      firstUses[given[use]] = use;
-    }
-  }
-  std::vector<unsigned char> down(this->NumberOfUses);
-  this->Match(
-    [&](CellFacets& facets, vtkIdType cell, auto&& visit)
+  const std::unique_ptr<std::atomic<Index>[]> firstUses = this->FindFirstUses(given, numberOfGiven);
+  const std::unique_ptr<unsigned char[]> down(new unsigned char[given.size()]);
+  const PointHash hash(this->Mesh.GetNumberOfPoints());
+  const Buckets buckets = this->FillBuckets(hash.GetLargest(),
+    [&](CellFacets& facets, vtkIdType cell, auto&& put)
     {
       if (facets.GetDimension(cell) == this->Dimension)
       {
@@ -480,20 +209,21 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
           {
             const Index use = static_cast<Index>(first + local);
             down[use] = RunsDown(points, size);
-            if (firstUses[given[use]] == use)
+            if (size > 0 && firstUses[given[use]].load(std::memory_order_relaxed) == use)
             {
-              visit(use, points, size);
+              put(use, hash(points, size));
             }
           });
       }
     });
+  this->Match(buckets, &FacetMatcher::MatchHashed);
   ParallelFor(this->NumberOfUses, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<CellFacet>& uses = this->Table.CellFacets;
       for (vtkIdType use = begin; use < end; ++use)
       {
-        const Index first = firstUses[given[use]];
+        const Index first = firstUses[given[use]].load(std::memory_order_relaxed);
         if (first != use)
         {
           const Index leader = this->GetLeader(first).Facet();
@@ -504,41 +234,67 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
 }
 
 //------------------------------------------------------------------------------
-// Leaves in CellFacets for every visited item the first use with the same points: itself, or the complement of
-// another one.
-template <typename ForEachItem>
-void FacetTableBuilder::Match(ForEachItem&& forEachItem)
+std::unique_ptr<std::atomic<Index>[]> FacetTableBuilder::FindFirstUses(
+  const std::vector<Index>& given, Index numberOfGiven)
 {
-  const Buckets buckets = this->FillBuckets(forEachItem);
+  std::unique_ptr<std::atomic<Index>[]> firstUses(new std::atomic<Index>[numberOfGiven]);
+  ParallelFor(numberOfGiven, UseChunk,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType number = begin; number < end; ++number)
+      {
+        std::atomic_init(&firstUses[number], std::numeric_limits<Index>::max());
+      }
+    });
+  ParallelFor(this->NumberOfUses, UseChunk,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (Index use = static_cast<Index>(begin); use < static_cast<Index>(end); ++use)
+      {
+        std::atomic<Index>& first = firstUses[given[use]];
+        Index known = first.load(std::memory_order_relaxed);
+        while (use < known && !first.compare_exchange_weak(known, use, std::memory_order_relaxed))
+        {
+        }
+      }
+    });
+  return firstUses;
+}
+
+//------------------------------------------------------------------------------
+// Calls @a match for every bucket.
+template <typename MatchBucket>
+void FacetTableBuilder::Match(const Buckets& buckets, MatchBucket match)
+{
   ParallelFor(static_cast<vtkIdType>(buckets.Begins.size()) - 1, BucketGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      BucketMatcher matcher(*this);
+      FacetMatcher matcher(this->Mesh, this->Table);
       for (vtkIdType bucket = begin; bucket < end; ++bucket)
       {
         const Index first = buckets.Begins[bucket];
-        matcher.Match(buckets.Uses.get() + first, buckets.Begins[bucket + 1] - first);
+        (matcher.*match)(buckets.Uses.get() + first, buckets.Begins[bucket + 1] - first);
       }
     });
 }
 
 //------------------------------------------------------------------------------
-// Every use gets its smallest point first, which says how much every chunk of cells puts into every bucket.
-template <typename ForEachItem>
-FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(ForEachItem&& forEachItem)
+// Every use gets its key first, which says how much every chunk of cells puts into every bucket. putItems(facets, cell,
+// put) calls put(use, key) for the uses of a cell that are to be matched.
+template <typename PutItems>
+FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems&& putItems)
 {
   const vtkIdType numberOfCells = this->Mesh.GetNumberOfCells();
-  const Index numberOfPoints = static_cast<Index>(this->Mesh.GetNumberOfPoints());
   int shift = 0;
-  while (numberOfPoints >> shift >= std::min(MaxBuckets, this->NumberOfUses / UsesPerBucket + 1))
+  while (maxKey >> shift >= std::min(MaxBuckets, this->NumberOfUses / UsesPerBucket + 1))
   {
     ++shift;
   }
-  const Index numberOfBuckets = (numberOfPoints >> shift) + 1;
+  const Index numberOfBuckets = (maxKey >> shift) + 1;
   const vtkIdType chunk = std::max(CellGrain, numberOfCells / MaxChunks + 1);
   const vtkIdType numberOfChunks = (numberOfCells + chunk - 1) / chunk;
   std::vector<std::vector<Index>> ends(numberOfChunks, std::vector<Index>(numberOfBuckets, 0));
-  std::vector<CellFacet>& smallest = this->Table.CellFacets; // -1 where there is none
+  std::vector<CellFacet>& keys = this->Table.CellFacets; // -1 where there is none
   const auto forEachChunk = [&](auto&& function)
   {
     ParallelFor(numberOfChunks, 1,
@@ -557,14 +313,11 @@ FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(ForEachItem&& forEachI
       CellFacets facets(this->Mesh);
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        forEachItem(facets, cell,
-          [&](Index use, const vtkIdType* points, vtkIdType size)
+        putItems(facets, cell,
+          [&](Index use, Index key)
           {
-            if (size > 0)
-            {
-              smallest[use].Packed = static_cast<Index>(GetSmallest(points, size));
-              ++sizes[smallest[use].Packed >> shift];
-            }
+            keys[use].Packed = key;
+            ++sizes[key >> shift];
           });
       }
     });
@@ -587,13 +340,13 @@ FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(ForEachItem&& forEachI
       const Index last = static_cast<Index>(this->Table.GetOffset(end));
       for (Index use = static_cast<Index>(this->Table.GetOffset(begin)); use < last; ++use)
       {
-        if (smallest[use].Packed >= 0)
+        if (keys[use].Packed >= 0)
         {
-          buckets.Uses[places[smallest[use].Packed >> shift]++] = use;
+          buckets.Uses[places[keys[use].Packed >> shift]++] = use;
         }
         else
         {
-          smallest[use] = CellFacet(use, false);
+          keys[use] = CellFacet(use, false);
         }
       }
     });

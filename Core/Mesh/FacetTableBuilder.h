@@ -4,9 +4,9 @@
  * @class camaron::FacetTableBuilder
  * @brief Finds the unique facets of a mesh.
  *
- * Uses of facets are put into buckets by their smallest point id and compared within a bucket, whose keys fit
- * into the cache of a processor. So time and memory stay proportional to the mesh however it is numbered; 4 bytes per
- * use are needed meanwhile.
+ * Uses of facets are put into buckets by their smallest point id, or by a hash where most are known to differ, and
+ * compared within a bucket, whose keys fit into the cache of a processor. So time and memory stay proportional to the
+ * mesh however it is numbered; 4 bytes per use are needed meanwhile.
  */
 #ifndef camaron_FacetTableBuilder_h
 #define camaron_FacetTableBuilder_h
@@ -14,6 +14,8 @@
 #include "Mesh/CellFacets.h"
 #include "Mesh/FacetTable.h"
 
+#include <atomic> // for first uses
+#include <memory> // for first uses
 #include <vector> // for scratch
 
 namespace camaron
@@ -33,17 +35,19 @@ private:
   FacetTableBuilder(const MeshView& mesh, int dimension);
 
   struct Buckets;
-  class BucketMatcher;
 
   void CountFacets();
   void MatchUses();
   void MatchGiven(const std::vector<Index>& given, Index numberOfGiven);
   void NumberFacets();
   void ListCells();
-  template <typename ForEachItem>
-  void Match(ForEachItem&& forEachItem);
-  template <typename ForEachItem>
-  Buckets FillBuckets(ForEachItem&& forEachItem);
+  /// Of every given number.
+  std::unique_ptr<std::atomic<Index>[]> FindFirstUses(
+    const std::vector<Index>& given, Index numberOfGiven);
+  template <typename MatchBucket>
+  void Match(const Buckets& buckets, MatchBucket match);
+  template <typename PutItems>
+  Buckets FillBuckets(Index maxKey, PutItems&& putItems);
   /// The first use with the same points, as long as facets have no numbers.
   CellFacet GetLeader(Index use) const;
 
