@@ -70,59 +70,6 @@ bool AddToRing(
 }
 
 //------------------------------------------------------------------------------
-bool FluentTetrahedron::Finish(std::int32_t* nodes, FluentCellState state, std::int64_t maxNode)
-{
-  constexpr std::uint32_t Third = 0x2aaaaaab; // 3 * Third = 1 modulo 2^31
-  std::uint32_t sum = 0, mixed = 0, checksum = 0;
-  std::uint32_t n[4], mix[4];
-  for (int i = 0; i < 4; ++i)
-  {
-    sum += static_cast<std::uint32_t>(nodes[i]);
-  }
-  sum = sum * Third;
-  bool good = true;
-  for (int i = 0; i < 4; ++i)
-  {
-    n[i] = (sum - static_cast<std::uint32_t>(nodes[i])) & SumMask;
-    good &= n[i] - 1 < static_cast<std::uint64_t>(maxNode);
-    mix[i] = Mix(n[i]);
-    mixed += mix[i];
-  }
-  for (int k = 0; k < 4; ++k)
-  {
-    checksum += Factors[k] * (mixed - mix[Lacking[k]]);
-  }
-  good &= state == ((checksum << CountBits) | 4);
-
-  // A face of the positive tetrahedron of ascending nodes is an even order of its nodes if it lacks
-  // the node of an odd rank.
-  unsigned int inversions = 0;
-  unsigned int odd[4] = { 0, 0, 0, 0 }; // ranks
-  for (int i = 0; i < 4; ++i)
-  {
-    for (int j = 0; j < i; ++j)
-    {
-      const unsigned int isGreater = n[j] > n[i] ? 1 : 0;
-      good &= n[i] != n[j];
-      inversions ^= isGreater;
-      odd[j] ^= isGreater;
-      odd[i] ^= isGreater ^ 1;
-    }
-    odd[i] ^= static_cast<std::uint32_t>(nodes[i]) >> 31;
-  }
-  for (int i = 1; i < 4; ++i)
-  {
-    good &= odd[0] == odd[i];
-  }
-  const bool isMirrored = inversions == odd[0];
-  nodes[0] = static_cast<std::int32_t>(n[0]);
-  nodes[1] = static_cast<std::int32_t>(n[isMirrored ? 3 : 1]);
-  nodes[2] = static_cast<std::int32_t>(n[2]);
-  nodes[3] = static_cast<std::int32_t>(n[isMirrored ? 1 : 3]);
-  return good;
-}
-
-//------------------------------------------------------------------------------
 // The first face is the bottom, nodes 0 to 3; bits of the state are the sides at its edges, the
 // bottom and the top.
 bool AddToHexahedron(std::int32_t* nodes, FluentCellState& state, const std::int32_t* face)

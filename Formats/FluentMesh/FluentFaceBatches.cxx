@@ -23,7 +23,6 @@ bool IsBlank(const char* text, const char* end)
 //------------------------------------------------------------------------------
 int FluentFaceBatches::GetNumberOfShares()
 {
-  constexpr int MaxShares = 8;
   const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   int shares = 1;
   while (2 * shares <= std::min(threads, MaxShares))
@@ -268,7 +267,6 @@ bool FluentFaceBatches::ForEach(
     }
     const vtkIdType size = lines ? batchSize : longBatch;
     Batch batch;
-    batch.Batches = this;
     batch.Of = &run;
     batch.Read = lines ? this->Faces.data() : nullptr;
     batch.Swap = run.Swap;

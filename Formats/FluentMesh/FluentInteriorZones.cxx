@@ -6,7 +6,6 @@
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 
-#include <mutex>
 #include <set>
 
 namespace camaron
@@ -33,6 +32,7 @@ void FluentInteriorZones::Add(const FluentFaces::Run& run, const FluentMesh& mes
   {
     return;
   }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   const auto getZone = [&](vtkIdType cell) { return mesh.Cells.GetZone(mesh.Piece.GetLeaf(cell)); };
   for (vtkIdType i = 0; i < size; ++i)
   {
@@ -48,7 +48,6 @@ void FluentInteriorZones::Add(const FluentFaces::Run& run, const FluentMesh& mes
 bool FluentInteriorZones::AddAll(
   const FluentFaces& faces, const FluentCells& cells, const Progress& progress)
 {
-  std::mutex mutex;
   if (!this->Several)
   {
     return true;
@@ -59,7 +58,7 @@ bool FluentInteriorZones::AddAll(
       const vtkIdType a = cells.FindLeaf(face.GetCell(0)), b = cells.FindLeaf(face.GetCell(1));
       if (run.BoundaryType == FluentBoundary::Interior && a >= 0 && b >= 0)
       {
-        const std::lock_guard<std::mutex> lock(mutex);
+        const std::lock_guard<std::mutex> lock(this->Mutex);
         this->Add(run.Zone, cells.GetZone(a), cells.GetZone(b), face.Nodes.Size);
       }
     });

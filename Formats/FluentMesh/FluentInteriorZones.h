@@ -15,6 +15,7 @@
 
 #include <array> // for keys
 #include <map>   // for the table
+#include <mutex> // for threads
 
 class vtkFieldData;
 
@@ -43,7 +44,8 @@ public:
       this->Last->second = Ambiguous;
     }
   }
-  /// Adds some faces of a run if it is one of several zones of the interior.
+  /// Adds some faces of a run if it is one of several zones of the interior. Several threads may do
+  /// so, as the order does not matter.
   void Add(const FluentFaces::Run& run, const FluentMesh& mesh,
     const FluentFaceBatches::Face* faces, vtkIdType size);
   /// Adds all faces that can be visited; false if that failed.
@@ -73,6 +75,7 @@ private:
   std::map<Key, int> Zones;
   std::map<Key, int>::iterator Last = Zones.end();
   bool Several = false;
+  std::mutex Mutex;
 };
 }
 

@@ -185,7 +185,10 @@ void FluentOutput::GetNodes(const Face& face, std::vector<vtkIdType>& nodes) con
     // Outward of the first cell, into which the normal has to point.
     this->Topology.GetFacePoints(face.Facet, nodes);
     std::reverse(nodes.begin(), nodes.end());
-    StartAtLeast(nodes);
+    if (!nodes.empty())
+    {
+      StartAtLeast(nodes);
+    }
     return;
   }
   const IndexRange points = this->Mesh.GetCellPoints(this->Facets.GetCells(face.Facet).First);
@@ -201,14 +204,15 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
   const auto getFileCell = [this](Index cell)
   { return cell < 0 || this->AllCells ? cell : this->FileCells[static_cast<std::size_t>(cell)]; };
   std::vector<Face> more; // the other sides of faces that two cells run around alike
-  Tally crowded, alike;
+  const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes that bound something
+  Tally crowded, alike, small;
   std::mutex mutex;
   const bool finished = progress.For((count + Grain - 1) / Grain,
     [&](vtkIdType first, vtkIdType last)
     {
       std::vector<vtkIdType> nodes;
       std::vector<Face> localMore;
-      Tally localCrowded;
+      Tally localCrowded, localSmall;
       const auto end = static_cast<Index>(std::min<vtkIdType>(last * Grain, count));
       for (auto facet = static_cast<Index>(first * Grain); facet < end; ++facet)
       {
@@ -216,6 +220,12 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
         Face face{ facet, { getFileCell(cells.First), getFileCell(cells.Second) }, 0, 0 };
         this->GetNodes(face, nodes);
         face.Size = static_cast<std::int32_t>(nodes.size());
+        if (face.Size < least)
+        {
+          localSmall.Add(cells.First);
+          this->Faces[static_cast<std::size_t>(facet)] = face;
+          continue;
+        }
         face.Least = static_cast<std::int32_t>(*std::min_element(nodes.begin(), nodes.end()));
         if (cells.Second >= 0)
         {
@@ -239,6 +249,7 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
       const std::lock_guard<std::mutex> lock(mutex);
       more.insert(more.end(), localMore.begin(), localMore.end());
       crowded.Merge(localCrowded);
+      small.Merge(localSmall);
     });
   if (crowded.Count > 0)
   {
@@ -246,6 +257,9 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
       " of more, the first is of cell " + std::to_string(crowded.First);
     return false;
   }
+  this->Faces.erase(std::remove_if(this->Faces.begin(), this->Faces.end(),
+                      [=](const Face& face) { return face.Size < least; }),
+    this->Faces.end());
   this->SortFacesOfCells();
   for (const Face& face : more)
   {
@@ -254,6 +268,7 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
   std::sort(
     more.begin(), more.end(), [](const Face& a, const Face& b) { return a.Facet < b.Facet; });
   this->Faces.insert(this->Faces.end(), more.begin(), more.end());
+  warnings.Add(small, "face", "faces", "of fewer than 3 points, left out (first by its cell)");
   warnings.Add(alike, "face", "faces",
     "around which both cells run in the same direction, written once for each (first by its cell)");
   return finished;

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <numeric>
 
 namespace camaron
 {
@@ -107,36 +106,32 @@ bool FluentPolyhedra::CountFaces(FluentFaceBatches& batches, const Progress& pro
 {
   this->Cursors = Buffer<Cursor>(this->Count);
   std::fill(this->Cursors.data(), this->Cursors.data() + this->Count, Cursor{ 0, 0 });
-  const vtkIdType shares = FluentFaceBatches::GetNumberOfShares();
-  return batches.ForEach(FluentFaceBatches::Want::Cells, progress,
-    [&](const FluentFaceBatches::Batch& batch)
+  struct Side
+  {
+    std::int32_t Cell, Size;
+  };
+  return batches.ForEachSide<Side>(
+    FluentFaceBatches::Want::Cells, progress,
+    [](const FluentFaces::Run&, const FluentFaceBatches::Face*, vtkIdType) {},
+    [](const FluentFaceBatches::Batch&, vtkIdType, const FluentFaceBatches::Face& face, int side,
+      Side& made)
     {
-      return FluentFaceBatches::ForEachShare(shares,
-        [&](vtkIdType share)
-        {
-          return batch.ForEachBlock(
-            [&](vtkIdType, const FluentFaceBatches::Face* faces, vtkIdType size)
-            {
-              for (vtkIdType i = 0; i < size; ++i)
-              {
-                for (const std::int32_t cell : faces[i].Cells)
-                {
-                  if (cell >= 0 && FluentFaceBatches::GetShare(cell, shares) == share)
-                  {
-                    Cursor& cursor = this->Cursors[cell];
-                    ++cursor.Face;
-                    const std::uint32_t before = cursor.Corner;
-                    cursor.Corner += static_cast<std::uint32_t>(faces[i].Size);
-                    if (cursor.Corner < before)
-                    {
-                      return false;
-                    }
-                  }
-                }
-              }
-              return true;
-            });
-        });
+      made.Cell = face.Cells[side];
+      made.Size = face.Size;
+    },
+    [&](vtkIdType, const Side* sides, vtkIdType size)
+    {
+      bool good = true;
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        camaron::Prefetch(&this->Cursors[sides[std::min(i + Ahead, size - 1)].Cell]);
+        Cursor& cursor = this->Cursors[sides[i].Cell];
+        const std::uint32_t before = cursor.Corner;
+        ++cursor.Face;
+        cursor.Corner += static_cast<std::uint32_t>(sides[i].Size);
+        good &= cursor.Corner >= before;
+      }
+      return good;
     });
 }
 
@@ -172,9 +167,20 @@ bool FluentPolyhedra::FindPlaces()
 }
 
 //------------------------------------------------------------------------------
-bool FluentPolyhedra::AddTo(vtkIdType cell, const FluentFaceBatches::Batch& batch,
-  const FluentFaceBatches::Face& face, int side, vtkIdType position)
+// What a face says to a cell.
+struct FluentPolyhedra::Side
 {
+  std::int32_t Cell;
+  std::int32_t Size;
+  Index Position;
+  std::int8_t Swap, IsTurned;
+  const char* Nodes;
+};
+
+//------------------------------------------------------------------------------
+bool FluentPolyhedra::AddTo(const Side& face)
+{
+  const std::int32_t cell = face.Cell;
   Cursor& cursor = this->Cursors[cell];
   const auto size = static_cast<std::uint32_t>(face.Size);
   // There is always room, unless another program has changed the file.
@@ -185,19 +191,17 @@ bool FluentPolyhedra::AddTo(vtkIdType cell, const FluentFaceBatches::Batch& batc
   }
   const auto corner = static_cast<Id>(cursor.Corner);
   const auto maxNode = static_cast<std::uint64_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
-  // The normal points into the first cell, so that the face is turned for it.
-  const bool isTurned = side == 0;
-  this->FaceOffsets[cursor.Face] = isTurned ? ~corner : corner;
-  this->Faces[cursor.Face] = static_cast<Index>(position);
+  this->FaceOffsets[cursor.Face] = face.IsTurned ? ~corner : corner;
+  this->Faces[cursor.Face] = face.Position;
   Id* const place = &this->Corners[corner];
   bool good = true;
   const auto put = [&](std::int32_t i, Id& to)
   {
-    const std::int32_t node = batch.GetNode(face, i);
+    const auto node = Load<std::int32_t>(face.Nodes + 4 * std::ptrdiff_t(i), face.Swap != 0);
     good &= static_cast<std::uint32_t>(node) - 1 < maxNode;
     to = static_cast<Id>(this->Mesh.Piece.GetPoint(node - 1));
   };
-  if (isTurned && face.Size > 0)
+  if (face.IsTurned && face.Size > 0)
   {
     put(0, *place);
     for (std::int32_t i = 1; i < face.Size; ++i)
@@ -218,48 +222,34 @@ bool FluentPolyhedra::AddTo(vtkIdType cell, const FluentFaceBatches::Batch& batc
 }
 
 //------------------------------------------------------------------------------
-bool FluentPolyhedra::AddFaces(const FluentFaceBatches::Batch& batch, vtkIdType begin,
-  const FluentFaceBatches::Face* faces, vtkIdType size, vtkIdType share, vtkIdType shares)
-{
-  bool good = true;
-  for (vtkIdType i = 0; i < size && good; ++i)
-  {
-    for (int side = 0; side < 2; ++side)
-    {
-      camaron::Prefetch(
-        &this->Cursors[std::max(faces[std::min(i + Ahead, size - 1)].Cells[side], 0)]);
-      const vtkIdType cell = faces[i].Cells[side];
-      if (cell >= 0 && FluentFaceBatches::GetShare(cell, shares) == share)
-      {
-        good &= this->AddTo(cell, batch, faces[i], side, begin + i);
-      }
-    }
-  }
-  return good;
-}
-
-//------------------------------------------------------------------------------
 bool FluentPolyhedra::Fill(
   FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress)
 {
-  const vtkIdType shares = FluentFaceBatches::GetNumberOfShares();
-  if (!batches.ForEach(FluentFaceBatches::Want::All, progress,
-        [&](const FluentFaceBatches::Batch& batch)
-        {
-          return FluentFaceBatches::ForEachShare(shares,
-            [&](vtkIdType share)
-            {
-              return batch.ForEachBlock(
-                [&](vtkIdType begin, const FluentFaceBatches::Face* faces, vtkIdType size)
-                {
-                  if (share == 0)
-                  {
-                    zones.Add(batch.GetRun(), this->Mesh, faces, size);
-                  }
-                  return this->AddFaces(batch, begin, faces, size, share, shares);
-                });
-            });
-        }))
+  const bool visited = batches.ForEachSide<Side>(
+    FluentFaceBatches::Want::All, progress,
+    [&](const FluentFaces::Run& run, const FluentFaceBatches::Face* faces, vtkIdType size)
+    { zones.Add(run, this->Mesh, faces, size); },
+    [](const FluentFaceBatches::Batch& batch, vtkIdType position,
+      const FluentFaceBatches::Face& face, int side, Side& made)
+    {
+      made.Cell = face.Cells[side];
+      made.Size = face.Size;
+      made.Position = static_cast<Index>(position);
+      made.Swap = batch.GetRun().Swap;
+      made.IsTurned = side == 0; // the normal points into the first cell
+      made.Nodes = face.Nodes;
+    },
+    [&](vtkIdType, const Side* sides, vtkIdType size)
+    {
+      bool good = true;
+      for (vtkIdType i = 0; i < size && good; ++i)
+      {
+        camaron::Prefetch(&this->Cursors[sides[std::min(i + Ahead, size - 1)].Cell]);
+        good = this->AddTo(sides[i]);
+      }
+      return good;
+    });
+  if (!visited)
   {
     return false;
   }
@@ -333,12 +323,16 @@ bool FluentPolyhedra::FindPoints(const Progress& progress)
     const Id offset = this->FaceOffsets[face];
     return offset < 0 ? ~offset : offset;
   };
-  for (vtkIdType cell = 0; cell < this->Count; ++cell)
-  {
-    const Id begin = this->LocationOffsets[cell], end = this->LocationOffsets[cell + 1];
-    const Id points = (getCorner(end) - getCorner(begin)) / 2 - (end - begin) + 2;
-    counts[cell] = static_cast<std::uint32_t>(std::max<Id>(1, points));
-  }
+  ParallelFor(this->Count, BlockSize,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType cell = first; cell < last; ++cell)
+      {
+        const Id begin = this->LocationOffsets[cell], end = this->LocationOffsets[cell + 1];
+        const Id points = (getCorner(end) - getCorner(begin)) / 2 - (end - begin) + 2;
+        counts[cell] = static_cast<std::uint32_t>(std::max<Id>(1, points));
+      }
+    });
   for (const double part : { 0.5, 1. })
   {
     this->Offsets = Buffer<Id>(); // before there are others
@@ -399,12 +393,16 @@ bool FluentPolyhedra::Build(FluentFaceBatches& batches, FluentInteriorZones& zon
   Buffer<Id> locations(faces);
   Buffer<unsigned char> types(this->Count);
   std::fill(types.data(), types.data() + this->Count, static_cast<unsigned char>(VTK_POLYHEDRON));
-  std::iota(locations.data(), locations.data() + faces, 0);
-  for (vtkIdType face = 0; face < faces; ++face)
-  {
-    this->FaceOffsets[face] =
-      this->FaceOffsets[face] < 0 ? ~this->FaceOffsets[face] : this->FaceOffsets[face];
-  }
+  ParallelFor(faces, BlockSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType face = begin; face < end; ++face)
+      {
+        locations[face] = static_cast<Id>(face);
+        this->FaceOffsets[face] =
+          this->FaceOffsets[face] < 0 ? ~this->FaceOffsets[face] : this->FaceOffsets[face];
+      }
+    });
   const auto typeArray = types.TakeArray<vtkUnsignedCharArray>();
   const auto cells = MakeCells(this->Offsets, this->Points);
   const auto faceCells = MakeCells(this->FaceOffsets, this->Corners);

@@ -44,13 +44,12 @@ private:
     std::uint32_t Face, Corner;
   };
 
+  struct Side;
+
   bool CountFaces(FluentFaceBatches& batches, const Progress& progress);
   bool FindPlaces();
   bool Fill(FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress);
-  bool AddFaces(const FluentFaceBatches::Batch& batch, vtkIdType begin,
-    const FluentFaceBatches::Face* faces, vtkIdType size, vtkIdType share, vtkIdType shares);
-  bool AddTo(vtkIdType cell, const FluentFaceBatches::Batch& batch,
-    const FluentFaceBatches::Face& face, int side, vtkIdType position);
+  bool AddTo(const Side& face);
   bool FindPoints(const Progress& progress);
   class Numbering;
   bool NumberPoints(Buffer<std::uint32_t>& counts, const Progress& progress);

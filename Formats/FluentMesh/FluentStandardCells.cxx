@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentStandardCells.h"
 
-#include "FluentCellNodes.h"
-
 #include "vtkCellArray.h"
 #include "vtkNew.h"
 #include "vtkTypeInt32Array.h"
@@ -16,99 +14,134 @@
 
 namespace camaron
 {
-namespace
+//------------------------------------------------------------------------------
+// What a face says to a tetrahedron, if there are only such cells.
+struct FluentStandardCells::Triangle
 {
-constexpr vtkIdType Ahead = 8; // faces whose cells are fetched meanwhile
-}
+  Id Cell;
+  FluentTetrahedron::Face Face; ///< zeros for other faces
+
+  void Make(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face& face, int side)
+  {
+    this->Cell = face.Cells[side];
+    this->Face = { 0, 0 };
+    if (face.Size == 3)
+    {
+      this->Face = FluentTetrahedron::Face::Of(
+        batch.GetNode(face, 0), batch.GetNode(face, 1 + side), batch.GetNode(face, 2 - side));
+    }
+  }
+};
 
 //------------------------------------------------------------------------------
-// The cells that one thread makes.
+// What a face says to a cell: its nodes in the direction in which the normal points inside, and 0
+// for those that it does not have.
+struct FluentStandardCells::Side
+{
+  static constexpr int MaxSize = 4;
+  Id Cell;
+  Id Nodes[MaxSize];
+
+  /// The normal points into the first cell of the face. Written member by member, as the processor
+  /// would wait for all of them to copy them at once.
+  void Make(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face& face, int side)
+  {
+    const auto get = [&](std::int32_t i) { return batch.GetNode(face, i); };
+    this->Cell = face.Cells[side];
+    switch (face.Size)
+    {
+      case 2:
+        this->Set(get(side), get(1 - side), 0, 0);
+        break;
+      case 3:
+        this->Set(get(0), get(1 + side), get(2 - side), 0);
+        break;
+      case 4:
+        this->Set(get(0), get(1 + 2 * side), get(2), get(3 - 2 * side));
+        break;
+      default:
+        this->Set(0, 0, 0, 0); // no face of such a cell
+        break;
+    }
+  }
+  void Set(Id a, Id b, Id c, Id d)
+  {
+    this->Nodes[0] = a;
+    this->Nodes[1] = b;
+    this->Nodes[2] = c;
+    this->Nodes[3] = d;
+  }
+  int GetSize() const
+  {
+    return this->Nodes[3] != 0 ? 4 : this->Nodes[2] != 0 ? 3 : this->Nodes[1] != 0 ? 2 : 0;
+  }
+};
+
+//------------------------------------------------------------------------------
+// Adds faces to cells that nobody else changes meanwhile.
 class FluentStandardCells::Share
 {
 public:
-  Share(FluentStandardCells& cells, Buffer<FluentCellState>& states)
+  explicit Share(FluentStandardCells& cells)
     : Cells(cells)
-    , States(states)
     , Matcher(PointSource())
   {
   }
 
-  /// Adds faces to those of its cells.
-  bool Add(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face* faces,
-    vtkIdType size, vtkIdType share, vtkIdType shares)
+  bool Add(const Triangle* sides, vtkIdType size)
   {
-    switch (this->Cells.CommonType)
-    {
-      case VTK_TETRA:
-        return this->AddAs<VTK_TETRA>(batch, faces, size, share, shares);
-      case VTK_HEXAHEDRON:
-        return this->AddAs<VTK_HEXAHEDRON>(batch, faces, size, share, shares);
-      default:
-        return this->AddAs<0>(batch, faces, size, share, shares);
-    }
-  }
-
-private:
-  template <unsigned char Type>
-  vtkIdType GetOffset(vtkIdType cell) const
-  {
-    return Type == VTK_TETRA   ? 4 * cell
-      : Type == VTK_HEXAHEDRON ? 8 * cell
-                               : vtkIdType(this->Cells.Offsets[cell]);
-  }
-
-  template <unsigned char Type>
-  bool AddAs(const FluentFaceBatches::Batch& batch, const FluentFaceBatches::Face* faces,
-    vtkIdType size, vtkIdType share, vtkIdType shares)
-  {
-    constexpr std::int32_t MaxSize = 4;
     bool good = true;
-    for (vtkIdType i = 0; i < size && good; ++i)
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      const FluentFaceBatches::Face& next = faces[std::min(i + Ahead, size - 1)];
-      const FluentFaceBatches::Face& face = faces[i];
-      const bool isUsed = face.Cells[0] >= 0 || face.Cells[1] >= 0;
-      if (isUsed && face.Size > MaxSize)
-      {
-        return false;
-      }
-      Id nodes[MaxSize] = {};
-      for (std::int32_t j = 0; isUsed && j < face.Size; ++j)
-      {
-        nodes[j] = batch.GetNode(face, j);
-      }
-      const FluentTetrahedron::Face triangle = Type == VTK_TETRA && face.Size == 3
-        ? FluentTetrahedron::Face(nodes)
-        : FluentTetrahedron::Face();
-      for (int side = 0; side < 2; ++side)
-      {
-        const vtkIdType nextCell = std::max(next.Cells[side], 0);
-        camaron::Prefetch(&this->States[nextCell]);
-        camaron::Prefetch(&this->Cells.Nodes[this->GetOffset<Type>(nextCell)]);
-        const vtkIdType cell = face.Cells[side];
-        if (cell < 0 || FluentFaceBatches::GetShare(cell, shares) != share)
-        {
-          continue;
-        }
-        Id* const place = &this->Cells.Nodes[this->GetOffset<Type>(cell)];
-        FluentCellState& state = this->States[cell];
-        good &= Type == VTK_TETRA
-          ? face.Size == 3 && FluentTetrahedron::Add(place, state, triangle, side)
-          : this->AddTo(
-              Type != 0 ? Type : this->Cells.Types[cell], place, state, nodes, face.Size, side);
-      }
+      const vtkIdType next = sides[std::min(i + Ahead, size - 1)].Cell;
+      this->Prefetch(next, 4 * next);
+      const vtkIdType cell = sides[i].Cell;
+      good &= FluentTetrahedron::Add(
+        &this->Cells.Nodes[4 * cell], this->Cells.States[cell], sides[i].Face);
     }
     return good;
   }
 
-  bool AddTo(unsigned char type, Id* nodes, FluentCellState& state, const Id* listed,
-    std::int32_t size, int side)
+  bool Add(const Side* sides, vtkIdType size)
   {
-    // The normal points into the first cell.
+    return this->Cells.CommonType == VTK_HEXAHEDRON ? this->AddAs<VTK_HEXAHEDRON>(sides, size)
+                                                    : this->AddAs<0>(sides, size);
+  }
+
+private:
+  static constexpr vtkIdType Ahead = 16; // sides whose cells are fetched meanwhile
+
+  void Prefetch(vtkIdType cell, vtkIdType offset) const
+  {
+    camaron::Prefetch(&this->Cells.States[cell]);
+    camaron::Prefetch(&this->Cells.Nodes[offset]);
+  }
+
+  template <unsigned char Type>
+  bool AddAs(const Side* sides, vtkIdType size)
+  {
+    const auto getOffset = [this](vtkIdType cell)
+    { return Type == VTK_HEXAHEDRON ? 8 * cell : this->Cells.GetOffset(cell); };
+    bool good = true;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      const vtkIdType next = sides[std::min(i + Ahead, size - 1)].Cell;
+      this->Prefetch(next, getOffset(next));
+      const Side& side = sides[i];
+      good &= this->AddTo(Type != 0 ? Type : this->Cells.GetType(side.Cell),
+        &this->Cells.Nodes[getOffset(side.Cell)], this->Cells.States[side.Cell], side);
+    }
+    return good;
+  }
+
+  bool AddTo(unsigned char type, Id* nodes, FluentCellState& state, const Side& side)
+  {
+    const int size = side.GetSize();
     if (type == VTK_TETRA)
     {
       return size == 3 &&
-        FluentTetrahedron::Add(nodes, state, FluentTetrahedron::Face(listed), side);
+        FluentTetrahedron::Add(
+          nodes, state, FluentTetrahedron::Face::Of(side.Nodes[0], side.Nodes[1], side.Nodes[2]));
     }
     if (state == FluentCellComplete)
     {
@@ -117,16 +150,13 @@ private:
     switch (type)
     {
       case VTK_HEXAHEDRON:
-      {
-        const Id inward[4] = { listed[0], listed[1 + 2 * side], listed[2], listed[3 - 2 * side] };
-        return size == 4 && AddToHexahedron(nodes, state, inward);
-      }
+        return size == 4 && AddToHexahedron(nodes, state, side.Nodes);
       case VTK_TRIANGLE:
       case VTK_QUAD:
         return size == 2 &&
-          AddToRing(nodes, type == VTK_QUAD ? 4 : 3, state, listed[side], listed[1 - side]);
+          AddToRing(nodes, type == VTK_QUAD ? 4 : 3, state, side.Nodes[0], side.Nodes[1]);
       default:
-        return this->AddToOther(type, nodes, state, listed, size, side);
+        return this->AddToOther(type, nodes, state, side);
     }
   }
 
@@ -134,36 +164,32 @@ private:
   struct Waiting
   {
     Id Next;
-    std::int16_t Size;
-    FaceDirection Direction;
-    Id Nodes[4];
+    Side Face;
   };
 
   /// Faces of pyramids and wedges wait for the last of them. The state is their number, and node 0
   /// is the last that came.
-  bool AddToOther(unsigned char type, Id* nodes, FluentCellState& state, const Id* listed,
-    std::int32_t size, int side)
+  bool AddToOther(unsigned char type, Id* nodes, FluentCellState& state, const Side& side)
   {
     constexpr int NumberOfFaces = 5;
-    Waiting waiting{ state > 0 ? nodes[0] : -1, static_cast<std::int16_t>(size),
-      side == 0 ? FaceDirection::Inward : FaceDirection::Outward, {} };
-    std::copy(listed, listed + size, waiting.Nodes);
+    const Waiting waiting{ state > 0 ? nodes[0] : -1, side };
     if (state + 1 < NumberOfFaces)
     {
       ++state;
       nodes[0] = this->Keep(waiting);
       return true;
     }
+    constexpr FaceDirection Inward = FaceDirection::Inward;
+    constexpr FaceDirection directions[] = { Inward, Inward, Inward, Inward, Inward };
     IdList lists[NumberOfFaces];
-    FaceDirection directions[NumberOfFaces];
     int triangles = 0, quads = 0;
     const Waiting* last = &waiting;
     for (int i = NumberOfFaces - 1; i >= 0; --i)
     {
-      lists[i] = { reinterpret_cast<const char*>(last->Nodes), last->Size, 0 };
-      directions[i] = last->Direction;
-      triangles += last->Size == 3;
-      quads += last->Size == 4;
+      const int size = last->Face.GetSize();
+      lists[i] = { reinterpret_cast<const char*>(last->Face.Nodes), size, 0 };
+      triangles += size == 3;
+      quads += size == 4;
       last = i > 0 ? &this->Kept[static_cast<std::size_t>(last->Next)] : nullptr;
     }
     if (PrimitiveMatcher::Guess(NumberOfFaces, triangles, quads) != type ||
@@ -199,7 +225,6 @@ private:
   }
 
   FluentStandardCells& Cells;
-  Buffer<FluentCellState>& States;
   std::deque<Waiting> Kept;
   Id Free = -1; ///< the first place in Kept that is not used
   PrimitiveMatcher Matcher;
@@ -208,11 +233,28 @@ private:
 //------------------------------------------------------------------------------
 bool FluentStandardCells::Place()
 {
-  constexpr vtkIdType BlockSize = 1024;
   this->Types = Buffer<unsigned char>(this->Count);
   this->Offsets = Buffer<Id>(this->Count + 1);
-  const unsigned char first = this->Count > 0 ? this->Mesh.GetShape(0).Type : 0;
-  std::atomic<bool> areStandard{ true }, isUniform{ true };
+  return this->Count > 0 && this->Mesh.Piece.IsWhole() &&
+      this->Mesh.Cells.HaveOneElement(0, this->Count)
+    ? this->PlaceUniform(this->Mesh.GetShape(0))
+    : this->PlaceMixed();
+}
+
+//------------------------------------------------------------------------------
+bool FluentStandardCells::PlaceUniform(const FluentShape& shape)
+{
+  this->CommonType = shape.Type;
+  this->CommonSize = shape.Nodes;
+  return shape.Faces > 0 && this->Count * shape.Nodes <= INT32_MAX &&
+    this->Count * shape.Faces <= 2 * this->Mesh.Faces.GetCount();
+}
+
+//------------------------------------------------------------------------------
+bool FluentStandardCells::PlaceMixed()
+{
+  constexpr vtkIdType BlockSize = 1024;
+  std::atomic<bool> areStandard{ true };
   std::atomic<vtkIdType> faces{ 0 };
   const vtkIdType nodes = ParallelScan(
     this->Count, BlockSize,
@@ -227,10 +269,6 @@ bool FluentStandardCells::Place()
         if (shape.Faces == 0)
         {
           areStandard = false;
-        }
-        if (shape.Type != first)
-        {
-          isUniform = false;
         }
         this->Types[cell] = shape.Type;
         this->Offsets[cell] = static_cast<Id>(sum);
@@ -252,35 +290,45 @@ bool FluentStandardCells::Place()
     return false;
   }
   this->Offsets[this->Count] = static_cast<Id>(nodes);
-  this->CommonType = isUniform ? first : 0;
   return true;
 }
 
 //------------------------------------------------------------------------------
 // From ids of the file to points; false if not all cells have all faces.
-bool FluentStandardCells::Finish(const Buffer<std::uint32_t>& states, const Progress& progress)
+bool FluentStandardCells::Finish(const Progress& progress)
 {
   constexpr vtkIdType BlockSize = 4096;
-  const vtkIdType maxNode = this->Mesh.Piece.GetNumberOfMeshPoints();
+  const bool isWhole = this->Mesh.Piece.IsWhole();
+  const auto maxNode = static_cast<std::uint32_t>(this->Mesh.Piece.GetNumberOfMeshPoints());
   std::atomic<bool> good{ true };
   return progress.For((this->Count + BlockSize - 1) / BlockSize,
            [&](vtkIdType first, vtkIdType last)
            {
              bool isGood = true;
              const vtkIdType end = std::min(last * BlockSize, this->Count);
-             for (vtkIdType cell = first * BlockSize; cell < end && isGood; ++cell)
+             const vtkIdType firstCell = first * BlockSize;
+             for (vtkIdType cell = firstCell; cell < end; ++cell)
              {
-               Id* const nodes = &this->Nodes[this->Offsets[cell]];
-               Id* const last = &this->Nodes[this->Offsets[cell + 1]];
-               isGood = this->Types[cell] == VTK_TETRA
-                 ? FluentTetrahedron::Finish(nodes, states[cell], maxNode)
-                 : states[cell] == FluentCellComplete;
-               for (Id* node = nodes; node < last && isGood; ++node)
-               {
-                 isGood =
-                   static_cast<std::uint32_t>(*node) - 1 < static_cast<std::uint64_t>(maxNode);
-                 *node = isGood ? static_cast<Id>(this->Mesh.Piece.GetPoint(*node - 1)) : 0;
-               }
+               isGood &= this->GetType(cell) == VTK_TETRA
+                 ? FluentTetrahedron::Finish(
+                     &this->Nodes[this->GetOffset(cell)], this->States[cell])
+                 : this->States[cell] == FluentCellComplete;
+             }
+             Id* const begin = this->Nodes.data() + this->GetOffset(firstCell);
+             Id* const lastNode = this->Nodes.data() + this->GetOffset(end);
+             for (Id* node = begin; node < lastNode; ++node)
+             {
+               --*node;
+               isGood &= static_cast<std::uint32_t>(*node) < maxNode;
+             }
+             for (Id* node = begin; node < lastNode && isGood && !isWhole; ++node)
+             {
+               *node = static_cast<Id>(this->Mesh.Piece.GetPoint(*node));
+             }
+             for (vtkIdType cell = firstCell; cell < end && this->CommonType != 0; ++cell)
+             {
+               this->Offsets[cell] = static_cast<Id>(this->GetOffset(cell));
+               this->Types[cell] = this->CommonType;
              }
              if (!isGood)
              {
@@ -291,37 +339,43 @@ bool FluentStandardCells::Finish(const Buffer<std::uint32_t>& states, const Prog
 }
 
 //------------------------------------------------------------------------------
-bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones& zones,
-  vtkUnstructuredGrid* grid, const Progress& progress)
+template <typename SideOfFace>
+bool FluentStandardCells::AddFaces(
+  FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress)
 {
-  this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
-  Buffer<FluentCellState> states(this->Count);
-  std::fill(states.data(), states.data() + this->Count, FluentCellState(0));
-
   std::deque<Share> shares;
   for (int i = FluentFaceBatches::GetNumberOfShares(); i > 0; --i)
   {
-    shares.emplace_back(*this, states);
+    shares.emplace_back(*this);
   }
-  const auto count = static_cast<vtkIdType>(shares.size());
-  const bool visited = batches.ForEach(FluentFaceBatches::Want::All, progress.Part(0, 0.9),
-    [&](const FluentFaceBatches::Batch& batch)
-    {
-      return FluentFaceBatches::ForEachShare(count,
-        [&](vtkIdType share)
-        {
-          return batch.ForEachBlock(
-            [&](vtkIdType, const FluentFaceBatches::Face* faces, vtkIdType size)
-            {
-              if (share == 0)
-              {
-                zones.Add(batch.GetRun(), this->Mesh, faces, size);
-              }
-              return shares[static_cast<std::size_t>(share)].Add(batch, faces, size, share, count);
-            });
-        });
-    });
-  if (!visited || !this->Finish(states, progress.Part(0.9, 1)))
+  return batches.ForEachSide<SideOfFace>(
+    FluentFaceBatches::Want::All, progress,
+    [&](const FluentFaces::Run& run, const FluentFaceBatches::Face* faces, vtkIdType size)
+    { zones.Add(run, this->Mesh, faces, size); },
+    [](const FluentFaceBatches::Batch& batch, vtkIdType, const FluentFaceBatches::Face& face,
+      int side, SideOfFace& made) { made.Make(batch, face, side); },
+    [&](vtkIdType share, const SideOfFace* sides, vtkIdType size)
+    { return shares[static_cast<std::size_t>(share)].Add(sides, size); });
+}
+
+//------------------------------------------------------------------------------
+bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones& zones,
+  vtkUnstructuredGrid* grid, const Progress& progress)
+{
+  constexpr vtkIdType Grain = 65536;
+  // Where cells of one type begin need not be in memory until the end; there are their states.
+  Buffer<FluentCellState> states(this->CommonType != 0 ? 0 : this->Count);
+  this->States = this->CommonType != 0 ? reinterpret_cast<FluentCellState*>(this->Offsets.data())
+                                       : states.data();
+  ParallelFor(this->Count, Grain,
+    [this](vtkIdType begin, vtkIdType end)
+    { std::fill(this->States + begin, this->States + end, FluentCellState(0)); });
+  this->Offsets[this->Count] = static_cast<Id>(this->GetOffset(this->Count));
+  this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
+  const Progress part = progress.Part(0, 0.9);
+  if (!(this->CommonType == VTK_TETRA ? this->AddFaces<Triangle>(batches, zones, part)
+                                      : this->AddFaces<Side>(batches, zones, part)) ||
+    !this->Finish(progress.Part(0.9, 1)))
   {
     return false;
   }

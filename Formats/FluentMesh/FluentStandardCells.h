@@ -13,6 +13,7 @@
 #define camaron_FluentStandardCells_h
 
 #include "FluentCellFaces.h"
+#include "FluentCellNodes.h"
 #include "FluentFaceBatches.h"
 #include "FluentInteriorZones.h"
 
@@ -39,16 +40,32 @@ public:
 
 private:
   using Id = vtkTypeInt32;
+  struct Triangle;
+  struct Side;
   class Share;
 
-  bool Finish(const Buffer<std::uint32_t>& states, const Progress& progress);
+  bool PlaceUniform(const FluentShape& shape);
+  bool PlaceMixed();
+  unsigned char GetType(vtkIdType cell) const
+  {
+    return this->CommonType != 0 ? this->CommonType : this->Types[cell];
+  }
+  vtkIdType GetOffset(vtkIdType cell) const
+  {
+    return this->CommonType != 0 ? this->CommonSize * cell : this->Offsets[cell];
+  }
+  template <typename SideOfFace>
+  bool AddFaces(FluentFaceBatches& batches, FluentInteriorZones& zones, const Progress& progress);
+  bool Finish(const Progress& progress);
 
   const FluentMesh& Mesh;
   vtkIdType Count;
   unsigned char CommonType = 0; ///< of all cells, or 0
+  vtkIdType CommonSize = 0;     ///< nodes of each cell then
   Buffer<unsigned char> Types;
   Buffer<Id> Offsets;
   Buffer<Id> Nodes; ///< ids of the file or what leads to them, then points
+  FluentCellState* States = nullptr;
 };
 }
 

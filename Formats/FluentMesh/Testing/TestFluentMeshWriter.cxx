@@ -536,3 +536,20 @@ TEST(FluentMeshWriter, CollectedFilesKeepTheirZones)
       << entry.path();
   }
 }
+
+//------------------------------------------------------------------------------
+// If this fails, faces that bound nothing crash the writer, get into files that Fluent refuses, or
+// are missing, and nobody is told.
+TEST(FluentMeshWriter, SaysWhichFacesOfPolyhedraItLeavesOut)
+{
+  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  const Faces faces = { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } };
+  Faces more = faces;
+  more.insert(more.begin(), { {}, { 3 }, { 0, 1 } });
+  const Written written = Write(MakePolyhedron(corners, more));
+  ASSERT_EQ(written.Success, 1);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("3 faces of fewer than 3 points, left out"), std::string::npos)
+    << written.Warnings[0];
+  EXPECT_EQ(written.Bytes, Write(MakePolyhedron(corners, faces)).Bytes);
+}
