@@ -55,13 +55,6 @@ bool ReadPolygon(TextRow& row, const TetGenNodes& nodes, CellSink& sink)
 }
 
 //------------------------------------------------------------------------------
-bool ReadMarker(TextRow& row, std::int32_t& marker)
-{
-  marker = 0;
-  return !row.HasMore() || ReadTetGenInteger(row, marker, "the marker of a facet");
-}
-
-//------------------------------------------------------------------------------
 void AddField(vtkFieldData* fields, const char* name, const std::vector<double>& values,
   const std::vector<const char*>& components)
 {
@@ -100,6 +93,7 @@ bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetG
   scanner.SkipLine();
   this->HasMarkers = numbers[1] != 0;
   this->Markers.assign(static_cast<std::size_t>(this->Count), 0);
+  this->Unmarked.assign(static_cast<std::size_t>(this->HasMarkers ? this->Count : 0), 0);
   if (!this->ReadFacets(scanner, lines, nodes, isSmesh, progress))
   {
     return false;
@@ -117,8 +111,7 @@ bool TetGenFacets::ReadFacets(TextScanner& scanner, const TextLines* lines,
     return ReadCells(scanner, lines, this->Count, this->Mesh, progress,
       [&](vtkIdType facet, TextRow& row, CellSink& sink)
       {
-        return ReadPolygon(row, nodes, sink) &&
-          (!this->HasMarkers || ReadMarker(row, this->Markers[facet]));
+        return ReadPolygon(row, nodes, sink) && (!this->HasMarkers || this->ReadMarker(row, facet));
       });
   }
   return (lines && this->ReadPairs(scanner, *lines, nodes, progress)) ||
@@ -145,8 +138,8 @@ bool TetGenFacets::ReadPairs(
       }
       std::int64_t polygons, holes = 0;
       return row.ReadInteger(polygons, "") && polygons == 1 &&
-        (!row.HasMore() ||
-          (row.ReadInteger(holes, "") && holes == 0 && ReadMarker(row, this->Markers[line / 2])));
+        (!row.HasMore() || (row.ReadInteger(holes, "") && holes == 0)) &&
+        this->ReadMarker(row, line / 2);
     });
   ScanError error;
   if (!good || !FillCells(sinks, this->Mesh, error))
@@ -190,7 +183,7 @@ bool TetGenFacets::ReadFacet(
   TextRow header(scanner);
   if (!scanner.ReadCount(polygons, 4, Polygons) ||
     (header.HasMore() && !scanner.ReadCount(holes, 4, NumberOfHoles)) ||
-    !ReadMarker(header, this->Markers[facet]))
+    !this->ReadMarker(header, facet))
   {
     return false;
   }
@@ -217,6 +210,19 @@ bool TetGenFacets::ReadFacet(
     this->WithHoles.Add(facet);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool TetGenFacets::ReadMarker(TextRow& row, vtkIdType facet)
+{
+  const bool isThere = row.HasMore();
+  if (this->HasMarkers)
+  {
+    this->Unmarked[static_cast<std::size_t>(facet)] = !isThere;
+  }
+  std::int32_t& marker = this->Markers[static_cast<std::size_t>(facet)];
+  marker = 0;
+  return !isThere || ReadTetGenInteger(row, marker, "the marker of a facet");
 }
 
 //------------------------------------------------------------------------------
@@ -282,6 +288,15 @@ void TetGenFacets::AddFields(vtkFieldData* fields) const
 //------------------------------------------------------------------------------
 void TetGenFacets::Warn(Warnings& warnings) const
 {
+  Tally unmarked;
+  for (std::size_t facet = 0; facet < this->Unmarked.size(); ++facet)
+  {
+    if (this->Unmarked[facet])
+    {
+      unmarked.Add(static_cast<vtkIdType>(facet));
+    }
+  }
+  warnings.Add(unmarked, "facet", "facets", "without the boundary marker that the header promises");
   warnings.Add(this->WithHoles, "facet", "facets",
     "with holes, whose polygons are cells of their own with nothing cut out");
 }

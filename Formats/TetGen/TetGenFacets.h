@@ -39,6 +39,7 @@ private:
     const Progress& progress);
   bool ReadFacet(TextScanner& scanner, const TetGenNodes& nodes, vtkIdType facet, CellSink& sink);
   bool ReadHole(TextScanner& scanner, vtkIdType facet);
+  bool ReadMarker(TextRow& row, vtkIdType facet);
 
   std::int64_t Count = 0; ///< of facets
   vtkIdType NumberOfCells = 0;
@@ -46,6 +47,7 @@ private:
   CellMesh Mesh;
   std::vector<std::int32_t> Facets;  ///< one per cell; none if every facet is one cell
   std::vector<std::int32_t> Markers; ///< one per facet
+  std::vector<char> Unmarked;        ///< which facets lack one, if there are markers
   std::vector<double> Holes;
   std::vector<std::int32_t> FacetsOfHoles;
   Tally WithHoles;

@@ -83,6 +83,7 @@ void TetGenColumns::Start(const Layout& layout)
   this->Columns = layout;
   this->FirstIsInteger = true;
   this->Missing.clear();
+  this->Surplus = VTK_ID_MAX;
   this->Allocate(0);
 }
 
@@ -147,6 +148,13 @@ bool TetGenColumns::Read(TextRow& row, vtkIdType number, vtkIdType index)
       this->Tetrahedra[this->Columns.Tetrahedra * index + i] = tetrahedron;
     }
   }
+  if (row.HasMore())
+  {
+    vtkIdType first = this->Surplus;
+    while (number < first && !this->Surplus.compare_exchange_weak(first, number))
+    {
+    }
+  }
   return true;
 }
 
@@ -190,6 +198,12 @@ void TetGenColumns::Warn(Warnings& warnings, const char* one, const char* many) 
     missing.Add(row);
   }
   warnings.Add(missing, one, many, "without the boundary marker that the header promises");
+  if (this->Surplus < VTK_ID_MAX)
+  {
+    warnings.Add(std::string("values behind those that the header promises are left out, the first "
+                             "of ") +
+      one + " " + std::to_string(this->Surplus));
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -68,7 +68,8 @@ public:
    */
   void AddTo(vtkDataSetAttributes* attributes, const char* first = nullptr);
 
-  /// Warns of rows without marker, named as in "node", "nodes".
+  /// Warns of rows without marker, named as in "node", "nodes", and of values behind the last
+  /// column.
   void Warn(Warnings& warnings, const char* one, const char* many) const;
 
 private:
@@ -79,6 +80,7 @@ private:
   std::atomic<bool> FirstIsInteger{ true };
   std::mutex Mutex;
   std::vector<vtkIdType> Missing; ///< rows without marker, some perhaps twice
+  std::atomic<vtkIdType> Surplus{ VTK_ID_MAX }; ///< the first row with more values
 };
 
 /**

@@ -101,8 +101,9 @@ TEST(TetGenTables, FacetsOfPoly)
                            "2\n1 0 0 1 10 0.5\n2 9 9 9 -3\n";
   const Result result = Mesh({ { "poly", text } }).Read("poly");
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
-  ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("1 facet with holes"), std::string::npos);
+  ASSERT_EQ(result.Warnings.size(), 2u);
+  EXPECT_NE(result.Warnings[0].find("1 facet without the boundary marker"), std::string::npos);
+  EXPECT_NE(result.Warnings[1].find("1 facet with holes"), std::string::npos);
   ASSERT_EQ(result.Grid->GetNumberOfCells(), 5);
   EXPECT_EQ(GetCell(result, 0), (Ids{ VTK_POLYGON, 0, 1, 2, 3, 4, 5 }));
   EXPECT_EQ(GetCell(result, 1), (Ids{ VTK_LINE, 4, 5 }));
@@ -151,7 +152,8 @@ TEST(TetGenTables, FacetsOfSmesh)
       ? Mesh({ { "smesh", Nodes + facets } }).Read("smesh")
       : Mesh({ { "smesh", "0 3 0 0\n" + facets }, { "node", Nodes } }).Read("smesh");
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
-    EXPECT_TRUE(result.Warnings.empty());
+    ASSERT_EQ(result.Warnings.size(), 1u);
+    EXPECT_NE(result.Warnings[0].find("1 facet without the boundary marker"), std::string::npos);
     EXPECT_EQ(GetCell(result, 0), (Ids{ VTK_TRIANGLE, 0, 1, 2 }));
     EXPECT_EQ(GetCell(result, 1), (Ids{ VTK_QUAD, 0, 1, 2, 3 }));
     EXPECT_EQ(GetCell(result, 2), (Ids{ VTK_LINE, 0, 1 }));
