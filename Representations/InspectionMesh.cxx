@@ -3,6 +3,7 @@
 #include "InspectionMesh.h"
 
 #include "InspectionArrays.h"
+#include "InspectionStyle.h"
 
 #include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
@@ -43,20 +44,23 @@ const std::uint64_t* GetOuterFacets(vtkUnstructuredGrid* grid)
   return isUsable ? static_cast<const std::uint64_t*>(bits->GetVoidPointer(0)) : nullptr;
 }
 
-// Fills and uploads a table of `size` rows in parallel.
+// Fills a table of `size` rows in parallel.
 template <typename Value, typename Function>
 void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
 {
-  std::vector<Value> rows(size);
-  ParallelFor(size, Grain,
-    [&](vtkIdType begin, vtkIdType end)
+  table.Write(static_cast<std::size_t>(size),
+    [&](void* memory)
     {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        rows[i] = value(i);
-      }
+      auto* const rows = static_cast<Value*>(memory);
+      ParallelFor(size, Grain,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          for (vtkIdType i = begin; i < end; ++i)
+          {
+            rows[i] = value(i);
+          }
+        });
     });
-  table.Upload(rows.data(), rows.size());
 }
 }
 
@@ -131,10 +135,7 @@ void InspectionMesh::Update()
     {
       bounds = GetFiniteBounds(this->Grid);
     }
-    for (int i = 0; i < 3; ++i)
-    {
-      this->Middle[i] = 0.5 * bounds[2 * i] + 0.5 * bounds[2 * i + 1];
-    }
+    this->Middle = GetMiddleOf(bounds);
   }
   if (selected != this->Selected)
   {

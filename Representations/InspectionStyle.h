@@ -16,9 +16,10 @@ namespace camaron
 /// Which of the faces of the cells that are drawn.
 enum class Walls
 {
-  Surface,  ///< those with one such cell
-  Interior, ///< those between two
-  Complete  ///< all, once for each cell
+  Surface,       ///< those with one such cell
+  Interior,      ///< those between two
+  Complete,      ///< all, once for each cell
+  InteriorOfBoth ///< those between two, once for each
 };
 
 /// Which cells are drawn, by the array Selected that Select Elements makes.
@@ -85,6 +86,17 @@ enum class Figure
   Cap ///< what an exact cut shows of the inside of cells
 };
 
+/// Of bounds that may be as large as numbers can be.
+inline std::array<double, 3> GetMiddleOf(const std::array<double, 6>& bounds)
+{
+  std::array<double, 3> middle;
+  for (int i = 0; i < 3; ++i)
+  {
+    middle[i] = 0.5 * bounds[2 * i] + 0.5 * bounds[2 * i + 1];
+  }
+  return middle;
+}
+
 struct InspectionStyle
 {
   bool OnProcessor = false; ///< drawn as an ordinary surface, without the shaders
@@ -147,6 +159,7 @@ struct InspectionStyle
     style.CellsToDraw = this->CellsToDraw;
     style.ShrinkFactor = this->ShrinkFactor;
     style.ExplodeFactor = this->ExplodeFactor;
+    style.Bounds = this->Bounds;
     style.Cut = this->Cut;
     style.KeepInside = this->KeepInside;
     style.Shape = this->Shape;
@@ -162,6 +175,13 @@ struct InspectionStyle
   bool ColorsByDistance() const
   {
     return this->ColorBy == Coloring::Height || this->ColorBy == Coloring::Depth;
+  }
+  /// The middle of all pieces, which cells explode away from, relative to that of the piece here.
+  std::array<double, 3> GetExplodeCenter(const std::array<double, 3>& middle) const
+  {
+    const std::array<double, 3> center =
+      this->Bounds[0] <= this->Bounds[1] ? GetMiddleOf(this->Bounds) : middle;
+    return { { center[0] - middle[0], center[1] - middle[1], center[2] - middle[2] } };
   }
   /// True when the figure is made of the faces of cells.
   bool DrawsFaces() const { return this->What != Figure::Isosurfaces && this->What != Figure::Cap; }

@@ -200,10 +200,12 @@ Place LabelMesh::Move(const Place& place, vtkIdType cell) const
     return place;
   }
   const Place center = this->GetMeanPoint(cell);
+  const Place from = this->Style.GetExplodeCenter(this->Middle);
   Place moved;
   for (int k = 0; k < 3; ++k)
   {
-    moved[k] = center[k] + this->Style.ShrinkFactor * (place[k] - center[k]) + this->Style.ExplodeFactor * center[k];
+    moved[k] = center[k] + this->Style.ShrinkFactor * (place[k] - center[k]) +
+      this->Style.ExplodeFactor * (center[k] - from[k]);
   }
   return moved;
 }

@@ -8,6 +8,7 @@
 #include "Mesh/MeshTopology.h"
 
 #include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -27,11 +28,23 @@ Row ToRow(const double normal[3])
 }
 
 //------------------------------------------------------------------------------
+// The faces of another process's cells count, too: light shall not change from one process to the next.
 std::vector<Row> MakeNormals(vtkUnstructuredGrid* grid)
 {
   const MeshTopology topology(grid);
   const MeshView& mesh = topology.GetMesh();
-  const DrawableFaces faces = MakeDrawableFaces(topology, GetCellsToDraw(grid), FacesToDraw::Outer);
+  CellsToDraw cells = GetCellsToDraw(grid);
+  std::vector<unsigned char> hidden;
+  if (cells.Ghosts)
+  {
+    hidden.assign(cells.Ghosts, cells.Ghosts + grid->GetNumberOfCells());
+    for (unsigned char& bits : hidden)
+    {
+      bits &= vtkDataSetAttributes::HIDDENCELL;
+    }
+    cells.Ghosts = hidden.data();
+  }
+  const DrawableFaces faces = MakeDrawableFaces(topology, cells, FacesToDraw::Outer);
   std::vector<std::array<double, 3>> sums(mesh.GetNumberOfPoints(), { { 0, 0, 0 } });
   for (const auto& triangle : faces.Triangles)
   {

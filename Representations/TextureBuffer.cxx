@@ -72,6 +72,30 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
 }
 
 //------------------------------------------------------------------------------
+void TextureBuffer::Write(std::size_t numberOfRows, const std::function<void(void*)>& write)
+{
+  this->Upload(nullptr, numberOfRows);
+  if (numberOfRows == 0)
+  {
+    return;
+  }
+  const auto bytes = static_cast<GLsizeiptr>(numberOfRows * GetFormat(this->Kind).Bytes);
+  glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
+  bool isLost = true; // as memory of graphics cards may be when the mode of the screen changes
+  while (isLost)
+  {
+    void* const rows = glMapBufferRange(
+      GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+    if (rows)
+    {
+      write(rows);
+    }
+    isLost = rows && !glUnmapBuffer(GL_TEXTURE_BUFFER);
+  }
+  glBindBuffer(GL_TEXTURE_BUFFER, 0);
+}
+
+//------------------------------------------------------------------------------
 void TextureBuffer::Download(void* rows, std::size_t numberOfRows) const
 {
   const std::size_t bytes = numberOfRows * GetFormat(this->Kind).Bytes;

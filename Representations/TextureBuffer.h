@@ -9,7 +9,8 @@
 #ifndef camaron_TextureBuffer_h
 #define camaron_TextureBuffer_h
 
-#include <cstddef> // for sizes
+#include <cstddef>    // for sizes
+#include <functional> // for the one that writes
 
 namespace camaron
 {
@@ -41,6 +42,8 @@ public:
    * @throw std::length_error for more rows than the graphics card's textures have
    */
   void Upload(const void* rows, std::size_t numberOfRows);
+  /// Replaces the table by what @a write(rows) writes there, which may be from several threads; it must not read.
+  void Write(std::size_t numberOfRows, const std::function<void(void*)>& write);
   /// Fetches the first rows, of which there must be as many.
   void Download(void* rows, std::size_t numberOfRows) const;
   /// Makes the table known to shaders as the texture of a unit (0, 1, ...).

@@ -155,6 +155,7 @@ void VisiblePixels::DrawTriangles(vtkOpenGLRenderWindow* window, const Scene& sc
   program->SetUniformi("isListed", scene.Visible ? 1 : 0);
   program->SetUniformf("shrinkFactor", static_cast<float>(style.ShrinkFactor));
   program->SetUniformf("explodeFactor", static_cast<float>(style.ExplodeFactor));
+  program->SetUniform3f("explodeCenter", style.GetExplodeCenter(scene.Mesh.GetMiddle()).data());
   if (style.CutsExactly())
   {
     const ShapeUniforms shape(style.Shape, scene.Mesh.GetMiddle());

@@ -17,9 +17,11 @@ namespace camaron
 bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style)
 {
   const bool hasCut = style.CutsCells();
-  const Walls walls = style.MovesCells() && style.WallsToDraw == Walls::Surface
-    ? Walls::Complete
-    : style.WallsToDraw;
+  Walls walls = style.WallsToDraw;
+  if (style.MovesCells()) // nothing hides the other one
+  {
+    walls = walls == Walls::Interior ? Walls::InteriorOfBoth : Walls::Complete;
+  }
   mesh.NeedFaces(true);
   mesh.NeedPoints();
   mesh.NeedMarks();
@@ -56,7 +58,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   this->KeepCells(mesh, style);
 
   const std::size_t numberOfTriangles = mesh.Triangles.GetNumberOfRows();
-  const std::size_t capacity = (walls == Walls::Complete ? 2 : 1) * numberOfTriangles;
+  const std::size_t capacity = (walls == Walls::Surface || walls == Walls::Interior ? 1 : 2) * numberOfTriangles;
   if (this->Table.GetNumberOfRows() != capacity)
   {
     this->Table.Upload(nullptr, capacity);
@@ -66,8 +68,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   this->TriangleProgram.SetTable("faceTable", mesh.Faces, 1);
   this->TriangleProgram.SetTable("keepTable", this->Keep, 2);
   this->TriangleProgram.SetUniform("bordersAreOpen", style.BordersAreOpen ? 1 : 0);
-  this->TriangleProgram.SetUniform(
-    "wallsToDraw", walls == Walls::Complete ? 2 : walls == Walls::Interior ? 1 : 0);
+  this->TriangleProgram.SetUniform("wallsToDraw", static_cast<int>(walls));
   this->NumberOfTriangles = this->TriangleProgram.Run(numberOfTriangles, this->Table);
   this->Last = request;
   return true;

@@ -224,12 +224,12 @@ void vtkMeshInspectionMapper::ComputeBounds()
     // Several processes compose no more of the picture than what is within.
     const InspectionStyle& style = this->Internal->Style;
     const double length = style.DrawsNormals() ? style.NormalLength : 0;
+    const std::array<double, 3> center = style.GetExplodeCenter(GetMiddleOf(bounds));
     for (int i = 0; i < 3 && bounds[0] <= bounds[1]; ++i)
     {
-      const double more =
-        length + 0.5 * style.ExplodeFactor * (bounds[2 * i + 1] - bounds[2 * i]);
-      this->Bounds[2 * i] -= more;
-      this->Bounds[2 * i + 1] += more;
+      const double half = 0.5 * (bounds[2 * i + 1] - bounds[2 * i]);
+      this->Bounds[2 * i] -= length + style.ExplodeFactor * (half + center[i]);
+      this->Bounds[2 * i + 1] += length + style.ExplodeFactor * (half - center[i]);
     }
   }
   else
@@ -516,6 +516,7 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   program->SetUniformi("isListed", self.IsListed ? 1 : 0);
   program->SetUniformf("shrinkFactor", static_cast<float>(self.Style.ShrinkFactor));
   program->SetUniformf("explodeFactor", static_cast<float>(self.Style.ExplodeFactor));
+  program->SetUniform3f("explodeCenter", self.Style.GetExplodeCenter(mesh.GetMiddle()).data());
   if (this->InternalColorTexture && program->IsUniformUsed("colortexture"))
   {
     program->SetUniformi("colortexture", this->InternalColorTexture->GetTextureUnit());

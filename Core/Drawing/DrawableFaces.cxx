@@ -6,13 +6,16 @@
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/CellFacets.h"
+#include "Mesh/FacetKey.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
 
 #include "vtkDataSetAttributes.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
+#include <utility>
 
 namespace camaron
 {
@@ -42,9 +45,9 @@ public:
   {
   }
 
-  // Calls visit(kind, outline, cells).
+  // Calls visit(kind, outline, cells) for the outer or all faces.
   template <typename Visitor>
-  void ForEach(vtkIdType cell, Visitor&& visit)
+  void ForEach(vtkIdType cell, FacesToDraw which, Visitor&& visit)
   {
     if (this->Has(cell, vtkDataSetAttributes::HIDDENCELL))
     {
@@ -63,22 +66,29 @@ public:
     {
       return;
     }
+    // Most cells have no outer face: points are asked for last.
     const FacetTable::Range uses = this->Table.GetCellFacets(cell);
-    this->Facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+    for (Index local = 0; local < uses.size(); ++local)
+    {
+      const vtkIdType other = this->GetOther(uses[local].Facet(), cell, local);
+      if (other == NotOurs || (this->IsGhost(cell) && (other == None || this->IsGhost(other))))
       {
-        const Index face = uses[static_cast<Index>(local)].Facet();
-        const vtkIdType other = this->GetOther(face, cell, static_cast<Index>(local));
-        if (other == NotOurs || (this->IsGhost(cell) && (other == None || this->IsGhost(other))))
-        {
-          return;
-        }
-        const auto neighbor = other != None ? static_cast<std::uint32_t>(other)
-          : this->IsOuter(cell, local)      ? DrawableFaces::NoCell
-                                            : DrawableFaces::CellElsewhere;
-        visit(neighbor == DrawableFaces::NoCell ? Outer : Inner,
-          this->GetOutline(cell, local, points, size), std::array<std::uint32_t, 2>{ { self, neighbor } });
-      });
+        continue;
+      }
+      const auto neighbor = other != None ? static_cast<std::uint32_t>(other)
+        : this->IsOuter(cell, local)      ? DrawableFaces::NoCell
+                                          : DrawableFaces::CellElsewhere;
+      const int kind = neighbor == DrawableFaces::NoCell ? Outer : Inner;
+      if (kind == Outer || which == FacesToDraw::All)
+      {
+        this->Facets.Visit(cell, local,
+          [&](const vtkIdType* points, vtkIdType size)
+          {
+            visit(kind, this->GetOutline(cell, local, points, size),
+              std::array<std::uint32_t, 2>{ { self, neighbor } });
+          });
+      }
+    }
   }
 
 private:
@@ -138,8 +148,31 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// Of the two ways around a polygon one is this, wherever it begins.
+bool RunsDownInSpace(const MeshView& mesh, const PolygonTriangles::Outline& outline)
+{
+  return RingRunsDown(outline.Size,
+    [&](vtkIdType corner)
+    {
+      std::array<double, 3> place;
+      mesh.GetPoint(outline.Points[corner], place.data());
+      return place;
+    });
+}
+
+//------------------------------------------------------------------------------
+// The same triangle, seen from the other side.
+PolygonTriangles::Triangle TurnOver(const PolygonTriangles::Triangle& triangle)
+{
+  PolygonTriangles::Triangle turned = triangle;
+  std::swap(turned.Corners[1], turned.Corners[2]);
+  turned.Edges = (triangle.Edges & 2) | (triangle.Edges & 1) << 2 | (triangle.Edges & 4) >> 2;
+  return turned;
+}
+
+//------------------------------------------------------------------------------
 // Where each chunk of cells writes: outer faces first, then the inner ones.
-void PlaceChunks(std::vector<Counts>& chunks, FacesToDraw which)
+void PlaceChunks(std::vector<Counts>& chunks)
 {
   Counts next;
   for (const Counts& chunk : chunks)
@@ -151,7 +184,7 @@ void PlaceChunks(std::vector<Counts>& chunks, FacesToDraw which)
   {
     const Counts size = chunk;
     chunk = next;
-    for (int kind = Outer; kind <= (which == FacesToDraw::All ? Inner : Outer); ++kind)
+    for (const int kind : { Outer, Inner })
     {
       next.Faces[kind] += size.Faces[kind];
       next.Triangles[kind] += size.Triangles[kind];
@@ -191,16 +224,16 @@ DrawableFaces MakeDrawableFaces(
       });
   };
   forEachFace(
-    [](FacesOfCells& faces, PolygonTriangles&, vtkIdType cell, Counts& counts)
+    [which](FacesOfCells& faces, PolygonTriangles&, vtkIdType cell, Counts& counts)
     {
-      faces.ForEach(cell,
+      faces.ForEach(cell, which,
         [&](int kind, const PolygonTriangles::Outline& outline, const auto&)
         {
           ++counts.Faces[kind];
           counts.Triangles[kind] += std::max<vtkIdType>(outline.Size - 2, 0);
         });
     });
-  PlaceChunks(chunks, which);
+  PlaceChunks(chunks);
   const Counts total = chunks.back();
   const Counts outer = chunks.front(); // the inner ones start where the outer ones end
   chunks.pop_back();
@@ -212,18 +245,25 @@ DrawableFaces MakeDrawableFaces(
   forEachFace(
     [&](FacesOfCells& faces, PolygonTriangles& triangles, vtkIdType cell, Counts& next)
     {
-      faces.ForEach(cell,
+      faces.ForEach(cell, which,
         [&](int kind, const PolygonTriangles::Outline& outline, const auto& cellsOfFace)
         {
-          if (kind == Inner && which == FacesToDraw::Outer)
-          {
-            return;
-          }
           const auto face = static_cast<std::uint32_t>(next.Faces[kind]++);
+          const bool isFirst = kind == Outer || !RunsDownInSpace(topology.GetMesh(), outline);
+          const bool isTurned = !isFirst && cellsOfFace[1] != DrawableFaces::CellElsewhere;
           drawable.Faces[face] = cellsOfFace;
+          if (isTurned)
+          {
+            std::swap(drawable.Faces[face][0], drawable.Faces[face][1]);
+          }
+          else if (!isFirst)
+          {
+            drawable.Faces[face][1] = DrawableFaces::FirstCellElsewhere;
+          }
           triangles.ForEach(outline,
-            [&](const PolygonTriangles::Triangle& triangle)
+            [&](const PolygonTriangles::Triangle& ofFace)
             {
+              const PolygonTriangles::Triangle triangle = isTurned ? TurnOver(ofFace) : ofFace;
               auto& row = drawable.Triangles[next.Triangles[kind]++];
               for (int i = 0; i < 3; ++i)
               {

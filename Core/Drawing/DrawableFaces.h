@@ -25,14 +25,17 @@ struct DrawableFaces
   static constexpr std::uint32_t NoCell = 0xffffffffu;
   /// There is a cell, but not in this piece of the mesh.
   static constexpr std::uint32_t CellElsewhere = 0xfffffffeu;
+  /// The same, and it comes first there: of the wall between two cells that one draws, it does.
+  static constexpr std::uint32_t FirstCellElsewhere = 0xfffffffdu;
   /// Bits of a triangle's last entry below the face: its three corners begin an edge of the face.
   static constexpr int EdgeBits = 3;
 
   /// Three points, then the number of the face << EdgeBits | the edges that are the face's own.
   std::vector<std::array<std::uint32_t, 4>> Triangles;
   /**
-   * The cell that the triangles run around outward, and the cell on the other side, NoCell or CellElsewhere. A face of
-   * three and more cells stands once for every further cell, with the first on its other side.
+   * The cell that the triangles run around outward, and the cell on the other side, NoCell or one elsewhere. Which of
+   * two cells comes first follows from the coordinates of the face alone, so that two pieces agree on it. A face of
+   * three and more cells stands once for every further cell.
    */
   std::vector<std::array<std::uint32_t, 2>> Faces;
   /// Triangles before these belong to faces with one cell to draw.

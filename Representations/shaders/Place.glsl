@@ -1,9 +1,10 @@
 // Where a point is drawn, as a corner of a cell.
-uniform samplerBuffer pointTable; // coordinates from the middle of the mesh
+uniform samplerBuffer pointTable; // coordinates from the middle of the mesh here
 #ifdef HAS_CENTROIDS
 uniform samplerBuffer centroidTable;
 uniform float shrinkFactor;  // 1: as they are, 0: to the centroid
-uniform float explodeFactor; // 0: as they are, 1: twice as far from the middle
+uniform float explodeFactor; // 0: as they are, 1: twice as far from the center
+uniform vec3 explodeCenter;  // the middle of the mesh of all processes
 #endif
 
 vec4 place(uint point, uint cell)
@@ -11,7 +12,7 @@ vec4 place(uint point, uint cell)
   vec3 position = texelFetch(pointTable, int(point)).xyz;
 #ifdef HAS_CENTROIDS
   vec3 center = texelFetch(centroidTable, int(cell)).xyz;
-  position = mix(center, position, shrinkFactor) + explodeFactor * center;
+  position = mix(center, position, shrinkFactor) + explodeFactor * (center - explodeCenter);
 #endif
   return vec4(position, 1.0);
 }

@@ -50,8 +50,7 @@ class Bench:
         simple.SetActiveView(self.view)
 
     def frame(self):
-        """Draws, and waits until it is drawn."""
-        simple.Render(self.view)
+        """Draws once, and waits until it is drawn. simple.Render() would draw twice before the picture is asked for."""
         self.view.SMProxy.CaptureWindow(1)
 
     def print(self, what, by, times):
@@ -82,7 +81,7 @@ class Bench:
             self.cells = source.GetDataInformation().GetNumberOfCells()
             self.display = simple.Show(source, self.view)
             self.display.SetRepresentationType(representation)
-            simple.ResetCamera(self.view)
+            self.view.ResetCamera()
             self.frame()
             self.source = source
 

@@ -275,7 +275,7 @@ class TestInspectionModes(PictureTestCase):
                 display = self.show(mesh, color=color, DrawPoints=1, DrawFaces=0, **shared)
                 self.same(self.take(), reference, 0.01)
         display.CutBy, display.CutShape = "Any vertex", "Sphere"
-        display.CutShape.Radius = 5.9
+        display.CutShape.Center, display.CutShape.Radius = [0, 0, 0], 5.9
         self.assertLess((self.take() < 250).sum(), 0.7 * (reference < 250).sum())
         self.assertGreater((self.take() < 250).sum(), 100)
         display.CutBy = "No cut"

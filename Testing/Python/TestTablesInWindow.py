@@ -6,7 +6,7 @@ import json
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
-from window_testing import WINDOW, WindowTestCase, add_filter, apply, choose, event, open_example, save_state
+from window_testing import WINDOW, WindowTestCase, add_filter, apply, choose, edit, event, open_example, save_state
 
 BROWSER = f"{WINDOW}/pipelineBrowserDock/pipelineBrowser"
 DIALOG = f"{WINDOW}/SelectInputDialog"
@@ -14,15 +14,6 @@ DIALOG = f"{WINDOW}/SelectInputDialog"
 QUALITY = "/0:0/0:0/0:0"
 FILTERS = ("QualityStatistics", "CorrelateQuality", "CompareQuality")
 
-START = """
-from paraview import smtrace
-smtrace.start_trace(preamble="")
-"""
-STOP = """
-from paraview import smtrace
-with open(PATH, "w") as file:
-    file.write(smtrace.stop_trace())
-"""
 #: All tables, without columns of text.
 LIST = """
 import json
@@ -45,10 +36,6 @@ def pick(view, place):
         event(view, "mousePress", f"1,1,0,5,5,{place}"),
         event(view, "mouseRelease", f"1,0,0,5,5,{place}"),
     ]
-
-
-def edit(action):
-    return event(f"{WINDOW}/MainControlsToolbar/action{action}", "activate")
 
 
 def make_tables(*edits):
@@ -99,10 +86,7 @@ class TestTablesInWindow(WindowTestCase):
     def test_redo_and_replay(self):
         state, trace = self.folder / "redone.pvsm", self.folder / "trace.py"
         self.play(
-            *self.script("start", START),
-            *make_tables("Undo", "Redo"),
-            *self.list("first"),
-            *self.script("stop", STOP.replace("PATH", repr(str(trace)))),
+            *self.traced(trace, *make_tables("Undo", "Redo"), *self.list("first")),
             *save_state(state),
         )
         self.assertEqual(self.group_by(state), {name: "Cell type" for name in FILTERS})
@@ -111,10 +95,7 @@ class TestTablesInWindow(WindowTestCase):
             self.assertTrue(any("Tetra" in row for row in rows), name)
         self.play(*self.list("second"), options=[f"--state={state}"])
         self.assertEqual(self.found("second"), first)
-        replayed = self.folder / "replayed.py"
-        load = "from camaron import pipeline\npipeline.load_plugin()\n"
-        replayed.write_text(load + trace.read_text() + LIST.replace("PATH", repr(str(self.folder / "third.json"))))
-        camaron_testing.run_alone(replayed, timeout=140)
+        self.replay(trace, LIST.replace("PATH", repr(str(self.folder / "third.json"))))
         self.assertEqual(self.found("third"), first)
 
 

@@ -50,6 +50,7 @@ SCENES = {
     "cells-selected": ("selected", VOLUME, {"CellsToDraw": "Selected"}),
     "cells-unselected": ("selected", VOLUME, {"CellsToDraw": "Unselected"}),
     "interior": ("ball", VOLUME, {"FacesToDraw": "Interior", "Opacity": 0.3}),
+    "interior-shrunk": ("ball", VOLUME, {"FacesToDraw": "Interior", "ShrinkFactor": 0.7}),
     "complete-shrunk": ("ball", VOLUME, {"FacesToDraw": "Complete", "ShrinkFactor": 0.7}),
     "exploded": ("ball", VOLUME, {"ExplodeFactor": 0.6}),
     "smooth-shading": ("ball", None, {"DrawEdges": 0, "SmoothShading": 1, "Specular": 0.8}),
@@ -90,12 +91,16 @@ class Scenes:
         self.view = make_view()
         self.view.ViewSize = SIZE
         simple.Render(self.view)  # the first time moves the camera
+        self.meshes = self.make_meshes()
+
+    def make_meshes(self):
+        """What the scenes show, by name."""
         sphere = simple.Sphere(Radius=1, ThetaResolution=20, PhiResolution=20)
         ball = self.measured(self.inner_cells())
         chosen = simple.SelectElements(Input=ball, Strategy="Shape", Shape="Sphere")
         chosen.Shape.Center, chosen.Shape.Radius = [0.5, 0.4, 0.8], 0.7
         block = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-2, 2, -2, 2, -2, 2]))
-        self.meshes = {
+        return {
             "ball": ball,
             "few": self.measured(producer(gallery.mixed())),
             "open": simple.Clip(Input=sphere, ClipType="Plane"),

@@ -30,6 +30,11 @@ def choose(name, value):
     return event(f"{PROPERTIES}/{name}", "set_string", value)
 
 
+def edit(action):
+    """Undo or Redo."""
+    return event(f"{WINDOW}/MainControlsToolbar/action{action}", "activate")
+
+
 def add_filter(name):
     menu = f"{WINDOW}/menubar"
     return [
@@ -57,6 +62,17 @@ def run_script(path):
         event(f"{SHELL}/runScriptButton", "activate"),
         event(f"{SHELL}/PythonShellRunScriptDialog", "filesSelected", path),
     ]
+
+
+START_TRACE = """
+from paraview import smtrace
+smtrace.start_trace(preamble="")
+"""
+STOP_TRACE = """
+from paraview import smtrace
+with open(PATH, "w") as file:
+    file.write(smtrace.stop_trace())
+"""
 
 
 @camaron_testing.require_display()
@@ -94,3 +110,15 @@ class WindowTestCase(camaron_testing.TestCase):
         path = self.folder / f"{name}.py"
         path.write_text(text)
         return run_script(path)
+
+    def traced(self, path, *events):
+        """The events, with their trace written to a path."""
+        stop = STOP_TRACE.replace("PATH", repr(str(path)))
+        return [*self.script("start", START_TRACE), *events, *self.script("stop", stop)]
+
+    def replay(self, trace, more):
+        """Runs a trace, and then a text, in pvpython."""
+        script = self.folder / "replayed.py"
+        load = "from camaron import pipeline\npipeline.load_plugin()\n"
+        script.write_text(f"{load}{trace.read_text()}\n{more}")
+        camaron_testing.run_alone(script, timeout=140)
