@@ -99,6 +99,7 @@ private:
   void FindMarks(Warnings& warnings);
   int GetInteriorZone(const Face& face) const;
   void WarnOfLostZones(Warnings& warnings) const;
+  const FluentZone* FindOnlyZone(const std::string& type) const;
   FluentZone MakeZone(const std::string& type, int least) const;
   int GetFreeZone(int least) const;
   int GetZone(vtkIdType cell) const;

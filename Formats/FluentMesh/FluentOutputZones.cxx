@@ -201,8 +201,8 @@ int FluentOutput::GetFreeZone(int least) const
 }
 
 //------------------------------------------------------------------------------
-// A zone for faces that are in none: the only known one of this type, or a new one.
-FluentZone FluentOutput::MakeZone(const std::string& type, int least) const
+// The zone for faces that are in none: the only known one of this type, unless it is taken; else nullptr.
+const FluentZone* FluentOutput::FindOnlyZone(const std::string& type) const
 {
   const FluentZone* only = nullptr;
   int count = 0;
@@ -219,7 +219,14 @@ FluentZone FluentOutput::MakeZone(const std::string& type, int least) const
   const bool isFree = count == 1 && only && !this->MarkedTypes.count(only->Id) &&
     std::none_of(this->Zones.begin(), this->Zones.end(),
       [&](const FluentZone& zone) { return zone.Id == only->Id; });
-  return this->Describe(isFree ? only->Id : this->GetFreeZone(least), type);
+  return isFree ? only : nullptr;
+}
+
+//------------------------------------------------------------------------------
+FluentZone FluentOutput::MakeZone(const std::string& type, int least) const
+{
+  const FluentZone* const only = this->FindOnlyZone(type);
+  return this->Describe(only ? only->Id : this->GetFreeZone(least), type);
 }
 
 //------------------------------------------------------------------------------
@@ -308,13 +315,21 @@ void FluentOutput::SortFaces()
       return std::tie(this->IsOutside, this->Zone) < std::tie(other.IsOutside, other.Zone);
     }
   };
-  const auto getKey = [this](const Face& face)
+  const FluentZone* const only = this->FindOnlyZone("interior");
+  const int interior = only ? only->Id : 0; // of faces between cells that are in no other
+  const auto getKey = [this, interior](const Face& face)
   {
-    const bool isInside = face.Cells[1] >= 0;
     const auto marked = this->MarkedZones.find(face.Facet);
-    return marked != this->MarkedZones.end()
-      ? Key{ true, marked->second }
-      : Key{ !isInside, isInside ? this->GetInteriorZone(face) : 0 };
+    if (marked != this->MarkedZones.end())
+    {
+      return Key{ true, marked->second };
+    }
+    if (face.Cells[1] < 0)
+    {
+      return Key{ true, 0 };
+    }
+    const int zone = this->GetInteriorZone(face);
+    return Key{ false, zone > 0 ? zone : interior };
   };
   std::map<Key, vtkIdType> ends; // of the faces of a key
   for (const Face& face : this->Faces)

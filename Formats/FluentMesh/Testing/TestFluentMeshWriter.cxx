@@ -319,6 +319,32 @@ TEST(FluentMeshWriter, KeepsZonesOfInteriorFaces)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a zone has its faces in two sections, which a reader takes for one: it is another file then.
+TEST(FluentMeshWriter, InteriorFacesOfNoZoneJoinTheOnlyOne)
+{
+  const Grid grid =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 }, { 2, 1, 1 } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 4, 2, 3 } }, { VTK_TETRA, { 1, 5, 4, 3 } } });
+  AddZones(grid, { 5, 5, 6 });
+  vtkNew<vtkIntArray> ids, table;
+  ids->SetName("ZoneIds");
+  ids->InsertNextValue(3);
+  vtkNew<vtkStringArray> types;
+  types->SetName("ZoneTypes");
+  types->InsertNextValue("interior");
+  table->SetName("InteriorZones");
+  table->SetNumberOfComponents(4);
+  table->InsertNextTuple4(3, 5, 5, 3);
+  for (vtkAbstractArray* array : std::initializer_list<vtkAbstractArray*>{ ids, types, table })
+  {
+    grid->GetFieldData()->AddArray(array);
+  }
+  const Written written = Write(grid);
+  ASSERT_EQ(written.Success, 1);
+  EXPECT_NE(written.Bytes.find("(13 (3 1 2 2 3)("), std::string::npos) << written.Bytes;
+}
+
+//------------------------------------------------------------------------------
 // If this fails, cells of lower dimensions are written as cells, or vanish without a word.
 TEST(FluentMeshWriter, CellsOfLowerDimensionsAreMarks)
 {
