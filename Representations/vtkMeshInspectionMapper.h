@@ -32,6 +32,8 @@ public:
 
   /// What to draw. Comparing styles is cheap: set it before every picture.
   void SetStyle(const camaron::InspectionStyle& style);
+  /// What of the style counts for the bounds, before the rest is known.
+  void SetReach(double explodeFactor, double normalLength);
 
   /// Draws the mesh of another mapper, from the same tables. It must have the same input.
   void ShareMesh(vtkMeshInspectionMapper* other);

@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What a vtkMeshInspectionMapper changes in VTK's shaders, and what it tells them.
+#include "CapVS.h"
+#include "DistanceRamp.h"
+#include "FacesVS.h"
+#include "InputsGLSL.h"
+#include "InspectionArrays.h"
+#include "MeshInspectionMapperInternals.h"
+#include "MeshMatrices.h"
+#include "NormalLinesVS.h"
+#include "PickingGLSL.h"
+#include "PlaceGLSL.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkHardwareSelector.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLTexture.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+
+#include "OpenGL.h"
+
+using namespace camaron;
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Where the eye is in the coordinates of the tables, or in which direction.
+std::array<double, 4> GetEye(
+  vtkRenderer* renderer, vtkActor* actor, const std::array<double, 3>& middle)
+{
+  const MeshMatrices matrices(renderer, actor, middle);
+  vtkMatrix4x4* toTables = matrices.ToView;
+  toTables->Invert();
+  const bool isParallel = renderer->GetActiveCamera()->GetParallelProjection();
+  const double inView[4] = { 0, 0, isParallel ? 1.0 : 0.0, isParallel ? 0.0 : 1.0 };
+  std::array<double, 4> eye;
+  toTables->MultiplyPoint(inView, eye.data());
+  return eye;
+}
+
+//------------------------------------------------------------------------------
+// What is drawn is not the face, but what Cap.glsl finds before it.
+void PutOnCap(std::string& fragment)
+{
+  const auto replace = [&](const char* place, const char* code)
+  { vtkShaderProgram::Substitute(fragment, std::string("//VTK::") + place, code); };
+  replace("PositionVC::Dec", "");
+  replace("PositionVC::Impl",
+    "bool isHit = findHit();\n"
+    "  vec4 vertexVC = MCVCMatrix * vec4(hitPlace, 1.0);\n"
+    "  vec4 hitDC = MCDCMatrix * vec4(hitPlace, 1.0);\n"
+    "  findInputs(vec4(hitPlace, 1.0));\n"
+    "  findLines();\n");
+  replace("Depth::Impl",
+    "if (!isHit || abs(hitDC.z) > hitDC.w) { discard; }\n"
+    "  gl_FragDepth = 0.5 * hitDC.z / hitDC.w + 0.5;\n");
+  replace("Normal::Dec", "");
+  replace("Normal::Impl",
+    "vec3 normalVCVSOutput = normalize(normalMatrix * hitNormal);\n"
+    "  vec3 coatNormalVCVSOutput = normalVCVSOutput;\n");
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool base = this->Superclass::GetNeedToRebuildShaders(helper, renderer, actor);
+  Internals& self = *this->Internal;
+  const bool isPicking = renderer->GetSelector() != nullptr;
+  const bool isPoints = &helper == &this->Primitives[PrimitivePoints];
+  self.Code = GetRenderModeCode(
+    self.GetStyleOfPicture(this, this->DrawsPoints(helper)),
+    this->PrimitiveInfo[&helper].LastLightComplexity > 0);
+  self.Code.Defines += self.Colors.GetDefine();
+  if (!self.Values.IsEmpty())
+  {
+    self.Code.Defines +=
+      self.HasCellValues ? "#define HAS_CELL_VALUES\n" : "#define HAS_POINT_VALUES\n";
+  }
+  self.Code.Defines += self.Style.MovesCells() ? "#define HAS_CENTROIDS\n" : "";
+  self.Code.Defines +=
+    self.Style.What == Figure::PointNormals ? "#define HAS_POINT_NORMALS\n" : "";
+  self.Code.Defines += self.Style.What == Figure::Isosurfaces ? "#define IS_ISOSURFACE\n" : "";
+  // Points are picked where they are drawn.
+  const bool arePoints = isPoints || (this->PointPicking && self.Style.Points);
+  self.Code.Defines += arePoints ? "#define ARE_POINTS\n" : "";
+  self.Code.Defines += isPicking ? "#define IS_PICKING\n" : "";
+  const std::string key = self.Code.Defines + self.Code.ColorCalls + self.Code.NormalCalls;
+  const bool isNew = key != self.ShaderKeys[&helper];
+  self.ShaderKeys[&helper] = key;
+  return base || isNew;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::GetShaderTemplate(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::GetShaderTemplate(shaders, renderer, actor);
+  const Internals& self = *this->Internal;
+  const bool isCap = self.Style.What == Figure::Cap;
+  std::string vertex = self.Style.DrawsNormals() ? NormalLinesVS : isCap ? CapVS : FacesVS;
+  vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
+  vtkShaderProgram::Substitute(vertex, "//Camaron::Place", PlaceGLSL);
+  vtkShaderProgram::Substitute(vertex, "//Camaron::Inputs", InputsGLSL);
+  shaders[vtkShader::Vertex]->SetSource(vertex);
+  shaders[vtkShader::Geometry]->SetSource("");
+
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  std::string declarations = "flat in uint cellOfFace;\n"
+                             "flat in uint cellMarks;\n"
+                             "flat in int isCutFace;\n" +
+    self.Code.Declarations;
+  // The modes speak of the uniforms of the material and the camera, which VTK declares last.
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + self.Code.Defines);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Edges::Dec", "//VTK::Edges::Dec\n" + declarations);
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Edges::Impl", self.Code.ColorCalls + "//VTK::Edges::Impl\n");
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::PBR::Impl", self.Code.NormalCalls + "//VTK::PBR::Impl\n");
+  if (isCap)
+  {
+    PutOnCap(fragment);
+  }
+  shaders[vtkShader::Fragment]->SetSource(fragment);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::ReplaceShaderTCoord(
+  std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
+{
+  // There are no texture coordinates but those of colours, which GetShaderTemplate knows.
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::ReplaceShaderPicking(
+  std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor)
+{
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  const char* id = nullptr;
+  if (selector)
+  {
+    vtkCellData* data = this->Internal->Grid->GetCellData();
+    switch (selector->GetCurrentPass())
+    {
+      case vtkHardwareSelector::POINT_ID_LOW24:
+        id = "pickedPoint";
+        break;
+      case vtkHardwareSelector::POINT_ID_HIGH24:
+        id = "pickedPoint >> 24";
+        break;
+      case vtkHardwareSelector::CELL_ID_LOW24:
+        id = "cellOfFace";
+        break;
+      case vtkHardwareSelector::CELL_ID_HIGH24:
+        id = "cellOfFace >> 24";
+        break;
+      case vtkHardwareSelector::PROCESS_PASS:
+        id = selector->GetUseProcessIdFromData() && data->HasArray(ProcessIdsName)
+          ? "pickedOwner.x + 1u" // 0 is nothing
+          : nullptr;
+        break;
+      case vtkHardwareSelector::COMPOSITE_INDEX_PASS:
+        id = data->HasArray(BlockIdsName) ? "pickedOwner.y" : nullptr;
+        break;
+      default:
+        break;
+    }
+  }
+  if (!id)
+  {
+    this->Superclass::ReplaceShaderPicking(shaders, renderer, actor);
+    return;
+  }
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  vtkShaderProgram::Substitute(fragment, "//VTK::Picking::Dec", PickingGLSL);
+  vtkShaderProgram::Substitute(fragment, "//VTK::Picking::Impl",
+    std::string("  gl_FragData[0] = colorOfId(") + id + ");\n");
+  shaders[vtkShader::Fragment]->SetSource(fragment);
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshInspectionMapper::SetMapperShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(helper, renderer, actor);
+  Internals& self = *this->Internal;
+  vtkShaderProgram* program = helper.Program;
+  const InspectionMesh& mesh = *self.Mesh;
+  self.Attach(program, "triangleTable", mesh.Triangles);
+  self.Attach(program, "faceTable", mesh.Faces);
+  self.Attach(program, "pointTable", mesh.Points);
+  self.Attach(program, "markTable", mesh.Marks);
+  self.Attach(program, "visibleTable", self.IsListed ? self.Visible.GetTable() : mesh.Marks);
+  self.Attach(program, "cornerTable", self.Isosurface.GetTable());
+  self.Attach(program, "cutTable", self.Cut.GetTable());
+  self.Attach(program, "tetrahedronTable", mesh.Tetrahedra);
+  self.Attach(program, "cellOfTetrahedronTable", mesh.CellsOfTetrahedra);
+  self.Attach(program, "centroidTable", mesh.Centroids);
+  self.Attach(program, "ownerTable", mesh.Owners);
+  self.Attach(program, "colorTable", self.Colors.GetTable());
+  self.Attach(program, "normalTable", self.Normals.GetTable());
+  self.Attach(program, "valueTable", self.Values.GetTable());
+  self.Attach(program, "levelTable", self.Levels.GetTable());
+  self.Attach(program, "leafTable", mesh.Leaves);
+  self.Attach(program, "lookTable", self.Looks);
+  program->SetUniformi("isListed", self.IsListed ? 1 : 0);
+  program->SetUniformf("shrinkFactor", static_cast<float>(self.Style.ShrinkFactor));
+  program->SetUniformf("explodeFactor", static_cast<float>(self.Style.ExplodeFactor));
+  program->SetUniform3f("explodeCenter", self.Style.GetExplodeCenter(mesh.GetMiddle()).data());
+  if (this->InternalColorTexture && program->IsUniformUsed("colortexture"))
+  {
+    program->SetUniformi("colortexture", this->InternalColorTexture->GetTextureUnit());
+  }
+  int viewport[4];
+  glGetIntegerv(GL_VIEWPORT, viewport);
+  const InspectionStyle style = self.GetStyleOfPicture(this, this->DrawsPoints(helper));
+  const bool hasBounds = style.Bounds[0] <= style.Bounds[1];
+  vtkNew<vtkMatrix4x4> toView;
+  vtkMatrix4x4::Multiply4x4(
+    renderer->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), toView);
+  const std::array<double, 4> distance = GetDistanceRamp(
+    style, hasBounds ? style.Bounds.data() : this->GetBounds(), mesh.GetMiddle(), toView);
+  const std::array<double, 4> eye = GetEye(renderer, actor, mesh.GetMiddle());
+  const RenderContext context{ style, actor->GetProperty(), distance, viewport, mesh.GetMiddle(),
+    eye, self.Values.GetOrigin(), self.Levels.GetOrigin() };
+  for (const RenderMode& mode : GetRenderModes())
+  {
+    if (mode.IsOn(style))
+    {
+      mode.SetUniforms(program, context);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The tables are relative to the middle of the mesh: the matrices put it back, in double.
+void vtkMeshInspectionMapper::SetCameraShaderParameters(
+  vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetCameraShaderParameters(helper, renderer, actor);
+  const MeshMatrices matrices(renderer, actor, this->Internal->Mesh->GetMiddle());
+  // GLSL has its matrices by columns.
+  matrices.ToView->Transpose();
+  matrices.ToDisplay->Transpose();
+  helper.Program->SetUniformMatrix("MCDCMatrix", matrices.ToDisplay);
+  if (helper.Program->IsUniformUsed("MCVCMatrix"))
+  {
+    helper.Program->SetUniformMatrix("MCVCMatrix", matrices.ToView);
+  }
+}
