@@ -338,6 +338,7 @@ int vtkSelectElements::RequestData(
       vtkWarningMacro("" << this->Report << '.');
     }
     task.MarkCopies(marks);
+    task.MarkGhostCells(marks);
     std::int64_t hasCounts = !task.FailedCriteriaCounts.empty();
     reducer.Max(&hasCounts, 1);
     const auto kind = static_cast<int>(blocks.GetKind());

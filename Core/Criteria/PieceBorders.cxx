@@ -43,9 +43,11 @@ bool PieceBorders::Box::Contains(const double x[3]) const
 }
 
 //------------------------------------------------------------------------------
-PieceBorders::PieceBorders(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
+PieceBorders::PieceBorders(
+  const std::vector<LinkedPiece>& pieces, Reducer& reducer, bool withCopies)
   : Pieces(pieces)
   , Process(reducer.GetProcess())
+  , WithCopies(withCopies)
 {
   this->FindWhatPointsHave(reducer);
   this->FindBoxes(reducer);
@@ -147,7 +149,7 @@ void PieceBorders::FindBoxes(Reducer& reducer)
 //------------------------------------------------------------------------------
 void PieceBorders::AddToBox(const LinkedPiece& piece, vtkIdType cell, Box& box) const
 {
-  if (piece.IsCopy(cell))
+  if (piece.IsCopy(cell) && !this->WithCopies)
   {
     return;
   }

@@ -39,8 +39,8 @@ inline std::uint64_t Hash(const PointKey& key)
 class PieceBorders
 {
 public:
-  /// Collective. Borrows the pieces.
-  PieceBorders(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
+  /// Collective. Borrows the pieces. @a withCopies: whether cells that are copies of others are cells of the pieces, too.
+  PieceBorders(const std::vector<LinkedPiece>& pieces, Reducer& reducer, bool withCopies = false);
 
   /// Whether points are compared by their global ids.
   bool UsesIds() const { return this->HasIds; }
@@ -66,6 +66,7 @@ private:
 
   const std::vector<LinkedPiece>& Pieces;
   const std::int32_t Process;
+  const bool WithCopies;
   bool HasIds = false;
   bool HasFloats = false;
   std::vector<Box> Boxes; // of the pieces of all processes

@@ -10,6 +10,28 @@
 
 namespace camaron
 {
+namespace
+{
+//------------------------------------------------------------------------------
+// Whether all points of an element are near another piece, and if so, the hash of its points in any order.
+bool FindHash(const PieceBorders& borders, std::size_t piece, const std::vector<unsigned char>& isNear,
+  const vtkIdType* points, vtkIdType size, std::uint64_t (&sums)[2])
+{
+  if (!std::all_of(points, points + size, [&](vtkIdType point) { return isNear[point]; }))
+  {
+    return false;
+  }
+  sums[0] = sums[1] = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const std::uint64_t hash = Hash(borders.GetKey(piece, points[i]));
+    sums[0] += hash;
+    sums[1] += Mix(hash);
+  }
+  return true;
+}
+}
+
 //------------------------------------------------------------------------------
 SharedElements::SharedElements(const std::vector<LinkedPiece>& pieces,
   const std::vector<CellElements>& elements, camaron::Reducer& reducer)
@@ -30,6 +52,37 @@ SharedElements SharedElements::OfPoints(
     points.emplace_back(*piece.Topology, Adjacency::Vertex);
   }
   return { pieces, points, reducer };
+}
+
+//------------------------------------------------------------------------------
+SharedElements SharedElements::OfCells(
+  const std::vector<LinkedPiece>& pieces, camaron::Reducer& reducer)
+{
+  const PieceBorders borders(pieces, reducer, true);
+  std::vector<Candidate> candidates;
+  std::vector<vtkIdType> points;
+  for (std::size_t p = 0; p < pieces.size(); ++p)
+  {
+    const std::vector<unsigned char> isNear = borders.FindNearPoints(p);
+    const MeshView& mesh = pieces[p].Topology->GetMesh();
+    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && !isNear.empty(); ++cell)
+    {
+      const IndexRange range = mesh.GetCellPoints(cell);
+      points.clear();
+      for (vtkIdType i = 0; i < range.Size; ++i)
+      {
+        points.push_back(range[i]);
+      }
+      Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p), cell };
+      if (FindHash(borders, p, isNear, points.data(), range.Size, candidate.Hash))
+      {
+        candidates.push_back(candidate);
+      }
+    }
+  }
+  SharedElements cells(reducer);
+  cells.FindGroups(candidates);
+  return cells;
 }
 
 //------------------------------------------------------------------------------
@@ -57,21 +110,12 @@ void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
       elements[p].ForEach(cell, facets,
         [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
         {
-          if (isKnown[element] ||
-            !std::all_of(points, points + size, [&](vtkIdType point) { return isNear[point]; }))
-          {
-            return;
-          }
-          isKnown[element] = true;
           Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p), element };
-          for (vtkIdType i = 0; i < size; ++i)
+          if (!isKnown[element] && FindHash(borders, p, isNear, points, size, candidate.Hash))
           {
-            // Sums, as the points come in any order.
-            const std::uint64_t hash = Hash(borders.GetKey(p, points[i]));
-            candidate.Hash[0] += hash;
-            candidate.Hash[1] += Mix(hash);
+            isKnown[element] = true;
+            candidates.push_back(candidate);
           }
-          candidates.push_back(candidate);
         });
     }
   }

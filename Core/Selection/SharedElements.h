@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::SharedElements
- * @brief The facets, edges or vertices that pieces of a mesh have in common, and values that they agree on.
+ * @brief The facets, edges, vertices or cells that pieces of a mesh have in common, and values that they agree on.
  *
  * Elements are the same when all of their points are; see PieceBorders. They are compared by a hash of 128
- * bits, every process its share. Cells that are copies of others take no part.
+ * bits, every process its share. But for cells themselves, cells that are copies of others take no part.
  */
 #ifndef camaron_SharedElements_h
 #define camaron_SharedElements_h
@@ -26,7 +26,7 @@ public:
   struct Element
   {
     std::int32_t Piece;
-    vtkIdType Number; ///< in CellElements of the piece
+    vtkIdType Number; ///< in CellElements of the piece, or of the cell
   };
 
   /// Collective. @a elements: of each piece.
@@ -35,6 +35,9 @@ public:
 
   /// Collective. The points of the cells.
   static SharedElements OfPoints(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
+
+  /// Collective. The cells of which others have copies, and the copies.
+  static SharedElements OfCells(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 
   /// Those of this process' pieces.
   const std::vector<Element>& Get() const { return this->Elements; }
@@ -66,6 +69,10 @@ public:
   }
 
 private:
+  explicit SharedElements(camaron::Reducer& reducer)
+    : Reducer(reducer)
+  {
+  }
   struct Candidate
   {
     std::uint64_t Hash[2];

@@ -113,6 +113,8 @@ public:
   std::unique_ptr<MeshPieces> MakePieces(const std::vector<DataSetLeaf>& leaves) const;
   /// Collective. Marks the copies of points in other pieces, too; nothing is done about cells.
   void MarkCopies(SelectionMarks& marks) const;
+  /// Collective. Marks the ghost cells whose originals are marked, and no others; nothing is done about points.
+  void MarkGhostCells(SelectionMarks& marks) const;
 
 private:
   std::string FindArrayName() const;

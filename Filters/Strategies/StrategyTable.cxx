@@ -9,6 +9,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace camaron
@@ -100,6 +101,38 @@ void SelectionTask::MarkCopies(SelectionMarks& marks) const
       SharedElements::OfPoints(this->GetPieces().Get(), this->Reducer));
   }
   this->SharedPoints->Share(marks);
+}
+
+//------------------------------------------------------------------------------
+void SelectionTask::MarkGhostCells(SelectionMarks& marks) const
+{
+  const std::vector<ElementBlock>& blocks = this->Blocks.Get();
+  std::int64_t hasGhosts = this->HasCells() &&
+    std::any_of(blocks.begin(), blocks.end(),
+      [](const ElementBlock& block) { return block.Data->HasAnyGhostCells(); });
+  this->Reducer.Max(&hasGhosts, 1);
+  if (!hasGhosts)
+  {
+    return;
+  }
+  const std::vector<LinkedPiece>& pieces = this->GetPieces().Get();
+  SharedElements shared = SharedElements::OfCells(pieces, this->Reducer);
+  const auto isCopy = [&](const SharedElements::Element& cell)
+  { return pieces[cell.Piece].IsCopy(cell.Number); };
+  std::vector<std::int64_t> values;
+  for (const SharedElements::Element& cell : shared.Get())
+  {
+    values.push_back(marks[cell.Piece][cell.Number] && !isCopy(cell) ? 0 : 1);
+  }
+  shared.Minimize(values);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const SharedElements::Element& cell = shared.Get()[i];
+    if (isCopy(cell))
+    {
+      marks[cell.Piece][cell.Number] = values[i] == 0;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
