@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -183,7 +184,9 @@ Folder::Folder()
   {
     parent = std::filesystem::temp_directory_path();
   }
-  this->Path = parent / ("camaron-test-" + std::to_string(std::random_device()()));
+  // Always of the same length, lest a fuzzer sees something new in the messages that name a file.
+  const std::uint32_t number = std::random_device()() | 1u << 31;
+  this->Path = parent / ("camaron-test-" + std::to_string(number));
   std::filesystem::create_directories(this->Path);
 }
 
