@@ -121,7 +121,6 @@ private:
     CellFacets facets(this->Mesh);
     CurvedFacets curved(this->Mesh);
     PolygonTriangles triangles(this->Mesh);
-    std::vector<vtkIdType> polygon;
     for (vtkIdType cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
     {
       const int dimension = facets.GetDimension(cell);
@@ -132,14 +131,12 @@ private:
       const IndexRange points = this->Mesh.GetCellPoints(cell);
       if (dimension == 2)
       {
-        const bool isCurved = curved.IsCurved(cell);
-        facets.GetPolygon(cell, polygon);
-        polygon = isCurved ? curved.GetOutline(cell, 0) : polygon;
-        triangles.ForEach({ polygon.data(), static_cast<vtkIdType>(polygon.size()), isCurved },
+        const PolygonTriangles::Outline outline = curved.GetSurface(cell);
+        triangles.ForEach(outline,
           [&](const PolygonTriangles::Triangle& t)
           {
-            this->Add(this->ThinCells,
-              { { polygon[t.Corners[0]], polygon[t.Corners[1]], polygon[t.Corners[2]] }, 3, cell });
+            const auto get = [&](int i) { return outline.Points[t.Corners[i]]; };
+            this->Add(this->ThinCells, { { get(0), get(1), get(2) }, 3, cell });
           });
       }
       else if (dimension == 1)

@@ -98,4 +98,30 @@ const std::vector<vtkIdType>& CurvedFacets::GetOutline(vtkIdType cell, vtkIdType
   }
   return this->Outline;
 }
+
+//------------------------------------------------------------------------------
+PolygonTriangles::Outline CurvedFacets::GetSurface(vtkIdType cell)
+{
+  auto form = PolygonTriangles::Form::Straight;
+  if (this->IsCurved(cell))
+  {
+    form = PolygonTriangles::Form::Curved;
+    this->GetOutline(cell, 0);
+  }
+  else if (this->Mesh.GetCellType(cell) == VTK_TRIANGLE_STRIP)
+  {
+    form = PolygonTriangles::Form::Strip;
+    const IndexRange points = this->Mesh.GetCellPoints(cell);
+    this->Outline.clear();
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      this->Outline.push_back(points[i]);
+    }
+  }
+  else
+  {
+    this->Facets.GetPolygon(cell, this->Outline);
+  }
+  return { this->Outline.data(), static_cast<vtkIdType>(this->Outline.size()), form };
+}
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CurvedFacets
- * @brief The facets of cells as they are drawn: those of quadratic cells go through the nodes on their edges.
+ * @brief The facets of cells as they are drawn: those of quadratic cells go through the nodes on their edges, and strips
+ * are their triangles.
  *
  * A facet with nodes on all its edges is flat at each corner, between the two nodes beside it, and between all of
  * these nodes. Nodes inside of faces, and cells of higher order (Lagrange, Bézier) or with straight edges among
@@ -11,6 +12,7 @@
 #ifndef camaron_CurvedFacets_h
 #define camaron_CurvedFacets_h
 
+#include "Drawing/PolygonTriangles.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshView.h"
 
@@ -36,6 +38,9 @@ public:
    * the edge to the next. Points stay valid until the next call.
    */
   const std::vector<vtkIdType>& GetOutline(vtkIdType cell, vtkIdType local);
+
+  /// A 2D cell of any kind. Points stay valid until the next call.
+  PolygonTriangles::Outline GetSurface(vtkIdType cell);
 
   /// Calls @a visit(const vtkIdType* points, vtkIdType size) for the flat parts of all facets of a 3D cell.
   template <typename Visitor>

@@ -57,9 +57,7 @@ public:
     const int dimension = this->Facets.GetDimension(cell);
     if (dimension == 2 && !this->IsGhost(cell))
     {
-      this->Facets.GetPolygon(cell, this->Polygon);
-      visit(Outer,
-        this->GetOutline(cell, 0, this->Polygon.data(), static_cast<vtkIdType>(this->Polygon.size())),
+      visit(Outer, this->Curved.GetSurface(cell),
         std::array<std::uint32_t, 2>{ { self, DrawableFaces::NoCell } });
     }
     if (dimension != 3)
@@ -100,10 +98,10 @@ private:
   {
     if (!this->Curved.IsCurved(cell))
     {
-      return { points, size, false };
+      return { points, size, PolygonTriangles::Form::Straight };
     }
     const std::vector<vtkIdType>& curved = this->Curved.GetOutline(cell, local);
-    return { curved.data(), static_cast<vtkIdType>(curved.size()), true };
+    return { curved.data(), static_cast<vtkIdType>(curved.size()), PolygonTriangles::Form::Curved };
   }
 
   bool Has(vtkIdType cell, int bit) const
@@ -144,7 +142,6 @@ private:
   const CellsToDraw& Cells;
   CellFacets Facets;
   CurvedFacets Curved;
-  std::vector<vtkIdType> Polygon;
 };
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,8 @@
  * @class camaron::PolygonTriangles
  * @brief Cuts a polygon into triangles to draw, and knows which of their edges are the polygon's.
  *
- * A convex polygon becomes a fan; any other is cut by VTK's ear clipping. With curved edges, corners are cut off first. Holds scratch memory: use one
- * per thread.
+ * A convex polygon becomes a fan; any other is cut by VTK's ear clipping. With curved edges, corners are cut off first.
+ * The triangles of a strip are as they are. Holds scratch memory: use one per thread.
  */
 #ifndef camaron_PolygonTriangles_h
 #define camaron_PolygonTriangles_h
@@ -30,11 +30,18 @@ public:
     unsigned int Edges;
   };
 
+  enum class Form
+  {
+    Straight,
+    Curved, ///< every second point is a node on a curved edge, as CurvedFacets gives them
+    Strip   ///< not the outline but the points of a triangle strip
+  };
+
   struct Outline
   {
     const vtkIdType* Points;
     vtkIdType Size;
-    bool IsCurved; ///< every second point is a node on a curved edge, as CurvedFacets gives them
+    PolygonTriangles::Form Form;
   };
 
   explicit PolygonTriangles(const MeshView& mesh)
@@ -53,7 +60,15 @@ public:
     {
       visit(Triangle{ { 0, 1, 2 }, 7u });
     }
-    else if (outline.IsCurved)
+    else if (outline.Form == Form::Strip)
+    {
+      for (int i = 0; i + 1 < last; ++i)
+      {
+        const int turn = i & 1; // every second triangle runs the other way
+        visit(Triangle{ { i + turn, i + 1 - turn, i + 2 }, 7u });
+      }
+    }
+    else if (outline.Form == Form::Curved)
     {
       for (int i = 0; i < last; i += 2)
       {

@@ -304,6 +304,23 @@ TEST(DrawableFaces, OfQuadraticTetrahedronAsVTK)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, strips are drawn as the polygon around them, which is another shape where they bend.
+TEST(DrawableFaces, OfStrips)
+{
+  const Grid grid =
+    MakeGrid({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 1, 1, 5 }, { 2, 0, 0 }, { 2, 1, 0 } },
+      { { VTK_TRIANGLE_STRIP, { 0, 1, 2, 3, 4, 5 } } });
+  const DrawableFaces faces = Make(grid, FacesToDraw::Outer);
+  ASSERT_EQ(faces.Triangles.size(), 4u);
+  const std::uint32_t expected[4][3] = { { 0, 1, 2 }, { 2, 1, 3 }, { 2, 3, 4 }, { 4, 3, 5 } };
+  for (int t = 0; t < 4; ++t)
+  {
+    EXPECT_TRUE(std::equal(expected[t], expected[t] + 3, faces.Triangles[t].begin())) << t;
+    EXPECT_EQ(faces.Triangles[t][3], 7u) << "all edges are drawn, and the face is the first";
+  }
+}
+
+//------------------------------------------------------------------------------
 // An L: a fan from its first corner would leave it. The triangles cover its area, once.
 TEST(PolygonTriangles, OfConcavePolygon)
 {
@@ -320,7 +337,7 @@ TEST(PolygonTriangles, OfConcavePolygon)
     PolygonTriangles triangles(mesh);
     double area = 0;
     int count = 0, edges = 0;
-    triangles.ForEach({ polygon.data(), 6, false },
+    triangles.ForEach({ polygon.data(), 6, PolygonTriangles::Form::Straight },
       [&](const PolygonTriangles::Triangle& triangle)
       {
         const auto point = [&](int i) { return GetPoint(grid, polygon[triangle.Corners[i]]); };
