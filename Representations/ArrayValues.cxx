@@ -5,16 +5,21 @@
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camaron
 {
-std::vector<float> GetArrayValues(vtkDataArray* array, int component)
+namespace
+{
+//------------------------------------------------------------------------------
+// Calls visit(value) for every row.
+template <typename Visit>
+void ForEachValue(vtkDataArray* array, int component, Visit&& visit)
 {
   const int size = array->GetNumberOfComponents();
   const int wanted = size == 1 || component >= size ? 0 : component;
-  std::vector<float> values(array->GetNumberOfTuples());
-  std::size_t next = 0;
   for (const auto tuple : vtk::DataArrayTupleRange(array))
   {
     double squares = 0;
@@ -22,8 +27,37 @@ std::vector<float> GetArrayValues(vtkDataArray* array, int component)
     {
       squares += value * value;
     }
-    values[next++] = static_cast<float>(wanted < 0 ? std::sqrt(squares) : tuple[wanted]);
+    visit(wanted < 0 ? std::sqrt(squares) : static_cast<double>(tuple[wanted]));
   }
-  return values;
+}
+
+//------------------------------------------------------------------------------
+// Differences of values that are no further apart than twofold are exact (P. Sterbenz, Floating-point computation,
+// 1974), so that floats lose nothing.
+double FindOrigin(vtkDataArray* array, int component)
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  ForEachValue(array, component,
+    [&](double value)
+    {
+      if (std::isfinite(value))
+      {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    });
+  return low > 0 && high <= 2 * low ? low : high < 0 && low >= 2 * high ? high : 0;
+}
+}
+
+//------------------------------------------------------------------------------
+ArrayValues GetArrayValues(vtkDataArray* array, int component)
+{
+  ArrayValues result;
+  result.Origin = FindOrigin(array, component);
+  result.Values.reserve(array->GetNumberOfTuples());
+  ForEachValue(
+    array, component, [&](double value) { result.Values.push_back(result.FromOrigin(value)); });
+  return result;
 }
 }

@@ -101,7 +101,7 @@ struct InspectionStyle
 {
   bool OnProcessor = false; ///< drawn as an ordinary surface, without the shaders
   Figure What = Figure::Faces;
-  double NormalLength = 1; ///< of the lines that are normals, in the unit of coordinates
+  double NormalLength = 0; ///< of the lines that are normals, in the unit of coordinates; 0 without
   bool Faces = true;
   bool Edges = true;
   bool Points = false; ///< without faces and edges: of the whole cells, inside of the mesh also

@@ -26,8 +26,9 @@ void InspectionValues::Update(vtkDataArray* array, int component)
   {
     return;
   }
-  const std::vector<float> values = GetArrayValues(array, component);
-  this->Values.Upload(values.data(), values.size());
+  const ArrayValues values = GetArrayValues(array, component);
+  this->Values.Upload(values.Values.data(), values.Values.size());
+  this->Origin = values.Origin;
 }
 
 //------------------------------------------------------------------------------
@@ -35,5 +36,6 @@ void InspectionValues::Release()
 {
   this->Values.Release();
   this->Array = nullptr;
+  this->Origin = 0;
 }
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::InspectionValues
- * @brief One number of each cell or point in graphics memory.
+ * @brief One number of each cell or point in graphics memory, as its difference from an origin.
  */
 #ifndef camaron_InspectionValues_h
 #define camaron_InspectionValues_h
@@ -25,12 +25,14 @@ public:
   void Update(vtkDataArray* array, int component = Magnitude);
   bool IsEmpty() const { return !this->Array; }
   const TextureBuffer& GetTable() const { return this->Values; }
+  double GetOrigin() const { return this->Origin; }
   void Release();
 
 private:
   vtkSmartPointer<vtkDataArray> Array;
   vtkMTimeType Time = 0;
   int Component = Magnitude;
+  double Origin = 0;
   TextureBuffer Values{ TextureBuffer::Row::Float };
 };
 }

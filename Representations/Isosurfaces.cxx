@@ -57,9 +57,10 @@ bool Isosurfaces::Update(
 //------------------------------------------------------------------------------
 void Isosurfaces::UpdateValues(InspectionMesh& mesh, vtkDataArray* array)
 {
-  const std::vector<float> values = GetArrayValues(array);
-  this->Values.Upload(values.data(), values.size());
-  this->BlockRanges = FindBlockRanges(MeshView(mesh.GetGrid()), values);
+  const ArrayValues values = GetArrayValues(array);
+  this->Values.Upload(values.Values.data(), values.Values.size());
+  this->Origin = values.Origin;
+  this->BlockRanges = FindBlockRanges(MeshView(mesh.GetGrid()), values.Values);
   this->Version = mesh.GetVersion();
   this->Array = array;
   this->ArrayTime = array->GetMTime();
@@ -70,7 +71,7 @@ void Isosurfaces::Draw(const InspectionMesh& mesh, const std::vector<double>& is
 {
   for (const double isovalue : isovalues)
   {
-    const auto value = static_cast<float>(isovalue);
+    const auto value = static_cast<float>(isovalue - this->Origin);
     this->Program.SetUniform("isovalue", value);
     this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(),
       [&](std::size_t block)

@@ -53,6 +53,7 @@ private:
   int Version = -1;
   vtkSmartPointer<vtkDataArray> Array;
   unsigned long long ArrayTime = 0;
+  double Origin = 0; ///< of the values
   std::vector<double> Isovalues;
   std::size_t NumberOfTriangles = 0;
   std::string Error;

@@ -8,6 +8,13 @@
 
 using namespace camaron;
 
+namespace
+{
+// As in the XML, in points. Larger letters take minutes to be made.
+constexpr int MinIdSize = 4;
+constexpr int MaxIdSize = 72;
+}
+
 //==============================================================================
 template <typename Value>
 void vtkMeshInspectionRepresentation::Change(Value& member, const Value& value)
@@ -227,7 +234,7 @@ void vtkMeshInspectionRepresentation::SetNumberOfIds(int number)
 //------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::SetIdSize(int points)
 {
-  this->Change(this->Internal->Ids.FontSize, points);
+  this->Change(this->Internal->Ids.FontSize, std::clamp(points, MinIdSize, MaxIdSize));
 }
 
 //------------------------------------------------------------------------------

@@ -35,12 +35,13 @@ namespace
 void SetNothing(vtkShaderProgram*, const RenderContext&) {}
 
 //------------------------------------------------------------------------------
-void SetRange(vtkShaderProgram* program, const char* name, const Range& range)
+void SetRange(
+  vtkShaderProgram* program, const char* name, const Range& range, double origin)
 {
   // Infinite ends are none.
   constexpr double largest = std::numeric_limits<float>::max();
-  const float ends[2] = { static_cast<float>(std::max(range[0], -largest)),
-    static_cast<float>(std::min(range[1], largest)) };
+  const float ends[2] = { static_cast<float>(std::max(range[0] - origin, -largest)),
+    static_cast<float>(std::min(range[1] - origin, largest)) };
   program->SetUniform2f(name, ends);
 }
 
@@ -53,7 +54,7 @@ void SetRamp(vtkShaderProgram* program, const RenderContext& context)
   program->SetUniform3f("lowColor", context.Style.LowColor.data());
   program->SetUniform3f("highColor", context.Style.HighColor.data());
   program->SetUniform3f("nullColor", context.Style.NullColor.data());
-  SetRange(program, "rampRange", context.Style.ColorRange);
+  SetRange(program, "rampRange", context.Style.ColorRange, context.ValueOrigin);
 }
 
 //------------------------------------------------------------------------------
@@ -85,7 +86,7 @@ void SetNormalLines(vtkShaderProgram* program, const RenderContext& context)
 void SetIsolines(vtkShaderProgram* program, const RenderContext& context)
 {
   const InspectionStyle& style = context.Style;
-  program->SetUniformf("isolineFirst", static_cast<float>(style.IsolineFirst));
+  program->SetUniformf("isolineFirst", static_cast<float>(style.IsolineFirst - context.LevelOrigin));
   program->SetUniformf("isolineSpacing", static_cast<float>(style.IsolineSpacing));
   program->SetUniformf("isolineWidth", static_cast<float>(style.IsolineWidth));
   program->SetUniform3f("isolineColor", style.IsolineColor.data());
@@ -138,7 +139,7 @@ const std::vector<RenderMode>& GetRenderModes()
       nullptr, EmphasisGLSL, "emphasis(ambientColor, diffuseColor, opacity);", false,
       [](vtkShaderProgram* program, const Context& context)
       {
-        SetRange(program, "acceptableRange", context.Style.AcceptableRange);
+        SetRange(program, "acceptableRange", context.Style.AcceptableRange, context.ValueOrigin);
         program->SetUniformf("dimming", static_cast<float>(context.Style.Dimming));
       } },
     { [](const Style& style) { return style.CutFaces && !style.Glass; }, nullptr, CutFacesGLSL,

@@ -29,6 +29,8 @@ struct RenderContext
   const int* Viewport; ///< x, y, width, height in pixels
   const std::array<double, 3>& Middle; ///< what coordinates in shaders are relative to
   const std::array<double, 4>& Eye;    ///< there; a place (1 at the end) or a direction (0)
+  double ValueOrigin; ///< what values in shaders are relative to, those behind the colours
+  double LevelOrigin; ///< and those of isolines
 };
 
 struct RenderMode

@@ -72,6 +72,15 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
 }
 
 //------------------------------------------------------------------------------
+void TextureBuffer::Resize(std::size_t numberOfRows)
+{
+  if (!this->IsUploaded() || this->NumberOfRows != numberOfRows)
+  {
+    this->Upload(nullptr, numberOfRows);
+  }
+}
+
+//------------------------------------------------------------------------------
 void TextureBuffer::Write(std::size_t numberOfRows, const std::function<void(void*)>& write)
 {
   this->Upload(nullptr, numberOfRows);
@@ -86,11 +95,16 @@ void TextureBuffer::Write(std::size_t numberOfRows, const std::function<void(voi
   {
     void* const rows = glMapBufferRange(
       GL_TEXTURE_BUFFER, 0, bytes, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-    if (rows)
+    if (!rows)
     {
-      write(rows);
+      glGetError(); // which says so, too
+      glBindBuffer(GL_TEXTURE_BUFFER, 0);
+      this->Release();
+      throw std::runtime_error("Mesh Inspection needs a table of " + std::to_string(bytes) +
+        " bytes, for which the graphics card has no memory.");
     }
-    isLost = rows && !glUnmapBuffer(GL_TEXTURE_BUFFER);
+    write(rows);
+    isLost = !glUnmapBuffer(GL_TEXTURE_BUFFER);
   }
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
 }

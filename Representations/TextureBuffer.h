@@ -42,7 +42,12 @@ public:
    * @throw std::length_error for more rows than the graphics card's textures have
    */
   void Upload(const void* rows, std::size_t numberOfRows);
-  /// Replaces the table by what @a write(rows) writes there, which may be from several threads; it must not read.
+  /// Sees to that there are so many rows, perhaps none, for the graphics card to write. @throw as Upload
+  void Resize(std::size_t numberOfRows);
+  /**
+   * Replaces the table by what @a write(rows) writes there, which may be from several threads; it must not read.
+   * @throw std::length_error as Upload, std::runtime_error without memory for it
+   */
   void Write(std::size_t numberOfRows, const std::function<void(void*)>& write);
   /// Fetches the first rows, of which there must be as many.
   void Download(void* rows, std::size_t numberOfRows) const;

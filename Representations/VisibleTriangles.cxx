@@ -59,10 +59,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
 
   const std::size_t numberOfTriangles = mesh.Triangles.GetNumberOfRows();
   const std::size_t capacity = (walls == Walls::Surface || walls == Walls::Interior ? 1 : 2) * numberOfTriangles;
-  if (this->Table.GetNumberOfRows() != capacity)
-  {
-    this->Table.Upload(nullptr, capacity);
-  }
+  this->Table.Resize(capacity);
   this->TriangleProgram.Use();
   this->TriangleProgram.SetTable("triangleTable", mesh.Triangles, 0);
   this->TriangleProgram.SetTable("faceTable", mesh.Faces, 1);
@@ -78,10 +75,7 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
 void VisibleTriangles::KeepCells(InspectionMesh& mesh, const InspectionStyle& style)
 {
   const std::size_t numberOfCells = mesh.Marks.GetNumberOfRows();
-  if (this->Keep.GetNumberOfRows() != numberOfCells)
-  {
-    this->Keep.Upload(nullptr, numberOfCells);
-  }
+  this->Keep.Resize(numberOfCells);
   const FeedbackProgram& program = this->CellProgram;
   program.Use();
   program.SetTable("markTable", mesh.Marks, 0);

@@ -320,6 +320,7 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
+    this->UpdateReach();
     // Cells stay whole: those on the border between two processes go to one of them.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
     if (!std::all_of(this->VisibleDataBounds, this->VisibleDataBounds + 6,
@@ -347,6 +348,18 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
     this->UpdateStyles(this->UpdateMesh(inInfo, isCoarse), isCoarse);
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// After this request the view looks at the bounds of what it shows, before it draws.
+void vtkMeshInspectionRepresentation::UpdateReach()
+{
+  const double length = this->Internal->GetNormalLength(nullptr);
+  for (vtkMapper* mapper : std::initializer_list<vtkMapper*>{
+         this->Mapper, this->BackfaceMapper, this->LODMapper, this->LODBackfaceMapper })
+  {
+    static_cast<vtkMeshInspectionMapper*>(mapper)->SetReach(this->Internal->Style.ExplodeFactor, length);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -424,6 +437,18 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation*
 }
 
 //------------------------------------------------------------------------------
+// Of the lines that are drawn, 0 without; @a mesh: for where the bounds of the whole are not known, may be null.
+double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructuredGrid* mesh) const
+{
+  vtkBoundingBox box(this->Style.Bounds.data());
+  if (!box.IsValid() && mesh)
+  {
+    box.SetBounds(mesh->GetBounds());
+  }
+  return this->NormalsOf != 0 && box.IsValid() ? this->NormalLength * box.GetDiagonalLength() : 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::UpdateStyles(vtkUnstructuredGrid* mesh, bool isCoarse)
 {
   Internals& self = *this->Internal;
@@ -447,6 +472,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkUnstructuredGrid* mesh, bo
     self.WarnedOfRayTracing = true;
     style.OnProcessor = true;
   }
+  style.NormalLength = self.GetNormalLength(mesh);
   for (vtkMapper* mapper : { drawn.Mapper, isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper })
   {
     static_cast<vtkMeshInspectionMapper*>(mapper)->SetStyle(style);
@@ -460,12 +486,6 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkUnstructuredGrid* mesh, bo
   {
     InspectionStyle lines = style.GetVisible();
     lines.What = self.NormalsOf == 1 ? Figure::FaceNormals : Figure::PointNormals;
-    vtkBoundingBox box(style.Bounds.data());
-    if (!box.IsValid() && mesh)
-    {
-      box.SetBounds(mesh->GetBounds());
-    }
-    lines.NormalLength = box.IsValid() ? self.NormalLength * box.GetDiagonalLength() : 0;
     self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
     self.Lines.Show(lines, drawn, this->Actor);
   }

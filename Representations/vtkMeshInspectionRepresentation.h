@@ -105,6 +105,7 @@ private:
   template <typename Value>
   void Change(Value& member, const Value& value);
   class Internals;
+  void UpdateReach();
   void MakeCoarseMesh(vtkInformation* inInfo);
   bool DrawsCoarseMesh(vtkInformation* inInfo);
   vtkUnstructuredGrid* UpdateMesh(vtkInformation* inInfo, bool isCoarse);

@@ -106,6 +106,47 @@ class TestInspectionModes(PictureTestCase):
                 display.CustomColorRange, display.ColorRange = 1, [0.5, 2]
                 self.same(self.take(), expected, 0.004 if kind == "CELLS" else 0.03)
 
+    def test_what_sticks_out(self):
+        """The first picture after cells moved, or lines grew, is not cut off where the mesh was before."""
+        mesh = tetrahedra()
+        display = self.show(mesh, DrawNormals="Faces")
+        for name, value in (("ExplodeFactor", 4), ("ExplodeFactor", 0), ("NormalLength", 1.5)):
+            with self.subTest(name, value=value):
+                turn(self.view)
+                self.view.CameraPosition = [60, 40, 90]
+                setattr(display, name, value)
+                first = picture(self.view)
+                display.SpecularPower = 100 + value  # anything that makes the view look at the bounds again
+                self.assertLess(difference(first, picture(self.view)), 0.0005)
+
+    def test_values_far_from_zero(self):
+        """Doubles that differ little, as pressures do, look as those around zero."""
+        near = simple.Calculator(Input=tetrahedra(), Function="coordsX + coordsY/8", ResultArrayName="Near")
+        far = simple.Calculator(Input=near, Function="Near - 1000000000", ResultArrayName="Far")
+        pictures = {"Near": [], "Far": []}
+        for name, origin in (("Near", 0), ("Far", -1e9)):
+            array = ["POINTS", name]
+            values = [origin - 3, origin + 0.3, origin + 2.5]
+            display = self.show(
+                far, DrawFaces=0, DrawIsosurfaces=1, IsosurfaceArray=array, IsosurfaceValues=values
+            )
+            pictures[name].append(self.take())
+            display.DrawFaces, display.DrawIsosurfaces = 1, 0
+            lines = {"IsolineFirst": origin + 0.5, "IsolineSpacing": 1.5, "IsolineWidth": 2}
+            self.show(far, DrawIsolines=1, IsolineArray=array, **lines)
+            pictures[name].append(self.take())
+            display.DrawIsolines = 0
+            ramp = {"LowColor": LOW, "HighColor": HIGH, "CustomColorRange": 1}
+            self.show(
+                far, color=array, Coloring="Two colors", ColorRange=[origin - 2, origin + 3], **ramp
+            )
+            pictures[name].append(self.take())
+            display.Coloring = "Transfer function"
+        for near_picture, far_picture in zip(*pictures.values()):
+            self.same(far_picture, near_picture)
+        for i in (0, 1):
+            self.assertGreater(difference(pictures["Near"][i], pictures["Near"][i + 1]), 0.05)
+
     def test_emphasis(self):
         """Cells out of the range keep their colour, all others are as grey as if the array were."""
         source = tetrahedra()

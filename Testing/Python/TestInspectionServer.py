@@ -61,6 +61,21 @@ class TestInspectionServer(camaron_testing.TestCase):
         simple.Delete(view)
         return made
 
+    def state(self, mesh, ranks):
+        """A cut that is not the first of the list, from a state file against another server."""
+        view = make_view()
+        display = simple.Show(mesh, view)
+        display.SetRepresentationType("Mesh Inspection")
+        display.CutBy, display.CutShape = "Centroid", "Sphere"
+        display.CutShape.Center, display.CutShape.Radius = [0, 0, 6], 6
+        turn(view)
+        made = picture(view)
+        simple.SaveState(str(self.folder / "cut.pvsm"))
+        simple.Disconnect()
+        self.serve(ranks)
+        simple.LoadState(str(self.folder / "cut.pvsm"))
+        self.assertLess(difference(made, picture(simple.GetActiveView())), 0.004)
+
     def test_servers(self):
         whole = lines = None
         for ranks in (1, 2):
@@ -80,6 +95,7 @@ class TestInspectionServer(camaron_testing.TestCase):
                 with self.subTest(ranks=ranks, normals=True):
                     self.assertLess(difference(lines, made), 0.004)
             lines = made
+            self.state(mesh, ranks)
             simple.Disconnect()
 
 

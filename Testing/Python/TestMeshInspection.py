@@ -231,6 +231,28 @@ class TestMeshInspection(camaron_testing.TestCase):
         self.assertEqual(kept, set(range(6, 10)))
         display.CutBy = "No cut"
 
+    def test_nothing_but_a_line(self):
+        """Tables of no faces are none that OpenGL complains of."""
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        points.InsertNextPoint(0, 0, 0)
+        points.InsertNextPoint(1, 1, 1)
+        grid.SetPoints(points)
+        grid.InsertNextCell(VTK_LINE, 2, [0, 1])
+        display = self.show(producer(grid), "Mesh Inspection")
+        turn(self.view)
+        with camaron_testing.pipeline.Messages() as messages:
+            for name, value in (
+                ("ShrinkFactor", 0.7),
+                ("ExplodeFactor", 0.5),
+                ("CutBy", "Any vertex"),
+                ("FacesToDraw", "Complete"),
+            ):
+                setattr(display, name, value)
+                image = picture(self.view)
+        self.assertEqual(messages.errors + messages.warnings, [])
+        self.assertGreater((image < 250).sum(), 100)
+
     def test_hidden_cells(self):
         """Hidden cells, those that finer ones stand for, and those at hidden points are not there."""
         data = self.fetch(tetrahedra())
