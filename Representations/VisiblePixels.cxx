@@ -92,7 +92,7 @@ void VisiblePixels::Draw(vtkOpenGLRenderWindow* window, const Scene& scene)
     const std::size_t size = static_cast<std::size_t>(scene.Width) * scene.Height;
     this->Entries.resize(size);
     this->Depths.resize(size);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1); // by the state, which would not set it again for VTK
     glReadPixels(
       0, 0, scene.Width, scene.Height, GL_RED_INTEGER, GL_UNSIGNED_INT, this->Entries.data());
     glReadPixels(

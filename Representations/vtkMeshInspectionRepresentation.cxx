@@ -486,6 +486,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkUnstructuredGrid* mesh, bo
   {
     InspectionStyle lines = style.GetVisible();
     lines.What = self.NormalsOf == 1 ? Figure::FaceNormals : Figure::PointNormals;
+    lines.NormalLength = style.NormalLength;
     self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
     self.Lines.Show(lines, drawn, this->Actor);
   }

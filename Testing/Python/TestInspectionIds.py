@@ -11,6 +11,7 @@ from mesh_parts import producer
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
 POINT, EDGE, FACE, CELL = range(4)
@@ -338,6 +339,27 @@ class TestInspectionIds(camaron_testing.TestCase):
         simple.Show(mesh, self.view)
         self.write(display)
         self.assertEqual(difference(plain, picture(self.view)), 0)
+
+    def test_screenshots_of_odd_sizes(self):
+        """Rows of pixels whose bytes are no multiple of four are where they belong, also after the ids."""
+        mesh = tetrahedra()
+        display = self.show(mesh)
+        shot = str(self.folder / "shot.png")
+        simple.SaveScreenshot(shot, self.view, ImageResolution=[301, 199])
+        plain = self.image(shot)
+        self.write(display, CELL)
+        simple.Render(self.view)
+        self.write(display)
+        simple.SaveScreenshot(shot, self.view, ImageResolution=[301, 199])
+        self.assertEqual(difference(plain, self.image(shot)), 0)
+
+    def image(self, path):
+        reader = vtkPNGReader()
+        reader.SetFileName(path)
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        return pixels.reshape(height, width, -1)[:, :, :3].astype(int)
 
     def test_what_is_in_front_covers_them(self):
         """A label behind another mesh is not seen."""

@@ -239,19 +239,21 @@ class TestMeshInspection(camaron_testing.TestCase):
         points.InsertNextPoint(1, 1, 1)
         grid.SetPoints(points)
         grid.InsertNextCell(VTK_LINE, 2, [0, 1])
-        display = self.show(producer(grid), "Mesh Inspection")
+        display = self.show(producer(grid), "Mesh Inspection", DiffuseColor=[0, 0, 0])
         turn(self.view)
         with camaron_testing.pipeline.Messages() as messages:
             for name, value in (
                 ("ShrinkFactor", 0.7),
                 ("ExplodeFactor", 0.5),
-                ("CutBy", "Any vertex"),
                 ("FacesToDraw", "Complete"),
+                ("CutBy", "Any vertex"),
             ):
+                seen = picture(self.view)
                 setattr(display, name, value)
-                image = picture(self.view)
+                left = picture(self.view)
         self.assertEqual(messages.errors + messages.warnings, [])
-        self.assertGreater((image < 250).sum(), 100)
+        self.assertGreater((seen < 250).sum(), 100)
+        self.assertEqual((left < 250).sum(), 0)
 
     def test_hidden_cells(self):
         """Hidden cells, those that finer ones stand for, and those at hidden points are not there."""

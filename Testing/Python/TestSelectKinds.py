@@ -91,6 +91,7 @@ class TestSelectKinds(camaron_testing.TestCase):
             data = piece.GetCellData()
             if data.GetArray("Number"):  # a rank without cells has none
                 marks = vtk_to_numpy(data.GetArray("Selected")) == 1
+                marks &= camaron_testing.own_cells(piece)
                 found += vtk_to_numpy(data.GetArray("Number"))[marks].tolist()
         self.assertEqual(len(found), len(set(found)), "a cell that is selected twice")
         self.assertEqual(select.GetPropertyValue("NumberOfSelectedElements"), len(found))
@@ -100,9 +101,9 @@ class TestSelectKinds(camaron_testing.TestCase):
         """The points of the selected cells of faces or edges."""
         found = []
         for piece in self.pieces(select):
-            marks = piece.GetCellData().GetArray("Selected")
+            marks, own = piece.GetCellData().GetArray("Selected"), camaron_testing.own_cells(piece)
             for i in range(piece.GetNumberOfCells()):
-                if marks.GetValue(i):
+                if marks.GetValue(i) and own[i]:
                     ids = rank_meshes.list_ids(piece.GetCell(i))
                     found.append(frozenset(map(piece.GetPoint, ids)))
         self.assertEqual(len(found), len(set(found)), "an element that is selected twice")

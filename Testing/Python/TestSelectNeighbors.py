@@ -93,9 +93,11 @@ class TestSelectNeighbors(camaron_testing.TestCase):
         select.UpdatePropertyInformation()
         found = []
         for rank in range(camaron_testing.rank_count()):
-            data = servermanager.Fetch(select, rank).GetCellData()
+            piece = servermanager.Fetch(select, rank)
+            data = piece.GetCellData()
             if data.GetArray("Number"):  # a rank without cells has none
                 marks = vtk_to_numpy(data.GetArray("Selected")) == 1
+                marks &= camaron_testing.own_cells(piece)
                 found += vtk_to_numpy(data.GetArray("Number"))[marks].tolist()
         self.assertEqual(len(found), len(set(found)), "a cell that is selected twice")
         self.assertEqual(select.GetPropertyValue("NumberOfSelectedElements"), len(found))

@@ -30,11 +30,10 @@ class TestRanks(camaron_testing.TestCase):
         select.UpdatePropertyInformation()
         selected = []
         for rank in range(camaron_testing.rank_count()):
-            output = servermanager.Fetch(select, rank).GetCellData()
+            piece = servermanager.Fetch(select, rank)
+            output, own = piece.GetCellData(), camaron_testing.own_cells(piece)
             if output.GetArray("Number"):  # a rank without cells has none
                 numbers = vtk_to_numpy(output.GetArray("Number"))
-                ghosts = output.GetArray("vtkGhostType")
-                own = vtk_to_numpy(ghosts) & 1 == 0 if ghosts else numbers == numbers
                 marks = vtk_to_numpy(output.GetArray("Selected")) == 1
                 selected += numbers[marks & own].tolist()
                 # Ghosts are marked as their originals are, so that what is drawn of the others has walls there.

@@ -28,6 +28,7 @@ from pathlib import Path
 
 import numpy
 from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from camaron import pipeline
@@ -71,6 +72,12 @@ class TestCase(unittest.TestCase):
 def rank_count():
     """Number of MPI ranks."""
     return pipeline.rank_count()
+
+
+def own_cells(data):
+    """Which cells of a data set are no copies of those of another rank, as an array of bool."""
+    ghosts = data.GetCellGhostArray()
+    return vtk_to_numpy(ghosts) & 1 == 0 if ghosts else numpy.ones(data.GetNumberOfCells(), bool)
 
 
 def leaves(data):
