@@ -35,7 +35,7 @@
  * piece; or the points of these faces and edges;
  * - "All", "Current" (the selection so far), "Invert" (what is not in it).
  *
- * Ghosts are never selected. The same cells are selected on any number of processes, if these
+ * Ghosts do not count; in the output ghost cells are marked as their originals are. The same cells are selected on any number of processes, if these
  * have global ids or hold consecutive ranges of the cells; see camaron::ElementBlocks.
  */
 #ifndef vtkSelectElements_h

@@ -39,7 +39,7 @@ inline std::uint64_t Hash(const PointKey& key)
 class PieceBorders
 {
 public:
-  /// Collective. Borrows the pieces. @a withCopies: whether cells that are copies of others are cells of the pieces, too.
+  /// Collective. Borrows the pieces. @a withCopies: whether cells that are copies of others belong to them, too.
   PieceBorders(const std::vector<LinkedPiece>& pieces, Reducer& reducer, bool withCopies = false);
 
   /// Whether points are compared by their global ids.
