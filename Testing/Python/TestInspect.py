@@ -12,9 +12,9 @@ from html.parser import HTMLParser
 import camaron_testing
 import numpy
 from camaron import convert, evaluation, inspect
+from inspection_testing import read_picture
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 FLANGE = camaron_testing.EXAMPLES / "flange.visf"
@@ -471,14 +471,7 @@ class TestPictures(camaron_testing.TestCase):
         for source in Page(text).sources:
             data = base64.b64decode(re.fullmatch(r"data:image/png;base64,(.*)", source).group(1))
             (self.folder / "picture.png").write_bytes(data)
-            reader = vtkPNGReader()
-            reader.SetFileName(str(self.folder / "picture.png"))
-            reader.Update()
-            image = reader.GetOutput()
-            width, height, _ = image.GetDimensions()
-            pixels.append(
-                vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, -1)[..., :3]
-            )
+            pixels.append(read_picture(self.folder / "picture.png"))
         return pixels
 
     def test_pictures(self):

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import camaron_testing
 import inspection_scenes
-from inspection_testing import difference
+from inspection_testing import difference, read_picture
 
 #: Drivers round differently, and decide otherwise about pixels whose middle the edge of a face just touches.
 TOLERANCE = 0.01
@@ -24,7 +24,7 @@ class TestInspectionBaselines(camaron_testing.TestCase):
         is_softpipe = os.environ.get("GALLIUM_DRIVER") == "softpipe"
         for name in sorted(set(inspection_scenes.SCENES) - (BEYOND_SOFTPIPE if is_softpipe else set())):
             with self.subTest(name):
-                expected = inspection_scenes.read(inspection_scenes.BASELINES / f"{name}.png")
+                expected = read_picture(inspection_scenes.BASELINES / f"{name}.png")
                 found = scenes.picture(name)
                 part = difference(found, expected)
                 if part >= TOLERANCE:
@@ -33,7 +33,7 @@ class TestInspectionBaselines(camaron_testing.TestCase):
                 self.assertGreater(difference(expected, expected * 0 + 255), 0.03)  # there is something
 
     def test_each_scene_shows_something_else(self):
-        stored = {path.stem: inspection_scenes.read(path) for path in inspection_scenes.BASELINES.glob("*.png")}
+        stored = {path.stem: read_picture(path) for path in inspection_scenes.BASELINES.glob("*.png")}
         self.assertEqual(set(stored), set(inspection_scenes.SCENES))
         for name, other in itertools.combinations(sorted(stored), 2):
             with self.subTest(name, other=other):

@@ -6,12 +6,11 @@ import camaron_testing
 import gallery
 import numpy
 import vtkmodules.vtkRenderingFreeType  # without it VTK has no text
-from inspection_testing import difference, labels, make_view, picture, selected, turn
+from inspection_testing import difference, labels, make_view, picture, read_picture, selected, turn
 from mesh_parts import producer
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkTextProperty, vtkTextRenderer
 
 POINT, EDGE, FACE, CELL = range(4)
@@ -346,20 +345,12 @@ class TestInspectionIds(camaron_testing.TestCase):
         display = self.show(mesh)
         shot = str(self.folder / "shot.png")
         simple.SaveScreenshot(shot, self.view, ImageResolution=[301, 199])
-        plain = self.image(shot)
+        plain = read_picture(shot)
         self.write(display, CELL)
         simple.Render(self.view)
         self.write(display)
         simple.SaveScreenshot(shot, self.view, ImageResolution=[301, 199])
-        self.assertEqual(difference(plain, self.image(shot)), 0)
-
-    def image(self, path):
-        reader = vtkPNGReader()
-        reader.SetFileName(path)
-        reader.Update()
-        width, height, _ = reader.GetOutput().GetDimensions()
-        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
-        return pixels.reshape(height, width, -1)[:, :, :3].astype(int)
+        self.assertEqual(difference(plain, read_picture(shot)), 0)
 
     def test_what_is_in_front_covers_them(self):
         """A label behind another mesh is not seen."""

@@ -115,10 +115,7 @@ class TestSelectKinds(camaron_testing.TestCase):
         selected, others = set(), set()
         for piece in self.pieces(select):
             marks = piece.GetPointData().GetArray("Selected")
-            ghosts = piece.GetCellData().GetArray("vtkGhostType")
-            for i in range(piece.GetNumberOfCells()):
-                if ghosts and ghosts.GetValue(i):
-                    continue
+            for i in numpy.flatnonzero(camaron_testing.own_cells(piece)):
                 for p in rank_meshes.list_ids(piece.GetCell(i)):
                     place = frozenset([piece.GetPoint(p)])
                     (selected if marks.GetValue(p) else others).add(place)

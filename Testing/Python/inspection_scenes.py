@@ -14,9 +14,9 @@ from camaron_testing import EXAMPLES, ROOT
 from inspection_testing import make_view, picture
 from mesh_parts import producer
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGReader, vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkPNGWriter
 
 BASELINES = ROOT / "Testing" / "Baselines"
 SIZE = [200, 160]
@@ -159,16 +159,6 @@ class Scenes:
         taken = picture(self.view)
         simple.Delete(display)
         return taken
-
-
-def read(path):
-    """A stored picture, as Scenes.picture gives it."""
-    reader = vtkPNGReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    image = reader.GetOutput()
-    width, height, _ = image.GetDimensions()
-    return vtk_to_numpy(image.GetPointData().GetScalars()).reshape(height, width, 3).astype(int)
 
 
 def write(path, colors):

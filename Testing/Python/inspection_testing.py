@@ -6,6 +6,7 @@ import camaron_testing
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 SIZE = (400, 300)
 
@@ -34,6 +35,16 @@ def picture(view):
     image = view.SMProxy.CaptureWindow(1)
     width, height, _ = image.GetDimensions()
     colors = vtk_to_numpy(image.GetPointData().GetScalars())[:, :3]
+    return colors.reshape(height, width, 3).astype(int)
+
+
+def read_picture(path):
+    """A PNG file, as picture() gives what a view shows."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    width, height, _ = reader.GetOutput().GetDimensions()
+    colors = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
     return colors.reshape(height, width, 3).astype(int)
 
 
