@@ -159,6 +159,7 @@ struct InspectionStyle
     style.CellsToDraw = this->CellsToDraw;
     style.ShrinkFactor = this->ShrinkFactor;
     style.ExplodeFactor = this->ExplodeFactor;
+    style.NormalLength = this->NormalLength;
     style.Bounds = this->Bounds;
     style.Cut = this->Cut;
     style.KeepInside = this->KeepInside;

@@ -486,7 +486,6 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkUnstructuredGrid* mesh, bo
   {
     InspectionStyle lines = style.GetVisible();
     lines.What = self.NormalsOf == 1 ? Figure::FaceNormals : Figure::PointNormals;
-    lines.NormalLength = style.NormalLength;
     self.LineProperty->SetLineWidth(this->Property->GetLineWidth());
     self.Lines.Show(lines, drawn, this->Actor);
   }

@@ -14,16 +14,17 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Whether all points of an element are near another piece, and if so, the hash of its points in any order.
+template <typename Points>
 bool FindHash(const PieceBorders& borders, std::size_t piece, const std::vector<unsigned char>& isNear,
-  const vtkIdType* points, vtkIdType size, std::uint64_t (&sums)[2])
+  const Points& points, vtkIdType size, std::uint64_t (&sums)[2])
 {
-  if (!std::all_of(points, points + size, [&](vtkIdType point) { return isNear[point]; }))
-  {
-    return false;
-  }
   sums[0] = sums[1] = 0;
   for (vtkIdType i = 0; i < size; ++i)
   {
+    if (!isNear[points[i]])
+    {
+      return false;
+    }
     const std::uint64_t hash = Hash(borders.GetKey(piece, points[i]));
     sums[0] += hash;
     sums[1] += Mix(hash);
@@ -60,21 +61,15 @@ SharedElements SharedElements::OfCells(
 {
   const PieceBorders borders(pieces, reducer, true);
   std::vector<Candidate> candidates;
-  std::vector<vtkIdType> points;
   for (std::size_t p = 0; p < pieces.size(); ++p)
   {
     const std::vector<unsigned char> isNear = borders.FindNearPoints(p);
     const MeshView& mesh = pieces[p].Topology->GetMesh();
     for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && !isNear.empty(); ++cell)
     {
-      const IndexRange range = mesh.GetCellPoints(cell);
-      points.clear();
-      for (vtkIdType i = 0; i < range.Size; ++i)
-      {
-        points.push_back(range[i]);
-      }
+      const IndexRange points = mesh.GetCellPoints(cell);
       Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p), cell };
-      if (FindHash(borders, p, isNear, points.data(), range.Size, candidate.Hash))
+      if (FindHash(borders, p, isNear, points, points.Size, candidate.Hash))
       {
         candidates.push_back(candidate);
       }
