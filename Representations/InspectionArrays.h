@@ -23,8 +23,9 @@ constexpr const char* BlockIdsName = "InspectionBlocks";
 ///@}
 
 ///@{
-/// Of a grid of blocks: see InspectionBlocks.
+/// Of a grid of blocks: see InspectionBlocks.h.
 constexpr const char* LeavesName = "InspectionLeaves";
+constexpr const char* JoinedPointIdsName = "InspectionJoinedPoints";
 constexpr const char* HiddenLeavesName = "InspectionHiddenLeaves"; ///< a byte each
 constexpr const char* LeafLooksName = "InspectionLeafLooks"; ///< colour or below 0, opacity or below 0
 ///@}

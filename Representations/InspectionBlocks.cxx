@@ -4,20 +4,16 @@
 
 #include "InspectionArrays.h"
 
-#include "vtkAppendFilter.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkMapper.h"
-#include "vtkMath.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPointData.h"
 #include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnsignedIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -28,110 +24,6 @@ namespace camaron
 {
 namespace
 {
-using Leaf = vtkSmartPointer<vtkUnstructuredGrid>;
-
-bool IsByte(int type)
-{
-  return type == VTK_UNSIGNED_CHAR || type == VTK_CHAR || type == VTK_SIGNED_CHAR;
-}
-
-/// An array that some blocks have.
-struct SharedArray
-{
-  int Type = VTK_VOID;
-  int NumberOfComponents = 1;
-  std::size_t NumberOfLeaves = 0;
-  bool IsOfOneType = true;
-};
-
-//------------------------------------------------------------------------------
-std::map<std::string, SharedArray> FindArrays(const std::vector<Leaf>& leaves, int association)
-{
-  std::map<std::string, SharedArray> found;
-  for (const Leaf& leaf : leaves)
-  {
-    vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
-    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-    {
-      vtkAbstractArray* array = attributes->GetAbstractArray(i);
-      if (!array->GetName())
-      {
-        continue;
-      }
-      SharedArray& shared = found[array->GetName()];
-      if (shared.NumberOfLeaves == 0)
-      {
-        shared.Type = array->GetDataType();
-        shared.NumberOfComponents = array->GetNumberOfComponents();
-      }
-      shared.IsOfOneType = shared.IsOfOneType && array->GetDataType() == shared.Type;
-      shared.NumberOfLeaves += array->GetNumberOfComponents() == shared.NumberOfComponents;
-    }
-  }
-  for (auto& entry : found)
-  {
-    SharedArray& shared = entry.second;
-    const bool isNumber = shared.Type != VTK_STRING && shared.Type != VTK_VARIANT;
-    const bool hasNull = shared.Type == VTK_FLOAT || shared.Type == VTK_DOUBLE || IsByte(shared.Type);
-    if (isNumber && (!shared.IsOfOneType || (shared.NumberOfLeaves < leaves.size() && !hasNull)))
-    {
-      shared.Type = VTK_DOUBLE;
-    }
-  }
-  return found;
-}
-
-//------------------------------------------------------------------------------
-// An array for a leaf that has none of this kind.
-vtkSmartPointer<vtkAbstractArray> MakeNulls(const SharedArray& like, vtkIdType size)
-{
-  vtkSmartPointer<vtkAbstractArray> made;
-  made.TakeReference(vtkAbstractArray::CreateArray(like.Type));
-  made->SetNumberOfComponents(like.NumberOfComponents);
-  made->SetNumberOfTuples(size);
-  if (auto* numbers = vtkDataArray::SafeDownCast(made))
-  {
-    numbers->Fill(IsByte(like.Type) ? 0.0 : vtkMath::Nan());
-  }
-  return made;
-}
-
-//------------------------------------------------------------------------------
-// The same arrays of the same types on all leaves; which of them are attributes is left to names.
-void MakeAlike(const std::vector<Leaf>& leaves, int association)
-{
-  const std::map<std::string, SharedArray> arrays = FindArrays(leaves, association);
-  for (const Leaf& leaf : leaves)
-  {
-    vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
-    for (int kind = 0; kind < vtkDataSetAttributes::NUM_ATTRIBUTES; ++kind)
-    {
-      attributes->SetActiveAttribute(-1, kind);
-    }
-    for (const auto& entry : arrays)
-    {
-      const SharedArray& shared = entry.second;
-      vtkAbstractArray* array = attributes->GetAbstractArray(entry.first.c_str());
-      vtkSmartPointer<vtkAbstractArray> other;
-      if (!array || array->GetNumberOfComponents() != shared.NumberOfComponents)
-      {
-        other = MakeNulls(shared, leaf->GetNumberOfElements(association));
-      }
-      else if (array->GetDataType() != shared.Type && vtkDataArray::SafeDownCast(array))
-      {
-        other.TakeReference(vtkAbstractArray::CreateArray(shared.Type));
-        other->DeepCopy(array);
-      }
-      if (other)
-      {
-        other->SetName(entry.first.c_str());
-        attributes->RemoveArray(entry.first.c_str());
-        attributes->AddArray(other);
-      }
-    }
-  }
-}
-
 //------------------------------------------------------------------------------
 // Replaces an array of the whole grid, unless it is the same; null: there is none.
 template <typename Array>
@@ -161,7 +53,7 @@ struct Look
 };
 
 //------------------------------------------------------------------------------
-// The looks of the grids below a node.
+// The looks of the samples below a node.
 void FindLooks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attributes, Look look,
   std::map<vtkDataObject*, Look>& looks)
 {
@@ -194,9 +86,9 @@ void FindLooks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attribute
 }
 
 //------------------------------------------------------------------------------
-// What the arrays of a leaf say about its colour; false where cells or points have colours of their own.
+// What the arrays of a sample say about its colour; false where cells or points have colours of their own.
 bool GetColorOfArray(
-  vtkUnstructuredGrid* leaf, vtkMapper* mapper, const double missing[3], double color[3])
+  vtkUnstructuredGrid* sample, vtkMapper* mapper, const double missing[3], double color[3])
 {
   if (!mapper->GetScalarVisibility() || !mapper->GetArrayName() || !*mapper->GetArrayName())
   {
@@ -207,17 +99,17 @@ bool GetColorOfArray(
   {
     case VTK_SCALAR_MODE_USE_POINT_FIELD_DATA:
       std::copy_n(missing, 3, color);
-      return !leaf->GetPointData()->HasArray(name);
+      return !sample->GetPointData()->HasArray(name);
     case VTK_SCALAR_MODE_USE_CELL_FIELD_DATA:
       std::copy_n(missing, 3, color);
-      return !leaf->GetCellData()->HasArray(name);
+      return !sample->GetCellData()->HasArray(name);
     case VTK_SCALAR_MODE_USE_FIELD_DATA:
       break;
     default:
       return false;
   }
   std::copy_n(missing, 3, color);
-  vtkAbstractArray* array = leaf->GetFieldData()->GetAbstractArray(name);
+  vtkAbstractArray* array = sample->GetFieldData()->GetAbstractArray(name);
   if (array && array->GetNumberOfTuples() > 0)
   {
     vtkSmartPointer<vtkUnsignedCharArray> mapped;
@@ -233,76 +125,48 @@ bool GetColorOfArray(
 }
 
 //------------------------------------------------------------------------------
-bool InspectionBlocks::IsNew(vtkDataObject* data) const
+std::vector<Block> FindBlocks(vtkDataObjectTree* tree)
 {
-  return data != this->Data || (data && data->GetMTime() != this->Time);
+  std::vector<Block> found;
+  const auto add = [](vtkDataObject* data, Block& block)
+  {
+    auto* piece = vtkUnstructuredGrid::SafeDownCast(data);
+    if (piece && piece->GetNumberOfCells() > 0)
+    {
+      block.push_back(piece);
+    }
+  };
+  if (vtkPartitionedDataSet::SafeDownCast(tree))
+  {
+    found.emplace_back();
+  }
+  for (unsigned int i = 0; i < tree->GetNumberOfChildren(); ++i)
+  {
+    vtkDataObject* child = tree->GetChild(i);
+    if (vtkPartitionedDataSet::SafeDownCast(tree))
+    {
+      add(child, found.front());
+    }
+    else if (auto* branch = vtkDataObjectTree::SafeDownCast(child))
+    {
+      const std::vector<Block> ofBranch = FindBlocks(branch);
+      found.insert(found.end(), ofBranch.begin(), ofBranch.end());
+    }
+    else
+    {
+      found.emplace_back();
+      add(child, found.back());
+    }
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------
-vtkUnstructuredGrid* InspectionBlocks::Join(vtkDataObject* data)
-{
-  auto* tree = vtkCompositeDataSet::SafeDownCast(data);
-  if (!tree)
-  {
-    *this = InspectionBlocks();
-    return vtkUnstructuredGrid::SafeDownCast(data);
-  }
-  if (!this->IsNew(data))
-  {
-    return this->Grid;
-  }
-  this->Data = data;
-  this->Time = data->GetMTime();
-  this->Leaves.clear();
-  std::vector<Leaf> copies;
-  for (vtkUnstructuredGrid* leaf : vtkCompositeDataSet::GetDataSets<vtkUnstructuredGrid>(tree))
-  {
-    if (leaf->GetNumberOfCells() == 0)
-    {
-      continue;
-    }
-    auto copy = Leaf::New();
-    copy->ShallowCopy(leaf);
-    vtkNew<vtkUnsignedIntArray> numbers;
-    numbers->SetName(LeavesName);
-    numbers->SetNumberOfValues(leaf->GetNumberOfCells());
-    numbers->FillValue(static_cast<unsigned int>(this->Leaves.size()));
-    copy->GetCellData()->AddArray(numbers);
-    copies.push_back(copy);
-    this->Leaves.emplace_back(leaf);
-  }
-  MakeAlike(copies, vtkDataObject::POINT);
-  MakeAlike(copies, vtkDataObject::CELL);
-  this->Grid = Leaf::New();
-  if (!copies.empty())
-  {
-    vtkNew<vtkAppendFilter> append;
-    for (const Leaf& copy : copies)
-    {
-      append->AddInputData(copy);
-    }
-    append->Update();
-    this->Grid->ShallowCopy(append->GetOutput());
-    for (const Leaf& leaf : this->Leaves)
-    {
-      if (vtkDataArray* normals = leaf->GetPointData()->GetNormals())
-      {
-        this->Grid->GetPointData()->SetActiveNormals(normals->GetName());
-      }
-    }
-  }
-  return this->Grid;
-}
-
-//------------------------------------------------------------------------------
-void InspectionBlocks::SetLooks(
+void SetLooks(vtkUnstructuredGrid* grid, vtkDataObjectTree* samples,
   vtkCompositeDataDisplayAttributes* attributes, vtkMapper* mapper, const double missing[3])
 {
-  if (!this->Grid)
-  {
-    return;
-  }
-  const auto size = static_cast<vtkIdType>(this->Leaves.size());
+  const std::vector<Block> blocks = FindBlocks(samples);
+  const auto size = static_cast<vtkIdType>(blocks.size());
   vtkNew<vtkUnsignedCharArray> hidden;
   hidden->SetName(HiddenLeavesName);
   hidden->SetNumberOfValues(size);
@@ -310,22 +174,26 @@ void InspectionBlocks::SetLooks(
   looks->SetName(LeafLooksName);
   looks->SetNumberOfComponents(4);
   looks->SetNumberOfTuples(size);
-  std::map<vtkDataObject*, Look> ofLeaves;
-  FindLooks(this->Data, attributes, Look(), ofLeaves);
+  std::map<vtkDataObject*, Look> ofSamples;
+  FindLooks(samples, attributes, Look(), ofSamples);
   bool hasHidden = false;
   bool hasLooks = false;
   for (vtkIdType i = 0; i < size; ++i)
   {
-    Look look = ofLeaves[this->Leaves[i]];
-    look.HasColor =
-      look.HasColor || GetColorOfArray(this->Leaves[i], mapper, missing, look.Color);
+    Look look;
+    if (!blocks[i].empty())
+    {
+      vtkUnstructuredGrid* sample = blocks[i].front();
+      look = ofSamples[sample];
+      look.HasColor = look.HasColor || GetColorOfArray(sample, mapper, missing, look.Color);
+    }
     hidden->SetValue(i, look.IsVisible ? 0 : 1);
     looks->SetTuple4(
       i, look.HasColor ? look.Color[0] : -1, look.Color[1], look.Color[2], look.Opacity);
     hasHidden = hasHidden || !look.IsVisible;
     hasLooks = hasLooks || look.HasColor || look.Opacity >= 0;
   }
-  SetFieldArray(this->Grid, HiddenLeavesName, hasHidden ? hidden.Get() : nullptr);
-  SetFieldArray(this->Grid, LeafLooksName, hasLooks ? looks.Get() : nullptr);
+  SetFieldArray(grid, HiddenLeavesName, hasHidden ? hidden.Get() : nullptr);
+  SetFieldArray(grid, LeafLooksName, hasLooks ? looks.Get() : nullptr);
 }
 }

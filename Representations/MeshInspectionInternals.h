@@ -49,10 +49,18 @@ public:
   /// What has come to be drawn, whole or coarse.
   struct Delivered
   {
-    camaron::InspectionBlocks Blocks;
-    vtkNew<vtkCompositeDataDisplayAttributes> Attributes;
+    vtkSmartPointer<vtkUnstructuredGrid> Blocks; ///< null where there are none; else with their looks
+    vtkNew<vtkCompositeDataDisplayAttributes> Attributes; ///< of the samples
     bool AreAttributesOld = true;
+
+    /// True when the attributes are to be made again.
+    bool Update(vtkUnstructuredGrid* mesh, vtkDataObjectTree* samples);
+
+  private:
+    vtkMTimeType TimeOfMesh = 0;
+    vtkMTimeType TimeOfSamples = 0;
   };
+  static constexpr int PortOfSamples = 1; ///< the mesh goes by port 0
 
   /// The one of them that is in the picture.
   struct Drawn

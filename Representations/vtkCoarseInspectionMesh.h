@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCoarseInspectionMesh
- * @brief What a Mesh Inspection draws while the camera moves: the mesh, or each of its blocks, with fewer cells.
+ * @brief What a Mesh Inspection draws while the camera moves: the mesh with fewer cells.
  *
- * Takes what vtkInspectionMesh makes and makes the same of it; see CoarseMesh.h for which cells are left. Cells and
- * points have all arrays of those that they stand for, so that whatever is drawn of the mesh can be drawn of this, too.
+ * See CoarseMesh.h for which cells are left. Cells and points have all arrays of those that they stand for, so that
+ * whatever is drawn of the mesh can be drawn of this, too.
  */
 #ifndef vtkCoarseInspectionMesh_h
 #define vtkCoarseInspectionMesh_h

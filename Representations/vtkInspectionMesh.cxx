@@ -14,7 +14,6 @@
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCommunicator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkConstantArray.h"
 #include "vtkDataObjectTree.h"
@@ -185,8 +184,7 @@ std::map<unsigned int, int> NumberBlocks(vtkDataObject* input)
 }
 
 //------------------------------------------------------------------------------
-// Puts blocks where they are in the input, by their flat index. A block that another process has is empty here, as
-// for Surface: all processes have the same tree.
+// Puts blocks where they are in the input, by their flat index.
 void FillTree(vtkDataObject* input,
   const std::map<unsigned int, vtkSmartPointer<vtkUnstructuredGrid>>& blocks,
   vtkDataObjectTree* output)
@@ -202,39 +200,16 @@ void FillTree(vtkDataObject* input,
     return;
   }
   output->CopyStructure(tree);
-  const int last = blocks.empty() ? -1 : static_cast<int>(blocks.rbegin()->first);
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
-  int lastOfAll = last;
-  if (!isAlone)
-  {
-    controller->AllReduce(&last, &lastOfAll, 1, vtkCommunicator::MAX_OP);
-  }
-  std::vector<unsigned char> here(lastOfAll + 1, 0);
-  for (const auto& block : blocks)
-  {
-    here[block.first] = 1;
-  }
-  std::vector<unsigned char> somewhere = here;
-  if (!isAlone && lastOfAll >= 0)
-  {
-    controller->AllReduce(here.data(), somewhere.data(), lastOfAll + 1, vtkCommunicator::MAX_OP);
-  }
   vtkSmartPointer<vtkDataObjectTreeIterator> it;
   it.TakeReference(output->NewTreeIterator());
   it->SkipEmptyNodesOff();
   it->VisitOnlyLeavesOn();
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
-    const unsigned int index = it->GetCurrentFlatIndex();
-    const auto found = blocks.find(index);
+    const auto found = blocks.find(it->GetCurrentFlatIndex());
     if (found != blocks.end())
     {
       output->SetDataSet(it, found->second);
-    }
-    else if (index < somewhere.size() && somewhere[index])
-    {
-      output->SetDataSet(it, vtkNew<vtkUnstructuredGrid>());
     }
   }
 }

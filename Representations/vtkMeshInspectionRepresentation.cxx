@@ -3,16 +3,20 @@
 #include "vtkMeshInspectionRepresentation.h"
 
 #include "InspectionArrays.h"
+#include "InspectionBlocks.h"
 #include "InspectionMesh.h"
 #include "MeshInspectionInternals.h"
 #include "ShapeConversion.h"
 #include "vtkHalfSpaces.h"
 #include "vtkInspectionMesh.h"
+#include "vtkJoinedInspectionMesh.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkCommunicator.h"
+#include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
@@ -21,7 +25,7 @@
 #include "vtkPoints.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
-#include "vtkPassThrough.h"
+#include "vtkPVRenderViewDataDeliveryManager.h"
 #include "vtkPolyData.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
@@ -45,6 +49,22 @@ bool IsRedistributed(vtkPVRenderView* view)
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   return view && controller && controller->GetNumberOfProcesses() > 1 && view->GetUseOrderedCompositing();
 }
+}
+
+//------------------------------------------------------------------------------
+bool vtkMeshInspectionRepresentation::Internals::Delivered::Update(
+  vtkUnstructuredGrid* mesh, vtkDataObjectTree* samples)
+{
+  if (this->TimeOfMesh != mesh->GetMTime())
+  {
+    this->TimeOfMesh = mesh->GetMTime();
+    this->Blocks = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    this->Blocks->ShallowCopy(mesh);
+  }
+  const bool areOld = this->AreAttributesOld || this->TimeOfSamples != samples->GetMTime();
+  this->TimeOfSamples = samples->GetMTime();
+  this->AreAttributesOld = false;
+  return areOld;
 }
 
 //------------------------------------------------------------------------------
@@ -140,7 +160,7 @@ vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
   this->GeometryFilter->Delete();
   this->GeometryFilter = vtkInspectionMesh::New();
   this->MultiBlockMaker->Delete();
-  this->MultiBlockMaker = vtkPassThrough::New();
+  this->MultiBlockMaker = vtkJoinedInspectionMesh::New();
   this->Mapper->Delete();
   auto* mapper = vtkMeshInspectionMapper::New();
   this->Mapper = mapper;
@@ -240,6 +260,15 @@ bool vtkMeshInspectionRepresentation::NeedsOrderedCompositing()
 }
 
 //------------------------------------------------------------------------------
+// What ParaView asks for ranges and names of: blocks as they are.
+vtkDataObject* vtkMeshInspectionRepresentation::GetRenderedDataObject(int)
+{
+  return this->GeometryFilter->GetNumberOfInputConnections(0) > 0
+    ? this->GeometryFilter->GetOutputDataObject(0)
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
 // Colours by height and depth need the bounds of all pieces: every process that has one comes here.
 int vtkMeshInspectionRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -323,19 +352,21 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
     this->UpdateReach();
     // Cells stay whole: those on the border between two processes go to one of them.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
+    this->GiveSamples(inInfo, false);
+    if (auto* tree = vtkDataObjectTree::SafeDownCast(this->GeometryFilter->GetOutputDataObject(0)))
+    {
+      vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+      this->PopulateBlockAttributes(attributes, tree);
+      vtkGeometryRepresentation::GetBounds(tree, this->VisibleDataBounds, attributes);
+      vtkPVRenderView::SetGeometryBounds(
+        inInfo, this, this->VisibleDataBounds, this->Actor->GetMatrix());
+    }
     if (!std::all_of(this->VisibleDataBounds, this->VisibleDataBounds + 6,
           [](double bound) { return std::isfinite(bound); }))
     {
       // The camera cannot look at points that are nowhere.
       vtkPVRenderView::SetGeometryBounds(
         inInfo, this, this->Internal->LocalBounds.data(), this->Actor->GetMatrix());
-    }
-    if (vtkCompositeDataSet::SafeDownCast(this->MultiBlockMaker->GetOutputDataObject(0)))
-    {
-      // ParaView moves blocks of polygons alone: others are gone after it. They stay, and processes are composed in
-      // the order of their bounds.
-      vtkPVRenderView::SetOrderedCompositingConfiguration(
-        inInfo, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION);
     }
   }
   else if (request == vtkPVView::REQUEST_RENDER())
@@ -363,6 +394,29 @@ void vtkMeshInspectionRepresentation::UpdateReach()
 }
 
 //------------------------------------------------------------------------------
+// The blocks themselves travel as one grid. All processes have the same samples, so that one may speak for them.
+void vtkMeshInspectionRepresentation::GiveSamples(vtkInformation* inInfo, bool withCoarseMesh)
+{
+  vtkDataObject* samples = this->MultiBlockMaker->GetOutputDataObject(Internals::PortOfSamples);
+  if (withCoarseMesh)
+  {
+    vtkPVView::SetPieceLOD(inInfo, this, samples, 0, Internals::PortOfSamples);
+  }
+  else
+  {
+    vtkPVView::SetPiece(inInfo, this, samples, 0, Internals::PortOfSamples);
+  }
+  auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
+  auto* manager = vtkPVRenderViewDataDeliveryManager::SafeDownCast(
+    view ? view->GetDeliveryManager() : nullptr);
+  if (manager)
+  {
+    manager->SetDeliverToClientAndRenderingProcesses(
+      this, true, /*gather*/ false, withCoarseMesh, Internals::PortOfSamples);
+  }
+}
+
+//------------------------------------------------------------------------------
 // Given to the view, which brings it to where it is drawn.
 void vtkMeshInspectionRepresentation::MakeCoarseMesh(vtkInformation* inInfo)
 {
@@ -381,6 +435,7 @@ void vtkMeshInspectionRepresentation::MakeCoarseMesh(vtkInformation* inInfo)
   }
   coarse->Update();
   vtkPVView::SetPieceLOD(inInfo, this, coarse->GetOutputDataObject(0));
+  this->GiveSamples(inInfo, true);
 }
 
 //------------------------------------------------------------------------------
@@ -407,21 +462,23 @@ bool vtkMeshInspectionRepresentation::DrawsCoarseMesh(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-// Blocks have been delivered one by one, so that none of them loses an array on the way; they are joined here.
+// Blocks are looked at here, as their looks change without new data.
 vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation* inInfo, bool isCoarse)
 {
   Internals::Delivered& self = isCoarse ? this->Internal->Coarse : this->Internal->Whole;
-  vtkDataObject* delivered = isCoarse ? vtkPVView::GetDeliveredPieceLOD(inInfo, this)
-                                      : vtkPVView::GetDeliveredPiece(inInfo, this);
-  const bool isNew = self.Blocks.IsNew(delivered);
-  vtkUnstructuredGrid* mesh = self.Blocks.Join(delivered);
-  vtkMapper* mapper = isCoarse ? this->LODMapper : this->Mapper;
-  if (vtkCompositeDataSet::SafeDownCast(delivered))
+  const auto get = [&](int port)
   {
-    if (isNew || self.AreAttributesOld)
+    return isCoarse ? vtkPVView::GetDeliveredPieceLOD(inInfo, this, port)
+                    : vtkPVView::GetDeliveredPiece(inInfo, this, port);
+  };
+  auto* mesh = vtkUnstructuredGrid::SafeDownCast(get(0));
+  auto* samples = vtkDataObjectTree::SafeDownCast(get(Internals::PortOfSamples));
+  vtkMapper* mapper = isCoarse ? this->LODMapper : this->Mapper;
+  if (mesh && samples)
+  {
+    if (self.Update(mesh, samples))
     {
-      this->PopulateBlockAttributes(self.Attributes, delivered);
-      self.AreAttributesOld = false;
+      this->PopulateBlockAttributes(self.Attributes, samples);
     }
     double missing[3];
     this->Property->GetDiffuseColor(missing);
@@ -429,7 +486,8 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation*
     {
       mapper->GetLookupTable()->GetColor(vtkMath::Nan(), missing);
     }
-    self.Blocks.SetLooks(self.Attributes, mapper, missing);
+    mesh = self.Blocks;
+    SetLooks(mesh, samples, self.Attributes, mapper, missing);
   }
   mapper->SetInputDataObject(mesh);
   (isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper)->SetInputDataObject(mesh);

@@ -84,6 +84,7 @@ public:
   ///@}
   void SetColorMissingArraysWithNanColor(bool on) override;
 
+  vtkDataObject* GetRenderedDataObject(int port) override;
   void SetVisibility(bool visible) override;
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
     vtkInformation* outInfo) override;
@@ -106,6 +107,7 @@ private:
   void Change(Value& member, const Value& value);
   class Internals;
   void UpdateReach();
+  void GiveSamples(vtkInformation* inInfo, bool withCoarseMesh);
   void MakeCoarseMesh(vtkInformation* inInfo);
   bool DrawsCoarseMesh(vtkInformation* inInfo);
   vtkUnstructuredGrid* UpdateMesh(vtkInformation* inInfo, bool isCoarse);

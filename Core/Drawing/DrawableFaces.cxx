@@ -119,6 +119,12 @@ private:
   vtkIdType GetOther(Index face, vtkIdType cell, Index local)
   {
     const FacetTable::CellPair pair = this->Table.GetCells(face);
+    // Points that coincide may have become one on the way here, but cells are no neighbors for that.
+    constexpr int ownBits = 63;
+    if (this->Cells.OuterFacets && local < ownBits && this->IsOuter(cell, local) && pair.First != pair.Second)
+    {
+      return None;
+    }
     const bool firstHidden = this->Has(pair.First, vtkDataSetAttributes::HIDDENCELL);
     if (pair.First == cell)
     {

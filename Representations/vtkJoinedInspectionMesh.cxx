@@ -1,0 +1,379 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkJoinedInspectionMesh.h"
+
+#include "InspectionArrays.h"
+#include "InspectionBlocks.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkCommunicator.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMath.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkMultiProcessController.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkUnsignedIntArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace camaron;
+
+vtkStandardNewMacro(vtkJoinedInspectionMesh);
+
+namespace
+{
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+bool IsByte(int type)
+{
+  return type == VTK_UNSIGNED_CHAR || type == VTK_CHAR || type == VTK_SIGNED_CHAR;
+}
+
+/// An array that some blocks have.
+struct SharedArray
+{
+  int Type = VTK_VOID;
+  int NumberOfComponents = 1;
+  std::size_t NumberOfBlocks = 0;
+  bool IsOfOneType = true;
+};
+
+using SharedArrays = std::map<std::string, SharedArray>;
+
+//------------------------------------------------------------------------------
+SharedArrays FindArrays(const std::vector<Grid>& samples, int association)
+{
+  SharedArrays found;
+  std::size_t number = 0;
+  for (const Grid& sample : samples)
+  {
+    if (!sample)
+    {
+      continue;
+    }
+    ++number;
+    vtkDataSetAttributes* attributes = sample->GetAttributes(association);
+    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+    {
+      vtkAbstractArray* array = attributes->GetAbstractArray(i);
+      if (!array->GetName())
+      {
+        continue;
+      }
+      SharedArray& shared = found[array->GetName()];
+      if (shared.NumberOfBlocks == 0)
+      {
+        shared.Type = array->GetDataType();
+        shared.NumberOfComponents = array->GetNumberOfComponents();
+      }
+      shared.IsOfOneType = shared.IsOfOneType && array->GetDataType() == shared.Type;
+      shared.NumberOfBlocks += array->GetNumberOfComponents() == shared.NumberOfComponents;
+    }
+  }
+  for (auto& entry : found)
+  {
+    SharedArray& shared = entry.second;
+    const bool isNumber = shared.Type != VTK_STRING && shared.Type != VTK_VARIANT;
+    const bool hasNull = shared.Type == VTK_FLOAT || shared.Type == VTK_DOUBLE || IsByte(shared.Type);
+    if (isNumber && (!shared.IsOfOneType || (shared.NumberOfBlocks < number && !hasNull)))
+    {
+      shared.Type = VTK_DOUBLE;
+    }
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// An array for a block that has none of this kind.
+vtkSmartPointer<vtkAbstractArray> MakeNulls(const SharedArray& like, vtkIdType size)
+{
+  vtkSmartPointer<vtkAbstractArray> made;
+  made.TakeReference(vtkAbstractArray::CreateArray(like.Type));
+  made->SetNumberOfComponents(like.NumberOfComponents);
+  made->SetNumberOfTuples(size);
+  if (auto* numbers = vtkDataArray::SafeDownCast(made))
+  {
+    numbers->Fill(IsByte(like.Type) ? 0.0 : vtkMath::Nan());
+  }
+  return made;
+}
+
+//------------------------------------------------------------------------------
+// These arrays alone, with these types; which of them are attributes is left to names.
+void ShareArrays(vtkUnstructuredGrid* piece, int association, const SharedArrays& arrays)
+{
+  vtkDataSetAttributes* attributes = piece->GetAttributes(association);
+  vtkNew<vtkFieldData> own;
+  own->ShallowCopy(attributes);
+  attributes->Initialize();
+  for (const auto& entry : arrays)
+  {
+    const char* name = entry.first.c_str();
+    const SharedArray& shared = entry.second;
+    vtkSmartPointer<vtkAbstractArray> array = own->GetAbstractArray(name);
+    if (!array || array->GetNumberOfComponents() != shared.NumberOfComponents)
+    {
+      array = MakeNulls(shared, piece->GetNumberOfElements(association));
+    }
+    else if (array->GetDataType() != shared.Type && vtkDataArray::SafeDownCast(array))
+    {
+      vtkSmartPointer<vtkAbstractArray> other;
+      other.TakeReference(vtkAbstractArray::CreateArray(shared.Type));
+      other->DeepCopy(array);
+      array = other;
+    }
+    array->SetName(name);
+    attributes->AddArray(array);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Its arrays with one value each: the first one, or 0.
+void CopySample(vtkFieldData* from, bool hasValues, vtkFieldData* to)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(i);
+    if (!array->GetName() || (hasValues && array->GetNumberOfTuples() == 0))
+    {
+      continue;
+    }
+    vtkSmartPointer<vtkAbstractArray> sample;
+    sample.TakeReference(vtkAbstractArray::CreateArray(array->GetDataType()));
+    sample->SetName(array->GetName());
+    sample->SetNumberOfComponents(array->GetNumberOfComponents());
+    sample->SetNumberOfTuples(1);
+    if (hasValues)
+    {
+      sample->SetTuple(0, 0, array);
+    }
+    else if (auto* numbers = vtkDataArray::SafeDownCast(sample))
+    {
+      numbers->Fill(0);
+    }
+    to->AddArray(sample);
+  }
+}
+
+//------------------------------------------------------------------------------
+Grid MakeSample(vtkUnstructuredGrid* block)
+{
+  auto sample = Grid::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(block->GetPoints()->GetDataType());
+  points->InsertNextPoint(0, 0, 0);
+  sample->SetPoints(points);
+  const vtkIdType point = 0;
+  sample->InsertNextCell(VTK_VERTEX, 1, &point);
+  CopySample(block->GetPointData(), false, sample->GetPointData());
+  CopySample(block->GetCellData(), false, sample->GetCellData());
+  CopySample(block->GetFieldData(), true, sample->GetFieldData());
+  if (vtkDataArray* normals = block->GetPointData()->GetNormals())
+  {
+    sample->GetPointData()->SetActiveNormals(normals->GetName());
+  }
+  return sample;
+}
+
+//------------------------------------------------------------------------------
+// Of each block, from the first process that has some of it: there is one message of it.
+std::vector<Grid> MakeSamples(const std::vector<Block>& blocks)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
+  const int process = isAlone ? 0 : controller->GetLocalProcessId();
+  auto number = static_cast<unsigned int>(blocks.size());
+  if (!isAlone)
+  {
+    unsigned int most = 0;
+    controller->AllReduce(&number, &most, 1, vtkCommunicator::MAX_OP);
+    number = most;
+  }
+  std::vector<int> firsts(number, VTK_INT_MAX);
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    firsts[i] = blocks[i].empty() ? VTK_INT_MAX : process;
+  }
+  if (!isAlone && number > 0)
+  {
+    const std::vector<int> own = firsts;
+    controller->AllReduce(own.data(), firsts.data(), number, vtkCommunicator::MIN_OP);
+  }
+  std::vector<Grid> samples(number);
+  vtkNew<vtkMultiBlockDataSet> toOthers;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    if (firsts[i] == process && !blocks[i].empty())
+    {
+      samples[i] = MakeSample(blocks[i].front());
+      toOthers->SetBlock(toOthers->GetNumberOfBlocks(), samples[i]);
+    }
+  }
+  if (isAlone || number == 0)
+  {
+    return samples;
+  }
+  std::vector<vtkSmartPointer<vtkDataObject>> fromAll;
+  controller->AllGather(toOthers, fromAll);
+  std::vector<unsigned int> next(fromAll.size(), 0);
+  for (std::size_t i = 0; i < number; ++i)
+  {
+    const auto first = static_cast<std::size_t>(firsts[i]);
+    if (first < fromAll.size() && firsts[i] != process)
+    {
+      auto* sent = vtkMultiBlockDataSet::SafeDownCast(fromAll[first]);
+      samples[i] = sent ? vtkUnstructuredGrid::SafeDownCast(sent->GetBlock(next[first]++)) : nullptr;
+    }
+  }
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+// Puts samples where their blocks are; the structure of `tree` is there.
+void PlaceSamples(vtkDataObjectTree* tree, const std::vector<Grid>& samples, std::size_t& next)
+{
+  const auto take = [&] { return next < samples.size() ? samples[next++] : Grid(); };
+  if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(tree))
+  {
+    const Grid sample = take();
+    pieces->SetNumberOfPartitions(sample ? 1 : 0);
+    if (sample)
+    {
+      pieces->SetPartition(0, sample);
+    }
+    return;
+  }
+  for (unsigned int i = 0; i < tree->GetNumberOfChildren(); ++i)
+  {
+    if (auto* child = vtkDataObjectTree::SafeDownCast(tree->GetChild(i)))
+    {
+      PlaceSamples(child, samples, next);
+    }
+    else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
+    {
+      blocks->SetBlock(i, take());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Join(const std::vector<Block>& blocks, const std::vector<Grid>& samples, vtkUnstructuredGrid* output)
+{
+  const SharedArrays ofPoints = FindArrays(samples, vtkDataObject::POINT);
+  const SharedArrays ofCells = FindArrays(samples, vtkDataObject::CELL);
+  vtkNew<vtkAppendFilter> append;
+  for (std::size_t i = 0; i < blocks.size(); ++i)
+  {
+    for (vtkUnstructuredGrid* piece : blocks[i])
+    {
+      vtkNew<vtkUnstructuredGrid> copy;
+      copy->SetPoints(piece->GetPoints());
+      copy->CopyStructure(piece);
+      copy->GetPointData()->ShallowCopy(piece->GetPointData());
+      copy->GetCellData()->ShallowCopy(piece->GetCellData());
+      ShareArrays(copy, vtkDataObject::POINT, ofPoints);
+      ShareArrays(copy, vtkDataObject::CELL, ofCells);
+      vtkNew<vtkUnsignedIntArray> numbers;
+      numbers->SetName(LeavesName);
+      numbers->SetNumberOfValues(piece->GetNumberOfCells());
+      numbers->FillValue(static_cast<unsigned int>(i));
+      copy->GetCellData()->AddArray(numbers);
+      append->AddInputData(copy);
+      if (piece->GetPoints()->GetDataType() == VTK_DOUBLE)
+      {
+        append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+      }
+    }
+  }
+  if (append->GetNumberOfInputConnections(0) == 0)
+  {
+    return;
+  }
+  append->Update();
+  output->ShallowCopy(append->GetOutput());
+  for (const Grid& sample : samples)
+  {
+    if (vtkDataArray* normals = sample ? sample->GetPointData()->GetNormals() : nullptr)
+    {
+      output->GetPointData()->SetActiveNormals(normals->GetName());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Where processes exchange cells, ParaView makes one of points that coincide, though blocks may differ in values there:
+// it goes by global ids where it can.
+void KeepPointsApart(vtkUnstructuredGrid* mesh)
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  if (!controller || controller->GetNumberOfProcesses() == 1)
+  {
+    return;
+  }
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName(JoinedPointIdsName);
+  ids->SetNumberOfValues(mesh->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
+  {
+    ids->SetValue(point, point * controller->GetNumberOfProcesses() + controller->GetLocalProcessId());
+  }
+  mesh->GetPointData()->SetGlobalIds(ids);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkJoinedInspectionMesh::vtkJoinedInspectionMesh()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+int vtkJoinedInspectionMesh::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  const int types[] = { VTK_UNSTRUCTURED_GRID, input ? input->GetDataObjectType() : VTK_UNSTRUCTURED_GRID };
+  for (int port = 0; port < 2; ++port)
+  {
+    if (!vtkDataObjectAlgorithm::SetOutputDataObject(
+          types[port], outputVector->GetInformationObject(port), /*exact*/ true))
+    {
+      return 0;
+    }
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkJoinedInspectionMesh::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
+  auto* joined = vtkUnstructuredGrid::GetData(outputVector, 0);
+  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  if (!tree)
+  {
+    joined->ShallowCopy(input);
+    return 1;
+  }
+  const std::vector<Block> blocks = FindBlocks(tree);
+  const std::vector<Grid> samples = MakeSamples(blocks);
+  auto* samplesTree = vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(outputVector, 1));
+  samplesTree->CopyStructure(tree);
+  std::size_t next = 0;
+  PlaceSamples(samplesTree, samples, next);
+  Join(blocks, samples, joined);
+  KeepPointsApart(joined);
+  return 1;
+}
