@@ -176,6 +176,8 @@ public:
   double GetTotalEdgeLength() const;
   /// Length of the way around a polygon cell, which may run along an edge more than once.
   double GetPerimeter() const;
+  double GetMinSquaredLength() const { return this->MinSquaredLength; }
+  double GetMaxSquaredLength() const { return this->MaxSquaredLength; }
   double GetMinEdgeLength() const { return std::sqrt(this->MinSquaredLength); }
   double GetMaxEdgeLength() const { return std::sqrt(this->MaxSquaredLength); }
   ///@}

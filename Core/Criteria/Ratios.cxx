@@ -13,7 +13,7 @@ namespace camaron
 template <typename Cell>
 auto GetEdgeLengthRatio(const Cell& cell)
 {
-  return cell.GetMinEdgeLength() / cell.GetMaxEdgeLength();
+  return Sqrt(cell.GetMinSquaredLength() / cell.GetMaxSquaredLength());
 }
 double EdgeLengthRatio(const CellGeometry& cell)
 {
@@ -28,7 +28,7 @@ double EdgeLengthRatio(const CellGeometry& cell)
 template <typename Cell>
 auto GetEdgeRatio(const Cell& cell)
 {
-  return cell.GetMaxEdgeLength() / cell.GetMinEdgeLength();
+  return Sqrt(cell.GetMaxSquaredLength() / cell.GetMinSquaredLength());
 }
 double EdgeRatio(const CellGeometry& cell)
 {

@@ -81,7 +81,7 @@ double TriangleRadiusEdgeRatio(const CellGeometry& cell)
 template <typename Cell>
 auto GetTetRadiusEdgeRatio(const Cell& cell)
 {
-  return CircumradiusTimes12Volumes(cell) / (12 * Abs(cell.GetVolume())) / cell.GetMinEdgeLength();
+  return CircumradiusTimes12Volumes(cell) / (12 * Abs(cell.GetVolume()) * cell.GetMinEdgeLength());
 }
 double TetRadiusEdgeRatio(const CellGeometry& cell)
 {

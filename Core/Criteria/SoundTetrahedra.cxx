@@ -12,6 +12,20 @@ namespace
 // Squares, for which no root has to be taken, and products of which are numbers.
 constexpr double LargestLength = 1e40, LargestVolume = 1e120, SmallestVolume = 1e-120;
 constexpr double Margin = 4; // CellGeometry may round otherwise
+
+//------------------------------------------------------------------------------
+// All of a block, whose points follow each other.
+bool AreTetrahedra(const MeshView& mesh, vtkIdType first)
+{
+  constexpr int size = SoundTetrahedra::Size;
+  bool are = true;
+  for (int cell = 0; cell < size; ++cell)
+  {
+    are &= mesh.GetCellType(first + cell) == VTK_TETRA;
+  }
+  return are &&
+    mesh.GetCellPoints(first + size - 1).Begin - mesh.GetCellPoints(first).Begin == 4 * (size - 1);
+}
 }
 
 //------------------------------------------------------------------------------
@@ -29,6 +43,20 @@ template <typename Coordinate>
 int SoundTetrahedra::LoadPoints(
   const MeshView& mesh, const Coordinate* points, vtkIdType first, int numberOfCells)
 {
+  if (numberOfCells == Size && AreTetrahedra(mesh, first))
+  {
+    // One after the other, as in nearly all of most meshes.
+    const IndexRange ids = mesh.GetCellPoints(first);
+    const auto load = [&](const auto* corners)
+    {
+      for (int cell = 0; cell < Size; ++cell)
+      {
+        this->LoadCell(cell, points, corners + 4 * cell);
+      }
+    };
+    ids.Values.Values32 ? load(ids.Values.Values32 + ids.Begin) : load(ids.Values.Values64 + ids.Begin);
+    return Size;
+  }
   int numberOfTetrahedra = 0;
   for (int cell = 0; cell < Size; ++cell)
   {
@@ -39,19 +67,25 @@ int SoundTetrahedra::LoadPoints(
       continue;
     }
     ++numberOfTetrahedra;
-    const IndexRange ids = mesh.GetCellPoints(first + cell);
-    const Coordinate* const origin = points + 3 * ids[0];
-    const double x = origin[0], y = origin[1], z = origin[2];
-    this->Places[cell] = std::abs(x) + std::abs(y) + std::abs(z);
-    for (int i = 0; i < 3; ++i)
-    {
-      const Coordinate* const point = points + 3 * ids[i + 1];
-      this->Block.X[i][cell] = point[0] - x;
-      this->Block.Y[i][cell] = point[1] - y;
-      this->Block.Z[i][cell] = point[2] - z;
-    }
+    this->LoadCell(cell, points, mesh.GetCellPoints(first + cell));
   }
   return numberOfTetrahedra;
+}
+
+//------------------------------------------------------------------------------
+template <typename Coordinate, typename Ids>
+void SoundTetrahedra::LoadCell(int cell, const Coordinate* points, const Ids& ids)
+{
+  const Coordinate* const origin = points + 3 * static_cast<vtkIdType>(ids[0]);
+  const double x = origin[0], y = origin[1], z = origin[2];
+  this->Places[cell] = std::abs(x) + std::abs(y) + std::abs(z);
+  for (int i = 0; i < 3; ++i)
+  {
+    const Coordinate* const point = points + 3 * static_cast<vtkIdType>(ids[i + 1]);
+    this->Block.X[i][cell] = point[0] - x;
+    this->Block.Y[i][cell] = point[1] - y;
+    this->Block.Z[i][cell] = point[2] - z;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -66,6 +100,8 @@ void SoundTetrahedra::Measure(int cell)
   {
     StorePair(squares[edge], this->Block.SquaredLengths[edge] + cell);
   }
+  const Pair longest = Max(Max(Max(squares[0], squares[1]), Max(squares[2], squares[3])), Max(squares[4], squares[5]));
+  StorePair(longest, this->Block.MaxSquaredLengths + cell);
 }
 
 //------------------------------------------------------------------------------

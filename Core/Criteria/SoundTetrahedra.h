@@ -42,6 +42,8 @@ private:
   template <typename Coordinate>
   int LoadPoints(
     const MeshView& mesh, const Coordinate* points, vtkIdType first, int numberOfCells);
+  template <typename Coordinate, typename Ids>
+  void LoadCell(int cell, const Coordinate* points, const Ids& ids);
   void Measure(int cell);
   int FindSound(const MeshView& mesh, const EvaluationOptions& options);
 

@@ -21,6 +21,7 @@ struct TetrahedronBlock
 
   double X[3][Size], Y[3][Size], Z[3][Size]; // edges from the first point to the others
   double SquaredLengths[6][Size];            // in the order of the edges of CellTopology
+  double MaxSquaredLengths[Size];            // of which every tetrahedron has need
   double Volumes[Size];
 };
 
@@ -43,14 +44,14 @@ public:
 
   double GetNumberOfEdges() const { return 6; }
   Pair GetSquaredLength(int edge) const { return this->Load(this->Block.SquaredLengths[edge]); }
-  Pair GetMinEdgeLength() const
+  Pair GetMinSquaredLength() const
   {
-    return Sqrt(this->Choose([](Pair a, Pair b) { return Min(a, b); }));
+    const auto ofTwo = [&](int edge)
+    { return Min(this->GetSquaredLength(edge), this->GetSquaredLength(edge + 1)); };
+    return Min(Min(ofTwo(0), ofTwo(2)), ofTwo(4));
   }
-  Pair GetMaxSquaredLength() const
-  {
-    return this->Choose([](Pair a, Pair b) { return Max(a, b); });
-  }
+  Pair GetMaxSquaredLength() const { return this->Load(this->Block.MaxSquaredLengths); }
+  Pair GetMinEdgeLength() const { return Sqrt(this->GetMinSquaredLength()); }
   Pair GetMaxEdgeLength() const { return Sqrt(this->GetMaxSquaredLength()); }
   Pair GetDiameter() const { return this->GetMaxEdgeLength(); }
   Pair GetSumOfSquaredLengths() const
@@ -80,13 +81,6 @@ public:
 private:
   Pair Load(const double* values) const { return LoadPair(values + this->Place); }
 
-  template <typename Function>
-  Pair Choose(Function&& function) const
-  {
-    const auto ofTwo = [&](int edge)
-    { return function(this->GetSquaredLength(edge), this->GetSquaredLength(edge + 1)); };
-    return function(function(ofTwo(0), ofTwo(2)), ofTwo(4));
-  }
   static Pair GetArea(const VectorPair& a, const VectorPair& b) { return Norm(0.5 * Cross(a, b)); }
 
   const TetrahedronBlock& Block;
