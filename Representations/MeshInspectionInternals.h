@@ -114,6 +114,12 @@ public:
   camaron::InspectionStyle Style;
   std::array<double, 6> LocalBounds = { { 1, -1, 1, -1, 1, -1 } }; ///< of the points here that are somewhere
   Delivered Whole, Coarse;
+  ///@{
+  /// What is drawn of them.
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  bool IsCoarse = false;
+  ///@}
+  unsigned long StartTag = 0; ///< of the observer of the renderer
   vtkNew<vtkCoarseInspectionMesh> MakeCoarse;
   bool ColorMissingArraysWithNanColor = false;
   bool GlassShell = false;

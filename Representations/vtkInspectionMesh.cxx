@@ -27,6 +27,7 @@
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -199,6 +200,17 @@ void FillTree(vtkDataObject* input,
     }
     return;
   }
+  if (vtkPartitionedDataSet::SafeDownCast(input))
+  {
+    // One block, of however many pieces a process has.
+    auto* list = vtkPartitionedDataSetCollection::SafeDownCast(output);
+    list->SetNumberOfPartitionedDataSets(1);
+    for (const auto& block : blocks)
+    {
+      list->SetPartition(0, list->GetNumberOfPartitions(0), block.second);
+    }
+    return;
+  }
   output->CopyStructure(tree);
   vtkSmartPointer<vtkDataObjectTreeIterator> it;
   it.TakeReference(output->NewTreeIterator());
@@ -238,8 +250,9 @@ int vtkInspectionMesh::RequestDataObject(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   const int type = !vtkCompositeDataSet::SafeDownCast(input) ? VTK_UNSTRUCTURED_GRID
-    : vtkPartitionedDataSetCollection::SafeDownCast(input)   ? VTK_PARTITIONED_DATA_SET_COLLECTION
-                                                             : VTK_MULTIBLOCK_DATA_SET;
+    : vtkPartitionedDataSetCollection::SafeDownCast(input) || vtkPartitionedDataSet::SafeDownCast(input)
+    ? VTK_PARTITIONED_DATA_SET_COLLECTION
+    : VTK_MULTIBLOCK_DATA_SET;
   return vtkDataObjectAlgorithm::SetOutputDataObject(
            type, outputVector->GetInformationObject(0), /*exact*/ true)
     ? 1

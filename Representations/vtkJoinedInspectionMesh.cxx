@@ -35,6 +35,14 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
+// Null with one process.
+vtkMultiProcessController* GetOthers()
+{
+  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
+  return controller && controller->GetNumberOfProcesses() > 1 ? controller : nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool IsByte(int type)
 {
   return type == VTK_UNSIGNED_CHAR || type == VTK_CHAR || type == VTK_SIGNED_CHAR;
@@ -187,28 +195,20 @@ Grid MakeSample(vtkUnstructuredGrid* block)
 }
 
 //------------------------------------------------------------------------------
-// Of each block, from the first process that has some of it: there is one message of it.
-std::vector<Grid> MakeSamples(const std::vector<Block>& blocks)
+// Of each of @a number blocks, from the first process that has some of it: there is one message of it.
+std::vector<Grid> MakeSamples(
+  const std::vector<Block>& blocks, std::size_t number, vtkMultiProcessController* controller)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
-  const int process = isAlone ? 0 : controller->GetLocalProcessId();
-  auto number = static_cast<unsigned int>(blocks.size());
-  if (!isAlone)
-  {
-    unsigned int most = 0;
-    controller->AllReduce(&number, &most, 1, vtkCommunicator::MAX_OP);
-    number = most;
-  }
+  const int process = controller ? controller->GetLocalProcessId() : 0;
   std::vector<int> firsts(number, VTK_INT_MAX);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
     firsts[i] = blocks[i].empty() ? VTK_INT_MAX : process;
   }
-  if (!isAlone && number > 0)
+  if (controller && number > 0)
   {
     const std::vector<int> own = firsts;
-    controller->AllReduce(own.data(), firsts.data(), number, vtkCommunicator::MIN_OP);
+    controller->AllReduce(own.data(), firsts.data(), static_cast<vtkIdType>(number), vtkCommunicator::MIN_OP);
   }
   std::vector<Grid> samples(number);
   vtkNew<vtkMultiBlockDataSet> toOthers;
@@ -220,7 +220,7 @@ std::vector<Grid> MakeSamples(const std::vector<Block>& blocks)
       toOthers->SetBlock(toOthers->GetNumberOfBlocks(), samples[i]);
     }
   }
-  if (isAlone || number == 0)
+  if (!controller || number == 0)
   {
     return samples;
   }
@@ -265,6 +265,32 @@ void PlaceSamples(vtkDataObjectTree* tree, const std::vector<Grid>& samples, std
       blocks->SetBlock(i, take());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// The tree of samples is that of the process with the most blocks: one without data may have an empty tree.
+std::vector<Grid> PlaceSamples(
+  const std::vector<Block>& blocks, vtkDataObjectTree* tree, vtkDataObjectTree* output)
+{
+  vtkMultiProcessController* controller = GetOthers();
+  const int own[2] = { static_cast<int>(blocks.size()), -static_cast<int>(blocks.size()) };
+  int mostAndLeast[2] = { own[0], own[1] };
+  if (controller)
+  {
+    controller->AllReduce(own, mostAndLeast, 2, vtkCommunicator::MAX_OP);
+  }
+  const std::vector<Grid> samples = MakeSamples(blocks, mostAndLeast[0], controller);
+  output->CopyStructure(tree);
+  std::size_t next = 0;
+  PlaceSamples(output, samples, next);
+  if (mostAndLeast[0] != -mostAndLeast[1])
+  {
+    const int whole = own[0] == mostAndLeast[0] ? controller->GetLocalProcessId() : VTK_INT_MAX;
+    int first = 0;
+    controller->AllReduce(&whole, &first, 1, vtkCommunicator::MIN_OP);
+    controller->Broadcast(output, first);
+  }
+  return samples;
 }
 
 //------------------------------------------------------------------------------
@@ -316,8 +342,8 @@ void Join(const std::vector<Block>& blocks, const std::vector<Grid>& samples, vt
 // it goes by global ids where it can.
 void KeepPointsApart(vtkUnstructuredGrid* mesh)
 {
-  vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (!controller || controller->GetNumberOfProcesses() == 1)
+  vtkMultiProcessController* controller = GetOthers();
+  if (!controller)
   {
     return;
   }
@@ -368,11 +394,8 @@ int vtkJoinedInspectionMesh::RequestData(
     return 1;
   }
   const std::vector<Block> blocks = FindBlocks(tree);
-  const std::vector<Grid> samples = MakeSamples(blocks);
-  auto* samplesTree = vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(outputVector, 1));
-  samplesTree->CopyStructure(tree);
-  std::size_t next = 0;
-  PlaceSamples(samplesTree, samples, next);
+  const std::vector<Grid> samples =
+    PlaceSamples(blocks, tree, vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(outputVector, 1)));
   Join(blocks, samples, joined);
   KeepPointsApart(joined);
   return 1;

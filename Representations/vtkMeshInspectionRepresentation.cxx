@@ -13,6 +13,7 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
+#include "vtkCommand.h"
 #include "vtkCommunicator.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkCompositeDataSet.h"
@@ -113,8 +114,8 @@ std::size_t vtkMeshInspectionRepresentation::Internals::CountTriangles(vtkMapper
 }
 
 //------------------------------------------------------------------------------
-// The shape in the coordinates of the mesh. One that stays in the view is as the camera saw it when that
-// began, and moves through the mesh as the camera does.
+// The shape in the coordinates of the mesh. One that stays in the view is as the camera saw it in the first picture after
+// that was asked for, and moves through the mesh as the camera does. @a renderer: null as long as its camera may be old.
 void vtkMeshInspectionRepresentation::Internals::UpdateShape(
   vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer)
 {
@@ -122,6 +123,10 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
   {
     this->HasFixedView = false;
     return;
+  }
+  if (!renderer && this->CutMoves == WithView && this->HasFixedView)
+  {
+    return; // until the picture begins
   }
   const std::string error = ConvertShape(this->CutFunction, this->Style.Shape);
   // The default shape of an empty mesh, which has no bounds, and one without planes yet are nobody's fault.
@@ -133,9 +138,12 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
     vtkErrorWithObjectMacro(self, << error);
   }
   this->LastShapeError = error;
-  if (this->CutMoves == WithMesh || !renderer)
+  if (this->CutMoves == WithMesh)
   {
     this->HasFixedView = false;
+  }
+  if (this->CutMoves == WithMesh || !renderer)
+  {
     return;
   }
   vtkNew<vtkMatrix4x4> toView;
@@ -229,6 +237,10 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
     // After the mesh, whose colours are behind the smooth rims of letters.
     renderView->GetRenderer()->AddActor(this->Internal->IdLabels);
     this->Internal->IdLabels->SetRenderer(renderView->GetRenderer());
+    // After the camera has come over from the client.
+    constexpr float last = -1;
+    this->Internal->StartTag = renderView->GetRenderer()->AddObserver(
+      vtkCommand::StartEvent, this, &vtkMeshInspectionRepresentation::FollowCamera, last);
   }
   return isAdded;
 }
@@ -239,6 +251,7 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
   auto* renderView = vtkPVRenderView::SafeDownCast(view);
   if (renderView)
   {
+    renderView->GetRenderer()->RemoveObserver(this->Internal->StartTag);
     renderView->GetRenderer()->RemoveActor(this->Internal->IdLabels);
     this->Internal->IdLabels->SetRenderer(nullptr);
     for (vtkActor* actor : this->Internal->GetActors())
@@ -376,9 +389,22 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
     self.Coarse.AreAttributesOld = self.Coarse.AreAttributesOld || areBlocksChanged;
     const bool isCoarse = this->DrawsCoarseMesh(inInfo);
     static_cast<vtkPVLODActor*>(this->Actor)->SetEnableLOD(isCoarse);
-    this->UpdateStyles(this->UpdateMesh(inInfo, isCoarse), isCoarse);
+    self.IsCoarse = isCoarse;
+    self.Mesh = this->UpdateMesh(inInfo, isCoarse);
+    this->UpdateStyles(nullptr);
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// A shape that stays in the view goes by the camera of the picture, which servers know when they begin to draw.
+void vtkMeshInspectionRepresentation::FollowCamera(vtkObject* renderer, unsigned long, void*)
+{
+  Internals& self = *this->Internal;
+  if (this->GetVisibility() && self.Mesh && self.CutMoves == WithView && self.Style.Cut != CutBy::Nothing)
+  {
+    this->UpdateStyles(vtkRenderer::SafeDownCast(renderer));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -507,13 +533,15 @@ double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructur
 }
 
 //------------------------------------------------------------------------------
-void vtkMeshInspectionRepresentation::UpdateStyles(vtkUnstructuredGrid* mesh, bool isCoarse)
+void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
 {
   Internals& self = *this->Internal;
+  const bool isCoarse = self.IsCoarse;
+  vtkUnstructuredGrid* mesh = self.Mesh;
   const Internals::Drawn drawn{ mesh, isCoarse ? this->LODMapper : this->Mapper, isCoarse };
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   vtkRenderer* renderer = view ? view->GetRenderer() : nullptr;
-  self.UpdateShape(this, this->Actor, renderer);
+  self.UpdateShape(this, this->Actor, ofPicture);
   InspectionStyle style = self.Style;
   if (!self.CutFunction || !self.LastShapeError.empty())
   {

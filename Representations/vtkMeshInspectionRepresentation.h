@@ -111,7 +111,8 @@ private:
   void MakeCoarseMesh(vtkInformation* inInfo);
   bool DrawsCoarseMesh(vtkInformation* inInfo);
   vtkUnstructuredGrid* UpdateMesh(vtkInformation* inInfo, bool isCoarse);
-  void UpdateStyles(vtkUnstructuredGrid* mesh, bool isCoarse);
+  void FollowCamera(vtkObject* renderer, unsigned long event, void*);
+  void UpdateStyles(vtkRenderer* ofPicture);
 
   std::unique_ptr<Internals> Internal;
 };
