@@ -250,7 +250,8 @@ int vtkInspectionMesh::RequestDataObject(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   const int type = !vtkCompositeDataSet::SafeDownCast(input) ? VTK_UNSTRUCTURED_GRID
-    : vtkPartitionedDataSetCollection::SafeDownCast(input) || vtkPartitionedDataSet::SafeDownCast(input)
+    : vtkPartitionedDataSetCollection::SafeDownCast(input) ||
+      vtkPartitionedDataSet::SafeDownCast(input)
     ? VTK_PARTITIONED_DATA_SET_COLLECTION
     : VTK_MULTIBLOCK_DATA_SET;
   return vtkDataObjectAlgorithm::SetOutputDataObject(

@@ -6,8 +6,9 @@
  *
  * Input: a vtkDataSet or a composite of them. Output: vtkUnstructuredGrid with the same cells and arrays, or the tree of
  * the input with such blocks; a grid, and a surface of polygons alone, are passed without a copy. A
- * vtkPartitionedDataSet becomes the only one of a collection, composites that are no trees a vtkMultiBlockDataSet. When ids could get lost on the way to the screen, because there are blocks or
- * several processes, the grids have the arrays of ids that vtkMeshInspectionMapper picks by. Blocks also have the arrays
+ * vtkPartitionedDataSet becomes the only one of a collection, composites that are no trees a vtkMultiBlockDataSet.
+ * When ids could get lost on the way to the screen, because there are blocks or several processes, the grids have the
+ * arrays of ids that vtkMeshInspectionMapper picks by. Blocks also have the arrays
  * that ParaView tells them apart by: vtkCompositeIndex and vtkBlockColors.
  * With several processes, which may exchange cells before they draw, cells
  * also know which of their faces are on the outside.

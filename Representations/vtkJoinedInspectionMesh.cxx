@@ -208,7 +208,8 @@ std::vector<Grid> MakeSamples(
   if (controller && number > 0)
   {
     const std::vector<int> own = firsts;
-    controller->AllReduce(own.data(), firsts.data(), static_cast<vtkIdType>(number), vtkCommunicator::MIN_OP);
+    controller->AllReduce(
+      own.data(), firsts.data(), static_cast<vtkIdType>(number), vtkCommunicator::MIN_OP);
   }
   std::vector<Grid> samples(number);
   vtkNew<vtkMultiBlockDataSet> toOthers;
@@ -233,7 +234,8 @@ std::vector<Grid> MakeSamples(
     if (first < fromAll.size() && firsts[i] != process)
     {
       auto* sent = vtkMultiBlockDataSet::SafeDownCast(fromAll[first]);
-      samples[i] = sent ? vtkUnstructuredGrid::SafeDownCast(sent->GetBlock(next[first]++)) : nullptr;
+      vtkDataObject* sample = sent ? sent->GetBlock(next[first]++) : nullptr;
+      samples[i] = vtkUnstructuredGrid::SafeDownCast(sample);
     }
   }
   return samples;
@@ -294,7 +296,8 @@ std::vector<Grid> PlaceSamples(
 }
 
 //------------------------------------------------------------------------------
-void Join(const std::vector<Block>& blocks, const std::vector<Grid>& samples, vtkUnstructuredGrid* output)
+void Join(
+  const std::vector<Block>& blocks, const std::vector<Grid>& samples, vtkUnstructuredGrid* output)
 {
   const SharedArrays ofPoints = FindArrays(samples, vtkDataObject::POINT);
   const SharedArrays ofCells = FindArrays(samples, vtkDataObject::CELL);
@@ -350,9 +353,10 @@ void KeepPointsApart(vtkUnstructuredGrid* mesh)
   vtkNew<vtkIdTypeArray> ids;
   ids->SetName(JoinedPointIdsName);
   ids->SetNumberOfValues(mesh->GetNumberOfPoints());
+  const vtkIdType stride = controller->GetNumberOfProcesses();
   for (vtkIdType point = 0; point < mesh->GetNumberOfPoints(); ++point)
   {
-    ids->SetValue(point, point * controller->GetNumberOfProcesses() + controller->GetLocalProcessId());
+    ids->SetValue(point, point * stride + controller->GetLocalProcessId());
   }
   mesh->GetPointData()->SetGlobalIds(ids);
 }
@@ -369,7 +373,8 @@ int vtkJoinedInspectionMesh::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
-  const int types[] = { VTK_UNSTRUCTURED_GRID, input ? input->GetDataObjectType() : VTK_UNSTRUCTURED_GRID };
+  const int types[] = { VTK_UNSTRUCTURED_GRID,
+    input ? input->GetDataObjectType() : VTK_UNSTRUCTURED_GRID };
   for (int port = 0; port < 2; ++port)
   {
     if (!vtkDataObjectAlgorithm::SetOutputDataObject(
@@ -394,8 +399,8 @@ int vtkJoinedInspectionMesh::RequestData(
     return 1;
   }
   const std::vector<Block> blocks = FindBlocks(tree);
-  const std::vector<Grid> samples =
-    PlaceSamples(blocks, tree, vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(outputVector, 1)));
+  auto* samplesTree = vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(outputVector, 1));
+  const std::vector<Grid> samples = PlaceSamples(blocks, tree, samplesTree);
   Join(blocks, samples, joined);
   KeepPointsApart(joined);
   return 1;

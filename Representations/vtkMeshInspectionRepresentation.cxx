@@ -401,7 +401,8 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
 void vtkMeshInspectionRepresentation::FollowCamera(vtkObject* renderer, unsigned long, void*)
 {
   Internals& self = *this->Internal;
-  if (this->GetVisibility() && self.Mesh && self.CutMoves == WithView && self.Style.Cut != CutBy::Nothing)
+  if (this->GetVisibility() && self.Mesh && self.CutMoves == WithView &&
+    self.Style.Cut != CutBy::Nothing)
   {
     this->UpdateStyles(vtkRenderer::SafeDownCast(renderer));
   }

@@ -54,7 +54,8 @@ int SoundTetrahedra::LoadPoints(
         this->LoadCell(cell, points, corners + 4 * cell);
       }
     };
-    ids.Values.Values32 ? load(ids.Values.Values32 + ids.Begin) : load(ids.Values.Values64 + ids.Begin);
+    ids.Values.Values32 ? load(ids.Values.Values32 + ids.Begin)
+                        : load(ids.Values.Values64 + ids.Begin);
     return Size;
   }
   int numberOfTetrahedra = 0;
@@ -100,7 +101,8 @@ void SoundTetrahedra::Measure(int cell)
   {
     StorePair(squares[edge], this->Block.SquaredLengths[edge] + cell);
   }
-  const Pair longest = Max(Max(Max(squares[0], squares[1]), Max(squares[2], squares[3])), Max(squares[4], squares[5]));
+  const Pair longest =
+    Max(Max(Max(squares[0], squares[1]), Max(squares[2], squares[3])), Max(squares[4], squares[5]));
   StorePair(longest, this->Block.MaxSquaredLengths + cell);
 }
 

@@ -6,7 +6,7 @@ import camaron_testing
 import TestClientServer
 from inspection_testing import difference, make_view, picture, selected, turn
 from mesh_parts import producer
-from paraview import simple
+from paraview import servermanager, simple
 from vtkmodules.vtkCommonDataModel import (
     vtkCompositeDataSet,
     vtkMultiBlockDataSet,
@@ -33,14 +33,14 @@ from vtkmodules.vtkParallelCore import vtkMultiProcessController
 controller = vtkMultiProcessController.GetGlobalController()
 process, processes = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 for block in range(3):
-    slabs, points, slab, height, own = (
-        kind() for kind in (vtkUnstructuredGrid, vtkPoints, vtkDoubleArray, vtkDoubleArray, vtkDoubleArray)
-    )
+    slabs, points = vtkUnstructuredGrid(), vtkPoints()
+    slab, height, own = vtkDoubleArray(), vtkDoubleArray(), vtkDoubleArray()
     for z in range(process, 9, processes):
         first = points.GetNumberOfPoints()
         for corner in range(50):
-            points.InsertNextPoint(block + corner % 5 / 4, corner // 5 % 5 / 4, (2 * z + corner // 25) / 8)
-            height.InsertNextValue(10 * block + corner // 5 % 5)
+            x, y = corner % 5, corner // 5 % 5
+            points.InsertNextPoint(block + x / 4, y / 4, (2 * z + corner // 25) / 8)
+            height.InsertNextValue(10 * block + y)
         for cube in range(16):
             corner = first + cube % 4 + 5 * (cube // 4)
             corners = [corner + i for i in (0, 1, 5, 6, 25, 26, 30, 31)]
@@ -57,10 +57,46 @@ for block in range(3):
     output.SetBlock(block, slabs if slabs.GetNumberOfCells() else None)
 """
 
+CUBES = """
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_VOXEL, vtkUnstructuredGrid
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+def cube(x):
+    points = vtkPoints()
+    for corner in range(8):
+        points.InsertNextPoint(2 * x + corner % 2, corner // 2 % 2, corner // 4)
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(points)
+    grid.InsertNextCell(VTK_VOXEL, 8, range(8))
+    return grid
+
+controller = vtkMultiProcessController.GetGlobalController()
+process, processes = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
+"""
+EMPTY_BUT_FIRST = CUBES + """
+if process == 0:
+    output.SetBlock(0, cube(0))
+    output.SetBlock(1, cube(1))
+"""
+PIECES = CUBES + """
+owners = [0, 0, 0] if processes == 1 else [1, 2, 2]
+pieces = [cube(x) for x in range(3) if owners[x] == process]
+result = self.GetOutputDataObject(0)
+result.SetNumberOfPartitions(len(pieces))
+for i, piece in enumerate(pieces):
+    result.SetPartition(i, piece)
+"""
+
 
 @camaron_testing.require_display()
 class TestInspectionBlocks(camaron_testing.TestCase):
     serve = TestClientServer.TestClientServer.serve
+
+    def setUp(self):
+        super().setUp()
+        if not servermanager.ActiveConnection:
+            simple.Connect()  # the last test was on a server
 
     def tree(self):
         """A list of the blocks A, B and C, of which C is a list of an empty block and one more."""
@@ -177,7 +213,6 @@ class TestInspectionBlocks(camaron_testing.TestCase):
 
     def test_translucent_blocks_of_several_processes(self):
         """Blocks that touch, whose slabs are dealt out to three processes: what is behind is behind on one, too."""
-        simple.Connect()
         alone = self.draw_slabs()
         self.serve(3)
         shared = self.draw_slabs()
@@ -186,6 +221,40 @@ class TestInspectionBlocks(camaron_testing.TestCase):
                 self.assertLess(difference(image, shared[name]), 0.01)
                 self.assertGreater(difference(image, image * 0 + 255), 0.1)
         simple.Disconnect()
+
+    def test_blocks_that_differ_between_processes(self):
+        """One process has no tree of blocks; pieces of a block are one more in each process."""
+        alone = self.draw_uneven()
+        self.serve(3)
+        for threshold in (0, 100000):
+            shared = self.draw_uneven(threshold)
+            for name, image in alone.items():
+                with self.subTest(name, threshold=threshold):
+                    self.assertLess(difference(image, shared[name]), 0.01)
+                    self.assertGreater(difference(image, image * 0 + 255), 0.05)
+        simple.Disconnect()
+
+    def draw_uneven(self, threshold=0):
+        """The only block of several, and one block of a single or, on a server, 0, 1 and 2 pieces."""
+        found = {}
+        scripts = {"vtkMultiblockDataSet": EMPTY_BUT_FIRST, "vtkPartitionedDataSet": PIECES}
+        for kind, script in scripts.items():
+            source = simple.ProgrammableSource(OutputDataSetType=kind, Script=script)
+            view = make_view()
+            view.RemoteRenderThreshold = threshold
+            display = simple.Show(source, view)
+            display.SetRepresentationType("Mesh Inspection")
+            turn(view)
+            found[kind, "solid"] = picture(view)
+            simple.ColorBy(display, ("FIELD", "vtkBlockColors"))
+            display.SetScalarBarVisibility(view, False)
+            found[kind, "blocks"] = picture(view)
+            display.Opacity = 0.5
+            if kind == "vtkMultiblockDataSet":
+                display.BlockSelectors = ["/Root/Block0"]
+            found[kind, "clear"] = picture(view)
+            simple.Delete(view)
+        return found
 
     def draw_slabs(self):
         slabs = simple.ProgrammableSource(OutputDataSetType="vtkMultiblockDataSet", Script=SLABS)
@@ -209,8 +278,10 @@ class TestInspectionBlocks(camaron_testing.TestCase):
         draw("solid where there is no array", ("CELLS", "Own1"), UseNanColorForMissingArrays=0)
         draw("blocks", ("FIELD", "vtkBlockColors"))
         draw("one hidden", ("CELLS", "Slab"), BlockSelectors=["/Root/Block0", "/Root/Block2"])
-        draw("one clear", ("CELLS", "Slab"), BlockSelectors=["/"], Opacity=1, BlockOpacities=["/Root/Block2", "0.3"])
-        draw("glass", ("CELLS", "Slab"), BlockOpacities=[], GlassShell=1, CutBy="Centroid", CutShape="Sphere")
+        clear = ["/Root/Block2", "0.3"]
+        draw("one clear", ("CELLS", "Slab"), BlockSelectors=["/"], Opacity=1, BlockOpacities=clear)
+        display.CutBy, display.CutShape = "Centroid", "Sphere"
+        draw("glass", ("CELLS", "Slab"), BlockOpacities=[], GlassShell=1)
         return found
 
 

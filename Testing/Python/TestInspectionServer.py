@@ -15,6 +15,12 @@ from paraview import simple
 class TestInspectionServer(camaron_testing.TestCase):
     serve = TestClientServer.TestClientServer.serve
 
+    @staticmethod
+    def make():
+        mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]))
+        mesh.UpdatePipeline()
+        return mesh
+
     def compare(self, where, source):
         sets, pictures = [], []
         view = make_view()
@@ -61,6 +67,22 @@ class TestInspectionServer(camaron_testing.TestCase):
         simple.Delete(view)
         return made
 
+    def stays_in_view(self, source):
+        """Cut by a plane that is fixed in the first picture of a camera just set, and in that of another one."""
+        view = make_view()
+        view.RemoteRenderThreshold = 0
+        display = simple.Show(source, view)
+        display.SetRepresentationType("Mesh Inspection")
+        display.DrawEdges, display.CutBy, display.CutShape = 0, "Exactly", "Plane"
+        display.CutShape.Origin, display.CutShape.Normal = [0, 0, 0], [1, 0.2, 0.3]
+        display.CutMovesWith = "View"
+        turn(view)
+        pictures = [picture(view)]
+        view.CameraPosition = [-x for x in view.CameraPosition]
+        pictures.append(picture(view))
+        simple.Delete(view)
+        return pictures
+
     def state(self, mesh, ranks):
         """A cut that is not the first of the list, from a state file against another server."""
         view = make_view()
@@ -78,10 +100,14 @@ class TestInspectionServer(camaron_testing.TestCase):
 
     def test_servers(self):
         whole = lines = None
+        alone = self.stays_in_view(self.make())
         for ranks in (1, 2):
             self.serve(ranks)
-            mesh = simple.Tetrahedralize(Input=simple.Wavelet(WholeExtent=[-6, 6, -6, 6, -6, 6]))
-            mesh.UpdatePipeline()
+            mesh = self.make()
+            for expected, made in zip(alone, self.stays_in_view(mesh)):
+                with self.subTest(ranks=ranks, cut="stays in view"):
+                    self.assertLess(difference(expected, made), 0.004)
+                    self.assertGreater(difference(made, made * 0 + 255), 0.02)
             for where in ("server", "client"):
                 with self.subTest(ranks=ranks, where=where):
                     self.compare(where, mesh)
