@@ -379,7 +379,9 @@ int vtkIdLabels::RenderOpaqueGeometry(vtkViewport* viewport)
   glGetIntegerv(GL_VIEWPORT, area);
   try
   {
-    if (!self.Digits.Update(self.Labels, renderer->GetRenderWindow()->GetDPI()))
+    // A large picture is made of several, each of which shows a part of the view.
+    vtkRenderWindow* window = renderer->GetRenderWindow();
+    if (!self.Digits.Update(self.Labels, window->GetDPI() * window->GetTileScale()[1]))
     {
       vtkErrorMacro("VTK has no text for labels.");
       return 0;

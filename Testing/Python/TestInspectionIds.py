@@ -130,6 +130,20 @@ class TestInspectionIds(camaron_testing.TestCase):
         yield "mixed", producer(gallery.mixed())
         yield "surface", simple.Sphere(ThetaResolution=12, PhiResolution=12)
 
+    def test_large_picture(self):
+        """Of several parts that are drawn one by one: ids are as large in it as in the view."""
+        self.show(tetrahedra(), CELL, CellIdColor=RED)
+        parts = []
+        for scale in (1, 3):
+            path = str(self.folder / f"ids{scale}.png")
+            resolution = [scale * size for size in self.view.ViewSize]
+            simple.SaveScreenshot(path, self.view, ImageResolution=resolution)
+            image = read_picture(path)
+            parts.append(((image[:, :, 0] > 180) & (image[:, :, 1:].max(axis=2) < 90)).mean())
+        self.assertGreater(parts[0], 0.005)
+        self.assertGreater(parts[1] / parts[0], 0.6)
+        self.assertLess(parts[1] / parts[0], 2)  # smooth rims are another colour
+
     def test_ids_are_where_elements_are(self):
         """A number that is another element's, or stands elsewhere, would mislead."""
         for name, source in self.inputs():
