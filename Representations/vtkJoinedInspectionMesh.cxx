@@ -262,9 +262,13 @@ void PlaceSamples(vtkDataObjectTree* tree, const std::vector<Grid>& samples, std
     {
       PlaceSamples(child, samples, next);
     }
-    else if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
+    else
     {
-      blocks->SetBlock(i, take());
+      const Grid sample = take();
+      if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
+      {
+        blocks->SetBlock(i, sample);
+      }
     }
   }
 }
@@ -307,10 +311,7 @@ void Join(
     for (vtkUnstructuredGrid* piece : blocks[i])
     {
       vtkNew<vtkUnstructuredGrid> copy;
-      copy->SetPoints(piece->GetPoints());
-      copy->CopyStructure(piece);
-      copy->GetPointData()->ShallowCopy(piece->GetPointData());
-      copy->GetCellData()->ShallowCopy(piece->GetCellData());
+      copy->ShallowCopy(piece);
       ShareArrays(copy, vtkDataObject::POINT, ofPoints);
       ShareArrays(copy, vtkDataObject::CELL, ofCells);
       vtkNew<vtkUnsignedIntArray> numbers;
