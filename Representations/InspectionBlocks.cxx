@@ -165,8 +165,12 @@ std::vector<Block> FindBlocks(vtkDataObjectTree* tree)
 void SetLooks(vtkUnstructuredGrid* grid, vtkDataObjectTree* samples,
   vtkCompositeDataDisplayAttributes* attributes, vtkMapper* mapper, const double missing[3])
 {
-  const std::vector<Block> blocks = FindBlocks(samples);
-  const auto size = static_cast<vtkIdType>(blocks.size());
+  Block pieces;
+  for (const Block& block : FindBlocks(samples))
+  {
+    pieces.insert(pieces.end(), block.begin(), block.end());
+  }
+  const auto size = static_cast<vtkIdType>(pieces.size());
   vtkNew<vtkUnsignedCharArray> hidden;
   hidden->SetName(HiddenLeavesName);
   hidden->SetNumberOfValues(size);
@@ -180,13 +184,8 @@ void SetLooks(vtkUnstructuredGrid* grid, vtkDataObjectTree* samples,
   bool hasLooks = false;
   for (vtkIdType i = 0; i < size; ++i)
   {
-    Look look;
-    if (!blocks[i].empty())
-    {
-      vtkUnstructuredGrid* sample = blocks[i].front();
-      look = ofSamples[sample];
-      look.HasColor = look.HasColor || GetColorOfArray(sample, mapper, missing, look.Color);
-    }
+    Look look = ofSamples[pieces[i]];
+    look.HasColor = look.HasColor || GetColorOfArray(pieces[i], mapper, missing, look.Color);
     hidden->SetValue(i, look.IsVisible ? 0 : 1);
     looks->SetTuple4(
       i, look.HasColor ? look.Color[0] : -1, look.Color[1], look.Color[2], look.Opacity);

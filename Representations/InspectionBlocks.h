@@ -4,7 +4,7 @@
  * @file InspectionBlocks.h
  * @brief The blocks of a mesh that is drawn as one grid, and how each of them is to look.
  *
- * The cell array LeavesName of the grid says which block a cell is of; field arrays say how the blocks look,
+ * The cell array LeavesName of the grid says which piece of a block a cell is of; field arrays say how the pieces look,
  * HiddenLeavesName and LeafLooksName, and are there only if one looks unlike the mesh.
  */
 #ifndef camaron_InspectionBlocks_h
@@ -19,10 +19,10 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Its pieces that have cells: there is one, or none; a vtkPartitionedDataSet may have several.
+/// Its pieces that have cells: one or none, but of a vtkPartitionedDataSet any number.
 using Block = std::vector<vtkUnstructuredGrid*>;
 
-/// All blocks of a tree in its order, empty ones too: a block has the same number in all processes.
+/// All blocks of a tree in its order, empty ones too, so that a block has the same number in all processes.
 std::vector<Block> FindBlocks(vtkDataObjectTree* tree);
 
 /**

@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -63,14 +64,8 @@ using SharedArrays = std::map<std::string, SharedArray>;
 SharedArrays FindArrays(const std::vector<Grid>& samples, int association)
 {
   SharedArrays found;
-  std::size_t number = 0;
   for (const Grid& sample : samples)
   {
-    if (!sample)
-    {
-      continue;
-    }
-    ++number;
     vtkDataSetAttributes* attributes = sample->GetAttributes(association);
     for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
     {
@@ -94,7 +89,7 @@ SharedArrays FindArrays(const std::vector<Grid>& samples, int association)
     SharedArray& shared = entry.second;
     const bool isNumber = shared.Type != VTK_STRING && shared.Type != VTK_VARIANT;
     const bool hasNull = shared.Type == VTK_FLOAT || shared.Type == VTK_DOUBLE || IsByte(shared.Type);
-    if (isNumber && (!shared.IsOfOneType || (shared.NumberOfBlocks < number && !hasNull)))
+    if (isNumber && (!shared.IsOfOneType || (shared.NumberOfBlocks < samples.size() && !hasNull)))
     {
       shared.Type = VTK_DOUBLE;
     }
@@ -194,65 +189,90 @@ Grid MakeSample(vtkUnstructuredGrid* block)
   return sample;
 }
 
-//------------------------------------------------------------------------------
-// Of each of @a number blocks, from the first process that has some of it: there is one message of it.
-std::vector<Grid> MakeSamples(
-  const std::vector<Block>& blocks, std::size_t number, vtkMultiProcessController* controller)
+/// What is known of the blocks in all processes.
+struct Samples
 {
+  std::vector<std::size_t> Begins; ///< of the pieces of each block, and their number
+  std::vector<Grid> Pieces;
+};
+
+//------------------------------------------------------------------------------
+// A block has as many pieces as it has in the process with the most. Each is from the first process that has as many:
+// there is one message of it.
+Samples MakeSamples(
+  const std::vector<Block>& blocks, std::size_t numberOfBlocks, vtkMultiProcessController* controller)
+{
+  std::vector<int> sizes(numberOfBlocks, 0);
+  std::transform(blocks.begin(), blocks.end(), sizes.begin(),
+    [](const Block& block) { return static_cast<int>(block.size()); });
+  if (controller && numberOfBlocks > 0)
+  {
+    const std::vector<int> own = sizes;
+    controller->AllReduce(
+      own.data(), sizes.data(), static_cast<vtkIdType>(numberOfBlocks), vtkCommunicator::MAX_OP);
+  }
+  Samples samples;
+  samples.Begins.resize(numberOfBlocks + 1, 0);
+  std::partial_sum(sizes.begin(), sizes.end(), samples.Begins.begin() + 1);
+  samples.Pieces.resize(samples.Begins.back());
+
   const int process = controller ? controller->GetLocalProcessId() : 0;
-  std::vector<int> firsts(number, VTK_INT_MAX);
+  std::vector<int> firsts(samples.Pieces.size(), VTK_INT_MAX);
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    firsts[i] = blocks[i].empty() ? VTK_INT_MAX : process;
+    std::fill_n(firsts.begin() + samples.Begins[i], blocks[i].size(), process);
   }
-  if (controller && number > 0)
+  if (controller && !firsts.empty())
   {
     const std::vector<int> own = firsts;
     controller->AllReduce(
-      own.data(), firsts.data(), static_cast<vtkIdType>(number), vtkCommunicator::MIN_OP);
+      own.data(), firsts.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::MIN_OP);
   }
-  std::vector<Grid> samples(number);
   vtkNew<vtkMultiBlockDataSet> toOthers;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
-    if (firsts[i] == process && !blocks[i].empty())
+    for (std::size_t piece = 0; piece < blocks[i].size(); ++piece)
     {
-      samples[i] = MakeSample(blocks[i].front());
-      toOthers->SetBlock(toOthers->GetNumberOfBlocks(), samples[i]);
+      const std::size_t number = samples.Begins[i] + piece;
+      if (firsts[number] == process)
+      {
+        samples.Pieces[number] = MakeSample(blocks[i][piece]);
+        toOthers->SetBlock(toOthers->GetNumberOfBlocks(), samples.Pieces[number]);
+      }
     }
   }
-  if (!controller || number == 0)
+  if (!controller || firsts.empty())
   {
     return samples;
   }
   std::vector<vtkSmartPointer<vtkDataObject>> fromAll;
   controller->AllGather(toOthers, fromAll);
   std::vector<unsigned int> next(fromAll.size(), 0);
-  for (std::size_t i = 0; i < number; ++i)
+  for (std::size_t number = 0; number < firsts.size(); ++number)
   {
-    const auto first = static_cast<std::size_t>(firsts[i]);
-    if (first < fromAll.size() && firsts[i] != process)
+    // Own ones as well, as types of numbers can change on the way.
+    auto* sent = vtkMultiBlockDataSet::SafeDownCast(fromAll[firsts[number]]);
+    vtkDataObject* sample = sent ? sent->GetBlock(next[firsts[number]]++) : nullptr;
+    samples.Pieces[number] = vtkUnstructuredGrid::SafeDownCast(sample);
+    if (!samples.Pieces[number])
     {
-      auto* sent = vtkMultiBlockDataSet::SafeDownCast(fromAll[first]);
-      vtkDataObject* sample = sent ? sent->GetBlock(next[first]++) : nullptr;
-      samples[i] = vtkUnstructuredGrid::SafeDownCast(sample);
+      samples.Pieces[number] = Grid::New();
     }
   }
   return samples;
 }
 
 //------------------------------------------------------------------------------
-// Puts samples where their blocks are; the structure of `tree` is there.
-void PlaceSamples(vtkDataObjectTree* tree, const std::vector<Grid>& samples, std::size_t& next)
+// Puts samples where their blocks are, from the one with number @a block on; the structure of @a tree is there.
+void PlaceSamples(vtkDataObjectTree* tree, const Samples& samples, std::size_t& block)
 {
-  const auto take = [&] { return next < samples.size() ? samples[next++] : Grid(); };
   if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(tree))
   {
-    const Grid sample = take();
-    pieces->SetNumberOfPartitions(sample ? 1 : 0);
-    if (sample)
+    const std::size_t begin = samples.Begins[block], end = samples.Begins[++block];
+    pieces->SetNumberOfPartitions(static_cast<unsigned int>(end - begin));
+    for (std::size_t i = begin; i < end; ++i)
     {
-      pieces->SetPartition(0, sample);
+      pieces->SetPartition(static_cast<unsigned int>(i - begin), samples.Pieces[i]);
     }
     return;
   }
@@ -260,22 +280,20 @@ void PlaceSamples(vtkDataObjectTree* tree, const std::vector<Grid>& samples, std
   {
     if (auto* child = vtkDataObjectTree::SafeDownCast(tree->GetChild(i)))
     {
-      PlaceSamples(child, samples, next);
+      PlaceSamples(child, samples, block);
+      continue;
     }
-    else
+    const std::size_t begin = samples.Begins[block], end = samples.Begins[++block];
+    if (auto* list = vtkMultiBlockDataSet::SafeDownCast(tree))
     {
-      const Grid sample = take();
-      if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(tree))
-      {
-        blocks->SetBlock(i, sample);
-      }
+      list->SetBlock(i, begin < end ? samples.Pieces[begin] : nullptr);
     }
   }
 }
 
 //------------------------------------------------------------------------------
 // The tree of samples is that of the process with the most blocks: one without data may have an empty tree.
-std::vector<Grid> PlaceSamples(
+Samples PlaceSamples(
   const std::vector<Block>& blocks, vtkDataObjectTree* tree, vtkDataObjectTree* output)
 {
   vtkMultiProcessController* controller = GetOthers();
@@ -285,10 +303,10 @@ std::vector<Grid> PlaceSamples(
   {
     controller->AllReduce(own, mostAndLeast, 2, vtkCommunicator::MAX_OP);
   }
-  const std::vector<Grid> samples = MakeSamples(blocks, mostAndLeast[0], controller);
+  const Samples samples = MakeSamples(blocks, mostAndLeast[0], controller);
   output->CopyStructure(tree);
-  std::size_t next = 0;
-  PlaceSamples(output, samples, next);
+  std::size_t block = 0;
+  PlaceSamples(output, samples, block);
   if (mostAndLeast[0] != -mostAndLeast[1])
   {
     const int whole = own[0] == mostAndLeast[0] ? controller->GetLocalProcessId() : VTK_INT_MAX;
@@ -301,13 +319,14 @@ std::vector<Grid> PlaceSamples(
 
 //------------------------------------------------------------------------------
 void Join(
-  const std::vector<Block>& blocks, const std::vector<Grid>& samples, vtkUnstructuredGrid* output)
+  const std::vector<Block>& blocks, const Samples& samples, vtkUnstructuredGrid* output)
 {
-  const SharedArrays ofPoints = FindArrays(samples, vtkDataObject::POINT);
-  const SharedArrays ofCells = FindArrays(samples, vtkDataObject::CELL);
+  const SharedArrays ofPoints = FindArrays(samples.Pieces, vtkDataObject::POINT);
+  const SharedArrays ofCells = FindArrays(samples.Pieces, vtkDataObject::CELL);
   vtkNew<vtkAppendFilter> append;
   for (std::size_t i = 0; i < blocks.size(); ++i)
   {
+    std::size_t number = samples.Begins[i];
     for (vtkUnstructuredGrid* piece : blocks[i])
     {
       vtkNew<vtkUnstructuredGrid> copy;
@@ -317,7 +336,7 @@ void Join(
       vtkNew<vtkUnsignedIntArray> numbers;
       numbers->SetName(LeavesName);
       numbers->SetNumberOfValues(piece->GetNumberOfCells());
-      numbers->FillValue(static_cast<unsigned int>(i));
+      numbers->FillValue(static_cast<unsigned int>(number++));
       copy->GetCellData()->AddArray(numbers);
       append->AddInputData(copy);
       if (piece->GetPoints()->GetDataType() == VTK_DOUBLE)
@@ -332,9 +351,9 @@ void Join(
   }
   append->Update();
   output->ShallowCopy(append->GetOutput());
-  for (const Grid& sample : samples)
+  for (const Grid& sample : samples.Pieces)
   {
-    if (vtkDataArray* normals = sample ? sample->GetPointData()->GetNormals() : nullptr)
+    if (vtkDataArray* normals = sample->GetPointData()->GetNormals())
     {
       output->GetPointData()->SetActiveNormals(normals->GetName());
     }
@@ -401,7 +420,7 @@ int vtkJoinedInspectionMesh::RequestData(
   }
   const std::vector<Block> blocks = FindBlocks(tree);
   auto* samplesTree = vtkDataObjectTree::SafeDownCast(vtkDataObject::GetData(outputVector, 1));
-  const std::vector<Grid> samples = PlaceSamples(blocks, tree, samplesTree);
+  const Samples samples = PlaceSamples(blocks, tree, samplesTree);
   Join(blocks, samples, joined);
   KeepPointsApart(joined);
   return 1;

@@ -9,11 +9,12 @@
  *
  * Output 0: a vtkUnstructuredGrid. Joined blocks have all arrays that any block has in any process. Where a block lacks
  * one it has NaN, 0 in arrays of bytes, which may be colours or ghosts, and no text. The cell array LeavesName has the
- * number of the block a cell is of: see InspectionBlocks.h.
+ * number of the sample that a cell's block has.
  *
- * Output 1: the tree of the input, the same in all processes. Each block that has cells in any process is a vertex
- * with the arrays of the block's first piece there, of one value, and the first value of its field data. Where there
- * are no blocks this is an empty grid.
+ * Output 1: the tree of the input, the same in all processes, with a sample of each piece of a block, numbered in the
+ * order of FindBlocks (InspectionBlocks.h): a vertex with the arrays of the piece, of one value, and the first value of
+ * its field data. Pieces with the same number in several processes have one sample. Where there are no blocks this is
+ * an empty grid.
  */
 #ifndef vtkJoinedInspectionMesh_h
 #define vtkJoinedInspectionMesh_h
