@@ -141,8 +141,9 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
   if (this->CutMoves == WithMesh)
   {
     this->HasFixedView = false;
+    return;
   }
-  if (this->CutMoves == WithMesh || !renderer)
+  if (!renderer)
   {
     return;
   }

@@ -120,8 +120,7 @@ private:
   {
     const FacetTable::CellPair pair = this->Table.GetCells(face);
     // Points that coincide may have become one on the way here, but cells are no neighbors for that.
-    constexpr int ownBits = 63;
-    if (this->Cells.OuterFacets && local < ownBits && pair.First != pair.Second &&
+    if (this->Cells.OuterFacets && local < LastFacetBit && pair.First != pair.Second &&
       this->IsOuter(cell, local))
     {
       return None;

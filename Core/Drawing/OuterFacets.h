@@ -18,10 +18,13 @@ namespace camaron
 class FacetLinks;
 class MeshTopology;
 
-/// The bit for a face by its number in the cell; faces beyond 63 share the last.
+/// The one that the faces from this number on share.
+constexpr int LastFacetBit = 63;
+
+/// The bit for a face by its number in the cell.
 inline std::uint64_t GetFacetBit(int local)
 {
-  return std::uint64_t(1) << (local < 63 ? local : 63);
+  return std::uint64_t(1) << (local < LastFacetBit ? local : LastFacetBit);
 }
 
 /// Of every 3D cell the bits of its faces that no other cell has, here or by @a links (null: nowhere else).
