@@ -202,7 +202,7 @@ double CellShell::GetVolumeOfFace(std::int32_t face) const
 }
 
 //------------------------------------------------------------------------------
-bool CellShell::TurnConsistently()
+void CellShell::LoadPlaces()
 {
   this->Places.resize(3 * this->Ids.size());
   double origin[3];
@@ -216,7 +216,81 @@ bool CellShell::TurnConsistently()
       x[c] -= origin[c];
     }
   }
+}
 
+//------------------------------------------------------------------------------
+// The usual case in short: where all faces turned away from the mean of the points run consistently,
+// that is what the general way finds. Not so if false.
+bool CellShell::TurnFromMean()
+{
+  const std::size_t numberOfPoints = this->Ids.size();
+  if (numberOfPoints > MaxSmall)
+  {
+    return false;
+  }
+  double mean[3] = { 0, 0, 0 };
+  for (std::size_t i = 0; i < numberOfPoints; ++i)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      mean[c] += this->Places[3 * i + c] / static_cast<double>(numberOfPoints);
+    }
+  }
+  std::fill_n(this->Next, numberOfPoints, std::uint64_t(0));
+  const double* const places = this->Places.data();
+  const std::int32_t* const corners = this->Corners.data();
+  std::uint64_t isTwice = 0;
+  for (std::int32_t face = 0; face < this->GetNumberOfFaces(); ++face)
+  {
+    const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
+    double area[3] = { 0, 0, 0 };
+    const double* p = places + 3 * std::size_t(corners[end - 1]);
+    const double x = p[0] - mean[0], y = p[1] - mean[1], z = p[2] - mean[2];
+    for (std::int32_t corner = begin; corner < end; ++corner)
+    {
+      const double* const q = places + 3 * std::size_t(corners[corner]);
+      area[0] += p[1] * q[2] - p[2] * q[1];
+      area[1] += p[2] * q[0] - p[0] * q[2];
+      area[2] += p[0] * q[1] - p[1] * q[0];
+      p = q;
+    }
+    const double volume = x * area[0] + y * area[1] + z * area[2];
+    if (!(volume < 0 || volume > 0))
+    {
+      return false;
+    }
+    const bool turned = volume < 0;
+    this->Turned[face] = turned;
+    std::int32_t last = corners[end - 1];
+    for (std::int32_t corner = begin; corner < end; ++corner)
+    {
+      const std::int32_t now = corners[corner];
+      std::uint64_t& next = this->Next[turned ? now : last];
+      const std::uint64_t bit = std::uint64_t(1) << (turned ? last : now);
+      isTwice |= next & bit;
+      next |= bit;
+      last = now;
+    }
+  }
+  // As no edge is run along twice in one direction, each must be in both.
+  std::uint64_t isConsistent = isTwice == 0;
+  for (std::int32_t face = 0; face < this->GetNumberOfFaces(); ++face)
+  {
+    const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
+    std::int32_t last = corners[end - 1];
+    for (std::int32_t corner = begin; corner < end; ++corner)
+    {
+      const std::int32_t now = corners[corner];
+      isConsistent &= (this->Next[last] >> now) & (this->Next[now] >> last) & (last != now);
+      last = now;
+    }
+  }
+  return isConsistent != 0;
+}
+
+//------------------------------------------------------------------------------
+bool CellShell::TurnConsistently()
+{
   const std::int32_t numberOfFaces = this->GetNumberOfFaces();
   this->Seen.assign(numberOfFaces, 0);
   this->Stack.clear();
@@ -271,6 +345,12 @@ bool CellShell::TurnConsistently()
 //------------------------------------------------------------------------------
 bool CellShell::Orient()
 {
+  this->LoadPlaces();
+  if (this->TurnFromMean())
+  {
+    return true;
+  }
+  std::fill(this->Turned.begin(), this->Turned.end(), static_cast<unsigned char>(0));
   if (this->PairEdges() && this->TurnConsistently())
   {
     return true;

@@ -83,6 +83,8 @@ private:
   bool PairEdges();
   template <typename FindOrAdd>
   bool PairEdges(FindOrAdd&& findOrAdd);
+  void LoadPlaces();
+  bool TurnFromMean();
   bool TurnConsistently();
   double GetVolumeOfFace(std::int32_t face) const;
 
@@ -96,6 +98,7 @@ private:
 
   static constexpr std::size_t MaxSmall = 64;      ///< points of a cell whose edges fit the matrix
   unsigned char Matrix[MaxSmall * MaxSmall];       ///< per pair of points 1 + the edge between them
+  std::uint64_t Next[MaxSmall];      ///< per point the set of those that the faces run to from there
   std::vector<std::int32_t> Table;   ///< open hash table of points or edges
   std::vector<std::int32_t> Mates;   ///< per corner the other use of the edge that starts there
   std::vector<std::int32_t> Owners;  ///< per corner its face

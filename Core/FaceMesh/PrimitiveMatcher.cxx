@@ -202,17 +202,20 @@ bool PrimitiveMatcher::FindNodes(const Primitive& primitive)
 double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 {
   double x[MaxNodes][3];
-  for (int node = 0; node < primitive.NumberOfNodes; ++node)
+  const auto load = [&](int numberOfNodes)
   {
-    this->Points.Get(this->Nodes[node], x[node]);
-  }
-  for (int node = primitive.NumberOfNodes - 1; node >= 0; --node)
-  {
-    for (int c = 0; c < 3; ++c)
+    for (int node = 0; node < numberOfNodes; ++node)
     {
-      x[node][c] -= x[0][c];
+      this->Points.Get(this->Nodes[node], x[node]);
     }
-  }
+    for (int node = numberOfNodes - 1; node >= 0; --node)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        x[node][c] -= x[0][c];
+      }
+    }
+  };
   const auto determinant = [](const double* a, const double* b, const double* c)
   {
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
@@ -220,8 +223,10 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
   };
   if (primitive.NumberOfNodes == 4)
   {
+    load(4);
     return determinant(x[1], x[2], x[3]);
   }
+  load(primitive.NumberOfNodes);
   double volume = 0;
   for (int f = 0; f < primitive.NumberOfFaces; ++f)
   {
@@ -247,53 +252,56 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 template <typename IsMirrored>
 bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirrored)
 {
-  std::int32_t v[4] = { faces[0][0], faces[0][1], faces[0][2], 0 };
-  const auto isOld = [&v](std::int32_t id) { return id == v[0] || id == v[1] || id == v[2]; };
-  int fourth = 0;
-  while (fourth < 2 && isOld(faces[1][fourth]))
+  // Without branches where they depend on the mesh: they cost more than all else.
+  std::uint32_t ids[4][3];
+  for (int f = 0; f < 4; ++f)
   {
-    ++fourth;
+    for (std::int32_t i = 0; i < 3; ++i)
+    {
+      ids[f][i] = static_cast<std::uint32_t>(faces[f][i]);
+    }
   }
-  v[3] = faces[1][fourth];
-  if (v[0] == v[1] || v[0] == v[2] || v[1] == v[2] || isOld(v[3]))
+  std::uint32_t v[4] = { ids[0][0], ids[0][1], ids[0][2], 0 };
+  for (const std::uint32_t id : ids[1])
   {
-    return false;
+    const bool isNew = (id != v[0]) & (id != v[1]) & (id != v[2]);
+    v[3] |= isNew ? id : 0u;
   }
-  unsigned int missing[4];
+  bool good = (v[0] != v[1]) & (v[0] != v[2]) & (v[1] != v[2]) & (v[3] != v[0]) &
+    (v[3] != v[1]) & (v[3] != v[2]);
+  std::uint32_t opposite[4]; // to each face, if it has three of the four
   unsigned int all = 0;
   for (int f = 0; f < 4; ++f)
   {
-    unsigned int found = 0;
-    for (int i = 0; i < 3; ++i)
+    unsigned int missing = 15u;
+    for (const std::uint32_t id : ids[f])
     {
-      const std::int32_t id = faces[f][i];
-      found |= (id == v[0] ? 1u : 0u) | (id == v[1] ? 2u : 0u) | (id == v[2] ? 4u : 0u) |
-        (id == v[3] ? 8u : 0u);
+      missing &= ~((id == v[0] ? 1u : 0u) | (id == v[1] ? 2u : 0u) | (id == v[2] ? 4u : 0u) |
+        (id == v[3] ? 8u : 0u));
     }
-    missing[f] = 15u ^ found;
-    all |= missing[f];
-    if (missing[f] & (missing[f] - 1))
-    {
-      return false;
-    }
+    good &= (missing & (missing - 1)) == 0;
+    all |= missing;
+    opposite[f] = (v[0] + v[1] + v[2] + v[3]) - (ids[f][0] + ids[f][1] + ids[f][2]);
   }
-  if (all != 15u)
+  if (!good || all != 15u)
   {
     return false;
   }
   const Primitive& primitive = *this->Tetrahedron;
   for (int node = 0; node < 4; ++node)
   {
-    const unsigned int m = missing[primitive.OppositeFace[node]];
-    this->Nodes[node] = v[m == 1u ? 0 : m == 2u ? 1 : m == 4u ? 2 : 3];
+    this->Nodes[node] = static_cast<std::int32_t>(opposite[primitive.OppositeFace[node]]);
     this->FaceOf[node] = node;
   }
-  if (isMirrored(primitive))
-  {
-    std::swap(this->FaceOf[primitive.Mirror[0]], this->FaceOf[primitive.Mirror[1]]);
-    std::swap(this->Nodes[primitive.OppositeNode[primitive.Mirror[0]]],
-      this->Nodes[primitive.OppositeNode[primitive.Mirror[1]]]);
-  }
+  const bool turn = isMirrored(primitive);
+  const int f = primitive.Mirror[0], g = primitive.Mirror[1];
+  this->FaceOf[f] = turn ? g : f;
+  this->FaceOf[g] = turn ? f : g;
+  std::int32_t& a = this->Nodes[primitive.OppositeNode[f]];
+  std::int32_t& b = this->Nodes[primitive.OppositeNode[g]];
+  const std::int32_t oldA = a, oldB = b;
+  a = turn ? oldB : oldA;
+  b = turn ? oldA : oldB;
   return true;
 }
 
