@@ -2,17 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file BenchmarkCost.h
- * @brief Time and memory that a piece of work takes.
+ * @brief Time and memory that a piece of work takes, and the least that opening a file takes.
  */
 #ifndef camaron_BenchmarkCost_h
 #define camaron_BenchmarkCost_h
+
+#include "Scan/Buffer.h"
+#include "Scan/MappedFile.h"
 
 #include "vtkTimerLog.h"
 
 #include <algorithm>  // for medians
 #include <atomic>     // for the sampler of memory
 #include <chrono>     // for the sampler of memory
+#include <cstring>    // for touching memory
 #include <ctime>      // for processor time
+#include <filesystem> // for files
 #include <fstream>    // for what the system says
 #include <functional> // for work
 #include <string>     // for what the system says
@@ -87,6 +92,23 @@ inline Cost Measure(const std::function<void()>& work)
   done = true;
   sampler.join();
   return { times[Repetitions / 2].first, times[Repetitions / 2].second, peak - before };
+}
+
+//------------------------------------------------------------------------------
+/// The floor of opening a file: maps it and touches as much fresh memory as the mesh has.
+inline void MapAndTouch(const std::filesystem::path& path, double mesh)
+{
+  MappedFile file;
+  ScanError error;
+  file.Open(path.string(), error);
+  constexpr std::size_t Page = 4096;
+  volatile char sum = 0;
+  for (std::size_t i = 0; i < file.size(); i += Page)
+  {
+    sum = static_cast<char>(sum + file.begin()[i]);
+  }
+  Buffer<char> memory(static_cast<vtkIdType>(mesh));
+  std::memset(memory.data(), 1, static_cast<std::size_t>(mesh));
 }
 }
 

@@ -12,8 +12,6 @@
 #include "vtkFluentMeshWriter.h"
 
 #include "Mesh/MeshTopology.h"
-#include "Scan/Buffer.h"
-#include "Scan/MappedFile.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -26,11 +24,11 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <vector>
 
 using camaron::Cost;
+using camaron::MapAndTouch;
 using camaron::Measure;
 namespace fs = std::filesystem;
 
@@ -78,23 +76,6 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeHexahedra(vtkIdType cells)
   grid->SetPoints(points);
   grid->SetCells(VTK_HEXAHEDRON, list);
   return grid;
-}
-
-//------------------------------------------------------------------------------
-// Maps a file and touches so much fresh memory.
-void MapAndTouch(const fs::path& path, double mesh)
-{
-  camaron::MappedFile file;
-  camaron::ScanError error;
-  file.Open(path.string(), error);
-  constexpr std::size_t Page = 4096;
-  volatile char sum = 0;
-  for (std::size_t i = 0; i < file.size(); i += Page)
-  {
-    sum = static_cast<char>(sum + file.begin()[i]);
-  }
-  camaron::Buffer<char> memory(static_cast<vtkIdType>(mesh));
-  std::memset(memory.data(), 1, static_cast<std::size_t>(mesh));
 }
 
 //------------------------------------------------------------------------------

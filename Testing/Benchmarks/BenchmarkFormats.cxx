@@ -105,9 +105,10 @@ void Run(const Row& row, double million)
   const double size = static_cast<double>(std::filesystem::file_size(path));
   double grid = 0;
   const Cost opening = Measure([&] { grid = row.Open(path); });
-  std::printf("%-26s %9.2f %8.1f %9.3f %9.3f %9.3f %7.0f %8.1f %6.2f", row.Name,
+  const Cost floor = Measure([&] { camaron::MapAndTouch(path, grid); });
+  std::printf("%-26s %9.2f %8.1f %9.3f %9.3f %9.3f %7.0f %9.3f %8.1f %6.2f", row.Name,
     static_cast<double>(mesh->GetNumberOfCells()) / Mega, size / Mega, saving.Wall, opening.Wall,
-    opening.Processor, size / Mega / opening.Processor, grid / Mega, opening.Peak / grid);
+    opening.Processor, size / Mega / opening.Processor, floor.Wall, grid / Mega, opening.Peak / grid);
   if (row.Peer)
   {
     const Cost peer = Measure([&] { row.Peer(path); });
@@ -125,9 +126,9 @@ int main(int argc, char* argv[])
 {
   std::printf("threads %d, SMP backend %s\n", vtkSMPTools::GetEstimatedNumberOfThreads(),
     vtkSMPTools::GetBackend());
-  std::printf("%-26s %9s %8s %9s %9s %9s %7s %8s %6s %9s %9s %8s %7s %7s\n", "", "M cells", "MB",
-    "save s", "open s", "processor", "MB/s*", "grid MB", "peak", "VTK s", "processor", "VTK MB",
-    "times", "times*");
+  std::printf("%-26s %9s %8s %9s %9s %9s %7s %9s %8s %6s %9s %9s %8s %7s %7s\n", "", "M cells",
+    "MB", "save s", "open s", "processor", "MB/s*", "floor s", "grid MB", "peak", "VTK s",
+    "processor", "VTK MB", "times", "times*");
   std::vector<double> sizes;
   for (int i = 1; i < argc; ++i)
   {
@@ -144,6 +145,7 @@ int main(int argc, char* argv[])
     }
   }
   std::printf(
-    "\n* of processor time, all threads together; peak: of memory while opening, in grids\n");
+    "\n* of processor time, all threads together; floor: mapping the file and touching as much fresh "
+    "memory as the grid has; peak: of memory while opening, in grids\n");
   return 0;
 }

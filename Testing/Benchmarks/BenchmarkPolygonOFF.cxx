@@ -23,6 +23,7 @@
 #include <filesystem>
 
 using camaron::Cost;
+using camaron::MapAndTouch;
 using camaron::Measure;
 namespace fs = std::filesystem;
 
@@ -89,6 +90,7 @@ void Open(const char* what, const fs::path& path)
       mesh = Kilobyte * static_cast<double>(reader->GetOutput()->GetActualMemorySize());
     });
   Print(what, path, cost, mesh);
+  Print("  map and touch", path, Measure([&] { MapAndTouch(path, mesh); }), mesh);
 }
 
 //------------------------------------------------------------------------------

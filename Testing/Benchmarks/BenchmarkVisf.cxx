@@ -21,6 +21,7 @@
 #include <string>
 
 using camaron::Cost;
+using camaron::MapAndTouch;
 using camaron::Measure;
 
 namespace
@@ -77,6 +78,7 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
     std::printf("    peak of memory: %.2f grids; %.1f MB/s of processor time\n",
       cost.Peak / (gridSize * 1024.),
       static_cast<double>(std::filesystem::file_size(path)) / Mega / cost.Processor);
+    Print("  map and touch", cells, path, Measure([&] { MapAndTouch(path, gridSize * 1024.); }));
   }
   std::printf("  the grid itself: %.1f MB, %.0f bytes per cell\n", gridSize * 1024. / Mega,
     gridSize * 1024. / cells);
