@@ -24,7 +24,7 @@ CellMesh MakeCloud(vtkIdType numberOfPoints)
 }
 
 //------------------------------------------------------------------------------
-bool HasRepeatedPoints(const std::int32_t* points, vtkIdType size)
+bool HasRepeatedPointsAnywhere(const std::int32_t* points, vtkIdType size)
 {
   constexpr vtkIdType Few = 8; // for which comparing all pairs is fastest
   if (size <= Few)

@@ -37,14 +37,9 @@ PLYBinaryRows::PLYBinaryRows(const PLYElement& element, BinaryScanner& scanner)
 }
 
 //------------------------------------------------------------------------------
-std::int64_t PLYBinaryRows::LoadLength(const Part& part, const char* place) const
+std::int64_t PLYBinaryRows::LoadLengthOf(PLYType type, const char* place) const
 {
-  place += part.CountOffset;
-  if (part.CountType == PLYType::UInt8) // nearly always
-  {
-    return static_cast<unsigned char>(*place);
-  }
-  return WithType(part.CountType,
+  return WithType(type,
     [&](auto value) -> std::int64_t
     {
       const auto length = camaron::Load<decltype(value)>(place, this->Scanner.IsSwapped());

@@ -88,7 +88,13 @@ private:
   };
 
   bool HasOneLength() const { return this->Stride > 0; }
-  std::int64_t LoadLength(const Part& part, const char* place) const;
+  std::int64_t LoadLength(const Part& part, const char* place) const
+  {
+    place += part.CountOffset;
+    return part.CountType == PLYType::UInt8 ? static_cast<unsigned char>(*place) // nearly always
+                                            : this->LoadLengthOf(part.CountType, place);
+  }
+  std::int64_t LoadLengthOf(PLYType type, const char* place) const;
   bool GuessLength();
   bool HaveGuessedLength(const Progress& progress) const;
   bool PassRow(vtkIdType row, const char*& place, const char* end, std::int64_t& sum);
