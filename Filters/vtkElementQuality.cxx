@@ -39,7 +39,8 @@ double CountCorners(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    return static_cast<double>(grid->GetCells()->GetNumberOfConnectivityIds());
+    vtkCellArray* const cells = grid->GetCells(); // none of a mesh that could not be read
+    return cells ? static_cast<double>(cells->GetNumberOfConnectivityIds()) : 0;
   }
   if (auto* surface = vtkPolyData::SafeDownCast(data))
   {

@@ -10,9 +10,11 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -22,6 +24,48 @@ namespace camaron
 namespace
 {
 constexpr int MaxComponents = 3; // of what is checked
+constexpr vtkIdType ChunkSize = 1 << 16; // tuples that a thread checks in a row
+constexpr const char* TimeArrayName = "TimeValue"; // of field data of readers of time steps
+
+//------------------------------------------------------------------------------
+// Whether a number is the same as one of so many significant decimal digits.
+bool HasDigits(double value, int digits)
+{
+  if (value == 0 || !std::isfinite(value))
+  {
+    return true;
+  }
+  // A quotient of integers and powers of ten that are exact is the number nearest to the decimal one.
+  constexpr int MaxPower = 22;
+  constexpr double MaxInteger = 9007199254740992.; // 2^53
+  const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
+  if (std::abs(decimals) <= MaxPower)
+  {
+    static const auto powers = []
+    {
+      std::array<double, MaxPower + 1> all;
+      all[0] = 1;
+      for (std::size_t i = 1; i < all.size(); ++i)
+      {
+        all[i] = 10 * all[i - 1];
+      }
+      return all;
+    }();
+    const double power = powers[static_cast<std::size_t>(std::abs(decimals))];
+    const double integer = std::round(decimals > 0 ? value * power : value / power);
+    if (std::fabs(integer) < MaxInteger)
+    {
+      return (decimals > 0 ? integer / power : integer * power) == value;
+    }
+  }
+  std::string text;
+  AppendNumber(text, value);
+  const std::size_t exponent = std::min(text.find('e'), text.size());
+  const auto isZero = [](char c) { return c == '0' || c == '.' || c == '-'; };
+  const auto begin = std::find_if_not(text.begin(), text.begin() + exponent, isZero);
+  return std::count_if(begin, text.begin() + exponent,
+           [](char c) { return c >= '0' && c <= '9'; }) <= digits;
+}
 
 //------------------------------------------------------------------------------
 // What tuples are called in messages.
@@ -38,7 +82,6 @@ template <typename GetTuple>
 bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const TupleNames& names,
   const std::string& path, Warnings& warnings, ScanError& error)
 {
-  constexpr vtkIdType ChunkSize = 1 << 16;
   constexpr double Greatest = std::numeric_limits<float>::max();
   const auto isTooLarge = [](double v) { return std::isfinite(v) && std::fabs(v) > Greatest; };
   Tally rounded, tooLarge;
@@ -89,31 +132,40 @@ std::string DescribeArray(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
-void WarnOfArrays(
-  vtkDataSet* mesh, const char* format, Warnings& warnings, const std::vector<std::string>& written)
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
+  const std::vector<std::string>& written, const std::vector<std::string>& writtenFields)
 {
-  std::string arrays;
-  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(mesh->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(mesh->GetCellData()) })
+  std::string arrays, fields;
+  const auto list = [](vtkFieldData* data, const vtkAbstractArray* except,
+                      const std::vector<std::string>& known, std::string& names)
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
       const std::string name = DescribeArray(array);
-      const vtkAbstractArray* globalIds = data->GetGlobalIds();
-      if (array != globalIds && name != vtkDataSetAttributes::GhostArrayName() &&
-        std::find(written.begin(), written.end(), name) == written.end())
+      if (array != except && name != vtkDataSetAttributes::GhostArrayName() &&
+        name != TimeArrayName && std::find(known.begin(), known.end(), name) == known.end())
       {
-        arrays += (arrays.empty() ? "" : ", ") + name;
+        names += (names.empty() ? "" : ", ") + name;
       }
     }
-  }
+  };
+  list(mesh->GetPointData(), mesh->GetPointData()->GetGlobalIds(), written, arrays);
+  list(mesh->GetCellData(), mesh->GetCellData()->GetGlobalIds(), written, arrays);
+  list(mesh->GetFieldData(), nullptr, writtenFields, fields);
   if (!arrays.empty())
   {
     warnings.Add(std::string(format) +
       (written.empty() ? " holds no arrays; not written: "
                        : " cannot hold some arrays; not written: ") +
       arrays);
+  }
+  if (!fields.empty())
+  {
+    warnings.Add(std::string(format) +
+      (writtenFields.empty() ? " holds no field data; not written: "
+                             : " cannot hold some field data; not written: ") +
+      fields);
   }
 }
 
@@ -175,6 +227,29 @@ void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
     AppendNumber(length, static_cast<float>(size));
     warnings.Add("coordinates are kept to " + step + " only, of a mesh of size " + length +
       ", as it is far from the origin: set Digits to 17 to keep them");
+    return;
   }
+  const MeshView view(mesh);
+  Tally rounded;
+  std::mutex mutex;
+  ParallelFor(view.GetNumberOfPoints(), ChunkSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Tally roundedHere;
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        double x[3];
+        view.GetPoint(id, x);
+        if (!std::all_of(x, x + 3, [digits](double v) { return HasDigits(v, digits); }))
+        {
+          roundedHere.Add(id);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      rounded.Merge(roundedHere);
+    });
+  const std::string fate =
+    "rounded to " + std::to_string(digits) + " digits (Digits 17 keeps all)";
+  warnings.Add(rounded, "point", "points", fate.c_str());
 }
 }

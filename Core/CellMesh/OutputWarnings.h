@@ -22,13 +22,14 @@ namespace camaron
 std::string DescribeArray(vtkAbstractArray* array);
 
 /**
- * Warns of arrays of points and cells that are not written, except those for VTK's own use (global
- * ids, ghosts).
+ * Warns of arrays that are not written, except those for VTK's own use (global ids, ghosts, time).
  * @param format e.g. "Visf"
- * @param written names of arrays that are written
+ * @param written names of arrays of points and cells that are written
+ * @param writtenFields names of arrays of field data that are written
  */
 void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
-  const std::vector<std::string>& written = {});
+  const std::vector<std::string>& written = {},
+  const std::vector<std::string>& writtenFields = {});
 
 /**
  * Warns of points whose coordinates are not the same in single precision. False with the error if one
@@ -48,8 +49,8 @@ bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, 
   const std::string& path, Warnings& warnings, ScanError& error);
 
 /**
- * Warns where so many significant digits keep less than a millionth of the size of the mesh, as far from
- * the origin.
+ * Warns of points whose coordinates have more than so many significant digits, and where those keep
+ * less than a millionth of the size of the mesh, as far from the origin.
  * @param digits 0 for as many as there are
  */
 void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings);

@@ -378,7 +378,9 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
   {
     warnings.Add("the mesh is in another plane than z = 0; z is not written");
   }
-  WarnOfArrays(mesh, "Fluent mesh", warnings, { "Zone", "BoundaryType" });
+  WarnOfArrays(mesh, "Fluent mesh", warnings, { "Zone", "BoundaryType" },
+    { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
+      FluentInteriorZones::ArrayName });
   if (encoding == FluentEncoding::Single && !CheckSinglePrecision(mesh, path, warnings, error))
   {
     return false;

@@ -47,12 +47,16 @@ public:
     : Cells(FindArray(mesh->GetCellData()))
   {
     vtkDataArray* all = this->Cells ? nullptr : FindArray(mesh->GetFieldData());
-    if (all && all->GetNumberOfTuples() == 1)
+    this->IsOfField = all && all->GetNumberOfTuples() == 1;
+    if (this->IsOfField)
     {
       this->Common.clear();
       AppendTuple(this->Common, all, 0);
     }
   }
+
+  /// Whether one material of all elements comes from the field data.
+  bool IsCommon() const { return this->IsOfField; }
 
   void Append(std::string& text, vtkIdType cell) const
   {
@@ -87,6 +91,7 @@ private:
 
   vtkDataArray* Cells;
   std::string Common = " 1000.0 0.45 1.0"; // what generators write
+  bool IsOfField = false;
 };
 
 //------------------------------------------------------------------------------
@@ -134,7 +139,9 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
   else
   {
     WarnOfOtherMaterials(mesh, warnings);
-    WarnOfArrays(mesh, GetName(dialect), warnings, { MaterialName });
+    using Names = std::vector<std::string>;
+    WarnOfArrays(mesh, GetName(dialect), warnings, { MaterialName },
+      material.IsCommon() ? Names{ MaterialName } : Names());
   }
   WarnOfDigits(mesh, options.Digits, warnings);
 

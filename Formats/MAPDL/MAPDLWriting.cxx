@@ -217,7 +217,7 @@ void DeckWriter::Warn(vtkDataSet* mesh, std::vector<std::string> written, Warnin
   {
     written.insert(written.end(), { "TypeId", "ElementType" });
   }
-  WarnOfArrays(mesh, "MAPDL", warnings, written);
+  WarnOfArrays(mesh, "MAPDL", warnings, written, { "NodeComponents", "ElementComponents" });
   if (this->Nodes.IsUnusable())
   {
     warnings.Add("values of NodeId are not unique ids; nodes are counted from 1");

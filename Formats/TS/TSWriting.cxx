@@ -60,7 +60,8 @@ bool WriteTS(const std::string& path, vtkDataSet* mesh, const TSOptions& options
   if (isGOCAD)
   {
     TSurfWriting writing(mesh, output);
-    WarnOfArrays(mesh, "TSurf", warnings, writing.GetWrittenArrays());
+    WarnOfArrays(
+      mesh, "TSurf", warnings, writing.GetWrittenArrays(), writing.GetWrittenFields());
     good = writing.Write(file, progress.Part(0.3, 1));
   }
   else

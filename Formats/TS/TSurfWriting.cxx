@@ -143,11 +143,33 @@ void TSurfWriting::FindFaces()
 }
 
 //------------------------------------------------------------------------------
-// A value of the field data that has one per object.
-std::string TSurfWriting::GetText(const char* name, std::size_t object) const
+std::vector<std::string> TSurfWriting::GetWrittenFields() const
+{
+  std::vector<std::string> names;
+  for (const char* name : { "PartName", "ZPositive", "AxisUnit" })
+  {
+    if (this->FindTexts(name))
+    {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+// Field data with one value per object; nullptr if there is none.
+vtkStringArray* TSurfWriting::FindTexts(const char* name) const
 {
   auto* texts = vtkStringArray::SafeDownCast(this->Input->GetFieldData()->GetAbstractArray(name));
-  if (!texts || texts->GetNumberOfValues() != static_cast<vtkIdType>(this->Objects.size()) - 1)
+  const auto objects = static_cast<vtkIdType>(this->Objects.size()) - 1;
+  return texts && texts->GetNumberOfValues() == objects ? texts : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string TSurfWriting::GetText(const char* name, std::size_t object) const
+{
+  vtkStringArray* const texts = this->FindTexts(name);
+  if (!texts)
   {
     return "";
   }

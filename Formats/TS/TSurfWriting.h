@@ -21,6 +21,7 @@
 
 class vtkDataArray;
 class vtkDataSet;
+class vtkStringArray;
 
 namespace camaron
 {
@@ -32,6 +33,8 @@ public:
 
   /// Names of the arrays that the file holds.
   const std::vector<std::string>& GetWrittenArrays() const { return this->WrittenArrays; }
+  /// The same of field data.
+  std::vector<std::string> GetWrittenFields() const;
 
   /// False with the error in @a file, or if stopped.
   bool Write(OutputFile& file, const Progress& progress) const;
@@ -48,6 +51,7 @@ private:
   void FindObjects();
   void FindFaces();
   vtkIdType GetFace(vtkIdType triangle) const;
+  vtkStringArray* FindTexts(const char* name) const;
   std::string GetText(const char* name, std::size_t object) const;
   std::string MakePreamble(std::size_t object) const;
   void AppendPoint(vtkIdType point, vtkIdType id, std::string& text) const;

@@ -271,7 +271,7 @@ def write(
         finally:
             simple.Delete(writer)
         names = staging.names()
-        if messages.errors or not names:
+        if messages.errors or (not names and pipeline.is_first_rank()):
             reason = messages.errors[0] if messages.errors else "nothing was written"
             raise RuntimeError(_with_path(target, reason))
         for folder in (target.parent / name for name in names):

@@ -14,6 +14,8 @@ from typing import Iterator, Optional
 class Staging:
     """Collects files in a hidden folder inside their destination; `publish` moves them in place.
 
+    What is no regular file, like a pipe or a device, gets the bytes of the file instead.
+
     >>> with Staging("report") as staging:
     ...     (staging.path / "worst.csv").write_text("...")
     ...     staging.publish()
@@ -47,11 +49,15 @@ class Staging:
         """Moves everything; files of the same names are replaced, others in a folder stay.
 
         A file that is replaced keeps its permissions, and a link stays one. Raises OSError, with
-        nothing moved, where a file and a folder have the same name or a file is write-protected.
+        nothing moved, where a file and a folder have the same name or a file is write-protected, and
+        where a pipe or device does not take the bytes.
         """
         moves = list(_moves(self.path, self.destination))
         for source, target in moves:
             target.parent.mkdir(exist_ok=True)
+            if target.exists() and not target.is_file():
+                _feed(source, target)
+                continue
             if target.exists():
                 shutil.copymode(target, source)
             if target.is_symlink():
@@ -74,6 +80,15 @@ class Staging:
                 continue
             except OSError:
                 break
+
+
+def _feed(source: Path, target: Path) -> None:
+    """Gives the bytes of a file to a pipe or device."""
+    try:
+        with open(source, "rb") as file, open(target, "wb") as special:
+            shutil.copyfileobj(file, special)
+    except OSError as error:
+        raise type(error)(error.errno, error.strerror, str(target)) from None
 
 
 def _moves(source: Path, target: Path) -> Iterator[tuple[Path, Path]]:

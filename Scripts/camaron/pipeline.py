@@ -162,6 +162,11 @@ def is_mesh(source: Any) -> bool:
     )
 
 
+def is_first_rank() -> bool:
+    """Whether this is the rank that writes files; with pvbatch --sym all ranks run the script."""
+    return servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0
+
+
 def rank_count() -> int:
     """Number of MPI ranks of this program."""
     return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()

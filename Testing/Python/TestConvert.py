@@ -9,6 +9,7 @@ import unittest.mock
 import camaron_testing
 import numpy
 from camaron import convert
+from paraview import simple
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
 TETRAHEDRA = [(10, (0, 1, 3, 4)), (10, (2, 3, 1, 6))]
@@ -280,6 +281,54 @@ class TestConvert(camaron_testing.TestCase):
         ):
             with self.assertRaisesRegex(RuntimeError, reason):
                 convert(self.folder / name, self.folder / "y.vtu")
+
+    def test_pipes(self):
+        """A pipe gets the bytes of the file and stays a pipe; so does one behind a link."""
+        expected = self.folder / "a.visf"
+        convert(self.mesh(), expected)
+        pipe, link = self.folder / "pipe.visf", self.folder / "link.visf"
+        os.mkfifo(pipe)
+        link.symlink_to(pipe)
+        for target in (pipe, link):
+            with open(pipe, "rb", opener=lambda path, _: os.open(path, os.O_RDWR)) as reading:
+                convert(self.mesh(), target)
+                self.assertEqual(
+                    reading.read(expected.stat().st_size), expected.read_bytes(), target.name
+                )
+            self.assertTrue(pipe.is_fifo() and link.is_symlink())
+
+    def test_field_data(self):
+        """What a format cannot hold of it is told."""
+        source = self.folder / "fields.vtu"
+        script = """
+import vtk
+for name in ("Origin", "TimeValue"):
+    array = vtk.vtkDoubleArray()
+    array.SetName(name)
+    array.InsertNextValue(1.5)
+    self.GetOutput().GetFieldData().AddArray(array)
+self.GetOutput().SetPoints(vtk.vtkPoints())
+self.GetOutput().Allocate(1)
+for x in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
+    self.GetOutput().GetPoints().InsertNextPoint(x)
+self.GetOutput().InsertNextCell(vtk.VTK_TETRA, 4, (0, 1, 2, 3))
+"""
+        made = simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid", Script=script)
+        simple.SaveData(str(source), made)
+        for suffix in ("visf", "m3d", "ts", "ele", "msh", "cdb", "tri", "off", "ply"):
+            notes = " ".join(convert(source, self.folder / f"f.{suffix}"))
+            self.assertRegex(notes, "field data; not written: Origin( |$)", suffix)
+
+    def test_digits(self):
+        """Coordinates of more digits than a format is given are counted."""
+        source = self.folder / "digits.ts"
+        source.write_text(
+            "4 1 0\n0 0 0\n1 0 0\n0 0.142857142857142857 0\n0 0 12.3456789\n0 1 2 3\n"
+        )
+        for suffix, digits in (("m3d", 9), ("cdb", 14)):
+            (note,) = convert(source, self.folder / f"d.{suffix}")
+            self.assertIn(f"1 point rounded to {digits} digits (Digits 17 keeps all): point 2", note)
+            self.assertEqual(convert(source, self.folder / f"e.{suffix}", digits=17), [])
 
     def test_command(self):
         """The command line passes options on, says errors in one line and exits with 2."""
