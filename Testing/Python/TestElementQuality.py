@@ -57,6 +57,25 @@ class TestElementQuality(camaron_testing.TestCase):
                     any(reason in error for error in messages.errors), (bad, messages.errors)
                 )
 
+    def test_meshes_that_could_not_be_read(self):
+        """Filters are made and updated on what a reader gives after an error."""
+        path = self.folder / "bad.visf"
+        path.write_text("2")
+        source = simple.VisfReader(FileNames=[str(path)])
+        with camaron_testing.pipeline.Messages() as messages:
+            source.UpdatePipeline()
+            for make in (
+                simple.ElementQuality,
+                simple.MeshElements,
+                simple.MeshKernel,
+                simple.MeshSurface,
+                simple.SelectElements,
+                simple.QualityStatistics,
+            ):
+                made = make(Input=source)
+                made.UpdatePipeline()
+        self.assertIn("bad.visf:1: expected", messages.errors[0])
+
     def test_pieces_in_one_data_set(self):
         """A reader that puts several pieces of a file together leaves the points of their borders twice."""
 

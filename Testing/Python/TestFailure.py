@@ -26,25 +26,46 @@ simple.SaveData(target, source)
 said = f"rank {rank}: {cells} cells, code {reader.GetReader().GetErrorCode()}"
 pathlib.Path(f"{target}.{rank}").write_text(said)
 """
+#: What every rank runs: it converts a file, and says so.
+CONVERSION = """
+import pathlib, sys
+from camaron import convert
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
+convert(*sys.argv[1:])
+pathlib.Path(f"{sys.argv[2]}.{rank}").write_text("done")
+"""
 FILE_NOT_OPENED, TRUNCATED = 20002, 20004  # of vtkErrorCode
 
 
 class TestFailure(camaron_testing.TestCase):
-    def run_ranks(self, *paths):
-        """Standard error, and what each of two ranks says; `paths` are taken in turn."""
+    def run_script(self, text, *arguments):
+        """What a script on two ranks gives that all run it."""
         mpiexec, pvbatch = shutil.which("mpiexec"), shutil.which("pvbatch")
         if not mpiexec or not pvbatch:
             self.skipTest("no mpiexec or pvbatch")
         script = self.folder / "script.py"
-        script.write_text(SCRIPT)
+        script.write_text(text)
         command = [mpiexec, "-n", "2", pvbatch, "--sym", str(script)]
-        target = self.folder / "target.visf"
-        run = subprocess.run(
-            [*command, *map(str, paths), str(target)], capture_output=True, text=True, timeout=200
+        return subprocess.run(
+            [*command, *map(str, arguments)], capture_output=True, text=True, timeout=200
         )
+
+    def run_ranks(self, *paths):
+        """Standard error, and what each of two ranks says; `paths` are taken in turn."""
+        target = self.folder / "target.visf"
+        run = self.run_script(SCRIPT, *paths, target)
         self.assertFalse(target.exists(), run.stderr)
         said = sorted(self.folder.glob("target.visf.*"))
         return run.stderr, [path.read_text() for path in said]
+
+    def test_all_ranks_convert(self):
+        """The first rank writes; for the others that is no failure."""
+        target = self.folder / "ball.ply"
+        run = self.run_script(CONVERSION, camaron_testing.EXAMPLES / "voronoi-ball.visf", target)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertTrue(target.exists())
+        self.assertEqual(len(list(self.folder.glob("ball.ply.*"))), 2, run.stderr)
 
     def test_one_error_of_all_ranks(self):
         """Every rank reads the file and fails; people want to know once."""
