@@ -36,7 +36,7 @@ public:
   void DropCells();
   bool Fill(vtkDataSet* mesh, const CellConversion& how, const ConversionPlan& plan,
     ConversionFindings& found, const Progress& progress);
-  void DropPoints();
+  vtkIdType DropPoints();
 
 private:
   OutputMesh& Output;
@@ -154,15 +154,15 @@ bool OutputMeshBuilder::Fill(vtkDataSet* mesh, const CellConversion& how,
 }
 
 //------------------------------------------------------------------------------
-// Points that only cells had which are no longer there would be new orphans.
-void OutputMeshBuilder::DropPoints()
+// Points that only cells had which are no longer there would be new orphans. Returns their number.
+vtkIdType OutputMeshBuilder::DropPoints()
 {
   OutputMesh& output = this->Output;
   const MeshView& view = output.Input;
   const vtkIdType numberOfPoints = view.GetNumberOfPoints();
   if (numberOfPoints > INT32_MAX)
   {
-    return; // cannot be numbered anew; orphans do no harm
+    return 0; // cannot be numbered anew; orphans do no harm
   }
   IdSet before(numberOfPoints), kept(numberOfPoints);
   ParallelFor(view.GetNumberOfCells(), ChunkSize,
@@ -196,7 +196,7 @@ void OutputMeshBuilder::DropPoints()
   const vtkIdType numberOfKept = kept.Number();
   if (numberOfKept == numberOfPoints)
   {
-    return;
+    return 0;
   }
   ParallelFor(size, ChunkSize,
     [&](vtkIdType begin, vtkIdType end)
@@ -210,6 +210,7 @@ void OutputMeshBuilder::DropPoints()
   output.NumberOfPoints = numberOfKept;
   output.InputPoints = kept.GetMembers();
   output.KeptPoints = std::move(kept);
+  return numberOfPoints - numberOfKept;
 }
 
 //------------------------------------------------------------------------------
@@ -247,8 +248,8 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
         std::to_string(output.GetInput().GetNumberOfCells()) + " cells; nothing is written" };
     return false;
   }
+  found.NumberOfLostPoints = builder.DropPoints();
   WarnOfConversion(how, found, warnings);
-  builder.DropPoints();
   return progress.Report(1);
 }
 }

@@ -116,7 +116,10 @@ void WarnOfConversion(
   AddPerType(warnings, found.Reduced, " written without their nodes of higher order");
   const std::string faces = std::string("of three dimensions written by ") +
     (how.Surface == SurfaceFaces::Every ? "all their faces, " : "the faces of their boundary, ") +
-    std::to_string(found.NumberOfFaces) + " polygons";
+    std::to_string(found.NumberOfFaces) + " polygons" +
+    (found.NumberOfLostPoints > 0
+        ? ", which lack " + std::to_string(found.NumberOfLostPoints) + " of the points"
+        : "");
   warnings.Add(found.Surface, "cell", "cells", faces.c_str());
   std::array<Tally, 256> cut2D = found.Cut, cut3D = found.Cut;
   for (int type = 0; type < 256; ++type)

@@ -25,6 +25,7 @@ struct ConversionFindings
   Tally NotPositive; ///< cells with tetrahedra of no positive volume
   vtkIdType NumberOfNotPositive = 0;
   vtkIdType NumberOfFaces = 0;
+  vtkIdType NumberOfLostPoints = 0; ///< of cells that are not written; of all together
 
   void Merge(const ConversionFindings& other)
   {

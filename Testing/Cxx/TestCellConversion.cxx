@@ -533,9 +533,8 @@ TEST(CellConversion, TakesSurfaces)
   ASSERT_EQ(result.Mesh.GetNumberOfCells(), 54);
   EXPECT_EQ(result.Mesh.GetNumberOfPoints(), 56); // without the 8 inner ones
   EXPECT_EQ(result.GetWarnings(),
-    "27 cells of three dimensions written by the faces of their boundary, 54 polygons, the first "
-    "is "
-    "cell 0\n");
+    "27 cells of three dimensions written by the faces of their boundary, 54 polygons, which lack 8 "
+    "of the points, the first is cell 0\n");
   for (vtkIdType cell = 0; cell < 54; ++cell)
   {
     const Ids ids = result.Get(cell);
