@@ -121,18 +121,18 @@ bool TRIReading::ReadTriangles(
 {
   std::int64_t& triangles = this->Counts.Triangles;
   const bool isCart3D = this->Counts.IsCart3D();
-  if (!isCart3D)
+  if (!isCart3D && scanner.SkipSpace())
   {
-    if (!scanner.SkipSpace())
-    {
-      this->Mesh = MakeCloud(this->Counts.Vertices, this->Request, this->Piece);
-      return true;
-    }
     if (!scanner.ReadCount(triangles, TriangleBytes, "the number of triangles"))
     {
       return false;
     }
     scanner.SkipLine();
+  }
+  if (triangles <= 0)
+  {
+    this->Mesh = MakeCloud(this->Counts.Vertices, this->Request, this->Piece);
+    return true;
   }
   const TextScanner start = scanner;
   const std::int64_t first = isCart3D ? 1 : 0, last = first + this->Counts.Vertices - 1;

@@ -83,9 +83,16 @@ TEST(TRIReader, ReadsCart3D)
 //------------------------------------------------------------------------------
 TEST(TRIReader, VerticesAloneAreACloud)
 {
-  const Result result = ReadBytes("2\n0 0 0\n1 0 0\n");
-  ASSERT_TRUE(result.Errors.empty());
-  EXPECT_EQ(Count(result.Grid, VTK_VERTEX), 2);
+  for (const char* text :
+    { "2\n0 0 0\n1 0 0\n", "2\n0 0 0\n1 0 0\n0\n", "2 0\n0 0 0\n1 0 0\n" })
+  {
+    const Result result = ReadBytes(text);
+    ASSERT_TRUE(result.Errors.empty()) << text;
+    EXPECT_TRUE(result.Warnings.empty()) << text;
+    EXPECT_EQ(result.Grid->GetNumberOfCells(), 2) << text;
+    EXPECT_EQ(Count(result.Grid, VTK_VERTEX), 2) << text;
+    EXPECT_EQ(result.Grid->GetCellData()->GetNumberOfArrays(), 0);
+  }
   EXPECT_TRUE(ReadBytes("0\n").Errors.empty());
 }
 
