@@ -30,6 +30,16 @@ std::size_t FindExtension(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+std::string ToLower(std::string text)
+{
+  for (char& c : text)
+  {
+    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
 bool IsThere(const std::string& path)
 {
   std::error_code error;
@@ -41,17 +51,27 @@ bool IsThere(const std::string& path)
 TetGenKind GetTetGenKind(const std::string& path)
 {
   const std::size_t at = FindExtension(path);
-  std::string extension = at == std::string::npos ? "" : path.substr(at);
-  for (char& c : extension)
-  {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  const std::string extension = at == std::string::npos ? "" : ToLower(path.substr(at));
   int kind = 0;
   while (kind < NumberOfKinds && extension != Extensions[kind].Lower)
   {
     ++kind;
   }
   return static_cast<TetGenKind>(kind);
+}
+
+//------------------------------------------------------------------------------
+bool IsTetGenVoronoi(const std::string& path)
+{
+  const std::string name = ToLower(GetFileName(path));
+  for (const std::string end : { ".v.edge", ".v.face", ".v.cell" })
+  {
+    if (name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -30,6 +30,12 @@ enum class TetGenKind
 TetGenKind GetTetGenKind(const std::string& path);
 
 /**
+ * Whether the name is that of edges, faces or cells of a Voronoi diagram of TetGen, whose rows are
+ * others than those of a mesh.
+ */
+bool IsTetGenVoronoi(const std::string& path);
+
+/**
  * Path of the file of a kind that belongs to @a path: the last extension is another one. Upper case
  * is kept if there is such a file.
  */

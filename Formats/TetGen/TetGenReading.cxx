@@ -16,6 +16,14 @@ namespace
 bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
   const std::string& path, TetGenAssembly& assembly, ScanError& error, const Progress& progress)
 {
+  if (IsTetGenVoronoi(path))
+  {
+    error = { ErrorKind::Unsupported,
+      file.GetName() +
+        ": expected a mesh, found a part of a Voronoi diagram of TetGen; of its files only .v.node, "
+        "its points, is read" };
+    return false;
+  }
   constexpr char Nodes[] = "nodes";
   TetGenKind kind = GetTetGenKind(path);
   switch (kind)
@@ -77,7 +85,7 @@ bool IsTetGen(const std::string& path)
   const TetGenKind kind = GetTetGenKind(path);
   MappedFile file;
   ScanError error;
-  if (kind == TetGenKind::None || !file.Open(path, error))
+  if (kind == TetGenKind::None || IsTetGenVoronoi(path) || !file.Open(path, error))
   {
     return false;
   }

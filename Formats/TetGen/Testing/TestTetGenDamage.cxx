@@ -163,6 +163,26 @@ TEST(TetGenDamage, LargeFilesToo)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, faces of Voronoi cells are taken for triangles.
+TEST(TetGenDamage, VoronoiDiagramsAreRefused)
+{
+  const std::string node = "3 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n";
+  const std::string face = "1 0\n0 0 1 3 0 1 2\n", edge = "1\n0 0 1\n", cell = "1\n0 1 0\n";
+  const Mesh mesh({ { "v.node", node }, { "v.face", face }, { "V.Face", face }, { "v.edge", edge },
+    { "v.cell", cell }, { "v.face.node", node }, { "v.face.edge", "1 0\n0 0 1\n" } });
+  for (const char* extension : { "v.face", "V.Face", "v.edge", "v.cell" })
+  {
+    const Result result = mesh.Read(extension);
+    ASSERT_TRUE(result.IsProperError()) << extension;
+    EXPECT_NE(result.Errors[0].find("part of a Voronoi diagram of TetGen"), std::string::npos)
+      << result.Errors[0];
+    EXPECT_EQ(vtkNew<vtkTetGenReader>()->CanReadFile(mesh.GetPath(extension).c_str()), 0);
+  }
+  EXPECT_EQ(Count(mesh.Read("v.node").Grid, VTK_VERTEX), 3);
+  EXPECT_EQ(Count(mesh.Read("v.face.edge").Grid, VTK_LINE), 1);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, files of other programs with these extensions are claimed, or ours are not.
 TEST(TetGenDamage, CanReadFile)
 {
