@@ -115,10 +115,11 @@ bool VisfReading::Read(Content& content, const Progress& progress) const
   const std::vector<Header> headers = FindHeaders(this->File.begin(), this->File.end());
   if (headers.empty())
   {
-    content.Error = { ErrorKind::NotThisFormat,
-      this->File.GetName() +
-        (this->File.size() == 0 ? ": expected a Visf file, found an empty one"
-                                : ": expected a Visf file, which begins with 0, 1 or 2") };
+    TextScanner scanner(this->File.GetName(), this->File.begin(), this->File.end());
+    scanner.SkipSpace();
+    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
+      "a Visf file, which begins with 0, 1 or 2");
+    content.Error = scanner.GetError();
     return false;
   }
   if (headers.front().Text)

@@ -86,8 +86,12 @@ TEST(VisfDamage, CutOffAnywhere)
 TEST(VisfDamage, SaysWhatIsWrongAndWhere)
 {
   using Code = vtkErrorCode;
-  ExpectError("", Code::UnrecognizedFileTypeError, "test.visf: expected a Visf file");
-  ExpectError("ply\n", Code::UnrecognizedFileTypeError, "begins with 0, 1 or 2");
+  ExpectError("", Code::UnrecognizedFileTypeError, "test.visf:1: expected a Visf file");
+  ExpectError(" \n", Code::UnrecognizedFileTypeError, "0, 1 or 2, found the end of the file");
+  ExpectError("9 9\n", Code::UnrecognizedFileTypeError,
+    "test.visf:1: expected a Visf file, which begins with 0, 1 or 2, found '9'");
+  ExpectError("\n\x7f" "ELF\x01 2", Code::UnrecognizedFileTypeError,
+    "test.visf:2: expected a Visf file, which begins with 0, 1 or 2, found '?ELF?'");
   ExpectError("2 7\n", Code::UnrecognizedFileTypeError, "test.visf:1: expected a type of Visf mesh");
   ExpectError("2 1\nx\n", Code::FileFormatError,
     "test.visf:2: expected the number of vertices, found 'x'");
