@@ -4,8 +4,10 @@
 
 #include "PLYColumnWriting.h"
 #include "PLYLists.h"
+#include "Scan/Number.h"
 
 #include <algorithm>
+#include <charconv>
 #include <mutex>
 
 namespace camaron
@@ -26,6 +28,22 @@ bool Fits(PLYType type, double value)
         value <= static_cast<double>(Limits::max()) &&
         value == static_cast<double>(static_cast<std::int64_t>(value));
     });
+}
+
+//------------------------------------------------------------------------------
+// Half of the numbers are beyond those with a sign.
+bool ParseUnsigned(std::string_view word, std::uint64_t& value)
+{
+  const char* const end = word.data() + word.size();
+  std::int64_t number;
+  if (ParseInteger(word.data(), end, number) == end)
+  {
+    value = static_cast<std::uint64_t>(number);
+    return number >= 0;
+  }
+  word.remove_prefix(!word.empty() && word[0] == '+');
+  const auto result = std::from_chars(word.data(), end, value);
+  return result.ec == std::errc() && result.ptr == end;
 }
 }
 
@@ -315,14 +333,20 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
           (Fits(type, number) || this->Fail(row, place, ErrorKind::Syntax, what));
         value = good ? static_cast<In>(number) : In();
       }
-      else
+      else if constexpr (std::is_signed<In>::value)
       {
         std::int64_t number = 0;
+        good = row.ReadInteger(number, what.c_str());
+        value = number;
+      }
+      else
+      {
+        std::uint64_t number = 0;
+        std::string_view word;
         const char* const place = row.GetPosition();
-        good = row.ReadInteger(number, what.c_str()) &&
-          (std::is_signed<In>::value || number >= 0 ||
-            this->Fail(row, place, ErrorKind::Syntax, what));
-        value = static_cast<In>(number);
+        good = row.ReadWord(word, what.c_str()) &&
+          (ParseUnsigned(word, number) || this->Fail(row, place, ErrorKind::Syntax, what));
+        value = number;
       }
       if (tuple >= 0)
       {

@@ -104,6 +104,35 @@ TEST(PolygonPLYReader, KeepsTheTypesOfAllProperties)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, text holds other integers of 64 bits than binary does.
+TEST(PolygonPLYReader, TextHasTheWholeRangeOfIntegers)
+{
+  const auto read = [](const std::string& first, const std::string& second)
+  {
+    return ReadBytes("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+                     "property float z\nproperty int64 id\nproperty uint64 uid\nend_header\n0 0 0 " +
+      first + " " + second + "\n");
+  };
+  for (const std::string sign : { "", "+" })
+  {
+    const Result result = read("-9223372036854775808", sign + "18446744073709551615");
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    vtkPointData* const data = result.Grid->GetPointData();
+    EXPECT_EQ(*static_cast<vtkTypeInt64*>(data->GetArray("id")->GetVoidPointer(0)), INT64_MIN);
+    EXPECT_EQ(*static_cast<vtkTypeUInt64*>(data->GetArray("uid")->GetVoidPointer(0)), UINT64_MAX);
+  }
+  for (const char* wrong : { "18446744073709551616", "-1", "-9223372036854775809", "1.5", "+", "1x" })
+  {
+    const Result result = read("0", wrong);
+    ASSERT_TRUE(result.IsProperError()) << wrong;
+    EXPECT_NE(result.Errors[0].find("10: expected 'uid' of 'vertex' (uint64), found '" +
+                std::string(wrong) + "'"),
+      std::string::npos)
+      << result.Errors[0];
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, coordinates lose digits, or are taken from the wrong columns.
 TEST(PolygonPLYReader, CoordinatesKeepTheirPrecision)
 {
