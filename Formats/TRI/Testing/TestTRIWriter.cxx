@@ -65,7 +65,8 @@ TEST(TRIWriter, FloatCoordinatesStayShort)
 // If this fails, a cloud comes back as points that nobody sees.
 TEST(TRIWriter, CloudsComeBack)
 {
-  const Grid cloud = MakeGrid({ { 0, 0, 0 }, { 1, 2, 3 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
+  const Grid cloud = MakeGrid(
+    { { 0, 0, 0 }, { 1, 2, 3 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
   for (const int dialect : { vtkTRIWriter::CAMARON, vtkTRIWriter::CART3D })
   {
     const Written written = Write(cloud, [=](vtkTRIWriter* w) { w->SetDialect(dialect); });
