@@ -218,6 +218,17 @@ private:
 };
 
 //------------------------------------------------------------------------------
+// Whether there are only blanks before a place of its line; the text begins with a line.
+bool IsFirstOfLine(std::string_view text, std::size_t at)
+{
+  while (at > 0 && IsBlank(text[at - 1]))
+  {
+    --at;
+  }
+  return at == 0 || text[at - 1] == '\n';
+}
+
+//------------------------------------------------------------------------------
 // The next line, from text on, that begins with a keyword and a blank or nothing; or the end.
 const char* FindLine(const char* text, const char* end, std::string_view keyword)
 {
@@ -226,7 +237,7 @@ const char* FindLine(const char* text, const char* end, std::string_view keyword
        at = all.find(keyword, at + 1))
   {
     const std::size_t next = at + keyword.size();
-    if ((at == 0 || all[at - 1] == '\n') && next < all.size() && IsBlank(all[next]))
+    if (IsFirstOfLine(all, at) && next < all.size() && IsBlank(all[next]))
     {
       return text + at;
     }
@@ -238,15 +249,15 @@ const char* FindLine(const char* text, const char* end, std::string_view keyword
 // The last line that is END, or the end.
 const char* FindEnd(const char* text, const char* end)
 {
-  constexpr std::string_view Keyword = "\nEND";
+  constexpr std::string_view Keyword = "END";
   const std::string_view all(text, static_cast<std::size_t>(end - text));
   std::size_t at = all.rfind(Keyword);
   while (at != std::string_view::npos)
   {
     const std::size_t next = at + Keyword.size();
-    if (next == all.size() || IsSpace(all[next]))
+    if ((next == all.size() || IsSpace(all[next])) && IsFirstOfLine(all, at))
     {
-      return text + at + 1;
+      return text + at;
     }
     at = at == 0 ? std::string_view::npos : all.rfind(Keyword, at - 1);
   }
@@ -323,8 +334,7 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
       text = next;
       continue;
     }
-    // Seen from one byte before, so that an END at once is behind a line end as well.
-    object.End = FindEnd(object.Begin - 1, next);
+    object.End = FindEnd(object.Begin, next);
     if (object.End == end)
     {
       scanner.FailAt(end, ErrorKind::Truncated, "the line END of a TSurf");

@@ -211,6 +211,32 @@ TEST(TSReader, ReadsEveryLineEnd)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, blanks before a keyword change what it means.
+TEST(TSReader, LinesMayBeIndented)
+{
+  const std::string lines[] = { "GOCAD TSurf 1", "TFACE", "VRTX 1 0 0 0", "VRTX 2 1 0 0",
+    "VRTX 3 0 1 0", "TRGL 1 2 3", "END" };
+  for (const std::string indent : { "", "  ", "\t", " \t " })
+  {
+    std::string text;
+    for (int object = 0; object < 2; ++object)
+    {
+      for (const std::string& line : lines)
+      {
+        text += indent + line + "\n";
+      }
+    }
+    const Result result = ReadBytes(text);
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    EXPECT_TRUE(result.Warnings.empty()) << result.Warnings[0];
+    EXPECT_EQ(Count(result.Grid, VTK_TRIANGLE), 2);
+    EXPECT_EQ(result.Grid->GetCellData()->GetArray("Part")->GetTuple1(1), 1);
+  }
+  const Result other = ReadBytes("GOCAD TSurf 1\nVRTX 1 0 0 0\nBEND\nx END\nENDS\n");
+  EXPECT_EQ(other.Errors.size(), 1u);
+}
+
+//------------------------------------------------------------------------------
 TEST(TSReader, WarnsOfOddThings)
 {
   const Result tetrahedra = ReadBytes("4 1\n0 0 nan\n1 0 0\n0 1 0\n0 0 1\n0 1 1 3\n1 2 3 0\n");
