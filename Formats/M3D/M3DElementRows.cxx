@@ -12,6 +12,8 @@ constexpr char Node[] = "a node of an element";
 constexpr char TooManyNodes[] = "fewer than 2147483648 nodes of all elements together";
 constexpr char Element[] = "an element (T, P, R, H, t or q)";
 constexpr char MVMElement[] = "an element (T, P, R, H or Q)";
+// In MVM files triangles have the letter of tetrahedra.
+constexpr ElementKind MVMTriangle = { 'T', VTK_TRIANGLE, 3 };
 
 //------------------------------------------------------------------------------
 // The nodes of consecutive elements; each in memory that threads do not share.
@@ -24,9 +26,10 @@ struct alignas(64) NodeCount
 
 //------------------------------------------------------------------------------
 // The letter of an element, perhaps with the number of its nodes.
-const ElementKind* M3DElementRows::ReadKind(TextRow& row) const
+const ElementKind* M3DElementRows::ReadKind(TextRow& row, bool& hasNumber) const
 {
-  const char* const what = this->Dialect == M3DDialect::MVM ? MVMElement : Element;
+  const bool isMVM = this->Dialect == M3DDialect::MVM;
+  const char* const what = isMVM ? MVMElement : Element;
   std::string_view word;
   if (!row.ReadWord(word, what))
   {
@@ -38,15 +41,21 @@ const ElementKind* M3DElementRows::ReadKind(TextRow& row) const
     row.FailAt(word.data(), ErrorKind::Syntax, what);
     return nullptr;
   }
-  if (word.size() > 1 && IsDigit(word[1]))
+  hasNumber = word.size() > 1 && IsDigit(word[1]);
+  if (hasNumber)
   {
     std::int64_t number = 0;
     ParseInteger(word.data() + 1, word.data() + word.size(), number);
+    const bool mayBeTriangle = isMVM && kind->Letter == MVMTriangle.Letter;
+    if (mayBeTriangle && number == MVMTriangle.NumberOfNodes)
+    {
+      return &MVMTriangle;
+    }
     if (number != kind->NumberOfNodes)
     {
       row.FailAt(word.data(), ErrorKind::Unsupported,
         std::string("an element of type ") + kind->Letter + " with " +
-          std::to_string(kind->NumberOfNodes) + " nodes");
+          (mayBeTriangle ? "3 or " : "") + std::to_string(kind->NumberOfNodes) + " nodes");
       return nullptr;
     }
   }
@@ -56,14 +65,15 @@ const ElementKind* M3DElementRows::ReadKind(TextRow& row) const
 //------------------------------------------------------------------------------
 const ElementKind* M3DElementRows::ReadElement(TextRow& row, std::int32_t* nodes) const
 {
-  const ElementKind* kind = this->ReadKind(row);
+  bool hasNumber = false;
+  const ElementKind* kind = this->ReadKind(row, hasNumber);
   for (int i = 0; kind && i < kind->NumberOfNodes; ++i)
   {
-    // In MVM files triangles have the letter of tetrahedra, and nothing follows them.
-    if (i == 3 && kind->Letter == 'T' && this->Dialect == M3DDialect::MVM && !row.HasMore())
+    // Without a number, a triangle is what nothing follows.
+    if (i == MVMTriangle.NumberOfNodes && kind->Letter == MVMTriangle.Letter && !hasNumber &&
+      this->Dialect == M3DDialect::MVM && !row.HasMore())
     {
-      static const ElementKind triangle = { 'T', VTK_TRIANGLE, 3 };
-      return &triangle;
+      return &MVMTriangle;
     }
     if (!row.ReadId(nodes[i], 0, this->NumberOfNodes - 1, Node))
     {
@@ -78,7 +88,9 @@ const ElementKind* M3DElementRows::ReadElement(TextRow& row, std::int32_t* nodes
 const ElementKind* M3DElementRows::ReadSize(TextRow& row) const
 {
   std::int32_t unused[MaxElementNodes];
-  return this->Dialect == M3DDialect::MVM ? this->ReadElement(row, unused) : this->ReadKind(row);
+  bool hasNumber = false;
+  return this->Dialect == M3DDialect::MVM ? this->ReadElement(row, unused)
+                                          : this->ReadKind(row, hasNumber);
 }
 
 //------------------------------------------------------------------------------

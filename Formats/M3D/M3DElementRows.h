@@ -42,7 +42,7 @@ private:
   bool ReadPiece(TextScanner& scanner, const TextLines* lines, const Buffer<unsigned char>& types,
     const CellPiece& piece, CellMesh& mesh, MaterialTally& materials,
     const Progress& progress) const;
-  const ElementKind* ReadKind(TextRow& row) const;
+  const ElementKind* ReadKind(TextRow& row, bool& hasNumber) const;
   const ElementKind* ReadSize(TextRow& row) const;
   const ElementKind* ReadCell(TextRow& row, std::int32_t* points, MaterialTally& materials) const;
   bool ReadInParallel(const TextLines& lines, const TextLines::Section& section, char comment,

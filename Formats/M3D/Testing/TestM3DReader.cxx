@@ -201,6 +201,41 @@ TEST(M3DReader, ReadsMVM)
 }
 
 //------------------------------------------------------------------------------
+// A digit behind a letter is how many nodes there are. If this fails, elements are refused that
+// say what they are, or taken for others.
+TEST(M3DReader, ReadsNumbersOfNodesInMVM)
+{
+  const std::string nodes =
+    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+  const struct
+  {
+    const char* Element;
+    int Type;
+  } cases[] = { { "T3 0 1 2", VTK_TRIANGLE }, { "Q4 0 1 2 3", VTK_QUAD },
+    { "T4 0 1 2 4", VTK_TETRA }, { "P5 0 1 2 3 4", VTK_PYRAMID }, { "R6 0 1 3 4 5 7", VTK_WEDGE },
+    { "H8 0 1 2 3 4 5 6 7", VTK_HEXAHEDRON } };
+  for (const auto& one : cases)
+  {
+    const Result result = ReadBytes("MIXED\n8 1\n" + nodes + one.Element + "\n");
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    ASSERT_EQ(result.Grid->GetNumberOfCells(), 1);
+    EXPECT_EQ(result.Grid->GetCellType(0), one.Type) << one.Element;
+  }
+  const auto message = [&](const std::string& element)
+  {
+    const Result result = ReadBytes("MIXED\n8 1\n" + nodes + element + "\n");
+    return result.IsProperError() ? result.Errors[0] : "";
+  };
+  EXPECT_NE(message("T5 0 1 2 3 4").find("of type T with 3 or 4 nodes, found 'T5'"), std::string::npos);
+  EXPECT_NE(message("P6 0 1 2 3 4 5").find("of type P with 5 nodes, found 'P6'"), std::string::npos);
+  EXPECT_NE(message("T4 0 1 2").find("11: expected a node of an element"), std::string::npos)
+    << message("T4 0 1 2");
+  const Result m3d = ReadBytes(MakeNodes() + ElementsHeading + "1\nT3 0 1 2\n");
+  ASSERT_TRUE(m3d.IsProperError());
+  EXPECT_NE(m3d.Errors[0].find("of type T with 4 nodes, found 'T3'"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 // Layouts that mean the same.
 TEST(M3DReader, ReadsEveryLayout)
 {
