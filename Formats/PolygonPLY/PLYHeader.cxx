@@ -230,6 +230,10 @@ void HeaderReading::ReadComment(const std::vector<std::string_view>& words)
   {
     this->Header.Components[std::string(words[2])] = static_cast<int>(number);
   }
+  if (words.size() == 2 && words[1] == BlankFacesOfCells)
+  {
+    this->Header.FacesOfCellsAreBlank = true;
+  }
 }
 
 //------------------------------------------------------------------------------

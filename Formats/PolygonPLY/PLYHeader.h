@@ -50,9 +50,14 @@ struct PLYHeader
   /// Arrays of several components and how many they have, as our writer notes them in comments
   /// "components NAME NUMBER".
   std::map<std::string, int> Components;
+  /// Whether our writer noted in a comment that values of faces of cells are none.
+  bool FacesOfCellsAreBlank = false;
   const char* Body = nullptr; ///< where the values begin
   std::vector<std::string> Oddities;
 };
+
+/// What our writer says in a comment of faces that only bound cells.
+constexpr char BlankFacesOfCells[] = "faces_of_cells_have_no_values";
 
 /// A name of the file for messages.
 std::string Quote(const std::string& name);

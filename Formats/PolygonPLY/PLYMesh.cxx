@@ -382,7 +382,7 @@ vtkIdType PLYMesh::NumberFaces(
     std::copy_n(items.begin() + part->FirstCell, part->NumberOfCells, part->Items.data());
   }
   const bool hasValues = !faceParts.empty() && !Plan(*faceParts[0], this->Header).empty();
-  if (lost > 0 && hasValues)
+  if (lost > 0 && hasValues && !this->Header.FacesOfCellsAreBlank)
   {
     this->Messages.Add(
       "the values of " + std::to_string(lost) + " faces that belong to cells are left out");

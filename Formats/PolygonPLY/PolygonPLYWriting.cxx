@@ -5,6 +5,7 @@
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "FaceMesh/SharedFaces.h"
+#include "PLYHeader.h"
 #include "Parallel.h"
 #include "Scan/MappedFile.h"
 #include "Scan/WriteRows.h"
@@ -241,6 +242,11 @@ void Writing::WriteHeader()
   std::string header = std::string("ply\nformat ") +
     formats[static_cast<int>(this->Options.Encoding)] + " 1.0\n" +
     this->PointColumns.GetComments() + this->CellColumns.GetComments();
+  const bool hasCells = this->Shared && this->Shared->Polyhedra.Count > 0;
+  if (hasCells && !this->CellColumns.IsEmpty())
+  {
+    header += std::string("comment ") + BlankFacesOfCells + "\n";
+  }
   header += element("vertex", this->Output.GetNumberOfPoints());
   for (const char* axis : { "x\n", "y\n", "z\n" })
   {
@@ -262,7 +268,7 @@ void Writing::WriteHeader()
     header += element("face", faces) + this->GetListType("vertex_indices", this->GreatestFace) +
       cellProperties;
   }
-  if (this->Shared && this->Shared->Polyhedra.Count > 0)
+  if (hasCells)
   {
     header += element("cell", this->Shared->Polyhedra.Count) +
       this->GetListType("face_indices", this->GreatestCell) + cellProperties;

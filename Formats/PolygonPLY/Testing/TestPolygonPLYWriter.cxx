@@ -313,6 +313,7 @@ TEST(PolygonPLYWriter, CellsComeBack)
       EXPECT_TRUE(Has(once, "property list uchar int face_indices\n"));
       const Result read = Read(once);
       ASSERT_TRUE(read.Errors.empty()) << read.Errors[0];
+      EXPECT_TRUE(read.Warnings.empty()) << read.Warnings[0];
       ASSERT_EQ(read.Grid->GetNumberOfCells(), grid->GetNumberOfCells());
       std::vector<vtkIdType> ids;
       for (vtkIdType i = 0; i < grid->GetNumberOfPoints(); ++i)
