@@ -18,7 +18,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
+#include <map>
 
 namespace camaron
 {
@@ -127,10 +127,10 @@ std::vector<Component> FindComponents(
   vtkDataSet* mesh, std::vector<std::string>& written, Warnings& warnings)
 {
   std::vector<Component> components;
-  std::string changes;
+  std::string changes, doubles;
   for (const bool ofNodes : { true, false })
   {
-    std::set<std::string> names;
+    std::map<std::string, std::string> names; // of the arrays that have them
     vtkDataSetAttributes* const data =
       ofNodes ? static_cast<vtkDataSetAttributes*>(mesh->GetPointData()) : mesh->GetCellData();
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -142,25 +142,35 @@ std::vector<Component> FindComponents(
         continue;
       }
       const unsigned char* const flags = array->GetPointer(0);
-      const std::string upper = ToUpperMAPDL(TrimMAPDL(array->GetName()));
-      const std::string name = MakeName(upper);
-      if (!name.empty() &&
-        std::all_of(
-          flags, flags + array->GetNumberOfValues(), [](unsigned char f) { return f < 2; }) &&
-        names.insert(name).second)
+      const std::string name = MakeName(ToUpperMAPDL(TrimMAPDL(array->GetName())));
+      if (name.empty() ||
+        !std::all_of(
+          flags, flags + array->GetNumberOfValues(), [](unsigned char f) { return f < 2; }))
       {
-        components.push_back({ name, ofNodes, flags });
-        written.push_back(array->GetName());
-        if (name != upper)
-        {
-          changes += (changes.empty() ? "" : ", ") + written.back() + " to " + name;
-        }
+        continue;
+      }
+      written.push_back(array->GetName());
+      const auto found = names.emplace(name, written.back());
+      if (!found.second)
+      {
+        doubles += (doubles.empty() ? "" : ", ") + written.back() + " (" + name + " is " +
+          found.first->second + ")";
+        continue;
+      }
+      components.push_back({ name, ofNodes, flags });
+      if (name != written.back())
+      {
+        changes += (changes.empty() ? "" : ", ") + written.back() + " to " + name;
       }
     }
   }
   if (!changes.empty())
   {
     warnings.Add("names of components are changed to what decks can have: " + changes);
+  }
+  if (!doubles.empty())
+  {
+    warnings.Add("components are not written whose name in decks another one has: " + doubles);
   }
   return components;
 }

@@ -56,9 +56,9 @@ TEST(MAPDLWriter, Bytes)
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "SHELLS", { 0, 0, 0, 1, 0 });
   const Written result = Write(grid);
   EXPECT_EQ(result.Success, 1);
-  ASSERT_FALSE(result.Warnings.empty());
-  EXPECT_NE(result.Warnings[0].find("1 point rounded to 14 digits"), std::string::npos)
-    << result.Warnings[0];
+  ASSERT_EQ(result.Warnings.size(), 2u);
+  EXPECT_NE(result.Warnings[0].find("what decks can have: base to BASE\n"), std::string::npos);
+  EXPECT_NE(result.Warnings[1].find("1 point rounded to 14 digits"), std::string::npos);
   EXPECT_EQ(result.Bytes,
     "/COM,Mesh written by Camaron for ParaView\n"
     "/PREP7\n"
@@ -187,6 +187,22 @@ TEST(MAPDLWriter, ArraysComeBack)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, nobody is told which of two arrays a component is.
+TEST(MAPDLWriter, NamesThatBecomeTheSame)
+{
+  Grid grid = MakeGrid(Corners, { { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_QUAD, { 0, 1, 2, 3 } } });
+  AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "lower", { 0, 1 });
+  AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "LOWER", { 1, 0 });
+  const Written written = WriteAll(grid);
+  ASSERT_EQ(written.Warnings.size(), 2u);
+  EXPECT_NE(written.Warnings[0].find("what decks can have: lower to LOWER\n"), std::string::npos)
+    << written.Warnings[0];
+  EXPECT_NE(written.Warnings[1].find("another one has: LOWER (LOWER is lower)\n"), std::string::npos)
+    << written.Warnings[1];
+  EXPECT_EQ(GetValue(ReadDeck(written.Bytes).Grid, "LOWER", 0), 0);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, arrays that do not fit make decks that are read as other meshes, or not at all.
 TEST(MAPDLWriter, ArraysThatDoNotFit)
 {
@@ -204,7 +220,8 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "_Good.1", { 0, 1 });
   const Written written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 4u);
-  EXPECT_NE(written.Warnings[0].find(": a,b!$ to A_B__, 1 x\"\xc3\xa9 to C_1_X___, All to C_ALL\n"),
+  EXPECT_NE(written.Warnings[0].find(": a,b!$ to A_B__, 1 x\"\xc3\xa9 to C_1_X___, All to C_ALL, "
+                                     "_Good.1 to _GOOD.1\n"),
     std::string::npos)
     << written.Warnings[0];
   EXPECT_NE(written.Warnings[1].find("Many, TypeId, ElementType, Material"), std::string::npos)
