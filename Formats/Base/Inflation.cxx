@@ -109,9 +109,10 @@ bool Inflation::Inflate(
     const auto read = static_cast<std::size_t>(next - file.begin());
     if (status == Z_STREAM_END)
     {
-      // Members may follow each other; anything else at the end is padding.
+      // Members may follow each other; anything else at the end is ignored, as gzip does.
       if (!IsCompressed(next, file.end()))
       {
+        this->TrailingData = std::any_of(next, file.end(), [](char c) { return c != '\0'; });
         return true;
       }
       inflateReset(&stream.Z);

@@ -35,6 +35,9 @@ public:
   bool Inflate(
     const MappedFile& file, ScanError& error, const Progress& progress, std::size_t limit = 0);
 
+  /// Whether something other than zeros, which are padding, follows what was inflated.
+  bool HasTrailingData() const { return this->TrailingData; }
+
   const char* begin() const { return this->Data ? this->Data : ""; }
   const char* end() const { return this->begin() + this->Size; }
 
@@ -44,6 +47,7 @@ private:
   char* Data = nullptr;
   std::size_t Size = 0;
   std::size_t Capacity = 0;
+  bool TrailingData = false;
 };
 }
 

@@ -489,8 +489,13 @@ bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUns
         begin = inflation.begin();
         end = inflation.end();
       }
-      return ReadContent(file.GetName(), begin, end, request, chunk, grid, boundaries, warnings,
-        error, progress.Part(isCompressed ? 0.5 : 0, 1));
+      const bool isRead = ReadContent(file.GetName(), begin, end, request, chunk, grid, boundaries,
+        warnings, error, progress.Part(isCompressed ? 0.5 : 0, 1));
+      if (inflation.HasTrailingData() && request.Piece == 0)
+      {
+        warnings.Add("what follows the compressed data is ignored");
+      }
+      return isRead;
     });
   if (!good)
   {

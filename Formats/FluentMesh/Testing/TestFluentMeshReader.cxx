@@ -267,7 +267,13 @@ TEST(FluentMeshReader, ReadsCompressedFiles)
   const Result parts =
     ReadBytes(Gzip(text.substr(0, half)) + Gzip(text.substr(half)) + std::string(100, '\0'));
   ASSERT_TRUE(parts.Errors.empty()) << parts.Errors[0];
+  EXPECT_EQ(parts.Warnings.size(), expected.Warnings.size()); // zeros are padding
   ExpectSameGrid(expected.Grid, parts.Grid);
+  const Result garbage = ReadBytes(packed + std::string("\0garbage", 8));
+  ASSERT_TRUE(garbage.Errors.empty()) << garbage.Errors[0];
+  ASSERT_EQ(garbage.Warnings.size(), expected.Warnings.size() + 1);
+  EXPECT_NE(garbage.Warnings.back().find("follows the compressed data is ignored"), std::string::npos);
+  ExpectSameGrid(expected.Grid, garbage.Grid);
   for (std::size_t size = 3; size < packed.size(); size += 13)
   {
     EXPECT_TRUE(ReadBytes(packed.substr(0, size)).IsProperError()) << size;
