@@ -5,58 +5,26 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-bool BinaryScanner::ReadInteger(std::int32_t& value, const char* what)
+void BinaryScanner::FailAtCount(
+  const char* place, std::int32_t count, int bytes, const char* what)
 {
-  const char* place = this->Skip(4, what);
-  if (place)
-  {
-    value = Load<std::int32_t>(place, this->Swap);
-  }
-  return place != nullptr;
-}
-
-//------------------------------------------------------------------------------
-bool BinaryScanner::ReadCount(std::int32_t& value, int bytes, const char* what)
-{
-  const char* place = this->Position;
-  std::int32_t count;
-  if (!this->ReadInteger(count, what))
-  {
-    return false;
-  }
   if (count < 0)
   {
     this->FailAt(place, ErrorKind::Count, what, std::to_string(count));
-    return false;
+    return;
   }
-  if (count > this->GetBytesLeft() / bytes)
-  {
-    this->FailAt(place, ErrorKind::Truncated,
-      "at least " + std::to_string(std::int64_t(count) * bytes) + " bytes after " + what + " (" +
-        std::to_string(count) + ")",
-      std::to_string(this->GetBytesLeft()));
-    return false;
-  }
-  value = count;
-  return true;
+  this->FailAt(place, ErrorKind::Truncated,
+    "at least " + std::to_string(std::int64_t(count) * bytes) + " bytes after " + what + " (" +
+      std::to_string(count) + ")",
+    std::to_string(this->GetBytesLeft()));
 }
 
 //------------------------------------------------------------------------------
-const char* BinaryScanner::Skip(std::int64_t bytes, const char* what)
+void BinaryScanner::FailAtEnd(const char* what)
 {
-  if (!this->HasFailed() && this->GetBytesLeft() < bytes)
-  {
-    this->FailAt(this->Position, ErrorKind::Truncated, what,
-      this->GetBytesLeft() == 0 ? "the end of the file"
-                                : std::to_string(this->GetBytesLeft()) + " bytes up to its end");
-  }
-  if (this->HasFailed())
-  {
-    return nullptr;
-  }
-  const char* place = this->Position;
-  this->Position += bytes;
-  return place;
+  this->FailAt(this->Position, ErrorKind::Truncated, what,
+    this->GetBytesLeft() == 0 ? "the end of the file"
+                              : std::to_string(this->GetBytesLeft()) + " bytes up to its end");
 }
 
 //------------------------------------------------------------------------------

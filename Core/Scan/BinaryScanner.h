@@ -35,11 +35,44 @@ public:
   vtkIdType GetBytesLeft() const { return this->End - this->Position; }
 
   /// Reads one integer. @a what says in an error what was expected.
-  bool ReadInteger(std::int32_t& value, const char* what);
+  bool ReadInteger(std::int32_t& value, const char* what)
+  {
+    const char* place = this->Skip(4, what);
+    if (place)
+    {
+      value = Load<std::int32_t>(place, this->Swap);
+    }
+    return place != nullptr;
+  }
   /// Reads how many records follow, each of at least @a bytes bytes.
-  bool ReadCount(std::int32_t& value, int bytes, const char* what);
+  bool ReadCount(std::int32_t& value, int bytes, const char* what)
+  {
+    const char* const place = this->Position;
+    std::int32_t count = 0;
+    if (!this->ReadInteger(count, what))
+    {
+      return false;
+    }
+    if (count < 0 || count > this->GetBytesLeft() / bytes)
+    {
+      this->FailAtCount(place, count, bytes, what);
+      return false;
+    }
+    value = count;
+    return true;
+  }
   /// Skips @a bytes bytes and returns where they begin, or nullptr.
-  const char* Skip(std::int64_t bytes, const char* what);
+  const char* Skip(std::int64_t bytes, const char* what)
+  {
+    if (this->HasFailed() || this->GetBytesLeft() < bytes)
+    {
+      this->FailAtEnd(what);
+      return nullptr;
+    }
+    const char* const place = this->Position;
+    this->Position += bytes;
+    return place;
+  }
 
   /// Sets the error, unless there is one: "name: byte N: expected WHAT, found ..."
   void FailAt(const char* position, ErrorKind kind, const std::string& expected,
@@ -48,6 +81,9 @@ public:
   bool HasFailed() const { return static_cast<bool>(this->Error); }
 
 private:
+  void FailAtCount(const char* place, std::int32_t count, int bytes, const char* what);
+  void FailAtEnd(const char* what);
+
   std::string Name;
   const char* Begin;
   const char* End;

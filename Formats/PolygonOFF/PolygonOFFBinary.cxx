@@ -56,7 +56,6 @@ private:
     std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const;
   template <typename Take>
   bool ForEachFace(bool store, const Progress& progress, Take&& take);
-  const char* PassFace(const char* place, std::int32_t& size, std::int32_t& components) const;
   void FailAtFace(vtkIdType face, const char* place);
   OFFColor ReadColor(const char* place, std::int32_t count) const;
   float ReadReal(const char* place) const { return Load<float>(place, this->Scanner.IsSwapped()); }
@@ -120,24 +119,6 @@ bool BinaryReading::ReadHeader()
 }
 
 //------------------------------------------------------------------------------
-// Finds the end of a face; nullptr if it does not fit the file, of which the scanner tells more.
-const char* BinaryReading::PassFace(
-  const char* place, std::int32_t& size, std::int32_t& components) const
-{
-  const std::int64_t words = this->Scanner.GetBytesLeft() / Word;
-  size = words >= 2 ? this->ReadInteger(place) : -1;
-  if (size < 0 || size > words - 2)
-  {
-    return nullptr;
-  }
-  place += Word * (std::ptrdiff_t(size) + 1);
-  components = this->ReadInteger(place);
-  return components >= 0 && components <= words - 2 - size
-    ? place + Word * (std::ptrdiff_t(components) + 1)
-    : nullptr;
-}
-
-//------------------------------------------------------------------------------
 // Goes from face to face, to know where threads start and how much there is to store.
 bool BinaryReading::FindFaces(const Progress& progress)
 {
@@ -153,13 +134,8 @@ bool BinaryReading::FindFaces(const Progress& progress)
         return false;
       }
     }
-    std::int32_t size = 0, components = 0;
-    const char* const next = this->PassFace(place, size, components);
-    if (next)
-    {
-      this->Scanner.SetPosition(next);
-    }
-    else if (!this->Scanner.ReadCount(size, Word, "the number of vertices of a face") ||
+    std::int32_t size, components;
+    if (!this->Scanner.ReadCount(size, Word, "the number of vertices of a face") ||
       !this->Scanner.Skip(Word * std::int64_t(size), "the vertices of a face") ||
       !this->Scanner.ReadCount(
         components, Word, "the number of components of the colour of a face") ||
