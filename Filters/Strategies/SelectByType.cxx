@@ -5,12 +5,12 @@
 #include "Criteria/Criterion.h"
 #include "Criteria/Evaluation.h"
 #include "Grouping.h"
+#include "Scan/LowerCase.h"
 
 #include "vtkCellType.h"
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -20,14 +20,6 @@ namespace camaron
 namespace
 {
 using TypeSet = std::array<bool, VTK_NUMBER_OF_CELL_TYPES>;
-
-//------------------------------------------------------------------------------
-std::string ToLower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 //------------------------------------------------------------------------------
 /// VTK's names without "vtk", and numbers.

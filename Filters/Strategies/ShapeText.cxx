@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/ShapeText.h"
 
+#include "Scan/LowerCase.h"
 #include "Scan/Number.h"
 #include "Scan/ScanError.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -43,13 +43,6 @@ std::vector<std::string> SplitLine(std::string line)
     words.push_back(word);
   }
   return words;
-}
-
-//------------------------------------------------------------------------------
-std::string ToLower(std::string word)
-{
-  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-  return word;
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "M3DSections.h"
 
+#include "Scan/LowerCase.h"
 #include "Scan/Number.h"
 
 #include <algorithm>
@@ -10,12 +11,6 @@ namespace camaron
 {
 namespace
 {
-//------------------------------------------------------------------------------
-char ToLower(char c)
-{
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 //------------------------------------------------------------------------------
 // Whether a text begins with a keyword, in any case and however it goes on.
 bool BeginsWith(const char* text, const char* end, std::string_view keyword)

@@ -4,6 +4,7 @@
 
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
+#include "Scan/LowerCase.h"
 #include "Scan/RealFormat.h"
 #include "Scan/WriteRows.h"
 
@@ -115,11 +116,7 @@ void WarnOfOtherMaterials(vtkDataSet* mesh, Warnings& warnings)
 //------------------------------------------------------------------------------
 M3DDialect GetM3DDialect(const std::string& path)
 {
-  std::string extension = path.size() < 4 ? "" : path.substr(path.size() - 4);
-  for (char& c : extension)
-  {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
+  const std::string extension = path.size() < 4 ? "" : ToLower(path.substr(path.size() - 4));
   return extension == ".m2d" ? M3DDialect::M2D
     : extension == ".mvm"    ? M3DDialect::MVM
                              : M3DDialect::M3D;

@@ -4,6 +4,7 @@
 
 #include "PolygonOFFBinary.h"
 #include "PolygonOFFText.h"
+#include "Scan/LowerCase.h"
 #include "Scan/ReadMappedFile.h"
 
 #include "vtkUnstructuredGrid.h"
@@ -20,10 +21,7 @@ constexpr char Comment = '#';
 // The keyword may be missing in files of the right name.
 bool MayLackKeyword(const std::string& path)
 {
-  std::string ending = path.substr(path.size() - std::min<std::size_t>(path.size(), 3));
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-    [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return ending == "off";
+  return ToLower(path.substr(path.size() - std::min<std::size_t>(path.size(), 3))) == "off";
 }
 }
 

@@ -3,6 +3,7 @@
 #include "TSurfObjects.h"
 
 #include "Scan/LineChunks.h"
+#include "Scan/LowerCase.h"
 
 #include <algorithm>
 
@@ -34,7 +35,7 @@ std::string_view Trim(std::string_view text)
 bool EqualsInAnyCase(std::string_view text, std::string_view lower)
 {
   return std::equal(text.begin(), text.end(), lower.begin(), lower.end(),
-    [](char c, char expected) { return (c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c) == expected; });
+    [](char c, char expected) { return ToLower(c) == expected; });
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenFiles.h"
 
+#include "Scan/LowerCase.h"
+
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -27,16 +29,6 @@ std::size_t FindExtension(const std::string& path)
   const std::size_t name = path.size() - GetFileName(path).size();
   const std::size_t dot = path.find_last_of('.');
   return dot == std::string::npos || dot < name ? std::string::npos : dot + 1;
-}
-
-//------------------------------------------------------------------------------
-std::string ToLower(std::string text)
-{
-  for (char& c : text)
-  {
-    c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  }
-  return text;
 }
 
 //------------------------------------------------------------------------------
