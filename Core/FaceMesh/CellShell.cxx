@@ -233,8 +233,12 @@ bool CellShell::TurnFromMean()
   {
     for (std::size_t c = 0; c < 3; ++c)
     {
-      mean[c] += this->Places[3 * i + c] / static_cast<double>(numberOfPoints);
+      mean[c] += this->Places[3 * i + c];
     }
+  }
+  for (double& x : mean)
+  {
+    x /= static_cast<double>(numberOfPoints);
   }
   std::fill_n(this->Next, numberOfPoints, std::uint64_t(0));
   const double* const places = this->Places.data();
