@@ -6,6 +6,7 @@
 #include "Parallel.h"
 #include "Scan/MappedFile.h"
 #include "Scan/Number.h"
+#include "Scan/RealFormat.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -59,12 +60,10 @@ bool HasDigits(double value, int digits)
     }
   }
   std::string text;
-  AppendNumber(text, value);
-  const std::size_t exponent = std::min(text.find('e'), text.size());
-  const auto isZero = [](char c) { return c == '0' || c == '.' || c == '-'; };
-  const auto begin = std::find_if_not(text.begin(), text.begin() + exponent, isZero);
-  return std::count_if(begin, text.begin() + exponent,
-           [](char c) { return c >= '0' && c <= '9'; }) <= digits;
+  RealFormat::Exponent(digits - 1).Append(text, value);
+  double rounded = 0;
+  ParseReal(text.data(), text.data() + text.size(), rounded);
+  return rounded == value;
 }
 
 //------------------------------------------------------------------------------
@@ -136,23 +135,25 @@ void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
   const std::vector<std::string>& written, const std::vector<std::string>& writtenFields)
 {
   std::string arrays, fields;
-  const auto list = [](vtkFieldData* data, const vtkAbstractArray* except,
+  const auto list = [](vtkFieldData* data, const char* ownName, const vtkAbstractArray* globalIds,
                       const std::vector<std::string>& known, std::string& names)
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
       vtkAbstractArray* array = data->GetAbstractArray(i);
       const std::string name = DescribeArray(array);
-      if (array != except && name != vtkDataSetAttributes::GhostArrayName() &&
-        name != TimeArrayName && std::find(known.begin(), known.end(), name) == known.end())
+      if (array != globalIds && name != ownName &&
+        std::find(known.begin(), known.end(), name) == known.end())
       {
         names += (names.empty() ? "" : ", ") + name;
       }
     }
   };
-  list(mesh->GetPointData(), mesh->GetPointData()->GetGlobalIds(), written, arrays);
-  list(mesh->GetCellData(), mesh->GetCellData()->GetGlobalIds(), written, arrays);
-  list(mesh->GetFieldData(), nullptr, writtenFields, fields);
+  const char* const ghosts = vtkDataSetAttributes::GhostArrayName();
+  vtkDataSetAttributes *const points = mesh->GetPointData(), *const cells = mesh->GetCellData();
+  list(points, ghosts, points->GetGlobalIds(), written, arrays);
+  list(cells, ghosts, cells->GetGlobalIds(), written, arrays);
+  list(mesh->GetFieldData(), TimeArrayName, nullptr, writtenFields, fields);
   if (!arrays.empty())
   {
     warnings.Add(std::string(format) +

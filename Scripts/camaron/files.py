@@ -49,7 +49,7 @@ class Staging:
         """Moves everything; files of the same names are replaced, others in a folder stay.
 
         A file that is replaced keeps its permissions, and a link stays one. Raises OSError, with
-        nothing moved, where a file and a folder have the same name or a file is write-protected, and
+        nothing moved, where a file and a folder have the same name or a file is write-protected; also
         where a pipe or device does not take the bytes.
         """
         moves = list(_moves(self.path, self.destination))

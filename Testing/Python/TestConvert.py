@@ -312,12 +312,15 @@ self.GetOutput().Allocate(1)
 for x in ((0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)):
     self.GetOutput().GetPoints().InsertNextPoint(x)
 self.GetOutput().InsertNextCell(vtk.VTK_TETRA, 4, (0, 1, 2, 3))
+self.GetOutput().GetCellData().AddArray(array)
 """
         made = simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid", Script=script)
         simple.SaveData(str(source), made)
         for suffix in ("visf", "m3d", "ts", "ele", "msh", "cdb", "tri", "off", "ply"):
             notes = " ".join(convert(source, self.folder / f"f.{suffix}"))
             self.assertRegex(notes, "field data; not written: Origin( |$)", suffix)
+            if suffix in ("visf", "m3d", "ts", "msh"):  # of cells it is an array like any other
+                self.assertRegex(notes, "arrays; not written: TimeValue( |$)", suffix)
 
     def test_digits(self):
         """Coordinates of more digits than a format is given are counted."""
