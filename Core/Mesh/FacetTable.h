@@ -17,6 +17,8 @@
 #ifndef camaron_FacetTable_h
 #define camaron_FacetTable_h
 
+#include "Scan/Buffer.h" // for LargeVector
+
 #include "vtkType.h" // for vtkIdType
 
 #include <cstdint> // for the packed indices
@@ -30,7 +32,7 @@ using Index = std::int32_t;
 /// One use of a facet by a cell.
 struct CellFacet
 {
-  Index Packed = 0;
+  Index Packed;
   CellFacet() = default;
   CellFacet(Index facet, bool reversed)
     : Packed(facet * 2 + (reversed ? 1 : 0))
@@ -55,8 +57,8 @@ public:
   };
   struct CellPair
   {
-    Index First = -1;  ///< the owner
-    Index Second = -1; ///< -1 on the boundary
+    Index First;  ///< the owner
+    Index Second; ///< -1 on the boundary
   };
 
   Index GetNumberOfFacets() const { return static_cast<Index>(this->FacetCells.size()); }
@@ -99,8 +101,8 @@ private:
   Index NumberOfCells = 0;
   Index Stride = 0;                    ///< facets per cell when all cells have the same, else 0
   std::vector<vtkIdType> CellOffsets;  ///< only if Stride is 0
-  std::vector<CellFacet> CellFacets;
-  std::vector<CellPair> FacetCells;
+  LargeVector<CellFacet> CellFacets;
+  LargeVector<CellPair> FacetCells;
   std::vector<ExtraCell> ExtraCells;   ///< third and further cells, sorted
 };
 }

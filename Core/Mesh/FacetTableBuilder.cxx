@@ -4,13 +4,13 @@
 
 #include "Mesh/FacetKey.h"
 #include "Mesh/FacetMatcher.h"
+#include "Mesh/TetrahedronFaces.h"
 #include "Parallel.h"
 
 #include <algorithm>
 #include <atomic>
 #include <limits>
 #include <memory>
-#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -116,18 +116,26 @@ void FacetTableBuilder::CountFacets()
 
   // Meshes of one type of cell need no offsets.
   const vtkIdType stride = numberOfCells > 0 ? numberOfFacets(0) : 0;
-  std::atomic<bool> uniform{ true };
+  std::atomic<bool> uniform{ true }, areTetrahedra{ this->Dimension == 3 };
   ParallelFor(numberOfCells, CellGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType cell = begin; cell < end && uniform.load(std::memory_order_relaxed); ++cell)
+      bool sameNumber = true, sameType = true;
+      for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        if (numberOfFacets(cell) != stride)
-        {
-          uniform = false;
-        }
+        sameNumber &= numberOfFacets(cell) == stride;
+        sameType &= this->Mesh.GetCellType(cell) == VTK_TETRA;
+      }
+      if (!sameNumber)
+      {
+        uniform = false;
+      }
+      if (!sameType)
+      {
+        areTetrahedra = false;
       }
     });
+  this->AreTetrahedra = areTetrahedra && uniform;
   vtkIdType total = stride * numberOfCells;
   if (uniform && stride > 0)
   {
@@ -162,15 +170,25 @@ void FacetTableBuilder::CountFacets()
     throw std::length_error("more than 2^30 faces of cells in one piece of a mesh");
   }
   this->NumberOfUses = static_cast<Index>(total);
-  CellFacet none;
-  none.Packed = -1;
-  this->Table.CellFacets.assign(total, none);
+  this->Table.CellFacets.resize(total);
+  ParallelFor(total, UseChunk,
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType use = begin; use < end; ++use)
+      {
+        this->Table.CellFacets[use].Packed = -1;
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 // Leaves in CellFacets for every use the first one with the same points: itself, or the complement of another one.
 void FacetTableBuilder::MatchUses()
 {
+  if (this->AreTetrahedra && MatchTetrahedronFaces(this->Mesh, this->Table.CellFacets))
+  {
+    return;
+  }
   const Buckets buckets = this->FillBuckets(static_cast<Index>(this->Mesh.GetNumberOfPoints()),
     [this](CellFacets& facets, vtkIdType cell, auto&& put)
     {
@@ -220,7 +238,7 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
   ParallelFor(this->NumberOfUses, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::vector<CellFacet>& uses = this->Table.CellFacets;
+      LargeVector<CellFacet>& uses = this->Table.CellFacets;
       for (vtkIdType use = begin; use < end; ++use)
       {
         const Index first = firstUses[given[use]].load(std::memory_order_relaxed);
@@ -294,7 +312,7 @@ FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems
   const vtkIdType chunk = std::max(CellGrain, numberOfCells / MaxChunks + 1);
   const vtkIdType numberOfChunks = (numberOfCells + chunk - 1) / chunk;
   std::vector<std::vector<Index>> ends(numberOfChunks, std::vector<Index>(numberOfBuckets, 0));
-  std::vector<CellFacet>& keys = this->Table.CellFacets; // -1 where there is none
+  LargeVector<CellFacet>& keys = this->Table.CellFacets; // -1 where there is none
   const auto forEachChunk = [&](auto&& function)
   {
     ParallelFor(numberOfChunks, 1,
@@ -365,7 +383,7 @@ CellFacet FacetTableBuilder::GetLeader(Index use) const
 // Consecutive numbers for the first uses of facets; the others still name these.
 void FacetTableBuilder::NumberFacets()
 {
-  std::vector<CellFacet>& uses = this->Table.CellFacets;
+  LargeVector<CellFacet>& uses = this->Table.CellFacets;
   const vtkIdType numberOfFacets = ParallelScan(
     this->NumberOfUses, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
@@ -396,16 +414,16 @@ void FacetTableBuilder::ListCells()
 {
   FacetTable& table = this->Table;
   const vtkIdType numberOfFacets = table.GetNumberOfFacets();
-  std::unique_ptr<std::atomic<Index>[]> seconds(new std::atomic<Index>[numberOfFacets]);
+  // Of threads that meet at a facet with more than two cells one wins; the sum below tells of these.
+  LargeVector<std::atomic<Index>> seconds(numberOfFacets);
   ParallelFor(numberOfFacets, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType facet = begin; facet < end; ++facet)
       {
-        std::atomic_init(&seconds[facet], -1);
+        seconds[facet].store(-1, std::memory_order_relaxed);
       }
     });
-  std::mutex extraMutex;
   ParallelFor(table.NumberOfCells, CellGrain,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -422,36 +440,52 @@ void FacetTableBuilder::ListCells()
           }
           const CellFacet leader = this->GetLeader(static_cast<Index>(use));
           facet = CellFacet(table.CellFacets[leader.Facet()].Facet(), leader.IsReversed());
-          // Threads may meet at a facet with more than two cells; all but one cell go to the extra
-          // list, which is put in order below.
-          Index none = -1;
-          if (!seconds[facet.Facet()].compare_exchange_strong(
-                none, static_cast<Index>(cell), std::memory_order_relaxed))
-          {
-            const std::lock_guard<std::mutex> lock(extraMutex);
-            table.ExtraCells.push_back({ facet.Facet(), static_cast<Index>(cell) });
-          }
+          seconds[facet.Facet()].store(static_cast<Index>(cell), std::memory_order_relaxed);
         }
       }
     });
+  std::atomic<Index> listed{ 0 };
   ParallelFor(numberOfFacets, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
+      Index cells = 0;
       for (vtkIdType facet = begin; facet < end; ++facet)
       {
-        table.FacetCells[facet].Second = seconds[facet].load(std::memory_order_relaxed);
+        const Index second = seconds[facet].load(std::memory_order_relaxed);
+        table.FacetCells[facet].Second = second;
+        cells += second < 0 ? 1 : 2;
       }
+      listed += cells;
     });
-  for (FacetTable::ExtraCell& extra : table.ExtraCells)
+  if (listed < this->NumberOfUses)
   {
-    Index& second = table.FacetCells[extra.Facet].Second;
-    if (extra.Cell < second)
+    this->ListExtraCells();
+  }
+}
+
+//------------------------------------------------------------------------------
+// Of facets with more than two cells, which few meshes have.
+void FacetTableBuilder::ListExtraCells()
+{
+  FacetTable& table = this->Table;
+  std::vector<unsigned char> found(table.FacetCells.size(), 0);
+  for (Index cell = 0; cell < table.NumberOfCells; ++cell)
+  {
+    for (const CellFacet use : table.GetCellFacets(cell))
     {
-      std::swap(extra.Cell, second);
+      unsigned char& cells = found[use.Facet()];
+      if (cells == 1)
+      {
+        table.FacetCells[use.Facet()].Second = cell;
+      }
+      else if (cells == 2)
+      {
+        table.ExtraCells.push_back({ use.Facet(), cell });
+      }
+      cells = std::min(cells + 1, 2);
     }
   }
-  std::sort(table.ExtraCells.begin(), table.ExtraCells.end(),
-    [](const FacetTable::ExtraCell& a, const FacetTable::ExtraCell& b)
-    { return a.Facet != b.Facet ? a.Facet < b.Facet : a.Cell < b.Cell; });
+  std::stable_sort(table.ExtraCells.begin(), table.ExtraCells.end(),
+    [](const FacetTable::ExtraCell& a, const FacetTable::ExtraCell& b) { return a.Facet < b.Facet; });
 }
 }

@@ -41,6 +41,7 @@ private:
   void MatchGiven(const std::vector<Index>& given, Index numberOfGiven);
   void NumberFacets();
   void ListCells();
+  void ListExtraCells();
   /// Of every given number.
   std::unique_ptr<std::atomic<Index>[]> FindFirstUses(
     const std::vector<Index>& given, Index numberOfGiven);
@@ -53,6 +54,7 @@ private:
 
   const MeshView& Mesh;
   int Dimension;
+  bool AreTetrahedra = false; ///< and nothing else
   Index NumberOfUses = 0;
   FacetTable Table;
 };

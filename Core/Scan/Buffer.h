@@ -14,14 +14,53 @@
 #include "vtkSmartPointer.h"
 
 #include <cstddef>     // for std::size_t
+#include <new>         // for construct
 #include <type_traits> // for std::is_trivial
 #include <utility>     // for std::exchange
+#include <vector>      // for LargeVector
 
 namespace camaron
 {
 /// Memory for std::free; throws std::bad_alloc.
 void* AllocateLarge(std::size_t bytes);
 void FreeLarge(void* memory);
+
+/// The same memory for containers of the standard library. Values without a constructor are left uninitialised when a
+/// container grows by values that are not given.
+template <typename Value>
+struct LargeAllocator
+{
+  using value_type = Value;
+  LargeAllocator() = default;
+  template <typename Other>
+  LargeAllocator(const LargeAllocator<Other>&)
+  {
+  }
+  Value* allocate(std::size_t size) { return static_cast<Value*>(AllocateLarge(size * sizeof(Value))); }
+  void deallocate(Value* memory, std::size_t) { FreeLarge(memory); }
+  template <typename Other>
+  void construct(Other* place)
+  {
+    ::new (static_cast<void*>(place)) Other;
+  }
+  template <typename Other, typename... Arguments>
+  void construct(Other* place, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(place)) Other(std::forward<Arguments>(arguments)...);
+  }
+  template <typename Other>
+  bool operator==(const LargeAllocator<Other>&) const
+  {
+    return true;
+  }
+  template <typename Other>
+  bool operator!=(const LargeAllocator<Other>&) const
+  {
+    return false;
+  }
+};
+template <typename Value>
+using LargeVector = std::vector<Value, LargeAllocator<Value>>;
 
 template <typename Value>
 class Buffer
