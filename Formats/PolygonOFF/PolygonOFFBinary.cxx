@@ -8,6 +8,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -52,6 +53,8 @@ private:
     vtkIdType Id;
   };
 
+  bool FindFacesOfOneSize(const Progress& progress);
+  bool ReadAlikeFaces(const char* place, vtkIdType faces, std::int32_t* ids) const;
   bool ReadFace(const char*& place, vtkIdType face, vtkIdType room, std::int32_t* ids,
     std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const;
   template <typename Take>
@@ -73,6 +76,7 @@ private:
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfIds = 0;
   std::int32_t CommonSize = -1;
+  bool AreAlike = false; // faces of one size without colours, so that each place is known
   bool HasFaceColors = false;
 };
 
@@ -119,9 +123,60 @@ bool BinaryReading::ReadHeader()
 }
 
 //------------------------------------------------------------------------------
+// Takes the size of the first face for that of all; false if it is not, or if they have colours.
+bool BinaryReading::FindFacesOfOneSize(const Progress& progress)
+{
+  const vtkIdType count = this->Header.Faces;
+  const char* const first = this->Scanner.GetPosition();
+  const std::int64_t size = count > 0 ? this->ReadInteger(first) : 0;
+  const std::int64_t bytes = FaceBytes + Word * size;
+  if (size < 3 || count > this->Scanner.GetBytesLeft() / bytes || count > INT32_MAX / size)
+  {
+    return false;
+  }
+  std::atomic<bool> areAlike{ true };
+  const vtkIdType blocks = (count + BlockSize - 1) / BlockSize;
+  const bool isComplete = progress.For(blocks,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      bool alike = true;
+      const char* place = first + begin * BlockSize * bytes;
+      for (vtkIdType face = begin * BlockSize; face < std::min(end * BlockSize, count); ++face)
+      {
+        alike &= this->ReadInteger(place) == size;
+        place += bytes;
+        alike &= this->ReadInteger(place - Word) == 0;
+      }
+      if (!alike)
+      {
+        areAlike = false;
+      }
+    });
+  if (!isComplete || !areAlike)
+  {
+    return false;
+  }
+  for (vtkIdType block = 0; block < blocks; ++block)
+  {
+    const vtkIdType face = block * BlockSize;
+    this->Blocks.push_back({ first + face * bytes, face, face * size });
+  }
+  this->AreAlike = true;
+  this->CommonSize = static_cast<std::int32_t>(size);
+  this->NumberOfCells = count;
+  this->NumberOfIds = count * size;
+  this->Scanner.Skip(count * bytes, "the faces");
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // Goes from face to face, to know where threads start and how much there is to store.
 bool BinaryReading::FindFaces(const Progress& progress)
 {
+  if (this->FindFacesOfOneSize(progress))
+  {
+    return true;
+  }
   const vtkIdType count = this->Header.Faces;
   for (vtkIdType face = 0; face < count; ++face)
   {
@@ -223,6 +278,23 @@ bool BinaryReading::ReadFace(const char*& place, vtkIdType face, vtkIdType room,
 }
 
 //------------------------------------------------------------------------------
+// Reads the ids of faces that are alike; false if one is out of range.
+bool BinaryReading::ReadAlikeFaces(const char* place, vtkIdType faces, std::int32_t* ids) const
+{
+  const std::int32_t size = this->CommonSize;
+  std::uint32_t largest = 0;
+  for (vtkIdType face = 0; face < faces; ++face, place += FaceBytes, ids += size)
+  {
+    for (std::int32_t i = 0; i < size; ++i, place += Word)
+    {
+      ids[i] = this->ReadInteger(place + Word);
+      largest = std::max(largest, static_cast<std::uint32_t>(ids[i]));
+    }
+  }
+  return largest < static_cast<std::uint32_t>(this->Header.Vertices);
+}
+
+//------------------------------------------------------------------------------
 // Calls take(block, cell, first id of all, ids, size, color) for all faces that are cells, in
 // parallel. Their ids are stored, or read to where they are overwritten by those of the next block.
 template <typename Take>
@@ -246,7 +318,15 @@ bool BinaryReading::ForEachFace(bool store, const Progress& progress, Take&& tak
         scratch.resize(static_cast<std::size_t>(store ? 0 : lastId - id));
         std::int32_t* ids = store ? this->Faces.Mesh.Connectivity.data() + id : scratch.data();
         const vtkIdType last = std::min((b + 1) * BlockSize, vtkIdType(this->Header.Faces));
-        for (vtkIdType face = b * BlockSize; face < last; ++face)
+        vtkIdType face = b * BlockSize;
+        if (this->AreAlike && this->ReadAlikeFaces(place, last - face, ids))
+        {
+          for (; face < last; ++face, ++cell, id += this->CommonSize, ids += this->CommonSize)
+          {
+            take(b, cell, id, ids, this->CommonSize, OFFColor());
+          }
+        }
+        for (; face < last; ++face)
         {
           const char* const start = place;
           std::int32_t size;
@@ -421,6 +501,17 @@ bool BinaryReading::ReadVertices(
   this->VertexCensus.Colors.HasColors = header.HasColors;
   this->VertexCensus.Colors.HasReals = header.HasColors;
   const vtkIdType count = header.Vertices;
+  if (piece.IsWhole() && header.Dimension == 3 && bytes == 3 * Word)
+  {
+    return progress.For(3 * count,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          vertices.Coordinates[i] = this->ReadReal(this->Vertices + Word * i);
+        }
+      });
+  }
   return progress.For((count + BlockSize - 1) / BlockSize,
     [&](vtkIdType begin, vtkIdType end)
     {
