@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::GatheredPieces
+ * @brief Which cells and points of pieces of meshes stay when they become one mesh, and their order in it.
+ *
+ * See MergeParts for the rules. A point or cell is known by its number among those of all pieces.
+ */
+#ifndef camaron_GatheredPieces_h
+#define camaron_GatheredPieces_h
+
+#include "GatheredMesh.h"
+#include "Mesh/MeshView.h"
+
+#include "vtkDataSet.h"           // for members
+#include "vtkDataSetAttributes.h" // for kinds of ghosts
+#include "vtkUnsignedCharArray.h" // for ghosts
+
+#include <algorithm> // for the search of pieces
+#include <cstddef>   // for std::size_t
+#include <vector>    // for pieces
+
+namespace camaron
+{
+class GatheredPieces
+{
+public:
+  struct Piece
+  {
+    vtkDataSet* Mesh;
+    int Block;
+    MeshView View;
+    vtkUnsignedCharArray* Ghosts;
+    vtkIdType FirstPoint; ///< among the points of all pieces
+    vtkIdType FirstCell;  ///< among the cells of all pieces
+    bool IsLeftOut(vtkIdType cell) const
+    {
+      constexpr int kinds = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+      return this->Ghosts && (this->Ghosts->GetValue(cell) & kinds) != 0;
+    }
+  };
+
+  explicit GatheredPieces(const std::vector<MeshPart>& parts);
+
+  const std::vector<Piece>& GetPieces() const { return this->Pieces; }
+  /// False if cells or points are left out, merged or sorted.
+  bool IsUnchanged() const;
+  /// Points that were taken for another at the same place.
+  vtkIdType GetNumberOfTwins() const { return this->NumberOfTwins; }
+  /// Places where some piece has several points, and others have some, too.
+  vtkIdType GetNumberOfUnclearPlaces() const { return this->NumberOfUnclearPlaces; }
+
+  vtkIdType GetNumberOfNewPoints() const { return static_cast<vtkIdType>(this->OldPoints.size()); }
+  /// The first of the points that became a new one.
+  vtkIdType GetOldPoint(vtkIdType newPoint) const { return this->OldPoints[newPoint]; }
+  /// -1 if it is left out.
+  vtkIdType GetNewPoint(const Piece& piece, vtkIdType point) const
+  {
+    return this->NewPoints[piece.FirstPoint + point];
+  }
+  vtkIdType GetOldCell(vtkIdType newCell) const { return this->OldCells[newCell]; }
+
+  /// Calls @a visit(piece, cell) for the cells that stay, in their order.
+  template <typename Visit>
+  void ForEachCell(Visit&& visit) const
+  {
+    for (const vtkIdType cell : this->OldCells)
+    {
+      const Piece& piece = this->FindPiece(cell, &Piece::FirstCell);
+      visit(piece, cell - piece.FirstCell);
+    }
+  }
+  /// The piece of a point (&Piece::FirstPoint) or cell (&Piece::FirstCell).
+  const Piece& FindPiece(vtkIdType id, vtkIdType Piece::*first) const
+  {
+    return *(std::upper_bound(this->Pieces.begin(), this->Pieces.end(), id,
+               [first](vtkIdType i, const Piece& piece) { return i < piece.*first; }) -
+      1);
+  }
+  /// Its place among the pieces.
+  std::size_t GetIndex(const Piece& piece) const
+  {
+    return static_cast<std::size_t>(&piece - this->Pieces.data());
+  }
+  void GetPlace(vtkIdType point, double x[3]) const
+  {
+    const Piece& piece = this->FindPiece(point, &Piece::FirstPoint);
+    piece.View.GetPoint(point - piece.FirstPoint, x);
+  }
+
+private:
+  using Iterator = std::vector<Piece>::const_iterator;
+
+  void OrderCells();
+  void DropPoints();
+  void NumberPoints();
+  void NumberPointsById(Iterator begin, Iterator end);
+  void NumberPointsByPlace(Iterator begin, Iterator end);
+  std::vector<vtkIdType> FindBorderPoints(Iterator begin, Iterator end) const;
+  void MergeTwins(const vtkIdType* begin, const vtkIdType* end);
+  bool HaveSamePlace(vtkIdType a, vtkIdType b) const;
+
+  std::vector<Piece> Pieces;
+  vtkIdType NumberOfPoints = 0;
+  vtkIdType NumberOfCells = 0;
+  vtkIdType NumberOfTwins = 0;
+  vtkIdType NumberOfUnclearPlaces = 0;
+  std::vector<vtkIdType> OldCells;  // of all pieces that stay
+  std::vector<vtkIdType> NewPoints; // per point of all pieces; -1 if it is left out
+  std::vector<vtkIdType> OldPoints; // per new point the first of those that became it
+};
+}
+
+#endif
