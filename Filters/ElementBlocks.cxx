@@ -3,6 +3,7 @@
 #include "ElementBlocks.h"
 
 #include "MeshPieces.h"
+#include "SharedCopies.h"
 #include "Selection/SharedElements.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -212,7 +213,7 @@ void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
   std::int64_t counts[2] = { static_cast<std::int64_t>(this->Blocks.size()), 0 };
   for (const ElementBlock& block : this->Blocks)
   {
-    counts[1] += block.Data->GetCellGhostArray() != nullptr;
+    counts[1] += block.Data->GetCellGhostArray() || !FindFirstCopies(block.Data).empty();
   }
   reducer.Sum(counts, 2);
   if (counts[0] < 2 && counts[1] == 0)
@@ -221,9 +222,19 @@ void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
   }
   const MeshPieces pieces({ this->Blocks.begin(), this->Blocks.end() }, EvaluationOptions(),
     reducer.GetNumberOfProcesses(), reducer);
+  std::int64_t hasCopies = 0;
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {
-    this->SkipPointsOfCopies(this->Blocks[piece], pieces.Get()[piece]);
+    ElementBlock& block = this->Blocks[piece];
+    this->SkipPointsOfCopies(block, pieces.Get()[piece]);
+    const std::vector<vtkIdType>& firsts = pieces.GetFirstCopies(piece);
+    hasCopies |= !firsts.empty();
+    block.Skip.resize(std::max(block.Skip.size(), firsts.size()));
+    for (std::size_t point = 0; point < firsts.size(); ++point)
+    {
+      const bool isCopy = firsts[point] != static_cast<vtkIdType>(point);
+      block.Skip[point] |= isCopy ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
+    }
   }
   SharedElements shared = SharedElements::OfPoints(pieces.Get(), reducer);
   std::vector<std::int64_t> owners;
@@ -233,7 +244,7 @@ void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
         ? std::numeric_limits<std::int64_t>::max()
         : (static_cast<std::int64_t>(reducer.GetProcess()) << 32) + point.Piece);
   }
-  std::int64_t hasCopies = !owners.empty();
+  hasCopies |= !owners.empty();
   reducer.Max(&hasCopies, 1);
   this->PointCopies = hasCopies != 0;
   const std::vector<std::int64_t> own = owners;

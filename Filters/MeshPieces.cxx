@@ -21,7 +21,7 @@ namespace camaron
 {
 //------------------------------------------------------------------------------
 MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
-  int numberOfRequestedPieces, camaron::Reducer& reducer, bool sharesCopies)
+  int numberOfRequestedPieces, camaron::Reducer& reducer)
   : Reducer(reducer)
   , OthersAreUnknown(numberOfRequestedPieces > reducer.GetNumberOfProcesses())
 {
@@ -31,8 +31,8 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
       for (const DataSetLeaf& leaf : leaves)
       {
         CheckPointIds(leaf.Data);
-        this->Meshes.push_back(
-          AsMesh(sharesCopies ? ShareCopiesOfPoints(leaf.Data).Get() : leaf.Data));
+        this->FirstCopies.push_back(FindFirstCopies(leaf.Data));
+        this->Meshes.push_back(AsMesh(ShareCopiesOfPoints(leaf.Data, this->FirstCopies.back())));
         vtkDataSet* mesh = this->Meshes.back();
         this->Topologies.push_back(std::make_unique<MeshTopology>(mesh));
         LinkedPiece piece;
@@ -70,6 +70,23 @@ const vtkIdType* MeshPieces::GetIds(vtkDataArray* ids)
     this->Ids.back()->DeepCopy(ids);
   }
   return vtkIdTypeArray::FastDownCast(this->Ids.back())->GetPointer(0);
+}
+
+//------------------------------------------------------------------------------
+void MeshPieces::ShareMarks(std::vector<std::vector<unsigned char>>& marks) const
+{
+  for (std::size_t piece = 0; piece < marks.size(); ++piece)
+  {
+    const std::vector<vtkIdType>& firsts = this->FirstCopies[piece];
+    for (std::size_t point = 0; point < firsts.size(); ++point)
+    {
+      marks[piece][firsts[point]] |= marks[piece][point];
+    }
+    for (std::size_t point = 0; point < firsts.size(); ++point)
+    {
+      marks[piece][point] = marks[piece][firsts[point]];
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -172,12 +189,18 @@ std::vector<std::vector<vtkIdType>> MeshPieces::FindCoincidentPoints(double tole
     return camaron::FindCoincidentPoints(this->Pieces, tolerance, this->Reducer);
   }
   std::vector<std::vector<vtkIdType>> points;
-  for (const LinkedPiece& piece : this->Pieces)
+  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
     PointNumbers numbers;
-    numbers.Ids = piece.PointIds;
-    points.push_back(
-      camaron::FindCoincidentPoints(piece.Topology->GetMesh(), tolerance, numbers));
+    numbers.Ids = this->Pieces[piece].PointIds;
+    const std::vector<vtkIdType>& firsts = this->FirstCopies[piece];
+    std::vector<unsigned char> isCopy(firsts.size());
+    for (std::size_t point = 0; point < firsts.size(); ++point)
+    {
+      isCopy[point] = firsts[point] != static_cast<vtkIdType>(point);
+    }
+    points.push_back(camaron::FindCoincidentPoints(
+      this->Topologies[piece]->GetMesh(), tolerance, numbers, isCopy));
   }
   return points;
 }

@@ -40,18 +40,23 @@ public:
    * @param options what they have in common; the rest is set for each
    * @param numberOfRequestedPieces in how many pieces the pipeline works; if there are more than processes,
    *   the others cannot be asked, and a border without ghost cells is unknown
-   * @param sharesCopies whether cells share points that a data set has several times, see ShareCopiesOfPoints
    */
   MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
-    int numberOfRequestedPieces, Reducer& reducer, bool sharesCopies = false);
+    int numberOfRequestedPieces, Reducer& reducer);
   ~MeshPieces();
 
   const std::vector<LinkedPiece>& Get() const { return this->Pieces; }
   std::size_t GetSize() const { return this->Pieces.size(); }
-  /// A vtkUnstructuredGrid or vtkPolyData with the cells of the data set.
+  /// A vtkUnstructuredGrid or vtkPolyData with the cells of the data set, which share points that it has several times:
+  /// see ShareCopiesOfPoints.
   vtkDataSet* GetMesh(std::size_t piece) const { return this->Meshes[piece]; }
   const MeshTopology& GetTopology(std::size_t piece) const { return *this->Topologies[piece]; }
+  /// Of every point of a data set the first of its copies, see FindFirstCopies; none if there are no copies.
+  const std::vector<vtkIdType>& GetFirstCopies(std::size_t piece) const { return this->FirstCopies[piece]; }
   const EvaluationOptions& GetOptions(std::size_t piece) const { return this->Pieces[piece].Options; }
+
+  /// What is marked of one of several copies of a point is marked of all of them. @a marks: of each piece and point.
+  void ShareMarks(std::vector<std::vector<unsigned char>>& marks) const;
 
   /// Collective. Finds neighbours in other pieces, with @a connectBlocks also in other blocks.
   void Link(bool connectBlocks);
@@ -85,6 +90,7 @@ private:
 
   camaron::Reducer& Reducer;
   bool OthersAreUnknown; // there are more pieces than processes
+  std::vector<std::vector<vtkIdType>> FirstCopies; // see FindFirstCopies
   std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
   std::vector<std::unique_ptr<MeshTopology>> Topologies;
   std::vector<vtkSmartPointer<vtkDataArray>> Ids;

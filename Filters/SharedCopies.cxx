@@ -27,43 +27,53 @@ namespace
 using Ids = std::vector<vtkIdType>;
 
 //------------------------------------------------------------------------------
-// Per point the first one of the same global id and place; nothing if they are all different.
-Ids FindFirstCopies(vtkDataSet* mesh)
+// Told without sorting where ids ascend, or are numbers of a range that is not much larger than the mesh.
+bool AreDifferent(const Ids& ids)
 {
-  vtkDataArray* const array = mesh->GetPointData()->GetGlobalIds();
-  const vtkIdType size = mesh->GetNumberOfPoints();
-  if (!array || array->GetNumberOfTuples() != size)
-  {
-    return {};
-  }
-  Ids ids(static_cast<std::size_t>(size));
-  auto* const exact = vtkIdTypeArray::FastDownCast(array);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    ids[i] = exact ? exact->GetValue(i) : static_cast<vtkIdType>(array->GetComponent(i, 0));
-  }
+  constexpr vtkIdType perPoint = 64; // bits at most
   if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end())
   {
-    return {};
+    return true;
   }
-  Ids order(ids.size()), firsts(ids.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::iota(firsts.begin(), firsts.end(), 0);
-  std::stable_sort(
-    order.begin(), order.end(), [&ids](vtkIdType a, vtkIdType b) { return ids[a] < ids[b]; });
-  const MeshView view(mesh);
-  bool hasCopies = false;
-  for (std::size_t i = 1, first = 0; i < order.size(); ++i)
+  const auto [least, greatest] = std::minmax_element(ids.begin(), ids.end());
+  if (static_cast<double>(*greatest) - static_cast<double>(*least) >
+    static_cast<double>(perPoint) * static_cast<double>(ids.size()))
   {
-    std::array<double, 3> a, b;
-    view.GetPoint(order[first], a.data());
-    view.GetPoint(order[i], b.data());
-    const bool isCopy = ids[order[i]] == ids[order[first]] && a == b;
-    firsts[order[i]] = isCopy ? order[first] : order[i];
-    first = isCopy ? first : i;
-    hasCopies = hasCopies || isCopy;
+    return false;
   }
-  return hasCopies ? firsts : Ids();
+  std::vector<bool> isKnown(static_cast<std::size_t>(*greatest - *least) + 1);
+  const vtkIdType first = *least;
+  return std::none_of(ids.begin(), ids.end(),
+    [&](vtkIdType id)
+    {
+      const auto place = static_cast<std::size_t>(id - first);
+      const bool wasKnown = isKnown[place];
+      isKnown[place] = true;
+      return wasKnown;
+    });
+}
+
+//------------------------------------------------------------------------------
+void MarkCopies(const Ids& firsts, vtkDataSet* mesh)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  if (vtkUnsignedCharArray* const known = mesh->GetPointGhostArray())
+  {
+    ghosts->DeepCopy(known);
+  }
+  else
+  {
+    ghosts->SetNumberOfValues(mesh->GetNumberOfPoints());
+    ghosts->FillValue(0);
+  }
+  for (vtkIdType point = 0; point < ghosts->GetNumberOfValues(); ++point)
+  {
+    const bool isCopy = firsts[point] != point;
+    ghosts->SetValue(
+      point, ghosts->GetValue(point) | (isCopy ? vtkDataSetAttributes::DUPLICATEPOINT : 0));
+  }
+  mesh->GetPointData()->AddArray(ghosts);
 }
 
 //------------------------------------------------------------------------------
@@ -136,20 +146,59 @@ vtkSmartPointer<vtkDataSet> MakeSurface(vtkPolyData* surface, const Ids& firsts)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkDataSet> ShareCopiesOfPoints(vtkDataSet* mesh)
+Ids FindFirstCopies(vtkDataSet* mesh)
 {
-  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh);
-  auto* const surface = vtkPolyData::SafeDownCast(mesh);
-  const Ids firsts = grid || surface ? FindFirstCopies(mesh) : Ids();
+  vtkDataArray* const array = mesh->GetPointData()->GetGlobalIds();
+  const vtkIdType size = mesh->GetNumberOfPoints();
+  const bool isMesh = vtkUnstructuredGrid::SafeDownCast(mesh) || vtkPolyData::SafeDownCast(mesh);
+  if (!isMesh || !array || array->GetNumberOfTuples() != size)
+  {
+    return {};
+  }
+  Ids ids(static_cast<std::size_t>(size));
+  auto* const exact = vtkIdTypeArray::FastDownCast(array);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    ids[i] = exact ? exact->GetValue(i) : static_cast<vtkIdType>(array->GetComponent(i, 0));
+  }
+  if (AreDifferent(ids))
+  {
+    return {};
+  }
+  Ids order(ids.size()), firsts(ids.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::iota(firsts.begin(), firsts.end(), 0);
+  std::stable_sort(
+    order.begin(), order.end(), [&ids](vtkIdType a, vtkIdType b) { return ids[a] < ids[b]; });
+  const MeshView view(mesh);
+  bool hasCopies = false;
+  for (std::size_t i = 1, first = 0; i < order.size(); ++i)
+  {
+    std::array<double, 3> a, b;
+    view.GetPoint(order[first], a.data());
+    view.GetPoint(order[i], b.data());
+    const bool isCopy = ids[order[i]] == ids[order[first]] && a == b;
+    firsts[order[i]] = isCopy ? order[first] : order[i];
+    first = isCopy ? first : i;
+    hasCopies = hasCopies || isCopy;
+  }
+  return hasCopies ? firsts : Ids();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> ShareCopiesOfPoints(vtkDataSet* mesh, const Ids& firsts)
+{
   if (firsts.empty())
   {
     return mesh;
   }
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh);
   const vtkSmartPointer<vtkDataSet> result =
-    grid ? MakeGrid(grid, firsts) : MakeSurface(surface, firsts);
+    grid ? MakeGrid(grid, firsts) : MakeSurface(vtkPolyData::SafeDownCast(mesh), firsts);
   result->GetPointData()->ShallowCopy(mesh->GetPointData());
   result->GetCellData()->ShallowCopy(mesh->GetCellData());
   result->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  MarkCopies(firsts, result);
   return result;
 }
 }

@@ -285,7 +285,7 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
       leaf.Data->ShallowCopy(triangulated);
     }
   }
-  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer, true);
+  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
   const auto any = [&](auto&& predicate)
   { return std::any_of(criteria.begin(), criteria.end(), predicate); };
   if (any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }))

@@ -3,6 +3,10 @@
 // Coincident points of several pieces.
 #include "Elements/CoincidentPoints.h"
 
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -65,7 +69,7 @@ Vector GetPlace(const MeshView& mesh, vtkIdType point, bool asFloat)
 }
 
 //------------------------------------------------------------------------------
-// The points that only copies of cells have.
+// The points that only copies of cells have, and copies of points that no cell has.
 std::vector<unsigned char> FindCopiedPoints(const LinkedPiece& piece)
 {
   enum : unsigned char
@@ -83,9 +87,12 @@ std::vector<unsigned char> FindCopiedPoints(const LinkedPiece& piece)
       marks[points[i]] |= piece.IsCopy(cell) ? OfCopy : OfOwn;
     }
   }
-  for (unsigned char& mark : marks)
+  vtkUnsignedCharArray* const ghosts = piece.Data->GetPointGhostArray();
+  for (std::size_t point = 0; point < marks.size(); ++point)
   {
-    mark = mark == OfCopy;
+    const bool isUnusedCopy = ghosts && marks[point] == 0 &&
+      (ghosts->GetValue(static_cast<vtkIdType>(point)) & vtkDataSetAttributes::DUPLICATEPOINT);
+    marks[point] = marks[point] == OfCopy || isUnusedCopy;
   }
   return marks;
 }

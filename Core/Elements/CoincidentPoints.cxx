@@ -124,7 +124,8 @@ vtkIdType PointNumbers::operator()(vtkIdType point) const
 
 //------------------------------------------------------------------------------
 std::vector<vtkIdType> FindCoincidentPoints(
-  const MeshView& mesh, double tolerance, const PointNumbers& numbers)
+  const MeshView& mesh, double tolerance, const PointNumbers& numbers,
+  const std::vector<unsigned char>& isLeftOut)
 {
   double largest = 0;
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
@@ -135,7 +136,7 @@ std::vector<vtkIdType> FindCoincidentPoints(
     largest = std::isfinite(size) ? std::max(largest, size) : largest;
   }
   const PlaceGrid grid(tolerance, mesh.HasFloatPoints(), largest);
-  return FindCoincidentPoints(mesh, grid, numbers, {});
+  return FindCoincidentPoints(mesh, grid, numbers, isLeftOut);
 }
 
 //------------------------------------------------------------------------------

@@ -35,11 +35,12 @@ struct PointNumbers
 /**
  * Of one mesh.
  * @param tolerance see PlaceGrid
+ * @param isLeftOut of points that count for nothing; or empty
  */
-std::vector<vtkIdType> FindCoincidentPoints(
-  const MeshView& mesh, double tolerance, const PointNumbers& numbers);
+std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, double tolerance,
+  const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut = {});
 
-/// The same with a given grid. @a isLeftOut: of points that count for nothing; or empty.
+/// The same with a given grid.
 std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PlaceGrid& grid,
   const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut);
 
@@ -47,7 +48,8 @@ std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PlaceGri
  * Collective. Of every piece, with the points of the other pieces of its block. What several pieces
  * have is one point: points of the same global id, or, unless all pieces have such ids, in exactly
  * the same place. Without them points are known by their places in the pieces of the block one
- * after the other. Points that only copies of cells have count for nothing.
+ * after the other. Points that only copies of cells have, and points
+ * marked as copies that no cell has, count for nothing.
  *
  * Points within reach of the box of another piece are compared by cubes of space, every process its
  * share.

@@ -154,11 +154,15 @@ Elements MakeElements(const std::vector<LinkedPiece>& pieces, ElementKind kind, 
 SelectionMarks ChangeKindOf(
   const SelectionTask& task, const SelectionMarks& others, Quantifier quantifier)
 {
-  const std::vector<LinkedPiece>& pieces = task.GetPieces().Get();
-  const ElementKind kind = task.Blocks.GetKind();
-  KindChange change(pieces, {}, task.Reducer);
-  return kind == ElementKind::Cells ? change.MarkCells(others, quantifier)
-                                    : change.MarkBounding(others, quantifier);
+  const MeshPieces& pieces = task.GetPieces();
+  KindChange change(pieces.Get(), {}, task.Reducer);
+  if (task.Blocks.GetKind() == ElementKind::Points)
+  {
+    return change.MarkBounding(others, quantifier);
+  }
+  SelectionMarks ofPoints = others;
+  pieces.ShareMarks(ofPoints);
+  return change.MarkCells(ofPoints, quantifier);
 }
 
 //------------------------------------------------------------------------------
@@ -181,6 +185,10 @@ std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks)
     MarkSelected(leaf.Data, kind, selected.back());
   }
   const std::unique_ptr<MeshPieces> others = task.MakePieces(leaves);
+  if (kind == ElementKind::Points)
+  {
+    others->ShareMarks(selected);
+  }
   marks = Change(MakeElements(others->Get(), kind, task.Reducer),
     MakeElements(task.GetPieces().Get(), task.Blocks.GetKind(), task.Reducer), selected, quantifier,
     task.Reducer);

@@ -111,7 +111,7 @@ public:
   ///@}
   /// Collective. The same of any blocks.
   std::unique_ptr<MeshPieces> MakePieces(const std::vector<DataSetLeaf>& leaves) const;
-  /// Collective. Marks the copies of points in other pieces, too; nothing is done about cells.
+  /// Collective. Marks the copies of points in other and in the same pieces, too; nothing is done about cells.
   void MarkCopies(SelectionMarks& marks) const;
   /// Collective. Marks the ghost cells whose originals are marked, and no others; nothing is done about points.
   void MarkGhostCells(SelectionMarks& marks) const;

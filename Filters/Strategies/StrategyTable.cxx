@@ -95,12 +95,15 @@ void SelectionTask::MarkCopies(SelectionMarks& marks) const
   {
     return;
   }
+  const MeshPieces& pieces = this->GetPieces();
   if (!this->SharedPoints)
   {
-    this->SharedPoints = std::make_unique<SharedElements>(
-      SharedElements::OfPoints(this->GetPieces().Get(), this->Reducer));
+    this->SharedPoints =
+      std::make_unique<SharedElements>(SharedElements::OfPoints(pieces.Get(), this->Reducer));
   }
+  pieces.ShareMarks(marks);
   this->SharedPoints->Share(marks);
+  pieces.ShareMarks(marks);
 }
 
 //------------------------------------------------------------------------------

@@ -219,6 +219,12 @@ class TestElementsRanks(camaron_testing.TestCase):
             source = rank_meshes.split_source(mesh, ghosts=ghosts, global_ids=True, scattered=True)
             self.check(mesh, source, f"ids, ghosts {ghosts}", global_ids=True)
 
+    def test_appended(self):
+        """Several pieces in one data set: points of their borders are there more than once."""
+        for mesh in ("voronoi", "mixed", "surfaces"):
+            source = rank_meshes.split_source(mesh, global_ids=True, scattered=True, appended=3)
+            self.check(mesh, source, "appended", global_ids=True)
+
     def test_scattered(self):
         """Without ids faces may be seen from their other side, and cells have other numbers."""
         for mesh, ghosts in (("mixed", False), ("tetrahedra", True), ("surfaces", False)):

@@ -19,10 +19,11 @@ SPLITS = (
     {"scattered": True, "global_ids": True},
     {"scattered": True, "ghosts": True},
     {"ghosts": True, "empty_rank": True},
+    {"scattered": True, "global_ids": True, "appended": 3},
 )
 ALONE = camaron_testing.rank_count() == 1
 MESHES = (
-    [(mesh, SPLITS[0]) for mesh in ("voronoi", "tetrahedra", "surfaces", "mixed")]
+    [(mesh, split) for mesh in ("voronoi", "surfaces", "mixed") for split in (SPLITS[0], SPLITS[4])]
     if ALONE
     else [("mixed", SPLITS[1]), ("surfaces", SPLITS[2]), ("voronoi", SPLITS[3])]
 )

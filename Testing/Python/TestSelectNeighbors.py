@@ -21,8 +21,9 @@ SPLITS = (
     {"scattered": True, "ghosts": True},
     {"ghosts": True, "empty_rank": True},
 )
+APPENDED = {"scattered": True, "global_ids": True, "appended": 3}
 if camaron_testing.rank_count() == 1:
-    MESHES, SPLITS = ("voronoi", "tetrahedra", "overlapping", "surfaces", "mixed"), SPLITS[:1]
+    MESHES, SPLITS = ("voronoi", "tetrahedra", "overlapping", "surfaces", "mixed"), (SPLITS[0], APPENDED)
 else:
     MESHES, SPLITS = ("voronoi", "surfaces", "mixed"), SPLITS[1:]
 KINDS = ("Face", "Edge", "Vertex")

@@ -12,7 +12,7 @@ from pathlib import Path
 import gallery
 import numpy
 from paraview import simple
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
@@ -24,6 +24,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkPartitionedDataSetCollection,
     vtkUnstructuredGrid,
 )
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 EXAMPLES = Path(__file__).resolve().parents[2] / "Examples"
 
@@ -217,6 +218,21 @@ def add_array(data, name, values):
     return array
 
 
+def append(grids):
+    """One grid of several, each of which keeps its points, with their arrays and ids."""
+    filter = vtkAppendFilter()
+    for grid in grids:
+        filter.AddInputData(grid)
+    filter.Update()
+    found = filter.GetOutput()
+    for number in (0, 1):  # points and cells
+        if grids[0].GetAttributes(number).GetGlobalIds():
+            lists = [vtk_to_numpy(grid.GetAttributes(number).GetGlobalIds()) for grid in grids]
+            data = found.GetAttributes(number)
+            data.SetGlobalIds(add_array(data, "Ids", numpy.concatenate(lists)))
+    return found
+
+
 def owners_of(cells, parts, scattered):
     """To which part each cell belongs: ranges of different sizes, or anyhow."""
     if scattered:
@@ -235,10 +251,12 @@ def make_part(
     broken_ids=False,
     empty_rank=False,
     mixed_precision=False,
+    appended=1,
 ):
     """What a rank has; with `empty_rank` the first of several has no cell.
 
     With `broken_ids` ranks do not agree on the ids of points, with `mixed_precision` not on their type.
+    With `appended`, the rank has so many pieces in one grid, as readers of files of pieces make it.
     """
     points, cells = {**MESHES, **LOOSE}[mesh]()
     skipped = 1 if empty_rank and ranks > 1 else 0
@@ -252,7 +270,12 @@ def make_part(
         ]
     first_id = 1000 + broken_ids * rank if global_ids else None
     is_float = mixed_precision and rank % 2 == 1
-    return take(points, cells, own, copies, first_id, is_float) if own else vtkUnstructuredGrid()
+    if not own:
+        return vtkUnstructuredGrid()
+    if appended > 1:
+        chunks = [chunk.tolist() for chunk in numpy.array_split(own, appended) if len(chunk)]
+        return append([take(points, cells, chunk, (), first_id, is_float) for chunk in chunks])
+    return take(points, cells, own, copies, first_id, is_float)
 
 
 def make_blocks(mesh, rank, ranks, parts=1, global_ids=False, mixed_precision=False):
