@@ -4,16 +4,13 @@
 
 #include "Mesh/CellFacets.h"
 #include "Mesh/CellRegions.h"
+#include "Mesh/ConnectivityKey.h"
 #include "Mesh/FacetTableBuilder.h"
 #include "Parallel.h"
-#include "vtkCamaronCompat.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkCellArray.h"
 #include "vtkCommand.h"
-#include "vtkDataArray.h"
 #include "vtkNew.h"
-#include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -136,47 +133,6 @@ PointCells FindPointCells(const MeshView& mesh)
   result.Offsets.insert(result.Offsets.end(), ends.begin(), ends.end());
   return result;
 }
-
-//------------------------------------------------------------------------------
-// Everything that defines the connectivity of a mesh, for comparison. Never dereferenced later on.
-struct Key
-{
-  std::vector<std::pair<vtkObject*, vtkMTimeType>> Arrays;
-
-  explicit Key(vtkDataSet* mesh)
-  {
-    if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
-    {
-      this->Add(grid->GetCells());
-      this->Add(GetCellTypes(grid));
-      this->Add(grid->GetPolyhedronFaces());
-      this->Add(grid->GetPolyhedronFaceLocations());
-    }
-    else if (auto* surface = vtkPolyData::SafeDownCast(mesh))
-    {
-      this->Add(surface->GetVerts());
-      this->Add(surface->GetLines());
-      this->Add(surface->GetPolys());
-      this->Add(surface->GetStrips());
-    }
-  }
-  void Add(vtkCellArray* cells)
-  {
-    if (cells && cells->GetNumberOfCells() > 0)
-    {
-      this->Add(cells->GetOffsetsArray());
-      this->Add(cells->GetConnectivityArray());
-    }
-  }
-  void Add(vtkObject* array)
-  {
-    if (array)
-    {
-      this->Arrays.emplace_back(array, array->GetMTime());
-    }
-  }
-  bool operator==(const Key& other) const { return this->Arrays == other.Arrays; }
-};
 }
 
 //------------------------------------------------------------------------------
@@ -203,35 +159,42 @@ public:
     return *cache;
   }
 
-  std::shared_ptr<Tables> Find(vtkDataSet* mesh)
+  /// @a isNew: nobody has changed anything of what the mesh holds.
+  std::shared_ptr<Tables> Find(vtkDataSet* mesh, bool isNew = false)
   {
-    const Key key(mesh);
-    if (key.Arrays.empty())
+    ConnectivityKey key(mesh);
+    if (key.GetArrays().empty())
     {
       return std::make_shared<Tables>();
     }
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    for (const Entry& entry : this->Entries)
+    for (Entry& entry : this->Entries)
     {
-      if (entry.Key == key)
+      if (key.IsOf(entry.Key))
       {
         return entry.Tables;
       }
     }
-    for (const auto& array : key.Arrays)
+    for (const auto& known : key.GetArrays())
     {
-      if (!std::binary_search(this->Observed.begin(), this->Observed.end(), array.first))
+      vtkObject* const array = std::get<0>(known);
+      if (!std::binary_search(this->Observed.begin(), this->Observed.end(), array))
       {
         vtkNew<vtkCallbackCommand> command;
         command->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
           { Cache::Get().Forget(caller); });
-        array.first->AddObserver(vtkCommand::DeleteEvent, command);
+        array->AddObserver(vtkCommand::DeleteEvent, command);
         this->Observed.insert(
-          std::upper_bound(this->Observed.begin(), this->Observed.end(), array.first), array.first);
+          std::upper_bound(this->Observed.begin(), this->Observed.end(), array), array);
       }
     }
-    // A changed array has a new time; what was known of its old content is of no use any more.
-    this->Erase([&](const Entry& entry) { return entry.Key.Arrays[0].first == key.Arrays[0].first; });
+    if (!isNew)
+    {
+      key.Learn();
+    }
+    // What was known of the old content of a changed array is of no use any more.
+    const auto first = [](const ConnectivityKey& of) { return std::get<0>(of.GetArrays()[0]); };
+    this->Erase([&](const Entry& entry) { return first(entry.Key) == first(key); });
     this->Entries.push_back({ key, std::make_shared<Tables>() });
     return this->Entries.back().Tables;
   }
@@ -239,7 +202,7 @@ public:
 private:
   struct Entry
   {
-    camaron::Key Key;
+    ConnectivityKey Key;
     std::shared_ptr<MeshTopology::Tables> Tables;
   };
 
@@ -249,8 +212,9 @@ private:
     this->Erase(
       [&](const Entry& entry)
       {
-        return std::any_of(entry.Key.Arrays.begin(), entry.Key.Arrays.end(),
-          [&](const auto& known) { return known.first == array; });
+        const auto& arrays = entry.Key.GetArrays();
+        return std::any_of(arrays.begin(), arrays.end(),
+          [&](const auto& known) { return std::get<0>(known) == array; });
       });
     this->Observed.erase(
       std::remove(this->Observed.begin(), this->Observed.end(), array), this->Observed.end());
@@ -408,7 +372,7 @@ void MeshTopology::GetNeighbors(
 void MeshTopology::Provide(
   vtkUnstructuredGrid* grid, std::vector<Index>&& cellFaces, Index numberOfFileFaces)
 {
-  const std::shared_ptr<Tables> tables = Cache::Get().Find(grid);
+  const std::shared_ptr<Tables> tables = Cache::Get().Find(grid, true);
   tables->GivenFaces = std::move(cellFaces);
   tables->NumberOfGivenFaces = numberOfFileFaces;
 }

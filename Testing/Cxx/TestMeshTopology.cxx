@@ -335,6 +335,24 @@ TEST(MeshTopology, SharedByConnectivity)
   EXPECT_NE(&before.GetFaces(), &MeshTopology(grid).GetFaces());
 }
 
+// Cells that are added or changed in place leave the times of arrays as they were.
+TEST(MeshTopology, ChangedInPlace)
+{
+  const auto grid = MakeHexahedra(2, 1, 1, false);
+  vtkNew<vtkUnstructuredGrid> copy;
+  copy->ShallowCopy(grid);
+  EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 11);
+  EXPECT_EQ(&MeshTopology(grid).GetFaces(), &MeshTopology(copy).GetFaces());
+  const vtkIdType points[4] = { 0, 1, 3, 6 };
+  grid->InsertNextCell(VTK_TETRA, 4, points);
+  grid->Modified();
+  EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 15);
+  const vtkIdType others[8] = { 0, 1, 4, 3, 6, 7, 10, 9 };
+  grid->GetCells()->ReplaceCellAtId(1, 8, others); // now the same as the first one
+  grid->Modified();
+  EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 6 + 4);
+}
+
 // Rings of a corner cell and of the centre cell: selection-and-statistics cases G1 and G2, which count
 // the cell itself.
 TEST(MeshTopology, Neighbors)
