@@ -11,6 +11,7 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -95,6 +96,10 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
   }
   vtkNew<vtkAppendFilter> append;
   append->AddInputData(data);
+  if (!vtkPointSet::SafeDownCast(data))
+  {
+    append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); // coordinates are computed
+  }
   append->Update();
   return vtkSmartPointer<vtkDataSet>(append->GetOutput());
 }

@@ -39,9 +39,8 @@ void CellGeometry::Compute(unsigned needs)
   {
     this->HasCollapsedEdge = this->IsZeroLength(this->GetMinEdgeLength());
   }
-  const bool isStandardTetrahedron = this->IsStandard && (this->Shapes & Tetrahedra);
   const unsigned withFaces = NeedsFaces | NeedsCorners | NeedsDihedral | NeedsSolidAngle;
-  if (needs & (isStandardTetrahedron ? withFaces : withFaces | NeedsVolume))
+  if (needs & (this->IsTetrahedronByNodes() ? withFaces : withFaces | NeedsVolume))
   {
     this->ComputeFaces((needs & NeedsCentroid) != 0);
   }

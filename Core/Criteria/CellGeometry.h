@@ -132,6 +132,8 @@ public:
   {
     return this->Topology == &this->OwnTopology ? this->PointIds[point] : this->Nodes[point];
   }
+  /// Of a polygon as the mesh lists them, also those that follow themselves.
+  const std::vector<vtkIdType>& GetCornerIds() const { return this->CornerIds; }
   /// Relative to the first point.
   const Vector& GetPoint(int point) const { return this->Points[point]; }
 
@@ -295,6 +297,11 @@ private:
   void ComputeFanAreas() const;
   void ComputeVolume();
   double SumVolume() const;
+  /// Not one that another type collapses to, whose points are in any order.
+  bool IsTetrahedronByNodes() const
+  {
+    return (this->Shapes & Tetrahedra) && this->Topology != &this->OwnTopology;
+  }
   bool IsToBeOriented() const { return !this->IsStandard && !this->TrustFaceOrientation; }
   void OrientPolyhedron();
   void ComputeCentroid();

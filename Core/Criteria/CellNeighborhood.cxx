@@ -194,6 +194,28 @@ void CellNeighborhood::AddFacet(Facet& facet)
 }
 
 //------------------------------------------------------------------------------
+// Of a point that follows itself the ring has the first, and the edge begins at the last.
+void CellNeighborhood::FindUsesOfRing()
+{
+  const std::vector<vtkIdType>& ids = this->Geometry->GetCornerIds();
+  const int size = static_cast<int>(ids.size());
+  const auto after = [size](int corner) { return corner + 1 < size ? corner + 1 : 0; };
+  this->UsesOfRing.clear();
+  for (int corner = 0; corner < size; ++corner)
+  {
+    if (ids[corner] != ids[corner > 0 ? corner - 1 : size - 1])
+    {
+      int last = corner;
+      while (ids[last] == ids[after(last)])
+      {
+        last = after(last);
+      }
+      this->UsesOfRing.push_back(last);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
 {
   this->Geometry = &geometry;
@@ -205,9 +227,10 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
   {
     const FacetTable::Range uses = this->Edges->GetCellFacets(cell);
     const int size = topology.GetNumberOfFaces() > 0 ? topology.GetFaceSize(0) : 0;
-    if (size == 0 || size != uses.size())
+    this->FindUsesOfRing();
+    if (size == 0 || size != static_cast<int>(this->UsesOfRing.size()))
     {
-      return false; // a point follows itself
+      return false;
     }
     const Vector normal = Unit(geometry.GetFaceVector(0));
     const int* ring = topology.GetFace(0);
@@ -220,8 +243,9 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
       facet.Size = Norm(facet.Area);
       facet.Center = 0.5 * (a + b);
       facet.Number = i;
+      facet.Use = this->UsesOfRing[i];
       this->FindOther(
-        cell, uses[i], *this->Edges, this->Links ? &this->Links->Edges : nullptr, facet);
+        cell, uses[facet.Use], *this->Edges, this->Links ? &this->Links->Edges : nullptr, facet);
       this->AddFacet(facet);
     }
     return true;
@@ -234,7 +258,8 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     facet.Size = geometry.GetFaceArea(f);
     facet.Center = geometry.GetFaceCenter(f);
     facet.Number = f;
-    this->FindOther(cell, uses[topology.FaceNumbers[f]], *this->Faces,
+    facet.Use = topology.FaceNumbers[f];
+    this->FindOther(cell, uses[facet.Use], *this->Faces,
       this->Links ? &this->Links->Faces : nullptr, facet);
     this->AddFacet(facet);
   }

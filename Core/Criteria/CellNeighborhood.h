@@ -69,7 +69,8 @@ public:
     Vector OtherCentroid;
     Vector Line;   ///< from the centroid of the cell to OtherCentroid
     double OtherSize = 0;
-    int Number = 0; ///< of the face or edge in the cell
+    int Number = 0; ///< of the face or edge in the topology of the cell
+    int Use = 0;    ///< its place among the facets of the cell in the table
   };
 
   CellNeighborhood(
@@ -108,6 +109,7 @@ public:
 
 private:
   void AddFacet(Facet& facet);
+  void FindUsesOfRing();
   void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links,
     Facet& facet);
   bool FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links,
@@ -124,6 +126,7 @@ private:
   double Size = 0;
   std::vector<Facet> Facets;
   std::vector<Index> FacetCells; // scratch
+  std::vector<int> UsesOfRing;   // of the edges that are left of a polygon, among all of it
 };
 }
 

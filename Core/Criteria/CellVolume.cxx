@@ -25,7 +25,7 @@ void CellGeometry::ComputeVolume()
     this->Volume = Null(NullReason::InvalidTopology);
     return;
   }
-  this->Volume = this->IsStandard && (this->Shapes & Tetrahedra)
+  this->Volume = this->IsTetrahedronByNodes()
     ? Dot(this->Points[1], Cross(this->Points[2], this->Points[3])) / 6
     : this->SumVolume();
   if (this->IsToBeOriented())

@@ -79,9 +79,28 @@ double TriangleRadiusEdgeRatio(const CellGeometry& cell)
 
 //------------------------------------------------------------------------------
 template <typename Cell>
+auto GetShortestEdge(const Cell& cell)
+{
+  return cell.GetMinEdgeLength();
+}
+// Of what is left of a cell of another type, whose points follow themselves.
+double GetShortestEdge(const CellGeometry& cell)
+{
+  if (!cell.HasRepeatedPoints())
+  {
+    return cell.GetMinEdgeLength();
+  }
+  double shortest = Infinity;
+  for (int edge = 0; edge < cell.GetNumberOfEdges(); ++edge)
+  {
+    shortest = std::min(shortest, cell.GetEdgeLength(edge));
+  }
+  return shortest;
+}
+template <typename Cell>
 auto GetTetRadiusEdgeRatio(const Cell& cell)
 {
-  return CircumradiusTimes12Volumes(cell) / (12 * Abs(cell.GetVolume()) * cell.GetMinEdgeLength());
+  return CircumradiusTimes12Volumes(cell) / (12 * Abs(cell.GetVolume()) * GetShortestEdge(cell));
 }
 double TetRadiusEdgeRatio(const CellGeometry& cell)
 {

@@ -264,9 +264,9 @@ void OfFacets(const ElementContext& context, double* values)
     {
       for (const CellNeighborhood::Facet& facet : neighborhood.GetFacets())
       {
-        const Index number = uses[facet.Number].Facet();
+        const Index number = uses[facet.Use].Facet();
         const int* ring = cell.GetTopology().GetFace(0);
-        const int next = facet.Number + 1 < uses.size() ? facet.Number + 1 : 0;
+        const int next = facet.Number + 1 < cell.GetTopology().GetFaceSize(0) ? facet.Number + 1 : 0;
         const vtkIdType edge =
           finder.Find(cell.GetPointId(ring[facet.Number]), cell.GetPointId(ring[next]));
         const double value = Value(neighborhood, facet);
@@ -275,7 +275,7 @@ void OfFacets(const ElementContext& context, double* values)
           worst.Add(edge, Sign * value);
         }
         else if (table.GetCells(number).First == id &&
-          table.GetOwnerLocalFacet(number) == facet.Number)
+          table.GetOwnerLocalFacet(number) == facet.Use)
         {
           values[edge] = value;
         }

@@ -140,9 +140,8 @@ void EvaluateFacets(const ElementContext& context, const std::vector<const Eleme
     {
       for (const Facet& facet : neighborhood.GetFacets())
       {
-        const int local = cell.GetTopology().FaceNumbers[facet.Number];
-        const Index face = uses[local].Facet();
-        if (table.GetCells(face).First != id || table.GetOwnerLocalFacet(face) != local)
+        const Index face = uses[facet.Use].Facet();
+        if (table.GetCells(face).First != id || table.GetOwnerLocalFacet(face) != facet.Use)
         {
           continue;
         }

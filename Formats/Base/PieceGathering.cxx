@@ -18,6 +18,7 @@
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -228,6 +229,10 @@ private:
     {
       vtkNew<vtkAppendFilter> convert;
       convert->AddInputData(leaf);
+      if (!vtkPointSet::SafeDownCast(leaf))
+      {
+        convert->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); // coordinates are computed
+      }
       convert->Update();
       this->Parts.push_back({ convert->GetOutput(), this->Block });
     }
