@@ -51,7 +51,7 @@ void ForFaces(const FacetTable& faces, vtkIdType cell, CellFacets& facets, Visit
       [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
       {
         const Index facet = uses[static_cast<Index>(local)].Facet();
-        if (faces.GetCells(facet).First == cell &&
+        if (faces.GetCells(facet).First == cell && !faces.IsCollapsed(facet) &&
           faces.GetOwnerLocalFacet(facet) == static_cast<Index>(local))
         {
           visit(points, size, faces.IsBoundary(facet));

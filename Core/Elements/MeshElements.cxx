@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/MeshElements.h"
 
+#include "Criteria/CellGeometry.h"
 #include "Elements/Counters.h"
 #include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
@@ -68,6 +69,49 @@ vtkSmartPointer<vtkCellArray> MakePolygons(const MeshView& mesh, const FacetTabl
   auto polygons = vtkSmartPointer<vtkCellArray>::New();
   polygons->SetData(offsets, connectivity);
   return polygons;
+}
+
+//------------------------------------------------------------------------------
+// Faces of polyhedra run as the file says, which need not be out of their owners.
+void TurnOutward(const ElementContext& context, const FacetTable& table, vtkCellArray* polygons)
+{
+  const MeshView& mesh = context.GetMesh();
+  if (!mesh.HasPolyhedra())
+  {
+    return;
+  }
+  const vtkTypeInt64* starts = vtkTypeInt64Array::SafeDownCast(polygons->GetOffsetsArray())->GetPointer(0);
+  vtkTypeInt64* ids = vtkTypeInt64Array::SafeDownCast(polygons->GetConnectivityArray())->GetPointer(0);
+  ParallelFor(mesh.GetNumberOfCells(), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellGeometry geometry;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const FacetTable::Range uses = table.GetCellFacets(cell);
+        if (uses.size() == 0 || mesh.GetPolyhedronFaces(cell).Size == 0)
+        {
+          continue;
+        }
+        geometry.Load(mesh, cell, context.GetOptions());
+        geometry.Normalize();
+        if (!geometry.IsFinite())
+        {
+          continue;
+        }
+        geometry.Compute(NeedsVolume);
+        const CellTopology& topology = geometry.GetTopology();
+        for (int face = 0; face < topology.GetNumberOfFaces(); ++face)
+        {
+          const Index local = topology.FaceNumbers[face], facet = uses[local].Facet();
+          if (topology.IsReversed(face) && table.GetCells(facet).First == cell &&
+            table.GetOwnerLocalFacet(facet) == local)
+          {
+            std::reverse(ids + starts[facet] + 1, ids + starts[facet + 1]); // the first point stays
+          }
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -267,8 +311,13 @@ void MakeFaces(
 {
   const FacetTable& table = context.GetTopology().GetFaces();
   const bool isVolume = context.HasCells(3);
-  faces->SetPolys(
-    isVolume ? MakePolygons(context.GetMesh(), table) : MakePolygonCells(context));
+  const auto polygons =
+    isVolume ? MakePolygons(context.GetMesh(), table) : MakePolygonCells(context);
+  if (isVolume)
+  {
+    TurnOutward(context, table, polygons);
+  }
+  faces->SetPolys(polygons);
   AddElementArrays(context, GetFaceArrays(), arrays, faces);
   if (!context.GetOptions().Ghosts)
   {

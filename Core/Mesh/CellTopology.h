@@ -94,8 +94,11 @@ public:
   int GetShell(int face) const { return this->Shells[face]; }
   int GetNumberOfShells() const { return this->NumberOfShells; }
   ///@}
+  ///@{
   /// Faces that run against the order in which they were added.
   int GetNumberOfReversedFaces() const;
+  bool IsReversed(int face) const { return this->Reversed[face] != 0; }
+  ///@}
   /// Reverses the faces of shells by their numbers.
   void ReverseShells(const std::vector<unsigned char>& areReversed);
   void MakeVertexFigures();

@@ -12,6 +12,9 @@
  * number; the numbering is thus the same for any number of threads. A facet runs in the direction of
  * its owner; every other use says whether it runs the same way.
  *
+ * What is left of a facet with fewer than three different points (an edge: two), and the edges of a polygon with fewer
+ * than three, are collapsed: nothing can lie beyond them. No two cells share them, and they are not on the boundary.
+ *
  * The table holds no points: those of a facet are those of its owner's local facet.
  */
 #ifndef camaron_FacetTable_h
@@ -58,7 +61,7 @@ public:
   struct CellPair
   {
     Index First;  ///< the owner
-    Index Second; ///< -1 on the boundary
+    Index Second; ///< below 0 if there is none
   };
 
   Index GetNumberOfFacets() const { return static_cast<Index>(this->FacetCells.size()); }
@@ -74,9 +77,10 @@ public:
   CellPair GetCells(Index facet) const { return this->FacetCells[facet]; }
   /// All cells of a facet, the owner first, then ascending; @a cells is overwritten.
   void GetCells(Index facet, std::vector<Index>& cells) const;
-  /// 1 on the boundary, 2 inside, more where the mesh is non-manifold.
+  /// 1 on the boundary and of collapsed ones, 2 inside, more where the mesh is non-manifold.
   Index GetNumberOfCells(Index facet) const;
-  bool IsBoundary(Index facet) const { return this->FacetCells[facet].Second < 0; }
+  bool IsBoundary(Index facet) const { return this->FacetCells[facet].Second == NoCell; }
+  bool IsCollapsed(Index facet) const { return this->FacetCells[facet].Second == Nothing; }
   /// Local number of the facet in its owner, the first cell of GetCells.
   Index GetOwnerLocalFacet(Index facet) const;
 
@@ -86,6 +90,12 @@ public:
 private:
   friend class FacetMatcher;
   friend class FacetTableBuilder;
+
+  ///@{
+  /// In place of the second cell.
+  static constexpr Index NoCell = -1;
+  static constexpr Index Nothing = -2;
+  ///@}
 
   vtkIdType GetOffset(vtkIdType cell) const
   {

@@ -65,6 +65,34 @@ private:
   int Shift = 0;
   Index Largest;
 };
+
+//------------------------------------------------------------------------------
+struct FacetPoints
+{
+  const vtkIdType* Points;
+  vtkIdType Size;
+  vtkIdType operator[](vtkIdType i) const { return this->Points[i]; }
+};
+
+//------------------------------------------------------------------------------
+// Whether a list of points has three different ones; as a rule the first three are.
+template <typename Points>
+bool IsPolygon(const Points& points)
+{
+  vtkIdType second = 1;
+  while (second < points.Size && points[second] == points[0])
+  {
+    ++second;
+  }
+  for (vtkIdType third = second + 1; third < points.Size; ++third)
+  {
+    if (points[third] != points[0] && points[third] != points[second])
+    {
+      return true;
+    }
+  }
+  return false;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -91,6 +119,7 @@ FacetTable FacetTableBuilder::Build(
   }
   builder.NumberFacets();
   builder.ListCells();
+  builder.KeepCollapsed();
   return std::move(builder.Table);
 }
 
@@ -182,6 +211,33 @@ void FacetTableBuilder::CountFacets()
 }
 
 //------------------------------------------------------------------------------
+// Calls put(use, points, size) for the facets of a cell that are not collapsed, and notes the other ones.
+template <typename PutFacet>
+void FacetTableBuilder::ForEachSoundFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put)
+{
+  if (facets.GetDimension(cell) != this->Dimension)
+  {
+    return;
+  }
+  const vtkIdType begin = this->Table.GetOffset(cell);
+  const bool isSoundPolygon = this->Dimension == 2 && IsPolygon(this->Mesh.GetCellPoints(cell));
+  facets.ForEach(cell,
+    [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+    {
+      const Index use = static_cast<Index>(begin + local);
+      const bool isSound = this->Dimension == 2 ? isSoundPolygon && points[0] != points[1]
+                                                : IsPolygon(FacetPoints{ points, size });
+      if (isSound)
+      {
+        put(use, points, size);
+        return;
+      }
+      const std::lock_guard<std::mutex> lock(this->CollapsedMutex);
+      this->Collapsed.push_back(use);
+    });
+}
+
+//------------------------------------------------------------------------------
 // Leaves in CellFacets for every use the first one with the same points: itself, or the complement of another one.
 void FacetTableBuilder::MatchUses()
 {
@@ -192,18 +248,9 @@ void FacetTableBuilder::MatchUses()
   const Buckets buckets = this->FillBuckets(static_cast<Index>(this->Mesh.GetNumberOfPoints()),
     [this](CellFacets& facets, vtkIdType cell, auto&& put)
     {
-      if (facets.GetDimension(cell) == this->Dimension)
-      {
-        const vtkIdType first = this->Table.GetOffset(cell);
-        facets.ForEach(cell,
-          [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-          {
-            if (size > 0)
-            {
-              put(static_cast<Index>(first + local), static_cast<Index>(GetSmallest(points, size)));
-            }
-          });
-      }
+      this->ForEachSoundFacet(facets, cell,
+        [&](Index use, const vtkIdType* points, vtkIdType size)
+        { put(use, static_cast<Index>(GetSmallest(points, size))); });
     });
   this->Match(buckets, &FacetMatcher::Match);
 }
@@ -214,25 +261,20 @@ void FacetTableBuilder::MatchUses()
 void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index numberOfGiven)
 {
   const std::unique_ptr<std::atomic<Index>[]> firstUses = this->FindFirstUses(given, numberOfGiven);
-  const std::unique_ptr<unsigned char[]> down(new unsigned char[given.size()]);
+  const std::unique_ptr<unsigned char[]> down(new unsigned char[given.size()]());
   const PointHash hash(this->Mesh.GetNumberOfPoints());
   const Buckets buckets = this->FillBuckets(hash.GetLargest(),
     [&](CellFacets& facets, vtkIdType cell, auto&& put)
     {
-      if (facets.GetDimension(cell) == this->Dimension)
-      {
-        const vtkIdType first = this->Table.GetOffset(cell);
-        facets.ForEach(cell,
-          [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
+      this->ForEachSoundFacet(facets, cell,
+        [&](Index use, const vtkIdType* points, vtkIdType size)
+        {
+          down[use] = RunsDown(points, size);
+          if (firstUses[given[use]].load(std::memory_order_relaxed) == use)
           {
-            const Index use = static_cast<Index>(first + local);
-            down[use] = RunsDown(points, size);
-            if (size > 0 && firstUses[given[use]].load(std::memory_order_relaxed) == use)
-            {
-              put(use, hash(points, size));
-            }
-          });
-      }
+            put(use, hash(points, size));
+          }
+        });
     });
   this->Match(buckets, &FacetMatcher::MatchHashed);
   ParallelFor(this->NumberOfUses, UseChunk,
@@ -249,6 +291,10 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
         }
       }
     });
+  for (const Index use : this->Collapsed)
+  {
+    this->Table.CellFacets[use] = CellFacet(use, false);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -460,6 +506,16 @@ void FacetTableBuilder::ListCells()
   if (listed < this->NumberOfUses)
   {
     this->ListExtraCells();
+  }
+}
+
+//------------------------------------------------------------------------------
+void FacetTableBuilder::KeepCollapsed()
+{
+  for (const Index use : this->Collapsed)
+  {
+    const Index facet = this->Table.CellFacets[use].Facet();
+    this->Table.FacetCells[facet].Second = FacetTable::Nothing;
   }
 }
 

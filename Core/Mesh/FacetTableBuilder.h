@@ -16,6 +16,7 @@
 
 #include <atomic> // for first uses
 #include <memory> // for first uses
+#include <mutex>  // for collapsed facets
 #include <vector> // for scratch
 
 namespace camaron
@@ -42,6 +43,9 @@ private:
   void NumberFacets();
   void ListCells();
   void ListExtraCells();
+  template <typename PutFacet>
+  void ForEachSoundFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put);
+  void KeepCollapsed();
   /// Of every given number.
   std::unique_ptr<std::atomic<Index>[]> FindFirstUses(
     const std::vector<Index>& given, Index numberOfGiven);
@@ -56,6 +60,8 @@ private:
   int Dimension;
   bool AreTetrahedra = false; ///< and nothing else
   Index NumberOfUses = 0;
+  std::mutex CollapsedMutex;
+  std::vector<Index> Collapsed; ///< uses of facets that are, see FacetTable
   FacetTable Table;
 };
 }

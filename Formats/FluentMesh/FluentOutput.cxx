@@ -202,7 +202,11 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
   const Index count = this->Facets.GetNumberOfFacets();
   this->Faces.resize(static_cast<std::size_t>(count));
   const auto getFileCell = [this](Index cell)
-  { return cell < 0 || this->AllCells ? cell : this->FileCells[static_cast<std::size_t>(cell)]; };
+  {
+    return cell < 0     ? -1
+      : this->AllCells ? cell
+                       : this->FileCells[static_cast<std::size_t>(cell)];
+  };
   std::vector<Face> more; // the other sides of faces that two cells run around alike
   const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes that bound something
   Tally crowded, alike, small;
