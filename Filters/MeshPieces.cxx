@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshPieces.h"
 
+#include "Criteria/CellIds.h"
 #include "Criteria/CellNeighborhood.h"
 #include "Criteria/CompletedPieces.h"
 #include "Elements/CoincidentPoints.h"
@@ -16,6 +17,8 @@
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <limits>
 
 namespace camaron
 {
@@ -90,6 +93,24 @@ void MeshPieces::ShareMarks(std::vector<std::vector<unsigned char>>& marks) cons
 }
 
 //------------------------------------------------------------------------------
+void MeshPieces::NumberCells()
+{
+  const CellIds ids(this->Pieces, this->Reducer);
+  this->CellNumbers.assign(this->Pieces.size(), {});
+  for (std::size_t p = 0; p < this->Pieces.size() && !ids.AreGlobal(); ++p)
+  {
+    LinkedPiece& piece = this->Pieces[p];
+    std::vector<std::int64_t>& numbers = this->CellNumbers[p];
+    for (vtkIdType cell = 0; cell < this->Meshes[p]->GetNumberOfCells(); ++cell)
+    {
+      numbers.push_back(
+        piece.IsCopy(cell) ? std::numeric_limits<std::int64_t>::max() : ids.GetInBlock(p, cell));
+    }
+    piece.Options.CellNumbers = numbers.data();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool MeshPieces::AreSeveral()
 {
   std::int64_t numberOfPieces = static_cast<std::int64_t>(this->Pieces.size());
@@ -121,6 +142,7 @@ void MeshPieces::Link(bool connectBlocks)
         }
       }
     });
+  this->NumberCells();
   this->Links = LinkPieces(this->Pieces, this->Reducer);
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {

@@ -23,9 +23,10 @@
 #include "vtkDataSet.h"      // for the meshes
 #include "vtkSmartPointer.h" // for the meshes
 
-#include <memory> // for the topologies
-#include <string> // for names of arrays
-#include <vector> // for the pieces
+#include <cstdint> // for numbers of cells
+#include <memory>  // for the topologies
+#include <string>  // for names of arrays
+#include <vector>  // for the pieces
 
 class vtkDataArray;
 
@@ -82,6 +83,8 @@ public:
 
 private:
   const vtkIdType* GetIds(vtkDataArray* ids);
+  /// Collective.
+  void NumberCells();
   ///@{
   /// Collective. Whether there are several pieces, and they can be asked.
   bool AreSeveral();
@@ -90,6 +93,7 @@ private:
 
   camaron::Reducer& Reducer;
   bool OthersAreUnknown; // there are more pieces than processes
+  std::vector<std::vector<std::int64_t>> CellNumbers; // see EvaluationOptions
   std::vector<std::vector<vtkIdType>> FirstCopies; // see FindFirstCopies
   std::vector<vtkSmartPointer<vtkDataSet>> Meshes;
   std::vector<std::unique_ptr<MeshTopology>> Topologies;

@@ -24,6 +24,7 @@
 #include "Mesh/VectorPair.h"
 
 #include <algorithm> // for tolerances
+#include <cstdint>   // for numbers of cells
 #include <limits>    // for tolerances
 #include <vector>    // for the parts
 
@@ -55,8 +56,11 @@ struct EvaluationOptions
   double PlanarityTolerance = 0.1;
   /// Of every cell whether it is a ghost, not 0; or none.
   const unsigned char* Ghosts = nullptr;
-  /// Ids by which cells are known in all pieces; without them it is their place in the mesh.
+  /// Ids by which cells are known in all pieces; without them it is their number or their place in the mesh.
   vtkDataArray* GlobalIds = nullptr;
+  /// Where not all pieces have such ids: of every cell its number among those of its block, that of copies above all; or
+  /// none.
+  const std::int64_t* CellNumbers = nullptr;
   /// Cells of other pieces at the facets; or none.
   const PieceLinks* Links = nullptr;
   /// Mean sizes of the cells of all pieces; if none, those of the mesh that is evaluated.

@@ -24,6 +24,7 @@ public:
   /// Collective. Borrows the pieces.
   CellIds(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 
+  bool AreGlobal() const { return this->HasIds; }
   /// Of a cell that is no copy.
   std::int64_t Get(std::size_t piece, vtkIdType cell) const;
   /// The same, but cells without global ids are counted from the first one of their block.

@@ -278,7 +278,9 @@ private:
         }
         Use use = {};
         use.Key = candidate.Key;
-        use.Cell.Id = piece.CellIds ? piece.CellIds[cell] : cell;
+        use.Cell.Id = piece.Options.CellNumbers ? piece.Options.CellNumbers[cell]
+          : piece.CellIds                       ? piece.CellIds[cell]
+                                                : cell;
         use.Cell.Process = this->Reducer.GetProcess();
         use.Cell.Piece = candidate.Piece;
         use.Cell.Cell = cell;

@@ -44,6 +44,10 @@ const std::vector<Vector>& MeshContext::GetCellVectors() const
 //------------------------------------------------------------------------------
 double MeshContext::GetId(vtkIdType cell) const
 {
+  if (this->Options.CellNumbers)
+  {
+    return static_cast<double>(this->Options.CellNumbers[cell]);
+  }
   vtkDataArray* ids = this->Options.GlobalIds;
   return ids ? ids->GetComponent(cell, 0) : static_cast<double>(cell);
 }

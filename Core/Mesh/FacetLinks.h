@@ -24,7 +24,7 @@ struct LinkedCell
   Vector Centroid;     ///< not relative to anything
   double Size = 0;     ///< volume or area, null where the cell is not closed
   Vector Area;         ///< unit normal of a polygon; zero if it has no area
-  std::int64_t Id = 0; ///< global id, or the number in its piece
+  std::int64_t Id = 0; ///< global id, or the number in its block or piece
   std::int32_t Process = 0, Piece = 0, Cell = 0;
   Index Facet = 0;
 };

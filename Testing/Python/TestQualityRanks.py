@@ -172,6 +172,23 @@ class TestQualityRanks(camaron_testing.TestCase):
             with_statistics = mesh in ("voronoi", "surfaces")
             self.check(mesh, rank_meshes.split_source(mesh), "pieces", with_statistics)
 
+    def test_duplicates_keep_their_numbers(self):
+        """Without global ids cells are known by their numbers in the whole mesh, if pieces are ranges of it."""
+        _, cells = rank_meshes.MESHES["overlapping"]()
+        numbers = {}
+        for number, cell in enumerate(cells):
+            numbers.setdefault(frozenset(rank_meshes.points_of(cell)), []).append(number)
+        expected = [numbers[frozenset(rank_meshes.points_of(cell))] for cell in cells]
+        expected = [alike[0] if len(alike) > 1 else -1 for alike in expected]
+        for ghosts in (False, True):
+            found = {}
+            for data in fetch_all(evaluate(rank_meshes.split_source("overlapping", ghosts=ghosts))):
+                own = camaron_testing.own_cells(data)
+                cells = data.GetCellData()
+                arrays = [vtk_to_numpy(cells.GetArray(name)) for name in ("Number", "DuplicateCell")]
+                found.update(zip(arrays[0][own].tolist(), arrays[1][own].tolist()))
+            self.assertEqual([found[i] for i in range(len(expected))], expected, ghosts)
+
     def test_scattered(self):
         """Cells anywhere, so that almost every face is a border."""
         for mesh in ("voronoi", "sparse", "overlapping", "surfaces"):

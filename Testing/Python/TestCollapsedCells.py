@@ -1,0 +1,172 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Cells that use a point twice are what is left of them; and inputs that VTK's filters round or change in place."""
+
+import camaron_testing
+import gallery
+import mesh_parts
+import numpy
+from paraview import simple
+from paraview.servermanager import OutputPort
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON,
+    VTK_POLYHEDRON,
+    VTK_PYRAMID,
+    VTK_QUAD,
+    VTK_TETRA,
+    VTK_TRIANGLE,
+    VTK_WEDGE,
+    vtkImageData,
+    vtkPolygon,
+)
+
+CUBE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
+OF_SOLIDS = ["Volume", "MinSolidAngle", "MaxDihedralAngle", "KernelRatio", "FaceOrientationStatus"]
+OF_TETRAHEDRA = ["TetRadiusEdgeRatio", "TetMeanRatio", "TetRadiusRatio", "TetQualityFoam"]
+OF_NEIGHBORS = ["MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight", "OrthogonalQuality"]
+
+
+class TestCollapsedCells(camaron_testing.TestCase):
+    def evaluate(self, data, names):
+        """By criterion the values of the cells."""
+        quality = simple.ElementQuality(Input=mesh_parts.producer(data), Criteria=names)
+        cells = self.fetch(quality).GetCellData()
+        return {name: vtk_to_numpy(cells.GetArray(name)) for name in names}
+
+    def elements(self, data, port, **properties):
+        return self.fetch(simple.MeshElements(Input=mesh_parts.producer(data), **properties), port)
+
+    def array(self, data, name):
+        return vtk_to_numpy(data.GetCellData().GetArray(name))
+
+    def test_tetrahedra_in_other_types(self):
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0.2, 0.3, 1)]
+        cells = [
+            (VTK_TETRA, [0, 1, 2, 3]),
+            (VTK_WEDGE, [0, 2, 1, 3, 3, 3]),
+            (VTK_PYRAMID, [0, 1, 2, 2, 3]),
+            (VTK_HEXAHEDRON, [0, 1, 2, 2, 3, 3, 3, 3]),
+        ]
+        found = self.evaluate(gallery.make_grid(points, cells), OF_SOLIDS + OF_TETRAHEDRA)
+        self.assertAlmostEqual(found["Volume"][0], 1 / 6)
+        for name, values in found.items():
+            for value in values[1:]:
+                self.assertAlmostEqual(value, values[0], 12, name)
+        # And inverted ones, of which the wedge has its triangles the other way round.
+        inverted = [(VTK_TETRA, [0, 2, 1, 3]), (VTK_WEDGE, [0, 1, 2, 3, 3, 3])]
+        found = self.evaluate(gallery.make_grid(points, inverted, turns=False), ["Volume"])
+        numpy.testing.assert_allclose(found["Volume"], -1 / 6, rtol=1e-14)
+
+    def test_triangle_as_quadrilateral(self):
+        """Neighbours of an edge after a point that follows itself, wherever in the list."""
+        points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0)]
+        others = [(VTK_TRIANGLE, [0, 2, 3]), (VTK_QUAD, [1, 4, 5, 2])]
+        expected = None
+        for kind, ids in (
+            (VTK_TRIANGLE, [0, 1, 2]),
+            (VTK_QUAD, [0, 1, 2, 2]),
+            (VTK_QUAD, [0, 0, 1, 2]),
+            (VTK_QUAD, [0, 1, 2, 0]),
+        ):
+            grid = gallery.make_grid(points, [(kind, ids), *others])
+            edges = self.elements(grid, 1, EdgeArrays=["NonOrthogonality", "IsBoundary"])
+            found = self.evaluate(grid, OF_NEIGHBORS)
+            found["edges"] = self.array(edges, "NonOrthogonality")
+            found["boundary"] = self.array(edges, "IsBoundary")
+            expected = expected or found
+            for name, values in found.items():
+                numpy.testing.assert_allclose(values, expected[name], 1e-14, err_msg=f"{ids} {name}")
+        self.assertGreater(expected["MaxNonOrthogonality"][0], 11)
+
+    def test_faces_of_two_points(self):
+        """Hexahedra that are used as wedges have no boundary inside the mesh."""
+        points, cubes = gallery.lattice(3, 3, 3)
+        plain = [(VTK_HEXAHEDRON, list(cube)) for cube in cubes]
+        outside = self.evaluate(gallery.make_grid(points, plain), ["IsBoundary"])["IsBoundary"]
+        (inner,) = numpy.flatnonzero(outside == 0)
+        a, b, c, d, e, f, g, h = plain.pop(inner)[1]
+        wedges = [(VTK_WEDGE, [a, c, b, e, g, f]), (VTK_WEDGE, [a, d, c, e, h, g])]
+        hexahedra = [
+            (VTK_HEXAHEDRON, [a, b, c, c, e, f, g, g]),
+            (VTK_HEXAHEDRON, [a, c, d, d, e, g, h, h]),
+        ]
+        found = []
+        for split in (wedges, hexahedra):
+            grid = gallery.make_grid(points, plain + split)
+            counts = [self.evaluate(grid, ["IsBoundary"])["IsBoundary"].sum()]
+            for port in range(3):
+                counts.append(self.array(self.elements(grid, port), "IsBoundary").sum())
+            faces = self.elements(grid, 0)
+            counts.append(self.array(faces, "FaceCellCount").max())
+            counts.append(self.array(self.elements(grid, 2), "VertexFaceCount").sum())
+            found.append(counts)
+        self.assertEqual(found[0], found[1])
+        # The triangles of the two wedges do not fit the quadrilaterals above and below.
+        self.assertEqual(found[0][:2], [26 + 2, 54 + 2 * 3])
+
+    def test_triangles_of_two_points(self):
+        """One on an edge of a closed surface changes nothing for the others."""
+        sides = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        names = ["MinSurfaceDihedralAngle", "MaxNonOrthogonality"]
+        found = [
+            self.evaluate(
+                gallery.make_grid(points, [(VTK_TRIANGLE, ids) for ids in [*sides, *more]]), names
+            )
+            for more in ([], [(0, 1, 1)])
+        ]
+        for name in names:
+            self.assertFalse(numpy.isnan(found[0][name]).any(), name)
+            numpy.testing.assert_array_equal(found[1][name][:4], found[0][name])
+
+    def test_faces_run_out_of_their_owners(self):
+        """However the faces of polyhedra are stored."""
+        sides = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
+        for turned in (range(0), range(6), (1, 4)):
+            cell = [list(side[::-1] if i in turned else side) for i, side in enumerate(sides)]
+            grid = gallery.make_grid(CUBE, [(VTK_POLYHEDRON, cell)], turns=False)
+            faces = self.elements(grid, 0)
+            self.assertEqual(faces.GetNumberOfCells(), 6)
+            for i in range(6):
+                normal = [0.0, 0.0, 0.0]
+                face = faces.GetCell(i).GetPoints()
+                vtkPolygon.ComputeNormal(face, normal)
+                center = vtk_to_numpy(face.GetData()).mean(axis=0)
+                self.assertAlmostEqual(float(numpy.dot(center - 0.5, normal)), 0.5, msg=str(turned))
+
+    def test_images_far_from_the_origin(self):
+        """Their coordinates are computed, with all digits."""
+        image = vtkImageData()
+        image.SetDimensions(4, 4, 4)
+        image.SetSpacing(0.1, 0.1, 0.1)
+        image.SetOrigin(1e6, 1e6, 1e6)
+        found = self.evaluate(image, ["Volume", "MinDihedralAngle", "CellStatus"])
+        numpy.testing.assert_allclose(found["Volume"], 1e-3, rtol=1e-8)
+        numpy.testing.assert_allclose(found["MinDihedralAngle"], 90, rtol=1e-8)
+        self.assertFalse(found["CellStatus"].any())
+        edges = self.elements(image, 1)
+        numpy.testing.assert_allclose(self.array(edges, "EdgeLength"), 0.1, rtol=1e-8)
+
+    def test_cells_added_in_place(self):
+        """As scripts do that keep a grid: what was known of it before is of no use."""
+        grid = gallery.make_grid(CUBE, [(VTK_HEXAHEDRON, list(range(8)))])
+        source = mesh_parts.producer(grid)
+        elements = simple.MeshElements(Input=source)
+        quality = simple.ElementQuality(Input=source, Criteria=["RegionId", "MinVolumeRatio"])
+        elements.UpdatePipeline()
+        quality.UpdatePipeline()
+        for _ in range(100):
+            grid.InsertNextCell(VTK_TETRA, 4, [0, 1, 2, 4])
+        grid.Modified()
+        source.GetClientSideObject().Modified()
+        source.MarkModified(source)
+        elements.UpdatePipeline()
+        faces = OutputPort(elements, 0).GetDataInformation()
+        self.assertEqual(faces.GetNumberOfCells(), 6 + 4)
+        regions = self.array(self.fetch(quality), "RegionId")
+        self.assertEqual(sorted(set(regions.tolist())), [0, 1])
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
