@@ -31,12 +31,16 @@ public:
       this->Value = this->IsEmpty ? value : std::max(this->Sign * value, this->Sign * this->Value) * this->Sign;
       this->IsEmpty = false;
     }
-    else if (this->Reason == NullReason::NoNeighbor)
+    else
     {
       this->Reason = NullReason::Degenerate;
     }
   }
   void AddMissing() { this->IsMissing = true; }
+  void AddNonManifold()
+  {
+    this->Reason = this->Reason == NullReason::NoNeighbor ? NullReason::InvalidTopology : this->Reason;
+  }
   double Get() const
   {
     return this->IsMissing ? Null(NullReason::MissingGhosts)
@@ -67,6 +71,10 @@ double WorstOfInnerFacets(const CellNeighborhood& cell, bool largest, Measure&& 
     else if (facet.Other == Side::Missing)
     {
       worst.AddMissing();
+    }
+    else if (facet.Other == Side::NonManifold)
+    {
+      worst.AddNonManifold();
     }
   }
   return worst.Get();

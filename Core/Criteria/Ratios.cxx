@@ -155,11 +155,11 @@ double RelativeSize(const CellGeometry& cell)
   {
     return size;
   }
-  if (!(mean > 0))
+  if (!(size > 0))
   {
-    return Null(NullReason::Degenerate);
+    return 0;
   }
-  return size > 0 ? std::min(size / mean, mean / size) : 0;
+  return mean > 0 ? std::min(size / mean, mean / size) : Null(NullReason::Degenerate);
 }
 
 //------------------------------------------------------------------------------
@@ -243,8 +243,8 @@ std::vector<Criterion> RatioCriteria()
       Cost::Edges, NeedsFaces | NeedsVolume | NeedsMeanSizes, CAMARON_CELLS(RelativeSize),
       { "min(x/x̄, x̄/x) with x the volume (area) and x̄ its mean over the cells that are no ghosts, inverted "
         "ones counted as negative",
-        "0 for a flat or inverted cell; null (degenerate) if the mean is not positive; null (invalid topology) for "
-        "an open cell, which does not count for the mean either.",
+        "0 for a flat or inverted cell; null (degenerate) for another one if the mean is not positive; null (invalid "
+        "topology) for an open cell, which does not count for the mean either.",
         "Verdict's relative size squared is its square, but among cells of the same shape: "
         "`VerdictRelativeSizeSquared`." } },
   };

@@ -175,7 +175,7 @@ constexpr Measure Measures[] = {
         verdict::pyramid_jacobian, verdict::wedge_jacobian, verdict::hex_jacobian },
       { "min det J over the corners (and the centre of a hexahedron)",
         "0 for a flat cell, negative for an inverted one. Of a tetrahedron six times the volume.",
-        "VTK's Mesh Quality and Cell Quality." } },
+        "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`." } },
     { "VerdictMaxAngle", "Verdict largest angle",
       "Largest interior angle.", Unit::Angle, { 0, 360 }, None,
       Better::Smaller, { -Infinity, 135 },
@@ -379,7 +379,8 @@ constexpr Measure Measures[] = {
         verdict::pyramid_volume, verdict::wedge_volume, verdict::hex_volume },
       { "sum of signed corner tetrahedra",
         "0 for a flat cell, negative for an inverted one.",
-        "VTK's Mesh Quality and Cell Quality. `Volume` is the same." } },
+        "VTK's Mesh Quality and Cell Quality, but for the sign of wedges, of which these take Verdict's order of nodes "
+        "for VTK's. `Volume` is the same." } },
     { "VerdictWarpage", "Verdict warpage",
       "Cube of the smallest cosine of the angle between normals of opposite corners; 1 is planar.", Unit::None, { -1, 1 }, 1,
       Better::Bigger, { 0.3, Infinity },

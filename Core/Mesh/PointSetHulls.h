@@ -15,7 +15,7 @@ namespace camaron
 {
 /**
  * The grid itself, or if it has cells of type VTK_CONVEX_POINT_SET one in which these list the faces of their
- * hull, as VTK finds them, and are of the given type: the same, or VTK_POLYHEDRON.
+ * hull, as VTK finds them but all outward, and are of the given type: the same, or VTK_POLYHEDRON.
  */
 vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int type);
 }

@@ -10,6 +10,7 @@ from paraview import simple
 from paraview.servermanager import OutputPort
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
+    VTK_CONVEX_POINT_SET,
     VTK_HEXAHEDRON,
     VTK_POLYHEDRON,
     VTK_PYRAMID,
@@ -134,6 +135,24 @@ class TestCollapsedCells(camaron_testing.TestCase):
                 vtkPolygon.ComputeNormal(face, normal)
                 center = vtk_to_numpy(face.GetData()).mean(axis=0)
                 self.assertAlmostEqual(float(numpy.dot(center - 0.5, normal)), 0.5, msg=str(turned))
+
+    def test_flat_point_sets(self):
+        """Convex point sets have hulls of all their points that face outward, also flat ones; too few have none."""
+        places = numpy.random.default_rng(4).normal(size=(30, 3))
+        places /= numpy.linalg.norm(places, axis=1)[:, None]
+        names = ["Volume", "FaceOrientationStatus"]
+        volumes = []
+        for scale in (1, 0.01, 1e-4):
+            points = [tuple(point) for point in places * [1, 1, scale]]
+            grid = gallery.make_grid(points, [(VTK_CONVEX_POINT_SET, list(range(30)))])
+            found = self.evaluate(grid, names)
+            self.assertEqual(found["FaceOrientationStatus"].tolist(), [0])
+            volumes.append(found["Volume"][0] / scale)
+        self.assertGreater(volumes[0], 2.4)  # of a ball: 4.19
+        numpy.testing.assert_allclose(volumes, volumes[0], rtol=0.01)
+        few = [(VTK_CONVEX_POINT_SET, list(range(count))) for count in range(4)]
+        found = self.evaluate(gallery.make_grid(CUBE, few), ["Volume"])
+        self.assertTrue(numpy.isnan(found["Volume"]).all())
 
     def test_images_far_from_the_origin(self):
         """Their coordinates are computed, with all digits."""
