@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces, edges and neighbours: everything that counts, borders or walks over cells stands on them.
+#include "Mesh/FacetKey.h"
 #include "Mesh/MeshTopology.h"
 
 #include "TestMeshes.h"
@@ -343,6 +344,25 @@ TEST(MeshTopology, SharedByConnectivity)
   const MeshTopology before(grid);
   grid->GetCells()->GetConnectivityArray()->Modified();
   EXPECT_NE(&before.GetFaces(), &MeshTopology(grid).GetFaces());
+}
+
+// Also of a ring that comes to its smallest point twice, wherever it begins.
+TEST(MeshTopology, DirectionOfRings)
+{
+  for (const std::vector<vtkIdType>& ring : std::vector<std::vector<vtkIdType>>{
+         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 } })
+  {
+    const auto size = static_cast<vtkIdType>(ring.size());
+    const bool down = RunsDown(ring.data(), size);
+    for (vtkIdType start = 0; start < size; ++start)
+    {
+      std::vector<vtkIdType> turned(ring);
+      std::rotate(turned.begin(), turned.begin() + start, turned.end());
+      EXPECT_EQ(RunsDown(turned.data(), size), down) << start;
+      std::reverse(turned.begin(), turned.end());
+      EXPECT_NE(RunsDown(turned.data(), size), down) << start;
+    }
+  }
 }
 
 // Cells that are added or changed in place leave the times of arrays as they were.
