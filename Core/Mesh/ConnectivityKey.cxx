@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ConnectivityKey.h"
 
+#include "Mesh/FacetKey.h"
 #include "Parallel.h"
 #include "vtkCamaronCompat.h"
 
@@ -22,14 +23,6 @@ namespace
 {
 constexpr std::size_t MaxDataSets = 16;
 constexpr vtkIdType BlockSize = 1 << 20; // bytes
-constexpr std::uint64_t Factor = 0x9e3779b97f4a7c15ull;
-
-//------------------------------------------------------------------------------
-std::uint64_t Mix(std::uint64_t hash, std::uint64_t value)
-{
-  hash = (hash ^ value) * Factor;
-  return hash ^ (hash >> 32);
-}
 
 //------------------------------------------------------------------------------
 // In four lanes, which a processor works on at the same time.
@@ -42,15 +35,15 @@ std::uint64_t HashBytes(const unsigned char* bytes, vtkIdType size, std::uint64_
     std::memcpy(words, bytes, sizeof(words));
     for (int i = 0; i < 4; ++i)
     {
-      lanes[i] = Mix(lanes[i], words[i]);
+      lanes[i] = FacetKey::Mix(lanes[i], words[i]);
     }
   }
   std::memset(words, 0, sizeof(words));
   std::memcpy(words, bytes, static_cast<std::size_t>(size));
-  std::uint64_t hash = Mix(seed, static_cast<std::uint64_t>(size));
+  std::uint64_t hash = FacetKey::Mix(seed, static_cast<std::uint64_t>(size));
   for (int i = 0; i < 4; ++i)
   {
-    hash = Mix(hash, Mix(lanes[i], words[i]));
+    hash = FacetKey::Mix(hash, FacetKey::Mix(lanes[i], words[i]));
   }
   return hash;
 }
@@ -59,7 +52,7 @@ std::uint64_t HashBytes(const unsigned char* bytes, vtkIdType size, std::uint64_
 // Arrays that are computed have no content but their parameters, which change with their time.
 std::uint64_t HashValues(vtkDataArray* array, std::uint64_t seed)
 {
-  std::uint64_t hash = Mix(seed, static_cast<std::uint64_t>(array->GetNumberOfValues()));
+  std::uint64_t hash = FacetKey::Mix(seed, static_cast<std::uint64_t>(array->GetNumberOfValues()));
   if (!array->HasStandardMemoryLayout())
   {
     return hash;
@@ -73,10 +66,10 @@ std::uint64_t HashValues(vtkDataArray* array, std::uint64_t seed)
       for (vtkIdType block = begin; block < end; ++block)
       {
         const vtkIdType first = block * BlockSize;
-        sum += HashBytes(bytes + first, std::min(BlockSize, size - first), Mix(hash, block));
+        sum += HashBytes(bytes + first, std::min(BlockSize, size - first), FacetKey::Mix(hash, block));
       }
     });
-  return Mix(hash, sum);
+  return FacetKey::Mix(hash, sum);
 }
 }
 
@@ -122,6 +115,10 @@ void ConnectivityKey::Add(vtkDataArray* array)
 //------------------------------------------------------------------------------
 void ConnectivityKey::Learn()
 {
+  if (this->HasContent)
+  {
+    return;
+  }
   this->Content = 1;
   for (const ArrayAt& array : this->Arrays)
   {
@@ -143,10 +140,7 @@ bool ConnectivityKey::IsOf(ConnectivityKey& known)
   {
     return true;
   }
-  if (!this->HasContent)
-  {
-    this->Learn();
-  }
+  this->Learn();
   if (known.HasContent && this->Content != known.Content)
   {
     return false;

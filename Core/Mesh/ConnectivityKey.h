@@ -42,7 +42,7 @@ public:
    */
   bool IsOf(ConnectivityKey& known);
 
-  /// Looks at the content, as long as the mesh lives.
+  /// Looks at the content, once, as long as the mesh lives.
   void Learn();
 
 private:
