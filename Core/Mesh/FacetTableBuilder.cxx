@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/FacetTableBuilder.h"
 
+#include "Mesh/CellBuckets.h"
 #include "Mesh/FacetKey.h"
 #include "Mesh/FacetMatcher.h"
 #include "Mesh/TetrahedronFaces.h"
@@ -22,11 +23,6 @@ constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType UseChunk = 1 << 16;
 constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // a use must fit CellFacet with its direction bit
 
-constexpr Index UsesPerBucket = 4096; // what a processor has in its cache with the hash table of the bucket
-constexpr Index MaxBuckets = 4096;    // into which a thread writes at the same time
-constexpr vtkIdType BucketGrain = 8;
-constexpr vtkIdType MaxChunks = 64; // of cells
-
 //------------------------------------------------------------------------------
 // Numbers from 0 on that facets of the same points have in common, in whatever order and each however often. Few
 // others have the same, and facets near each other in a well numbered mesh have numbers near each other.
@@ -35,7 +31,7 @@ class PointHash
 public:
   explicit PointHash(vtkIdType numberOfPoints)
   {
-    while (numberOfPoints >> this->Shift >= MaxBuckets)
+    while (numberOfPoints >> this->Shift >= CellBuckets::MaxBuckets)
     {
       ++this->Shift;
     }
@@ -330,7 +326,7 @@ std::unique_ptr<std::atomic<Index>[]> FacetTableBuilder::FindFirstUses(
 template <typename MatchBucket>
 void FacetTableBuilder::Match(const Buckets& buckets, MatchBucket match)
 {
-  ParallelFor(static_cast<vtkIdType>(buckets.Begins.size()) - 1, BucketGrain,
+  ParallelFor(static_cast<vtkIdType>(buckets.Begins.size()) - 1, CellBuckets::Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
       FacetMatcher matcher(this->Mesh, this->Table);
@@ -348,30 +344,9 @@ void FacetTableBuilder::Match(const Buckets& buckets, MatchBucket match)
 template <typename PutItems>
 FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems&& putItems)
 {
-  const vtkIdType numberOfCells = this->Mesh.GetNumberOfCells();
-  int shift = 0;
-  while (maxKey >> shift >= std::min(MaxBuckets, this->NumberOfUses / UsesPerBucket + 1))
-  {
-    ++shift;
-  }
-  const Index numberOfBuckets = (maxKey >> shift) + 1;
-  const vtkIdType chunk = std::max(CellGrain, numberOfCells / MaxChunks + 1);
-  const vtkIdType numberOfChunks = (numberOfCells + chunk - 1) / chunk;
-  std::vector<std::vector<Index>> ends(numberOfChunks, std::vector<Index>(numberOfBuckets, 0));
+  CellBuckets places(this->Mesh.GetNumberOfCells(), maxKey, this->NumberOfUses);
   LargeVector<CellFacet>& keys = this->Table.CellFacets; // -1 where there is none
-  const auto forEachChunk = [&](auto&& function)
-  {
-    ParallelFor(numberOfChunks, 1,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType c = begin; c < end; ++c)
-        {
-          function(ends[c], c * chunk, std::min(numberOfCells, (c + 1) * chunk));
-        }
-      });
-  };
-
-  forEachChunk(
+  places.ForEachChunk(
     [&](std::vector<Index>& sizes, vtkIdType begin, vtkIdType end)
     {
       CellFacets facets(this->Mesh);
@@ -381,32 +356,22 @@ FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems
           [&](Index use, Index key)
           {
             keys[use].Packed = key;
-            ++sizes[key >> shift];
+            ++sizes[places.GetBucket(key)];
           });
       }
     });
   Buckets buckets;
-  buckets.Begins.resize(numberOfBuckets + 1);
-  Index total = 0;
-  for (Index bucket = 0; bucket < numberOfBuckets; ++bucket)
-  {
-    buckets.Begins[bucket] = total;
-    for (std::vector<Index>& sizes : ends)
-    {
-      total += std::exchange(sizes[bucket], total);
-    }
-  }
-  buckets.Begins[numberOfBuckets] = total;
-  buckets.Uses.reset(new Index[total]);
-  forEachChunk(
-    [&](std::vector<Index>& places, vtkIdType begin, vtkIdType end)
+  buckets.Begins = places.Place();
+  buckets.Uses.reset(new Index[buckets.Begins.back()]);
+  places.ForEachChunk(
+    [&](std::vector<Index>& next, vtkIdType begin, vtkIdType end)
     {
       const Index last = static_cast<Index>(this->Table.GetOffset(end));
       for (Index use = static_cast<Index>(this->Table.GetOffset(begin)); use < last; ++use)
       {
         if (keys[use].Packed >= 0)
         {
-          buckets.Uses[places[keys[use].Packed >> shift]++] = use;
+          buckets.Uses[next[places.GetBucket(keys[use].Packed)]++] = use;
         }
         else
         {

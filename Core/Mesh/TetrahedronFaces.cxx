@@ -2,23 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TetrahedronFaces.h"
 
+#include "Mesh/CellBuckets.h"
 #include "Parallel.h"
 #include "Scan/Buffer.h"
 
 #include <algorithm>
 #include <atomic>
-#include <utility>
 
 namespace camaron
 {
 namespace
 {
-constexpr vtkIdType TrianglesPerBucket = 4096; // what a processor has in its cache with the table of the bucket
-constexpr vtkIdType MaxBuckets = 4096;         // into which a thread writes at the same time
-constexpr Index TrianglesPerRound = 1 << 23;   // kept at a time, or a quarter of all where that is more
-constexpr vtkIdType BucketGrain = 8;
-constexpr vtkIdType CellGrain = 4096;
-constexpr vtkIdType MaxChunks = 64; // of cells
+constexpr Index TrianglesPerRound = 1 << 23; // kept at a time, or a quarter of all where that is more
 
 //------------------------------------------------------------------------------
 // The points of a face in ascending order, and which use it is and whether it runs from the lowest point to the highest.
@@ -87,67 +82,33 @@ struct Triangles
 class TetrahedronMatcher
 {
 public:
-  TetrahedronMatcher(const MeshView& mesh, LargeVector<CellFacet>& uses);
+  TetrahedronMatcher(const MeshView& mesh, LargeVector<CellFacet>& uses)
+    : Mesh(mesh)
+    , Uses(uses)
+    , Buckets(mesh.GetNumberOfCells(), mesh.GetNumberOfPoints(), static_cast<vtkIdType>(uses.size()))
+  {
+  }
 
   /// False if a cell has a point twice; nothing is written then.
   bool Match();
 
 private:
-  template <typename Visit>
-  void ForEachChunk(Visit&& visit);
   bool CountTriangles();
-  void PlaceBuckets();
-  void FillBuckets(Index first, Index last, Triangle* triangles);
+  void FillBuckets(Index first, Index last, Index origin, Triangle* triangles);
   void MatchBucket(const Triangle* triangles, Index size, std::vector<Index>& slots);
 
   const MeshView& Mesh;
   LargeVector<CellFacet>& Uses;
-  int Shift = 0; // of a point to the number of its bucket
-  Index NumberOfBuckets = 0;
-  std::vector<Index> Begins;              // of buckets among all triangles in their order
-  std::vector<std::vector<Index>> Places; // of the next triangle of each chunk of cells in each bucket
+  CellBuckets Buckets; // of triangles by their lowest points
 };
 
 //------------------------------------------------------------------------------
-TetrahedronMatcher::TetrahedronMatcher(const MeshView& mesh, LargeVector<CellFacet>& uses)
-  : Mesh(mesh)
-  , Uses(uses)
-{
-  const vtkIdType wanted = std::min(MaxBuckets, static_cast<vtkIdType>(uses.size()) / TrianglesPerBucket + 1);
-  while (mesh.GetNumberOfPoints() >> this->Shift >= wanted)
-  {
-    ++this->Shift;
-  }
-  this->NumberOfBuckets = static_cast<Index>(mesh.GetNumberOfPoints() >> this->Shift) + 1;
-}
-
-//------------------------------------------------------------------------------
-// Calls visit(places, begin, end) for runs of cells, each with places of its own.
-template <typename Visit>
-void TetrahedronMatcher::ForEachChunk(Visit&& visit)
-{
-  const vtkIdType numberOfCells = this->Mesh.GetNumberOfCells();
-  const vtkIdType chunk = std::max(CellGrain, numberOfCells / MaxChunks + 1);
-  this->Places.resize((numberOfCells + chunk - 1) / chunk);
-  ParallelFor(static_cast<vtkIdType>(this->Places.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType c = begin; c < end; ++c)
-      {
-        visit(this->Places[c], c * chunk, std::min(numberOfCells, (c + 1) * chunk));
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-// Leaves in the places how many triangles there are.
 bool TetrahedronMatcher::CountTriangles()
 {
   std::atomic<bool> areSound{ true };
-  this->ForEachChunk(
+  this->Buckets.ForEachChunk(
     [&](std::vector<Index>& sizes, vtkIdType begin, vtkIdType end)
     {
-      sizes.assign(this->NumberOfBuckets, 0);
       bool sound = true;
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
@@ -155,7 +116,7 @@ bool TetrahedronMatcher::CountTriangles()
         sound &= triangles.AreSound();
         for (const Index low : triangles.Low)
         {
-          ++sizes[low >> this->Shift];
+          ++sizes[this->Buckets.GetBucket(low)];
         }
       }
       if (!sound)
@@ -167,26 +128,10 @@ bool TetrahedronMatcher::CountTriangles()
 }
 
 //------------------------------------------------------------------------------
-void TetrahedronMatcher::PlaceBuckets()
+// With the triangles of buckets [first, last), in ascending order of their uses; the first one has the place @a origin.
+void TetrahedronMatcher::FillBuckets(Index first, Index last, Index origin, Triangle* triangles)
 {
-  Index total = 0;
-  for (Index bucket = 0; bucket < this->NumberOfBuckets; ++bucket)
-  {
-    this->Begins.push_back(total);
-    for (std::vector<Index>& sizes : this->Places)
-    {
-      total += std::exchange(sizes[bucket], total);
-    }
-  }
-  this->Begins.push_back(total);
-}
-
-//------------------------------------------------------------------------------
-// With the triangles of buckets [first, last), in ascending order of their uses.
-void TetrahedronMatcher::FillBuckets(Index first, Index last, Triangle* triangles)
-{
-  const Index origin = this->Begins[first];
-  this->ForEachChunk(
+  this->Buckets.ForEachChunk(
     [&](std::vector<Index>& places, vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
@@ -194,7 +139,7 @@ void TetrahedronMatcher::FillBuckets(Index first, Index last, Triangle* triangle
         const Triangles ofCell(this->Mesh, cell);
         for (int face = 0; face < 4; ++face)
         {
-          const Index bucket = ofCell.Low[face] >> this->Shift;
+          const Index bucket = this->Buckets.GetBucket(ofCell.Low[face]);
           if (bucket >= first && bucket < last)
           {
             triangles[places[bucket]++ - origin] = ofCell.Get(face, cell);
@@ -242,34 +187,36 @@ bool TetrahedronMatcher::Match()
   {
     return false;
   }
-  this->PlaceBuckets();
-  const Index limit = std::max(TrianglesPerRound, this->Begins.back() / 4);
+  const std::vector<Index> begins = this->Buckets.Place();
+  const Index numberOfBuckets = this->Buckets.GetNumberOfBuckets();
+  const Index limit = std::max(TrianglesPerRound, begins.back() / 4);
   std::vector<Index> rounds{ 0 }; // by their first buckets
   Index size = 0;
-  while (rounds.back() < this->NumberOfBuckets)
+  while (rounds.back() < numberOfBuckets)
   {
     const Index first = rounds.back();
     Index last = first + 1;
-    while (last < this->NumberOfBuckets && this->Begins[last + 1] - this->Begins[first] <= limit)
+    while (last < numberOfBuckets && begins[last + 1] - begins[first] <= limit)
     {
       ++last;
     }
-    size = std::max(size, this->Begins[last] - this->Begins[first]);
+    size = std::max(size, begins[last] - begins[first]);
     rounds.push_back(last);
   }
   Buffer<Triangle> triangles(size);
   for (std::size_t round = 0; round + 1 < rounds.size(); ++round)
   {
     const Index first = rounds[round], last = rounds[round + 1];
-    this->FillBuckets(first, last, triangles.data());
-    ParallelFor(last - first, BucketGrain,
+    const Index origin = begins[first];
+    this->FillBuckets(first, last, origin, triangles.data());
+    ParallelFor(last - first, CellBuckets::Grain,
       [&](vtkIdType begin, vtkIdType end)
       {
         std::vector<Index> slots;
         for (vtkIdType bucket = first + begin; bucket < first + end; ++bucket)
         {
-          const Index place = this->Begins[bucket];
-          this->MatchBucket(triangles.data() + (place - this->Begins[first]), this->Begins[bucket + 1] - place, slots);
+          const Index place = begins[bucket];
+          this->MatchBucket(triangles.data() + (place - origin), begins[bucket + 1] - place, slots);
         }
       });
   }
