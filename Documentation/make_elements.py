@@ -27,11 +27,17 @@ For criteria of polygons (areas, interior angles, ratios, ...) evaluate the face
 
 Elements and values do not depend on how a mesh is split over processes and partitions, with or without ghost cells:
 cells of other pieces of a block are found by their points, by global ids if all pieces have them, else by their places.
-An element between pieces belongs to the one whose cell has the smallest id; in the others it is marked as a ghost.
-Elements of copies of cells alone are left out. Faces run out of, and are seen from, their owner: the cell of the smaller
-id. Ids of cells are global ones; without them the cells of a block are counted piece after piece, so that a mesh that
-is split into ranges of cells keeps its numbers. `OwnerCell` and the points tell which element is the same in another
-partition; the numbers of elements in their data sets are those of one process, faces in the order of its own cells.
+So are those of pieces that a reader put into one data set, as far as points have global ids: of points of the same id
+and place the cells have the first one, the other ones are marked as ghosts. An element between pieces belongs to the
+one whose cell has the smallest id; in the others it is marked as a ghost. Elements of copies of cells alone are left
+out. Faces of fewer than three different points, as hexahedra have that are used as wedges, stand alone: they have one
+cell and are no boundary. Other faces run out of, and are seen from, their owner: the cell of the smaller id. Ids of
+cells are global ones; without them the cells of a block are counted piece after piece, so that a mesh that is split
+into ranges of cells keeps its numbers. `OwnerCell` and the points tell which element is the same in another partition;
+the numbers of elements in their data sets are those of one process, faces in the order of its own cells.
+
+Faces between blocks are a boundary of both, unless *Connect Blocks* is on: then blocks are pieces of one mesh, and their
+cells are counted block after block.
 """
 
 source = simple.CriteriaTable()

@@ -42,7 +42,7 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
         piece.Data = mesh;
         piece.Topology = this->Topologies.back().get();
         piece.Options = options;
-        piece.Block = leaf.Number;
+        piece.Block = piece.Order = leaf.Number;
         if (vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray())
         {
           piece.Options.Ghosts = ghosts->GetPointer(0);
@@ -119,7 +119,16 @@ bool MeshPieces::AreSeveral()
 }
 
 //------------------------------------------------------------------------------
-void MeshPieces::Link(bool connectBlocks)
+void MeshPieces::ConnectBlocks()
+{
+  for (LinkedPiece& piece : this->Pieces)
+  {
+    piece.Block = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+void MeshPieces::Link()
 {
   if (!this->AreSeveral())
   {
@@ -129,9 +138,8 @@ void MeshPieces::Link(bool connectBlocks)
   RunTogether(this->Reducer,
     [&]
     {
-      for (LinkedPiece& piece : this->Pieces)
+      for (const LinkedPiece& piece : this->Pieces)
       {
-        piece.Block = connectBlocks ? 0 : piece.Block;
         if (HasCellsOfDimension(piece.Topology->GetMesh(), 3))
         {
           piece.Topology->GetFaces();

@@ -59,8 +59,10 @@ public:
   /// What is marked of one of several copies of a point is marked of all of them. @a marks: of each piece and point.
   void ShareMarks(std::vector<std::vector<unsigned char>>& marks) const;
 
-  /// Collective. Finds neighbours in other pieces, with @a connectBlocks also in other blocks.
-  void Link(bool connectBlocks);
+  /// Takes all blocks for pieces of one; before any of what follows.
+  void ConnectBlocks();
+  /// Collective. Finds neighbours in other pieces of the block.
+  void Link();
   /// Collective.
   void FindMeanSizes();
   /// Collective. After Link.

@@ -286,11 +286,15 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
     }
   }
   camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
+  if (this->ConnectBlocks)
+  {
+    pieces.ConnectBlocks();
+  }
   const auto any = [&](auto&& predicate)
   { return std::any_of(criteria.begin(), criteria.end(), predicate); };
   if (any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }))
   {
-    pieces.Link(this->ConnectBlocks);
+    pieces.Link();
   }
   if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsMeanSizes) != 0; }))
   {

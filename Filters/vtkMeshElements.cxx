@@ -93,6 +93,7 @@ void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WorstOfCells: " << this->WorstOfCells << '\n';
   os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
+  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -199,6 +200,10 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   camaron::MeshPieces pieces(camaron::GetLeaves(input), common, numberOfPieces, reducer);
+  if (this->ConnectBlocks)
+  {
+    pieces.ConnectBlocks();
+  }
   const std::vector<unsigned> dimensions = pieces.FindDimensions();
   const std::vector<vtkSmartPointer<vtkDataSet>> meshes = pieces.Complete(
     this->WorstOfCells ? reducer.GatherNames(FindCriteria(pieces)) : std::vector<std::string>());

@@ -15,7 +15,7 @@
  * Elements and their values are those of the undivided mesh, however it is split over processes and partitions: cells
  * of other pieces of the block are found by their points (global ids, or coordinates) and need not be there as ghost
  * cells. An element between pieces belongs to the one whose cell has the smallest global id, or without ids to the
- * first one; in the others it is marked as a ghost. Blocks have nothing to do with each other.
+ * first one; in the others it is marked as a ghost. Blocks have nothing to do with each other unless they are connected.
  */
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
@@ -85,6 +85,16 @@ public:
   vtkGetMacro(AngleUnits, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether blocks are pieces of one mesh, so that faces between them have a cell on either side, and cells are
+   * numbered through all blocks. Default: off.
+   */
+  vtkSetMacro(ConnectBlocks, bool);
+  vtkGetMacro(ConnectBlocks, bool);
+  vtkBooleanMacro(ConnectBlocks, bool);
+  ///@}
+
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -107,6 +117,7 @@ private:
   bool WorstOfCells = false;
   double MergeTolerance = 0;
   int AngleUnits = DEGREES;
+  bool ConnectBlocks = false;
 };
 
 #endif

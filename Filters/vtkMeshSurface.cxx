@@ -45,7 +45,7 @@ int vtkMeshSurface::RequestData(
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     camaron::MeshPieces pieces(camaron::GetLeaves(input), {}, numberOfPieces, reducer);
-    pieces.Link(false);
+    pieces.Link();
     const std::vector<vtkPolyData*> surfaces = camaron::MakePolyDataLeaves(input, output);
     for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
     {

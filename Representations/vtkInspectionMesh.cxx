@@ -324,7 +324,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> vtkInspectionMesh::FindOuterFacets(
   try
   {
     MeshPieces pieces(leaves, {}, reducer.GetNumberOfProcesses(), reducer);
-    pieces.Link(false);
+    pieces.Link();
     for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
     {
       const PieceLinks* links = pieces.GetOptions(piece).Links;

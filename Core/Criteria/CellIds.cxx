@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CellIds.h"
 
+#include <tuple>
+
 namespace camaron
 {
 //------------------------------------------------------------------------------
@@ -12,7 +14,8 @@ CellIds::CellIds(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
   struct Part
   {
     std::int64_t Block, NumberOfCells;
-    int Process;
+    int Order, Process, Piece;
+    auto GetOrder() const { return std::tie(this->Order, this->Process, this->Piece); }
   };
   std::int64_t lacksIds = 0;
   std::vector<Part> own;
@@ -26,7 +29,8 @@ CellIds::CellIds(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
       this->Places[p].push_back(count);
       count += !pieces[p].IsCopy(cell);
     }
-    own.push_back({ pieces[p].Block, pieces[p].Options.Ghosts ? count : size, reducer.GetProcess() });
+    own.push_back({ pieces[p].Block, pieces[p].Options.Ghosts ? count : size, pieces[p].Order,
+      reducer.GetProcess(), static_cast<int>(p) });
   }
   reducer.Max(&lacksIds, 1);
   this->HasIds = !lacksIds;
@@ -34,11 +38,9 @@ CellIds::CellIds(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
   for (std::size_t p = 0; p < own.size(); ++p)
   {
     std::int64_t first = 0, firstOfBlock = 0;
-    std::size_t place = 0; // among the pieces of its process
     for (const Part& part : all)
     {
-      const bool isBefore = part.Process < own[p].Process ||
-        (part.Process == own[p].Process && place++ < p);
+      const bool isBefore = part.GetOrder() < own[p].GetOrder();
       firstOfBlock += part.Block < own[p].Block ? part.NumberOfCells : 0;
       first += part.Block == own[p].Block && isBefore ? part.NumberOfCells : 0;
     }

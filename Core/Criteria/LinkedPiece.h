@@ -23,6 +23,7 @@ struct LinkedPiece
   const MeshTopology* Topology = nullptr;
   EvaluationOptions Options;
   int Block = 0;                       ///< pieces of one block, in all processes, are linked
+  int Order = 0;                       ///< cells of a block are counted by this, then by process
   const vtkIdType* PointIds = nullptr; ///< global ids, or none
   const vtkIdType* CellIds = nullptr;  ///< global ids, or none
   vtkDataSet* Data = nullptr;          ///< what Topology is of, or none where it is not asked for

@@ -82,7 +82,7 @@ const MeshPieces& SelectionTask::GetLinkedPieces() const
   this->GetPieces();
   if (!this->IsLinked)
   {
-    this->Pieces->Link(false);
+    this->Pieces->Link();
     this->IsLinked = true;
   }
   return *this->Pieces;

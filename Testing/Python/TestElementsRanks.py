@@ -73,10 +73,10 @@ CELL_IDS = ("OwnerCell", "NeighborCell")
 SOLID = ("voronoi", "tetrahedra", "mixed", "overlapping")
 
 
-def take_elements(source):
+def take_elements(source, **options):
     quality = simple.ElementQuality(Input=source, Criteria=["EdgeRatio"])
     properties = {f"{kind}Arrays": names for kind, names in ARRAYS.items()}
-    return simple.MeshElements(Input=quality, WorstOfCells=1, **properties)
+    return simple.MeshElements(Input=quality, WorstOfCells=1, **properties, **options)
 
 
 def take_coincident(source):
@@ -154,9 +154,9 @@ class TestElementsRanks(camaron_testing.TestCase):
         cls.reference = pickle.loads((folder / "reference").read_bytes())
         shutil.rmtree(folder)
 
-    def check(self, reference, source, text, global_ids=False, same_order=True):
+    def check(self, reference, source, text, global_ids=False, same_order=True, **options):
         """Compares all values; if cells come in another order, reals up to rounding and no ids of cells."""
-        elements = take_elements(source)
+        elements = take_elements(source, **options)
         with pipeline.Messages() as messages:
             found = fetch_elements(elements, global_ids)
         self.assertEqual(messages.errors, [])
@@ -240,6 +240,18 @@ class TestElementsRanks(camaron_testing.TestCase):
         for parts in (1, 3):
             source = rank_meshes.block_source("tetrahedra", parts=parts)
             self.check("blocks", source, f"{parts} parts")
+
+    def test_connected_blocks(self):
+        """Blocks that are connected are pieces of one mesh, numbered block after block."""
+        for mesh, parts, global_ids in (
+            ("tetrahedra", 1, False),
+            ("mixed", 2, False),
+            ("voronoi", 2, True),
+            ("surfaces", 1, False),
+        ):
+            source = rank_meshes.block_source(mesh, parts=parts, global_ids=global_ids)
+            text = f"connected, {parts} parts, ids {global_ids}"
+            self.check(mesh, source, text, global_ids=global_ids, ConnectBlocks=1)
 
     def check_coincident(self, mesh, source, text, global_ids):
         elements = take_coincident(source)
