@@ -41,6 +41,7 @@
 #include <exception>
 #include <map>
 #include <numeric>
+#include <set>
 
 using namespace camaron;
 
@@ -227,6 +228,16 @@ void FillTree(vtkDataObject* input,
 }
 
 //------------------------------------------------------------------------------
+// Whether what one process has is several pieces of a block, or a data set that points of several may be in.
+bool MayHavePieces(const std::vector<DataSetLeaf>& leaves)
+{
+  std::set<int> blocks;
+  return std::any_of(leaves.begin(), leaves.end(),
+    [&](const DataSetLeaf& leaf)
+    { return leaf.Data->GetPointData()->GetGlobalIds() || !blocks.insert(leaf.Number).second; });
+}
+
+//------------------------------------------------------------------------------
 // Pieces meet on their way, or the data leave the process that has them.
 bool IsDistributed()
 {
@@ -317,13 +328,18 @@ std::vector<vtkSmartPointer<vtkDataArray>> vtkInspectionMesh::FindOuterFacets(
 {
   std::vector<vtkSmartPointer<vtkDataArray>> found;
   ControllerReducer reducer;
-  if (reducer.GetNumberOfProcesses() == 1)
+  const bool isAlone = reducer.GetNumberOfProcesses() == 1;
+  if (isAlone && !MayHavePieces(leaves))
   {
     return found;
   }
   try
   {
     MeshPieces pieces(leaves, {}, reducer.GetNumberOfProcesses(), reducer);
+    if (isAlone && leaves.size() == 1 && pieces.GetFirstCopies(0).empty())
+    {
+      return found;
+    }
     pieces.Link();
     for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
     {
@@ -339,7 +355,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> vtkInspectionMesh::FindOuterFacets(
   }
   catch (const std::exception& error)
   {
-    vtkWarningMacro("Faces between processes are drawn as if they were outside: " << error.what());
+    vtkWarningMacro("Faces between pieces are drawn as if they were outside: " << error.what());
     found.clear();
   }
   return found;

@@ -48,7 +48,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  /// Of every data set, in the order of leaves; none with one process.
+  /// Of every data set, in the order of leaves; none if one process has no more than one piece of each block.
   std::vector<vtkSmartPointer<vtkDataArray>> FindOuterFacets(
     const std::vector<camaron::DataSetLeaf>& leaves);
 

@@ -3,6 +3,7 @@
 """Mesh Inspection of blocks: arrays that only some have, and what the MultiBlock Inspector sets, are as on Surface."""
 
 import camaron_testing
+import rank_meshes
 import TestClientServer
 from inspection_testing import difference, make_view, picture, selected, turn
 from mesh_parts import producer
@@ -198,6 +199,29 @@ class TestInspectionBlocks(camaron_testing.TestCase):
         red = (image[:, :, 0] > 200) & (image[:, :, 1:].max(axis=2) < 50)
         self.assertGreater(red.sum(), 1000)
         self.assertGreater(red.sum(), 0.95 * (image.min(axis=2) < 128).sum())
+
+    def test_pieces_of_a_block(self):
+        """Faces between pieces are not on the outside, be they partitions or in one data set with global ids."""
+        partitions = vtkPartitionedDataSetCollection()
+        for i in range(3):
+            partitions.SetPartition(0, i, rank_meshes.make_part("mixed", i, 3))
+        view = make_view()
+        self.addCleanup(simple.ResetSession)
+        pictures = []
+        for mesh in (
+            rank_meshes.make_part("mixed", 0, 1),
+            partitions,
+            rank_meshes.make_part("mixed", 0, 1, global_ids=True, appended=3),
+        ):
+            simple.HideAll(view)
+            display = simple.Show(producer(mesh), view, "UnstructuredGridRepresentation")
+            display.SetRepresentationType("Mesh Inspection")
+            display.DrawEdges, display.Opacity = 0, 0.3
+            turn(view)
+            pictures.append(picture(view))
+        self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255), 0.1)
+        for image in pictures[1:]:
+            self.assertLess(difference(pictures[0], image, 2), 0.002)
 
     def test_servers(self):
         """Drawn there and, from blocks that are sent over, here."""
