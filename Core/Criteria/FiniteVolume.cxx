@@ -191,7 +191,10 @@ double CellDeterminant(const CellNeighborhood& cell)
       ++count;
     }
   }
-  if (count == 0 || cell.GetGeometry().IsZeroArea(mean / count))
+  const CellGeometry& geometry = cell.GetGeometry();
+  const bool isPolygon = (geometry.GetShapes() & Polygons) != 0;
+  if (count == 0 ||
+    (isPolygon ? geometry.IsZeroLength(mean / count) : geometry.IsZeroArea(mean / count)))
   {
     return 0;
   }
@@ -211,11 +214,19 @@ double CellDeterminant(const CellNeighborhood& cell)
       }
     }
   }
+  if (isPolygon)
+  {
+    // Edges have no part across the plane: what is left of the determinant is the sum of its minors.
+    constexpr double ofSquare = 4;
+    return (m[0][0] * m[1][1] - m[0][1] * m[1][0] + m[0][0] * m[2][2] - m[0][2] * m[2][0] +
+             m[1][1] * m[2][2] - m[1][2] * m[2][1]) /
+      ofSquare;
+  }
   const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
     m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
     m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  constexpr double OfCube = 8;
-  return determinant / OfCube;
+  constexpr double ofCube = 8;
+  return determinant / ofCube;
 }
 
 //------------------------------------------------------------------------------
@@ -295,12 +306,13 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "Fluent's definition for polyhedra and hexahedra; of tetrahedra, wedges and pyramids Fluent "
         "also takes 1 minus the skewness into the minimum." } },
     { "CellDeterminant", "Cell determinant",
-      "OpenFOAM's determinant of the inner faces, relative to their mean area; 1 for a cube within a grid "
-      "(8 in some releases of OpenFOAM), 0 for a cell without inner faces.",
-      Polyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
+      "OpenFOAM's determinant of the inner faces, relative to their mean area; 1 for a cube or square within a "
+      "grid (8 in some releases of OpenFOAM), 0 for a cell without inner faces.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
       { 0.001, Infinity }, CheckMesh, Cited, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellDeterminant),
-      { "det Σ (S/ā)(S/ā)ᵀ / 8 over the inner faces, ā being their mean area",
+      { "det Σ (S/ā)(S/ā)ᵀ / 8 over the inner faces, ā being their mean area; of a polygon the same in its "
+        "plane, with edges for faces, and 4 for 8",
         "0 for a cell without inner faces, and for a flat one.",
         "checkMesh of OpenFOAM v1912 prints the same smallest value; releases that do not divide by 8 "
         "score a cube 8, although their dictionaries say 1." } },

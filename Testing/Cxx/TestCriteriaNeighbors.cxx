@@ -112,6 +112,30 @@ TEST(CriteriaNeighbors, Neighbors)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, polygons get the determinant of the three directions of space, which is 0, or another one in planes
+// that are not those of the axes.
+TEST(CriteriaNeighbors, DeterminantOfPolygons)
+{
+  Points points;
+  Cells cells;
+  for (int i = 0; i < 16; ++i)
+  {
+    points.push_back({ 1e-3 * (i % 4), 0.6e-3 * (i / 4), 0.8e-3 * (i / 4) });
+  }
+  for (int i = 0; i < 9; ++i)
+  {
+    const vtkIdType a = i % 3 + 4 * (i / 3);
+    cells.push_back({ VTK_QUAD, { a, a + 1, a + 5, a + 4 } });
+  }
+  const auto squares = EvaluateAll(MakeGrid(points, cells)).at("CellDeterminant");
+  ExpectNear(1, squares[4], 1e-12, "middle");
+  ExpectNear(0.5, squares[1], 1e-12, "side");
+  ExpectNear(0.25, squares[0], 1e-12, "corner");
+  const auto alone = EvaluateAll(MakeGrid(points, { cells[0] })).at("CellDeterminant");
+  ExpectNear(0, alone[0], 1e-12, "alone");
+}
+
+//------------------------------------------------------------------------------
 // If this fails, the centroid of a cell with coordinates that are not finite is taken to lie somewhere, and its
 // neighbours get numbers that depend on where the mesh lies.
 TEST(CriteriaNeighbors, NonFiniteNeighbor)
