@@ -6,6 +6,7 @@
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
 #include "Criteria/UnitLabel.h"
+#include "EvaluatedArrays.h"
 #include "MeshInput.h"
 #include "MeshPieces.h"
 #include "Parallel.h"
@@ -17,6 +18,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -26,6 +28,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 vtkStandardNewMacro(vtkElementQuality);
 
@@ -53,9 +56,9 @@ double CountCorners(vtkDataSet* data)
 
 //------------------------------------------------------------------------------
 // Why each value is null, read from the values.
-vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(
-  vtkDoubleArray* values, const camaron::MeshView& mesh)
+vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh)
 {
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh); // others have no cells of higher order
   auto mask = vtkSmartPointer<vtkUnsignedCharArray>::New();
   mask->SetName((std::string(values->GetName()) + "_Null").c_str());
   mask->SetNumberOfValues(values->GetNumberOfValues());
@@ -67,8 +70,8 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         camaron::NullReason reason = camaron::GetNullReason(from[cell]);
-        if (reason == camaron::NullReason::Value &&
-          camaron::GetCellShape(mesh.GetCellType(cell)).IsHigherOrder)
+        if (reason == camaron::NullReason::Value && grid &&
+          camaron::GetCellShape(static_cast<unsigned char>(grid->GetCellType(cell))).IsHigherOrder)
         {
           reason = camaron::NullReason::HigherOrder;
         }
@@ -81,6 +84,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(
 
 //------------------------------------------------------------------------------
 vtkElementQuality::vtkElementQuality()
+  : Known(std::make_unique<camaron::EvaluatedArrays>())
 {
   const camaron::Preset* overview = camaron::FindPreset("Overview");
   for (const camaron::Criterion& criterion : camaron::GetCriteria())
@@ -264,28 +268,32 @@ bool vtkElementQuality::FindCriteria(std::vector<const camaron::Criterion*>& cri
 }
 
 //------------------------------------------------------------------------------
-void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
-  const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces)
+camaron::EvaluationOptions vtkElementQuality::GetOptions(
+  const std::vector<const camaron::Criterion*>& criteria) const
 {
-  camaron::EvaluationOptions common;
-  common.Angles =
+  camaron::EvaluationOptions options;
+  options.Angles =
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
-  common.TrustFaceOrientation = this->TrustFaceOrientation;
-  common.DegeneracyTolerance = this->DegeneracyTolerance;
-  common.ConvexityTolerance = this->ConvexityTolerance;
-  common.PlanarityTolerance = this->PlanarityTolerance;
+  options.TrustFaceOrientation = this->TrustFaceOrientation;
+  options.DegeneracyTolerance = this->DegeneracyTolerance;
+  options.ConvexityTolerance = this->ConvexityTolerance;
+  options.PlanarityTolerance = this->PlanarityTolerance;
+  options.ChecksStarShape = std::any_of(criteria.begin(), criteria.end(),
+    [](auto* criterion) { return criterion == camaron::FindCriterion("IsStarShaped"); });
+  return options;
+}
 
-  camaron::ControllerReducer reducer;
-  const std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(output);
-  for (const camaron::DataSetLeaf& leaf : leaves)
+//------------------------------------------------------------------------------
+bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
+  const camaron::EvaluationOptions& options, const std::vector<const camaron::Criterion*>& criteria,
+  int numberOfPieces, ArraysOfCriteria& arrays)
+{
+  for (const camaron::Criterion* criterion : criteria)
   {
-    const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(leaf.Data);
-    if (triangulated != leaf.Data)
-    {
-      leaf.Data->ShallowCopy(triangulated);
-    }
+    arrays[criterion->Name].clear(); // also where there is no data set: all processes know the same criteria
   }
-  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
+  camaron::ControllerReducer reducer;
+  camaron::MeshPieces pieces(leaves, options, numberOfPieces, reducer);
   if (this->ConnectBlocks)
   {
     pieces.ConnectBlocks();
@@ -312,19 +320,18 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
   {
     pieces.FindPointRegions();
   }
-
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {
     const camaron::MeshTopology& topology = pieces.GetTopology(piece);
     std::vector<camaron::CriterionValues> rows;
-    std::vector<vtkSmartPointer<vtkDoubleArray>> arrays;
     for (const camaron::Criterion* criterion : criteria)
     {
-      arrays.push_back(vtkSmartPointer<vtkDoubleArray>::New());
-      arrays.back()->SetName(criterion->Name);
-      arrays.back()->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
-      camaron::SetUnitLabel(arrays.back(), criterion->UnitLabel(common.Angles).c_str());
-      rows.push_back({ criterion, arrays.back()->GetPointer(0) });
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(criterion->Name);
+      array->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
+      camaron::SetUnitLabel(array, criterion->UnitLabel(options.Angles).c_str());
+      rows.push_back({ criterion, array->GetPointer(0) });
+      arrays[criterion->Name].emplace_back(array);
     }
     const bool isFinished = camaron::Evaluate(topology, pieces.GetOptions(piece), rows,
       [&](double done)
@@ -335,22 +342,72 @@ void vtkElementQuality::EvaluatePieces(vtkDataObject* output,
       });
     if (!isFinished)
     {
-      return;
+      return false;
     }
-    vtkCellData* data = leaves[piece].Data->GetCellData();
-    for (vtkDoubleArray* array : arrays)
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leaves,
+  const std::vector<const camaron::Criterion*>& criteria, const ArraysOfCriteria& arrays)
+{
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    vtkCellData* const data = leaves[leaf].Data->GetCellData();
+    for (const camaron::Criterion* criterion : criteria)
     {
+      vtkDoubleArray* const array = arrays.at(criterion->Name)[leaf];
       data->AddArray(array);
       if (this->WriteNullMask)
       {
-        data->AddArray(MakeNullMask(array, topology.GetMesh()));
+        data->AddArray(MakeNullMask(array, leaves[leaf].Data));
       }
     }
-    if (!arrays.empty())
+    if (!criteria.empty())
     {
-      data->SetActiveScalars(arrays[0]->GetName());
+      data->SetActiveScalars(criteria[0]->Name);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output,
+  const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces)
+{
+  const camaron::EvaluationOptions options = this->GetOptions(criteria);
+  camaron::ControllerReducer reducer;
+  this->Known->Check(
+    camaron::GetLeaves(input), options, this->ConnectBlocks, numberOfPieces, reducer);
+  ArraysOfCriteria arrays;
+  std::vector<const camaron::Criterion*> missing;
+  for (const camaron::Criterion* criterion : criteria)
+  {
+    if (const auto* known = this->Known->Find(criterion->Name))
+    {
+      arrays[criterion->Name] = *known;
+    }
+    else
+    {
+      missing.push_back(criterion);
+    }
+  }
+  const std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(output);
+  for (const camaron::DataSetLeaf& leaf : leaves)
+  {
+    const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(leaf.Data);
+    if (triangulated != leaf.Data)
+    {
+      leaf.Data->ShallowCopy(triangulated);
+    }
+  }
+  if (!missing.empty() && !this->Evaluate(leaves, options, missing, numberOfPieces, arrays))
+  {
+    this->Known->Clear();
+    return;
+  }
+  this->AddArrays(leaves, criteria, arrays);
+  this->Known->Keep(std::move(arrays));
 }
 
 //------------------------------------------------------------------------------
@@ -363,16 +420,18 @@ int vtkElementQuality::RequestData(
   {
     return 0;
   }
-  output->ShallowCopy(vtkDataObject::GetData(inputVector[0]));
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  output->ShallowCopy(input);
   try
   {
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-    this->EvaluatePieces(output, criteria, numberOfPieces);
+    this->EvaluateMesh(input, output, criteria, numberOfPieces);
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro("The mesh cannot be evaluated: " << error.what() << '.');
+    this->Known->Clear();
     output->Initialize();
     return 0;
   }

@@ -20,7 +20,8 @@
  * or made for that, unless the pipeline works in more pieces than there are processes. Those of the input get values,
  * too; where these depend on cells that are not there they are null with reason 5.
  *
- * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen. Criteria with
+ * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen, nor for those
+ * that the output has already of the same mesh and options. Criteria with
  * neighbours compare the faces within the boxes of other pieces once, shared out among the processes.
  */
 #ifndef vtkElementQuality_h
@@ -29,13 +30,21 @@
 #include "vtkNew.h" // for the selection
 #include "vtkPassInputTypeAlgorithm.h"
 
+#include "vtkSmartPointer.h" // for arrays
+
+#include <map>    // for arrays of criteria
+#include <memory> // for what is known
 #include <string> // for the preset
 #include <vector> // for the chosen criteria
 
 class vtkDataArraySelection;
+class vtkDoubleArray;
 namespace camaron
 {
+class EvaluatedArrays;
 struct Criterion;
+struct DataSetLeaf;
+struct EvaluationOptions;
 }
 
 class vtkElementQuality : public vtkPassInputTypeAlgorithm
@@ -159,8 +168,16 @@ private:
   std::vector<std::string> GetChosenCriteria();
   bool NeedsNeighbors();
   bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
-  void EvaluatePieces(vtkDataObject* output, const std::vector<const camaron::Criterion*>& criteria,
-    int numberOfPieces);
+  camaron::EvaluationOptions GetOptions(const std::vector<const camaron::Criterion*>& criteria) const;
+  /// Of each criterion by its name those of all data sets.
+  using ArraysOfCriteria = std::map<std::string, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
+  /// False if it was stopped.
+  bool Evaluate(const std::vector<camaron::DataSetLeaf>& leaves, const camaron::EvaluationOptions& options,
+    const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces, ArraysOfCriteria& arrays);
+  void AddArrays(const std::vector<camaron::DataSetLeaf>& leaves,
+    const std::vector<const camaron::Criterion*>& criteria, const ArraysOfCriteria& arrays);
+  void EvaluateMesh(vtkDataObject* input, vtkDataObject* output,
+    const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces);
 
   vtkNew<vtkDataArraySelection> Criteria;
   std::string Preset = TickedCriteria();
@@ -171,6 +188,7 @@ private:
   double ConvexityTolerance = 1e-4;
   double PlanarityTolerance = 0.1;
   bool ConnectBlocks = false;
+  std::unique_ptr<camaron::EvaluatedArrays> Known;
 };
 
 #endif

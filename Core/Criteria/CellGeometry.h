@@ -48,7 +48,7 @@ struct EvaluationOptions
   /// The mesh is one of several pieces without ghost cells: a cell without a neighbour may have one in
   /// another piece.
   bool IsPieceWithoutGhosts = false;
-  /// Whether CellStatus tells of cells without a kernel; set by Evaluate where IsStarShaped is asked for.
+  /// Whether CellStatus tells of cells without a kernel; Evaluate does where IsStarShaped is asked for.
   bool ChecksStarShape = false;
   /// How far an angle may exceed 180 degrees in a convex cell, in degrees.
   double ConvexityTolerance = 1e-4;

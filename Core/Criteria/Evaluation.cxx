@@ -273,7 +273,7 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   }
 
   const MeshView& mesh = topology.GetMesh();
-  options.ChecksStarShape = std::any_of(criteria.begin(), criteria.end(),
+  options.ChecksStarShape |= std::any_of(criteria.begin(), criteria.end(),
     [](const CriterionValues& row) { return row.Criterion == FindCriterion("IsStarShaped"); });
   std::vector<CriterionValues> ofCells, ofMesh, ofNeighbors;
   for (const CriterionValues& row : criteria)

@@ -9,9 +9,11 @@ import runpy
 import camaron_testing
 import gallery
 import mesh_parts
+import numpy
 from paraview import servermanager, simple, smtrace
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import VTK_QUADRATIC_TETRA, VTK_TETRA, vtkPolyData
+from vtkmodules.vtkCommonDataModel import VTK_POLYGON, VTK_QUADRATIC_TETRA, VTK_TETRA, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
@@ -128,6 +130,62 @@ class TestElementQuality(camaron_testing.TestCase):
     def test_nothing_is_ticked(self):
         """An empty list, also as an argument, which ParaView takes for one that was never set without help."""
         self.assertEqual(self.evaluate(simple.Wavelet(), Criteria=[]), {})
+
+    def test_one_more_criterion(self):
+        """It costs only itself: arrays of the same mesh stay, unless anything that they come from has changed."""
+        grid = mesh_parts.make_mesh()
+        source = mesh_parts.producer(grid)
+        chosen = {"Criteria": ["Volume", "CellStatus", "RegionId"]}
+        quality = simple.ElementQuality(Input=source, **chosen)
+
+        def array(name):
+            quality.UpdatePipeline()
+            return quality.GetClientSideObject().GetOutputDataObject(0).GetCellData().GetArray(name)
+
+        def change(**properties):
+            chosen.update(properties)
+            for name, value in properties.items():
+                setattr(quality, name, value)
+            volumes = array("Volume")
+            found = arrays(quality.GetClientSideObject().GetOutputDataObject(0))
+            expected = self.evaluate(source, **chosen)
+            self.assertEqual(found.keys(), expected.keys())
+            for name, values in expected.items():
+                numpy.testing.assert_array_equal(found[name], values, name)
+            return volumes
+
+        first = change()
+        more = ["Volume", "CellStatus", "RegionId", "MinDihedralAngle"]
+        self.assertIs(change(Criteria=more), first)
+        self.assertIs(change(WriteNullMask=1), first)
+        self.assertIs(change(Criteria=more[::-1]), first)
+        self.assertIs(change(Criteria=["Volume", "MaxNonOrthogonality"]), first)
+        self.assertIsNot(change(AngleUnits="Radians"), first)
+        self.assertIsNot(change(DegeneracyTolerance=0.5), change(DegeneracyTolerance=0))
+
+        # In place, by a script that tells nobody but the source.
+        first = change(Criteria=more)
+        largest = max(arrays(self.fetch(quality))["Volume"])
+        vtk_to_numpy(grid.GetPoints().GetData())[:] *= 2
+        source.GetClientSideObject().Modified()
+        source.MarkModified(source)
+        self.assertIsNot(change(), first)
+        self.assertEqual(max(arrays(self.fetch(quality))["Volume"]), 8 * largest)
+        vtk_to_numpy(array("Volume"))[:] = 7  # as careless scripts do with what they are given
+        change(Criteria=["Volume"])
+
+    def test_status_of_stars(self):
+        """What CellStatus tells depends on whether IsStarShaped is ticked, before it or after it."""
+        spiral = [(0, 0), (9, 0), (9, 9), (2, 9), (2, 4), (5, 4), (5, 6), (4, 6), (4, 8), (8, 8), (8, 1), (0, 1)]
+        points = [(x, y, 0) for x, y in spiral]
+        source = mesh_parts.producer(gallery.make_grid(points, [(VTK_POLYGON, list(range(12)))], turns=False))
+        quality = simple.ElementQuality(Input=source)
+        found = []
+        for criteria in (["CellStatus"], ["IsStarShaped"], ["CellStatus", "IsStarShaped"], ["CellStatus"]):
+            quality.Criteria = criteria
+            found.append(arrays(self.fetch(quality)).get("CellStatus"))
+        self.assertEqual(int(found[2][0]) - int(found[0][0]), 0x20000)
+        self.assertEqual(found[3], found[0])
 
     def test_defaults_of_proxy(self):
         """What the XML ticks is the preset Overview."""

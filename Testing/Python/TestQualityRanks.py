@@ -130,9 +130,13 @@ class TestQualityRanks(camaron_testing.TestCase):
         cls.reference, cls.surfaces = pickle.loads((folder / "reference").read_bytes())
         shutil.rmtree(folder)
 
-    def check(self, reference, source, text, with_statistics=False, **properties):
+    def check(self, reference, source, text, with_statistics=False, before=None, **properties):
         expected, rows = self.reference[reference]
         quality = evaluate(source, **properties)
+        if before:
+            quality.Criteria = before
+            quality.UpdatePipeline()
+            quality.Criteria = CRITERIA
         with pipeline.Messages() as messages:  # VTK's reader warns of empty units
             found = values_of(fetch_all(quality))
         self.assertEqual(messages.errors, [])
@@ -229,6 +233,11 @@ class TestQualityRanks(camaron_testing.TestCase):
     def test_empty_rank(self):
         for mesh in ("voronoi", "surfaces"):
             self.check(mesh, rank_meshes.split_source(mesh, empty_rank=True), "empty rank")
+
+    def test_one_after_the_other(self):
+        """Criteria that are known are the same ones on all ranks, also where there are no cells."""
+        source = rank_meshes.split_source("voronoi", empty_rank=True)
+        self.check("voronoi", source, "one after the other", before=CRITERIA[::2])
 
     def test_blocks(self):
         """Faces between blocks are a boundary, those between the pieces of a block are not."""
