@@ -232,7 +232,9 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     {
       return false;
     }
-    const Vector normal = Unit(geometry.GetFaceVector(0));
+    // A polygon without an area has no plane: its edges are as if they were collapsed.
+    const Vector normal =
+      geometry.IsZeroArea(geometry.GetFaceArea(0)) ? Vector() : Unit(geometry.GetFaceVector(0));
     const int* ring = topology.GetFace(0);
     for (int i = 0; i < size; ++i)
     {

@@ -15,6 +15,16 @@ namespace
 constexpr double RegularVolume = 0.5132002392796673; // of a tetrahedron of circumradius 1
 
 //------------------------------------------------------------------------------
+// What is left of tetrahedra that are flat: rounded products. Those over short edges of large cells are not, however
+// little they are of the cell.
+bool IsFlat(const CellGeometry& cell, const Vector& center, const Vector& a, const Vector& b, double volume)
+{
+  constexpr double tolerance = 1e-12;
+  const double product = tolerance * tolerance * Norm2(center) * Norm2(a) * Norm2(b);
+  return 36 * volume * volume <= product || cell.IsZeroLength(Norm(b - a));
+}
+
+//------------------------------------------------------------------------------
 // The smallest measure(a, b, c, volume) of the tetrahedra, a to c relative to the centroid.
 template <typename Measure>
 double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
@@ -22,6 +32,10 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
   if (std::isnan(cell.GetVolume()))
   {
     return cell.GetVolume();
+  }
+  if (cell.IsZeroVolume(cell.GetVolume()))
+  {
+    return 0;
   }
   const CellTopology& topology = cell.GetTopology();
   double smallest = std::numeric_limits<double>::infinity();
@@ -36,7 +50,7 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
       const Vector b = cell.GetPoint(face[i + 1 < size ? i + 1 : 0]) - cell.GetCentroid();
       const double volume = Dot(center, Cross(a, b)) / 6;
       smallest =
-        std::min(smallest, cell.IsZeroVolume(volume) ? 0 : measure(center, a, b, volume));
+        std::min(smallest, IsFlat(cell, center, a, b, volume) ? 0 : measure(center, a, b, volume));
     }
   }
   return smallest;

@@ -60,7 +60,7 @@ double PrincipalAspectRatio(const CellGeometry& cell)
   }
   mean = (1.0 / size) * mean;
   const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
-  const Vector normal = isPolygon && cell.GetTopology().GetNumberOfFaces() > 0
+  const Vector normal = isPolygon && !cell.IsZeroArea(cell.GetPolygonArea())
     ? Unit(cell.GetFaceVector(0))
     : Vector();
   Moments moments;
