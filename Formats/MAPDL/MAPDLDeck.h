@@ -65,6 +65,13 @@ struct MAPDLComponent
   bool IsEnded = true;              ///< not by the end of the file
 };
 
+/// Commands that are not executed though the mesh may depend on them.
+struct MAPDLSkipped
+{
+  vtkIdType Number = 0;
+  std::set<std::string> Names;
+};
+
 struct MAPDLDeck
 {
   std::vector<MAPDLNodeBlock> NodeBlocks;
@@ -96,13 +103,11 @@ struct MAPDLDeck
   ///@}
 
   ///@{
-  /// What is odd. Skipped are commands in branches and loops, Ignored others that change a mesh.
+  /// What is odd. Skipped are commands in branches and loops, Ignored others.
   vtkIdType NumberOfUnknownParameters = 0;
   vtkIdType NumberOfFreeBlocks = 0;
   vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
-  vtkIdType NumberOfSkipped = 0;
-  vtkIdType NumberOfIgnored = 0;
-  std::set<std::string> IgnoredNames;
+  MAPDLSkipped Skipped, Ignored;
   ///@}
 
   /// Most nodes that an element of a type may have.

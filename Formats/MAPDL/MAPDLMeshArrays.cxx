@@ -185,15 +185,18 @@ void MAPDLMesh::Warn(Warnings& warnings) const
     "commands need a parameter whose value is not known; what they define is left out");
   add(this->Deck.NumberOfTurnedNodes,
     "nodes are given in a coordinate system other than the global one, which is not regarded");
-  add(this->Deck.NumberOfSkipped,
-    "commands that define nodes or elements stand in branches or loops (*IF, *DO, *CREATE), which "
-    "are "
-    "skipped");
-  std::string names;
-  for (const std::string& name : this->Deck.IgnoredNames)
+  const auto addSkipped = [&add](const MAPDLSkipped& skipped, const char* what)
   {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  add(this->Deck.NumberOfIgnored, "commands that change the mesh are not executed: " + names);
+    std::string names;
+    for (const std::string& name : skipped.Names)
+    {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+    add(skipped.Number, what + names);
+  };
+  addSkipped(this->Deck.Skipped,
+    "commands that define or change the mesh stand in branches or loops (*IF, *DO, *CREATE), which "
+    "are skipped: ");
+  addSkipped(this->Deck.Ignored, "commands that change the mesh are not executed: ");
 }
 }

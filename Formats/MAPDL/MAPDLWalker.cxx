@@ -2,12 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLWalker.h"
 
+#include <utility>
+
 namespace camaron
 {
 namespace
 {
 using Value = MAPDLParameters::Value;
 
+// Commands that define a mesh, or the elements of commands after them.
+constexpr const char* DefiningCommands[] = { "N", "E", "EN", "NBLOCK", "EBLOCK", "CMBLOCK", "ET",
+  "ETBLOCK", "TYPE", "MAT", "REAL", "SECNUM" };
 // Commands that create, move or delete nodes and elements by rules of the program.
 constexpr const char* MeshCommands[] = { "/INPUT", "AMESH", "CDREAD", "EDELE", "EGEN", "EINTF",
   "EMODIF", "ENGEN", "ENSYM", "ESURF", "ESYM", "FILL", "LMESH", "NDELE", "NGEN", "NMODIF", "NSCALE",
@@ -52,22 +57,63 @@ bool MAPDLWalker::Walk()
 bool MAPDLWalker::ExecuteInBranch()
 {
   const MAPDLCommand& command = this->Command;
+  std::string_view value;
   if (command.Is("*ENDIF") || command.Is("*ENDDO") || command.Is("*END"))
   {
     --this->Depth;
   }
   else if (command.Is("*DO") || command.Is("*DOWHILE") || command.Is("*CREATE") ||
-    (command.Is("*IF") &&
-      ToUpperMAPDL(command.GetField(command.GetNumberOfFields() - 1)) == "THEN"))
+    command.Is("*IF"))
   {
-    ++this->Depth;
+    if (command.Is("*DO"))
+    {
+      this->Parameters.Set(command.GetField(1), {});
+    }
+    bool begins = !command.Is("*IF");
+    for (std::size_t i = 1; i < command.GetNumberOfFields() && !begins; ++i)
+    {
+      begins = ToUpperMAPDL(command.GetField(i)) == "THEN";
+    }
+    this->Depth += begins;
   }
-  else if (command.Is("N") || command.Is("E") || command.Is("EN") || command.Is("NBLOCK") ||
-    command.Is("EBLOCK"))
+  else if (command.Is("*SET") || command.Is("*GET"))
   {
-    ++this->Deck.NumberOfSkipped;
+    this->Parameters.Set(command.GetField(1), {}); // to what, is not known
+  }
+  else if (const std::string_view parameter = command.GetAssignment(value); !parameter.empty())
+  {
+    this->Parameters.Set(parameter, {});
+  }
+  else if (command.Is("CSYS"))
+  {
+    std::int32_t system = 0;
+    this->ReadField(1, system);
+    constexpr std::int32_t UnknownSystem = -1;
+    this->CoordinateSystem = system == this->CoordinateSystem ? system : UnknownSystem;
+  }
+  else
+  {
+    for (const char* name : DefiningCommands)
+    {
+      this->NoteSkipped(name, this->Deck.Skipped);
+    }
+    for (const char* name : MeshCommands)
+    {
+      this->NoteSkipped(name, this->Deck.Skipped);
+    }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void MAPDLWalker::NoteSkipped(const char* name, MAPDLSkipped& skipped)
+{
+  // The coordinate system of an element does not matter here.
+  if (this->Command.Is(name) && ToUpperMAPDL(this->Command.GetField(2)) != "ESYS")
+  {
+    ++skipped.Number;
+    skipped.Names.insert(name);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -76,12 +122,15 @@ bool MAPDLWalker::Execute()
   const MAPDLCommand& command = this->Command;
   const std::string_view name = command.GetField(0);
   std::string_view value;
+  const bool followsDefinition = std::exchange(this->Defines, false);
   if (command.Is("N"))
   {
+    this->Defines = true;
     return this->DefineNode();
   }
   if (command.Is("EN") || command.Is("E"))
   {
+    this->Defines = true;
     return this->DefineElement(command.Is("EN"));
   }
   if (command.Is("EMORE"))
@@ -143,6 +192,10 @@ bool MAPDLWalker::Execute()
     {
       this->Parameters.Set(command.GetField(1), {});
     }
+    if (followsDefinition)
+    {
+      this->NoteSkipped("*REPEAT", this->Deck.Ignored);
+    }
   }
   else if (command.Is("/EOF") || command.Is("/EXIT"))
   {
@@ -156,12 +209,7 @@ bool MAPDLWalker::Execute()
   {
     for (const char* mesh : MeshCommands)
     {
-      // The coordinate system of an element does not matter here.
-      if (command.Is(mesh) && ToUpperMAPDL(command.GetField(2)) != "ESYS")
-      {
-        ++this->Deck.NumberOfIgnored;
-        this->Deck.IgnoredNames.insert(mesh);
-      }
+      this->NoteSkipped(mesh, this->Deck.Ignored);
     }
     if (command.Is("CSYS"))
     {

@@ -33,6 +33,8 @@ public:
 private:
   bool Execute();
   bool ExecuteInBranch();
+  /// Counts the command if it has this name.
+  void NoteSkipped(const char* name, MAPDLSkipped& skipped);
   bool ReadNodeBlock();
   bool ReadElementBlock();
   void ReadComponent();
@@ -72,6 +74,7 @@ private:
   MAPDLParameters Parameters;
   int Depth = 0; ///< of branches and loops that are skipped
   bool Ended = false;
+  bool Defines = false; ///< the command before was of a node or an element
   std::int32_t CoordinateSystem = 0;
   MAPDLElement Current; ///< attributes for E and EN
   bool AttributesChanged = false;

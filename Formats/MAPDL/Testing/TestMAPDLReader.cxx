@@ -447,8 +447,57 @@ TEST(MAPDLReader, SkipsWhatIsNoMesh)
   EXPECT_EQ(result.Grid->GetNumberOfPoints(), 4);
   EXPECT_EQ(result.Grid->GetNumberOfCells(), 1);
   ASSERT_EQ(result.Warnings.size(), 2u);
-  EXPECT_NE(result.Warnings[0].find("2 commands that define nodes"), std::string::npos);
+  EXPECT_NE(
+    result.Warnings[0].find("2 commands that define or change the mesh"), std::string::npos);
   EXPECT_NE(result.Warnings[1].find("NGEN"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, the mesh has what a branch or loop would have changed as it was before.
+TEST(MAPDLReader, BranchesChangeNothingUnsaid)
+{
+  const std::string nodes = MakeNodes(1, 4) + "ET,1,181\nX=9\n";
+  const auto read = [&](const std::string& text)
+  {
+    const Result result = ReadDeck(nodes + text + "E,1,2,3,4\n");
+    EXPECT_TRUE(result.Errors.empty()) << text;
+    EXPECT_EQ(result.Grid->GetNumberOfPoints(), 4) << text;
+    EXPECT_EQ(result.Grid->GetNumberOfCells(), 1) << text;
+    std::string warnings;
+    for (const std::string& warning : result.Warnings)
+    {
+      warnings += warning + "\n";
+    }
+    return warnings;
+  };
+  const auto inBranch = [&](const std::string& text)
+  { return read("*IF,A,EQ,1,THEN,\n" + text + "\n*ENDIF\n"); };
+  const std::string block = "(3i9,6e21.13e3)\n        5        0        0\nN,UNBL,LOC,-1,";
+  EXPECT_NE(inBranch("NBLOCK,6,SOLID\n" + block).find("(*IF, *DO, *CREATE), which are skipped: N,"),
+    std::string::npos);
+  for (const char* command : { "EBLOCK", "CMBLOCK", "ET", "ETBLOCK", "TYPE", "MAT", "REAL",
+         "SECNUM", "NGEN", "/INPUT", "NUMMRG" })
+  {
+    const std::string warning = inBranch(std::string(command) + ",2,2\n");
+    EXPECT_NE(warning.find("which are skipped: " + std::string(command)), std::string::npos)
+      << warning;
+  }
+  EXPECT_NE(read("*DO,I,1,9\nNGEN,2,4,1,4\n*ENDDO\n").find("NGEN"), std::string::npos);
+  // What a parameter is after a branch is not known.
+  for (const char* change : { "X=1", "*SET,X,1", "*GET,X,NODE,,NUM,MAX" })
+  {
+    const std::string warning = inBranch(change + std::string("\n*ENDIF\nN,X,7,7,7\n*IF,B,EQ,1"));
+    EXPECT_NE(warning.find("1 commands need a parameter"), std::string::npos) << warning;
+  }
+  EXPECT_NE(read("*DO,X,1,9\n*ENDDO\nN,X,7\n").find("parameter"), std::string::npos);
+  // Nor is the coordinate system.
+  EXPECT_NE(
+    inBranch("CSYS,1\n*ENDIF\nN,4,1,1,1\n*IF,B,EQ,1").find("coordinate system"), std::string::npos);
+  // The command before is done again, with other numbers.
+  EXPECT_NE(read("N,4,1,1,1\n*REPEAT,5,1,1\n").find("not executed: *REPEAT"), std::string::npos);
+  // What is no part of the mesh is not told of.
+  EXPECT_EQ(inBranch("NUMOFF,NODE,9\nMP,EX,1,2\nD,ALL,ALL\nCSYS,0\nY=1"), "");
+  EXPECT_EQ(read("D,1,UX\n*REPEAT,3,1\n*IF,A,EQ,1,:LABEL\n"), "");
 }
 
 //------------------------------------------------------------------------------
