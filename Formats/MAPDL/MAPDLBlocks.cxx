@@ -129,9 +129,8 @@ bool MeasureMAPDLNodes(const char* begin, const char* end, vtkIdType chunk,
 }
 
 //------------------------------------------------------------------------------
-bool MeasureMAPDLElements(const MAPDLElementFormat& format,
-  const std::function<int(std::int64_t)>& most, const char* begin, const char* end, vtkIdType chunk,
-  const Progress& progress, MAPDLExtent& extent)
+bool MeasureMAPDLElements(const MAPDLElementFormat& format, const char* begin, const char* end,
+  vtkIdType chunk, const Progress& progress, MAPDLExtent& extent)
 {
   const auto countStates = [&](const char* first, const char* last, Count& count)
   {
@@ -142,8 +141,7 @@ bool MeasureMAPDLElements(const MAPDLElementFormat& format,
         if (isRow)
         {
           nodes = format.PeekNumberOfNodes(line);
-          furtherLines =
-            format.GetNumberOfFurtherLines(nodes, format.IsSolid ? 0 : most(format.PeekType(line)));
+          furtherLines = format.GetNumberOfFurtherLines(nodes, format.PeekType(line));
           nodes += !format.IsSolid && furtherLines > 0 ? format.FieldsPerLine : 0;
         }
         const bool isBlank = !isRow && SkipBlanks(line.Begin, line.End) == line.End;

@@ -15,8 +15,7 @@
 #include "MAPDLRows.h"
 #include "Scan/Progress.h"
 
-#include <functional> // for what is known of types
-#include <vector>     // for chunks
+#include <vector> // for chunks
 
 namespace camaron
 {
@@ -54,10 +53,9 @@ struct MAPDLExtent
 bool MeasureMAPDLNodes(const char* begin, const char* end, vtkIdType chunk,
   const Progress& progress, MAPDLExtent& extent);
 
-/// Finds the rows of elements; @a most tells how many nodes elements of a type may have.
-bool MeasureMAPDLElements(const MAPDLElementFormat& format,
-  const std::function<int(std::int64_t)>& most, const char* begin, const char* end, vtkIdType chunk,
-  const Progress& progress, MAPDLExtent& extent);
+/// Finds the rows of elements.
+bool MeasureMAPDLElements(const MAPDLElementFormat& format, const char* begin, const char* end,
+  vtkIdType chunk, const Progress& progress, MAPDLExtent& extent);
 
 /// Calls @a visit(const Line&, row of the block) for the rows of nodes in a chunk until it returns
 /// false. False then, or if there are not as many as were measured, because the file was changed.
@@ -86,9 +84,8 @@ bool ForEachMAPDLNode(const MAPDLExtent& extent, std::size_t chunk, Visit&& visi
  * @param withNodes whether to read the nodes as well
  */
 template <typename Visit>
-bool ForEachMAPDLElement(const MAPDLElementFormat& format,
-  const std::function<int(std::int64_t)>& most, const MAPDLExtent& extent, std::size_t chunk,
-  bool withNodes, MAPDLFault& fault, Visit&& visit)
+bool ForEachMAPDLElement(const MAPDLElementFormat& format, const MAPDLExtent& extent,
+  std::size_t chunk, bool withNodes, MAPDLFault& fault, Visit&& visit)
 {
   const MAPDLChunk& start = extent.Chunks[chunk];
   const char* const end = extent.GetEnd(chunk);
@@ -114,8 +111,11 @@ bool ForEachMAPDLElement(const MAPDLElementFormat& format,
     {
       return !fault && fault.Set(line.Begin, ErrorKind::Count, "no further element");
     }
-    const int lines = format.GetNumberOfFurtherLines(
-      format.PeekNumberOfNodes(line), format.IsSolid ? 0 : most(element.Type));
+    const int lines = format.GetNumberOfFurtherLines(format.PeekNumberOfNodes(line), element.Type);
+    if (!format.CheckEnd(line, extent.End, element.Type, fault))
+    {
+      return false;
+    }
     if (withNodes)
     {
       text = format.ReadNodes(line, extent.End, lines, element, fault);

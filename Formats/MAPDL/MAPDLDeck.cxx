@@ -30,15 +30,6 @@ MAPDLElement MAPDLDeck::GetElement(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
-int MAPDLDeck::GetMostNodes(std::int64_t type) const
-{
-  const auto found = this->Types.find(type);
-  return found == this->Types.end()
-    ? 0
-    : GetMaxMAPDLNodes(GetMAPDLClass(found->second.Element, found->second.Shape));
-}
-
-//------------------------------------------------------------------------------
 bool LooksLikeMAPDL(const char* begin, const char* end)
 {
   constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first

@@ -109,9 +109,6 @@ struct MAPDLDeck
   vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
   MAPDLSkipped Skipped, Ignored;
   ///@}
-
-  /// Most nodes that an element of a type may have.
-  int GetMostNodes(std::int64_t type) const;
 };
 
 /**

@@ -237,7 +237,16 @@ bool IsMAPDLSurfaceEffect(int element)
 int GetMaxMAPDLNodes(MAPDLClass elementClass)
 {
   constexpr int MostOthers = 10; // tetrahedra of second order
-  return elementClass == MAPDLClass::Solid ? MaxMAPDLNodes : MostOthers;
+  switch (elementClass)
+  {
+    case MAPDLClass::Undefined:
+    case MAPDLClass::Unknown:
+      return 0;
+    case MAPDLClass::Solid:
+      return MaxMAPDLNodes;
+    default:
+      return MostOthers;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ constexpr int MaxMAPDLNodes = 20;
 MAPDLClass GetMAPDLClass(int element, int shape = 0);
 /// Whether an element is on the surface of others for contact or loads.
 bool IsMAPDLSurfaceEffect(int element);
-/// Most nodes an element of a class has.
+/// Most nodes an element of a class has, 0 if that is not known.
 int GetMaxMAPDLNodes(MAPDLClass elementClass);
 
 /// A cell by ids of nodes in VTK's order; 0 stands for a missing mid-side node.

@@ -176,9 +176,7 @@ bool MAPDLMesh::ForEachElement(
   if (item.FirstCommand < 0)
   {
     const vtkIdType offset = item.FirstRow - block.Extent.Chunks[item.Chunk].FirstRow;
-    return ForEachMAPDLElement(
-      block.Format, [this](std::int64_t type) { return this->Deck.GetMostNodes(type); },
-      block.Extent, item.Chunk, withNodes, fault,
+    return ForEachMAPDLElement(block.Format, block.Extent, item.Chunk, withNodes, fault,
       [&](const Line& line, vtkIdType row, const MAPDLElement& element)
       { return visit(line.Begin, offset + row, element); });
   }

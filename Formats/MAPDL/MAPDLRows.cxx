@@ -166,14 +166,53 @@ int MAPDLElementFormat::PeekNumberOfNodes(const Line& line) const
 }
 
 //------------------------------------------------------------------------------
-int MAPDLElementFormat::GetNumberOfFurtherLines(int nodes, int most) const
+int MAPDLElementFormat::GetMostNodes(std::int64_t type) const
+{
+  const auto found = this->MostNodes.find(type);
+  return found == this->MostNodes.end() ? 0 : found->second;
+}
+
+//------------------------------------------------------------------------------
+int MAPDLElementFormat::GetNumberOfFurtherLines(int nodes, std::int64_t type) const
 {
   const int first = this->GetNodesOnFirstLine();
   if (this->IsSolid)
   {
     return nodes > first ? (nodes - first + this->FieldsPerLine - 1) / this->FieldsPerLine : 0;
   }
-  return nodes >= first && most > first ? 1 : 0;
+  return nodes >= first && this->GetMostNodes(type) > first ? 1 : 0;
+}
+
+//------------------------------------------------------------------------------
+// Rows without SOLID have no number of nodes. The rest of an element has no more numbers than
+// the first line has nodes, as no element has more than 20.
+bool MAPDLElementFormat::CheckEnd(
+  const Line& line, const char* end, std::int64_t type, MAPDLFault& fault) const
+{
+  const int first = this->GetNodesOnFirstLine();
+  if (this->IsSolid || this->PeekNumberOfNodes(line) < first)
+  {
+    return true;
+  }
+  const int most = this->GetMostNodes(type);
+  const char* text = line.Next;
+  while (text < end && ClassifyMAPDLLine(Line(text, end)) == MAPDLLine::Blank)
+  {
+    text = Line(text, end).Next;
+  }
+  const bool isRest = text < end &&
+    this->Fields.CountFields(Line(text, end), this->FieldsPerLine) <= MaxMAPDLNodes - first;
+  if (most > 0)
+  {
+    // A line without numbers is the rest, too.
+    return most <= first || isRest || text != line.Next ||
+      fault.Set(text, ErrorKind::Count, "the other nodes of an element of up to 20", "another row");
+  }
+  return !isRest ||
+    fault.Set(line.Begin, ErrorKind::Unsupported,
+      "a type that the deck defines (ET) before the block, as elements of more nodes than fit on a "
+      "line go on in the next one",
+      "type " + std::to_string(type));
 }
 
 //------------------------------------------------------------------------------

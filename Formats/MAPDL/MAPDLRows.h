@@ -15,6 +15,7 @@
 #include "Scan/LineChunks.h"
 #include "Scan/ScanError.h"
 
+#include <map>    // for types
 #include <memory> // for shared formats
 #include <string> // for messages
 
@@ -123,6 +124,8 @@ struct MAPDLElementFormat
   /// With 11 numbers before the nodes, the ninth telling how many there are; else with 5.
   bool IsSolid = true;
   int FieldsPerLine = 19;
+  /// Most nodes of elements of the types that the deck has defined before the block.
+  std::map<std::int64_t, int> MostNodes;
 
   int GetNumberOfHeaderFields() const { return this->IsSolid ? 11 : 5; }
   int GetNodesOnFirstLine() const { return this->FieldsPerLine - this->GetNumberOfHeaderFields(); }
@@ -131,9 +134,14 @@ struct MAPDLElementFormat
   /// Number of nodes of the element that begins on a line: for Solid as it says, else those there
   /// are.
   int PeekNumberOfNodes(const Line& line) const;
-  /// Number of lines on which it goes on, if it has as many nodes as that; @a most such elements
-  /// have.
-  int GetNumberOfFurtherLines(int nodes, int most) const;
+  /// Number of lines on which it goes on, if it is of this type and has as many nodes as that.
+  int GetNumberOfFurtherLines(int nodes, std::int64_t type) const;
+  /**
+   * False with a fault if it cannot be told whether the element of this type that begins on a line
+   * goes on in the next one, or if it does not though it has to.
+   * @param end of the block
+   */
+  bool CheckEnd(const Line& line, const char* end, std::int64_t type, MAPDLFault& fault) const;
 
   /// Reads all but the nodes.
   bool ReadHeader(const Line& line, MAPDLElement& element, MAPDLFault& fault) const;
@@ -146,6 +154,8 @@ struct MAPDLElementFormat
     MAPDLFault& fault) const;
 
 private:
+  /// Most nodes that an element of a type has, 0 if that is not known.
+  int GetMostNodes(std::int64_t type) const;
   bool ReadInteger(
     const Line& line, int field, const char* what, std::int32_t& value, MAPDLFault& fault) const;
 };

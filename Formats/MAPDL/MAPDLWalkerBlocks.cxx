@@ -92,9 +92,12 @@ bool MAPDLWalker::ReadElementBlock()
   format.FieldsPerLine = columns ? columns->GetNumberOfLeadingIntegers()
     : format.IsSolid             ? FreeSolidFields
                                  : FreeFields;
-  const auto most = [this](std::int64_t type) { return this->Deck.GetMostNodes(type); };
+  for (const auto& [type, element] : this->Deck.Types)
+  {
+    format.MostNodes[type] = GetMaxMAPDLNodes(GetMAPDLClass(element.Element, element.Shape));
+  }
   if (!MeasureMAPDLElements(
-        format, most, this->Text, this->End, this->Chunk, this->GetRest(), block.Extent))
+        format, this->Text, this->End, this->Chunk, this->GetRest(), block.Extent))
   {
     return false;
   }
@@ -103,7 +106,7 @@ bool MAPDLWalker::ReadElementBlock()
     bool good = true;
     for (std::size_t chunk = 0; chunk < block.Extent.Chunks.size() && good; ++chunk)
     {
-      good = ForEachMAPDLElement(format, most, block.Extent, chunk, true, this->Fault,
+      good = ForEachMAPDLElement(format, block.Extent, chunk, true, this->Fault,
         [](const Line&, vtkIdType, const MAPDLElement&) { return true; });
     }
     return good &&

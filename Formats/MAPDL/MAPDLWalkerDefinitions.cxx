@@ -108,9 +108,7 @@ std::int32_t MAPDLWalker::GetNextElement()
     for (std::size_t chunk = 0; chunk < block.Extent.Chunks.size(); ++chunk)
     {
       MAPDLFault fault;
-      ForEachMAPDLElement(
-        block.Format, [this](std::int64_t type) { return this->Deck.GetMostNodes(type); },
-        block.Extent, chunk, false, fault,
+      ForEachMAPDLElement(block.Format, block.Extent, chunk, false, fault,
         [this](const Line&, vtkIdType, const MAPDLElement& element)
         {
           this->GreatestElement = std::max(this->GreatestElement, element.Id);

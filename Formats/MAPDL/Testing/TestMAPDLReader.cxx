@@ -128,6 +128,29 @@ TEST(MAPDLReader, ElementsOfEveryForm)
   EXPECT_EQ(GetNodes(plain.Grid, 1), brick20);
   EXPECT_EQ(GetValue(plain.Grid, "Material", 0), 2);
   EXPECT_EQ(GetValue(plain.Grid, "Real", 0), 9);
+  // If the type is not known, it may go on or not, unless the next row is one of an element.
+  const std::string full = "   8   6   6   6   0   1   2   3   4   5   6   7   8   9  10\n";
+  const std::string rest = "  11  12  13  14  15  16  17  18  19  20\n";
+  const auto readPlain = [](const std::string& before, const std::string& rows)
+  { return ReadDeck(before + "EBLOCK,10\n(15i4)\n" + rows + "-1\n"); };
+  for (const char* type : { "", "ET,6\n", "ET,6,50\n" })
+  {
+    const Result unclear = readPlain(MakeNodes(1, 20) + type, full + rest + "-1\nET,6,186\n");
+    ASSERT_TRUE(unclear.IsProperError()) << type;
+    const std::string place = *type ? "test.cdb:24: " : "test.cdb:23: ";
+    EXPECT_NE(unclear.Errors[0].find(place + "expected a type that the deck defines (ET)"),
+      std::string::npos)
+      << unclear.Errors[0];
+    EXPECT_NE(unclear.Errors[0].find("found type 6"), std::string::npos);
+  }
+  const Result tetrahedra = readPlain(MakeNodes(1, 20), full + full + "\n! last\n");
+  ASSERT_EQ(tetrahedra.Errors.size(), 0u) << tetrahedra.Errors[0];
+  EXPECT_EQ(tetrahedra.Grid->GetNumberOfCells(), 1);
+  EXPECT_EQ(tetrahedra.Grid->GetCellType(0), VTK_QUADRATIC_TETRA);
+  const Result lacking = readPlain(head, full + full + rest);
+  ASSERT_TRUE(lacking.IsProperError());
+  EXPECT_NE(lacking.Errors[0].find("expected the other nodes of an element"), std::string::npos);
+  EXPECT_TRUE(readPlain(head, full + "\n" + full + rest).Errors.empty());
   // Commands: numbers go on from the greatest so far, attributes from those set last.
   const Result commands = ReadDeck(head +
     "EN,30,1,2,3,4,5,6,7,8\nTYPE, 6 $ MAT,8 $ REAL, 9\nSECNUM,10\nE,1,2,3,4,5,6,7,8\n"
