@@ -45,6 +45,21 @@ bool ParseUnsigned(std::string_view word, std::uint64_t& value)
   const auto result = std::from_chars(word.data(), end, value);
   return result.ec == std::errc() && result.ptr == end;
 }
+
+//------------------------------------------------------------------------------
+// An id of type uint64, whose largest value is -1; what is beyond those with a sign is no id.
+bool ParseUnsignedId(std::string_view word, std::int64_t& id)
+{
+  const char* const end = word.data() + word.size();
+  std::uint64_t number = 0;
+  if (ParseInteger(word.data(), end, id) == end)
+  {
+    return true;
+  }
+  const bool good = ParseUnsigned(word, number);
+  id = number == std::numeric_limits<std::uint64_t>::max() ? -1 : INT64_MAX;
+  return good;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -253,18 +268,29 @@ bool PLYTextRows::ReadSizes(int property, PLYSizes& sizes, const Progress& progr
 }
 
 //------------------------------------------------------------------------------
+bool PLYTextRows::ReadUnsignedId(TextRow& row, std::int64_t& id, const std::string& what) const
+{
+  std::string_view word;
+  const char* const place = row.GetPosition();
+  return row.ReadWord(word, what.c_str()) &&
+    (ParseUnsignedId(word, id) || this->Fail(row, place, ErrorKind::Syntax, what));
+}
+
+//------------------------------------------------------------------------------
 bool PLYTextRows::ReadIds(
   int property, const PLYIds& expected, const PLYLists& lists, const Progress& progress)
 {
   const bool skips = this->IsChecked && this->Layout == RowLayout::OneLine;
   const std::int64_t least = expected.HasBreaks ? -1 : 0;
-  const bool isUnsigned = WithType(this->Element.Properties[property].Type,
-    [](auto value) { return std::is_unsigned<decltype(value)>::value; });
-  const std::int64_t greatest = WithType(this->Element.Properties[property].Type,
-    [](auto value)
+  const PLYType type = this->Element.Properties[property].Type;
+  const bool isWide = type == PLYType::UInt64;
+  // The value of an unsigned type that stands for -1; that of uint64 is -1 when it is read.
+  const std::int64_t greatest = WithType(type,
+    [](auto value) -> std::int64_t
     {
-      return static_cast<std::int64_t>(
-        std::numeric_limits<decltype(value)>::max() / (sizeof(value) < 8 ? 1 : 2));
+      using In = decltype(value);
+      constexpr bool isBreak = std::is_unsigned<In>::value && sizeof(In) < sizeof(std::int64_t);
+      return isBreak ? static_cast<std::int64_t>(std::numeric_limits<In>::max()) : -1;
     });
   const std::string what = DescribeIds(expected);
   const bool good = this->ForEachRow(progress,
@@ -289,8 +315,9 @@ bool PLYTextRows::ReadIds(
       {
         std::int64_t value = 0;
         const char* const place = text.GetPosition();
-        rowIsGood = text.ReadInteger(value, what.c_str());
-        value = least < 0 && isUnsigned && value == greatest ? -1 : value;
+        rowIsGood =
+          isWide ? this->ReadUnsignedId(text, value, what) : text.ReadInteger(value, what.c_str());
+        value = least < 0 && value == greatest ? -1 : value;
         if (rowIsGood && (value < least || value >= expected.Limit))
         {
           rowIsGood = this->Fail(text, place, ErrorKind::Index, what);

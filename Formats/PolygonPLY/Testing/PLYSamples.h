@@ -7,8 +7,10 @@
 #ifndef camaron_PLYSamples_h
 #define camaron_PLYSamples_h
 
+#include "FormatTesting.h"
 #include "Scan/Bytes.h"
 #include "Scan/Number.h"
+#include "vtkPolygonPLYReader.h"
 
 #include <list>
 #include <string>
@@ -18,6 +20,12 @@ namespace camaron
 {
 namespace testing
 {
+inline Result ReadBytes(const std::string& bytes)
+{
+  return ReadWith<vtkPolygonPLYReader>(File(bytes, "test.ply").Path);
+}
+
+//------------------------------------------------------------------------------
 /// An element; every value of a row is a list, of one number for a property that is none.
 struct Element
 {
@@ -77,6 +85,7 @@ struct Sample
         bytes += ' ';
       }
     };
+    const auto integer = static_cast<std::int64_t>(value); // of which -1 fits all unsigned types
     const auto is = [&](const char* a, const char* b) { return type == a || type == b; };
     if (is("char", "int8"))
     {
@@ -84,7 +93,8 @@ struct Sample
     }
     else if (is("uchar", "uint8"))
     {
-      format == "ascii" ? put(static_cast<int>(value)) : put(static_cast<std::uint8_t>(value));
+      const auto byte = static_cast<std::uint8_t>(integer);
+      format == "ascii" ? put(static_cast<int>(byte)) : put(byte);
     }
     else if (is("short", "int16"))
     {
@@ -92,7 +102,7 @@ struct Sample
     }
     else if (is("ushort", "uint16"))
     {
-      put(static_cast<std::uint16_t>(value));
+      put(static_cast<std::uint16_t>(integer));
     }
     else if (is("int", "int32"))
     {
@@ -100,15 +110,15 @@ struct Sample
     }
     else if (is("uint", "uint32"))
     {
-      put(static_cast<std::uint32_t>(value));
+      put(static_cast<std::uint32_t>(integer));
     }
     else if (type == "int64")
     {
-      put(static_cast<std::int64_t>(value));
+      put(integer);
     }
     else if (type == "uint64")
     {
-      put(static_cast<std::uint64_t>(value));
+      put(static_cast<std::uint64_t>(integer));
     }
     else if (is("float", "float32"))
     {

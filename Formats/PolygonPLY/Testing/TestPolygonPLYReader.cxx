@@ -18,11 +18,6 @@ using namespace camaron::testing;
 
 namespace
 {
-Result ReadBytes(const std::string& bytes)
-{
-  return ReadWith<vtkPolygonPLYReader>(File(bytes, "test.ply").Path);
-}
-
 //------------------------------------------------------------------------------
 std::vector<vtkIdType> GetCell(const Result& result, vtkIdType cell)
 {
@@ -49,86 +44,6 @@ TEST(PolygonPLYReader, EncodingsSayTheSame)
     const Result binary = ReadBytes(sample.Encode(format));
     ASSERT_TRUE(binary.Errors.empty()) << binary.Errors[0];
     ExpectSameGrid(text.Grid, binary.Grid);
-  }
-}
-
-//------------------------------------------------------------------------------
-// If this fails, values of some type are read wrongly or change their type.
-TEST(PolygonPLYReader, KeepsTheTypesOfAllProperties)
-{
-  const struct
-  {
-    const char* Name;
-    const char* Alias;
-    int Type;
-    double Least, Greatest;
-  } types[] = { { "char", "int8", VTK_SIGNED_CHAR, -128, 127 },
-    { "uchar", "uint8", VTK_UNSIGNED_CHAR, 0, 255 }, { "short", "int16", VTK_SHORT, -32768, 32767 },
-    { "ushort", "uint16", VTK_UNSIGNED_SHORT, 0, 65535 },
-    { "int", "int32", VTK_INT, -2147483648., 2147483647 },
-    { "uint", "uint32", VTK_UNSIGNED_INT, 0, 4294967295. },
-    { "int64", "int64", VTK_TYPE_INT64, -9007199254740992., 9007199254740992. },
-    { "uint64", "uint64", VTK_TYPE_UINT64, 0, 9007199254740992. },
-    { "float", "float32", VTK_FLOAT, -1.5f, 3.25e30f },
-    { "double", "float64", VTK_DOUBLE, -0.1, 1e300 } };
-  for (const char* format : { "ascii", "binary_little_endian", "binary_big_endian" })
-  {
-    for (const bool alias : { false, true })
-    {
-      Sample sample;
-      Element& vertices = sample.AddElement("vertex");
-      vertices.Add("float", "x").Add("float", "y").Add("float", "z");
-      for (const auto& type : types)
-      {
-        vertices.Add(alias ? type.Alias : type.Name, std::string("a_") + type.Name);
-      }
-      vertices.Rows = { { { 0 }, { 1 }, { 2 } }, { { 3 }, { 4 }, { 5 } } };
-      for (const auto& type : types)
-      {
-        vertices.Rows[0].push_back({ type.Least });
-        vertices.Rows[1].push_back({ type.Greatest });
-      }
-      const Result result = ReadBytes(sample.Encode(format));
-      ASSERT_TRUE(result.Errors.empty()) << format << ": " << result.Errors[0];
-      for (const auto& type : types)
-      {
-        vtkDataArray* const array =
-          result.Grid->GetPointData()->GetArray((std::string("a_") + type.Name).c_str());
-        ASSERT_NE(array, nullptr) << type.Name;
-        EXPECT_EQ(array->GetDataType(), type.Type) << type.Name;
-        EXPECT_EQ(array->GetTuple1(0), type.Least) << type.Name;
-        EXPECT_EQ(array->GetTuple1(1), type.Greatest) << type.Name;
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-// If this fails, text holds other integers of 64 bits than binary does.
-TEST(PolygonPLYReader, TextHasTheWholeRangeOfIntegers)
-{
-  const auto read = [](const std::string& first, const std::string& second)
-  {
-    return ReadBytes("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                     "property float z\nproperty int64 id\nproperty uint64 uid\nend_header\n0 0 0 " +
-      first + " " + second + "\n");
-  };
-  for (const std::string sign : { "", "+" })
-  {
-    const Result result = read("-9223372036854775808", sign + "18446744073709551615");
-    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
-    vtkPointData* const data = result.Grid->GetPointData();
-    EXPECT_EQ(*static_cast<vtkTypeInt64*>(data->GetArray("id")->GetVoidPointer(0)), INT64_MIN);
-    EXPECT_EQ(*static_cast<vtkTypeUInt64*>(data->GetArray("uid")->GetVoidPointer(0)), UINT64_MAX);
-  }
-  for (const char* wrong : { "18446744073709551616", "-1", "-9223372036854775809", "1.5", "+", "1x" })
-  {
-    const Result result = read("0", wrong);
-    ASSERT_TRUE(result.IsProperError()) << wrong;
-    EXPECT_NE(result.Errors[0].find("10: expected 'uid' of 'vertex' (uint64), found '" +
-                std::string(wrong) + "'"),
-      std::string::npos)
-      << result.Errors[0];
   }
 }
 

@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// PLY: values and lists of every type, in text and binary.
+#include "PLYSamples.h"
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+constexpr const char* Formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
+constexpr const char* IntegerTypes[] = { "char", "uchar", "short", "ushort", "int", "uint", "int64",
+  "uint64" };
+}
+
+//------------------------------------------------------------------------------
+// If this fails, values of some type are read wrongly or change their type.
+TEST(PolygonPLYTypes, KeepsTheTypesOfAllProperties)
+{
+  const struct
+  {
+    const char* Name;
+    const char* Alias;
+    int Type;
+    double Least, Greatest;
+  } types[] = { { "char", "int8", VTK_SIGNED_CHAR, -128, 127 },
+    { "uchar", "uint8", VTK_UNSIGNED_CHAR, 0, 255 }, { "short", "int16", VTK_SHORT, -32768, 32767 },
+    { "ushort", "uint16", VTK_UNSIGNED_SHORT, 0, 65535 },
+    { "int", "int32", VTK_INT, -2147483648., 2147483647 },
+    { "uint", "uint32", VTK_UNSIGNED_INT, 0, 4294967295. },
+    { "int64", "int64", VTK_TYPE_INT64, -9007199254740992., 9007199254740992. },
+    { "uint64", "uint64", VTK_TYPE_UINT64, 0, 9007199254740992. },
+    { "float", "float32", VTK_FLOAT, -1.5f, 3.25e30f },
+    { "double", "float64", VTK_DOUBLE, -0.1, 1e300 } };
+  for (const char* format : { "ascii", "binary_little_endian", "binary_big_endian" })
+  {
+    for (const bool alias : { false, true })
+    {
+      Sample sample;
+      Element& vertices = sample.AddElement("vertex");
+      vertices.Add("float", "x").Add("float", "y").Add("float", "z");
+      for (const auto& type : types)
+      {
+        vertices.Add(alias ? type.Alias : type.Name, std::string("a_") + type.Name);
+      }
+      vertices.Rows = { { { 0 }, { 1 }, { 2 } }, { { 3 }, { 4 }, { 5 } } };
+      for (const auto& type : types)
+      {
+        vertices.Rows[0].push_back({ type.Least });
+        vertices.Rows[1].push_back({ type.Greatest });
+      }
+      const Result result = ReadBytes(sample.Encode(format));
+      ASSERT_TRUE(result.Errors.empty()) << format << ": " << result.Errors[0];
+      for (const auto& type : types)
+      {
+        vtkDataArray* const array =
+          result.Grid->GetPointData()->GetArray((std::string("a_") + type.Name).c_str());
+        ASSERT_NE(array, nullptr) << type.Name;
+        EXPECT_EQ(array->GetDataType(), type.Type) << type.Name;
+        EXPECT_EQ(array->GetTuple1(0), type.Least) << type.Name;
+        EXPECT_EQ(array->GetTuple1(1), type.Greatest) << type.Name;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, text holds other integers of 64 bits than binary does.
+TEST(PolygonPLYTypes, TextHasTheWholeRangeOfIntegers)
+{
+  const auto read = [](const std::string& first, const std::string& second)
+  {
+    return ReadBytes(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+      "property float z\nproperty int64 id\nproperty uint64 uid\nend_header\n0 0 0 " +
+      first + " " + second + "\n");
+  };
+  for (const std::string sign : { "", "+" })
+  {
+    const Result result = read("-9223372036854775808", sign + "18446744073709551615");
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    vtkPointData* const data = result.Grid->GetPointData();
+    EXPECT_EQ(*static_cast<vtkTypeInt64*>(data->GetArray("id")->GetVoidPointer(0)), INT64_MIN);
+    EXPECT_EQ(*static_cast<vtkTypeUInt64*>(data->GetArray("uid")->GetVoidPointer(0)), UINT64_MAX);
+  }
+  for (const char* wrong :
+    { "18446744073709551616", "-1", "-9223372036854775809", "1.5", "+", "1x" })
+  {
+    const Result result = read("0", wrong);
+    ASSERT_TRUE(result.IsProperError()) << wrong;
+    EXPECT_NE(result.Errors[0].find(
+                "10: expected 'uid' of 'vertex' (uint64), found '" + std::string(wrong) + "'"),
+      std::string::npos)
+      << result.Errors[0];
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, lists of some type are read in one encoding and not in another.
+TEST(PolygonPLYTypes, ListsOfEveryType)
+{
+  for (const char* format : Formats)
+  {
+    for (const std::string count : IntegerTypes)
+    {
+      for (const std::string item : IntegerTypes)
+      {
+        const std::string type = "list " + count + " " + item;
+        Sample sample;
+        sample.AddVertices(5);
+        Element& faces = sample.AddElement("face");
+        faces.Add(type, "vertex_indices");
+        faces.Rows = { { { 0, 1, 2 } }, { { 1, 2, 3, 4 } } };
+        Element& strips = sample.AddElement("tristrips");
+        strips.Add(type, "vertex_indices");
+        strips.Rows = { { { 0, 1, 2, -1, 4, 3, 2 } } }; // in unsigned types the largest value
+        const Result result = ReadBytes(sample.Encode(format));
+        ASSERT_TRUE(result.Errors.empty()) << format << type << result.Errors[0];
+        ASSERT_EQ(result.Grid->GetNumberOfCells(), 4) << format << type;
+        EXPECT_EQ(result.Grid->GetCellType(1), VTK_QUAD) << format << type;
+        EXPECT_EQ(MeshView(result.Grid).GetCellPoints(3)[0], 4) << format << type;
+        // Only strips are broken, and not by the largest value of a smaller type.
+        for (const double wrong : { -1., item == "char" ? 127. : item == "uchar" ? 254. : 32767. })
+        {
+          const bool isStrip = wrong > 0;
+          (isStrip ? strips : faces).Rows[0][0][0] = wrong;
+          const Result refused = ReadBytes(sample.Encode(format));
+          (isStrip ? strips : faces).Rows[0][0][0] = 0;
+          ASSERT_TRUE(refused.IsProperError()) << format << type;
+          EXPECT_NE(refused.Errors[0].find("expected a vertex of"), std::string::npos)
+            << refused.Errors[0];
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, numbers that no id or length can be are taken for others, or it is not said which.
+TEST(PolygonPLYTypes, RefusesListsBeyondTheirRange)
+{
+  const auto read = [](const std::string& type, const std::string& list)
+  {
+    return ReadBytes("ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                     "property float z\nelement tristrips 1\nproperty list " +
+      type + " " + type + " vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n" + list + "\n");
+  };
+  for (const std::string type : { "int64", "uint64" })
+  {
+    for (const std::string number : { "9223372036854775807", "9223372036854775808",
+           "18446744073709551615", "18446744073709551616", "-2", "-9223372036854775809", "1x" })
+    {
+      const std::string found = "found '" + number + "'";
+      const Result length = read(type, number + " 0 1 2");
+      ASSERT_TRUE(length.IsProperError()) << type << number;
+      EXPECT_NE(length.Errors[0].find("13: expected the length of"), std::string::npos)
+        << length.Errors[0];
+      EXPECT_NE(length.Errors[0].find(found), std::string::npos) << length.Errors[0];
+      const Result id = read(type, "3 0 1 " + number);
+      if (type == "uint64" && number == "18446744073709551615")
+      {
+        EXPECT_TRUE(id.Errors.empty()); // as -1 is, a break
+        continue;
+      }
+      ASSERT_TRUE(id.IsProperError()) << type << number;
+      EXPECT_NE(id.Errors[0].find("13: expected a vertex of"), std::string::npos) << id.Errors[0];
+      EXPECT_NE(id.Errors[0].find(found), std::string::npos) << id.Errors[0];
+    }
+  }
+}
