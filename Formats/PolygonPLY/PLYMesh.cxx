@@ -391,13 +391,14 @@ vtkIdType PLYMesh::NumberFaces(
 }
 
 //------------------------------------------------------------------------------
-// What the file says about something else than points and cells.
+// What the file says about something else than points and cells, to every piece as field data is of
+// all of a mesh.
 bool PLYMesh::ReadOthers(const Progress& progress)
 {
   for (PLYPart& part : this->Parts)
   {
     std::vector<PLYArrayPlan> plans = Plan(part, this->Header);
-    if (part.Role == PLYRole::None && this->Request.Piece == 0 && !plans.empty())
+    if (part.Role == PLYRole::None && !plans.empty())
     {
       PLYArrays arrays;
       arrays.Add(plans);

@@ -15,12 +15,14 @@
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
@@ -302,6 +304,23 @@ inline void ExpectSameTuples(
 }
 
 //------------------------------------------------------------------------------
+inline void ExpectSameFieldData(vtkFieldData* expected, vtkFieldData* found)
+{
+  ASSERT_EQ(expected->GetNumberOfArrays(), found->GetNumberOfArrays());
+  for (int i = 0; i < expected->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const a = expected->GetAbstractArray(i);
+    vtkAbstractArray* const b = found->GetAbstractArray(a->GetName());
+    ASSERT_NE(b, nullptr) << a->GetName();
+    ASSERT_EQ(a->GetNumberOfValues(), b->GetNumberOfValues()) << a->GetName();
+    for (vtkIdType value = 0; value < a->GetNumberOfValues(); ++value)
+    {
+      EXPECT_EQ(a->GetVariantValue(value).ToString(), b->GetVariantValue(value).ToString());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 /// The pieces of a file, with their points, cells, arrays and ghosts, are those of the whole.
 template <typename Reader>
 void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLevels)
@@ -317,6 +336,7 @@ void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLeve
     ASSERT_TRUE(part.Errors.empty());
     EXPECT_EQ(part.Warnings.size(), piece == 0 ? whole.Warnings.size() : 0u);
     vtkUnstructuredGrid* grid = part.Grid;
+    ExpectSameFieldData(whole.Grid->GetFieldData(), grid->GetFieldData());
     const auto pointIds = GetIds(grid->GetPointData(), grid->GetNumberOfPoints());
     const auto cellIds = GetIds(grid->GetCellData(), grid->GetNumberOfCells());
     vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();

@@ -494,7 +494,9 @@ TEST(PolygonPLYReader, PiecesMakeTheWhole)
 {
   for (const char* format : { "ascii", "binary_little_endian" })
   {
-    const File surface(MakeMixedSurface(50).Encode(format), "test.ply");
+    Sample sample = MakeMixedSurface(50);
+    sample.AddElement("camera").Add("short", "id").Rows = { { { 10 } }, { { 11 } } };
+    const File surface(sample.Encode(format), "test.ply");
     ExpectPiecesMakeTheWhole<vtkPolygonPLYReader>(surface.Path, 3, 0);
     ExpectPiecesMakeTheWhole<vtkPolygonPLYReader>(surface.Path, 3, 2);
     ExpectPiecesMakeTheWhole<vtkPolygonPLYReader>(surface.Path, 70, 1);
