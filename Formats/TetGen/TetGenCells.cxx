@@ -318,7 +318,7 @@ bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGe
     shape.NumberOfPoints, this->KeepsNodes && !this->IsWhole ? count : 0, type, shape.CommonSize);
   this->CountsFromZero = true;
   this->FirstCell.clear();
-  this->Columns.Start(this->Table.Columns);
+  this->Columns.Start(this->Table.Columns, count);
   const PieceRows rows(scanner, lines, shape);
   if (!rows.Find(scanner, request, piece, progress.Part(0, 0.7),
         [&](vtkIdType i, TextRow& row, std::int32_t* points)

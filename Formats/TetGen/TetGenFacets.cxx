@@ -93,7 +93,7 @@ bool TetGenFacets::Read(TextScanner& scanner, const TextLines* lines, const TetG
   scanner.SkipLine();
   this->HasMarkers = numbers[1] != 0;
   this->Markers.assign(static_cast<std::size_t>(this->Count), 0);
-  this->Unmarked.assign(static_cast<std::size_t>(this->HasMarkers ? this->Count : 0), 0);
+  this->Unmarked.Start(this->HasMarkers ? this->Count : 0);
   if (!this->ReadFacets(scanner, lines, nodes, isSmesh, progress))
   {
     return false;
@@ -155,6 +155,7 @@ bool TetGenFacets::ReadOneByOne(
   TextScanner& scanner, const TetGenNodes& nodes, const Progress& progress)
 {
   constexpr vtkIdType ReportEvery = 4096;
+  this->Unmarked.Start(this->HasMarkers ? this->Count : 0); // pairs of lines were others, perhaps
   std::vector<CellSink> sinks(1);
   for (vtkIdType facet = 0; facet < this->Count; ++facet)
   {
@@ -215,14 +216,14 @@ bool TetGenFacets::ReadFacet(
 //------------------------------------------------------------------------------
 bool TetGenFacets::ReadMarker(TextRow& row, vtkIdType facet)
 {
-  const bool isThere = row.HasMore();
-  if (this->HasMarkers)
-  {
-    this->Unmarked[static_cast<std::size_t>(facet)] = !isThere;
-  }
   std::int32_t& marker = this->Markers[static_cast<std::size_t>(facet)];
   marker = 0;
-  return !isThere || ReadTetGenInteger(row, marker, "the marker of a facet");
+  if (!row.HasMore())
+  {
+    this->Unmarked.Add(facet);
+    return true;
+  }
+  return ReadTetGenInteger(row, marker, "the marker of a facet");
 }
 
 //------------------------------------------------------------------------------
@@ -288,15 +289,7 @@ void TetGenFacets::AddFields(vtkFieldData* fields) const
 //------------------------------------------------------------------------------
 void TetGenFacets::Warn(Warnings& warnings) const
 {
-  Tally unmarked;
-  for (std::size_t facet = 0; facet < this->Unmarked.size(); ++facet)
-  {
-    if (this->Unmarked[facet])
-    {
-      unmarked.Add(static_cast<vtkIdType>(facet));
-    }
-  }
-  warnings.Add(unmarked, "facet", "facets", "without the boundary marker that the header promises");
+  this->Unmarked.Warn(warnings, "facet", "facets");
   warnings.Add(this->WithHoles, "facet", "facets",
     "with holes, whose polygons are cells of their own with nothing cut out");
 }

@@ -47,7 +47,7 @@ private:
   CellMesh Mesh;
   std::vector<std::int32_t> Facets;  ///< one per cell; none if every facet is one cell
   std::vector<std::int32_t> Markers; ///< one per facet
-  std::vector<char> Unmarked;        ///< which facets lack one, if there are markers
+  TetGenUnmarked Unmarked;           ///< facets
   std::vector<double> Holes;
   std::vector<std::int32_t> FacetsOfHoles;
   Tally WithHoles;

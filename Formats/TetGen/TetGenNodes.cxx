@@ -79,7 +79,7 @@ bool TetGenNodes::IsRow(TextScanner scanner, const Header& header)
 void TetGenNodes::Allocate(vtkIdType size)
 {
   this->Coordinates = Buffer<double>(3 * size);
-  this->Columns.Start(this->Table.Columns);
+  this->Columns.Start(this->Table.Columns, this->GetCount());
   this->Columns.Allocate(size);
 }
 

@@ -6,8 +6,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 
-#include <set>
-
 namespace camaron
 {
 namespace
@@ -78,11 +76,25 @@ bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what)
 }
 
 //------------------------------------------------------------------------------
-void TetGenColumns::Start(const Layout& layout)
+void TetGenUnmarked::Warn(Warnings& warnings, const char* one, const char* many) const
+{
+  Tally unmarked;
+  for (vtkIdType row = 0; row < this->Rows.GetLimit(); ++row)
+  {
+    if (this->Rows.Contains(row))
+    {
+      unmarked.Add(row);
+    }
+  }
+  warnings.Add(unmarked, one, many, "without the boundary marker that the header promises");
+}
+
+//------------------------------------------------------------------------------
+void TetGenColumns::Start(const Layout& layout, vtkIdType rows)
 {
   this->Columns = layout;
   this->FirstIsInteger = true;
-  this->Missing.clear();
+  this->Unmarked.Start(layout.Markers ? rows : 0);
   this->Surplus = VTK_ID_MAX;
   this->Allocate(0);
 }
@@ -124,8 +136,7 @@ bool TetGenColumns::Read(TextRow& row, vtkIdType number, vtkIdType index)
     std::int32_t marker = 0;
     if (this->Columns.Tetrahedra == 0 && !row.HasMore())
     {
-      const std::lock_guard<std::mutex> lock(this->Mutex);
-      this->Missing.push_back(number);
+      this->Unmarked.Add(number);
     }
     else if (!ReadTetGenInteger(row, marker, Marker))
     {
@@ -192,12 +203,7 @@ void TetGenColumns::AddTo(vtkDataSetAttributes* attributes, const char* first)
 //------------------------------------------------------------------------------
 void TetGenColumns::Warn(Warnings& warnings, const char* one, const char* many) const
 {
-  Tally missing;
-  for (const vtkIdType row : std::set<vtkIdType>(this->Missing.begin(), this->Missing.end()))
-  {
-    missing.Add(row);
-  }
-  warnings.Add(missing, one, many, "without the boundary marker that the header promises");
+  this->Unmarked.Warn(warnings, one, many);
   if (this->Surplus < VTK_ID_MAX)
   {
     warnings.Add(std::string("values behind those that the header promises are left out, the first "

@@ -8,6 +8,7 @@
 #define camaron_TetGenRows_h
 
 #include "CellMesh/CellPiece.h"
+#include "Scan/IdSet.h"
 #include "Scan/TextRows.h"
 
 #include <atomic> // for what threads find
@@ -33,6 +34,25 @@ bool ReadTetGenInteger(TextRow& row, std::int32_t& value, const char* what);
 bool ReadTetGenId(TextRow& row, std::int32_t& id, const char* what);
 
 /**
+ * @class camaron::TetGenUnmarked
+ * @brief Rows without the marker that the header of their table promises, however often they are
+ * read.
+ */
+class TetGenUnmarked
+{
+public:
+  /// Starts anew, for a table of so many rows.
+  void Start(vtkIdType rows) { this->Rows = IdSet(rows); }
+  /// Any thread may.
+  void Add(vtkIdType row) { this->Rows.Add(row); }
+  /// Warns of them, named as in "node", "nodes".
+  void Warn(Warnings& warnings, const char* one, const char* many) const;
+
+private:
+  IdSet Rows;
+};
+
+/**
  * @class camaron::TetGenColumns
  * @brief The columns after the ids and coordinates of a row: attributes, a marker, adjacent
  * tetrahedra.
@@ -54,8 +74,8 @@ public:
     }
   };
 
-  /// Starts anew, without room for values.
-  void Start(const Layout& layout);
+  /// Starts anew, for a table of so many rows, without room for values.
+  void Start(const Layout& layout, vtkIdType rows);
   /// Provides room for so many rows.
   void Allocate(vtkIdType size);
 
@@ -78,8 +98,7 @@ private:
   Buffer<std::int32_t> Markers;
   Buffer<std::int32_t> Tetrahedra;
   std::atomic<bool> FirstIsInteger{ true };
-  std::mutex Mutex;
-  std::vector<vtkIdType> Missing; ///< rows without marker, some perhaps twice
+  TetGenUnmarked Unmarked;
   std::atomic<vtkIdType> Surplus{ VTK_ID_MAX }; ///< the first row with more values
 };
 

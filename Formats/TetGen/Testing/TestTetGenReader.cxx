@@ -197,6 +197,9 @@ TEST(TetGenReader, WarnsOfOddThings)
   warning({ { "node", node }, { "ele", "1 4 0\n0 0 1 2 3 5\n" } }, "ele", "the first of element 0");
   warning({ { "poly", node + "2 1\n1 0 5\n3 0 1 2\n1\n3 0 1 3\n0\n" } }, "poly",
     "1 facet without the boundary marker that the header promises");
+  // Read as pairs of lines first, which it is not.
+  warning({ { "poly", node + "2 1\n2 0 5\n3 0 1 2\n3 0 2 3\n1\n3 0 1 3\n0\n" } }, "poly",
+    "1 facet without the boundary marker that the header promises");
   warning({ { "smesh", node + "2 1\n3 0 1 2\n3 0 1 3 4\n0\n" } }, "smesh",
     "1 facet without the boundary marker that the header promises");
   warning(
