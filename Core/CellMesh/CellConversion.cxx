@@ -244,8 +244,10 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
   if (output.GetNumberOfCells() == 0)
   {
     error = { ErrorKind::Unsupported,
-      GetFileName(path) + ": " + how.Format + " files can hold none of the " +
-        std::to_string(output.GetInput().GetNumberOfCells()) + " cells; nothing is written" };
+      HasUnsupported(found) ? DescribeRefusal(how, found, false, path)
+                            : GetFileName(path) + ": " + how.Format +
+          " files can hold none of the " + std::to_string(output.GetInput().GetNumberOfCells()) +
+          " cells, as these have too few points" };
     return false;
   }
   found.NumberOfLostPoints = builder.DropPoints();

@@ -94,7 +94,7 @@ std::string DescribeRefusal(const CellConversion& how, const ConversionFindings&
       (tally.Count == 1 ? " (cell " : " (the first is cell ") + std::to_string(tally.First) + ")");
   }
   std::string help;
-  if (triangles || tetrahedra)
+  if ((triangles || tetrahedra) && how.Others != UnsupportedCells::Convert)
   {
     help = std::string("Convert to cut them into ") +
       (triangles && tetrahedra ? "triangles and tetrahedra"
@@ -106,7 +106,8 @@ std::string DescribeRefusal(const CellConversion& how, const ConversionFindings&
     help += std::string(help.empty() ? "" : ", or to ") + "Skip to leave them out";
   }
   return GetFileName(path) + ": " + how.Format + " files cannot hold " + Join(kinds) +
-    (help.empty() ? "" : "; set Unsupported Cells to " + help);
+    (help.empty() ? "; write another format, such as ParaView's own .vtu, which holds all cells"
+                  : "; set Unsupported Cells to " + help);
 }
 
 //------------------------------------------------------------------------------

@@ -46,7 +46,8 @@ struct ConversionFindings
 /// Whether anything was met that the format cannot hold.
 bool HasUnsupported(const ConversionFindings& found);
 
-/// Says what cannot be written, and which option would help; @a holdsSome says whether other cells can be.
+/// Says what cannot be written, and which option or other format would help; @a holdsSome says
+/// whether other cells can be.
 std::string DescribeRefusal(const CellConversion& how, const ConversionFindings& found,
   bool holdsSome, const std::string& path);
 

@@ -159,8 +159,10 @@ TEST(CellConversion, RefusesByDefault)
     MakePolyhedra(MakePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }),
       { { { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } });
   result = Convert(polyhedron, { VTK_TRIANGLE, VTK_QUAD });
-  EXPECT_EQ(
-    result.Error.Message, "mesh.foo: Foo files cannot hold 1 cell of type polyhedron (cell 0)");
+  EXPECT_EQ(result.Error.Message,
+    "mesh.foo: Foo files cannot hold 1 cell of type polyhedron (cell 0); write another format, "
+    "such "
+    "as ParaView's own .vtu, which holds all cells");
 }
 
 //------------------------------------------------------------------------------
@@ -188,10 +190,26 @@ TEST(CellConversion, SkipsOnRequest)
 TEST(CellConversion, DoesNotSkipEverything)
 {
   const Grid grid = MakeComb();
-  const Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Skip);
+  Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Skip);
   EXPECT_EQ(result.Error.Kind, ErrorKind::Unsupported);
-  EXPECT_EQ(
-    result.Error.Message, "mesh.foo: Foo files can hold none of the 1 cells; nothing is written");
+  EXPECT_EQ(result.Error.Message,
+    "mesh.foo: Foo files cannot hold 1 cell of type polygon (cell 0); write another format, such "
+    "as "
+    "ParaView's own .vtu, which holds all cells");
+  result = Convert(grid, { VTK_TRIANGLE }, UnsupportedCells::Skip);
+  EXPECT_EQ(result.Error.Message,
+    "mesh.foo: Foo files cannot hold 1 cell of type polygon (cell 0); set Unsupported Cells to "
+    "Convert to cut them into triangles");
+  // Where cutting was asked for, it is no advice.
+  const Grid line = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_LINE, { 0, 1 } } });
+  result = Convert(line, { VTK_TRIANGLE }, UnsupportedCells::Convert);
+  EXPECT_EQ(result.Error.Message,
+    "mesh.foo: Foo files cannot hold 1 cell of type line (cell 0); write another format, such as "
+    "ParaView's own .vtu, which holds all cells");
+  const Grid strip = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_TRIANGLE_STRIP, { 0, 1 } } });
+  result = Convert(strip, { VTK_TRIANGLE });
+  EXPECT_EQ(result.Error.Message,
+    "mesh.foo: Foo files can hold none of the 1 cells, as these have too few points");
 }
 
 //------------------------------------------------------------------------------
