@@ -145,30 +145,47 @@ void KeepPiece(CellMesh& mesh, const CellPiece& piece)
   {
     return;
   }
-  const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
-  const auto size = static_cast<vtkIdType>(cells.size());
+  const vtkIdType size = piece.GetNumberOfCells();
+  const bool hasTypes = mesh.Types.size() > 0, hasOffsets = mesh.Offsets.size() > 0;
   CellMesh part;
   part.NumberOfPoints = piece.GetNumberOfPoints();
   part.NumberOfCells = size;
-  part.Types = Buffer<unsigned char>(size);
-  part.Offsets = Buffer<std::int32_t>(size + 1);
-  part.Offsets[0] = 0;
-  for (vtkIdType i = 0; i < size; ++i)
+  part.CommonType = mesh.CommonType;
+  part.CommonSize = mesh.CommonSize;
+  part.Types = Buffer<unsigned char>(hasTypes ? size : 0);
+  part.Offsets = Buffer<std::int32_t>(hasOffsets ? size + 1 : 0);
+  if (hasOffsets)
   {
-    part.Types[i] = mesh.GetType(cells[i]);
-    part.Offsets[i + 1] = part.Offsets[i] + static_cast<std::int32_t>(mesh.GetSize(cells[i]));
+    std::int32_t* offset = part.Offsets.data();
+    *offset = 0;
+    for (vtkIdType cell = 0; cell < mesh.NumberOfCells; ++cell)
+    {
+      if (piece.GetCells().Contains(cell))
+      {
+        offset[1] = offset[0] + static_cast<std::int32_t>(mesh.GetSize(cell));
+        ++offset;
+      }
+    }
   }
-  part.Connectivity = Buffer<std::int32_t>(part.Offsets[size]);
-  ParallelFor(size, Grain,
+  part.Connectivity = Buffer<std::int32_t>(part.GetBegin(size));
+  ParallelFor(mesh.NumberOfCells, Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        const std::int32_t* points = mesh.GetPoints(cells[i]);
-        for (vtkIdType at = part.Offsets[i]; at < part.Offsets[i + 1]; ++at)
+        const vtkIdType i = piece.FindCell(cell);
+        if (i < 0)
         {
-          part.Connectivity[at] = static_cast<std::int32_t>(piece.FindPoint(*points++));
+          continue;
         }
+        if (hasTypes)
+        {
+          part.Types[i] = mesh.Types[cell];
+        }
+        const std::int32_t* const points = mesh.GetPoints(cell);
+        std::transform(points, points + mesh.GetSize(cell),
+          part.Connectivity.data() + part.GetBegin(i),
+          [&](std::int32_t point) { return static_cast<std::int32_t>(piece.FindPoint(point)); });
       }
     });
   mesh = std::move(part);

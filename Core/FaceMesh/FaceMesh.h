@@ -23,6 +23,8 @@ struct PointSource
   bool IsDouble = false;
   bool Swap = false;
   std::ptrdiff_t Stride = 0; ///< bytes from point to point
+  const IdSet* Kept =
+    nullptr; ///< if given, numbered, only its members are there, one after the other
 
   PointSource() = default;
   /// @a stride is that of points that follow each other directly if it is not given.
@@ -36,9 +38,10 @@ struct PointSource
   {
   }
 
-  /// Coordinates of a point; zeros if there is no such point.
+  /// Coordinates of a point; zeros if there is no such point, any if it is not kept.
   void Get(vtkIdType id, double x[3]) const
   {
+    id = this->Kept ? this->Kept->GetNumber(id) : id;
     if (static_cast<std::uint64_t>(id) >= static_cast<std::uint64_t>(this->Count))
     {
       x[0] = x[1] = x[2] = 0;
@@ -54,7 +57,8 @@ struct PointSource
       Load3<float>(place, this->Swap, x);
     }
   }
-  /// The coordinates as they are: Real is double if IsDouble, else float.
+  /// The coordinates as they are, of a source of all points: Real is double if IsDouble, else
+  /// float.
   template <typename Real>
   void GetAs(vtkIdType id, Real x[3]) const
   {

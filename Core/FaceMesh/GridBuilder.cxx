@@ -82,6 +82,7 @@ public:
       this->Grid->Initialize();
       return false;
     }
+    this->Mesh = FaceMesh(); // its lists are not needed any more
     AddPieceIds(this->Piece, this->Request, this->Grid);
     return true;
   }

@@ -49,12 +49,11 @@ void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
         }
       });
   }
-  if (isWhole)
-  {
-    // From here on the aligned copy in native order is the faster source.
-    source = PointSource(
-      reinterpret_cast<const char*>(coordinates.data()), source.Count, source.IsDouble);
-  }
+  // From here on the aligned copy in native order is the faster source, and no more than needed.
+  source = PointSource(
+    reinterpret_cast<const char*>(coordinates.data()), piece.GetNumberOfPoints(), source.IsDouble);
+  source.Kept = isWhole ? nullptr : &piece.GetPoints();
+  owned = Buffer<Real>();
   vtkNew<vtkPoints> points;
   points->SetData(coordinates.template TakeArray<Array>(3));
   grid->SetPoints(points);

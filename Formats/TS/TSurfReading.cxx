@@ -121,9 +121,13 @@ bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid
     mesh = MakeCloud(mesh.NumberOfPoints);
   }
   CellPiece piece;
+  if (!piece.Select(mesh, request, progress.Part(0.5, 0.55)))
+  {
+    return false;
+  }
+  KeepPiece(mesh, piece); // before there is memory for values
   TSurfValues values(scanner, objects);
-  if (!piece.Select(mesh, request, progress.Part(0.5, 0.55)) ||
-    !values.Read(records, piece, progress.Part(0.55, 0.9)))
+  if (!values.Read(records, piece, progress.Part(0.55, 0.9)))
   {
     return false;
   }
@@ -139,7 +143,6 @@ bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid
   {
     warnings = Warnings();
   }
-  KeepPiece(mesh, piece);
   FillGrid(mesh, piece, points, grid);
   values.AddArrays(grid->GetPointData());
   if (hasTriangles)

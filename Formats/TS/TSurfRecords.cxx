@@ -346,7 +346,13 @@ bool TSurfRecords::Read(CellMesh& mesh, Warnings& warnings, const Progress& prog
     return false;
   }
   this->BuildMaps(warnings);
-  return (this->Points.size() == 0 || this->ResolveAtoms()) &&
+  const bool good = (this->Points.size() == 0 || this->ResolveAtoms()) &&
     this->MapTriangles(mesh, progress.Part(0.8, 1));
+  this->Maps.clear();
+  if (this->Plain)
+  {
+    this->Ids = Buffer<std::int32_t>();
+  }
+  return good;
 }
 }

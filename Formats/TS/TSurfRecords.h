@@ -59,7 +59,7 @@ public:
   /// Of an object.
   vtkIdType GetNumberOfPropertyRecords(std::size_t object) const;
 
-  /// Id of a record, as the file has it.
+  /// Id of a record, as the file has it; only if ids are not plain.
   std::int32_t GetId(vtkIdType record) const { return this->Ids[record]; }
   /// Whether the ids are those of points of VTK.
   bool HasPlainIds() const { return this->Plain; }
@@ -148,7 +148,7 @@ private:
   std::vector<Chunk> Chunks;
   Buffer<std::int32_t> Ids;
   Buffer<std::int32_t> Points;         ///< of records, if there are atoms
-  std::vector<IdMap> Maps;             ///< of objects, from ids to their records
+  std::vector<IdMap> Maps; ///< of objects, from ids to their records; while these are read
   std::vector<vtkIdType> FirstRecords; ///< of objects, and one more
   std::atomic<bool> Plain{ true };
 };

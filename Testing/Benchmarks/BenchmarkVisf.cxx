@@ -82,6 +82,21 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
   }
   std::printf("  the grid itself: %.1f MB, %.0f bytes per cell\n", gridSize * 1024. / Mega,
     gridSize * 1024. / cells);
+  for (const std::string& path : { binary, text })
+  {
+    constexpr int Pieces = 4;
+    cost = Measure(
+      [&]
+      {
+        vtkNew<vtkVisfReader> reader;
+        reader->SetFileName(path.c_str());
+        reader->UpdatePiece(0, Pieces, 0);
+        gridSize = reader->GetOutput()->GetActualMemorySize();
+      });
+    Print(
+      path == binary ? "first of 4 pieces, binary" : "first of 4 pieces, text", cells, path, cost);
+    std::printf("    peak of memory: %.2f times the piece\n", cost.Peak / (gridSize * 1024.));
+  }
 
   vtkNew<vtkXMLUnstructuredGridWriter> vtuWriter;
   vtuWriter->SetInputData(mesh);
