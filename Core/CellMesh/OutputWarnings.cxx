@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/OutputWarnings.h"
 
+#include "Mesh/CellFacets.h"
 #include "Mesh/MeshView.h"
+#include "Mesh/Vector.h"
 #include "Parallel.h"
 #include "Scan/MappedFile.h"
 #include "Scan/Number.h"
 #include "Scan/RealFormat.h"
 
 #include "vtkCellData.h"
+#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -64,6 +67,49 @@ bool HasDigits(double value, int digits)
   double rounded = 0;
   ParseReal(text.data(), text.data() + text.size(), rounded);
   return rounded == value;
+}
+
+//------------------------------------------------------------------------------
+// Whether the corners of a cell, no polyhedron, enclose a negative volume; not so if it may be
+// zero.
+bool IsInverted(const MeshView& mesh, CellFacets& facets, vtkIdType cell)
+{
+  const auto getPoint = [&mesh](vtkIdType id)
+  {
+    double x[3];
+    mesh.GetPoint(id, x);
+    return Vector{ x[0], x[1], x[2] };
+  };
+  constexpr double Rounding = 1e-12;
+  const IndexRange nodes = mesh.GetCellPoints(cell);
+  const Vector origin = getPoint(nodes[0]);
+  if (mesh.GetCellType(cell) == VTK_TETRA)
+  {
+    // The same as below in short; most large meshes are of tetrahedra.
+    const Vector a = getPoint(nodes[1]) - origin, b = getPoint(nodes[2]) - origin;
+    const Vector c = getPoint(nodes[3]) - origin, area = Cross(a, b);
+    const double volume = Dot(area, c);
+    return volume < 0 && volume * volume > Rounding * Rounding * Norm2(area) * Norm2(c);
+  }
+  double volume = 0, sum = 0;
+  facets.ForEach(cell,
+    [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+    {
+      // Of faces that are not plane, the mean of all ways to cut them.
+      Vector center, area;
+      Vector last = getPoint(points[size - 1]) - origin;
+      for (vtkIdType i = 0; i < size; ++i)
+      {
+        const Vector x = getPoint(points[i]) - origin;
+        center += x;
+        area += Cross(last, x);
+        last = x;
+      }
+      const double part = Dot(center, area) / static_cast<double>(size);
+      volume += part;
+      sum += std::fabs(part);
+    });
+  return volume < -Rounding * sum;
 }
 
 //------------------------------------------------------------------------------
@@ -252,5 +298,32 @@ void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
   const std::string fate =
     "rounded to " + std::to_string(digits) + " digits (Digits 17 keeps all)";
   warnings.Add(rounded, "point", "points", fate.c_str());
+}
+
+//------------------------------------------------------------------------------
+void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warnings)
+{
+  const MeshView view(mesh);
+  Tally inverted;
+  std::mutex mutex;
+  ParallelFor(view.GetNumberOfCells(), ChunkSize,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Tally invertedHere;
+      CellFacets facets(view);
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const CellShape& shape = GetCellShape(view.GetCellType(cell));
+        if (shape.Dimension == 3 && !shape.ListsFaces && IsInverted(view, facets, cell))
+        {
+          invertedHere.Add(cell);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      inverted.Merge(invertedHere);
+    });
+  const std::string fate = std::string("inside out, which is lost, as ") + format +
+    " files do not say on which side of a face a cell is";
+  warnings.Add(inverted, "cell", "cells", fate.c_str());
 }
 }

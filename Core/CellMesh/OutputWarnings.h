@@ -54,6 +54,13 @@ bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, 
  * @param digits 0 for as many as there are
  */
 void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings);
+
+/**
+ * Warns of 3D cells of negative volume, other than polyhedra, for formats that give cells by faces
+ * which do not say where the inside is: they are healthy when they are read.
+ * @param format e.g. "Visf"
+ */
+void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warnings);
 }
 
 #endif

@@ -407,6 +407,7 @@ bool Writing::Write(const std::string& path, ScanError& error, const Progress& p
   if (this->Options.Cells)
   {
     this->ShareFaces();
+    WarnOfInvertedCells(this->Mesh, "PLY", this->Messages);
   }
   this->WarnOfOrder();
   this->WriteHeader();

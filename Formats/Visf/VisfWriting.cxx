@@ -265,6 +265,7 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, VisfEnco
 {
   const VisfLists lists(mesh, warnings);
   WarnOfArrays(mesh, "Visf", warnings);
+  WarnOfInvertedCells(mesh, "Visf", warnings);
   if (!CheckSinglePrecision(mesh, path, warnings, error) || !progress.Report(0.3))
   {
     return false;

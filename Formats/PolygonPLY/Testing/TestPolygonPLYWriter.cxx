@@ -340,6 +340,19 @@ TEST(PolygonPLYWriter, CellsComeBack)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, cells that are inside out become healthy and nobody knows.
+TEST(PolygonPLYWriter, TellsOfInvertedCells)
+{
+  const Grid grid = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 1, 0, 2, 3 } } });
+  const Written written = Write(grid, [](vtkPolygonPLYWriter* w) { w->WriteCellsOn(); });
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(
+    written.Warnings[0].find("1 cell inside out, which is lost, as PLY files"), std::string::npos)
+    << written.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 TEST(PolygonPLYWriter, WhatItCannotHold)
 {
   // A quadratic triangle loses its nodes, and these the file.

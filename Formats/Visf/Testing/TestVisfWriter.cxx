@@ -328,6 +328,39 @@ TEST(VisfWriter, SaysWhatIsLost)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, cells that are inside out become healthy and nobody knows, or others are told of.
+TEST(VisfWriter, TellsOfInvertedCells)
+{
+  const auto tells = [](vtkUnstructuredGrid* grid)
+  {
+    const Written written = WriteFile(File("").Path, grid);
+    return std::any_of(written.Warnings.begin(), written.Warnings.end(),
+      [](const std::string& warning)
+      {
+        return warning.find("1 cell inside out, which is lost, as Visf files do not say") !=
+          std::string::npos;
+      });
+  };
+  for (const int type : StandardTypes3D)
+  {
+    Grid cell = MakeStandardCell(type);
+    EXPECT_FALSE(tells(cell)) << type;
+    for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
+    {
+      double x[3];
+      cell->GetPoint(i, x);
+      cell->GetPoints()->SetPoint(i, -x[0], x[1], x[2]);
+    }
+    EXPECT_TRUE(tells(cell)) << type;
+    // Faces of polyhedra may run in any direction, and flat cells have no inside.
+    EXPECT_FALSE(tells(ToPolyhedra(cell))) << type;
+  }
+  EXPECT_FALSE(
+    tells(MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 1, 1, 0 } } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } } })));
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a face with three or four cells is written with more than two cells, or twice for two.
 TEST(VisfWriter, FacesOfManyCells)
 {
