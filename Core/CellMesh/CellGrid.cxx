@@ -32,7 +32,9 @@ void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
   if (mesh.Types.size() != size)
   {
     mesh.Types = Buffer<unsigned char>(size);
-    std::fill(mesh.Types.data(), mesh.Types.data() + size, mesh.CommonType);
+    ParallelFor(size, Grain,
+      [&](vtkIdType begin, vtkIdType end)
+      { std::fill(mesh.Types.data() + begin, mesh.Types.data() + end, mesh.CommonType); });
   }
   if (mesh.Offsets.size() != size + 1)
   {
@@ -49,7 +51,8 @@ void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
   vtkNew<vtkCellArray> cells;
   cells->SetData(mesh.Offsets.TakeArray<vtkTypeInt32Array>(),
     mesh.Connectivity.TakeArray<vtkTypeInt32Array>());
-  grid->SetCells(mesh.Types.TakeArray<vtkUnsignedCharArray>(), cells);
+  // SetCells would look for polyhedra.
+  grid->SetPolyhedralCells(mesh.Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -99,7 +99,7 @@ struct Arrays
     }
     else
     {
-      grid->SetCells(types, cells);
+      grid->SetPolyhedralCells(types, cells, nullptr, nullptr); // SetCells would look for polyhedra
     }
   }
 };

@@ -379,7 +379,8 @@ bool FluentGridBuilder::FillListsAs(const Progress& progress)
   }
   else
   {
-    this->Grid->SetCells(types, cells);
+    // SetCells would look for polyhedra.
+    this->Grid->SetPolyhedralCells(types, cells, nullptr, nullptr);
   }
   return true;
 }

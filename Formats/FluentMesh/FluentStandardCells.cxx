@@ -383,7 +383,9 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
   const auto offsets = this->Offsets.TakeArray<vtkTypeInt32Array>();
   const auto nodes = this->Nodes.TakeArray<vtkTypeInt32Array>();
   cells->SetData(offsets.Get(), nodes.Get());
-  grid->SetCells(this->Types.TakeArray<vtkUnsignedCharArray>(), cells);
+  // SetCells would look for polyhedra.
+  grid->SetPolyhedralCells(
+    this->Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
   return true;
 }
 }
