@@ -3,6 +3,7 @@
 #include "CellMesh/CellGrid.h"
 
 #include "Scan/PieceArrays.h"
+#include "Scan/PointRanges.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -11,7 +12,6 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -112,9 +112,7 @@ struct CountNotFinite
 //------------------------------------------------------------------------------
 void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid)
 {
-  vtkNew<vtkPoints> gridPoints;
-  gridPoints->SetData(points);
-  grid->SetPoints(gridPoints);
+  SetPointsWithRanges(points, grid);
   SetCells(mesh, grid);
   if (!piece.IsWhole())
   {
@@ -126,6 +124,10 @@ void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkU
 void WarnOfPoints(vtkDataArray* points, Warnings& warnings, const Progress& progress,
   const char* one, const char* many)
 {
+  if (FindPointRanges(points))
+  {
+    return; // all are finite
+  }
   Tally bad;
   CountNotFinite count;
   if (!vtkArrayDispatch::DispatchByArray<vtkTypeList::Create<vtkAOSDataArrayTemplate<float>,

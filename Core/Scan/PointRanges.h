@@ -11,6 +11,7 @@
 #ifndef camaron_PointRanges_h
 #define camaron_PointRanges_h
 
+class vtkDataArray;
 class vtkPointSet;
 
 namespace camaron
@@ -20,6 +21,12 @@ namespace camaron
  * modified. Where any coordinate is not finite nothing is left, and VTK finds out by itself.
  */
 void FindPointRanges(vtkPointSet* mesh);
+
+/// The same for coordinates that SetPointsWithRanges gives to a mesh later; false if nothing is left.
+bool FindPointRanges(vtkDataArray* points);
+
+/// Gives coordinates to a mesh, with the ranges that were found of them, which VTK would forget.
+void SetPointsWithRanges(vtkDataArray* points, vtkPointSet* mesh);
 }
 
 #endif

@@ -117,6 +117,28 @@ TEST(PointRanges, AreLeftToVTKWhereTheyAreNotFinite)
 }
 
 //------------------------------------------------------------------------------
+// Readers look at coordinates before there is a mesh.
+TEST(PointRanges, StayWithCoordinatesThatBecomeThoseOfAMesh)
+{
+  const auto coordinates = MakeCoordinates<vtkFloatArray>(1000);
+  EXPECT_TRUE(FindPointRanges(coordinates));
+  vtkNew<vtkUnstructuredGrid> grid;
+  SetPointsWithRanges(coordinates, grid);
+  ExpectRangesOfVTK(grid);
+  vtkPoints* const points = grid->GetPoints();
+  FindPointRanges(grid);
+  EXPECT_EQ(grid->GetPoints(), points) << "they were found again";
+  ExpectRangesOfVTK(grid);
+
+  const auto others = MakeCoordinates<vtkDoubleArray>(1000);
+  others->SetComponent(77, 1, std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(FindPointRanges(others));
+  SetPointsWithRanges(others, grid);
+  EXPECT_EQ(grid->GetPoints()->GetData(), others);
+  ExpectRangesOfVTK(grid);
+}
+
+//------------------------------------------------------------------------------
 // Otherwise a filter that moves points in place would show the bounds of before.
 TEST(PointRanges, FollowModifiedCoordinates)
 {
