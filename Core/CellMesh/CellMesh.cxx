@@ -46,4 +46,38 @@ bool HasRepeatedPointsAnywhere(const std::int32_t* points, vtkIdType size)
   std::sort(scratch.begin(), scratch.end());
   return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
 }
+
+//------------------------------------------------------------------------------
+void FindRepeatedPoints(const std::int32_t* points, const std::int32_t* offsets, std::int32_t size,
+  vtkIdType first, vtkIdType count, Tally& repeating)
+{
+  for (vtkIdType i = 0; i < count && !offsets; ++i)
+  {
+    if (HasRepeatedPoints(points + i * size, size))
+    {
+      repeating.Add(first + i);
+    }
+  }
+  for (vtkIdType i = 0; i < count && offsets; ++i)
+  {
+    const std::int32_t* const p = points + (offsets[i] - offsets[0]);
+    const std::int32_t length = offsets[i + 1] - offsets[i];
+    bool repeats = false;
+    if (length == 3 || length == 4)
+    {
+      // Without a branch that depends on which of both it is, as they are often mixed: -1 if three.
+      const std::int32_t fourth = p[length - 1] | (length - 4);
+      repeats = p[0] == p[1] || p[0] == p[2] || p[1] == p[2] || fourth == p[0] || fourth == p[1] ||
+        fourth == p[2];
+    }
+    else
+    {
+      repeats = HasRepeatedPoints(p, length);
+    }
+    if (repeats)
+    {
+      repeating.Add(first + i);
+    }
+  }
+}
 }

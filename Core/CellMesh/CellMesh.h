@@ -13,7 +13,8 @@
 
 #include "vtkCellType.h" // for the types of cells
 
-#include <cstdint> // for integers of known size
+#include <cstdint>  // for integers of known size
+#include <optional> // for what is perhaps known
 
 namespace camaron
 {
@@ -31,6 +32,7 @@ struct CellMesh
   Buffer<unsigned char> Types;       ///< one per cell, or none
   Buffer<std::int32_t> Offsets;      ///< one per cell and one more, or none
   Buffer<std::int32_t> Connectivity; ///< indices of points
+  std::optional<Tally> Repeating;    ///< cells with a point twice, if whoever stored them has looked
 
   CellMesh() = default;
   /// Cells of one type with @a size points each, whose points are to be filled in.
@@ -76,6 +78,15 @@ inline bool HasRepeatedPoints(const std::int32_t* points, vtkIdType size)
     ? (points[0] == points[1]) | (points[0] == points[2]) | (points[1] == points[2])
     : HasRepeatedPointsAnywhere(points, size);
 }
+
+/**
+ * Finds those of some cells, one after the other, that have a point twice.
+ * @param points of all of them
+ * @param offsets of them and one more, or nullptr if all are of one size
+ * @param first number of the first one
+ */
+void FindRepeatedPoints(const std::int32_t* points, const std::int32_t* offsets, std::int32_t size,
+  vtkIdType first, vtkIdType count, Tally& repeating);
 }
 
 #endif

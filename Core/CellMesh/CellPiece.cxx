@@ -121,18 +121,22 @@ bool CellPiece::Select(const CellMesh& mesh, const PieceRequest& request, const 
 void CellPiece::WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings,
   const Progress& progress, const char* one, const char* many) const
 {
-  Tally repeating = this->Repeating;
-  if (this->Whole)
+  Tally repeating = this->Whole && mesh.Repeating ? *mesh.Repeating : this->Repeating;
+  if (this->Whole && !mesh.Repeating)
   {
     std::mutex mutex;
-    ForCells(mesh.NumberOfCells, progress,
-      [&](vtkIdType cell)
+    constexpr vtkIdType Block = 4096;
+    progress.For((mesh.NumberOfCells + Block - 1) / Block,
+      [&](vtkIdType begin, vtkIdType end)
       {
-        if (HasRepeatedPoints(mesh.GetPoints(cell), mesh.GetSize(cell)))
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          repeating.Add(cell);
-        }
+        const vtkIdType first = begin * Block;
+        const vtkIdType count = std::min(end * Block, mesh.NumberOfCells) - first;
+        Tally local;
+        FindRepeatedPoints(mesh.GetPoints(first),
+          mesh.Offsets.size() > 0 ? mesh.Offsets.data() + first : nullptr, mesh.CommonSize, first,
+          count, local);
+        const std::lock_guard<std::mutex> lock(mutex);
+        repeating.Merge(local);
       });
   }
   warnings.Add(repeating, one, many, "with the same point more than once");
