@@ -199,6 +199,7 @@ bool PLYBinaryRows::FindBlocks(const Progress& progress)
     this->Offsets = Buffer<std::int32_t>(count + 1);
     this->Offsets[0] = 0;
   }
+  std::int32_t* const offsets = this->Offsets.data();
   for (vtkIdType first = 0; first < count; first += BlockSize)
   {
     this->Starts.push_back(place);
@@ -210,7 +211,7 @@ bool PLYBinaryRows::FindBlocks(const Progress& progress)
         const auto length = static_cast<unsigned char>(place[list.CountOffset]);
         place += fixed + static_cast<std::ptrdiff_t>(length) * list.ItemSize;
         sum += length;
-        this->Offsets[row + 1] = static_cast<std::int32_t>(sum);
+        offsets[row + 1] = static_cast<std::int32_t>(sum);
       }
     }
     else
@@ -223,9 +224,13 @@ bool PLYBinaryRows::FindBlocks(const Progress& progress)
         }
         if (hasOneList)
         {
-          this->Offsets[row + 1] = static_cast<std::int32_t>(sum);
+          offsets[row + 1] = static_cast<std::int32_t>(sum);
         }
       }
+    }
+    for (vtkIdType row = first; hasOneList && row < last; ++row)
+    {
+      this->Least = std::min(this->Least, offsets[row + 1] - offsets[row]);
     }
     if (!progress.Report(static_cast<double>(last) / count))
     {
@@ -296,9 +301,30 @@ bool PLYBinaryRows::HaveSizes(const Block& rows, int property, const PLYSizes& s
 }
 
 //------------------------------------------------------------------------------
+bool PLYBinaryRows::FindLists(int property, const PLYSizes& sizes, ListRows& rows) const
+{
+  const Location& at = this->Locations[property];
+  const Part& part = this->Parts[at.Part];
+  const bool hasOneList = this->Parts.size() == 2;
+  if (part.ItemSize != sizeof(std::int32_t) || (!this->HasOneLength() && !hasOneList))
+  {
+    return false;
+  }
+  const std::ptrdiff_t header = GetSize(part.CountType);
+  rows.Swap = this->Scanner.IsSwapped();
+  rows.Begin = this->Data + part.Begin + at.Offset + header;
+  rows.Size = sizes.Common;
+  rows.Rest = this->HasOneLength()
+    ? this->Stride - static_cast<std::ptrdiff_t>(sizeof(std::int32_t)) * sizes.Common
+    : part.Size + this->Parts.back().Size;
+  rows.Offsets = sizes.Common < 0 ? sizes.Offsets.data() : nullptr;
+  return true;
+}
+
+//------------------------------------------------------------------------------
 // Calls visit(rows) in parallel; false if stopped, or if the file was changed.
 template <typename Visit>
-bool PLYBinaryRows::ForEachBlock(const Progress& progress, Visit&& visit) const
+bool PLYBinaryRows::ForEachBlock(const Progress& progress, Visit&& visit, bool loads) const
 {
   std::atomic<bool> good{ true };
   const bool finished = progress.For((this->GetCount() + BlockSize - 1) / BlockSize,
@@ -307,7 +333,12 @@ bool PLYBinaryRows::ForEachBlock(const Progress& progress, Visit&& visit) const
       Block rows;
       for (vtkIdType block = first; block < last && good; ++block)
       {
-        if (this->Load(block, rows))
+        if (!loads)
+        {
+          rows.First = block * BlockSize;
+          rows.Count = static_cast<int>(std::min(BlockSize, this->GetCount() - rows.First));
+        }
+        if (!loads || this->Load(block, rows))
         {
           visit(static_cast<const Block&>(rows));
         }
@@ -370,6 +401,7 @@ bool PLYBinaryRows::ReadSizes(int property, PLYSizes& sizes, const Progress& pro
   {
     sizes.Offsets = std::move(this->Offsets);
     sizes.Total = sizes.Offsets[this->GetCount()];
+    sizes.Least = this->Least;
   }
   else
   {
@@ -421,75 +453,79 @@ bool PLYBinaryRows::ReadIdsAs(
   const std::ptrdiff_t header = GetSize(this->Element.Properties[property].CountType);
   std::atomic<vtkIdType> bad{ this->GetCount() };
   std::atomic<bool> isSame{ true };
-  const bool done = this->ForEachBlock(progress,
+  ListRows alone;
+  const bool isFast = this->FindLists(property, sizes, alone);
+  const auto forEachList = [&](const Block& rows, auto&& visit)
+  {
+    for (int i = 0; isFast && i < rows.Count; ++i)
+    {
+      visit(rows.First + i, alone.GetPlace(rows.First + i));
+    }
+    if (!isFast)
+    {
+      this->GetPlaces(rows, property)
+        .ForEach(rows.Count,
+          [&](int i, const char* place) { visit(rows.First + i, place + header); });
+    }
+  };
+  const auto read = [&](const Block& rows, std::int32_t* ids)
+  {
+    const vtkIdType last = rows.First + rows.Count;
+    if (isFast)
+    {
+      alone.Copy(rows.First, last, ids);
+      return AreIds(
+        ids, alone.GetNumberOfIds(rows.First, last), expected.Limit, expected.HasBreaks);
+    }
+    bool valid = true;
+    forEachList(rows,
+      [&](vtkIdType row, const char* place)
+      {
+        for (vtkIdType j = sizes.GetSize(row); j > 0; --j)
+        {
+          const Wide value = load(place);
+          valid &= value + shift < limit;
+          *ids++ = static_cast<std::int32_t>(value);
+          place += sizeof(In);
+        }
+      });
+    return valid;
+  };
+  const bool done = this->ForEachBlock(
+    progress,
     [&](const Block& rows)
     {
       if (rows.First >= bad || !lists.Needs(rows.First, rows.Count))
       {
         return;
       }
-      if (!this->HaveSizes(rows, property, sizes))
+      if (!isFast && !this->HaveSizes(rows, property, sizes))
       {
         isSame = false;
         return;
       }
       std::int32_t* const ids = lists.Provide(rows.First, rows.Count);
-      std::int32_t* id = ids;
-      bool valid = true;
-      const auto read = [&](int i, const char* place, auto size)
+      if (read(rows, ids))
       {
-        const vtkIdType length = size(i);
-        place += header;
-        for (vtkIdType j = 0; j < length; ++j)
-        {
-          const Wide value = load(place);
-          valid &= value + shift < limit;
-          *id++ = static_cast<std::int32_t>(value);
-          place += sizeof(In);
-        }
-      };
-      const Places places = this->GetPlaces(rows, property);
-      // Lengths known to the compiler make most files faster.
-      switch (sizes.Common)
-      {
-        case 3:
-          places.ForEach(rows.Count,
-            [&](int i, const char* place) { read(i, place, [](int) { return vtkIdType(3); }); });
-          break;
-        case 4:
-          places.ForEach(rows.Count,
-            [&](int i, const char* place) { read(i, place, [](int) { return vtkIdType(4); }); });
-          break;
-        default:
-          places.ForEach(rows.Count,
-            [&](int i, const char* place)
-            { read(i, place, [&](int r) { return sizes.GetSize(rows.First + r); }); });
-      }
-      if (valid)
-      {
-        for (int i = 0; !lists.IsInPlace() && i < rows.Count; ++i)
-        {
-          const vtkIdType row = rows.First + i;
-          lists.Take(row, ids + sizes.GetOffset(row) - sizes.GetOffset(rows.First));
-        }
+        lists.Take(rows.First, rows.Count, ids);
         return;
       }
-      vtkIdType row = INT64_MAX;
-      places.ForEach(rows.Count,
-        [&](int i, const char* place)
+      vtkIdType badRow = INT64_MAX;
+      forEachList(rows,
+        [&](vtkIdType row, const char* place)
         {
-          place += header;
-          for (vtkIdType j = sizes.GetSize(rows.First + i); j > 0 && row == INT64_MAX; --j)
+          for (vtkIdType j = sizes.GetSize(row); j > 0 && badRow == INT64_MAX; --j)
           {
-            row = load(place) + shift < limit ? row : rows.First + i;
+            badRow = load(place) + shift < limit ? badRow : row;
             place += sizeof(In);
           }
         });
       vtkIdType least = bad;
-      while (row < least && !bad.compare_exchange_weak(least, row))
+      while (badRow < least && !bad.compare_exchange_weak(least, badRow))
       {
       }
-    });
+    },
+    !isFast);
   if (bad < this->GetCount())
   {
     const char* place = this->GetPlace(bad, property) + header;

@@ -12,6 +12,7 @@
 
 #include "PLYRows.h"
 #include "Scan/BinaryScanner.h"
+#include "Scan/ListRows.h"
 
 namespace camaron
 {
@@ -101,8 +102,10 @@ private:
   bool FindBlocks(const Progress& progress);
   bool Load(vtkIdType block, Block& rows) const;
   bool HaveSizes(const Block& rows, int property, const PLYSizes& sizes) const;
+  /// The lists of a property, if their places follow from their sizes.
+  bool FindLists(int property, const PLYSizes& sizes, ListRows& rows) const;
   template <typename Visit>
-  bool ForEachBlock(const Progress& progress, Visit&& visit) const;
+  bool ForEachBlock(const Progress& progress, Visit&& visit, bool loads = true) const;
   Places GetPlaces(const Block& rows, int property) const;
   /// The length of the list, or the value, of a property.
   const char* GetPlace(vtkIdType row, int property) const;
@@ -119,6 +122,7 @@ private:
   std::vector<const char*> Starts; ///< of blocks of other rows
   Buffer<std::int32_t>
     Offsets; ///< of the lists of other rows, if they have one; taken by the first who asks
+  std::int32_t Least = INT32_MAX; ///< length of these lists
 };
 }
 

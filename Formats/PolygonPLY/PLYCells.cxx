@@ -15,23 +15,12 @@ namespace
 constexpr vtkIdType Grain = 1 << 16;
 
 //------------------------------------------------------------------------------
+// Without branches, which would be mispredicted where triangles and quadrilaterals are mixed.
 unsigned char GetPolygonType(vtkIdType size)
 {
-  switch (size)
-  {
-    case 0:
-      return VTK_EMPTY_CELL;
-    case 1:
-      return VTK_VERTEX;
-    case 2:
-      return VTK_LINE;
-    case 3:
-      return VTK_TRIANGLE;
-    case 4:
-      return VTK_QUAD;
-    default:
-      return VTK_POLYGON;
-  }
+  constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE, VTK_QUAD,
+    VTK_POLYGON };
+  return Types[std::min<vtkIdType>(size, 5)];
 }
 
 unsigned char GetType(PLYRole role, vtkIdType size)
@@ -122,7 +111,7 @@ bool PLYCells::MeasureStrips(PLYPart& part, Extent& extent, const Progress& prog
 void PLYCells::CountFaces(PLYPart& part, Extent& extent)
 {
   const vtkIdType count = part.Rows->GetCount();
-  if (extent.Sizes.Common > 2)
+  if (extent.Sizes.Common > 2 || extent.Sizes.Least > 2)
   {
     return;
   }
@@ -260,10 +249,17 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
   }
   else
   {
-    const PLYLists lists(extent.Sizes, ids);
+    Tally repeating;
+    const bool areCells = !this->KeepsEmpty && part.NumberOfCells == mesh.NumberOfCells &&
+      part.Items.size() == 0;
+    const PLYLists lists(extent.Sizes, ids, areCells ? &repeating : nullptr);
     if (!part.Rows->ReadIds(part.List, this->GetExpected(part), lists, progress))
     {
       return false;
+    }
+    if (areCells)
+    {
+      mesh.Repeating = repeating;
     }
   }
   if (mesh.Types.size() == 0)
@@ -273,10 +269,17 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
 
   // The lists of a part alone are those of the mesh.
   const bool takesOffsets = mesh.Offsets.size() == 0;
+  const bool areFaces = takesOffsets && part.Role == PLYRole::Faces && part.Items.size() == 0;
   ParallelFor(isStrips ? part.NumberOfCells : part.Rows->GetCount(), Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType row = begin; row < end; ++row)
+      const std::int32_t* const offsets = extent.Sizes.Offsets.data();
+      unsigned char* const types = mesh.Types.data();
+      for (vtkIdType row = begin; row < end && areFaces; ++row)
+      {
+        types[row] = GetPolygonType(offsets[row + 1] - offsets[row]);
+      }
+      for (vtkIdType row = begin; row < end && !areFaces; ++row)
       {
         const vtkIdType cell = part.GetCell(row);
         if (cell < 0)
@@ -425,7 +428,7 @@ bool PLYCells::PassPart(
           {
             const std::int32_t ids[3] = { a, b, c };
             part.RowOfCell[cell] = static_cast<std::int32_t>(row);
-            lists.Take(cell++, ids);
+            lists.TakeCell(cell++, ids);
           }
         });
     }
@@ -439,7 +442,7 @@ bool PLYCells::PassPart(
   }
   for (vtkIdType row = 0; row < rows; ++row)
   {
-    lists.Take(row, extent.Edges.data() + 2 * row);
+    lists.TakeCell(row, extent.Edges.data() + 2 * row);
   }
   return progress.Report(1);
 }

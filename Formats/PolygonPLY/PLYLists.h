@@ -11,15 +11,21 @@
 #include "CellMesh/CellPiece.h"
 #include "PLYRows.h"
 
+#include <mutex> // for what threads find
+
 namespace camaron
 {
 class PLYLists
 {
 public:
-  /// All of them one after the other.
-  PLYLists(const PLYSizes& sizes, std::int32_t* all)
+  /**
+   * All of them one after the other.
+   * @param repeating if given, gets the rows whose lists have an id twice
+   */
+  PLYLists(const PLYSizes& sizes, std::int32_t* all, Tally* repeating = nullptr)
     : Sizes(sizes)
     , All(all)
+    , Repeating(repeating)
   {
   }
   /**
@@ -38,7 +44,6 @@ public:
   {
   }
 
-  bool IsInPlace() const { return this->All != nullptr; }
   /// Whether some of these rows are needed; the others can be left out.
   bool Needs(vtkIdType row, vtkIdType rows = 1) const
   {
@@ -55,10 +60,31 @@ public:
   {
     return this->All ? this->All + this->Sizes.GetOffset(row) : this->ProvideScratch(row, rows);
   }
-  /// Takes the list of a row, which has been written.
-  void Take(vtkIdType row, const std::int32_t* ids) const
+  /// Takes the lists of some rows, which have been written.
+  void Take(vtkIdType first, vtkIdType count, const std::int32_t* ids) const
   {
-    const vtkIdType cell = this->All ? -1 : this->GetCell(row);
+    if (this->Repeating)
+    {
+      Tally local;
+      FindRepeatedPoints(ids,
+        this->Sizes.Common < 0 ? this->Sizes.Offsets.data() + first : nullptr, this->Sizes.Common,
+        first, count, local);
+      if (local.Count > 0)
+      {
+        const std::lock_guard<std::mutex> lock(this->Mutex);
+        this->Repeating->Merge(local);
+      }
+    }
+    for (vtkIdType row = first; !this->All && row < first + count; ++row)
+    {
+      this->TakeCell(row, ids);
+      ids += this->Sizes.GetSize(row);
+    }
+  }
+  /// Takes the list of a row as a cell of the piece.
+  void TakeCell(vtkIdType row, const std::int32_t* ids) const
+  {
+    const vtkIdType cell = this->GetCell(row);
     if (cell < 0)
     {
       return;
@@ -94,6 +120,8 @@ private:
   }
 
   std::int32_t* All = nullptr;
+  Tally* Repeating = nullptr;
+  mutable std::mutex Mutex; ///< for this
   vtkIdType FirstCell = 0;
   const std::int32_t* Items = nullptr;
   CellPiece* Piece = nullptr;

@@ -70,6 +70,7 @@ struct PLYSizes
   Buffer<std::int32_t> Offsets; ///< of the lists one after the other, and one more; perhaps none if
                                 ///< there is a common size
   vtkIdType Total = 0;
+  std::int32_t Least = 0; ///< no list is shorter
 
   vtkIdType GetOffset(vtkIdType row) const
   {

@@ -327,7 +327,7 @@ bool PLYTextRows::ReadIds(
       rowIsGood = rowIsGood && this->SkipRest(text, property + 1);
       if (rowIsGood)
       {
-        lists.Take(row, ids);
+        lists.Take(row, 1, ids);
       }
       this->Finish(row, text);
       return rowIsGood;
