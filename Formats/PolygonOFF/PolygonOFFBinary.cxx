@@ -4,6 +4,7 @@
 
 #include "CellMesh/CellRows.h"
 #include "Scan/BinaryScanner.h"
+#include "Scan/ListRows.h"
 
 #include "vtkUnstructuredGrid.h"
 
@@ -33,7 +34,7 @@ public:
   }
 
   bool ReadHeader();
-  bool FindFaces(const Progress& progress);
+  bool FindFaces(bool guesses, const Progress& progress);
   bool ReadFaces(const Progress& progress);
   bool ReadPieceOfFaces(
     const PieceRequest& request, CellPiece& piece, const Progress& progress);
@@ -53,7 +54,9 @@ private:
     vtkIdType Id;
   };
 
-  bool FindFacesOfOneSize(const Progress& progress);
+  bool FindFacesOfOneSize(bool guesses, const Progress& progress);
+  bool ArePlainFacesAlike(vtkIdType begin, vtkIdType end) const;
+  bool ReadPlainFaces(const Progress& progress);
   bool ReadAlikeFaces(const char* place, vtkIdType faces, std::int32_t* ids) const;
   bool ReadFace(const char*& place, vtkIdType face, vtkIdType room, std::int32_t* ids,
     std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const;
@@ -72,11 +75,13 @@ private:
   }
 
   const char* Vertices = nullptr;
+  const char* FirstFace = nullptr;
   std::vector<Block> Blocks;
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfIds = 0;
   std::int32_t CommonSize = -1;
   bool AreAlike = false; // faces of one size without colours, so that each place is known
+  Buffer<std::int32_t> Offsets; // of other faces where none is empty or has a colour, for the same
   bool HasFaceColors = false;
 };
 
@@ -123,38 +128,50 @@ bool BinaryReading::ReadHeader()
 }
 
 //------------------------------------------------------------------------------
+bool BinaryReading::ArePlainFacesAlike(vtkIdType begin, vtkIdType end) const
+{
+  const std::ptrdiff_t bytes = FaceBytes + Word * std::ptrdiff_t(this->CommonSize);
+  const char* place = this->FirstFace + begin * bytes;
+  bool alike = true;
+  for (vtkIdType face = begin; face < end; ++face)
+  {
+    alike &= this->ReadInteger(place) == this->CommonSize;
+    place += bytes;
+    alike &= this->ReadInteger(place - Word) == 0;
+  }
+  return alike;
+}
+
+//------------------------------------------------------------------------------
 // Takes the size of the first face for that of all; false if it is not, or if they have colours.
-bool BinaryReading::FindFacesOfOneSize(const Progress& progress)
+// Where such faces just fill the file it is likely, and may be left to those who read them to check.
+bool BinaryReading::FindFacesOfOneSize(bool guesses, const Progress& progress)
 {
   const vtkIdType count = this->Header.Faces;
-  const char* const first = this->Scanner.GetPosition();
+  const char* const first = this->FirstFace;
   const std::int64_t size = count > 0 ? this->ReadInteger(first) : 0;
   const std::int64_t bytes = FaceBytes + Word * size;
   if (size < 3 || count > this->Scanner.GetBytesLeft() / bytes || count > INT32_MAX / size)
   {
     return false;
   }
-  std::atomic<bool> areAlike{ true };
+  this->CommonSize = static_cast<std::int32_t>(size);
   const vtkIdType blocks = (count + BlockSize - 1) / BlockSize;
-  const bool isComplete = progress.For(blocks,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      bool alike = true;
-      const char* place = first + begin * BlockSize * bytes;
-      for (vtkIdType face = begin * BlockSize; face < std::min(end * BlockSize, count); ++face)
-      {
-        alike &= this->ReadInteger(place) == size;
-        place += bytes;
-        alike &= this->ReadInteger(place - Word) == 0;
-      }
-      if (!alike)
-      {
-        areAlike = false;
-      }
-    });
-  if (!isComplete || !areAlike)
+  std::atomic<bool> areAlike{ true };
+  if (!guesses || count * bytes != this->Scanner.GetBytesLeft())
   {
-    return false;
+    const bool isComplete = progress.For(blocks,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        if (!this->ArePlainFacesAlike(begin * BlockSize, std::min(end * BlockSize, count)))
+        {
+          areAlike = false;
+        }
+      });
+    if (!isComplete || !areAlike)
+    {
+      return false;
+    }
   }
   for (vtkIdType block = 0; block < blocks; ++block)
   {
@@ -162,7 +179,6 @@ bool BinaryReading::FindFacesOfOneSize(const Progress& progress)
     this->Blocks.push_back({ first + face * bytes, face, face * size });
   }
   this->AreAlike = true;
-  this->CommonSize = static_cast<std::int32_t>(size);
   this->NumberOfCells = count;
   this->NumberOfIds = count * size;
   this->Scanner.Skip(count * bytes, "the faces");
@@ -171,37 +187,73 @@ bool BinaryReading::FindFacesOfOneSize(const Progress& progress)
 
 //------------------------------------------------------------------------------
 // Goes from face to face, to know where threads start and how much there is to store.
-bool BinaryReading::FindFaces(const Progress& progress)
+bool BinaryReading::FindFaces(bool guesses, const Progress& progress)
 {
-  if (this->FindFacesOfOneSize(progress))
+  this->FirstFace = this->FirstFace ? this->FirstFace : this->Scanner.GetPosition();
+  this->Scanner.SetPosition(this->FirstFace);
+  this->Blocks.clear();
+  this->AreAlike = this->HasFaceColors = false;
+  this->NumberOfCells = this->NumberOfIds = 0;
+  if (this->FindFacesOfOneSize(guesses, progress))
   {
     return true;
   }
   const vtkIdType count = this->Header.Faces;
+  this->Offsets = Buffer<std::int32_t>(guesses ? count + 1 : 0);
+  std::int32_t* const offsets = guesses ? this->Offsets.data() : nullptr;
+  std::int32_t commonSize = -1;
+  vtkIdType cells = 0, ids = 0;
+  const char* place = this->FirstFace;
+  const char* const end = place + this->Scanner.GetBytesLeft();
   for (vtkIdType face = 0; face < count; ++face)
   {
-    const char* const place = this->Scanner.GetPosition();
     if (face % BlockSize == 0)
     {
-      this->Blocks.push_back({ place, this->NumberOfCells, this->NumberOfIds });
+      this->Blocks.push_back({ place, cells, ids });
       if (!progress.Report(static_cast<double>(face) / count))
       {
         return false;
       }
     }
-    std::int32_t size, components;
-    if (!this->Scanner.ReadCount(size, Word, "the number of vertices of a face") ||
-      !this->Scanner.Skip(Word * std::int64_t(size), "the vertices of a face") ||
-      !this->Scanner.ReadCount(
-        components, Word, "the number of components of the colour of a face") ||
-      !this->Scanner.Skip(Word * std::int64_t(components), "the colour of a face"))
+    std::int32_t size = end - place >= FaceBytes ? this->ReadInteger(place) : -1;
+    std::int32_t components = -1;
+    if (size >= 0 && size <= (end - place - FaceBytes) / Word)
     {
-      return false;
+      components = this->ReadInteger(place + Word + Word * std::ptrdiff_t(size));
     }
-    this->CommonSize = this->CommonSize == -1 || this->CommonSize == size ? size : 0;
+    if (components != 0)
+    {
+      this->Scanner.SetPosition(place);
+      if (!this->Scanner.ReadCount(size, Word, "the number of vertices of a face") ||
+        !this->Scanner.Skip(Word * std::int64_t(size), "the vertices of a face") ||
+        !this->Scanner.ReadCount(
+          components, Word, "the number of components of the colour of a face") ||
+        !this->Scanner.Skip(Word * std::int64_t(components), "the colour of a face"))
+      {
+        return false;
+      }
+    }
+    place += FaceBytes + Word * (std::ptrdiff_t(size) + components);
+    if (offsets)
+    {
+      offsets[face] = static_cast<std::int32_t>(ids);
+    }
+    commonSize = commonSize == -1 || commonSize == size ? size : 0;
     this->HasFaceColors = this->HasFaceColors || components > 0;
-    this->NumberOfCells += size > 0 ? 1 : 0;
-    this->NumberOfIds += size;
+    cells += size > 0 ? 1 : 0;
+    ids += size;
+  }
+  this->Scanner.SetPosition(place);
+  this->CommonSize = commonSize;
+  this->NumberOfCells = cells;
+  this->NumberOfIds = ids;
+  if (offsets && cells == count && !this->HasFaceColors)
+  {
+    offsets[count] = static_cast<std::int32_t>(ids);
+  }
+  else
+  {
+    this->Offsets = Buffer<std::int32_t>();
   }
   if (this->NumberOfIds > std::numeric_limits<std::int32_t>::max())
   {
@@ -281,17 +333,13 @@ bool BinaryReading::ReadFace(const char*& place, vtkIdType face, vtkIdType room,
 // Reads the ids of faces that are alike; false if one is out of range.
 bool BinaryReading::ReadAlikeFaces(const char* place, vtkIdType faces, std::int32_t* ids) const
 {
-  const std::int32_t size = this->CommonSize;
-  std::uint32_t largest = 0;
-  for (vtkIdType face = 0; face < faces; ++face, place += FaceBytes, ids += size)
-  {
-    for (std::int32_t i = 0; i < size; ++i, place += Word)
-    {
-      ids[i] = this->ReadInteger(place + Word);
-      largest = std::max(largest, static_cast<std::uint32_t>(ids[i]));
-    }
-  }
-  return largest < static_cast<std::uint32_t>(this->Header.Vertices);
+  ListRows rows;
+  rows.Begin = place + Word;
+  rows.Rest = FaceBytes;
+  rows.Swap = this->Scanner.IsSwapped();
+  rows.Size = this->CommonSize;
+  rows.Copy(0, faces, ids);
+  return AreIds(ids, rows.GetNumberOfIds(0, faces), this->Header.Vertices);
 }
 
 //------------------------------------------------------------------------------
@@ -378,12 +426,83 @@ void BinaryReading::FailAtFace(vtkIdType face, const char* place)
 }
 
 //------------------------------------------------------------------------------
+// Reads faces whose places are known; false if anything is wrong with one.
+bool BinaryReading::ReadPlainFaces(const Progress& progress)
+{
+  CellMesh& mesh = this->Faces.Mesh;
+  const vtkIdType count = this->Header.Faces;
+  mesh.NumberOfPoints = this->Header.Vertices;
+  mesh.NumberOfCells = count;
+  mesh.CommonSize = std::max(this->CommonSize, 0);
+  mesh.CommonType = OFFFaces::GetType(mesh.CommonSize);
+  mesh.Offsets = std::move(this->Offsets);
+  mesh.Types = Buffer<unsigned char>(mesh.Offsets.size() > 0 ? count : 0);
+  mesh.Connectivity = Buffer<std::int32_t>(this->NumberOfIds);
+  const std::int32_t* const offsets = mesh.Offsets.data();
+  ListRows rows;
+  rows.Begin = this->FirstFace + Word;
+  rows.Rest = FaceBytes;
+  rows.Swap = this->Scanner.IsSwapped();
+  rows.Size = this->CommonSize;
+  rows.Offsets = offsets;
+  Tally repeating;
+  std::mutex mutex;
+  std::atomic<bool> isGood{ true };
+  const bool isComplete = progress.For(static_cast<vtkIdType>(this->Blocks.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      OFFFaceCensus seen;
+      Tally repeatingHere;
+      for (vtkIdType first = begin * BlockSize; first < std::min(end * BlockSize, count) && isGood;
+           first += BlockSize)
+      {
+        const vtkIdType last = std::min(first + BlockSize, count);
+        std::int32_t* const ids = mesh.Connectivity.data() + rows.GetNumberOfIds(0, first);
+        rows.Copy(first, last, ids);
+        if (!AreIds(ids, rows.GetNumberOfIds(first, last), this->Header.Vertices) ||
+          (this->AreAlike && !this->ArePlainFacesAlike(first, last)))
+        {
+          isGood = false;
+          break;
+        }
+        FindRepeatedPoints(ids, offsets ? offsets + first : nullptr, this->CommonSize, first,
+          last - first, repeatingHere);
+        for (vtkIdType face = first; offsets && face < last; ++face)
+        {
+          const std::int32_t size = offsets[face + 1] - offsets[face];
+          mesh.Types[face] = OFFFaces::GetType(size);
+          seen.AddSize(face, size);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      repeating.Merge(repeatingHere);
+      this->FaceCensus.Merge(seen);
+    });
+  mesh.Repeating = repeating;
+  return isComplete && isGood;
+}
+
+//------------------------------------------------------------------------------
 bool BinaryReading::ReadFaces(const Progress& progress)
 {
   if (this->Header.Faces == 0)
   {
     this->Faces.Mesh = MakeCloud(this->Header.Vertices);
     return true;
+  }
+  if (this->AreAlike || this->Offsets.size() > 0)
+  {
+    if (this->ReadPlainFaces(progress))
+    {
+      return true;
+    }
+    // Faces are not as they were taken to be, or have wrong ids: each is looked at.
+    this->Faces = OFFFaces();
+    this->FaceCensus = OFFFaceCensus();
+    if (progress.IsStopped() || !this->FindFaces(false, progress))
+    {
+      return false;
+    }
   }
   this->Faces.Allocate(
     this->NumberOfCells, this->NumberOfIds, std::max(this->CommonSize, 0), this->HasFaceColors);
@@ -503,13 +622,15 @@ bool BinaryReading::ReadVertices(
   const vtkIdType count = header.Vertices;
   if (piece.IsWhole() && header.Dimension == 3 && bytes == 3 * Word)
   {
-    return progress.For(3 * count,
+    ListRows rows;
+    rows.Begin = this->Vertices;
+    rows.Swap = this->Scanner.IsSwapped();
+    rows.Size = 3;
+    return progress.For(count,
       [&](vtkIdType begin, vtkIdType end)
       {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          vertices.Coordinates[i] = this->ReadReal(this->Vertices + Word * i);
-        }
+        rows.Copy(
+          begin, end, reinterpret_cast<std::int32_t*>(vertices.Coordinates.data() + 3 * begin));
       });
   }
   return progress.For((count + BlockSize - 1) / BlockSize,
@@ -556,7 +677,7 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
   }
   CellPiece piece;
   OFFVertices<float> vertices;
-  isGood = isGood && reading.FindFaces(progress.Part(0, 0.3)) &&
+  isGood = isGood && reading.FindFaces(request.NumberOfPieces <= 1, progress.Part(0, 0.3)) &&
     (request.NumberOfPieces > 1 && reading.Header.Faces > 0
         ? reading.ReadPieceOfFaces(request, piece, progress.Part(0.3, 0.65))
         : reading.ReadFaces(progress.Part(0.3, 0.6)) &&

@@ -35,14 +35,6 @@ void OFFFaceCensus::Merge(const OFFFaceCensus& other)
 }
 
 //------------------------------------------------------------------------------
-unsigned char OFFFaces::GetType(std::int64_t size)
-{
-  constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE,
-    VTK_QUAD };
-  return size <= 4 ? Types[size] : static_cast<unsigned char>(VTK_POLYGON);
-}
-
-//------------------------------------------------------------------------------
 void OFFFaces::Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors)
 {
   this->Mesh.NumberOfCells = cells;

@@ -107,7 +107,12 @@ struct OFFFaces
   void Allocate(vtkIdType cells, vtkIdType ids, std::int32_t commonSize, bool haveColors);
   /// Begins a face, whose first vertex is this one of all.
   void Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size);
-  static unsigned char GetType(std::int64_t size);
+  static unsigned char GetType(std::int64_t size)
+  {
+    constexpr unsigned char Types[] = { VTK_EMPTY_CELL, VTK_VERTEX, VTK_LINE, VTK_TRIANGLE,
+      VTK_QUAD, VTK_POLYGON };
+    return Types[std::min<std::int64_t>(size, 5)];
+  }
 };
 
 /// Makes the grid of a piece, and on the first one warnings.

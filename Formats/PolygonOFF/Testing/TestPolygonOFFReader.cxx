@@ -289,6 +289,39 @@ TEST(PolygonOFFReader, BinaryFaces)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, files are misread whose faces are together as long as if all were like the first.
+TEST(PolygonOFFReader, BinaryFacesWithoutColors)
+{
+  Words body;
+  body << 5 << 4 << 0;
+  for (int i = 0; i < 15; ++i)
+  {
+    body << static_cast<float>(i);
+  }
+  body << 3 << 0 << 1 << 2 << 0;
+  body << 4 << 3 << 2 << 1 << 0 << 0;
+  body << 2 << 1 << 1 << 0;
+  const Result alike = ReadBytes("OFF BINARY\n" + body.Bytes + (Words() << 3 << 4 << 3 << 2 << 0).Bytes);
+  const Result other =
+    ReadBytes("OFF BINARY\n" + body.Bytes + (Words() << 5 << 4 << 3 << 2 << 1 << 0 << 0).Bytes);
+  for (const Result* result : { &alike, &other })
+  {
+    ASSERT_TRUE(result->Errors.empty()) << result->Errors[0];
+    ASSERT_EQ(result->Grid->GetNumberOfCells(), 4);
+    EXPECT_EQ(result->Grid->GetCellType(0), VTK_TRIANGLE);
+    EXPECT_EQ(DescribeCell(result->Grid, 1, { 0, 1, 2, 3, 4 })[0],
+      (std::vector<vtkIdType>{ VTK_QUAD, 3, 2, 1, 0 }));
+    EXPECT_EQ(result->Grid->GetCellType(2), VTK_LINE);
+    ASSERT_EQ(result->Warnings.size(), 2u);
+    EXPECT_NE(result->Warnings[0].find("1 face of two vertices"), std::string::npos);
+    EXPECT_NE(result->Warnings[1].find("1 face with the same point"), std::string::npos);
+  }
+  EXPECT_EQ(alike.Grid->GetCellType(3), VTK_TRIANGLE);
+  EXPECT_EQ(DescribeCell(other.Grid, 3, { 0, 1, 2, 3, 4 })[0],
+    (std::vector<vtkIdType>{ VTK_POLYGON, 4, 3, 2, 1, 0 }));
+}
+
+//------------------------------------------------------------------------------
 TEST(PolygonOFFReader, KnowsItsFiles)
 {
   vtkNew<vtkPolygonOFFReader> reader;
