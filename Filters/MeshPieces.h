@@ -72,6 +72,8 @@ public:
   /// Collective. After Link.
   void FindPointRegions();
 
+  /// Collective. Whether there are several pieces, and they can be asked.
+  bool CanAskOthers() { return this->AreSeveral() && !this->OthersAreUnknown; }
   /// Collective. Of every piece its mesh with the cells around it, see CompletePieces, unless the others cannot be
   /// asked or there are none. @a arrays are the same on all processes.
   std::vector<vtkSmartPointer<vtkDataSet>> Complete(const std::vector<std::string>& arrays);
@@ -87,11 +89,8 @@ private:
   const vtkIdType* GetIds(vtkDataArray* ids);
   /// Collective.
   void NumberCells();
-  ///@{
-  /// Collective. Whether there are several pieces, and they can be asked.
+  /// Collective. Whether there are several pieces.
   bool AreSeveral();
-  bool CanAskOthers() { return this->AreSeveral() && !this->OthersAreUnknown; }
-  ///@}
 
   camaron::Reducer& Reducer;
   bool OthersAreUnknown; // there are more pieces than processes

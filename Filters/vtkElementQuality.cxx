@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElementQuality.h"
 
+#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
@@ -424,6 +425,9 @@ int vtkElementQuality::RequestData(
   output->ShallowCopy(input);
   try
   {
+    camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
+    camaron::CheckNumber("Convexity Tolerance", this->ConvexityTolerance, 0.0, 180.0);
+    camaron::CheckNumber("Planarity Tolerance", this->PlanarityTolerance, 0.0, 1.0);
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
     this->EvaluateMesh(input, output, criteria, numberOfPieces);

@@ -107,7 +107,7 @@ public:
    * An edge shorter than this share of the cell's diameter counts as collapsed, faces and cells
    * accordingly. 0 (default): the larger of 1e-12 and 8 rounding units of the coordinates.
    */
-  vtkSetClampMacro(DegeneracyTolerance, double, 0.0, 1.0);
+  vtkSetMacro(DegeneracyTolerance, double);
   vtkGetMacro(DegeneracyTolerance, double);
   ///@}
 
@@ -116,7 +116,7 @@ public:
    * How far an angle may exceed 180 degrees in a cell that CellStatus and IsConvex take as convex, in
    * degrees whatever AngleUnits says. Default: 1e-4.
    */
-  vtkSetClampMacro(ConvexityTolerance, double, 0.0, 180.0);
+  vtkSetMacro(ConvexityTolerance, double);
   vtkGetMacro(ConvexityTolerance, double);
   ///@}
 
@@ -124,7 +124,7 @@ public:
   /**
    * Largest warpage (see MaxWarpage) of a face that CellStatus takes as planar. Default: 0.1.
    */
-  vtkSetClampMacro(PlanarityTolerance, double, 0.0, 1.0);
+  vtkSetMacro(PlanarityTolerance, double);
   vtkGetMacro(PlanarityTolerance, double);
   ///@}
 

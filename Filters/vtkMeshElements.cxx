@@ -4,6 +4,7 @@
 
 #include "ControllerReducer.h"
 #include "Elements/MeshElements.h"
+#include "MeshInput.h"
 #include "MeshPieces.h"
 #include "PolyDataOutput.h"
 
@@ -199,11 +200,19 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   camaron::ControllerReducer reducer;
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  camaron::MeshPieces pieces(camaron::GetLeaves(input), common, numberOfPieces, reducer);
+  std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
+  std::vector<vtkSmartPointer<vtkDataSet>> triangulated;
+  for (camaron::DataSetLeaf& leaf : leaves)
+  {
+    triangulated.push_back(camaron::WithoutStrips(leaf.Data));
+    leaf.Data = triangulated.back();
+  }
+  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
   if (this->ConnectBlocks)
   {
     pieces.ConnectBlocks();
   }
+  const bool areComplete = pieces.CanAskOthers();
   const std::vector<unsigned> dimensions = pieces.FindDimensions();
   const std::vector<vtkSmartPointer<vtkDataSet>> meshes = pieces.Complete(
     this->WorstOfCells ? reducer.GatherNames(FindCriteria(pieces)) : std::vector<std::string>());
@@ -229,7 +238,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     const camaron::MeshTopology topology(meshes[piece]);
     const camaron::ElementContext context(meshes[piece], topology, pieces.GetOptions(piece),
       this->MergeTolerance,
-      { pieces.GetMesh(piece), dimensions[piece], &points[piece], &faces[piece] });
+      { pieces.GetMesh(piece), dimensions[piece], areComplete, &points[piece], &faces[piece] });
     const auto goesOn = [&](double done)
     {
       this->UpdateProgress(

@@ -155,7 +155,10 @@ void CellGeometry::ComputeFanAreas() const
       continue;
     }
     const VectorPair center(this->FaceCenters[pair.First], this->FaceCenters[pair.Second]);
-    const VectorPair normal(this->FaceVectors[pair.First], this->FaceVectors[pair.Second]);
+    // A face without an area has no side that triangles may be turned away from.
+    const auto getNormal = [this](int face)
+    { return this->IsZeroArea(this->FaceAreas[face]) ? Vector() : this->FaceVectors[face]; };
+    const VectorPair normal(getNormal(pair.First), getNormal(pair.Second));
     VectorPair previous = VectorPair(points[first[size - 1]], points[second[size - 1]]) - center;
     Pair sum = MakePair(0, 0);
     for (int i = 0; i < size; ++i)

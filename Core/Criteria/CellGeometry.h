@@ -123,6 +123,8 @@ public:
   bool IsFinite() const { return this->Finite; }
   /// True for a type whose faces follow from its nodes.
   bool IsOfStandardType() const { return this->IsStandard; }
+  /// True if its points are the corner nodes of such a 3D type in VTK's order; not if two of them are the same.
+  bool HasNodesInOrder() const { return this->Topology != &this->OwnTopology; }
   /// True if a face has the same point twice in a row.
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
   const EvaluationOptions& GetOptions() const { return *this->Options; }
@@ -304,7 +306,7 @@ private:
   /// Not one that another type collapses to, whose points are in any order.
   bool IsTetrahedronByNodes() const
   {
-    return (this->Shapes & Tetrahedra) && this->Topology != &this->OwnTopology;
+    return (this->Shapes & Tetrahedra) && this->HasNodesInOrder();
   }
   bool IsToBeOriented() const { return !this->IsStandard && !this->TrustFaceOrientation; }
   void OrientPolyhedron();

@@ -135,14 +135,13 @@ void CellKernel::AddHalfSpaces(const CellGeometry& cell, int face, double sign)
   const double zeroArea = cell.GetZeroLength() * Norm(this->High - this->Low);
   const Vector normal = sign * Unit(cell.GetFaceVector(face));
   const HalfSpace plane = { normal, Dot(normal, center) };
-  const bool isPlanar = std::all_of(points, points + size,
-    [&](int p) { return std::abs(plane.GetDistance(cell.GetPoint(p))) <= cell.GetZeroLength(); });
+  // One that crosses itself may have no area, and no plane, but triangles that face each other.
+  const bool isPlanar = cell.GetFaceArea(face) > zeroArea &&
+    std::all_of(points, points + size,
+      [&](int p) { return std::abs(plane.GetDistance(cell.GetPoint(p))) <= cell.GetZeroLength(); });
   if (isPlanar)
   {
-    if (cell.GetFaceArea(face) > zeroArea)
-    {
-      this->HalfSpaces.push_back(plane);
-    }
+    this->HalfSpaces.push_back(plane);
     return;
   }
   for (int i = 0; i < size; ++i)

@@ -124,6 +124,10 @@ double MaxFaceSkewness(const CellNeighborhood& cell)
     {
       worst.AddMissing();
     }
+    else
+    {
+      worst.AddNonManifold();
+    }
   }
   return worst.Get();
 }

@@ -401,18 +401,17 @@ int GetCorners(const CellGeometry& cell, unsigned shape, double corners[MaxSimpl
 {
   int nodes[MaxSimpleNodes] = { 0, 1, 2, 3, 4, 5, 6, 7 };
   int size = cell.GetNumberOfPoints();
-  const unsigned char type = cell.GetCellType();
   if (shape & (Triangles | Quadrilaterals))
   {
     std::copy_n(cell.GetTopology().GetFace(0), size, nodes);
   }
-  else if (type == VTK_WEDGE)
-  {
-    std::copy_n(GetExtrusionOrder(VTK_WEDGE), size, nodes);
-  }
-  else if (type != VTK_TETRA && type != VTK_PYRAMID && type != VTK_HEXAHEDRON)
+  else if (!cell.HasNodesInOrder() || cell.GetCellType() == VTK_VOXEL)
   {
     size = GetSimpleNodes(cell.GetTopology(), shape, nodes);
+  }
+  else if (shape & Wedges)
+  {
+    std::copy_n(GetExtrusionOrder(cell.GetCellType()), size, nodes);
   }
   for (int i = 0; i < size; ++i)
   {

@@ -52,6 +52,7 @@ struct ElementSource
 {
   vtkDataSet* Piece = nullptr;  ///< whose points and their data the elements get; the first ones of the mesh
   unsigned Dimensions = 0;      ///< CellDimensions that other pieces have
+  bool IsComplete = false;      ///< cells of all pieces are there at all points of the cells of this one
   ///@{
   /// What is known of all pieces, if it is asked for: see CoincidentPoints.h and MismatchedFaces.h.
   const std::vector<vtkIdType>* CoincidentPoints = nullptr;
@@ -80,6 +81,8 @@ public:
   unsigned GetDimensions() const { return this->Source.Dimensions; }
   /// Global id of a cell of the mesh; its own if there are none.
   vtkIdType GetGlobalCell(vtkIdType cell) const;
+  /// Whether what lies beyond a copy is known wherever elements are kept.
+  bool IsComplete() const { return this->Source.IsComplete; }
   /// Whether a cell is a copy of one that belongs to another piece.
   bool IsCopy(vtkIdType cell) const;
   /// DUPLICATECELL if the cell of the smallest global id is a ghost, else 0.

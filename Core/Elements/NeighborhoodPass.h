@@ -26,8 +26,10 @@ void ForEachNeighborhood(
 {
   constexpr vtkIdType grain = 1 << 10;
   const MeshView& mesh = context.GetMesh();
-  const CellCenters centers(mesh, context.GetOptions());
-  const CellNeighborhood prototype(context.GetTopology(), centers, context.GetOptions());
+  EvaluationOptions options = context.GetOptions();
+  options.Ghosts = context.IsComplete() ? nullptr : options.Ghosts;
+  const CellCenters centers(mesh, options);
+  const CellNeighborhood prototype(context.GetTopology(), centers, options);
   ParallelFor(mesh.GetNumberOfCells(), grain,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -36,7 +38,7 @@ void ForEachNeighborhood(
       for (vtkIdType id = begin; id < end; ++id)
       {
         const FacetTable::Range uses = table.GetCellFacets(id);
-        cell.Load(mesh, id, context.GetOptions());
+        cell.Load(mesh, id, options);
         cell.Normalize();
         if (uses.size() == 0 || !cell.IsFinite())
         {

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cells that use a point twice are what is left of them; and inputs that VTK's filters round or change in place."""
+"""Cells that use a point twice or whose faces cross themselves, and inputs that are rounded, split or changed in place."""
 
 import camaron_testing
 import gallery
@@ -15,10 +15,14 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_POLYHEDRON,
     VTK_PYRAMID,
     VTK_QUAD,
+    VTK_QUADRATIC_HEXAHEDRON,
+    VTK_QUADRATIC_TETRA,
     VTK_TETRA,
     VTK_TRIANGLE,
+    VTK_TRIANGLE_STRIP,
     VTK_WEDGE,
     vtkImageData,
+    vtkPartitionedDataSetCollection,
     vtkPolygon,
 )
 
@@ -166,6 +170,124 @@ class TestCollapsedCells(camaron_testing.TestCase):
         self.assertFalse(found["CellStatus"].any())
         edges = self.elements(image, 1)
         numpy.testing.assert_allclose(self.array(edges, "EdgeLength"), 0.1, rtol=1e-8)
+
+    def test_faces_that_cross_themselves(self):
+        """Bow-ties have no area but for rounding, which does not decide on anything, however they lie in space."""
+        random = numpy.random.default_rng(1)
+        turns = [numpy.linalg.qr(random.normal(size=(3, 3)))[0] for _ in range(20)]
+        turns = [numpy.eye(3)] + [turn * numpy.sign(numpy.linalg.det(turn)) for turn in turns]
+        bow_tie = numpy.array([(0, 0, 0), (2.3, 1, 0), (2, 0, 0), (0.3, 1, 0)])
+        points = numpy.concatenate([bow_tie @ turn.T for turn in turns])
+        cells = [(VTK_QUAD, list(range(4 * i, 4 * i + 4))) for i in range(len(turns))]
+        found = self.evaluate(
+            gallery.make_grid(points.tolist(), cells, turns=False),
+            ["MaxBoundaryNonOrthogonality", "MaxFaceSkewness", "OrthogonalQuality", "PrincipalAspectRatio"],
+        )
+        self.assertTrue(numpy.isnan(found["MaxBoundaryNonOrthogonality"]).all())
+        self.assertTrue(numpy.isnan(found["MaxFaceSkewness"]).all())
+        self.assertFalse(found["OrthogonalQuality"].any())
+        numpy.testing.assert_allclose(found["PrincipalAspectRatio"], found["PrincipalAspectRatio"][0])
+
+        swapped = numpy.array([CUBE[i] for i in (1, 0, 2, 3, 4, 5, 6, 7)])
+        points = numpy.concatenate([swapped @ turn.T for turn in turns])
+        cells = [(VTK_HEXAHEDRON, list(range(8 * i, 8 * i + 8))) for i in range(len(turns))]
+        names = ["Volume", "SurfaceArea", "KernelRatio", "IsStarShaped", "CellStatus"]
+        found = self.evaluate(gallery.make_grid(points.tolist(), cells, turns=False), names)
+        for name in names:
+            numpy.testing.assert_allclose(found[name], found[name][0], rtol=1e-9, err_msg=name)
+        self.assertFalse(found["IsStarShaped"].any())
+
+    def test_short_edges_of_float_points(self):
+        """What is little of its cell is not flat for that; perfect cubes are good far from the origin."""
+        source = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        names = ["MinTetVolume", "MinTetMeanRatio", "MinTetQuality", "CellStatus"]
+        quality = simple.ElementQuality(Input=source, Criteria=names)
+        cells = self.fetch(quality).GetCellData()
+        found = {name: vtk_to_numpy(cells.GetArray(name)) for name in names}
+        for name in names[:3]:
+            self.assertTrue((found[name][found["CellStatus"] == 0] > 0).all(), name)
+        points = [tuple(15000.0 + x for x in point) for point in CUBE]
+        cube = gallery.make_grid(points, [(VTK_HEXAHEDRON, list(range(8)))])
+        self.assertAlmostEqual(self.evaluate(cube, names)["MinTetVolume"][0], 1 / 24)
+
+    def test_nodes_of_higher_order(self):
+        """Verdict's measures that depend on the order of nodes are those of the corners in their order."""
+        random = numpy.random.default_rng(7)
+        for kinds, corners, name in (
+            ((VTK_QUADRATIC_HEXAHEDRON, VTK_HEXAHEDRON, 20), CUBE, "VerdictEdgeRatio"),
+            ((VTK_QUADRATIC_TETRA, VTK_TETRA, 10), [CUBE[i] for i in (0, 1, 3, 4)], "VerdictMinAngle"),
+        ):
+            points, cells = [], []
+            for _ in range(5):
+                first, size = len(points), len(corners)
+                points += (numpy.array(corners) + 0.12 * random.normal(size=(size, 3))).tolist()
+                points += [(0.5, 0.5, 0.5)] * (kinds[2] - size)
+                cells.append((kinds[0], list(range(first, first + kinds[2]))))
+                cells.append((kinds[1], list(range(first, first + size))))
+            values = self.evaluate(gallery.make_grid(points, cells, turns=False), [name])[name]
+            numpy.testing.assert_allclose(values[::2], values[1::2], rtol=1e-12, err_msg=name)
+
+    def test_strips(self):
+        """Mesh Elements takes the triangles of strips, as Element Quality does."""
+        points = [(0, 0, 0), (0, 1, 0.2), (1, 0, 0), (1, 1, 0), (2, 0, 0.1), (2, 1, 0)]
+        strip = gallery.make_grid(points, [(VTK_TRIANGLE_STRIP, list(range(6)))], turns=False)
+        triangles = [[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 5, 4]]
+        same = gallery.make_grid(points, [(VTK_TRIANGLE, ids) for ids in triangles], turns=False)
+        for port, name, size in ((0, "OwnerCell", 4), (1, "EdgeDihedralAngle", 9), (2, "VertexCellCount", 6)):
+            values = [self.array(self.elements(mesh, port), name) for mesh in (strip, same)]
+            self.assertEqual(len(values[0]), size)
+            numpy.testing.assert_array_equal(*values, err_msg=name)
+
+    def test_edges_of_polygons_of_other_pieces(self):
+        """Of an edge that belongs to a piece with 3D cells only, the polygons of other pieces are known."""
+        points = [*CUBE[:6], (1, 1.2, 1), CUBE[7], (2.5, 0.3, 0), (2, 1, 0)]
+        cells = [(VTK_HEXAHEDRON, list(range(8))), (VTK_QUAD, [0, 1, 2, 3]), (VTK_QUAD, [1, 8, 9, 2])]
+        names = ["BoundaryNonOrthogonality", "FaceSkewness", "NonOrthogonality", "EdgeDihedralAngle"]
+        whole = gallery.make_grid(points, cells, turns=False)
+        pieces = vtkPartitionedDataSetCollection()
+        for i, chosen in enumerate((cells[:1], cells[1:2], cells[2:])):
+            pieces.SetPartition(0, i, gallery.make_grid(points, chosen, turns=False))
+
+        def values_of(data):
+            found = {}
+            elements = simple.MeshElements(Input=mesh_parts.producer(data), EdgeArrays=names)
+            elements.UpdatePipeline()
+            for edges in camaron_testing.leaves(elements.GetClientSideObject().GetOutputDataObject(1)):
+                arrays = [self.array(edges, name) for name in names]
+                ghosts = edges.GetCellData().GetArray("vtkGhostType")
+                for edge in range(edges.GetNumberOfCells()):
+                    ends = edges.GetCell(edge).GetPointIds()
+                    place = tuple(sorted(edges.GetPoint(ends.GetId(i)) for i in (0, 1)))
+                    if not ghosts or not ghosts.GetValue(edge):
+                        found[place] = [array[edge] for array in arrays]
+            return found
+
+        expected, found = values_of(whole), values_of(pieces)
+        self.assertEqual(expected.keys(), found.keys())
+        for place, values in expected.items():
+            numpy.testing.assert_array_equal(found[place], values, str(place))
+
+    def test_facets_of_three_cells_only(self):
+        """They are told of as what is wrong with the mesh by all criteria with neighbours."""
+        cells = [(VTK_QUAD, [0, 1, 2, 3])] * 3
+        quality = simple.ElementQuality(
+            Input=mesh_parts.producer(gallery.make_grid(CUBE[:4], cells)),
+            Criteria=["MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight"],
+            WriteNullMask=1,
+        )
+        found = self.fetch(quality)
+        for name in ("MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight"):
+            self.assertEqual(self.array(found, name + "_Null").tolist(), [3, 3, 3], name)
+
+    def test_tolerances(self):
+        """Numbers that no tolerance can be are errors."""
+        source = mesh_parts.producer(gallery.make_grid(CUBE, [(VTK_HEXAHEDRON, list(range(8)))]))
+        for name in ("DegeneracyTolerance", "ConvexityTolerance", "PlanarityTolerance"):
+            for value in (-1, float("nan")):
+                quality = simple.ElementQuality(Input=source, **{name: value})
+                with camaron_testing.pipeline.Messages() as messages:
+                    quality.UpdatePipeline()
+                self.assertTrue(any("Tolerance is 0 to" in error for error in messages.errors), (name, value))
 
     def test_cells_added_in_place(self):
         """As scripts do that keep a grid: what was known of it before is of no use."""
