@@ -13,7 +13,7 @@ import math
 import tempfile
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Iterator, Optional, Sequence
+from typing import Any, Optional, Sequence
 
 from paraview import simple
 
@@ -22,6 +22,9 @@ from .evaluation import CELL_FAMILY, Evaluation
 from .rules import FAMILIES, Rule, Scope
 
 ALL_CELLS = "All"
+
+#: GroupBy and GroupArray of Quality Statistics.
+Grouping = tuple[str, str]
 
 
 @dataclass
@@ -65,27 +68,29 @@ def count(evaluated: Evaluation, rules: Sequence[Rule], worst: int) -> list[Coun
     """
     _check_arrays(evaluated, rules)
     counts = [Counts() for _ in rules]
-    for members in _rounds(rules):
-        found = _Round(evaluated, [rules[i] for i in members], worst)
-        for i in members:
-            counts[i] = found.counts(rules[i])
+    with tempfile.TemporaryDirectory(prefix="camaron-") as folder:
+        counter = _Counter(evaluated, Path(folder), worst)
+        for (grouping, _), members in _rounds(rules).items():
+            found = counter.count(grouping, [rules[i] for i in members])
+            for i, each in zip(members, found):
+                counts[i] = each
     return counts
 
 
-def _rounds(rules: Sequence[Rule]) -> Iterator[list[int]]:
-    """Places of the rules that Quality Statistics can count at a time."""
-    rounds: list[tuple[tuple, dict[str, tuple], list[int]]] = []
+def _rounds(rules: Sequence[Rule]) -> dict[tuple[Grouping, int], list[int]]:
+    """Places of the rules that Quality Statistics can count at a time.
+
+    Of several ranges for a criterion the first one is in the first round of its grouping, the second
+    one in the second, and so on.
+    """
+    ranges: dict[tuple[Grouping, str], dict[tuple[float, float], int]] = {}
+    rounds: dict[tuple[Grouping, int], list[int]] = {}
     for i, rule in enumerate(rules):
-        grouping, limits = _grouping(rule.scope), rule.limits()
-        for other, ranges, members in rounds:
-            if other == grouping and ranges.get(rule.criterion, limits) == limits:
-                break
-        else:
-            ranges, members = {}, []
-            rounds.append((grouping, ranges, members))
-        ranges[rule.criterion] = limits
-        members.append(i)
-    return (members for _, _, members in rounds)
+        grouping = _grouping(rule.scope)
+        known = ranges.setdefault((grouping, rule.criterion), {})
+        number = known.setdefault(rule.limits(), len(known))
+        rounds.setdefault((grouping, number), []).append(i)
+    return rounds
 
 
 def _group_array(scope: Optional[Scope]) -> str:
@@ -95,8 +100,7 @@ def _group_array(scope: Optional[Scope]) -> str:
     return CELL_FAMILY if scope.kind == "family" else scope.array
 
 
-def _grouping(scope: Optional[Scope]) -> tuple[str, str]:
-    """GroupBy and GroupArray."""
+def _grouping(scope: Optional[Scope]) -> Grouping:
     if scope is None:
         return ("None", "")
     ways = {"type": "Cell type", "block": "Block"}
@@ -129,88 +133,124 @@ def _unknown(what: str, name: str, known) -> str:
     return f"there is no {what}; " + (f"did you mean {similar}?" if similar else there)
 
 
-class _Round:
-    """The tables of Quality Statistics for the rules of a round."""
+class _Counter:
+    """The one Quality Statistics that counts all rounds.
 
-    def __init__(self, evaluated: Evaluation, rules: Sequence[Rule], worst: int):
-        self.evaluated, self.worst = evaluated, worst
-        self.grouping = _grouping(rules[0].scope)
-        with tempfile.TemporaryDirectory(prefix="camaron-") as folder:
-            self.ranges = Path(folder) / "check.ranges"
-            limits = {rule.criterion: rule.limits() for rule in rules}
-            lines = [f"{name} {low!r} {high!r}\n" for name, (low, high) in limits.items()]
-            self.ranges.write_text("".join(lines), encoding="ascii")
-            statistics = self._make([*limits], "Smallest")
-            self.rows = {(row["Criterion"], row["Group"]): row for row in tables.fetch(statistics)}
-            self.lists = {"Smallest": tables.fetch(statistics, 2)}
-            self.lists["Largest"] = tables.fetch(self._make([*limits], "Largest"), 2)
-            with_null = [rule for rule in rules if rule.null_fails and self.counts(rule).null]
-            if with_null:
-                names = [*dict.fromkeys(rule.criterion for rule in with_null)]
-                self.lists["Null"] = tables.fetch(self._make(names, "Null"), 2)
-        if self.grouping[0] == "Block":
-            blocks = [*dict.fromkeys(group for _, group in self.rows if group != ALL_CELLS)]
-            for rule in rules:
-                if rule.scope.value not in blocks:
-                    name = rule.scope.value
-                    raise ScopeError(_unknown(f"block {name} with cells", name, blocks))
+    One for each round would take time that grows with the square of their number: the more filters
+    a source has, the longer ParaView takes to make, update and delete another one.
+    """
 
-    def _make(self, criteria: list[str], worst_values: str) -> Any:
-        by, array = self.grouping
-        return self.evaluated.make(
-            simple.QualityStatistics,
-            Arrays=criteria,
-            RangesFile=str(self.ranges),
+    def __init__(self, evaluated: Evaluation, folder: Path, worst: int):
+        self.folder, self.worst = folder, worst
+        self.statistics = evaluated.make(simple.QualityStatistics, Quantiles=[50], NumberOfBins=1)
+        self.files = 0
+        #: Rows of worst cells by grouping, WorstValues and criterion, then by group. They do not
+        #: depend on ranges, so that rounds share them.
+        self.lists: dict[tuple[Grouping, str, str], dict[str, list[dict[str, Any]]]] = {}
+
+    def count(self, grouping: Grouping, rules: Sequence[Rule]) -> list[Counts]:
+        """Counts of the rules of a round."""
+        by, array = grouping
+        limits = {rule.criterion: rule.limits() for rule in rules}
+        self._set(
+            Arrays=[*limits],
+            RangesFile=self._write_ranges(limits),
             GroupBy=by,
             GroupArray=array,
-            Quantiles=[50],
-            NumberOfBins=1,
-            NumberOfWorst=self.worst,
-            WorstValues=worst_values,
+            NumberOfWorst=0,
         )
-
-    def counts(self, rule: Rule) -> Counts:
-        whole = self.rows.get((rule.criterion, ALL_CELLS))
-        row = self.rows.get((rule.criterion, _group(rule.scope)))
-        if row is None:  # no such cells
-            return Counts(total=whole["Count"] if whole else 0)
-        counts = Counts(
-            total=whole["Count"],
-            cells=row["Count"],
-            checked=row["ApplicableCount"],
-            null=row["NullCount"] - (row["Count"] - row["ApplicableCount"]),
-            infinite=row["InfCount"],
-            below=row["BelowCount"],
-            above=row["AboveCount"],
-            min=None if math.isnan(row["Min"]) else row["Min"],
-            max=None if math.isnan(row["Max"]) else row["Max"],
-        )
-        counts.offenders = self._offenders(rule)
+        rows = {(row["Criterion"], row["Group"]): row for row in tables.fetch(self.statistics)}
+        if by == "Block":
+            _check_blocks(rules, [*dict.fromkeys(group for _, group in rows if group != ALL_CELLS)])
+        counts = [_counts(rule, rows) for rule in rules]
+        ends = [_failing_ends(rule, found) for rule, found in zip(rules, counts)]
+        for end in ("Smallest", "Largest", "Null"):
+            failing = [rule.criterion for rule, of_rule in zip(rules, ends) if end in of_rule]
+            self._list_worst(grouping, end, failing)
+        for rule, found, of_rule in zip(rules, counts, ends):
+            group = _group(rule.scope)
+            lists = {
+                end: self.lists[grouping, end, rule.criterion].get(group, []) for end in of_rule
+            }
+            found.offenders = _offenders(rule, lists)[: self.worst]
         return counts
 
-    def _offenders(self, rule: Rule) -> list[dict[str, Any]]:
-        """Farthest outside the range first, then cells without a value; equal ones by id.
+    def _set(self, **properties: Any) -> None:
+        for name, value in properties.items():
+            setattr(self.statistics, name, value)
 
-        Those farthest outside are among the smallest or the largest values.
-        """
-        low, high = rule.limits()
-        outside = []
-        for row in self._list("Smallest", rule):
-            if row["Value"] < low:
-                outside.append((row["Value"] - low, row["Id"], "below", row))
-        for row in self._list("Largest", rule):
-            if row["Value"] > high:
-                outside.append((high - row["Value"], row["Id"], "above", row))
-        outside.sort(key=lambda item: item[:2])
-        found = [_offender(row, why) for _, _, why, row in outside]
-        if rule.null_fails:
-            found += [_offender(row, "null") for row in self._list("Null", rule)]
-        return found[: self.worst]
+    def _write_ranges(self, limits: dict[str, tuple[float, float]]) -> str:
+        """A file of a new name, as a name that stays is no reason to read it again."""
+        self.files += 1
+        path = self.folder / f"{self.files}.ranges"
+        lines = [f"{name} {low!r} {high!r}\n" for name, (low, high) in limits.items()]
+        path.write_text("".join(lines), encoding="ascii")
+        return str(path)
 
-    def _list(self, end: str, rule: Rule) -> list[dict[str, Any]]:
-        wanted = (rule.criterion, _group(rule.scope))
-        rows = self.lists.get(end, [])
-        return [row for row in rows if (row["Criterion"], row["Group"]) == wanted]
+    def _list_worst(self, grouping: Grouping, end: str, criteria: Sequence[str]) -> None:
+        """Lists what is worst for the criteria, unless an earlier round did."""
+        names = dict.fromkeys(criteria)
+        lacking = [name for name in names if (grouping, end, name) not in self.lists]
+        if not lacking:
+            return
+        self._set(Arrays=lacking, WorstValues=end, NumberOfWorst=self.worst)
+        self.lists.update(((grouping, end, name), {}) for name in lacking)
+        for row in tables.fetch(self.statistics, 2):
+            self.lists[grouping, end, row["Criterion"]].setdefault(row["Group"], []).append(row)
+
+
+def _check_blocks(rules: Sequence[Rule], blocks: Sequence[str]) -> None:
+    for rule in rules:
+        if rule.scope.value not in blocks:
+            name = rule.scope.value
+            raise ScopeError(_unknown(f"block {name} with cells", name, blocks))
+
+
+def _counts(rule: Rule, rows: dict[tuple[str, str], dict[str, Any]]) -> Counts:
+    """What the statistics say, by criterion and group, but for the offenders."""
+    whole = rows.get((rule.criterion, ALL_CELLS))
+    row = rows.get((rule.criterion, _group(rule.scope)))
+    if row is None:  # no such cells
+        return Counts(total=whole["Count"] if whole else 0)
+    return Counts(
+        total=whole["Count"],
+        cells=row["Count"],
+        checked=row["ApplicableCount"],
+        null=row["NullCount"] - (row["Count"] - row["ApplicableCount"]),
+        infinite=row["InfCount"],
+        below=row["BelowCount"],
+        above=row["AboveCount"],
+        min=None if math.isnan(row["Min"]) else row["Min"],
+        max=None if math.isnan(row["Max"]) else row["Max"],
+    )
+
+
+def _failing_ends(rule: Rule, found: Counts) -> list[str]:
+    """The WorstValues whose lists have the cells that fail."""
+    failing = {
+        "Smallest": found.below,
+        "Largest": found.above,
+        "Null": rule.null_fails and found.null,
+    }
+    return [end for end, count in failing.items() if count]
+
+
+def _offenders(rule: Rule, lists: dict[str, list[dict[str, Any]]]) -> list[dict[str, Any]]:
+    """Farthest outside the range first, then cells without a value; equal ones by id.
+
+    Those farthest outside are among the smallest or the largest values.
+    """
+    low, high = rule.limits()
+    outside = []
+    for row in lists.get("Smallest", []):
+        if row["Value"] < low:
+            outside.append((row["Value"] - low, row["Id"], "below", row))
+    for row in lists.get("Largest", []):
+        if row["Value"] > high:
+            outside.append((high - row["Value"], row["Id"], "above", row))
+    outside.sort(key=lambda item: item[:2])
+    found = [_offender(row, why) for _, _, why, row in outside]
+    return found + [_offender(row, "null") for row in lists.get("Null", [])]
 
 
 def _offender(row: dict[str, Any], why: str) -> dict[str, Any]:

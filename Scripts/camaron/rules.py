@@ -234,24 +234,27 @@ class Parser:
 
     def parse(self, lines: Iterable[str], name: str = "rules") -> list[Rule]:
         """The rules of lines of text; `name` is that of their file in messages."""
-        written: list[Rule] = []
+        # By what is there once only.
+        written: dict[tuple, Rule] = {}
         of_presets: dict[tuple, Rule] = {}
         problems = []
         for number, line in enumerate(lines, 1):
             try:
                 for rule in self._parse_line(_Line(line), number):
                     if rule.preset is None:
-                        _refuse_repeated(rule, written)
-                        written.append(rule)
+                        key = (rule.criterion, rule.scope, rule.limits())
+                        if (other := written.setdefault(key, rule)) is not rule:
+                            where = f"that of line {other.line}"
+                            raise _Wrong(f"expected another rule than {where}, found {rule} again")
                     else:
                         of_presets[rule.criterion, rule.scope] = rule
             except _Wrong as wrong:
                 problems.append(f"{name}:{number}: {_readable(str(wrong))}")
         if problems:
             raise RulesError(problems)
-        for rule in written:
+        for rule in written.values():
             of_presets.pop((rule.criterion, rule.scope), None)
-        rules = [rule for rule in (*of_presets.values(), *written) if rule.range_text()]
+        rules = [rule for rule in (*of_presets.values(), *written.values()) if rule.range_text()]
         if not rules:
             raise RulesError([f"{name}: expected at least one criterion with a range, found none"])
         return rules
@@ -401,17 +404,6 @@ def _parse_null(line: _Line) -> bool:
     if line.peek()[1] not in words:
         raise line.wrong("fails or passes after null", words)
     return words[line.take("a word")]
-
-
-def _refuse_repeated(rule: Rule, earlier: Iterable[Rule]) -> None:
-    for other in earlier:
-        if (rule.criterion, rule.scope, rule.limits()) == (
-            other.criterion,
-            other.scope,
-            other.limits(),
-        ):
-            where = f"that of line {other.line}"
-            raise _Wrong(f"expected another rule than {where}, found {rule} again")
 
 
 def tolerance(words: str) -> Tolerance:

@@ -3,11 +3,12 @@
 """camaron.check: verdicts and counts against numbers that are known otherwise."""
 
 import math
+from unittest import mock
 
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import check, inspect
+from camaron import check, inspect, tables
 from paraview import simple
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
@@ -254,6 +255,38 @@ class TestCheck(camaron_testing.TestCase):
         areas = [c["failing"] for c in checks if c["criterion"] == "SurfaceArea"]
         self.assertEqual(areas, [(types != HEXAHEDRON).sum(), (types == TETRA).sum(), 0])
         self.assertIn("CornerScaledJacobian", {c["criterion"] for c in checks})
+
+    def test_work_for_many_rules(self):
+        """One filter counts all rules; each further range costs one update, the lists are shared."""
+        path, types, _ = self.cubes()
+        lines = [
+            f"SurfaceArea > {limit / 10} {of}"
+            for limit in range(50)
+            for of in ("", "of tetrahedra", "of wedges", "of type Hexahedron")
+        ]
+        create, fetch = simple.QualityStatistics, tables.fetch
+        filters, fetched = [], []
+
+        def count_filters(**properties):
+            filters.append(create(**properties))
+            return filters[-1]
+
+        def count_fetches(source, port=0):
+            if source in filters:
+                fetched.append(port)
+            return fetch(source, port)
+
+        with mock.patch.object(simple, "QualityStatistics", count_filters):
+            with mock.patch.object(tables, "fetch", count_fetches):
+                checks = check(path, lines)["checks"]
+        self.assertEqual(len(filters), 1)
+        # Shapes, types and all cells are three ways to group; only tetrahedra and wedges, and so
+        # two of them, have cells that fail.
+        self.assertEqual((fetched.count(0), fetched.count(2)), (3 * 50, 2))
+        self.assertEqual(len(checks), len(lines))
+        for entry, limit in zip(checks[1::4], range(50)):
+            corners = types == TETRA
+            self.expect(entry, corners & (AREAS[TETRA] <= limit / 10), corners)
 
     def test_nothing_to_check(self):
         """One rule without cells passes with the others; none with cells at all is an error."""
