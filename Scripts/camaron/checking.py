@@ -121,6 +121,8 @@ def read_rules(
         raise ValueError("either rules or a preset is needed")
     tolerance = language.NONE if tolerate is None else language.tolerance(str(tolerate))
     if rules is not None and not isinstance(rules, (str, os.PathLike)):
+        if not isinstance(rules, Iterable):
+            raise ValueError(f"rules are the name of a file or a list of lines, not {rules!r}")
         rules = list(rules)
         if rules and all(isinstance(rule, Rule) for rule in rules):
             return rules

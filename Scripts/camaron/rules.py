@@ -240,6 +240,8 @@ class Parser:
         problems = []
         for number, line in enumerate(lines, 1):
             try:
+                if not isinstance(line, str):
+                    raise _Wrong(f"expected a line of text, found {line!r}")
                 for rule in self._parse_line(_Line(line), number):
                     if rule.preset is None:
                         key = (rule.criterion, rule.scope, rule.limits())

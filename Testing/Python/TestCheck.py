@@ -303,6 +303,12 @@ class TestCheck(camaron_testing.TestCase):
         """Wrong rules come before the mesh is read; arrays and blocks are looked for in it."""
         with self.assertRaisesRegex(ValueError, "rules:1: .*\nrules:2: "):
             check("no.visf", ["Volume", "Area"])
+        with self.assertRaisesRegex(
+            ValueError, "^rules:1: expected a line of text, found 5\nrules:3: .*found None$"
+        ):
+            check("no.visf", [5, "Volume > 0", None])
+        with self.assertRaisesRegex(ValueError, "name of a file or a list of lines, not 5"):
+            check("no.visf", 5)
         with self.assertRaisesRegex(ValueError, "preset finite: did you mean Finite volume"):
             check("no.visf", preset="finite")
         with self.assertRaisesRegex(ValueError, "either rules or a preset"):
