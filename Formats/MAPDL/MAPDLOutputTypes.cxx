@@ -37,7 +37,15 @@ bool IsReadBack(const MAPDLType& type, unsigned char cellType)
 
 //------------------------------------------------------------------------------
 MAPDLNumbers::MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name, std::int32_t missing)
+  : MAPDLNumbers(attributes, name, missing, missing)
+{
+}
+
+//------------------------------------------------------------------------------
+MAPDLNumbers::MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name,
+  std::int32_t missing, std::int32_t reserved)
   : Missing(missing)
+  , Reserved(reserved)
 {
   vtkDataArray* const array = attributes->GetArray(name);
   if (array && array->GetNumberOfComponents() == 1 && array->GetDataType() != VTK_FLOAT &&

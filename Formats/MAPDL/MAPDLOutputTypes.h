@@ -28,7 +28,17 @@ public:
    * do not fit a column of ten characters.
    */
   MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name, std::int32_t missing);
+  /// The same, with a number besides that stands for something else, and becomes @a missing.
+  MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name, std::int32_t missing,
+    std::int32_t reserved);
   bool HasArray() const { return this->Array != nullptr; }
+  /// Whether a number of the array stays what it is.
+  bool IsKept(vtkIdType i) const
+  {
+    return this->Values ? (*this)[i] == this->Values[i]
+      : this->Array     ? (*this)[i] == this->Array->GetComponent(i, 0)
+                        : true;
+  }
   std::int32_t operator[](vtkIdType i) const
   {
     return this->Values ? this->Limit(this->Values[i])
@@ -41,12 +51,15 @@ private:
   std::int32_t Limit(Number value) const
   {
     constexpr Number Least = -999999999, Greatest = 2147483647;
-    return value >= Least && value <= Greatest ? static_cast<std::int32_t>(value) : this->Missing;
+    const bool fits = value >= Least && value <= Greatest;
+    const std::int32_t number = fits ? static_cast<std::int32_t>(value) : this->Missing;
+    return number == this->Reserved ? this->Missing : number;
   }
 
   vtkDataArray* Array = nullptr;
   const int* Values = nullptr; ///< if the array is of this type
   std::int32_t Missing;
+  std::int32_t Reserved;
 };
 
 class MAPDLOutputTypes

@@ -29,6 +29,7 @@ constexpr int ElementWidth = 10; // of a column of EBLOCK and CMBLOCK
 constexpr int FieldsPerLine = 19;
 constexpr int HeaderFields = 11;
 constexpr int ValuesPerLine = 8; // of CMBLOCK
+constexpr std::int32_t EndMark = -1; // of EBLOCK, where a row has its material
 
 //------------------------------------------------------------------------------
 /// Ids of nodes or elements.
@@ -55,7 +56,7 @@ public:
       ids[i] = numbers[getInput(i)];
       greatest = std::max<std::int64_t>(greatest, ids[i]);
       zeros += ids[i] == 0;
-      good = good && ids[i] >= 0;
+      good = good && ids[i] >= 0 && numbers.IsKept(getInput(i));
     }
     good = good && greatest > 0 && greatest + zeros <= MaxId;
     for (vtkIdType i = 0; good && zeros > 0 && i < size; ++i)
@@ -187,7 +188,7 @@ public:
         output.GetNumberOfPoints(), [&output](vtkIdType i) { return output.GetInputPoint(i); })
     , Elements(MAPDLNumbers(mesh->GetCellData(), options.OriginalIds ? "ElementId" : "", 0),
         output.GetNumberOfCells(), [&output](vtkIdType i) { return output.GetInputCell(i); })
-    , Material(mesh->GetCellData(), "Material", 1)
+    , Material(mesh->GetCellData(), "Material", 1, EndMark)
     , Real(mesh->GetCellData(), "Real", 1)
     , Section(mesh->GetCellData(), "Section", 1)
   {
@@ -212,12 +213,32 @@ private:
 //------------------------------------------------------------------------------
 void DeckWriter::Warn(vtkDataSet* mesh, std::vector<std::string> written, Warnings& warnings) const
 {
-  written.insert(written.end(), { "NodeId", "ElementId" });
-  const auto add = [&written](const MAPDLNumbers& numbers, const char* name)
+  const auto addIds = [&](vtkDataSetAttributes* attributes, const char* name)
   {
-    if (numbers.HasArray())
+    if (!this->Options.OriginalIds || MAPDLNumbers(attributes, name, 0).HasArray())
     {
       written.push_back(name);
+    }
+  };
+  addIds(mesh->GetPointData(), "NodeId");
+  addIds(mesh->GetCellData(), "ElementId");
+  const auto add = [&](const MAPDLNumbers& numbers, const char* name)
+  {
+    if (!numbers.HasArray())
+    {
+      return;
+    }
+    written.push_back(name);
+    vtkIdType replaced = 0;
+    for (vtkIdType cell = 0; cell < this->Output.GetNumberOfCells(); ++cell)
+    {
+      replaced += !numbers.IsKept(this->Output.GetInputCell(cell));
+    }
+    if (replaced > 0)
+    {
+      warnings.Add(std::to_string(replaced) + (replaced == 1 ? " value of " : " values of ") +
+        name + " cannot be in a deck (" + (name == std::string("Material") ? "-1 or " : "") +
+        "beyond -999999999 to 2147483647), and 1 is written instead");
     }
   };
   add(this->Material, "Material");

@@ -9,6 +9,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIntArray.h"
+#include "vtkLongLongArray.h"
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 
@@ -219,15 +220,17 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "All", { 0, 1 });
   AddArray<vtkUnsignedCharArray>(grid->GetCellData(), "_Good.1", { 0, 1 });
   const Written written = WriteAll(grid);
-  ASSERT_EQ(written.Warnings.size(), 4u);
+  ASSERT_EQ(written.Warnings.size(), 5u);
   EXPECT_NE(written.Warnings[0].find(": a,b!$ to A_B__, 1 x\"\xc3\xa9 to C_1_X___, All to C_ALL, "
                                      "_Good.1 to _GOOD.1\n"),
     std::string::npos)
     << written.Warnings[0];
-  EXPECT_NE(written.Warnings[1].find("Many, TypeId, ElementType, Material"), std::string::npos)
+  EXPECT_NE(written.Warnings[1].find("1 value of Real cannot be in a deck"), std::string::npos)
     << written.Warnings[1];
-  EXPECT_NE(written.Warnings[2].find("NodeId"), std::string::npos);
-  EXPECT_NE(written.Warnings[3].find("ElementId"), std::string::npos);
+  EXPECT_NE(written.Warnings[2].find("Many, TypeId, ElementType, Material"), std::string::npos)
+    << written.Warnings[2];
+  EXPECT_NE(written.Warnings[3].find("NodeId"), std::string::npos);
+  EXPECT_NE(written.Warnings[4].find("ElementId"), std::string::npos);
   const Result result = ReadDeck(written.Bytes);
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   EXPECT_EQ(result.Grid->GetCellType(0), VTK_TETRA);
@@ -242,6 +245,47 @@ TEST(MAPDLWriter, ArraysThatDoNotFit)
   EXPECT_EQ(GetValue(result.Grid, "C_1_X___", 1), 1);
   EXPECT_EQ(GetValue(result.Grid, "C_ALL", 1), 1);
   EXPECT_EQ(GetValue(result.Grid, "_GOOD.1", 1), 1);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a material that is the mark of the end takes the cells after it along, or numbers
+// and ids become others without a word.
+TEST(MAPDLWriter, NumbersThatDecksCannotHave)
+{
+  Grid grid = MakeGrid(Corners,
+    { { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_QUAD, { 4, 5, 6, 7 } },
+      { VTK_TRIANGLE, { 0, 1, 2 } } });
+  AddArray<vtkIntArray>(grid->GetCellData(), "Material", { 3, -1, 0, -2 });
+  AddArray<vtkDoubleArray>(grid->GetCellData(), "ElementId", { 5, 6, 7, 8 });
+  Written written = WriteAll(grid);
+  ASSERT_EQ(written.Warnings.size(), 2u);
+  EXPECT_NE(written.Warnings[0].find("1 value of Material cannot be in a deck (-1 or beyond"),
+    std::string::npos)
+    << written.Warnings[0];
+  EXPECT_NE(written.Warnings[1].find("ElementId"), std::string::npos) << written.Warnings[1];
+  const Result result = ReadDeck(written.Bytes);
+  ASSERT_EQ(result.Grid->GetNumberOfCells(), 4);
+  const int expected[] = { 3, 1, 0, -2 };
+  for (int cell = 0; cell < 4; ++cell)
+  {
+    EXPECT_EQ(GetValue(result.Grid, "Material", cell), expected[cell]);
+  }
+  // Numbers of more than 32 bits.
+  for (const char* name : { "Material", "ElementId" })
+  {
+    vtkNew<vtkLongLongArray> large;
+    large->SetName(name);
+    for (const long long value : { 1ll, 2ll, 2147483648ll, 4ll })
+    {
+      large->InsertNextValue(value);
+    }
+    grid->GetCellData()->AddArray(large);
+  }
+  written = WriteAll(grid);
+  ASSERT_EQ(written.Warnings.size(), 2u);
+  EXPECT_NE(written.Warnings[0].find("1 value of Material"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("ElementId are not unique ids"), std::string::npos);
+  EXPECT_EQ(GetValue(ReadDeck(written.Bytes).Grid, "ElementId", 2), 3);
 }
 
 //------------------------------------------------------------------------------
