@@ -57,6 +57,29 @@ std::string ToUpperMAPDL(std::string_view text)
 }
 
 //------------------------------------------------------------------------------
+bool IsMAPDLCommand(const Line& line)
+{
+  const char* const begin = SkipBlanks(line.Begin, line.End);
+  const char* text = begin;
+  while (text < line.End && IsNamePart(*text))
+  {
+    ++text;
+  }
+  if (text == begin) // /COM and the like
+  {
+    return text < line.End && (text + 1 == line.End || !IsDigit(text[1]));
+  }
+  double value;
+  if (IsDigit(*begin) || ParseReal(begin, text, value) == text) // nan, inf
+  {
+    return false;
+  }
+  text = SkipBlanks(text, line.End);
+  constexpr std::string_view Ends = ",=($!*%"; // * as in C***
+  return text == line.End || Ends.find(*text) != std::string_view::npos;
+}
+
+//------------------------------------------------------------------------------
 bool MAPDLCommand::Take(const char*& text, const char* end)
 {
   this->Fields.clear();

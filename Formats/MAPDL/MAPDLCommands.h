@@ -22,6 +22,10 @@ std::string_view TrimMAPDL(std::string_view text);
 /// Text in upper case, as the program takes names.
 std::string ToUpperMAPDL(std::string_view text);
 
+/// Whether a line that is not in the columns of a block is a command, and not a damaged row: a name,
+/// and then a comma, a sign or nothing.
+bool IsMAPDLCommand(const Line& line);
+
 /**
  * @class camaron::MAPDLCommand
  * @brief A command: its name and fields, still in the text.

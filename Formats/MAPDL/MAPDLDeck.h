@@ -106,6 +106,7 @@ struct MAPDLDeck
   /// What is odd. Skipped are commands in branches and loops, Ignored others.
   vtkIdType NumberOfUnknownParameters = 0;
   vtkIdType NumberOfFreeBlocks = 0;
+  vtkIdType NumberOfMiscountedBlocks = 0; ///< that have other numbers of rows than they promise
   vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
   MAPDLSkipped Skipped, Ignored;
   ///@}

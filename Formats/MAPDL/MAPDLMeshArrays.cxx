@@ -181,6 +181,8 @@ void MAPDLMesh::Warn(Warnings& warnings) const
     "mid-side nodes are missing; points in the middle of their edges stand for them");
   add(this->Deck.NumberOfFreeBlocks,
     "blocks have no format that makes sense; blanks and commas divide their numbers");
+  add(this->Deck.NumberOfMiscountedBlocks,
+    "blocks have more or fewer rows than they promise; the rows count");
   add(this->Deck.NumberOfUnknownParameters,
     "commands need a parameter whose value is not known; what they define is left out");
   add(this->Deck.NumberOfTurnedNodes,

@@ -59,8 +59,15 @@ private:
   Progress GetRest() const { return this->Report.Part(this->GetProgress(this->Text), 1); }
   /// Takes the format line of a block, if there is one, for at least @a columns integer columns.
   MAPDLRowFormat TakeFormat(int integers, int columns);
-  /// Whether a block has its end, or as many rows as it promises.
-  bool IsComplete(const MAPDLExtent& extent) const;
+  /// Number of rows that a block promises, 0 if it does not.
+  std::int32_t GetPromisedRows() const;
+  /**
+   * Looks at where a block ends; false with a fault if that is neither an end, nor a command, nor
+   * after as many rows as it promises.
+   * @param checkRows reports what is wrong with a row, which may be why there is no end
+   */
+  template <typename CheckRows>
+  bool CheckEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows);
 
   const char* Begin;
   const char* End;

@@ -31,13 +31,35 @@ MAPDLRowFormat MAPDLWalker::TakeFormat(int integers, int columns)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLWalker::IsComplete(const MAPDLExtent& extent) const
+std::int32_t MAPDLWalker::GetPromisedRows() const
 {
   constexpr std::size_t CountField = 4;
   std::int32_t count = 0;
-  return extent.IsEnded ||
-    (this->Parameters.Read(this->Command.GetField(CountField), count) == Value::Number &&
-      extent.NumberOfRows >= count);
+  return this->Parameters.Read(this->Command.GetField(CountField), count) == Value::Number
+    ? std::max(count, 0)
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+template <typename CheckRows>
+bool MAPDLWalker::CheckEnd(
+  const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows)
+{
+  const std::int32_t promised = this->GetPromisedRows();
+  if (promised == 0 || extent.NumberOfRows < promised)
+  {
+    // Without an end mark the line after the rows is where commands go on.
+    const bool isDamaged = extent.IsEnded && extent.Next == extent.End &&
+      !IsMAPDLCommand(Line(extent.End, this->End));
+    if (!extent.IsEnded || isDamaged)
+    {
+      return checkRows() &&
+        this->Fault.Set(SkipBlanks(extent.End, this->End),
+          isDamaged ? ErrorKind::Syntax : ErrorKind::Truncated, expected);
+    }
+  }
+  this->Deck.NumberOfMiscountedBlocks += promised > 0 && extent.NumberOfRows != promised;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -55,9 +77,8 @@ bool MAPDLWalker::ReadNodeBlock()
   {
     return false;
   }
-  if (!this->IsComplete(block.Extent))
+  const auto checkRows = [&]
   {
-    // What is wrong with a row may be why there is no end.
     bool good = true;
     for (std::size_t chunk = 0; chunk < block.Extent.Chunks.size() && good; ++chunk)
     {
@@ -70,8 +91,11 @@ bool MAPDLWalker::ReadNodeBlock()
             block.Format.ReadCoordinates(line, x, this->Fault);
         });
     }
-    return good &&
-      this->Fault.Set(this->End, ErrorKind::Truncated, "more nodes, or the end of their block");
+    return good;
+  };
+  if (!this->CheckEnd(block.Extent, "more nodes, or the end of their block", checkRows))
+  {
+    return false;
   }
   this->Text = block.Extent.Next;
   this->Deck.NodeBlocks.push_back(std::move(block));
@@ -101,7 +125,7 @@ bool MAPDLWalker::ReadElementBlock()
   {
     return false;
   }
-  if (!this->IsComplete(block.Extent))
+  const auto checkRows = [&]
   {
     bool good = true;
     for (std::size_t chunk = 0; chunk < block.Extent.Chunks.size() && good; ++chunk)
@@ -109,8 +133,11 @@ bool MAPDLWalker::ReadElementBlock()
       good = ForEachMAPDLElement(format, block.Extent, chunk, true, this->Fault,
         [](const Line&, vtkIdType, const MAPDLElement&) { return true; });
     }
-    return good &&
-      this->Fault.Set(this->End, ErrorKind::Truncated, "more elements, or the end of their block");
+    return good;
+  };
+  if (!this->CheckEnd(block.Extent, "more elements, or the end of their block", checkRows))
+  {
+    return false;
   }
   this->Text = block.Extent.Next;
   this->Deck.ElementBlocks.push_back(std::move(block));

@@ -150,6 +150,17 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { MakeNodes(1, 3) + "EN,0,1\n", Code::FileFormatError, "the number of an element, at least 1" },
     { elements + MakeRow(1, 1, { 1, 2, 3 }, 4), Code::PrematureEndOfFileError,
       "test.cdb:8: expected more elements, or the end of their block" },
+    // Rows that are damaged where a command would begin.
+    { nodes + "      nan      2.0\n-1\n", Code::FileFormatError,
+      "test.cdb:5: expected more nodes, or the end of their block, found 'nan'" },
+    { nodes + "        x        3      2.0\n-1\n", Code::FileFormatError, "test.cdb:5: expected" },
+    { elements + MakeRow(1, 1, { 1, 2, 3 }, 4) + " nan" + MakeRow(2, 1, { 1, 2, 3 }, 4).substr(4) +
+        "-1\n",
+      Code::FileFormatError,
+      "test.cdb:8: expected more elements, or the end of their block, found 'nan'" },
+    { MakeNodes(1, 3) + "ET,1,185\nEBLOCK,19,SOLID\n(19i4)\n" + "inf" +
+        MakeRow(2, 1, { 1, 2, 3 }, 4).substr(3) + "-1\n",
+      Code::FileFormatError, "test.cdb:7: expected more elements" },
     { elements + MakeRow(0, 1, { 1 }, 4) + "-1\n", Code::FileFormatError,
       "test.cdb:7: expected the number of an element, at least 1, found 0" },
     { elements + "   1   1   1   1   0   0   0   09999   0   1   1\n-1\n", Code::FileFormatError,
@@ -175,6 +186,15 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
   }
   // Blocks without end are complete if they have as many rows as they say.
   EXPECT_TRUE(ReadDeck(nodes + "        3      2.0").Errors.empty());
+  // Commands end blocks; fewer rows than promised are told of.
+  for (const char* end : { "-1\n", "N,R5.3,LOC,-1,\n", "FINISH\n", "/GO\n", "A = 1\n", "C***\n" })
+  {
+    const Result result = ReadDeck(nodes + end);
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    ASSERT_EQ(result.Warnings.size(), 1u) << end;
+    EXPECT_NE(result.Warnings[0].find("1 blocks have more or fewer rows"), std::string::npos);
+    EXPECT_EQ(result.Grid->GetNumberOfPoints(), 2);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -56,11 +56,11 @@ TEST(MAPDLReader, NodesOfEveryFormat)
   ExpectTriangle(MakeTriangle("nblo,3,,3\n(1i9,3e20.9e3)",
     "        1\n        2     1.500000000e+00\n"
     "        3    -1.250000000e-03     2.000000000e+00    1.000000000e-105\n"));
-  // Counts that are wrong, blank lines, comments.
+  // Counts that are wrong, with a warning, blank lines, comments.
   ExpectTriangle(MakeTriangle("NBLOCK,6,SOLID,99,99\n(3i8,6g16.9)",
     "       1       0       0\n\n"
     "       2       0       0             1.5 \n! a comment\n"
-    "       3       0       0        -0.00125               2        1.e-105\n"));
+    "       3       0       0        -0.00125               2        1.e-105\n"), 1);
   // No format, or nonsense: blanks and commas divide.
   ExpectTriangle(MakeTriangle("NBLOCK,6,SOLID", "1 0 0\n2 0 0 1.5\n3 0 0 -1.25e-3 2 1E-105\n"), 1);
   ExpectTriangle(MakeTriangle("NBLOCK,3\n(what)", "1\n2,1.5\n3 -1.25e-3, 2 1E-105\n"), 1);
