@@ -107,6 +107,7 @@ struct MAPDLDeck
   vtkIdType NumberOfUnknownParameters = 0;
   vtkIdType NumberOfFreeBlocks = 0;
   vtkIdType NumberOfMiscountedBlocks = 0; ///< that have other numbers of rows than they promise
+  vtkIdType NumberOfClearedRows = 0; ///< nodes and elements before /CLEAR
   vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
   MAPDLSkipped Skipped, Ignored;
   ///@}

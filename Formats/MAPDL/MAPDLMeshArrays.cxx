@@ -179,6 +179,8 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   add(this->ReplacedElements, "elements are defined again later; the last definition counts");
   add(static_cast<vtkIdType>(this->Midpoints.size()),
     "mid-side nodes are missing; points in the middle of their edges stand for them");
+  add(this->Deck.NumberOfClearedRows,
+    "nodes and elements are left out, as /CLEAR after them begins a new model");
   add(this->Deck.NumberOfFreeBlocks,
     "blocks have no format that makes sense; blanks and commas divide their numbers");
   add(this->Deck.NumberOfMiscountedBlocks,

@@ -10,9 +10,9 @@ namespace
 {
 using Value = MAPDLParameters::Value;
 
-// Commands that define a mesh, or the elements of commands after them.
+// Commands that define or drop a mesh, or define the elements of commands after them.
 constexpr const char* DefiningCommands[] = { "N", "E", "EN", "NBLOCK", "EBLOCK", "CMBLOCK", "ET",
-  "ETBLOCK", "TYPE", "MAT", "REAL", "SECNUM" };
+  "ETBLOCK", "TYPE", "MAT", "REAL", "SECNUM", "/CLEAR" };
 // Commands that create, move or delete nodes and elements by rules of the program.
 constexpr const char* MeshCommands[] = { "/INPUT", "AMESH", "CDREAD", "EDELE", "EGEN", "EINTF",
   "EMODIF", "ENGEN", "ENSYM", "ESURF", "ESYM", "FILL", "LMESH", "NDELE", "NGEN", "NMODIF", "NSCALE",
@@ -103,6 +103,29 @@ bool MAPDLWalker::ExecuteInBranch()
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void MAPDLWalker::Clear()
+{
+  vtkIdType cleared = this->Deck.NumberOfClearedRows;
+  for (const MAPDLNodeBlock& block : this->Deck.NodeBlocks)
+  {
+    cleared += block.GetNumberOfRows();
+  }
+  for (const MAPDLElementBlock& block : this->Deck.ElementBlocks)
+  {
+    cleared += block.GetNumberOfRows();
+  }
+  this->Deck = MAPDLDeck();
+  this->Deck.Attributes.emplace_back();
+  this->Deck.NumberOfClearedRows = cleared;
+  this->Parameters = MAPDLParameters();
+  this->CoordinateSystem = 0;
+  this->Current = MAPDLElement();
+  this->AttributesChanged = false;
+  this->GreatestNode = this->GreatestElement = 0;
+  this->KnownNodeBlocks = this->KnownElementBlocks = 0;
 }
 
 //------------------------------------------------------------------------------
@@ -200,6 +223,10 @@ bool MAPDLWalker::Execute()
   else if (command.Is("/EOF") || command.Is("/EXIT"))
   {
     this->Ended = true;
+  }
+  else if (command.Is("/CLEAR"))
+  {
+    this->Clear();
   }
   else if (const std::string_view parameter = command.GetAssignment(value); !parameter.empty())
   {

@@ -35,6 +35,8 @@ private:
   bool ExecuteInBranch();
   /// Counts the command if it has this name.
   void NoteSkipped(const char* name, MAPDLSkipped& skipped);
+  /// Forgets everything before.
+  void Clear();
   bool ReadNodeBlock();
   bool ReadElementBlock();
   void ReadComponent();

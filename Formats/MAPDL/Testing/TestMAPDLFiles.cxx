@@ -126,6 +126,8 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
       "test.cdb: expected a deck of Mechanical APDL with nodes" },
     { "*HEADING\n*NODE\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError, "expected a deck" },
     { "/PREP7\nK,1,0,0,0\nFINISH\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found none" },
+    { "N,1\nN,2,1\n/CLEAR\n", Code::UnrecognizedFileTypeError,
+      "with nodes (NBLOCK or N) after the last /CLEAR, found none" },
     { nodes, Code::PrematureEndOfFileError,
       "test.cdb:5: expected more nodes, or the end of their block, found the end of the file" },
     { nodes + "     ?   3      2.0\n", Code::FileFormatError,

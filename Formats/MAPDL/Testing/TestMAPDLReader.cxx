@@ -476,6 +476,30 @@ TEST(MAPDLReader, SkipsWhatIsNoMesh)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, several models of a deck become one, with the types of the last.
+TEST(MAPDLReader, ClearBeginsANewModel)
+{
+  const std::string first = "/CLEAR\n/PREP7\nET,1,180\nTYPE,1\nMAT,7\nX=3\nCSYS,1\nREAL,5\nN,1\n"
+                            "N,9,1\nEN,6,1,9\nCMBLOCK,A,NODE,1\n(8i10)\n         1\nNGEN,2,4,1\n";
+  const std::string second = "/PREP7\nN,1,5\nN,,6\nN,3,6,1\nN,4,X\nET,,181\nE,1,2,3\n";
+  const Result result = ReadDeck(first + "FINISH\n/clear,NOSTART\n" + second);
+  ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+  ASSERT_EQ(result.Warnings.size(), 2u);
+  EXPECT_NE(result.Warnings[0].find("3 nodes and elements are left out, as /CLEAR"),
+    std::string::npos)
+    << result.Warnings[0];
+  EXPECT_NE(result.Warnings[1].find("1 commands need a parameter"), std::string::npos);
+  EXPECT_EQ(result.Grid->GetPointData()->GetNumberOfArrays(), 1);
+  ASSERT_EQ(result.Grid->GetNumberOfCells(), 1);
+  EXPECT_EQ(GetNodes(result.Grid, 0), (Nodes{ 1, 2, 3 }));
+  EXPECT_EQ(GetValue(result.Grid, "ElementId", 0), 1);
+  EXPECT_EQ(GetValue(result.Grid, "ElementType", 0), 181);
+  EXPECT_EQ(GetValue(result.Grid, "Material", 0), 1);
+  EXPECT_EQ(GetValue(result.Grid, "Real", 0), 1);
+  EXPECT_TRUE(ReadDeck("/CLEAR\n" + MakeNodes(1, 3)).Warnings.empty());
+}
+
+//------------------------------------------------------------------------------
 // If this fails, the mesh has what a branch or loop would have changed as it was before.
 TEST(MAPDLReader, BranchesChangeNothingUnsaid)
 {
@@ -499,7 +523,7 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
   EXPECT_NE(inBranch("NBLOCK,6,SOLID\n" + block).find("(*IF, *DO, *CREATE), which are skipped: N,"),
     std::string::npos);
   for (const char* command : { "EBLOCK", "CMBLOCK", "ET", "ETBLOCK", "TYPE", "MAT", "REAL",
-         "SECNUM", "NGEN", "/INPUT", "NUMMRG" })
+         "SECNUM", "/CLEAR", "NGEN", "/INPUT", "NUMMRG" })
   {
     const std::string warning = inBranch(std::string(command) + ",2,2\n");
     EXPECT_NE(warning.find("which are skipped: " + std::string(command)), std::string::npos)
