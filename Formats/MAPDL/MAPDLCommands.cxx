@@ -120,6 +120,15 @@ bool MAPDLCommand::Is(std::string_view name) const
 {
   constexpr std::size_t Significant = 4; // characters of a command, after / or * as well
   const std::string_view word = this->GetField(0);
+  // Commands of their own in the postprocessor.
+  for (const std::string_view other : { "REALVAR", "FILLDATA" })
+  {
+    if (word.size() > name.size() && name.size() >= Significant && StartsWith(other, name) &&
+      StartsWith(word, other.substr(0, word.size())))
+    {
+      return false;
+    }
+  }
   const std::size_t length = name[0] == '/' || name[0] == '*' ? Significant + 1 : Significant;
   return word.size() <= length
     ? StartsWith(word, name.substr(0, length)) && word.size() <= name.size()

@@ -40,7 +40,8 @@ public:
    */
   bool Take(const char*& text, const char* end);
 
-  /// Whether this is the command of a name in upper case, of which four letters are enough.
+  /// Whether this is the command of a name in upper case, of which four letters are enough, unless
+  /// more make it another one.
   bool Is(std::string_view name) const;
   /// Field by number, the name being field 0; empty if there is none.
   std::string_view GetField(std::size_t i) const

@@ -17,6 +17,8 @@ constexpr const char* DefiningCommands[] = { "N", "E", "EN", "NBLOCK", "EBLOCK",
 constexpr const char* MeshCommands[] = { "/INPUT", "AMESH", "CDREAD", "EDELE", "EGEN", "EINTF",
   "EMODIF", "ENGEN", "ENSYM", "ESURF", "ESYM", "FILL", "LMESH", "NDELE", "NGEN", "NMODIF", "NSCALE",
   "NSYM", "NUMMRG", "NUMCMP", "SWGEN", "TRANSFER", "VMESH", "VSWEEP" };
+// Commands that define a coordinate system and make it the one of nodes after them.
+constexpr const char* SystemCommands[] = { "LOCAL", "CLOCAL", "CS", "CSKP", "CSWPLA" };
 }
 
 //------------------------------------------------------------------------------
@@ -84,11 +86,8 @@ bool MAPDLWalker::ExecuteInBranch()
   {
     this->Parameters.Set(parameter, {});
   }
-  else if (command.Is("CSYS"))
+  else if (const std::int32_t system = this->GetNewSystem(); system != NoSystem)
   {
-    std::int32_t system = 0;
-    this->ReadField(1, system);
-    constexpr std::int32_t UnknownSystem = -1;
     this->CoordinateSystem = system == this->CoordinateSystem ? system : UnknownSystem;
   }
   else
@@ -103,6 +102,28 @@ bool MAPDLWalker::ExecuteInBranch()
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// The number of the coordinate system that a command makes active, NoSystem if it makes none.
+std::int32_t MAPDLWalker::GetNewSystem()
+{
+  std::int32_t system = 0;
+  if (this->Command.Is("CSYS"))
+  {
+    return this->ReadField(1, system) == Value::Unknown ? UnknownSystem : system;
+  }
+  for (const char* name : SystemCommands)
+  {
+    if (this->Command.Is(name))
+    {
+      // Files of the program have other words there.
+      return this->Parameters.Read(this->Command.GetField(1), system) == Value::Number
+        ? system
+        : UnknownSystem;
+    }
+  }
+  return NoSystem;
 }
 
 //------------------------------------------------------------------------------
@@ -238,12 +259,8 @@ bool MAPDLWalker::Execute()
     {
       this->NoteSkipped(mesh, this->Deck.Ignored);
     }
-    if (command.Is("CSYS"))
-    {
-      std::int32_t system = 0;
-      this->ReadField(1, system);
-      this->CoordinateSystem = system;
-    }
+    const std::int32_t system = this->GetNewSystem();
+    this->CoordinateSystem = system == NoSystem ? this->CoordinateSystem : system;
   }
   return true;
 }

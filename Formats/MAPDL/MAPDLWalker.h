@@ -33,6 +33,8 @@ public:
 private:
   bool Execute();
   bool ExecuteInBranch();
+  static constexpr std::int32_t NoSystem = -2, UnknownSystem = -1;
+  std::int32_t GetNewSystem();
   /// Counts the command if it has this name.
   void NoteSkipped(const char* name, MAPDLSkipped& skipped);
   /// Forgets everything before.

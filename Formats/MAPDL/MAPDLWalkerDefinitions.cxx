@@ -140,7 +140,8 @@ bool MAPDLWalker::DefineNode()
     case Value::Unknown:
       return true;
     case Value::Absent:
-      return this->AddNode(this->GetNextNode(), 2);
+      id = this->GetNextNode();
+      [[fallthrough]];
     default:
       this->Deck.NumberOfTurnedNodes += this->CoordinateSystem != 0;
       return this->AddNode(id, 2);

@@ -379,6 +379,18 @@ TEST(MAPDLReader, Types)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, commands that begin like others are taken for these.
+TEST(MAPDLReader, NamesOfOtherCommands)
+{
+  const Result result = ReadDeck(MakeNodes(1, 3) +
+    "ET,1,181\nREAL,3\nrealvar,11,10\nREALV,9\nFILLDATA,2\nE,1,2,3\nREALS,4\nE,1,3,2\nFILL,1,2\n");
+  EXPECT_EQ(GetValue(result.Grid, "Real", 0), 3);
+  EXPECT_EQ(GetValue(result.Grid, "Real", 1), 4);
+  ASSERT_EQ(result.Warnings.size(), 1u);
+  EXPECT_NE(result.Warnings[0].find("1 commands that change the mesh"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, options leave out too much or too little.
 TEST(MAPDLReader, OptionsForElements)
 {
@@ -540,6 +552,18 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
   // Nor is the coordinate system.
   EXPECT_NE(
     inBranch("CSYS,1\n*ENDIF\nN,4,1,1,1\n*IF,B,EQ,1").find("coordinate system"), std::string::npos);
+  for (const char* local : { "CSYS,5", "LOCAL,11,1", "local,11", "CLOCAL,12", "CS,13,0,1,2,3",
+         "CSKP,13,0,1,2,3", "CSWPLA,14" })
+  {
+    EXPECT_NE(read(local + std::string("\nN,4,1,1,1\n")).find("1 nodes are given in a coordinate"),
+      std::string::npos)
+      << local;
+    EXPECT_NE(inBranch(local + std::string("\n*ENDIF\nN,4,1,1,1\n*IF,B,EQ,1")).find("coordinate system"),
+      std::string::npos)
+      << local;
+    EXPECT_EQ(read(local + std::string("\nCSYS,0\nN,4,1,1,1\n")).find("coordinate"),
+      std::string::npos);
+  }
   // The command before is done again, with other numbers.
   EXPECT_NE(read("N,4,1,1,1\n*REPEAT,5,1,1\n").find("not executed: *REPEAT"), std::string::npos);
   // What is no part of the mesh is not told of.
