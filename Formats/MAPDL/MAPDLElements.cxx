@@ -255,7 +255,8 @@ void MakeMAPDLCell(
 {
   cell.Type = VTK_EMPTY_CELL;
   cell.Size = 0;
-  if (count == 0 || elementClass == MAPDLClass::Unknown)
+  const bool isVertex = count == 1 && nodes[0] != 0;
+  if (count == 0 || (elementClass == MAPDLClass::Unknown && !isVertex))
   {
     return;
   }

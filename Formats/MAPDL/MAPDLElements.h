@@ -18,7 +18,7 @@ namespace camaron
 enum class MAPDLClass : unsigned char
 {
   Undefined,   ///< nothing is known of the type: the number of nodes decides
-  Unknown,     ///< an element that is no cell
+  Unknown,     ///< an element that is no cell, unless it has one node
   Point,       ///< one node
   Line,        ///< two nodes; further ones give a direction
   CurvedLine,  ///< two nodes and one between them

@@ -234,7 +234,7 @@ void MAPDLMesh::ForEachCell(
       {
         MakeMAPDLCell(
           elementClass, element.Nodes, element.NumberOfNodes, this->Options.Linear, cell);
-        if (elementClass == MAPDLClass::Unknown)
+        if (elementClass == MAPDLClass::Unknown && cell.Type == VTK_EMPTY_CELL)
         {
           ++outcome.Unknown[number];
           if (this->Options.UnknownAsPoints)

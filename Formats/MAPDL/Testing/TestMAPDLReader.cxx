@@ -209,6 +209,8 @@ TEST(MAPDLReader, CellsOfEveryKind)
     { "189", { 1, 2, 3, 4 }, VTK_QUADRATIC_EDGE, { 1, 2, 3 } },
     { "189", { 1, 2, 0, 4 }, VTK_LINE, { 1, 2 } },
     { "MASS21", { 3 }, VTK_VERTEX, { 3 } },
+    { "MASS166", { 3 }, VTK_VERTEX, { 3 } },
+    { "500", { 3 }, VTK_VERTEX, { 3 } },
     { "200,3", { 1, 2, 3 }, VTK_QUADRATIC_EDGE, { 1, 2, 3 } },
     { "200,4", { 1, 2, 3 }, VTK_TRIANGLE, { 1, 2, 3 } },
     { "200\nKEYOPT,1,1,9", { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 }, VTK_QUADRATIC_TETRA,
