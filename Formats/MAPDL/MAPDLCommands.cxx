@@ -32,6 +32,68 @@ bool IsNamePart(char c)
 {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
+
+//------------------------------------------------------------------------------
+// Passes operands and what joins them up to a closing parenthesis or the end; nullptr if they make
+// no sense. Commas between the arguments of functions divide fields, so parentheses may be open.
+const char* PassExpression(const char* text, const char* end, int depth)
+{
+  constexpr int MaxDepth = 20;
+  constexpr std::string_view Operators = "+-*/<>";
+  while (depth < MaxDepth)
+  {
+    text = SkipBlanks(text, end);
+    while (text < end && (*text == '-' || *text == '+'))
+    {
+      text = SkipBlanks(text + 1, end);
+    }
+    const char* const operand = text;
+    if (text < end && !IsDigit(*text))
+    {
+      while (text < end && IsNamePart(*text)) // a parameter or function
+      {
+        ++text;
+      }
+      text = text > operand ? SkipBlanks(text, end) : text;
+    }
+    if (text < end && *text == '(')
+    {
+      text = PassExpression(text + 1, end, depth + 1);
+      if (!text || text == end)
+      {
+        return text;
+      }
+      ++text;
+    }
+    else if (text == operand)
+    {
+      double value;
+      text = text < end ? ParseReal(operand, end, value) : nullptr;
+      if (!text || text == operand)
+      {
+        return nullptr;
+      }
+    }
+    text = SkipBlanks(text, end);
+    if (text == end || (*text == ')' && depth > 0))
+    {
+      return text;
+    }
+    if (Operators.find(*text) == std::string_view::npos)
+    {
+      return nullptr;
+    }
+    text += *text == '*' && text + 1 < end && text[1] == '*' ? 2 : 1;
+  }
+  return nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsMAPDLExpression(std::string_view field)
+{
+  const char* const end = field.data() + field.size();
+  return PassExpression(field.data(), end, 0) == end;
 }
 
 //------------------------------------------------------------------------------

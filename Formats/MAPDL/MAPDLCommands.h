@@ -22,9 +22,12 @@ std::string_view TrimMAPDL(std::string_view text);
 /// Text in upper case, as the program takes names.
 std::string ToUpperMAPDL(std::string_view text);
 
-/// Whether a line that is not in the columns of a block is a command, and not a damaged row: a name,
-/// and then a comma, a sign or nothing.
+/// Whether a line that is not in the columns of a block is a command, and not a damaged row: a
+/// name, and then a comma, a sign or nothing.
 bool IsMAPDLCommand(const Line& line);
+
+/// Whether a field may be an expression of numbers, parameters and functions, such as -A or (8/12).
+bool IsMAPDLExpression(std::string_view field);
 
 /**
  * @class camaron::MAPDLCommand

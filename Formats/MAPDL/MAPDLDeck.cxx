@@ -30,6 +30,32 @@ MAPDLElement MAPDLDeck::GetElement(vtkIdType i) const
 }
 
 //------------------------------------------------------------------------------
+std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
+{
+  if (this->SkippedNodes.count(node) > 0)
+  {
+    return ", which is left out as N needs a parameter whose value is not known";
+  }
+  constexpr const char* NodeCommands[] = { "N", "NBLOCK", "FILL", "NGEN", "NSYM", "NSCALE",
+    "TRANSFER", "AMESH", "LMESH", "VMESH", "VSWEEP", "ESURF", "SWGEN", "CDREAD", "/INPUT",
+    "*REPEAT" };
+  std::string names;
+  for (const char* name : NodeCommands)
+  {
+    if (this->Ignored.Names.count(name) + this->Skipped.Names.count(name) > 0)
+    {
+      names += (names.empty() ? "" : ", ") + std::string(name);
+    }
+  }
+  if (this->NumberOfUnknownParameters > static_cast<vtkIdType>(this->SkippedNodes.size()))
+  {
+    names += (names.empty() ? "" : ", ") + std::string("those with parameters of unknown value");
+  }
+  return node == 0 || names.empty() ? ""
+                                    : ", which commands may define that are not executed: " + names;
+}
+
+//------------------------------------------------------------------------------
 bool LooksLikeMAPDL(const char* begin, const char* end)
 {
   constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
@@ -69,7 +95,7 @@ bool LooksLikeMAPDL(const char* begin, const char* end)
     {
       return true;
     }
-    if (command.Is("N") && command.GetNumberOfFields() > 2)
+    if (command.Is("N") && (command.GetNumberOfFields() > 2 || hasHint))
     {
       const bool hasId = parameters.Read(command.GetField(1), number) == Value::Number;
       const std::string kind = ToUpperMAPDL(command.GetField(2));

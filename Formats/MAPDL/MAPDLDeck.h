@@ -107,9 +107,13 @@ struct MAPDLDeck
   vtkIdType NumberOfUnknownParameters = 0;
   vtkIdType NumberOfFreeBlocks = 0;
   vtkIdType NumberOfMiscountedBlocks = 0; ///< that have other numbers of rows than they promise
-  vtkIdType NumberOfClearedRows = 0; ///< nodes and elements before /CLEAR
+  vtkIdType NumberOfClearedRows = 0;      ///< nodes and elements before /CLEAR
   vtkIdType NumberOfTurnedNodes = 0; ///< given in a coordinate system other than the global one
   MAPDLSkipped Skipped, Ignored;
+  std::set<std::int32_t> SkippedNodes; ///< whose coordinates are not known
+  /// Why a node that an element has may not be there, as the end of a sentence; empty if nothing
+  /// that the reader leaves out defines it.
+  std::string GetReasonForMissing(std::int32_t node) const;
   ///@}
 };
 

@@ -263,7 +263,9 @@ void MAPDLMesh::ForEachCell(
           if (cell.Nodes[i] != 0 || i < edges.NumberOfCorners || edges.NumberOfEdges == 0)
           {
             return outcome.Fault.Set(place, ErrorKind::Index,
-              "an element of nodes that are defined", "node " + std::to_string(cell.Nodes[i]));
+              "an element of nodes that are defined",
+              "node " + std::to_string(cell.Nodes[i]) +
+                this->Deck.GetReasonForMissing(cell.Nodes[i]));
           }
           const unsigned char* const edge = edges.Edges[i - edges.NumberOfCorners];
           const MissingNode node = { row, i, { points[edge[0]], points[edge[1]] } };

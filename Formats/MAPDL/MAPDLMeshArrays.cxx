@@ -186,7 +186,8 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   add(this->Deck.NumberOfMiscountedBlocks,
     "blocks have more or fewer rows than they promise; the rows count");
   add(this->Deck.NumberOfUnknownParameters,
-    "commands need a parameter whose value is not known; what they define is left out");
+    "commands need a parameter or an expression whose value is not known; what they define is left "
+    "out");
   add(this->Deck.NumberOfTurnedNodes,
     "nodes are given in a coordinate system other than the global one, which is not regarded");
   const auto addSkipped = [&add](const MAPDLSkipped& skipped, const char* what)

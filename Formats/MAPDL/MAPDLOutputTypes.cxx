@@ -42,8 +42,8 @@ MAPDLNumbers::MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name, s
 }
 
 //------------------------------------------------------------------------------
-MAPDLNumbers::MAPDLNumbers(vtkDataSetAttributes* attributes, const char* name,
-  std::int32_t missing, std::int32_t reserved)
+MAPDLNumbers::MAPDLNumbers(
+  vtkDataSetAttributes* attributes, const char* name, std::int32_t missing, std::int32_t reserved)
   : Missing(missing)
   , Reserved(reserved)
 {

@@ -105,8 +105,7 @@ bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progr
   if (deck.NodeBlocks.empty())
   {
     error = { ErrorKind::NotThisFormat,
-      this->File.GetName() +
-        ": expected a deck of Mechanical APDL with nodes (NBLOCK or N)" +
+      this->File.GetName() + ": expected a deck of Mechanical APDL with nodes (NBLOCK or N)" +
         (deck.NumberOfClearedRows > 0 ? " after the last /CLEAR" : "") + ", found none" };
     return false;
   }

@@ -42,15 +42,14 @@ std::int32_t MAPDLWalker::GetPromisedRows() const
 
 //------------------------------------------------------------------------------
 template <typename CheckRows>
-bool MAPDLWalker::CheckEnd(
-  const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows)
+bool MAPDLWalker::CheckEnd(const MAPDLExtent& extent, const char* expected, CheckRows&& checkRows)
 {
   const std::int32_t promised = this->GetPromisedRows();
   if (promised == 0 || extent.NumberOfRows < promised)
   {
     // Without an end mark the line after the rows is where commands go on.
-    const bool isDamaged = extent.IsEnded && extent.Next == extent.End &&
-      !IsMAPDLCommand(Line(extent.End, this->End));
+    const bool isDamaged =
+      extent.IsEnded && extent.Next == extent.End && !IsMAPDLCommand(Line(extent.End, this->End));
     if (!extent.IsEnded || isDamaged)
     {
       return checkRows() &&

@@ -164,10 +164,10 @@ bool MAPDLWalker::AddNode(std::int32_t id, std::size_t firstCoordinate)
     const std::string_view field = this->Command.GetField(firstCoordinate + c);
     if (this->Parameters.Read(field, node.X[c]) == Value::Unknown)
     {
-      // A parameter may be known to the program; anything else is damage.
+      // Parameters and expressions may have values in the program; anything else is damage.
       const bool isName =
         ClassifyMAPDLLine(Line(field.data(), field.data() + field.size())) == MAPDLLine::Command;
-      if (!isName)
+      if (!isName && !IsMAPDLExpression(field))
       {
         return this->Fault.Set(field.data(), ErrorKind::Syntax, "a coordinate of a node");
       }
@@ -175,6 +175,7 @@ bool MAPDLWalker::AddNode(std::int32_t id, std::size_t firstCoordinate)
       if (ParseReal(field.data(), end, node.X[c]) != end) // nan, inf
       {
         ++this->Deck.NumberOfUnknownParameters;
+        this->Deck.SkippedNodes.insert(id);
         return true;
       }
     }
@@ -300,7 +301,7 @@ bool MAPDLWalker::AddElementNodes(std::size_t firstField)
     const Value kind = this->ReadField(i, node);
     const bool isName = !field.empty() &&
       ClassifyMAPDLLine(Line(field.data(), field.data() + field.size())) == MAPDLLine::Command;
-    if (kind == Value::Unknown && !isName)
+    if (kind == Value::Unknown && !isName && !IsMAPDLExpression(field))
     {
       return this->Fault.Set(field.data(), ErrorKind::Syntax, "a node of an element");
     }

@@ -28,7 +28,7 @@ constexpr std::int32_t MaxId = std::numeric_limits<std::int32_t>::max();
 constexpr int ElementWidth = 10; // of a column of EBLOCK and CMBLOCK
 constexpr int FieldsPerLine = 19;
 constexpr int HeaderFields = 11;
-constexpr int ValuesPerLine = 8; // of CMBLOCK
+constexpr int ValuesPerLine = 8;     // of CMBLOCK
 constexpr std::int32_t EndMark = -1; // of EBLOCK, where a row has its material
 
 //------------------------------------------------------------------------------

@@ -146,6 +146,15 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { "N,-1,0\n", Code::FileFormatError, "test.cdb:1: expected the number of a node" },
     { MakeNodes(1, 3) + "ET,1,181\nE,1,2,4\n", Code::FileFormatError,
       "test.cdb:5: expected an element of nodes that are defined, found node 4" },
+    { "N,1\nN,2,-DIST\nN,3,1\nFILL,1,3\nE,1,2\n", Code::FileFormatError,
+      "found node 2, which is left out as N needs a parameter whose value is not known" },
+    { "N,1\nN,4,1\nFILL\nNUMCMP,ALL\nE,1,2\n", Code::FileFormatError,
+      "found node 2, which commands may define that are not executed: FILL" },
+    { "N,1\nN,A,1\nE,1,2\n", Code::FileFormatError,
+      "are not executed: those with parameters of unknown value" },
+    { "N,1\nN,2,(8/12\nN,3,8/12)\n", Code::FileFormatError,
+      "test.cdb:3: expected a coordinate of a node, found '8/12)'" },
+    { "N,1,1+\n", Code::FileFormatError, "expected a coordinate of a node, found '1+'" },
     { MakeNodes(1, 3) + "ET,1,181\nE,1,,3\n", Code::FileFormatError, "found node 0" },
     { MakeNodes(1, 3) + "ET,1,181\nE,1,2,3x\n", Code::FileFormatError,
       "test.cdb:5: expected a node of an element, found '3x'" },
@@ -232,6 +241,8 @@ TEST(MAPDLFiles, CanReadFile)
   EXPECT_EQ(canRead(MakeBar(2, true, "\r")), 1);
   EXPECT_EQ(canRead("\xef\xbb\xbf/prep7\nnblock,3,,3\n(1i9,3e20.9)\n"), 1);
   EXPECT_EQ(canRead("! by hand\nn,1\nn,2,1\n"), 1);
+  EXPECT_EQ(canRead("/PREP7\nN,1\nN,2\nE,1,2\n"), 1);
+  EXPECT_EQ(canRead("ET,1,40\nN,1\n"), 1);
   EXPECT_EQ(canRead("N,R5.3,LOC,1,0,0,0,0,0\n"), 1);
   EXPECT_EQ(canRead("*IF,A,EQ,1,THEN\n*ELSE\n*ENDIF\nNBLOCK,6,SOLID\n"), 1);
   EXPECT_EQ(canRead(", no name\nNBLOCK,6,SOLID\n"), 1);

@@ -58,9 +58,10 @@ TEST(MAPDLReader, NodesOfEveryFormat)
     "        3    -1.250000000e-03     2.000000000e+00    1.000000000e-105\n"));
   // Counts that are wrong, with a warning, blank lines, comments.
   ExpectTriangle(MakeTriangle("NBLOCK,6,SOLID,99,99\n(3i8,6g16.9)",
-    "       1       0       0\n\n"
-    "       2       0       0             1.5 \n! a comment\n"
-    "       3       0       0        -0.00125               2        1.e-105\n"), 1);
+                   "       1       0       0\n\n"
+                   "       2       0       0             1.5 \n! a comment\n"
+                   "       3       0       0        -0.00125               2        1.e-105\n"),
+    1);
   // No format, or nonsense: blanks and commas divide.
   ExpectTriangle(MakeTriangle("NBLOCK,6,SOLID", "1 0 0\n2 0 0 1.5\n3 0 0 -1.25e-3 2 1E-105\n"), 1);
   ExpectTriangle(MakeTriangle("NBLOCK,3\n(what)", "1\n2,1.5\n3 -1.25e-3, 2 1E-105\n"), 1);
@@ -79,9 +80,21 @@ TEST(MAPDLReader, NodeCommands)
   const Result unknown =
     ReadDeck("N,1\nN,2\nN,3\n*GET,A,NODE,,NUM,MAX\nN,4,A\nET,1,181\nE,1,2,3\nE,1,2,A\n");
   ASSERT_EQ(unknown.Warnings.size(), 1u);
-  EXPECT_NE(unknown.Warnings[0].find("2 commands need a parameter"), std::string::npos);
+  EXPECT_NE(
+    unknown.Warnings[0].find("2 commands need a parameter or an expression"), std::string::npos);
   EXPECT_EQ(unknown.Grid->GetNumberOfPoints(), 3);
   EXPECT_EQ(unknown.Grid->GetNumberOfCells(), 1);
+  // Expressions are not evaluated.
+  for (const char* expression :
+    { "-DIST", "(8/12)", "2*A", "+(1-B)**2", "1.5e3 - SIN(A", "A(1)/2", "-2*(SQRT(2)+A1)" })
+  {
+    const Result result =
+      ReadDeck(std::string("N,1\nN,2\nN,3\nN,4,") + expression + "\nE,1,2,3\nE,1,2," + expression);
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    ASSERT_EQ(result.Warnings.size(), 2u) << expression;
+    EXPECT_EQ(result.Grid->GetNumberOfPoints(), 3);
+    EXPECT_EQ(result.Grid->GetNumberOfCells(), 1);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -499,8 +512,8 @@ TEST(MAPDLReader, ClearBeginsANewModel)
   const Result result = ReadDeck(first + "FINISH\n/clear,NOSTART\n" + second);
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   ASSERT_EQ(result.Warnings.size(), 2u);
-  EXPECT_NE(result.Warnings[0].find("3 nodes and elements are left out, as /CLEAR"),
-    std::string::npos)
+  EXPECT_NE(
+    result.Warnings[0].find("3 nodes and elements are left out, as /CLEAR"), std::string::npos)
     << result.Warnings[0];
   EXPECT_NE(result.Warnings[1].find("1 commands need a parameter"), std::string::npos);
   EXPECT_EQ(result.Grid->GetPointData()->GetNumberOfArrays(), 1);
@@ -560,11 +573,12 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
     EXPECT_NE(read(local + std::string("\nN,4,1,1,1\n")).find("1 nodes are given in a coordinate"),
       std::string::npos)
       << local;
-    EXPECT_NE(inBranch(local + std::string("\n*ENDIF\nN,4,1,1,1\n*IF,B,EQ,1")).find("coordinate system"),
+    EXPECT_NE(
+      inBranch(local + std::string("\n*ENDIF\nN,4,1,1,1\n*IF,B,EQ,1")).find("coordinate system"),
       std::string::npos)
       << local;
-    EXPECT_EQ(read(local + std::string("\nCSYS,0\nN,4,1,1,1\n")).find("coordinate"),
-      std::string::npos);
+    EXPECT_EQ(
+      read(local + std::string("\nCSYS,0\nN,4,1,1,1\n")).find("coordinate"), std::string::npos);
   }
   // The command before is done again, with other numbers.
   EXPECT_NE(read("N,4,1,1,1\n*REPEAT,5,1,1\n").find("not executed: *REPEAT"), std::string::npos);

@@ -198,7 +198,8 @@ TEST(MAPDLWriter, NamesThatBecomeTheSame)
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("what decks can have: lower to LOWER\n"), std::string::npos)
     << written.Warnings[0];
-  EXPECT_NE(written.Warnings[1].find("another one has: LOWER (LOWER is lower)\n"), std::string::npos)
+  EXPECT_NE(
+    written.Warnings[1].find("another one has: LOWER (LOWER is lower)\n"), std::string::npos)
     << written.Warnings[1];
   EXPECT_EQ(GetValue(ReadDeck(written.Bytes).Grid, "LOWER", 0), 0);
 }
