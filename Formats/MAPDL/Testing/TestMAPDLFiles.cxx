@@ -128,6 +128,8 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { "/PREP7\nK,1,0,0,0\nFINISH\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found none" },
     { "N,1\nN,2,1\n/CLEAR\n", Code::UnrecognizedFileTypeError,
       "with nodes (NBLOCK or N) after the last /CLEAR, found none" },
+    { "/PREP7\nN,1,(1/24)\nN,2,A\n", Code::UnrecognizedFileTypeError,
+      "(NBLOCK or N), found none whose coordinates are numbers or known parameters" },
     { nodes, Code::PrematureEndOfFileError,
       "test.cdb:5: expected more nodes, or the end of their block, found the end of the file" },
     { nodes + "     ?   3      2.0\n", Code::FileFormatError,
