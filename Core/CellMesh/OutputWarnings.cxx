@@ -177,12 +177,21 @@ std::string DescribeArray(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
-void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
-  const std::vector<std::string>& written, const std::vector<std::string>& writtenFields)
+std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCells)
+{
+  const std::string name = DescribeArray(array);
+  vtkFieldData* const others =
+    ofCells ? static_cast<vtkFieldData*>(mesh->GetPointData()) : mesh->GetCellData();
+  return others->HasArray(name.c_str()) ? name + (ofCells ? " of cells" : " of points") : name;
+}
+
+//------------------------------------------------------------------------------
+void WarnOfArrays(
+  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written)
 {
   std::string arrays, fields;
   const auto list = [](vtkFieldData* data, const char* ownName, const vtkAbstractArray* globalIds,
-                      const std::vector<std::string>& known, std::string& names)
+                      const std::vector<std::string>& known, std::string& names, auto&& describe)
   {
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
@@ -191,29 +200,40 @@ void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
       if (array != globalIds && name != ownName &&
         std::find(known.begin(), known.end(), name) == known.end())
       {
-        names += (names.empty() ? "" : ", ") + name;
+        names += (names.empty() ? "" : ", ") + describe(array);
       }
     }
   };
   const char* const ghosts = vtkDataSetAttributes::GhostArrayName();
   vtkDataSetAttributes *const points = mesh->GetPointData(), *const cells = mesh->GetCellData();
-  list(points, ghosts, points->GetGlobalIds(), written, arrays);
-  list(cells, ghosts, cells->GetGlobalIds(), written, arrays);
-  list(mesh->GetFieldData(), TimeArrayName, nullptr, writtenFields, fields);
+  list(points, ghosts, points->GetGlobalIds(), written.Points, arrays,
+    [mesh](vtkAbstractArray* array) { return DescribeArray(mesh, array, false); });
+  list(cells, ghosts, cells->GetGlobalIds(), written.Cells, arrays,
+    [mesh](vtkAbstractArray* array) { return DescribeArray(mesh, array, true); });
+  list(mesh->GetFieldData(), TimeArrayName, nullptr, written.Fields, fields,
+    [](vtkAbstractArray* array) { return DescribeArray(array); });
   if (!arrays.empty())
   {
     warnings.Add(std::string(format) +
-      (written.empty() ? " holds no arrays; not written: "
-                       : " cannot hold some arrays; not written: ") +
+      (written.Points.empty() && written.Cells.empty()
+          ? " holds no arrays; not written: "
+          : " cannot hold some arrays; not written: ") +
       arrays);
   }
   if (!fields.empty())
   {
     warnings.Add(std::string(format) +
-      (writtenFields.empty() ? " holds no field data; not written: "
-                             : " cannot hold some field data; not written: ") +
+      (written.Fields.empty() ? " holds no field data; not written: "
+                              : " cannot hold some field data; not written: ") +
       fields);
   }
+}
+
+//------------------------------------------------------------------------------
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
+  const std::vector<std::string>& written, const std::vector<std::string>& writtenFields)
+{
+  WarnOfArrays(mesh, format, warnings, WrittenArrays{ written, written, writtenFields });
 }
 
 //------------------------------------------------------------------------------

@@ -18,18 +18,30 @@ class vtkDataSet;
 
 namespace camaron
 {
+/// Names of the arrays of a mesh that are written.
+struct WrittenArrays
+{
+  std::vector<std::string> Points;
+  std::vector<std::string> Cells;
+  std::vector<std::string> Fields;
+};
+
 /// The name of an array, or words for one without.
 std::string DescribeArray(vtkAbstractArray* array);
+
+/// The same for an array of points or of cells; says of which if the others have one of this name.
+std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCells);
 
 /**
  * Warns of arrays that are not written, except those for VTK's own use (global ids, ghosts, time).
  * @param format e.g. "Visf"
- * @param written names of arrays of points and cells that are written
- * @param writtenFields names of arrays of field data that are written
  */
 void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
-  const std::vector<std::string>& written = {},
-  const std::vector<std::string>& writtenFields = {});
+  const WrittenArrays& written = {});
+
+/// The same where names of points and cells are not told apart.
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
+  const std::vector<std::string>& written, const std::vector<std::string>& writtenFields);
 
 /**
  * Warns of points whose coordinates are not the same in single precision. False with the error if one

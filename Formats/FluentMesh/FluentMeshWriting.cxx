@@ -378,9 +378,11 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
   {
     warnings.Add("the mesh is in another plane than z = 0; z is not written");
   }
-  WarnOfArrays(mesh, "Fluent mesh", warnings, { "Zone", "BoundaryType" },
-    { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
-      FluentInteriorZones::ArrayName });
+  WrittenArrays written;
+  written.Cells = { "Zone", "BoundaryType" };
+  written.Fields = { "ZoneIds", "ZoneNames", "ZoneTypes", "ZoneBoundaryTypes", "ZoneType",
+    FluentInteriorZones::ArrayName };
+  WarnOfArrays(mesh, "Fluent mesh", warnings, written);
   if (encoding == FluentEncoding::Single && !CheckSinglePrecision(mesh, path, warnings, error))
   {
     return false;

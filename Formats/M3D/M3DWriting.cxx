@@ -136,9 +136,13 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
   else
   {
     WarnOfOtherMaterials(mesh, warnings);
-    using Names = std::vector<std::string>;
-    WarnOfArrays(mesh, GetName(dialect), warnings, { MaterialName },
-      material.IsCommon() ? Names{ MaterialName } : Names());
+    WrittenArrays written;
+    written.Points = written.Cells = { MaterialName }; // of points it is said above
+    if (material.IsCommon())
+    {
+      written.Fields = { MaterialName };
+    }
+    WarnOfArrays(mesh, GetName(dialect), warnings, written);
   }
   WarnOfDigits(mesh, options.Digits, warnings);
 

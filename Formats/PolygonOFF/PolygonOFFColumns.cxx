@@ -34,7 +34,7 @@ bool IsColor(vtkDataArray* array)
 
 //------------------------------------------------------------------------------
 // Arrays that are colours without anybody having said so.
-void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<std::string>& names)
+void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<vtkDataArray*>& arrays)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -44,16 +44,11 @@ void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<std::string
         (ofCells && array->GetNumberOfComponents() == 1 &&
           std::string(array->GetName()) == IndexName)))
     {
-      names.emplace_back(array->GetName());
+      arrays.push_back(array);
     }
   }
 }
 
-//------------------------------------------------------------------------------
-std::string GetName(vtkDataArray* array)
-{
-  return array && array->GetName() ? array->GetName() : "";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -109,34 +104,33 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
     }
   }
 
-  std::vector<std::string> written;
-  for (vtkDataArray* array :
-    { this->Normals, this->Texture, this->VertexColors, this->FaceColors, this->FaceIndices })
-  {
-    if (array)
-    {
-      written.push_back(GetName(array));
-    }
-  }
-  std::vector<std::string> known;
-  for (vtkDataArray* array : { points->GetNormals(), points->GetTCoords() })
-  {
-    if (array)
-    {
-      known.push_back(GetName(array));
-    }
-  }
-  AddColors(points, false, known);
-  AddColors(cells, true, known);
+  WrittenArrays written;
   std::string unasked;
-  for (const std::string& name : known)
+  const auto list = [&](bool ofCells, const std::vector<vtkDataArray*>& asked,
+                      const std::vector<vtkDataArray*>& known, std::vector<std::string>& names)
   {
-    if (std::find(written.begin(), written.end(), name) == written.end())
+    for (vtkDataArray* array : asked)
     {
-      unasked += (unasked.empty() ? "" : ", ") + name;
-      written.push_back(name);
+      if (array)
+      {
+        names.push_back(DescribeArray(array));
+      }
     }
-  }
+    for (vtkDataArray* array : known)
+    {
+      if (array && std::find(names.begin(), names.end(), DescribeArray(array)) == names.end())
+      {
+        unasked += (unasked.empty() ? "" : ", ") + DescribeArray(mesh, array, ofCells);
+        names.push_back(DescribeArray(array));
+      }
+    }
+  };
+  std::vector<vtkDataArray*> known = { points->GetNormals(), points->GetTCoords() };
+  AddColors(points, false, known);
+  list(false, { this->Normals, this->Texture, this->VertexColors }, known, written.Points);
+  known.clear();
+  AddColors(cells, true, known);
+  list(true, { this->FaceColors, this->FaceIndices }, known, written.Cells);
   if (!unasked.empty())
   {
     warnings.Add(

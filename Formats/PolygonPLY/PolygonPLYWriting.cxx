@@ -108,13 +108,14 @@ private:
 //------------------------------------------------------------------------------
 void Writing::PlanArrays()
 {
-  std::vector<std::string> written;
+  WrittenArrays written;
   this->PointColumns =
-    PLYColumns(this->Mesh->GetPointData(), { "x", "y", "z" }, written, this->Messages);
+    PLYColumns(this->Mesh->GetPointData(), { "x", "y", "z" }, written.Points, this->Messages);
   // The same names in all elements, so that readers see one array.
   const std::set<std::string> reserved = { "vertex_indices", "vertex_index", "face_indices",
     "face_index", "vertex1", "vertex2", "v1", "v2" };
-  this->CellColumns = PLYColumns(this->Mesh->GetCellData(), reserved, written, this->Messages);
+  this->CellColumns =
+    PLYColumns(this->Mesh->GetCellData(), reserved, written.Cells, this->Messages);
   WarnOfArrays(this->Mesh, "PLY", this->Messages, written);
 }
 

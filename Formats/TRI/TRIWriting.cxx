@@ -23,8 +23,12 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& optio
   {
     components = nullptr;
   }
-  WarnOfArrays(mesh, "TRI", warnings, components ? std::vector<std::string>{ "Component" }
-                                                 : std::vector<std::string>());
+  WrittenArrays written;
+  if (components)
+  {
+    written.Cells.emplace_back("Component");
+  }
+  WarnOfArrays(mesh, "TRI", warnings, written);
 
   const CellConversion how{ "TRI", { VTK_TRIANGLE }, options.Others, options.Surface };
   OutputMesh output;

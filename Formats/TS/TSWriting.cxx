@@ -60,8 +60,7 @@ bool WriteTS(const std::string& path, vtkDataSet* mesh, const TSOptions& options
   if (isGOCAD)
   {
     TSurfWriting writing(mesh, output);
-    WarnOfArrays(
-      mesh, "TSurf", warnings, writing.GetWrittenArrays(), writing.GetWrittenFields());
+    WarnOfArrays(mesh, "TSurf", warnings, writing.GetWritten());
     good = writing.Write(file, progress.Part(0.3, 1));
   }
   else

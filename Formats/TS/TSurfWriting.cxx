@@ -37,6 +37,7 @@ TSurfWriting::TSurfWriting(vtkDataSet* input, const OutputMesh& mesh)
   this->FindProperties();
   this->FindObjects();
   this->FindFaces();
+  this->ListFields();
 }
 
 //------------------------------------------------------------------------------
@@ -57,7 +58,7 @@ void TSurfWriting::FindProperties()
       continue;
     }
     this->Properties.push_back(array);
-    this->WrittenArrays.push_back(name);
+    this->Written.Points.push_back(name);
   }
 }
 
@@ -104,7 +105,7 @@ void TSurfWriting::FindObjects()
     nextPoint = std::max({ nextPoint, corners[0] + 1, corners[1] + 1, corners[2] + 1 });
   }
   this->Objects.push_back(whole.back());
-  this->WrittenArrays.emplace_back("Part");
+  this->Written.Cells.emplace_back("Part");
 }
 
 //------------------------------------------------------------------------------
@@ -139,21 +140,19 @@ void TSurfWriting::FindFaces()
     }
   }
   this->Faces = faces;
-  this->WrittenArrays.emplace_back("TFace");
+  this->Written.Cells.emplace_back("TFace");
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> TSurfWriting::GetWrittenFields() const
+void TSurfWriting::ListFields()
 {
-  std::vector<std::string> names;
   for (const char* name : { "PartName", "ZPositive", "AxisUnit" })
   {
     if (this->FindTexts(name))
     {
-      names.emplace_back(name);
+      this->Written.Fields.emplace_back(name);
     }
   }
-  return names;
 }
 
 //------------------------------------------------------------------------------

@@ -13,6 +13,7 @@
 #define camaron_TSurfWriting_h
 
 #include "CellMesh/OutputMesh.h"
+#include "CellMesh/OutputWarnings.h"
 #include "Scan/OutputFile.h"
 #include "Scan/Progress.h"
 
@@ -32,9 +33,7 @@ public:
   TSurfWriting(vtkDataSet* input, const OutputMesh& mesh);
 
   /// Names of the arrays that the file holds.
-  const std::vector<std::string>& GetWrittenArrays() const { return this->WrittenArrays; }
-  /// The same of field data.
-  std::vector<std::string> GetWrittenFields() const;
+  const WrittenArrays& GetWritten() const { return this->Written; }
 
   /// False with the error in @a file, or if stopped.
   bool Write(OutputFile& file, const Progress& progress) const;
@@ -50,6 +49,7 @@ private:
   void FindProperties();
   void FindObjects();
   void FindFaces();
+  void ListFields();
   vtkIdType GetFace(vtkIdType triangle) const;
   vtkStringArray* FindTexts(const char* name) const;
   std::string GetText(const char* name, std::size_t object) const;
@@ -61,7 +61,7 @@ private:
   std::vector<Object> Objects; ///< and one more, for the end
   std::vector<vtkDataArray*> Properties;
   vtkDataArray* Faces = nullptr;
-  std::vector<std::string> WrittenArrays;
+  WrittenArrays Written;
 };
 }
 

@@ -311,9 +311,9 @@ void TetGenWriting::Warn(const std::string& path, Warnings& warnings) const
 {
   if (this->Options.Arrays)
   {
-    std::vector<std::string> written;
-    this->PointArrays.AddNames(written);
-    this->CellArrays.AddNames(written);
+    WrittenArrays written;
+    this->PointArrays.AddNames(written.Points);
+    this->CellArrays.AddNames(written.Cells);
     WarnOfArrays(this->Mesh, "TetGen", warnings, written);
     const std::string points = this->PointArrays.DescribeRenamed();
     const std::string cells = this->CellArrays.DescribeRenamed();

@@ -136,6 +136,23 @@ TEST(FluentMeshWriter, WritesText)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a point array is lost without a word as it has the name of the zones of cells.
+TEST(FluentMeshWriter, ZonesOfPointsAreLeftOut)
+{
+  const Grid grid = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  vtkNew<vtkIntArray> zones;
+  zones->SetName("Zone");
+  zones->SetNumberOfTuples(4);
+  zones->Fill(3);
+  grid->GetPointData()->AddArray(zones);
+  const Written written = Write(grid);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("not written: Zone"), std::string::npos)
+    << written.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 // If this fails, binary sections are not what Fluent, or any reader, looks for.
 TEST(FluentMeshWriter, WritesBinary)
 {

@@ -84,6 +84,20 @@ TEST(PolygonOFFWriter, ExactBytes)
   EXPECT_NE(plain.Warnings[0].find("if options say so; not written: Normals, TCoords, RGBA"),
     std::string::npos)
     << plain.Warnings[0];
+  // Colours of points and of cells with the same name: one of them is asked for.
+  for (const bool ofCells : { false, true })
+  {
+    const Written half = Write(grid,
+      [ofCells](vtkPolygonOFFWriter* w)
+      {
+        w->SetVertexColors(ofCells ? "" : "RGBA");
+        w->SetFaceColors(ofCells ? "RGBA" : "");
+      });
+    ASSERT_EQ(half.Warnings.size(), 1u);
+    EXPECT_NE(half.Warnings[0].find(ofCells ? ", RGBA of points" : ", RGBA of cells"),
+      std::string::npos)
+      << half.Warnings[0];
+  }
 
   const Written rounded = Write(grid,
     [](vtkPolygonOFFWriter* w)

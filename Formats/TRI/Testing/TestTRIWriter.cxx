@@ -52,6 +52,23 @@ TEST(TRIWriter, WritesBothDialects)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a point array is lost without a word as it has the name of a written cell array.
+TEST(TRIWriter, ComponentsOfPointsAreLeftOut)
+{
+  const Grid grid = MakeTriangles();
+  vtkNew<vtkIntArray> ofPoints;
+  ofPoints->SetName("Component");
+  ofPoints->SetNumberOfTuples(4);
+  ofPoints->Fill(1);
+  grid->GetPointData()->AddArray(ofPoints);
+  const Written written =
+    Write(grid, [](vtkTRIWriter* w) { w->SetDialect(vtkTRIWriter::CART3D); });
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("not written: Component of points"), std::string::npos)
+    << written.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 TEST(TRIWriter, FloatCoordinatesStayShort)
 {
   Grid grid = MakeGrid({ { 0, 0, 0 } }, { { VTK_VERTEX, { 0 } } });

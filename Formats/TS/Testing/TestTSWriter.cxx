@@ -107,6 +107,23 @@ TEST(TSWriter, WritesTriangles)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a cell array is lost without a word as it has the name of a property.
+TEST(TSWriter, CellArraysOfTheNameOfAProperty)
+{
+  const Grid grid = MakeTriangles();
+  AddCellArray(grid, "a", { 1, 2 });
+  vtkNew<vtkFloatArray> values;
+  values->SetName("a");
+  values->SetNumberOfTuples(4);
+  values->Fill(1);
+  grid->GetPointData()->AddArray(values);
+  const Written file = Write(grid, vtkTSWriter::GOCAD);
+  ASSERT_EQ(file.Warnings.size(), 1u);
+  EXPECT_NE(file.Warnings[0].find("not written: a of cells"), std::string::npos)
+    << file.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a surface that was read and written has lost parts, faces, properties or texts.
 TEST(TSWriter, SurfacesStayAsTheyAre)
 {
