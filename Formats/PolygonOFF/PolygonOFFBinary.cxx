@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
+#include <string>
 #include <vector>
 
 namespace camaron
@@ -39,6 +40,7 @@ public:
   bool ReadPieceOfFaces(
     const PieceRequest& request, CellPiece& piece, const Progress& progress);
   bool ReadVertices(const CellPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
+  std::string AddColorSizes(const char* begin) const;
 
   BinaryScanner Scanner;
   OFFHeader Header;
@@ -646,50 +648,56 @@ bool BinaryReading::ReadVertices(
       }
     });
 }
+
+//------------------------------------------------------------------------------
+// After the header, for faces that do not say of how many numbers their colour is: the bytes from
+// begin on with a 0 behind each face. Empty if such faces, with good ids, do not just fill the file.
+std::string BinaryReading::AddColorSizes(const char* begin) const
+{
+  const char* place = this->Scanner.GetPosition();
+  const char* const end = place + this->Scanner.GetBytesLeft();
+  const auto limit = static_cast<std::uint32_t>(this->Header.Vertices);
+  std::string bytes(begin, place);
+  for (std::int64_t face = 0; face < this->Header.Faces; ++face)
+  {
+    const std::int32_t size = end - place >= Word ? this->ReadInteger(place) : 0;
+    if (size < 1 || size > (end - place - Word) / Word)
+    {
+      return "";
+    }
+    const char* const next = place + Word + Word * std::ptrdiff_t(size);
+    for (const char* id = place + Word; id < next; id += Word)
+    {
+      if (static_cast<std::uint32_t>(this->ReadInteger(id)) >= limit)
+      {
+        return "";
+      }
+    }
+    bytes.append(place, next);
+    bytes.append(Word, '\0');
+    place = next;
+  }
+  return place == end ? bytes : "";
 }
 
 //------------------------------------------------------------------------------
-bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& keyword,
-  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
-  const Progress& progress)
+// Reads what comes after the counts; false with the error in the scanner, or if stopped.
+bool ReadMesh(BinaryReading& reading, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, const Progress& progress)
 {
-  grid->Initialize();
-  const auto start = [&](ByteOrder order)
-  {
-    BinaryScanner scanner(file.GetName(), file.begin(), file.end(), order);
-    scanner.SetPosition(body);
-    return BinaryReading(scanner, keyword);
-  };
-  BinaryReading reading = start(ByteOrder::Big);
-  bool isGood = reading.ReadHeader();
-  if (!isGood)
-  {
-    BinaryReading little = start(ByteOrder::Little);
-    if (little.ReadHeader())
-    {
-      isGood = true;
-      reading = std::move(little);
-      if (request.Piece == 0)
-      {
-        warnings.Add("the file is little endian, though OFF files are big endian");
-      }
-    }
-  }
   CellPiece piece;
-  OFFVertices<float> vertices;
-  isGood = isGood && reading.FindFaces(request.NumberOfPieces <= 1, progress.Part(0, 0.3)) &&
+  const bool isGood = reading.FindFaces(request.NumberOfPieces <= 1, progress.Part(0, 0.3)) &&
     (request.NumberOfPieces > 1 && reading.Header.Faces > 0
         ? reading.ReadPieceOfFaces(request, piece, progress.Part(0.3, 0.65))
         : reading.ReadFaces(progress.Part(0.3, 0.6)) &&
           piece.Select(reading.Faces.Mesh, request, progress.Part(0.6, 0.65)));
-  if (isGood)
-  {
-    vertices = OFFVertices<float>(reading.Header, piece.GetNumberOfPoints());
-    isGood = reading.ReadVertices(piece, vertices, progress.Part(0.65, 0.9));
-  }
   if (!isGood)
   {
-    error = progress.IsStopped() ? ScanError() : reading.Scanner.GetError();
+    return false;
+  }
+  OFFVertices<float> vertices(reading.Header, piece.GetNumberOfPoints());
+  if (!reading.ReadVertices(piece, vertices, progress.Part(0.65, 0.9)))
+  {
     return false;
   }
   if (request.Piece == 0 && reading.Scanner.GetBytesLeft() > 0)
@@ -699,5 +707,67 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
   FillOFFGrid(reading.Header, reading.Faces, reading.FaceCensus, vertices, reading.VertexCensus,
     piece, request, grid, warnings, progress.Part(0.9, 1));
   return !progress.IsStopped();
+}
+}
+
+//------------------------------------------------------------------------------
+bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& keyword,
+  const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
+  const Progress& progress)
+{
+  grid->Initialize();
+  const auto start = [&](const char* begin, const char* end, ByteOrder order)
+  {
+    BinaryScanner scanner(file.GetName(), begin, end, order);
+    scanner.SetPosition(begin + (body - file.begin()));
+    return BinaryReading(scanner, keyword);
+  };
+  const auto warn = [&](const char* message)
+  {
+    if (request.Piece == 0)
+    {
+      warnings.Add(message);
+    }
+  };
+  constexpr char IsLittle[] = "the file is little endian, though OFF files are big endian";
+  BinaryReading reading = start(file.begin(), file.end(), ByteOrder::Big);
+  bool hasHeader = reading.ReadHeader();
+  if (!hasHeader)
+  {
+    BinaryReading little = start(file.begin(), file.end(), ByteOrder::Little);
+    if (little.ReadHeader())
+    {
+      hasHeader = true;
+      reading = std::move(little);
+      warn(IsLittle);
+    }
+  }
+  if (hasHeader && ReadMesh(reading, request, grid, warnings, progress))
+  {
+    return true;
+  }
+  error = progress.IsStopped() ? ScanError() : reading.Scanner.GetError();
+  for (const ByteOrder order : { ByteOrder::Big, ByteOrder::Little })
+  {
+    BinaryReading plain = start(file.begin(), file.end(), order);
+    const std::string bytes =
+      !progress.IsStopped() && plain.ReadHeader() ? plain.AddColorSizes(file.begin()) : "";
+    if (bytes.empty())
+    {
+      continue;
+    }
+    warnings = Warnings();
+    if (order == ByteOrder::Little)
+    {
+      warn(IsLittle);
+    }
+    warn("the faces lack the number of components of their colour, as pmp-library writes them");
+    BinaryReading completed = start(bytes.data(), bytes.data() + bytes.size(), order);
+    const bool isGood =
+      completed.ReadHeader() && ReadMesh(completed, request, grid, warnings, progress);
+    error = progress.IsStopped() ? ScanError() : completed.Scanner.GetError();
+    return isGood;
+  }
+  return false;
 }
 }
