@@ -11,6 +11,8 @@ namespace camaron
 {
 namespace
 {
+constexpr std::string_view ObjectKeyword = "GOCAD"; // begins an object
+
 //------------------------------------------------------------------------------
 bool IsBlank(char c)
 {
@@ -314,7 +316,6 @@ TSurfLine ReadKeyword(const char*& text, const char* end)
 //------------------------------------------------------------------------------
 bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnings& warnings)
 {
-  constexpr std::string_view Keyword = "GOCAD";
   scanner.SkipSpace();
   const char* const end = scanner.GetEnd();
   std::string otherType;
@@ -328,7 +329,7 @@ bool FindObjects(TextScanner& scanner, std::vector<TSurfObject>& objects, Warnin
     scanner.SkipLine();
     TSurfObject object;
     object.Begin = scanner.GetPosition();
-    const char* const next = FindLine(object.Begin, end, Keyword);
+    const char* const next = FindLine(object.Begin, end, ObjectKeyword);
     if (!EqualsInAnyCase(type, "tsurf"))
     {
       otherType = others++ == 0 ? std::string(type.substr(0, 30)) : otherType;
@@ -379,6 +380,23 @@ bool IsGOCAD(TextScanner scanner)
 bool IsTSurf(TextScanner scanner)
 {
   std::string_view type;
-  return ReadFirstLine(scanner, type) && EqualsInAnyCase(type, "tsurf");
+  if (!ReadFirstLine(scanner, type))
+  {
+    return false;
+  }
+  const char* const end = scanner.GetEnd();
+  while (!EqualsInAnyCase(type, "tsurf"))
+  {
+    scanner.SkipLine();
+    const char* const next = FindLine(scanner.GetPosition(), end, ObjectKeyword);
+    if (next == end)
+    {
+      return false;
+    }
+    scanner.SetPosition(next);
+    type = std::string_view();
+    ReadFirstLine(scanner, type);
+  }
+  return true;
 }
 }

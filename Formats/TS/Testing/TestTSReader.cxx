@@ -436,6 +436,8 @@ TEST(TSReader, KnowsItsFiles)
   EXPECT_EQ(canRead("\xef\xbb\xbfGOCAD TSurf 1\n"), 1);
   EXPECT_EQ(canRead("GOCAD TSURF 1.0\r"), 1);
   EXPECT_EQ(canRead("GOCAD VSet 1\n"), 0);
+  EXPECT_EQ(canRead("GOCAD SGrid 1\nHEADER {name:a}\nEND\nGOCAD VSet 1\nEND\n"), 0);
+  EXPECT_EQ(canRead("GOCAD SGrid 1\nHEADER {name:a}\nEND\nGOCAD TSurf 1\nEND\n"), 1);
   EXPECT_EQ(canRead("4\n0 0 0\n"), 0);
   EXPECT_EQ(canRead("4 1\nx\n"), 0);
   EXPECT_EQ(canRead("export const a = 1;\n"), 0);
