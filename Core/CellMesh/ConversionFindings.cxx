@@ -131,6 +131,13 @@ void WarnOfConversion(
   }
   AddPerType(warnings, cut2D, " cut into triangles");
   AddPerType(warnings, cut3D, " cut into tetrahedra");
+  if (cut3D[VTK_POLYHEDRON].Count > 0 && found.NumberOfLostPoints > 0)
+  {
+    // Those on edges of a polyhedron may be in no tetrahedron, as faces are cut from one corner.
+    warnings.Add(std::to_string(found.NumberOfLostPoints) +
+      (found.NumberOfLostPoints == 1 ? " point" : " points") +
+      " left out, which no cell that is written has");
+  }
   warnings.Add(found.Uncut, "cell", "cells",
     "with polygons that cross themselves or have no area, whose triangles are arbitrary");
   const std::string bad = "not convex or inside out, of whose tetrahedra " +

@@ -253,6 +253,23 @@ TEST(CellConversion, RewritesWithoutLoss)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a point in the middle of an edge of a polyhedron is lost without a word.
+TEST(CellConversion, TellsOfPointsThatCuttingLoses)
+{
+  const Grid grid =
+    MakePolyhedra(MakePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 0, 0 } }),
+      { { { 0, 2, 1, 4 }, { 0, 4, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 } } });
+  const Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Convert);
+  ASSERT_TRUE(result.Success);
+  EXPECT_EQ(result.Mesh.GetNumberOfCells(), 1);
+  EXPECT_EQ(result.Mesh.GetNumberOfPoints(), 4);
+  const std::vector<std::string>& sentences = result.Warned.GetSentences();
+  EXPECT_EQ(std::count(sentences.begin(), sentences.end(),
+              "1 point left out, which no cell that is written has"),
+    1);
+}
+
+//------------------------------------------------------------------------------
 // The corners of a quadratic cell must make a linear cell of the same orientation.
 TEST(CellConversion, ReducesHigherOrderToCorners)
 {
