@@ -43,6 +43,18 @@ std::string MakeWord(const std::string& name)
 }
 
 //------------------------------------------------------------------------------
+// Of the components of an array.
+std::vector<std::string> GetNames(const std::string& base, int components)
+{
+  std::vector<std::string> names;
+  for (int c = 0; c < components; ++c)
+  {
+    names.push_back(components > 1 ? base + "_" + std::to_string(c) : base);
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
 bool IsColour(vtkDataArray* array)
 {
   return array && array->GetDataType() == VTK_UNSIGNED_CHAR &&
@@ -105,6 +117,7 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   {
     this->Add(textures, { "texture_u", "texture_v" }); // as ParaView and MeshLab know them
   }
+  std::vector<vtkDataArray*> others;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* const array = attributes->GetArray(i);
@@ -117,9 +130,20 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
     }
     if (array != normals && array != textures && array != colours)
     {
-      this->AddOther(array);
+      others.push_back(array);
+      this->Reserve(array);
     }
     written.push_back(DescribeArray(array));
+  }
+  for (vtkDataArray* array : others)
+  {
+    this->AddOther(array);
+  }
+  if (!this->Renamed.empty())
+  {
+    warnings.Add(
+      "arrays whose names are no words, or mean something else in PLY files, are renamed: " +
+      this->Renamed);
   }
   this->Messages = nullptr;
 }
@@ -189,24 +213,40 @@ void PLYColumns::Add(vtkDataArray* array, const std::vector<std::string>& names)
 }
 
 //------------------------------------------------------------------------------
+// Keeps the names of an array for it, if they are words, so that others which need one do not take
+// them.
+void PLYColumns::Reserve(vtkDataArray* array)
+{
+  const std::string name = GetArrayName(array);
+  if (MakeWord(name) == name)
+  {
+    const std::vector<std::string> names = GetNames(name, array->GetNumberOfComponents());
+    this->Reserved.insert(names.begin(), names.end());
+  }
+}
+
+//------------------------------------------------------------------------------
 void PLYColumns::AddOther(vtkDataArray* array)
 {
   const int components = array->GetNumberOfComponents();
-  std::string base = MakeWord(GetArrayName(array));
+  const std::string own = GetArrayName(array), word = MakeWord(own);
+  std::string base = word;
   std::vector<std::string> names;
   const auto areFree = [&]
   {
-    names.clear();
-    for (int c = 0; c < components; ++c)
-    {
-      names.push_back(components > 1 ? base + "_" + std::to_string(c) : base);
-    }
+    names = GetNames(base, components);
     return std::none_of(names.begin(), names.end(),
-      [&](const std::string& name) { return this->Names.count(name) > 0; });
+      [&](const std::string& name)
+      { return this->Names.count(name) > 0 || (base != own && this->Reserved.count(name) > 0); });
   };
   while (!areFree())
   {
     base += "_";
+  }
+  if (base != own)
+  {
+    this->Renamed += (this->Renamed.empty() ? "" : ", ") + DescribeArray(array) + " to " + base +
+      (word != own && word != base ? " (" + word + " is another)" : "");
   }
   if (components > 1)
   {

@@ -71,7 +71,8 @@ private:
  * @brief The arrays of points or of cells as properties.
  *
  * Normals, colours and texture coordinates have their usual names. Other arrays have theirs, with
- * what cannot be in a name replaced by `_`; those of several components become `name_0`, `name_1`
+ * what cannot be in a name replaced by `_`, and more of these where another array has that name,
+ * with a warning; those of several components become `name_0`, `name_1`
  * and so on, of which a comment "components name number" tells. Integers of 64 bits become `int` or
  * `uint` if all values fit, else `double`.
  */
@@ -114,11 +115,14 @@ private:
     int Component;
   };
   void Add(vtkDataArray* array, const std::vector<std::string>& names);
+  void Reserve(vtkDataArray* array);
   void AddOther(vtkDataArray* array);
   PLYType ChooseType(vtkDataArray* array, PLYType type);
 
   Warnings* Messages = nullptr;
   std::set<std::string> Names;
+  std::set<std::string> Reserved; ///< by arrays whose names need no change
+  std::string Renamed;            ///< which arrays have got which names
   std::string Comments;
   std::vector<Column> Columns;
   std::vector<vtkSmartPointer<vtkDataArray>> Arrays; ///< that the columns point into

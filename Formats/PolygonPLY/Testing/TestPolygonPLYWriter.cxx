@@ -178,6 +178,8 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
   vtkPointData* points = grid->GetPointData();
   AddArray<vtkIntArray>(points, "x", 1, 5);
   AddArray<vtkIntArray>(points, "two words", 1, 5);
+  AddArray<vtkIntArray>(points, "a b", 1, 5, 1);
+  AddArray<vtkIntArray>(points, "a_b", 1, 5, 2);
   AddArray<vtkIntArray>(points, nullptr, 1, 5);
   AddArray<vtkIntArray>(points, "v", 2, 5);
   AddArray<vtkIntArray>(points, "v_1", 1, 5);
@@ -199,11 +201,19 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
   {
     EXPECT_TRUE(Has(written, line)) << line << written.Bytes;
   }
-  ASSERT_EQ(written.Warnings.size(), 2u);
+  ASSERT_EQ(written.Warnings.size(), 4u);
   EXPECT_NE(written.Warnings[0].find("largest"), std::string::npos);
-  EXPECT_NE(written.Warnings[1].find("not written: words"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find(
+              "renamed: x to x_, two words to two_words, a b to a_b_ (a_b is another), an array "
+              "without name to array, v_1 to v_1_"),
+    std::string::npos)
+    << written.Warnings[1];
+  EXPECT_NE(written.Warnings[2].find("vertex_indices to vertex_indices_"), std::string::npos);
+  EXPECT_NE(written.Warnings[3].find("not written: words"), std::string::npos);
   const Result again = Read(written);
   ASSERT_TRUE(again.Errors.empty());
+  EXPECT_EQ(again.Grid->GetPointData()->GetArray("a_b")->GetTuple1(1),
+    points->GetArray("a_b")->GetTuple1(1));
   EXPECT_EQ(again.Grid->GetPointData()->GetArray("larger")->GetTuple1(4), -4e15);
   EXPECT_EQ(again.Grid->GetPoint(1)[0], 1);
 }
