@@ -11,6 +11,8 @@
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 
+#include <cmath>
+
 namespace camaron
 {
 //------------------------------------------------------------------------------
@@ -22,6 +24,21 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& optio
   if (components && components->GetNumberOfComponents() != 1)
   {
     components = nullptr;
+  }
+  if (components)
+  {
+    Tally odd;
+    for (vtkIdType cell = 0; cell < components->GetNumberOfTuples(); ++cell)
+    {
+      const double value = components->GetComponent(cell, 0);
+      if (!(value >= INT32_MIN && value <= INT32_MAX && value == std::floor(value)))
+      {
+        odd.Add(cell);
+      }
+    }
+    warnings.Add(
+      odd, "cell", "cells", "whose Component is no integer of 32 bits, as files of Cart3D want");
+    components = odd.Count > 0 ? nullptr : components;
   }
   WrittenArrays written;
   if (components)

@@ -6,7 +6,10 @@
 #include "vtkTRIReader.h"
 #include "vtkTRIWriter.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
+
+#include <cmath>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -66,6 +69,31 @@ TEST(TRIWriter, ComponentsOfPointsAreLeftOut)
   ASSERT_EQ(written.Warnings.size(), 1u);
   EXPECT_NE(written.Warnings[0].find("not written: Component of points"), std::string::npos)
     << written.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
+// If this fails, components are written as others, or as numbers that no reader takes.
+TEST(TRIWriter, ComponentsThatCannotBeWritten)
+{
+  for (const double odd : { 0.5, 4294967296., std::nan("") })
+  {
+    const Grid grid = MakeTriangles();
+    vtkNew<vtkDoubleArray> components;
+    components->SetName("Component");
+    components->InsertNextValue(1);
+    components->InsertNextValue(odd);
+    grid->GetCellData()->AddArray(components);
+    const Written written =
+      Write(grid, [](vtkTRIWriter* w) { w->SetDialect(vtkTRIWriter::CART3D); });
+    ASSERT_TRUE(written.Success);
+    ASSERT_EQ(written.Warnings.size(), 2u);
+    EXPECT_NE(written.Warnings[0].find("1 cell whose Component is no integer"), std::string::npos)
+      << written.Warnings[0];
+    EXPECT_NE(written.Warnings[1].find("not written: Component"), std::string::npos);
+    const Result again = ReadWith<vtkTRIReader>(File(written.Bytes, "a.tri").Path);
+    EXPECT_TRUE(again.Errors.empty());
+    EXPECT_EQ(Count(again.Grid, VTK_TRIANGLE), 2);
+  }
 }
 
 //------------------------------------------------------------------------------
