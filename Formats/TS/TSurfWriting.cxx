@@ -14,12 +14,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace camaron
 {
 namespace
 {
-constexpr char NoData[] = "-99999"; // GOCAD's usual value
+//------------------------------------------------------------------------------
+// What stands for nan in a property: GOCAD's usual value, with more nines if it has that.
+std::string ChooseNoData(vtkDataArray* property)
+{
+  constexpr double Usual = -99999, Least = -999999999999999; // as long as doubles are integers
+  constexpr int Base = 10;
+  std::set<double> taken;
+  for (vtkIdType i = 0; i < property->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < property->GetNumberOfComponents(); ++c)
+    {
+      const double value = property->GetComponent(i, c);
+      if (value <= Usual && value >= Least && taken.size() < Base)
+      {
+        double nines = Usual;
+        while (nines > value)
+        {
+          nines = nines * Base - (Base - 1);
+        }
+        if (nines == value)
+        {
+          taken.insert(value);
+        }
+      }
+    }
+  }
+  double noData = Usual;
+  while (taken.count(noData) > 0 && noData > Least)
+  {
+    noData = noData * Base - (Base - 1);
+  }
+  return std::to_string(static_cast<vtkIdType>(noData));
+}
 
 //------------------------------------------------------------------------------
 vtkDataArray* FindNumbers(vtkDataSet* input, const char* name)
@@ -58,6 +91,7 @@ void TSurfWriting::FindProperties()
       continue;
     }
     this->Properties.push_back(array);
+    this->NoData.push_back(ChooseNoData(array));
     this->Written.Points.push_back(name);
   }
 }
@@ -197,13 +231,14 @@ std::string TSurfWriting::MakePreamble(std::size_t object) const
   if (!this->Properties.empty())
   {
     std::string names, sizes, values;
-    for (vtkDataArray* property : this->Properties)
+    for (std::size_t i = 0; i < this->Properties.size(); ++i)
     {
+      vtkDataArray* const property = this->Properties[i];
       const std::string word = property->GetName();
       const bool isQuoted = word.find_first_of(" \t#") != std::string::npos;
       names += isQuoted ? " \"" + word + "\"" : " " + word;
       sizes += " " + std::to_string(property->GetNumberOfComponents());
-      values += std::string(" ") + NoData;
+      values += " " + this->NoData[i];
     }
     text += "PROPERTIES" + names + "\nESIZES" + sizes + "\nNO_DATA_VALUES" + values + "\n";
   }
@@ -222,15 +257,16 @@ void TSurfWriting::AppendPoint(vtkIdType point, vtkIdType id, std::string& text)
   { return isFloat ? RealFormat::ShortestFloat() : RealFormat::Shortest(); };
   formatOf(this->Mesh.HasFloatPoints())
     .AppendRow(text, x, 3, this->Properties.empty() ? '\n' : ' ');
-  for (vtkDataArray* property : this->Properties)
+  for (std::size_t i = 0; i < this->Properties.size(); ++i)
   {
+    vtkDataArray* const property = this->Properties[i];
     const RealFormat format = formatOf(property->GetDataType() == VTK_FLOAT);
     for (int c = 0; c < property->GetNumberOfComponents(); ++c)
     {
       const double value = property->GetComponent(this->Mesh.GetInputPoint(point), c);
       if (std::isnan(value))
       {
-        text += NoData;
+        text += this->NoData[i];
       }
       else
       {

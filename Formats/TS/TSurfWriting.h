@@ -60,6 +60,7 @@ private:
   const OutputMesh& Mesh;
   std::vector<Object> Objects; ///< and one more, for the end
   std::vector<vtkDataArray*> Properties;
+  std::vector<std::string> NoData; ///< of properties, what stands for nan
   vtkDataArray* Faces = nullptr;
   WrittenArrays Written;
 };

@@ -107,6 +107,24 @@ TEST(TSWriter, WritesTriangles)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a value comes back as nan as it is the usual one for no data.
+TEST(TSWriter, ValuesThatStandForNoData)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Grid grid = MakeTriangles();
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("a");
+  for (const double value : { -99999., -999999., nan, -99999. })
+  {
+    values->InsertNextValue(value);
+  }
+  grid->GetPointData()->AddArray(values);
+  const Written file = Write(grid, vtkTSWriter::GOCAD);
+  EXPECT_NE(file.Bytes.find("NO_DATA_VALUES -9999999\n"), std::string::npos) << file.Bytes;
+  EXPECT_TRUE(HaveSameValues(Read(file.Bytes).Grid->GetPointData()->GetArray("a"), values));
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a cell array is lost without a word as it has the name of a property.
 TEST(TSWriter, CellArraysOfTheNameOfAProperty)
 {
