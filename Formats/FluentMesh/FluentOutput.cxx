@@ -317,6 +317,7 @@ bool FluentOutput::Build(Warnings& warnings, std::string& reason, const Progress
   this->FindMarks(warnings);
   this->FindCellSections(warnings);
   this->SortFaces();
+  this->WarnOfOddZones(warnings);
   this->WarnOfLostZones(warnings);
   return true;
 }

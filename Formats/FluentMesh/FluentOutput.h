@@ -98,6 +98,7 @@ private:
   void FindCellSections(Warnings& warnings);
   void FindMarks(Warnings& warnings);
   int GetInteriorZone(const Face& face) const;
+  void WarnOfOddZones(Warnings& warnings) const;
   void WarnOfLostZones(Warnings& warnings) const;
   const FluentZone* FindOnlyZone(const std::string& type) const;
   FluentZone MakeZone(const std::string& type, int least) const;

@@ -12,6 +12,7 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -42,6 +43,12 @@ int ToBoundaryType(double number)
 {
   constexpr double MaxType = 100;
   return number >= 1 && number < MaxType ? static_cast<int>(number) : 0;
+}
+
+//------------------------------------------------------------------------------
+bool IsZone(double number)
+{
+  return number >= 1 && number <= INT32_MAX && number == std::floor(number);
 }
 
 //------------------------------------------------------------------------------
@@ -110,7 +117,25 @@ void FluentOutput::ReadZones()
 int FluentOutput::GetZone(vtkIdType cell) const
 {
   const double zone = this->ZoneArray ? this->ZoneArray->GetTuple1(cell) : 0;
-  return zone >= 1 && zone <= INT32_MAX ? static_cast<int>(zone) : 0;
+  return IsZone(zone) ? static_cast<int>(zone) : 0;
+}
+
+//------------------------------------------------------------------------------
+// Of numbers that Fluent cannot give to a zone; 0 and nan are those of cells without one.
+void FluentOutput::WarnOfOddZones(Warnings& warnings) const
+{
+  Tally odd;
+  const vtkIdType size = this->ZoneArray ? this->ZoneArray->GetNumberOfTuples() : 0;
+  for (vtkIdType cell = 0; cell < size; ++cell)
+  {
+    const double zone = this->ZoneArray->GetTuple1(cell);
+    if (zone != 0 && !std::isnan(zone) && !IsZone(zone))
+    {
+      odd.Add(cell);
+    }
+  }
+  warnings.Add(odd, "cell", "cells",
+    "whose Zone is no integer from 1 to 2147483647, treated as being in none");
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,32 @@ bool IsColor(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
+// Of colours that GetOFFColor takes the nearest for.
+void WarnOfColors(vtkDataArray* colors, const char* one, const char* many, Warnings& warnings)
+{
+  if (!colors || colors->GetDataType() == VTK_UNSIGNED_CHAR)
+  {
+    return;
+  }
+  const double last = IsReal(colors) ? 1 : Full;
+  Tally outOfRange;
+  for (vtkIdType i = 0; i < colors->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < colors->GetNumberOfComponents(); ++c)
+    {
+      const double value = colors->GetComponent(i, c);
+      if (!(value >= 0 && value <= last))
+      {
+        outOfRange.Add(i);
+        break;
+      }
+    }
+  }
+  warnings.Add(outOfRange, one, many,
+    "with a colour beyond 0 to 255, or 0 to 1 if real, for which the nearest is written");
+}
+
+//------------------------------------------------------------------------------
 // Arrays that are colours without anybody having said so.
 void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<vtkDataArray*>& arrays)
 {
@@ -138,6 +164,8 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
       unasked);
   }
   WarnOfArrays(mesh, "OFF", warnings, written);
+  WarnOfColors(this->VertexColors, "point", "points", warnings);
+  WarnOfColors(this->FaceColors, "cell", "cells", warnings);
   return true;
 }
 

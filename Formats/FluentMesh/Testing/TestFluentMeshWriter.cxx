@@ -6,6 +6,7 @@
 #include "vtkFluentMeshReader.h"
 #include "vtkFluentMeshWriter.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
@@ -150,6 +151,27 @@ TEST(FluentMeshWriter, ZonesOfPointsAreLeftOut)
   ASSERT_EQ(written.Warnings.size(), 1u);
   EXPECT_NE(written.Warnings[0].find("not written: Zone"), std::string::npos)
     << written.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
+// If this fails, cells get another zone without a word.
+TEST(FluentMeshWriter, ZonesThatAreNone)
+{
+  const std::vector<double> odd = { -3, 2.5, 4294967296. };
+  for (const double zone : odd)
+  {
+    const Grid grid = MakeGrid(
+      { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
+    vtkNew<vtkDoubleArray> zones;
+    zones->SetName("Zone");
+    zones->InsertNextValue(zone);
+    grid->GetCellData()->AddArray(zones);
+    const Written written = Write(grid);
+    ASSERT_EQ(written.Warnings.size(), 1u);
+    EXPECT_NE(written.Warnings[0].find("1 cell whose Zone is no integer"), std::string::npos)
+      << written.Warnings[0];
+    EXPECT_EQ(Read(written.Bytes).Grid->GetCellData()->GetArray("Zone")->GetTuple1(0), 2);
+  }
 }
 
 //------------------------------------------------------------------------------
