@@ -36,8 +36,8 @@ std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCell
  * Warns of arrays that are not written, except those for VTK's own use (global ids, ghosts, time).
  * @param format e.g. "Visf"
  */
-void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
-  const WrittenArrays& written = {});
+void WarnOfArrays(
+  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written = {});
 
 /// The same where names of points and cells are not told apart.
 void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,

@@ -651,7 +651,8 @@ bool BinaryReading::ReadVertices(
 
 //------------------------------------------------------------------------------
 // After the header, for faces that do not say of how many numbers their colour is: the bytes from
-// begin on with a 0 behind each face. Empty if such faces, with good ids, do not just fill the file.
+// begin on with a 0 behind each face. Empty if such faces, with good ids, do not just fill the
+// file.
 std::string BinaryReading::AddColorSizes(const char* begin) const
 {
   const char* place = this->Scanner.GetPosition();

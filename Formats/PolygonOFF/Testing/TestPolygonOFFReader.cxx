@@ -303,16 +303,16 @@ TEST(PolygonOFFReader, BinaryFacesWithoutColorSizes)
       }
       return bytes;
     };
-    const std::string head = "OFF BINARY\n" + toBytes({ 4, 3, 0 }) +
-      std::string(static_cast<std::size_t>(4 * 12), '\0');
+    const std::string head =
+      "OFF BINARY\n" + toBytes({ 4, 3, 0 }) + std::string(static_cast<std::size_t>(4 * 12), '\0');
     const std::string faces = toBytes({ 3, 0, 1, 2, 4, 3, 2, 1, 0, 3, 1, 2 });
     const Result result = ReadBytes(head + faces + toBytes({ 3 }));
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
     ASSERT_EQ(result.Grid->GetNumberOfCells(), 3);
     EXPECT_EQ(DescribeCell(result.Grid, 1, { 0, 1, 2, 3 })[0],
       (std::vector<vtkIdType>{ VTK_QUAD, 3, 2, 1, 0 }));
-    EXPECT_NE(result.Warnings.back().find("the faces lack the number of components"),
-      std::string::npos);
+    EXPECT_NE(
+      result.Warnings.back().find("the faces lack the number of components"), std::string::npos);
     EXPECT_EQ(result.Warnings.size(), order == ByteOrder::Big ? 1u : 2u);
     // Neither layout: an id out of range, too few bytes, too many.
     for (const std::string& end : { toBytes({ 9 }), std::string(), toBytes({ 3, 0 }) })

@@ -94,8 +94,8 @@ TEST(PolygonOFFWriter, ExactBytes)
         w->SetFaceColors(ofCells ? "RGBA" : "");
       });
     ASSERT_EQ(half.Warnings.size(), 1u);
-    EXPECT_NE(half.Warnings[0].find(ofCells ? ", RGBA of points" : ", RGBA of cells"),
-      std::string::npos)
+    EXPECT_NE(
+      half.Warnings[0].find(ofCells ? ", RGBA of points" : ", RGBA of cells"), std::string::npos)
       << half.Warnings[0];
   }
 

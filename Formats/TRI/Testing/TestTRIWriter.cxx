@@ -64,8 +64,7 @@ TEST(TRIWriter, ComponentsOfPointsAreLeftOut)
   ofPoints->SetNumberOfTuples(4);
   ofPoints->Fill(1);
   grid->GetPointData()->AddArray(ofPoints);
-  const Written written =
-    Write(grid, [](vtkTRIWriter* w) { w->SetDialect(vtkTRIWriter::CART3D); });
+  const Written written = Write(grid, [](vtkTRIWriter* w) { w->SetDialect(vtkTRIWriter::CART3D); });
   ASSERT_EQ(written.Warnings.size(), 1u);
   EXPECT_NE(written.Warnings[0].find("not written: Component of points"), std::string::npos)
     << written.Warnings[0];
