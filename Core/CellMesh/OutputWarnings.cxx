@@ -230,13 +230,6 @@ void WarnOfArrays(
 }
 
 //------------------------------------------------------------------------------
-void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
-  const std::vector<std::string>& written, const std::vector<std::string>& writtenFields)
-{
-  WarnOfArrays(mesh, format, warnings, WrittenArrays{ written, written, writtenFields });
-}
-
-//------------------------------------------------------------------------------
 bool CheckSinglePrecision(
   vtkDataSet* mesh, const std::string& path, Warnings& warnings, ScanError& error)
 {

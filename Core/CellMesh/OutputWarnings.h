@@ -39,10 +39,6 @@ std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCell
 void WarnOfArrays(
   vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written = {});
 
-/// The same where names of points and cells are not told apart.
-void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
-  const std::vector<std::string>& written, const std::vector<std::string>& writtenFields);
-
 /**
  * Warns of points whose coordinates are not the same in single precision. False with the error if one
  * is beyond its range.

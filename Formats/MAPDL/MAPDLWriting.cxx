@@ -124,8 +124,7 @@ std::string MakeName(const std::string& upper)
 }
 
 //------------------------------------------------------------------------------
-std::vector<Component> FindComponents(
-  vtkDataSet* mesh, std::vector<std::string>& written, Warnings& warnings)
+std::vector<Component> FindComponents(vtkDataSet* mesh, WrittenArrays& written, Warnings& warnings)
 {
   std::vector<Component> components;
   std::string changes, doubles;
@@ -150,18 +149,19 @@ std::vector<Component> FindComponents(
       {
         continue;
       }
-      written.push_back(array->GetName());
-      const auto found = names.emplace(name, written.back());
+      const std::string own = array->GetName();
+      (ofNodes ? written.Points : written.Cells).push_back(own);
+      const auto found = names.emplace(name, own);
       if (!found.second)
       {
-        doubles += (doubles.empty() ? "" : ", ") + written.back() + " (" + name + " is " +
+        doubles += (doubles.empty() ? "" : ", ") + own + " (" + name + " is " +
           found.first->second + ")";
         continue;
       }
       components.push_back({ name, ofNodes, flags });
-      if (name != written.back())
+      if (name != own)
       {
-        changes += (changes.empty() ? "" : ", ") + written.back() + " to " + name;
+        changes += (changes.empty() ? "" : ", ") + own + " to " + name;
       }
     }
   }
@@ -194,7 +194,7 @@ public:
   {
   }
 
-  void Warn(vtkDataSet* mesh, std::vector<std::string> written, Warnings& warnings) const;
+  void Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warnings) const;
   bool Write(
     OutputFile& file, const std::vector<Component>& components, const Progress& progress) const;
 
@@ -211,24 +211,24 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void DeckWriter::Warn(vtkDataSet* mesh, std::vector<std::string> written, Warnings& warnings) const
+void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warnings) const
 {
-  const auto addIds = [&](vtkDataSetAttributes* attributes, const char* name)
+  const auto addIds = [&](vtkDataSetAttributes* attributes, const char* name, std::vector<std::string>& names)
   {
     if (!this->Options.OriginalIds || MAPDLNumbers(attributes, name, 0).HasArray())
     {
-      written.push_back(name);
+      names.push_back(name);
     }
   };
-  addIds(mesh->GetPointData(), "NodeId");
-  addIds(mesh->GetCellData(), "ElementId");
+  addIds(mesh->GetPointData(), "NodeId", written.Points);
+  addIds(mesh->GetCellData(), "ElementId", written.Cells);
   const auto add = [&](const MAPDLNumbers& numbers, const char* name)
   {
     if (!numbers.HasArray())
     {
       return;
     }
-    written.push_back(name);
+    written.Cells.push_back(name);
     vtkIdType replaced = 0;
     for (vtkIdType cell = 0; cell < this->Output.GetNumberOfCells(); ++cell)
     {
@@ -246,9 +246,10 @@ void DeckWriter::Warn(vtkDataSet* mesh, std::vector<std::string> written, Warnin
   add(this->Section, "Section");
   if (this->Types.UsesArrays())
   {
-    written.insert(written.end(), { "TypeId", "ElementType" });
+    written.Cells.insert(written.Cells.end(), { "TypeId", "ElementType" });
   }
-  WarnOfArrays(mesh, "MAPDL", warnings, written, { "NodeComponents", "ElementComponents" });
+  written.Fields = { "NodeComponents", "ElementComponents" };
+  WarnOfArrays(mesh, "MAPDL", warnings, written);
   if (this->Nodes.IsUnusable())
   {
     warnings.Add("values of NodeId are not unique ids; nodes are counted from 1");
@@ -429,7 +430,7 @@ bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptio
       GetFileName(path) + ": expected at most 2147483647 nodes and elements, found more" };
     return false;
   }
-  std::vector<std::string> written;
+  WrittenArrays written;
   const std::vector<Component> components = FindComponents(mesh, written, warnings);
   const DeckWriter writer(mesh, output, options);
   writer.Warn(mesh, std::move(written), warnings);
