@@ -85,7 +85,9 @@ struct Sample
         bytes += ' ';
       }
     };
-    const auto integer = static_cast<std::int64_t>(value); // of which -1 fits all unsigned types
+    // Of integers; -1 of them fits all unsigned types.
+    const bool isReal = type[0] == 'f' || type[0] == 'd';
+    const auto integer = isReal ? std::int64_t(0) : static_cast<std::int64_t>(value);
     const auto is = [&](const char* a, const char* b) { return type == a || type == b; };
     if (is("char", "int8"))
     {
