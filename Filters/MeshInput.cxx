@@ -4,16 +4,21 @@
 
 #include "Mesh/MeshView.h"
 #include "Mesh/PointSetHulls.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
 
 namespace camaron
 {
@@ -81,6 +86,34 @@ vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
   result->GetCellData()->CopyData(grid->GetCellData(), sources, vtkIdType(0));
   return result;
 }
+
+//------------------------------------------------------------------------------
+// Hidden cells, and those that are refined elsewhere, are no part of a grid, as VTK has it for structured ones.
+vtkSmartPointer<vtkUnstructuredGrid> WithoutHidden(vtkUnstructuredGrid* grid)
+{
+  constexpr unsigned char masks = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+  vtkUnsignedCharArray* const ghosts = grid->GetCellGhostArray();
+  const unsigned char* const flags = ghosts ? ghosts->GetPointer(0) : nullptr;
+  const vtkIdType size = ghosts ? ghosts->GetNumberOfValues() : 0;
+  if (std::none_of(flags, flags + size, [](unsigned char flag) { return flag & masks; }))
+  {
+    return grid;
+  }
+  vtkNew<vtkUnsignedCharArray> types;
+  types->DeepCopy(GetCellTypes(grid));
+  for (vtkIdType cell = 0; cell < size; ++cell)
+  {
+    if (flags[cell] & masks)
+    {
+      types->SetValue(cell, VTK_EMPTY_CELL);
+    }
+  }
+  auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result->ShallowCopy(grid);
+  result->SetPolyhedralCells(
+    types, grid->GetCells(), grid->GetPolyhedronFaceLocations(), grid->GetPolyhedronFaces());
+  return result;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -88,7 +121,7 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
   {
-    return WithHulls(grid, VTK_CONVEX_POINT_SET);
+    return WithHulls(WithoutHidden(grid), VTK_CONVEX_POINT_SET);
   }
   if (vtkPolyData::SafeDownCast(data))
   {

@@ -9,6 +9,7 @@ import numpy
 from paraview import simple
 from paraview.servermanager import OutputPort
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_CONVEX_POINT_SET,
     VTK_HEXAHEDRON,
@@ -21,9 +22,12 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_TRIANGLE,
     VTK_TRIANGLE_STRIP,
     VTK_WEDGE,
+    vtkDataSetAttributes,
     vtkImageData,
     vtkPartitionedDataSetCollection,
     vtkPolygon,
+    vtkStructuredGrid,
+    vtkUnstructuredGrid,
 )
 
 CUBE = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)]
@@ -278,6 +282,31 @@ class TestCollapsedCells(camaron_testing.TestCase):
         found = self.fetch(quality)
         for name in ("MaxNonOrthogonality", "MaxFaceSkewness", "MinFaceWeight"):
             self.assertEqual(self.array(found, name + "_Null").tolist(), [3, 3, 3], name)
+
+    def test_hidden_cells(self):
+        """They are no neighbours, in grids of any class."""
+        structured = vtkStructuredGrid()
+        structured.SetDimensions(4, 4, 4)
+        points = vtkPoints()
+        for k, j, i in numpy.ndindex(4, 4, 4):
+            points.InsertNextPoint(i + (0.4 * j if i == 2 else 0), j, k)
+        structured.SetPoints(points)
+        middle = 13
+        structured.BlankCell(middle)
+        grid = vtkUnstructuredGrid()
+        grid.SetPoints(points)
+        grid.Allocate(27)
+        for cell in range(27):
+            grid.InsertNextCell(VTK_HEXAHEDRON, structured.GetCell(cell).GetPointIds())
+        names = [*OF_NEIGHBORS, "MinVolumeRatio", "CellDeterminant", "RelativeSize"]
+        for flag in (vtkDataSetAttributes.HIDDENCELL, vtkDataSetAttributes.REFINEDCELL):
+            structured.GetCellGhostArray().SetValue(middle, flag)
+            grid.GetCellData().AddArray(structured.GetCellGhostArray())
+            expected, found = self.evaluate(structured, names), self.evaluate(grid, names)
+            for name in names:
+                numpy.testing.assert_allclose(found[name], expected[name], rtol=1e-12, err_msg=name)
+                self.assertTrue(numpy.isnan(found[name][middle]), name)
+            self.assertEqual(int(self.array(self.elements(grid, 0), "IsBoundary").sum()), 54 + 6)
 
     def test_tolerances(self):
         """Numbers that no tolerance can be are errors."""
