@@ -2,16 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/OutputWarnings.h"
 
-#include "Mesh/CellFacets.h"
+#include "Criteria/CellGeometry.h"
 #include "Mesh/MeshView.h"
-#include "Mesh/Vector.h"
 #include "Parallel.h"
 #include "Scan/MappedFile.h"
 #include "Scan/Number.h"
 #include "Scan/RealFormat.h"
 
 #include "vtkCellData.h"
-#include "vtkCellType.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -70,46 +68,28 @@ bool HasDigits(double value, int digits)
 }
 
 //------------------------------------------------------------------------------
-// Whether the corners of a cell, no polyhedron, enclose a negative volume; not so if it may be
-// zero.
-bool IsInverted(const MeshView& mesh, CellFacets& facets, vtkIdType cell)
+// Counts the ids for which a test is true, in parallel; each thread makes its own with makeTest().
+template <typename MakeTest>
+Tally CountWhere(vtkIdType size, MakeTest&& makeTest)
 {
-  const auto getPoint = [&mesh](vtkIdType id)
-  {
-    double x[3];
-    mesh.GetPoint(id, x);
-    return Vector{ x[0], x[1], x[2] };
-  };
-  constexpr double Rounding = 1e-12;
-  const IndexRange nodes = mesh.GetCellPoints(cell);
-  const Vector origin = getPoint(nodes[0]);
-  if (mesh.GetCellType(cell) == VTK_TETRA)
-  {
-    // The same as below in short; most large meshes are of tetrahedra.
-    const Vector a = getPoint(nodes[1]) - origin, b = getPoint(nodes[2]) - origin;
-    const Vector c = getPoint(nodes[3]) - origin, area = Cross(a, b);
-    const double volume = Dot(area, c);
-    return volume < 0 && volume * volume > Rounding * Rounding * Norm2(area) * Norm2(c);
-  }
-  double volume = 0, sum = 0;
-  facets.ForEach(cell,
-    [&](const vtkIdType* points, vtkIdType size, vtkIdType)
+  Tally count;
+  std::mutex mutex;
+  ParallelFor(size, ChunkSize,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      // Of faces that are not plane, the mean of all ways to cut them.
-      Vector center, area;
-      Vector last = getPoint(points[size - 1]) - origin;
-      for (vtkIdType i = 0; i < size; ++i)
+      auto&& test = makeTest();
+      Tally countHere;
+      for (vtkIdType id = begin; id < end; ++id)
       {
-        const Vector x = getPoint(points[i]) - origin;
-        center += x;
-        area += Cross(last, x);
-        last = x;
+        if (test(id))
+        {
+          countHere.Add(id);
+        }
       }
-      const double part = Dot(center, area) / static_cast<double>(size);
-      volume += part;
-      sum += std::fabs(part);
+      const std::lock_guard<std::mutex> lock(mutex);
+      count.Merge(countHere);
     });
-  return volume < -Rounding * sum;
+  return count;
 }
 
 //------------------------------------------------------------------------------
@@ -290,24 +270,13 @@ void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
     return;
   }
   const MeshView view(mesh);
-  Tally rounded;
-  std::mutex mutex;
-  ParallelFor(view.GetNumberOfPoints(), ChunkSize,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      Tally roundedHere;
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        double x[3];
-        view.GetPoint(id, x);
-        if (!std::all_of(x, x + 3, [digits](double v) { return HasDigits(v, digits); }))
-        {
-          roundedHere.Add(id);
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      rounded.Merge(roundedHere);
-    });
+  const auto isRounded = [&](vtkIdType id)
+  {
+    double x[3];
+    view.GetPoint(id, x);
+    return !std::all_of(x, x + 3, [digits](double v) { return HasDigits(v, digits); });
+  };
+  const Tally rounded = CountWhere(view.GetNumberOfPoints(), [&] { return isRounded; });
   const std::string fate =
     "rounded to " + std::to_string(digits) + " digits (Digits 17 keeps all)";
   warnings.Add(rounded, "point", "points", fate.c_str());
@@ -317,23 +286,27 @@ void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
 void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warnings)
 {
   const MeshView view(mesh);
-  Tally inverted;
-  std::mutex mutex;
-  ParallelFor(view.GetNumberOfCells(), ChunkSize,
-    [&](vtkIdType begin, vtkIdType end)
+  EvaluationOptions options;
+  options.DegeneracyTolerance = 1e-12; // whatever the precision of the points: flat cells have no inside
+  const Tally inverted = CountWhere(view.GetNumberOfCells(),
+    [&]
     {
-      Tally invertedHere;
-      CellFacets facets(view);
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      return [&, geometry = CellGeometry()](vtkIdType cell) mutable
       {
         const CellShape& shape = GetCellShape(view.GetCellType(cell));
-        if (shape.Dimension == 3 && !shape.ListsFaces && IsInverted(view, facets, cell))
+        if (shape.Dimension != 3 || shape.ListsFaces)
         {
-          invertedHere.Add(cell);
+          return false;
         }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      inverted.Merge(invertedHere);
+        geometry.Load(view, cell, options);
+        geometry.Normalize();
+        if (!geometry.IsFinite())
+        {
+          return false;
+        }
+        geometry.Compute(NeedsVolume);
+        return geometry.GetVolume() < 0 && !geometry.IsZeroVolume(geometry.GetVolume());
+      };
     });
   const std::string fate = std::string("inside out, which is lost, as ") + format +
     " files do not say on which side of a face a cell is";
