@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::OFFBinaryReading
+ * @brief Reads the parts of a binary OFF file, one after the other; errors are those of its scanner.
+ */
+#ifndef camaron_PolygonOFFBinaryReading_h
+#define camaron_PolygonOFFBinaryReading_h
+
+#include "PolygonOFFMesh.h"
+
+#include "Scan/BinaryScanner.h"
+#include "Scan/ListRows.h"
+
+#include <string> // for a completed file
+#include <vector> // for blocks of faces
+
+namespace camaron
+{
+class OFFBinaryReading
+{
+public:
+  OFFBinaryReading(const BinaryScanner& scanner, const OFFHeader& keyword)
+    : Scanner(scanner)
+    , Header(keyword)
+  {
+  }
+
+  ///@{
+  /// In this order; false with the error in the scanner, or if stopped.
+  bool ReadHeader();
+  /// @param guesses whether ReadFaces follows, which may be left to check what is likely
+  bool FindFaces(bool guesses, const Progress& progress);
+  bool ReadFaces(const Progress& progress);
+  /// Instead of ReadFaces, if not all faces are asked for.
+  bool ReadPieceOfFaces(
+    const PieceRequest& request, CellPiece& piece, const Progress& progress);
+  bool ReadVertices(const CellPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
+  ///@}
+  /// After ReadHeader the file with what faces of pmp-library lack; empty if they are no such faces.
+  std::string AddColorSizes(const char* begin) const;
+
+  BinaryScanner Scanner;
+  OFFHeader Header;
+  OFFFaces Faces;
+  OFFFaceCensus FaceCensus;
+  OFFVertexCensus VertexCensus;
+
+private:
+  static constexpr vtkIdType BlockSize = 4096; // faces or vertices that one thread reads in a row
+  static constexpr int Word = 4;               // bytes
+  static constexpr int FaceBytes = 2 * Word;   // its number of vertices and that of components of its colour
+
+  struct Block
+  {
+    const char* Place;
+    vtkIdType Cell;
+    vtkIdType Id;
+  };
+
+  bool FindFacesOfOneSize(bool guesses, const Progress& progress);
+  bool ArePlainFacesAlike(vtkIdType begin, vtkIdType end) const;
+  bool ReadPlainFaces(const Progress& progress);
+  bool ReadAlikeFaces(const char* place, vtkIdType faces, std::int32_t* ids) const;
+  bool ReadFace(const char*& place, vtkIdType face, vtkIdType room, std::int32_t* ids,
+    std::int32_t& size, OFFColor& color, OFFFaceCensus& seen) const;
+  template <typename Take>
+  bool ForEachFace(bool store, const Progress& progress, Take&& take);
+  void FailAtFace(vtkIdType face, const char* place);
+  ListRows GetFaceLists(const char* place, const std::int32_t* offsets) const;
+  OFFColor ReadColor(const char* place, std::int32_t count) const;
+  float ReadReal(const char* place) const { return Load<float>(place, this->Scanner.IsSwapped()); }
+  std::int32_t ReadInteger(const char* place) const
+  {
+    return Load<std::int32_t>(place, this->Scanner.IsSwapped());
+  }
+  std::int64_t GetVertexBytes() const
+  {
+    return Word * (this->Header.GetVertexSize() + (this->Header.HasColors ? 4 : 0));
+  }
+
+  const char* Vertices = nullptr;
+  const char* FirstFace = nullptr;
+  std::vector<Block> Blocks;
+  vtkIdType NumberOfCells = 0;
+  vtkIdType NumberOfIds = 0;
+  std::int32_t CommonSize = -1;
+  bool AreAlike = false; // faces of one size without colours, so that each place is known
+  Buffer<std::int32_t> Offsets; // of other faces where none is empty or has a colour, for the same
+  bool HasFaceColors = false;
+};
+}
+
+#endif
