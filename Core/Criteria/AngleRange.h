@@ -75,7 +75,7 @@ private:
     {
       constexpr double turn = 6.283185307179586476925286766559;
       const double angle = std::atan2(this->Sine, this->Cosine);
-      return angle < 0 ? angle + turn : angle;
+      return angle < 0 ? angle + turn : angle + 0.0; // no negative zero
     }
   };
   double MinOrder = 5, MaxOrder = -1;

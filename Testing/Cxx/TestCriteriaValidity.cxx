@@ -174,6 +174,7 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   EXPECT_NEAR(values["MinDihedralAngle"][0], 0, 1e-12);
   EXPECT_NEAR(values["MaxDihedralAngle"][0], 180, 1e-12);
   EXPECT_NEAR(values["MinSolidAngle"][0], 0, 1e-12);
+  EXPECT_FALSE(std::signbit(values["MinSolidAngle"][0]));
   EXPECT_EQ(values["CellAspectRatio"][0], Infinity);
 
   // Inverted: the volume says so, nothing else does.
