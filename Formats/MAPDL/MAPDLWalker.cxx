@@ -147,6 +147,7 @@ void MAPDLWalker::Clear()
   this->AttributesChanged = false;
   this->GreatestNode = this->GreatestElement = 0;
   this->KnownNodeBlocks = this->KnownElementBlocks = 0;
+  this->NextNodeIsKnown = true;
 }
 
 //------------------------------------------------------------------------------

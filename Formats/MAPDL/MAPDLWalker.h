@@ -96,6 +96,7 @@ private:
   std::int32_t GreatestNode = 0, GreatestElement = 0;
   std::size_t KnownNodeBlocks = 0, KnownElementBlocks = 0;
   ///@}
+  bool NextNodeIsKnown = true; ///< not after an N whose id is not known, which may be the greatest
 };
 }
 

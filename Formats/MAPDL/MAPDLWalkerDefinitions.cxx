@@ -138,8 +138,14 @@ bool MAPDLWalker::DefineNode()
   switch (this->ReadField(1, id))
   {
     case Value::Unknown:
+      this->NextNodeIsKnown = false;
       return true;
     case Value::Absent:
+      if (!this->NextNodeIsKnown)
+      {
+        ++this->Deck.NumberOfUnknownParameters;
+        return true;
+      }
       id = this->GetNextNode();
       [[fallthrough]];
     default:
@@ -156,6 +162,7 @@ bool MAPDLWalker::AddNode(std::int32_t id, std::size_t firstCoordinate)
     return this->Fault.Set(this->LineBegin, ErrorKind::Syntax,
       "the number of a node from 1 to 2147483647", std::to_string(id));
   }
+  this->GreatestNode = std::max(this->GreatestNode, id); // of nodes that are left out, too
   MAPDLNode node;
   node.Id = id;
   for (std::size_t c = 0; c < 3; ++c)
@@ -180,7 +187,6 @@ bool MAPDLWalker::AddNode(std::int32_t id, std::size_t firstCoordinate)
       }
     }
   }
-  this->GreatestNode = std::max(this->GreatestNode, id);
   std::vector<MAPDLNodeBlock>& blocks = this->Deck.NodeBlocks;
   if (blocks.empty() || blocks.back().NumberOfCommands == 0)
   {

@@ -98,6 +98,35 @@ TEST(MAPDLReader, NodeCommands)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, nodes and elements after one that is left out have the number that it has in the
+// program, and elements join wrong places.
+TEST(MAPDLReader, WhatIsLeftOutKeepsItsNumber)
+{
+  const std::string head = "ET,1,180\nN,1\n";
+  for (const char* nodes : { "N,2,-L\n", "N,,-L\n" })
+  {
+    const Result result = ReadDeck(head + nodes + "N,,5\nE,1,3\n");
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    ASSERT_EQ(result.Grid->GetNumberOfPoints(), 2);
+    EXPECT_EQ(result.Grid->GetPointData()->GetArray("NodeId")->GetTuple1(1), 3);
+    EXPECT_EQ(result.Grid->GetPoint(1)[0], 5);
+    const Result refused = ReadDeck(head + nodes + "N,,5\nE,1,2\n");
+    ASSERT_EQ(refused.Errors.size(), 1u);
+    EXPECT_NE(refused.Errors[0].find("left out as N needs a parameter"), std::string::npos)
+      << refused.Errors[0];
+  }
+  // A number that is not known may be the greatest one.
+  const Result unknown = ReadDeck(head + "N,L,3\nN,,5\nN,4,2\nE,1,4\n");
+  ASSERT_TRUE(unknown.Errors.empty()) << unknown.Errors[0];
+  EXPECT_EQ(unknown.Grid->GetNumberOfPoints(), 2);
+  ASSERT_EQ(unknown.Warnings.size(), 1u);
+  EXPECT_NE(unknown.Warnings[0].find("2 commands need a parameter"), std::string::npos);
+  const Result elements = ReadDeck(head + "N,2,1\nN,3,2\nE,1,2\nE,2,-L\nE,2,3\n");
+  ASSERT_EQ(elements.Grid->GetNumberOfCells(), 2);
+  EXPECT_EQ(GetValue(elements.Grid, "ElementId", 1), 3);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, some form of elements is lost, or its attributes are.
 TEST(MAPDLReader, ElementsOfEveryForm)
 {
