@@ -92,6 +92,14 @@ const char* PassExpression(const char* text, const char* end, int depth)
 //------------------------------------------------------------------------------
 bool IsMAPDLExpression(std::string_view field)
 {
+  const std::size_t sign = field.find('%');
+  if (sign != std::string_view::npos)
+  {
+    // What %NAME% puts into the field is not known, nor what it makes of the text around it.
+    const std::size_t second = field.find('%', sign + 1);
+    return second != std::string_view::npos &&
+      IsMAPDLExpression(field.substr(sign + 1, second - sign - 1));
+  }
   const char* const end = field.data() + field.size();
   return PassExpression(field.data(), end, 0) == end;
 }

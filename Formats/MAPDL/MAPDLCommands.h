@@ -26,7 +26,8 @@ std::string ToUpperMAPDL(std::string_view text);
 /// name, and then a comma, a sign or nothing.
 bool IsMAPDLCommand(const Line& line);
 
-/// Whether a field may be an expression of numbers, parameters and functions, such as -A or (8/12).
+/// Whether a field may be an expression of numbers, parameters and functions, such as -A, (8/12) or
+/// 1%A%.
 bool IsMAPDLExpression(std::string_view field);
 
 /**
