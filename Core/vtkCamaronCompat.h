@@ -39,11 +39,25 @@ inline bool HasPlainStorage(vtkCellArray* cells)
 }
 
 /**
- * Class name of a cell type such as "vtkTetra". VTK 9.6 moves the method to a class of its own; delete
+ * Class name of a cell type such as "vtkTetra". VTK's own table has triangles and quadrilaterals of
+ * Lagrange and Bezier in each other's place. VTK 9.6 moves the method to a class of its own; delete
  * this when VTK < 9.6 is no longer supported.
  */
 inline const char* GetCellClassName(int cellType)
 {
+  switch (cellType)
+  {
+    case VTK_LAGRANGE_TRIANGLE:
+      return "vtkLagrangeTriangle";
+    case VTK_LAGRANGE_QUADRILATERAL:
+      return "vtkLagrangeQuadrilateral";
+    case VTK_BEZIER_TRIANGLE:
+      return "vtkBezierTriangle";
+    case VTK_BEZIER_QUADRILATERAL:
+      return "vtkBezierQuadrilateral";
+    default:
+      break;
+  }
 #if __has_include("vtkCellTypeUtilities.h")
   return vtkCellTypeUtilities::GetClassNameFromTypeId(cellType);
 #else

@@ -110,11 +110,21 @@ void CellConverter::Convert(vtkIdType cell, CellChunk& chunk)
   this->Type = this->Mesh.GetCellType(cell);
   this->IsCounted = false;
   const ConversionStep& step = this->Plan[this->Type];
-  const IndexRange points = this->Mesh.GetCellPoints(cell);
-  if (step.LosesNodes)
+  const Tally& leftOut = this->Found.Unsupported[this->Type];
+  const vtkIdType leftOutBefore = leftOut.Count;
+  this->Put(step);
+  if (step.LosesNodes && leftOut.Count == leftOutBefore)
   {
     this->Found.Reduced[this->Type].Add(cell);
   }
+}
+
+//------------------------------------------------------------------------------
+void CellConverter::Put(const ConversionStep& step)
+{
+  CellChunk& chunk = *this->Chunk;
+  const vtkIdType cell = this->Cell;
+  const IndexRange points = this->Mesh.GetCellPoints(cell);
   switch (step.What)
   {
     case Kind::Nodes:

@@ -61,6 +61,8 @@ private:
     }
     this->Put(type);
   }
+  /// Puts what the cell becomes by a step.
+  void Put(const ConversionStep& step);
   void PutPolygon(const vtkIdType* points, vtkIdType size);
   void PutSurface();
   void PutPolyhedron();

@@ -269,6 +269,31 @@ TEST(CellConversion, TellsOfPointsThatCuttingLoses)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a cell that is left out is said to be written, too.
+TEST(CellConversion, TellsOnceOfCellsThatAreLeftOut)
+{
+  const Grid grid = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 }, { .5, .5, 0 }, { 0, .5, 0 } },
+    { { VTK_QUADRATIC_TRIANGLE, { 0, 1, 2, 4, 5, 6 } }, { VTK_TETRA, { 0, 1, 2, 3 } } });
+  for (const UnsupportedCells others : { UnsupportedCells::Skip, UnsupportedCells::Convert })
+  {
+    EXPECT_EQ(Convert(grid, { VTK_TETRA }, others).GetWarnings(),
+      "1 cell of type quadratic triangle left out, as Foo files cannot hold them: cell 0\n");
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, cells have the names of others, as in VTK's own table.
+TEST(CellConversion, NamesOfCellTypes)
+{
+  EXPECT_EQ(GetCellTypeName(VTK_LAGRANGE_TRIANGLE), "lagrange triangle");
+  EXPECT_EQ(GetCellTypeName(VTK_LAGRANGE_QUADRILATERAL), "lagrange quadrilateral");
+  EXPECT_EQ(GetCellTypeName(VTK_BEZIER_TRIANGLE), "bezier triangle");
+  EXPECT_EQ(GetCellTypeName(VTK_BEZIER_QUADRILATERAL), "bezier quadrilateral");
+  EXPECT_EQ(GetCellTypeName(VTK_LAGRANGE_TETRAHEDRON), "lagrange tetra");
+}
+
+//------------------------------------------------------------------------------
 // The corners of a quadratic cell must make a linear cell of the same orientation.
 TEST(CellConversion, ReducesHigherOrderToCorners)
 {
