@@ -5,6 +5,7 @@
 #include "Criteria/CellGeometry.h"
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
+#include "Scan/CountOf.h"
 #include "Scan/MappedFile.h"
 #include "Scan/Number.h"
 #include "Scan/RealFormat.h"
@@ -148,26 +149,11 @@ bool CheckTuples(vtkIdType size, int components, GetTuple&& getTuple, const Tupl
   warnings.Add(rounded, names.One, names.Many, "rounded to single precision");
   return true;
 }
-}
 
 //------------------------------------------------------------------------------
-std::string DescribeArray(vtkAbstractArray* array)
-{
-  return array->GetName() && *array->GetName() ? array->GetName() : "an array without name";
-}
-
-//------------------------------------------------------------------------------
-std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCells)
-{
-  const std::string name = DescribeArray(array);
-  vtkFieldData* const others =
-    ofCells ? static_cast<vtkFieldData*>(mesh->GetPointData()) : mesh->GetCellData();
-  return others->HasArray(name.c_str()) ? name + (ofCells ? " of cells" : " of points") : name;
-}
-
-//------------------------------------------------------------------------------
-void WarnOfArrays(
-  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written)
+// holdsArrays: the format holds some, whether or not the mesh has these.
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings,
+  const WrittenArrays& written, bool holdsArrays)
 {
   std::string arrays, fields;
   const auto list = [](vtkFieldData* data, const char* ownName, const vtkAbstractArray* globalIds,
@@ -195,8 +181,9 @@ void WarnOfArrays(
   if (!arrays.empty())
   {
     warnings.Add(std::string(format) +
-      (written.Points.empty() && written.Cells.empty()
-          ? " holds no arrays; not written: "
+      (!holdsArrays ? " holds no arrays; not written: "
+          : written.Points.empty() && written.Cells.empty()
+          ? " holds no other arrays; not written: "
           : " cannot hold some arrays; not written: ") +
       arrays);
   }
@@ -207,6 +194,35 @@ void WarnOfArrays(
                               : " cannot hold some field data; not written: ") +
       fields);
   }
+}
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeArray(vtkAbstractArray* array)
+{
+  return array->GetName() && *array->GetName() ? array->GetName() : "an array without name";
+}
+
+//------------------------------------------------------------------------------
+std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCells)
+{
+  const std::string name = DescribeArray(array);
+  vtkFieldData* const others =
+    ofCells ? static_cast<vtkFieldData*>(mesh->GetPointData()) : mesh->GetCellData();
+  return others->HasArray(name.c_str()) ? name + (ofCells ? " of cells" : " of points") : name;
+}
+
+//------------------------------------------------------------------------------
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings)
+{
+  WarnOfArrays(mesh, format, warnings, {}, false);
+}
+
+//------------------------------------------------------------------------------
+void WarnOfArrays(
+  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written)
+{
+  WarnOfArrays(mesh, format, warnings, written, true);
 }
 
 //------------------------------------------------------------------------------
@@ -258,15 +274,21 @@ void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
   {
     return;
   }
-  const double lastDigit = std::pow(10, std::floor(std::log10(greatest)) + 1 - digits);
+  const auto getLastDigit = [digits](double value)
+  { return std::pow(10, std::floor(std::log10(value)) + 1 - digits); };
+  const double lastDigit = getLastDigit(greatest);
   const double size = mesh->GetLength();
   if (size > 0 && lastDigit > EnoughOfSize * size)
   {
     std::string step, length;
     AppendNumber(step, static_cast<float>(lastDigit));
     AppendNumber(length, static_cast<float>(size));
+    const double sizeDigit = getLastDigit(size); // at the origin
     warnings.Add("coordinates are kept to " + step + " only, of a mesh of size " + length +
-      ", as it is far from the origin: set Digits to 17 to keep them");
+      (sizeDigit > EnoughOfSize * size
+          ? ", as they have " + CountOf(digits, "digit", "digits")
+          : ", as it is far from the origin") +
+      ": set Digits to 17 to keep them");
     return;
   }
   const MeshView view(mesh);

@@ -32,12 +32,16 @@ std::string DescribeArray(vtkAbstractArray* array);
 /// The same for an array of points or of cells; says of which if the others have one of this name.
 std::string DescribeArray(vtkDataSet* mesh, vtkAbstractArray* array, bool ofCells);
 
+///@{
 /**
  * Warns of arrays that are not written, except those for VTK's own use (global ids, ghosts, time).
  * @param format e.g. "Visf"
+ * @param written of the mesh; without it the format holds no arrays at all
  */
+void WarnOfArrays(vtkDataSet* mesh, const char* format, Warnings& warnings);
 void WarnOfArrays(
-  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written = {});
+  vtkDataSet* mesh, const char* format, Warnings& warnings, const WrittenArrays& written);
+///@}
 
 /**
  * Warns of points whose coordinates are not the same in single precision. False with the error if one
@@ -58,7 +62,7 @@ bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, 
 
 /**
  * Warns of points whose coordinates have more than so many significant digits, and where those keep
- * less than a millionth of the size of the mesh, as far from the origin.
+ * less than a millionth of the size of the mesh, as far from the origin or as they are so few.
  * @param digits 0 for as many as there are
  */
 void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings);

@@ -133,6 +133,13 @@ TEST(M3DWriter, SaysWhatItsDigitsLose)
   ASSERT_EQ(file.Warnings.size(), 1u);
   EXPECT_NE(file.Warnings[0].find("coordinates are kept to 1e+07 only"), std::string::npos)
     << file.Warnings[0];
+  EXPECT_NE(file.Warnings[0].find(", as it is far from the origin: "), std::string::npos)
+    << file.Warnings[0];
+  const Written few =
+    Write(makeAt(0), "test.m3d", [](vtkM3DWriter* writer) { writer->SetDigits(6); });
+  ASSERT_EQ(few.Warnings.size(), 1u);
+  EXPECT_NE(few.Warnings[0].find(", as they have 6 digits: set Digits to 17"), std::string::npos)
+    << few.Warnings[0];
 }
 
 //------------------------------------------------------------------------------

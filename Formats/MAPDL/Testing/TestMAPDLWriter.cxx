@@ -188,6 +188,19 @@ TEST(MAPDLWriter, ArraysComeBack)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, somebody who reads the warning believes that decks have no arrays at all.
+TEST(MAPDLWriter, TellsOfOtherArrays)
+{
+  Grid grid = MakeGrid(Corners, { { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_QUAD, { 0, 1, 2, 3 } } });
+  AddArray<vtkIntArray>(grid->GetCellData(), "pressure", { 2, 1 });
+  const Written written = WriteAll(grid);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("MAPDL holds no other arrays; not written: pressure"),
+    std::string::npos)
+    << written.Warnings[0];
+}
+
+//------------------------------------------------------------------------------
 // If this fails, nobody is told which of two arrays a component is.
 TEST(MAPDLWriter, NamesThatBecomeTheSame)
 {
