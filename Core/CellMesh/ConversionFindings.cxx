@@ -4,6 +4,7 @@
 
 #include "CellMesh/ConversionPlan.h"
 #include "Mesh/CellShape.h"
+#include "Scan/CountOf.h"
 #include "Scan/MappedFile.h"
 #include "vtkCamaronCompat.h"
 
@@ -89,8 +90,8 @@ std::string DescribeRefusal(const CellConversion& how, const ConversionFindings&
     tetrahedra = tetrahedra || step == Kind::Tetrahedra || step == Kind::Polyhedron;
     triangles =
       triangles || ((step == Kind::Surface || step == Kind::Polygon) && plan.CutsPolygons());
-    kinds.push_back(std::to_string(tally.Count) + (tally.Count == 1 ? " cell" : " cells") +
-      " of type " + GetCellTypeName(static_cast<unsigned char>(type)) +
+    kinds.push_back(CountOf(tally.Count, "cell", "cells") + " of type " +
+      GetCellTypeName(static_cast<unsigned char>(type)) +
       (tally.Count == 1 ? " (cell " : " (the first is cell ") + std::to_string(tally.First) + ")");
   }
   std::string help;
@@ -117,7 +118,7 @@ void WarnOfConversion(
   AddPerType(warnings, found.Reduced, " written without their nodes of higher order");
   const std::string faces = std::string("of three dimensions written by ") +
     (how.Surface == SurfaceFaces::Every ? "all their faces, " : "the faces of their boundary, ") +
-    std::to_string(found.NumberOfFaces) + " polygons" +
+    CountOf(found.NumberOfFaces, "polygon", "polygons") +
     (found.NumberOfLostPoints > 0
         ? ", which lack " + std::to_string(found.NumberOfLostPoints) + " of the points"
         : "");
@@ -134,14 +135,13 @@ void WarnOfConversion(
   if (cut3D[VTK_POLYHEDRON].Count > 0 && found.NumberOfLostPoints > 0)
   {
     // Those on edges of a polyhedron may be in no tetrahedron, as faces are cut from one corner.
-    warnings.Add(std::to_string(found.NumberOfLostPoints) +
-      (found.NumberOfLostPoints == 1 ? " point" : " points") +
+    warnings.Add(CountOf(found.NumberOfLostPoints, "point", "points") +
       " left out, which no cell that is written has");
   }
   warnings.Add(found.Uncut, "cell", "cells",
     "with polygons that cross themselves or have no area, whose triangles are arbitrary");
   const std::string bad = "not convex or inside out, of whose tetrahedra " +
-    std::to_string(found.NumberOfNotPositive) + " have no positive volume";
+    CountOf(found.NumberOfNotPositive, "has", "have") + " no positive volume";
   warnings.Add(found.NotPositive, "cell", "cells", bad.c_str());
   AddPerType(
     warnings, found.Unsupported, " left out, as " + how.Format + " files cannot hold them");

@@ -4,6 +4,7 @@
 
 #include "GatheredArrays.h"
 #include "Scan/Buffer.h"
+#include "Scan/CountOf.h"
 #include "Scan/ScanError.h"
 
 #include "vtkCellArray.h"
@@ -195,13 +196,15 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeParts(
   MergeFieldData(parts, merged->GetFieldData());
   if (pieces.GetNumberOfTwins() > 0)
   {
-    warnings.Add(std::to_string(pieces.GetNumberOfTwins()) +
-      " points of pieces without global ids were taken for those of other pieces at the same place");
+    warnings.Add(CountOf(pieces.GetNumberOfTwins(),
+      "point of pieces without global ids was taken for that of another piece at the same place",
+      "points of pieces without global ids were taken for those of other pieces at the same place"));
   }
   if (pieces.GetNumberOfUnclearPlaces() > 0)
   {
-    warnings.Add("the mesh may fall apart at " + std::to_string(pieces.GetNumberOfUnclearPlaces()) +
-      " places where pieces without global ids have several points");
+    warnings.Add("the mesh may fall apart at " +
+      CountOf(pieces.GetNumberOfUnclearPlaces(), "place", "places") +
+      " where pieces without global ids have several points");
   }
   return merged;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLComponents.h"
 
+#include "Scan/CountOf.h"
+
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkNew.h"
@@ -239,17 +241,18 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   }
   if (wrongCounts > 0)
   {
-    warnings.Add(std::to_string(wrongCounts) + " components have fewer members than they say");
+    warnings.Add(CountOf(wrongCounts, "component has fewer members than it says",
+      "components have fewer members than they say"));
   }
   if (undefined > 0)
   {
-    warnings.Add(
-      std::to_string(undefined) + " components name nodes or elements that the deck does not define");
+    warnings.Add(CountOf(undefined, "component names", "components name") +
+      " nodes or elements that the deck does not define");
   }
   if (leftOut > 0)
   {
-    warnings.Add(std::to_string(leftOut) +
-      " components are left out, as all of them need far more memory than the file has bytes");
+    warnings.Add(CountOf(leftOut, "component is", "components are") +
+      " left out, as all of them need far more memory than the file has bytes");
   }
   return !progress.IsStopped();
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLMesh.h"
 
+#include "Scan/CountOf.h"
+
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
 #include "vtkPointData.h"
@@ -146,11 +148,12 @@ bool MAPDLMesh::AddArrays(
 //------------------------------------------------------------------------------
 void MAPDLMesh::Warn(Warnings& warnings) const
 {
-  const auto add = [&warnings](vtkIdType count, const std::string& sentence)
+  const auto add = [&warnings](vtkIdType count, const std::string& one, const std::string& many,
+                     const std::string& rest = {})
   {
     if (count > 0)
     {
-      warnings.Add(std::to_string(count) + " " + sentence);
+      warnings.Add(CountOf(count, one, many) + rest);
     }
   };
   std::map<int, vtkIdType> unknown;
@@ -166,42 +169,49 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   }
   for (const auto& entry : unknown)
   {
-    add(entry.second,
-      "elements of type " + std::to_string(entry.first) +
-        (this->Options.UnknownAsPoints ? ", which is no cell, are points"
-                                       : ", which is no cell, are left out"));
+    const std::string kind = " of type " + std::to_string(entry.first) + ", which is no cell, ";
+    add(entry.second, "element" + kind + "is ", "elements" + kind + "are ",
+      this->Options.UnknownAsPoints ? "points" : "left out");
   }
-  add(withoutNodes, "elements have no nodes and are left out");
+  add(withoutNodes, "element has no nodes and is", "elements have no nodes and are", " left out");
   add(undefined,
-    "elements of types that the deck does not define; their cells follow from the "
-    "numbers of their nodes");
-  add(this->ReplacedNodes, "nodes are defined again later; the last definition counts");
-  add(this->ReplacedElements, "elements are defined again later; the last definition counts");
+    "element of a type that the deck does not define; its cell follows from the number of its nodes",
+    "elements of types that the deck does not define; their cells follow from the numbers of their "
+    "nodes");
+  const char* const replaced = " defined again later; the last definition counts";
+  add(this->ReplacedNodes, "node is", "nodes are", replaced);
+  add(this->ReplacedElements, "element is", "elements are", replaced);
   add(static_cast<vtkIdType>(this->Midpoints.size()),
+    "mid-side node is missing; a point in the middle of its edge stands for it",
     "mid-side nodes are missing; points in the middle of their edges stand for them");
-  add(this->Deck.NumberOfClearedRows,
-    "nodes and elements are left out, as /CLEAR after them begins a new model");
-  add(this->Deck.NumberOfFreeBlocks,
-    "blocks have no format that makes sense; blanks and commas divide their numbers");
+  add(this->Deck.NumberOfClearedRows, "node or element is", "nodes and elements are",
+    " left out, as /CLEAR after them begins a new model");
+  add(this->Deck.NumberOfFreeBlocks, "block has", "blocks have",
+    " no format that makes sense; blanks and commas divide numbers");
   add(this->Deck.NumberOfMiscountedBlocks,
+    "block has more or fewer rows than it promises; the rows count",
     "blocks have more or fewer rows than they promise; the rows count");
+  const char* const unknownValue = " a parameter or an expression whose value is not known; what ";
   add(this->Deck.NumberOfUnknownParameters,
-    "commands need a parameter or an expression whose value is not known; what they define is left "
-    "out");
-  add(this->Deck.NumberOfTurnedNodes,
-    "nodes are given in a coordinate system other than the global one, which is not regarded");
-  const auto addSkipped = [&add](const MAPDLSkipped& skipped, const char* what)
+    "command needs" + std::string(unknownValue) + "it defines",
+    "commands need" + std::string(unknownValue) + "they define", " is left out");
+  add(this->Deck.NumberOfTurnedNodes, "node is", "nodes are",
+    " given in a coordinate system other than the global one, which is not regarded");
+  const auto addSkipped = [&add](const MAPDLSkipped& skipped, const char* one, const char* many)
   {
     std::string names;
     for (const std::string& name : skipped.Names)
     {
       names += (names.empty() ? "" : ", ") + name;
     }
-    add(skipped.Number, what + names);
+    add(skipped.Number, one, many, ": " + names);
   };
   addSkipped(this->Deck.Skipped,
+    "command that defines or changes the mesh stands in a branch or loop (*IF, *DO, *CREATE), which "
+    "is skipped",
     "commands that define or change the mesh stand in branches or loops (*IF, *DO, *CREATE), which "
-    "are skipped: ");
-  addSkipped(this->Deck.Ignored, "commands that change the mesh are not executed: ");
+    "are skipped");
+  addSkipped(this->Deck.Ignored, "command that changes the mesh is not executed",
+    "commands that change the mesh are not executed");
 }
 }

@@ -6,6 +6,7 @@
 #include "MAPDLCommands.h"
 #include "MAPDLOutputTypes.h"
 #include "Scan/Buffer.h"
+#include "Scan/CountOf.h"
 #include "Scan/IdMap.h"
 #include "Scan/MappedFile.h"
 #include "Scan/RealFormat.h"
@@ -236,8 +237,8 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
     }
     if (replaced > 0)
     {
-      warnings.Add(std::to_string(replaced) + (replaced == 1 ? " value of " : " values of ") +
-        name + " cannot be in a deck (" + (name == std::string("Material") ? "-1 or " : "") +
+      warnings.Add(CountOf(replaced, "value of ", "values of ") + name +
+        " cannot be in a deck (" + (name == std::string("Material") ? "-1 or " : "") +
         "beyond -999999999 to 2147483647), and 1 is written instead");
     }
   };

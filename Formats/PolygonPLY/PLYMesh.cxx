@@ -4,6 +4,7 @@
 
 #include "CellMesh/CellGrid.h"
 #include "FaceMesh/GridBuilder.h"
+#include "Scan/CountOf.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -66,7 +67,7 @@ void PLYMesh::WarnOfLists()
       if (element.Properties[i].IsList && !part.Used[i])
       {
         this->Messages.Add("the lists " + Quote(element.Properties[i].Name) + " of " +
-          std::to_string(element.Count) + " elements " + Quote(element.Name) + " are left out");
+          CountOf(element.Count, "element ", "elements ") + Quote(element.Name) + " are left out");
       }
     }
   }
@@ -384,8 +385,8 @@ vtkIdType PLYMesh::NumberFaces(
   const bool hasValues = !faceParts.empty() && !Plan(*faceParts[0], this->Header).empty();
   if (lost > 0 && hasValues && !this->Header.FacesOfCellsAreBlank)
   {
-    this->Messages.Add(
-      "the values of " + std::to_string(lost) + " faces that belong to cells are left out");
+    this->Messages.Add("the values of " + CountOf(lost, "face that belongs", "faces that belong") +
+      " to cells are left out");
   }
   return item;
 }

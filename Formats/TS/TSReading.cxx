@@ -5,6 +5,7 @@
 #include "CellMesh/CellGrid.h"
 #include "CellMesh/PieceRows.h"
 #include "CellMesh/PointRows.h"
+#include "Scan/CountOf.h"
 #include "Scan/ReadMappedFile.h"
 #include "TSurfReading.h"
 
@@ -114,7 +115,7 @@ vtkIdType TSReading::CountTetrahedra(TextScanner scanner)
   }
   if (found < promised)
   {
-    this->Messages.Add("the file has " + std::to_string(found) + " tetrahedra, not " +
+    this->Messages.Add("the file has " + CountOf(found, "tetrahedron", "tetrahedra") + ", not " +
       std::to_string(promised) + " as it says; Camarón counts polyhedra that it does not write");
   }
   return found;

@@ -205,7 +205,8 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     const Result result = ReadDeck(nodes + end);
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
     ASSERT_EQ(result.Warnings.size(), 1u) << end;
-    EXPECT_NE(result.Warnings[0].find("1 blocks have more or fewer rows"), std::string::npos);
+    EXPECT_NE(result.Warnings[0].find("1 block has more or fewer rows than it promises"),
+      std::string::npos);
     EXPECT_EQ(result.Grid->GetNumberOfPoints(), 2);
   }
 }

@@ -432,7 +432,8 @@ TEST(MAPDLReader, NamesOfOtherCommands)
   EXPECT_EQ(GetValue(result.Grid, "Real", 0), 3);
   EXPECT_EQ(GetValue(result.Grid, "Real", 1), 4);
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("1 commands that change the mesh"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("1 command that changes the mesh is not executed: "),
+    std::string::npos);
 }
 
 //------------------------------------------------------------------------------
@@ -453,7 +454,7 @@ TEST(MAPDLReader, OptionsForElements)
   const Result standard = read(true, false);
   EXPECT_EQ(standard.Grid->GetNumberOfCells(), 2);
   ASSERT_EQ(standard.Warnings.size(), 1u);
-  EXPECT_NE(standard.Warnings[0].find("1 elements of type 27"), std::string::npos);
+  EXPECT_NE(standard.Warnings[0].find("1 element of type 27"), std::string::npos);
   const Result all = read(true, true);
   ASSERT_EQ(all.Grid->GetNumberOfCells(), 3);
   EXPECT_EQ(all.Grid->GetCellType(2), VTK_POLY_VERTEX);
@@ -510,7 +511,7 @@ TEST(MAPDLReader, WarnsOfMembersThatAreNotThere)
   const Result result = ReadDeck(MakeNodes(1, 9) + "CMBLOCK,BAD,NODE,1\n(8i10)\n        99\n");
   ASSERT_TRUE(result.Errors.empty());
   ASSERT_EQ(result.Warnings.size(), 1u);
-  EXPECT_NE(result.Warnings[0].find("1 components name nodes"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("1 component names nodes"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
@@ -545,7 +546,7 @@ TEST(MAPDLReader, ClearBeginsANewModel)
   EXPECT_NE(
     result.Warnings[0].find("3 nodes and elements are left out, as /CLEAR"), std::string::npos)
     << result.Warnings[0];
-  EXPECT_NE(result.Warnings[1].find("1 commands need a parameter"), std::string::npos);
+  EXPECT_NE(result.Warnings[1].find("1 command needs a parameter"), std::string::npos);
   EXPECT_EQ(result.Grid->GetPointData()->GetNumberOfArrays(), 1);
   ASSERT_EQ(result.Grid->GetNumberOfCells(), 1);
   EXPECT_EQ(GetNodes(result.Grid, 0), (Nodes{ 1, 2, 3 }));
@@ -583,7 +584,7 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
          "SECNUM", "/CLEAR", "NGEN", "/INPUT", "NUMMRG" })
   {
     const std::string warning = inBranch(std::string(command) + ",2,2\n");
-    EXPECT_NE(warning.find("which are skipped: " + std::string(command)), std::string::npos)
+    EXPECT_NE(warning.find("which is skipped: " + std::string(command)), std::string::npos)
       << warning;
   }
   EXPECT_NE(read("*DO,I,1,9\nNGEN,2,4,1,4\n*ENDDO\n").find("NGEN"), std::string::npos);
@@ -591,7 +592,7 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
   for (const char* change : { "X=1", "*SET,X,1", "*GET,X,NODE,,NUM,MAX" })
   {
     const std::string warning = inBranch(change + std::string("\n*ENDIF\nN,X,7,7,7\n*IF,B,EQ,1"));
-    EXPECT_NE(warning.find("1 commands need a parameter"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("1 command needs a parameter"), std::string::npos) << warning;
   }
   EXPECT_NE(read("*DO,X,1,9\n*ENDDO\nN,X,7\n").find("parameter"), std::string::npos);
   // Nor is the coordinate system.
@@ -600,7 +601,7 @@ TEST(MAPDLReader, BranchesChangeNothingUnsaid)
   for (const char* local : { "CSYS,5", "LOCAL,11,1", "local,11", "CLOCAL,12", "CS,13,0,1,2,3",
          "CSKP,13,0,1,2,3", "CSWPLA,14" })
   {
-    EXPECT_NE(read(local + std::string("\nN,4,1,1,1\n")).find("1 nodes are given in a coordinate"),
+    EXPECT_NE(read(local + std::string("\nN,4,1,1,1\n")).find("1 node is given in a coordinate"),
       std::string::npos)
       << local;
     EXPECT_NE(
