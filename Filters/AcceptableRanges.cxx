@@ -57,6 +57,12 @@ bool AcceptableRanges::HasRule(const std::string& name) const
 }
 
 //------------------------------------------------------------------------------
+bool AcceptableRanges::IsHint(const Criterion& criterion) const
+{
+  return criterion.AcceptableIsHint && (this->IsDefault || !this->HasRule(criterion.Name));
+}
+
+//------------------------------------------------------------------------------
 std::optional<ValueRange> AcceptableRanges::Find(
   const std::string& name, const std::string& unit) const
 {

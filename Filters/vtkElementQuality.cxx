@@ -11,6 +11,8 @@
 #include "MeshInput.h"
 #include "MeshPieces.h"
 #include "Parallel.h"
+#include "RunTogether.h"
+#include "WorstCriterion.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -321,38 +323,47 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   {
     pieces.FindPointRegions();
   }
-  for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
-  {
-    const camaron::MeshTopology& topology = pieces.GetTopology(piece);
-    std::vector<camaron::CriterionValues> rows;
-    for (const camaron::Criterion* criterion : criteria)
+  bool isFinished = true;
+  camaron::RunTogether(reducer,
+    [&]
     {
-      vtkNew<vtkDoubleArray> array;
-      array->SetName(criterion->Name);
-      array->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
-      camaron::SetUnitLabel(array, criterion->UnitLabel(options.Angles).c_str());
-      rows.push_back({ criterion, array->GetPointer(0) });
-      arrays[criterion->Name].emplace_back(array);
-    }
-    const bool isFinished = camaron::Evaluate(topology, pieces.GetOptions(piece), rows,
-      [&](double done)
+      for (std::size_t piece = 0; piece < pieces.GetSize() && isFinished; ++piece)
       {
-        this->UpdateProgress(
-          (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
-        return !this->CheckAbort();
-      });
-    if (!isFinished)
-    {
-      return false;
-    }
-  }
-  return true;
+        const camaron::MeshTopology& topology = pieces.GetTopology(piece);
+        std::vector<camaron::CriterionValues> rows;
+        for (const camaron::Criterion* criterion : criteria)
+        {
+          vtkNew<vtkDoubleArray> array;
+          array->SetName(criterion->Name);
+          array->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
+          camaron::SetUnitLabel(array, criterion->UnitLabel(options.Angles).c_str());
+          rows.push_back({ criterion, array->GetPointer(0) });
+          arrays[criterion->Name].emplace_back(array);
+        }
+        isFinished = camaron::Evaluate(topology, pieces.GetOptions(piece), rows,
+          [&](double done)
+          {
+            this->UpdateProgress(
+              (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
+            return !this->CheckAbort();
+          });
+      }
+    });
+  std::int64_t areFinished = isFinished;
+  reducer.Min(&areFinished, 1); // as what follows is done by all or none
+  return areFinished != 0;
 }
 
 //------------------------------------------------------------------------------
 void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leaves,
-  const std::vector<const camaron::Criterion*>& criteria, const ArraysOfCriteria& arrays)
+  const std::vector<const camaron::Criterion*>& criteria, const ArraysOfCriteria& arrays,
+  const camaron::EvaluationOptions& options)
 {
+  camaron::ControllerReducer reducer;
+  const camaron::AcceptableRanges ranges(
+    this->Preset == TickedCriteria() ? camaron::GetDefaultRangesName() : this->Preset, "", reducer);
+  const camaron::Criterion* const worst =
+    camaron::FindWorstCriterion(criteria, arrays, leaves, ranges, options.Angles, reducer);
   for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
   {
     vtkCellData* const data = leaves[leaf].Data->GetCellData();
@@ -365,9 +376,9 @@ void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leave
         data->AddArray(MakeNullMask(array, leaves[leaf].Data));
       }
     }
-    if (!criteria.empty())
+    if (worst)
     {
-      data->SetActiveScalars(criteria[0]->Name);
+      data->SetActiveScalars(worst->Name);
     }
   }
 }
@@ -407,7 +418,7 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
     this->Known->Clear();
     return;
   }
-  this->AddArrays(leaves, criteria, arrays);
+  this->AddArrays(leaves, criteria, arrays, options);
   this->Known->Keep(std::move(arrays));
 }
 

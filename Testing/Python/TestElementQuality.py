@@ -10,6 +10,7 @@ import camaron_testing
 import gallery
 import mesh_parts
 import numpy
+from camaron import ranking, tables
 from paraview import servermanager, simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
@@ -120,6 +121,45 @@ class TestElementQuality(camaron_testing.TestCase):
         for name in ("EdgeLengthRatio", "EquiangleSkewness", "IsoperimetricQuotient"):
             self.assertFalse(any(map(math.isnan, values[name])), name)
         self.assertIn(data.GetCellData().GetScalars().GetName(), values)
+
+    def test_coloured_by_the_worst(self):
+        """A criterion without values is never the colour; of the others the one with most cells outside its range."""
+
+        def colour(source, **properties):
+            scalars = self.fetch(simple.ElementQuality(Input=source, **properties)).GetCellData().GetScalars()
+            return scalars and scalars.GetName()
+
+        ball = self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
+        self.assertEqual(colour(ball, Criteria=["Area", "EdgeLengthRatio"]), "EdgeLengthRatio")
+        for criteria in (["Volume", "Area"], ["Area", "BhatiaLawrence", "Volume"]):
+            self.assertEqual(colour(ball, Criteria=criteria), "Volume")
+        self.assertIsNone(colour(ball, Criteria=["Area"]))  # polygons alone have one
+        self.assertIsNone(colour(ball, Criteria=[]))
+        names = list(tables.known_criteria())
+        self.assertEqual(colour(ball, Criteria=names), "CellStatus")
+
+        # A needle beside a good tetrahedron, and cubes, none of which is outside of a range, in either unit.
+        corners = [(0, 0, 0), (1, 0, 0), (0.5, 0.9, 0), (0.5, 0.3, 0.8), (0.5, 0.3, 1e-3)]
+        cells = [(VTK_TETRA, (0, 1, 2, 3)), (VTK_TETRA, (0, 1, 2, 4))]
+        needle = mesh_parts.producer(gallery.make_grid(corners, cells))
+        for units in ("Degrees", "Radians"):
+            limited = ["Volume", "MinDihedralAngle"]
+            self.assertEqual(colour(needle, Criteria=limited, AngleUnits=units), "MinDihedralAngle")
+            flat = ["EdgeLengthRatio", "EquiangleSkewness"]
+            self.assertEqual(colour(simple.Wavelet(), Criteria=flat, AngleUnits=units), flat[1])  # has a range
+
+        # Cells with a volume come before the polygons between them.
+        quarter = [(0, 0, 0), (1, 0, 0), (1, 1e-3, 0), (0, 1e-3, 1)]
+        mixed = mesh_parts.producer(gallery.make_grid(quarter, [(VTK_TETRA, range(4)), (5, (0, 1, 2))] * 2))
+        self.assertEqual(colour(mixed, Criteria=["Area", "Volume"]), "Volume")
+
+    def test_colour_is_the_worst_of_reports(self):
+        mesh = self.open(camaron_testing.EXAMPLES / "flange.visf")
+        for preset in ("General", "FEM tetrahedra", "VEM"):
+            quality = simple.ElementQuality(Input=mesh, Preset=preset)
+            rows = tables.read(simple.QualityStatistics(Input=quality, Preset=preset), preset)
+            colour = self.fetch(quality).GetCellData().GetScalars().GetName()
+            self.assertEqual(colour, ranking.worst_criterion(rows)["name"], preset)
 
     def test_only_what_is_ticked(self):
         values = self.evaluate(simple.Wavelet(), Criteria=["Volume", "MinDihedralAngle"])

@@ -84,6 +84,12 @@ def values_of(data_of_ranks):
     return result
 
 
+def colors_of(data_of_ranks):
+    """The names of the arrays that are offered as the colour, of all blocks and ranks with cells."""
+    leaves = [leaf for data in data_of_ranks for leaf in camaron_testing.leaves(data)]
+    return {leaf.GetCellData().GetScalars().GetName() for leaf in leaves if leaf.GetNumberOfCells()}
+
+
 def surface_of(source):
     """Of every polygon of the surface the number of the cell behind it, sorted, from all ranks."""
     surface = simple.MeshSurface(Input=source)
@@ -111,15 +117,19 @@ def statistics_of(quality, folder):
 
 
 def save_reference(folder):
-    reference, surfaces = {}, {}
+    reference, surfaces, colors = {}, {}, {}
     for mesh in rank_meshes.MESHES:
         quality = evaluate(rank_meshes.split_source(mesh))
-        reference[mesh] = values_of(fetch_all(quality)), statistics_of(quality, folder)
+        data = fetch_all(quality)
+        reference[mesh] = values_of(data), statistics_of(quality, folder)
+        colors[mesh] = colors_of(data)
         surfaces[mesh] = surface_of(quality)
     quality = evaluate(rank_meshes.block_source("tetrahedra"))
-    reference["blocks"] = values_of(fetch_all(quality)), None
+    data = fetch_all(quality)
+    reference["blocks"] = values_of(data), None
+    colors["blocks"] = colors_of(data)
     surfaces["blocks"] = surface_of(quality)
-    (folder / "reference").write_bytes(pickle.dumps((reference, surfaces)))
+    (folder / "reference").write_bytes(pickle.dumps((reference, surfaces, colors)))
 
 
 class TestQualityRanks(camaron_testing.TestCase):
@@ -127,7 +137,7 @@ class TestQualityRanks(camaron_testing.TestCase):
     def setUpClass(cls):
         folder = Path(camaron_testing.tempfile.mkdtemp(prefix="camaron-test-"))
         camaron_testing.run_alone(__file__, folder, timeout=250)
-        cls.reference, cls.surfaces = pickle.loads((folder / "reference").read_bytes())
+        cls.reference, cls.surfaces, cls.colors = pickle.loads((folder / "reference").read_bytes())
         shutil.rmtree(folder)
 
     def check(self, reference, source, text, with_statistics=False, before=None, **properties):
@@ -138,8 +148,10 @@ class TestQualityRanks(camaron_testing.TestCase):
             quality.UpdatePipeline()
             quality.Criteria = CRITERIA
         with pipeline.Messages() as messages:  # VTK's reader warns of empty units
-            found = values_of(fetch_all(quality))
+            data = fetch_all(quality)
+        found = values_of(data)
         self.assertEqual(messages.errors, [])
+        self.assertEqual(colors_of(data), self.colors[reference], text)
         for name, values in expected.items():
             wrong = numpy.flatnonzero(found[name] != values)
             self.assertEqual(
