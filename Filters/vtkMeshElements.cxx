@@ -17,6 +17,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <exception>
 
 vtkStandardNewMacro(vtkMeshElements);
@@ -198,6 +199,14 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   common.Angles =
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
   camaron::ControllerReducer reducer;
+  // A stopped execution comes again for each of the other ports.
+  std::int64_t isStopped = this->CheckAbort();
+  reducer.Max(&isStopped, 1);
+  if (isStopped)
+  {
+    this->SetAbortOutput(true);
+    return;
+  }
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
@@ -236,27 +245,33 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {
     const camaron::MeshTopology topology(meshes[piece]);
-    const camaron::ElementContext context(meshes[piece], topology, pieces.GetOptions(piece),
+    camaron::ElementContext context(meshes[piece], topology, pieces.GetOptions(piece),
       this->MergeTolerance,
       { pieces.GetMesh(piece), dimensions[piece], areComplete, &points[piece], &faces[piece] });
-    const auto goesOn = [&](double done)
+    context.SetProgress(
+      [&](double done)
+      {
+        this->UpdateProgress(
+          (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
+        return !this->CheckAbort();
+      });
+    constexpr double faceTime = 0.6, edgeTime = 0.9; // parts of the time, about
     {
-      this->UpdateProgress(
-        (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
-      return !this->CheckAbort();
-    };
-    camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0][piece]);
-    if (goesOn(0.5))
+      const camaron::ElementContext::Step step(context, 0, faceTime);
+      camaron::MakeFaces(context, GetTicked(this->FaceArrays), outputs[0][piece]);
+    }
     {
+      const camaron::ElementContext::Step step(context, faceTime, edgeTime);
       camaron::MakeEdges(context, GetTicked(this->EdgeArrays), outputs[1][piece]);
     }
-    if (goesOn(0.8))
+    const camaron::ElementContext::Step step(context, edgeTime, 1);
+    if (camaron::MakeVertices(context, GetTicked(this->VertexArrays), outputs[2][piece]) && this->WorstOfCells)
     {
-      camaron::MakeVertices(context, GetTicked(this->VertexArrays), outputs[2][piece]);
-      if (this->WorstOfCells)
-      {
-        camaron::AddWorstOfCells(context, outputs[2][piece]);
-      }
+      camaron::AddWorstOfCells(context, outputs[2][piece]);
+    }
+    if (!context.GoesOn(1))
+    {
+      return;
     }
   }
 }

@@ -55,7 +55,7 @@ unsigned char* AddGhostArray(vtkPolyData* elements)
 }
 
 //------------------------------------------------------------------------------
-void AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
+bool AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
   const std::vector<std::string>& names, vtkPolyData* elements)
 {
   vtkDataSet* piece = context.GetPiece();
@@ -69,6 +69,9 @@ void AddElementArrays(const ElementContext& context, const std::vector<ElementAr
   std::vector<const ElementArray*> ofFaces;
   std::vector<double*> faceValues;
   std::vector<std::pair<vtkDoubleArray*, enum Unit>> reals;
+  constexpr double allOfFaces = 4; // they take as long as so many other arrays
+  const double steps = static_cast<double>(names.size()) + allOfFaces;
+  double done = 0;
   for (const ElementArray& row : rows)
   {
     const bool isChosen = std::find(names.begin(), names.end(), row.Name) != names.end();
@@ -76,6 +79,12 @@ void AddElementArrays(const ElementContext& context, const std::vector<ElementAr
     {
       continue;
     }
+    const ElementContext::Step step(context, done / steps, (done + 1) / steps);
+    if (!context.GoesOn())
+    {
+      return false;
+    }
+    done += row.FacetFunction || row.ShapeFunction ? 0 : 1;
     if (row.IdFunction)
     {
       row.IdFunction(context, Add<vtkIdTypeArray>(elements, row.Name));
@@ -100,11 +109,13 @@ void AddElementArrays(const ElementContext& context, const std::vector<ElementAr
   }
   if (!ofFaces.empty())
   {
+    const ElementContext::Step step(context, done / steps, 1);
     EvaluateFaces(context, ofFaces, faceValues);
   }
   for (const auto& array : reals)
   {
     SetUnit(array.first, array.second, context.GetOptions().Angles);
   }
+  return context.GoesOn(1);
 }
 }

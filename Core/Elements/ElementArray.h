@@ -60,9 +60,9 @@ const std::vector<ElementArray>& GetVertexArrays();
 
 /**
  * Adds those of the rows whose names are chosen, as cell arrays with UNITS_LABEL, and the points of the mesh with their
- * data. Nothing is computed for others.
+ * data. Nothing is computed for others. Returns ElementContext::GoesOn.
  */
-void AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
+bool AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
   const std::vector<std::string>& names, vtkPolyData* elements);
 
 /// Adds "vtkGhostType" to the elements and returns its values, all 0.

@@ -6,7 +6,6 @@
 #include "Elements/Counters.h"
 #include "Elements/MismatchedFaces.h"
 #include "Mesh/CellFacets.h"
-#include "Parallel.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -20,24 +19,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
-
-//------------------------------------------------------------------------------
-// Calls visit(cell, facets) for all cells in parallel.
-template <typename Visit>
-void ForCells(const MeshView& mesh, Visit&& visit)
-{
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      CellFacets facets(mesh);
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        visit(cell, facets);
-      }
-    });
-}
-
 //------------------------------------------------------------------------------
 // Calls visit(points, size, isBoundary) for every face of 3D cells once, and every 2D cell.
 template <typename Visit>
@@ -77,12 +58,11 @@ void MakeUnique(std::vector<vtkIdType>& items)
 //------------------------------------------------------------------------------
 // Counts uses by cells and faces: forItems(points, size, visit(item)) tells what a ring of points uses.
 template <typename ForItems>
-ElementUses CountUses(const MeshTopology& topology, std::size_t size, ForItems&& forItems)
+ElementUses CountUses(const ElementContext& context, std::size_t size, ForItems&& forItems)
 {
-  const FacetTable& table = topology.GetFaces();
+  const FacetTable& table = context.GetTopology().GetFaces();
   Counters cells(size), polygons(size), faces(size), boundaryFaces(size);
-  ForCells(topology.GetMesh(),
-    [&](vtkIdType cell, CellFacets& facets)
+  const auto countCell = [&](vtkIdType cell, CellFacets& facets)
     {
       const bool isPolygon = facets.GetDimension(cell) == 2;
       std::vector<vtkIdType> found;
@@ -122,24 +102,34 @@ ElementUses CountUses(const MeshTopology& topology, std::size_t size, ForItems&&
             }
           }
         });
+    };
+  context.ForCells(
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      CellFacets facets(context.GetMesh());
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        countCell(cell, facets);
+      }
     });
   return { cells.Get(), polygons.Get(), faces.Get(), boundaryFaces.Get() };
 }
 
 //------------------------------------------------------------------------------
-EdgeAngles ComputeEdgeAngles(
-  const MeshView& mesh, const EvaluationOptions& options, const EdgeFinder& finder, std::size_t size)
+EdgeAngles ComputeEdgeAngles(const ElementContext& context)
 {
+  const EdgeFinder& finder = context.GetEdgeFinder();
+  const std::size_t size = context.GetTopology().GetEdges().size();
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Minima<double> smallest(size, infinity), negated(size, infinity);
   AngleSums sums(size);
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
+  context.ForCells(
     [&](vtkIdType begin, vtkIdType end)
     {
       CellGeometry cell;
       for (vtkIdType id = begin; id < end; ++id)
       {
-        cell.Load(mesh, id, options);
+        cell.Load(context.GetMesh(), id, context.GetOptions());
         cell.Normalize();
         if (!(cell.GetShapes() & Polyhedra))
         {
@@ -218,6 +208,15 @@ ElementContext::ElementContext(vtkDataSet* mesh, const MeshTopology& topology,
 }
 
 //------------------------------------------------------------------------------
+bool ElementContext::GoesOn(double done) const
+{
+  // Tables that several arrays share are made in the step of the first one, maybe in several passes.
+  this->Done = std::max(this->Done, this->Range[0] + done * (this->Range[1] - this->Range[0]));
+  this->IsStopped = this->IsStopped || (this->Progress && !this->Progress(this->Done));
+  return !this->IsStopped;
+}
+
+//------------------------------------------------------------------------------
 bool ElementContext::IsCopy(vtkIdType cell) const
 {
   return this->Options.Ghosts &&
@@ -253,7 +252,7 @@ const ElementUses& ElementContext::GetEdgeUses() const
   return GetOnce(this->EdgeUses,
     [&]
     {
-      return CountUses(this->Topology, this->Topology.GetEdges().size(),
+      return CountUses(*this, this->Topology.GetEdges().size(),
         [&](const vtkIdType* points, vtkIdType size, auto&& visit)
         {
           for (vtkIdType i = 0; i < size; ++i)
@@ -274,7 +273,7 @@ const ElementUses& ElementContext::GetVertexUses() const
   return GetOnce(this->VertexUses,
     [this]
     {
-      return CountUses(this->Topology, static_cast<std::size_t>(this->GetMesh().GetNumberOfPoints()),
+      return CountUses(*this, static_cast<std::size_t>(this->GetMesh().GetNumberOfPoints()),
         [](const vtkIdType* points, vtkIdType size, auto&& visit)
         {
           for (vtkIdType i = 0; i < size; ++i)
@@ -288,12 +287,7 @@ const ElementUses& ElementContext::GetVertexUses() const
 //------------------------------------------------------------------------------
 const EdgeAngles& ElementContext::GetEdgeAngles() const
 {
-  return GetOnce(this->Angles,
-    [this]
-    {
-      return ComputeEdgeAngles(
-        this->GetMesh(), this->Options, this->GetEdgeFinder(), this->Topology.GetEdges().size());
-    });
+  return GetOnce(this->Angles, [this] { return ComputeEdgeAngles(*this); });
 }
 
 //------------------------------------------------------------------------------

@@ -13,9 +13,14 @@
 #include "Criteria/CellGeometry.h"
 #include "Elements/EdgeFinder.h"
 #include "Mesh/MeshTopology.h"
+#include "Parallel.h"
 
-#include <optional> // for the tables
-#include <vector>   // for the tables
+#include <algorithm>  // for parts of the mesh
+#include <array>      // for steps
+#include <functional> // for progress
+#include <optional>   // for the tables
+#include <utility>    // for std::move
+#include <vector>     // for the tables
 
 class vtkDataSet;
 
@@ -70,6 +75,50 @@ public:
   ElementContext(vtkDataSet* mesh, const MeshTopology& topology, EvaluationOptions options,
     double mergeTolerance = 0, const ElementSource& source = {});
 
+  ///@{
+  /**
+   * Whom to tell how much of all is done, 0 to 1; the answer false stops the work. GoesOn says how much of the present
+   * Step is done and whether to go on; once that is false, it stays so, and what is made is worth nothing.
+   */
+  void SetProgress(std::function<bool(double)> progress) { this->Progress = std::move(progress); }
+  bool GoesOn(double done = 0) const;
+  ///@}
+
+  /// While this lives, what is done is the part from @a begin to @a end of the step before.
+  class Step
+  {
+  public:
+    Step(const ElementContext& context, double begin, double end)
+      : Context(context)
+      , Outer(context.Range)
+    {
+      const double size = this->Outer[1] - this->Outer[0];
+      context.Range = { this->Outer[0] + begin * size, this->Outer[0] + end * size };
+    }
+    ~Step() { this->Context.Range = this->Outer; }
+    Step(const Step&) = delete;
+    void operator=(const Step&) = delete;
+
+  private:
+    const ElementContext& Context;
+    std::array<double, 2> Outer;
+  };
+
+  /// Calls @a function(begin, end) for the cells of the mesh in parallel as long as GoesOn.
+  template <typename Function>
+  void ForCells(Function&& function) const
+  {
+    constexpr vtkIdType grain = 1024, numberOfReports = 100, smallest = 1 << 16;
+    const vtkIdType size = this->GetMesh().GetNumberOfCells();
+    const vtkIdType slab = std::max(smallest, size / numberOfReports + 1);
+    for (vtkIdType first = 0;
+         first < size && this->GoesOn(static_cast<double>(first) / static_cast<double>(size)); first += slab)
+    {
+      ParallelFor(std::min(slab, size - first), grain,
+        [&](vtkIdType begin, vtkIdType end) { function(first + begin, first + end); });
+    }
+  }
+
   vtkDataSet* GetData() const { return this->Data; }
   /// What the points of the elements and their data are.
   vtkDataSet* GetPiece() const { return this->Source.Piece; }
@@ -105,7 +154,11 @@ private:
   EvaluationOptions Options;
   double MergeTolerance;
   ElementSource Source;
+  std::function<bool(double)> Progress;
 
+  mutable std::array<double, 2> Range = { 0, 1 }; // of the present step
+  mutable double Done = 0;
+  mutable bool IsStopped = false;
   mutable std::optional<EdgeFinder> Edges;
   mutable std::optional<ElementUses> EdgeUses, VertexUses;
   mutable std::optional<EdgeAngles> Angles;

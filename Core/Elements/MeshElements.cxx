@@ -29,15 +29,17 @@ namespace
 constexpr vtkIdType Grain = 1024;
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkCellArray> MakePolygons(const MeshView& mesh, const FacetTable& table)
+// None if somebody stops it.
+vtkSmartPointer<vtkCellArray> MakePolygons(const ElementContext& context, const FacetTable& table)
 {
+  const MeshView& mesh = context.GetMesh();
   vtkNew<vtkTypeInt64Array> offsets, connectivity;
   offsets->SetNumberOfValues(table.GetNumberOfFacets() + 1);
   vtkTypeInt64* starts = offsets->GetPointer(0);
   starts[0] = 0;
   const auto forCells = [&](auto&& visit)
   {
-    ParallelFor(mesh.GetNumberOfCells(), Grain,
+    context.ForCells(
       [&](vtkIdType begin, vtkIdType end)
       {
         CellFacets facets(mesh);
@@ -61,12 +63,16 @@ vtkSmartPointer<vtkCellArray> MakePolygons(const MeshView& mesh, const FacetTabl
       });
   };
   forCells([&](Index facet, const vtkIdType*, vtkIdType size) { starts[facet + 1] = size; });
+  auto polygons = vtkSmartPointer<vtkCellArray>::New();
+  if (!context.GoesOn())
+  {
+    return polygons;
+  }
   std::partial_sum(starts, starts + table.GetNumberOfFacets() + 1, starts);
   connectivity->SetNumberOfValues(starts[table.GetNumberOfFacets()]);
   vtkTypeInt64* ids = connectivity->GetPointer(0);
   forCells([&](Index facet, const vtkIdType* points, vtkIdType size)
     { std::copy_n(points, size, ids + starts[facet]); });
-  auto polygons = vtkSmartPointer<vtkCellArray>::New();
   polygons->SetData(offsets, connectivity);
   return polygons;
 }
@@ -82,7 +88,7 @@ void TurnOutward(const ElementContext& context, const FacetTable& table, vtkCell
   }
   const vtkTypeInt64* starts = vtkTypeInt64Array::SafeDownCast(polygons->GetOffsetsArray())->GetPointer(0);
   vtkTypeInt64* ids = vtkTypeInt64Array::SafeDownCast(polygons->GetConnectivityArray())->GetPointer(0);
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
+  context.ForCells(
     [&](vtkIdType begin, vtkIdType end)
     {
       CellGeometry geometry;
@@ -196,7 +202,7 @@ void MarkGhostEdges(
   // Ids of cells, ghosts in the lowest bit.
   Minima<vtkIdType> owners(isKept.size(), VTK_ID_MAX);
   Minima<unsigned char> areCopies(isKept.size(), 1);
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
+  context.ForCells(
     [&](vtkIdType begin, vtkIdType end)
     {
       CellFacets facets(mesh);
@@ -306,22 +312,39 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
 }
 
 //------------------------------------------------------------------------------
-void MakeFaces(
+bool MakeFaces(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* faces)
 {
+  if (!context.GoesOn())
+  {
+    return false;
+  }
+  constexpr double tables = 0.2, shapes = 0.3; // of the time, about
   const FacetTable& table = context.GetTopology().GetFaces();
   const bool isVolume = context.HasCells(3);
-  const auto polygons =
-    isVolume ? MakePolygons(context.GetMesh(), table) : MakePolygonCells(context);
-  if (isVolume)
   {
-    TurnOutward(context, table, polygons);
+    const ElementContext::Step step(context, tables, shapes);
+    const auto polygons = isVolume ? MakePolygons(context, table) : MakePolygonCells(context);
+    if (isVolume && context.GoesOn())
+    {
+      TurnOutward(context, table, polygons);
+    }
+    if (!context.GoesOn(1))
+    {
+      return false;
+    }
+    faces->SetPolys(polygons);
   }
-  faces->SetPolys(polygons);
-  AddElementArrays(context, GetFaceArrays(), arrays, faces);
+  {
+    const ElementContext::Step step(context, shapes, 1);
+    if (!AddElementArrays(context, GetFaceArrays(), arrays, faces))
+    {
+      return false;
+    }
+  }
   if (!context.GetOptions().Ghosts)
   {
-    return;
+    return true;
   }
   unsigned char* ghosts = AddGhostArray(faces);
   std::vector<vtkIdType> kept;
@@ -350,12 +373,17 @@ void MakeFaces(
     }
   }
   Keep(faces, faces->GetPolys(), kept, &vtkPolyData::SetPolys);
+  return context.GoesOn(1);
 }
 
 //------------------------------------------------------------------------------
-void MakeEdges(
+bool MakeEdges(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* edges)
 {
+  if (!context.GoesOn())
+  {
+    return false;
+  }
   const EdgeList& list = context.GetTopology().GetEdges();
   const auto lines = MakeCells(static_cast<vtkIdType>(list.size()), 2);
   auto* ids = vtkTypeInt64Array::SafeDownCast(lines->GetConnectivityArray())->GetPointer(0);
@@ -364,35 +392,49 @@ void MakeEdges(
     ids = std::copy(edge.begin(), edge.end(), ids);
   }
   edges->SetLines(lines);
-  AddElementArrays(context, GetEdgeArrays(), arrays, edges);
+  constexpr double table = 0.3; // of the time, about
+  const ElementContext::Step step(context, table, 1);
+  if (!AddElementArrays(context, GetEdgeArrays(), arrays, edges))
+  {
+    return false;
+  }
   if (context.GetOptions().Ghosts)
   {
     std::vector<unsigned char> isKept(list.size());
     MarkGhostEdges(context, AddGhostArray(edges), isKept);
     Keep(edges, lines, isKept, &vtkPolyData::SetLines);
   }
+  return context.GoesOn(1);
 }
 
 //------------------------------------------------------------------------------
-void MakeVertices(
+bool MakeVertices(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* vertices)
 {
+  if (!context.GoesOn())
+  {
+    return false;
+  }
   const vtkIdType size = context.GetMesh().GetNumberOfPoints();
   const auto cells = MakeCells(size, 1);
   auto* ids = vtkTypeInt64Array::SafeDownCast(cells->GetConnectivityArray())->GetPointer(0);
   std::iota(ids, ids + size, 0);
   vertices->SetVerts(cells);
-  AddElementArrays(context, GetVertexArrays(), arrays, vertices);
+  if (!AddElementArrays(context, GetVertexArrays(), arrays, vertices))
+  {
+    return false;
+  }
   if (context.GetOptions().Ghosts || context.GetPiece()->GetPointGhostArray())
   {
     std::vector<unsigned char> isKept(static_cast<std::size_t>(size));
     MarkGhostVertices(context, AddGhostArray(vertices), isKept);
     Keep(vertices, cells, isKept, &vtkPolyData::SetVerts);
   }
+  return context.GoesOn(1);
 }
 
 //------------------------------------------------------------------------------
-void AddWorstOfCells(const ElementContext& context, vtkPolyData* vertices)
+bool AddWorstOfCells(const ElementContext& context, vtkPolyData* vertices)
 {
   vtkCellData* data = context.GetData()->GetCellData();
   for (const Criterion& criterion : GetCriteria())
@@ -400,8 +442,13 @@ void AddWorstOfCells(const ElementContext& context, vtkPolyData* vertices)
     vtkDataArray* values = data->GetArray(criterion.Name);
     if (values && values->GetNumberOfComponents() == 1 && criterion.Better != Better::Neither)
     {
+      if (!context.GoesOn())
+      {
+        return false;
+      }
       AddWorst(context, criterion, values, vertices);
     }
   }
+  return context.GoesOn(1);
 }
 }

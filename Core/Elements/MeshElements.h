@@ -7,6 +7,7 @@
  * Each fills an empty vtkPolyData, which gets the points of the mesh with their data and those of the arrays of
  * ElementArray.h that are named. If the mesh has ghost cells, elements that only copies of cells have are left out, and
  * "vtkGhostType" marks those that belong to another piece: whose cell of the smallest id is a copy (DUPLICATECELL).
+ * Each returns ElementContext::GoesOn; if that is false, the elements are not complete.
  */
 #ifndef camaron_MeshElements_h
 #define camaron_MeshElements_h
@@ -24,22 +25,22 @@ namespace camaron
  * Every face of the 3D cells once; face i is facet i of MeshTopology::GetFaces, and runs as its first cell has it.
  * A mesh without 3D cells has its 2D cells for faces.
  */
-void MakeFaces(
+bool MakeFaces(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* faces);
 
 /// Every edge of the 2D and 3D cells once, in the order of MeshTopology::GetEdges.
-void MakeEdges(
+bool MakeEdges(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* edges);
 
 /// A VTK_VERTEX for every point of the mesh, in their order.
-void MakeVertices(
+bool MakeVertices(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* vertices);
 
 /**
  * Adds to @a vertices of MakeVertices "VertexWorst<Criterion>" for every criterion of which the mesh has a cell array
  * and which has a better end: the worst value of the cells with the point, null if none of them has a value.
  */
-void AddWorstOfCells(const ElementContext& context, vtkPolyData* vertices);
+bool AddWorstOfCells(const ElementContext& context, vtkPolyData* vertices);
 }
 
 #endif

@@ -9,13 +9,12 @@
 
 #include "Criteria/CellNeighborhood.h"
 #include "Elements/ElementContext.h"
-#include "Parallel.h"
 
 namespace camaron
 {
 /**
  * Calls @a visit(id, uses, cell, neighborhood) for the cells with facets in @a table, but for those with coordinates
- * that are not finite. Several threads call it, each for different cells.
+ * that are not finite, as long as ElementContext::GoesOn. Several threads call it, each for different cells.
  * @param uses FacetTable::Range of the cell
  * @param cell CellGeometry, normalized, with CellNeighborhood::BaseNeeds and @a needs
  * @param neighborhood CellNeighborhood
@@ -24,13 +23,12 @@ template <typename Visit>
 void ForEachNeighborhood(
   const ElementContext& context, const FacetTable& table, unsigned needs, Visit&& visit)
 {
-  constexpr vtkIdType grain = 1 << 10;
   const MeshView& mesh = context.GetMesh();
   EvaluationOptions options = context.GetOptions();
   options.Ghosts = context.IsComplete() ? nullptr : options.Ghosts;
   const CellCenters centers(mesh, options);
   const CellNeighborhood prototype(context.GetTopology(), centers, options);
-  ParallelFor(mesh.GetNumberOfCells(), grain,
+  context.ForCells(
     [&](vtkIdType begin, vtkIdType end)
     {
       CellGeometry cell;

@@ -4,7 +4,6 @@
 #include "Elements/Counters.h"
 #include "Elements/ElementArray.h"
 #include "Mesh/CellFacets.h"
-#include "Parallel.h"
 
 #include <algorithm>
 #include <functional>
@@ -13,7 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
 constexpr double Turn = 6.283185307179586476925286766559;
 
 //------------------------------------------------------------------------------
@@ -90,7 +88,7 @@ void SumAngles(const ElementContext& context, unsigned shapes, unsigned needs, d
 {
   const MeshView& mesh = context.GetMesh();
   AngleSums sums(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
+  context.ForCells(
     [&](vtkIdType begin, vtkIdType end)
     {
       CellGeometry cell;

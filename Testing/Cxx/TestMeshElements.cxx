@@ -20,6 +20,48 @@ using namespace camaron;
 using namespace camaron::testing;
 
 //------------------------------------------------------------------------------
+// Progress runs from 0 to 1; wherever it is stopped, nothing more is asked and nothing breaks.
+TEST(MeshElements, ProgressAndAbort)
+{
+  const Grid grid = MakeHexahedra(45, 45, 45, false); // more cells than are done between two reports
+  const MeshTopology topology(grid);
+  std::vector<double> reports;
+  std::size_t limit = 0;
+  const auto make = [&]
+  {
+    reports.clear();
+    vtkNew<vtkPolyData> faces, edges, vertices;
+    ElementContext context(grid, topology, {});
+    context.SetProgress(
+      [&](double done)
+      {
+        reports.push_back(done);
+        return reports.size() < limit;
+      });
+    bool isFinished;
+    {
+      const ElementContext::Step step(context, 0, 0.6);
+      isFinished = MakeFaces(context, GetNames(GetFaceArrays()), faces);
+    }
+    const ElementContext::Step step(context, 0.6, 1);
+    isFinished = MakeEdges(context, GetNames(GetEdgeArrays()), edges) && isFinished;
+    return MakeVertices(context, GetNames(GetVertexArrays()), vertices) && isFinished;
+  };
+  limit = 1000;
+  EXPECT_TRUE(make());
+  EXPECT_GT(reports.size(), 30u);
+  EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+  EXPECT_EQ(reports.front(), 0);
+  EXPECT_EQ(reports.back(), 1);
+  const std::size_t all = reports.size();
+  for (limit = 1; limit < all; limit = limit * 3 / 2 + 1)
+  {
+    EXPECT_FALSE(make());
+    EXPECT_EQ(reports.size(), limit);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(MeshElements, OfARowOfCubes)
 {
   const Grid row = MakeRow(3);

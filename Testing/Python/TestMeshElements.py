@@ -17,6 +17,7 @@ from paraview.servermanager import OutputPort
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 CELLS = 800  # of the Voronoi ball
+RANKS = camaron_testing.rank_count()
 
 
 def sizes(path):
@@ -69,6 +70,29 @@ class TestMeshElements(camaron_testing.TestCase):
             self.assertAlmostEqual(
                 self.range_of(faces, face)[end], self.range_of(cells, cell)[end], places=10
             )
+
+    @unittest.skipIf(RANKS > 1, "the filter is stopped by the process that it is in")
+    def test_stopped(self):
+        """Stopped at the first report, it does nothing for any port; asked again, all of it."""
+        mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))
+        elements = simple.MeshElements(Input=mesh)
+        filter_ = elements.GetClientSideObject()
+        reports = []
+
+        def stop(*_):
+            reports.append(filter_.GetProgress())
+            filter_.SetAbortExecuteAndUpdateTime()
+
+        observer = filter_.AddObserver("ProgressEvent", stop)
+        elements.UpdatePipeline()
+        self.assertLessEqual(set(reports), {0.0, 1.0})
+        for port in range(3):
+            self.assertEqual(filter_.GetOutputDataObject(port).GetNumberOfCells(), 0)
+        filter_.RemoveObserver(observer)
+        filter_.AbortExecuteOff()
+        for port in range(3):
+            filter_.Update(port)
+            self.assertGreater(filter_.GetOutputDataObject(port).GetNumberOfCells(), CELLS)
 
     def test_polygon_criteria_of_faces(self):
         mesh = simple.OpenDataFile(str(EXAMPLES / "flange.visf"))
