@@ -14,7 +14,6 @@
 #include "RunTogether.h"
 #include "WorstCriterion.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
@@ -23,7 +22,6 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkUnsignedCharArray.h"
@@ -31,6 +29,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <utility>
 
 vtkStandardNewMacro(vtkElementQuality);
@@ -38,24 +37,6 @@ vtkStandardNewMacro(vtkElementQuality);
 namespace
 {
 constexpr vtkIdType Grain = 65536;
-
-//------------------------------------------------------------------------------
-// Length of the lists of points of all cells.
-double CountCorners(vtkDataSet* data)
-{
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    vtkCellArray* const cells = grid->GetCells(); // none of a mesh that could not be read
-    return cells ? static_cast<double>(cells->GetNumberOfConnectivityIds()) : 0;
-  }
-  if (auto* surface = vtkPolyData::SafeDownCast(data))
-  {
-    return static_cast<double>(surface->GetPolys()->GetNumberOfConnectivityIds() +
-      surface->GetStrips()->GetNumberOfConnectivityIds());
-  }
-  constexpr double ofBox = 8;
-  return ofBox * static_cast<double>(data->GetNumberOfCells());
-}
 
 //------------------------------------------------------------------------------
 // Why each value is null, read from the values.
@@ -177,16 +158,18 @@ std::vector<std::string> vtkElementQuality::GetChosenCriteria()
 }
 
 //------------------------------------------------------------------------------
-double vtkElementQuality::GetNumberOfCorners()
+double* vtkElementQuality::GetNumberOfCorners()
 {
   vtkDataObject* input =
     this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
-  double corners = 0;
+  this->NumberOfCorners = {};
   for (vtkDataSet* data : vtkCompositeDataSet::GetDataSets<vtkDataSet>(input))
   {
-    corners += CountCorners(data);
+    const camaron::GroupCorners corners = camaron::CountCorners(data);
+    std::transform(corners.begin(), corners.end(), this->NumberOfCorners.begin(),
+      this->NumberOfCorners.begin(), std::plus<double>());
   }
-  return corners;
+  return this->NumberOfCorners.data();
 }
 
 //------------------------------------------------------------------------------
@@ -208,8 +191,8 @@ double vtkElementQuality::GetEstimatedSeconds()
       criteria.push_back(criterion);
     }
   }
-  return camaron::EstimateSeconds(
-    criteria, this->GetNumberOfCorners(), this->GetNumberOfThreads());
+  this->GetNumberOfCorners();
+  return camaron::EstimateSeconds(criteria, this->NumberOfCorners, this->GetNumberOfThreads());
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,7 @@
 
 #include "vtkSmartPointer.h" // for arrays
 
+#include <array>  // for the corners
 #include <map>    // for arrays of criteria
 #include <memory> // for what is known
 #include <string> // for the preset
@@ -131,10 +132,11 @@ public:
 
   ///@{
   /**
-   * Of the input that is there now, on this process: how many points the lists of its cells have, and
-   * how many threads would work on them. 0 before the input has run.
+   * Of the input that is there now, on this process: how many points the lists of its polygons, its tetrahedra and its
+   * other polyhedra have (see camaron::GroupCorners), and how many threads would work on them. 0 before the input
+   * has run.
    */
-  double GetNumberOfCorners();
+  double* GetNumberOfCorners() VTK_SIZEHINT(3);
   int GetNumberOfThreads();
   ///@}
 
@@ -191,6 +193,7 @@ private:
   double PlanarityTolerance = 0.1;
   bool ConnectBlocks = false;
   std::unique_ptr<camaron::EvaluatedArrays> Known;
+  std::array<double, 3> NumberOfCorners = {};
 };
 
 #endif

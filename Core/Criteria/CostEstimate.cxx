@@ -2,6 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CostEstimate.h"
 
+#include "Mesh/CellShape.h"
+
+#include "vtkCellArray.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
 #include <algorithm>
 
 namespace camaron
@@ -9,43 +16,111 @@ namespace camaron
 namespace
 {
 // Processor time for each corner of a cell in nanoseconds, of one criterion of a class and of each that is
-// added to it; between what BenchmarkCore prints for tetrahedra and for truncated octahedra.
+// added to it; about what BenchmarkCore prints.
 struct ClassCost
 {
   double One;
   double Another;
 };
 
+constexpr ClassCost Costs[][NumberOfCostGroups] = {
+  // polygons, tetrahedra, other polyhedra
+  { { 100, 18 }, { 45, 15 }, { 70, 10 } },   // Cost::Faces
+  { { 150, 25 }, { 80, 25 }, { 100, 22 } },  // Cost::Edges
+  { { 360, 30 }, { 170, 30 }, { 150, 20 } }, // Cost::Neighbors
+  { { 360, 5 }, { 480, 5 }, { 400, 20 } },   // Cost::Iterative: all take one kernel
+  // Cost::Clipping: 200 where polyhedra are convex, 5000 where they are not, which nobody knows before
+  { { 360, 5 }, { 480, 5 }, { 1000, 20 } },
+};
+constexpr ClassCost OfSoundTetrahedra = { 12, 6 }; // of criteria with a TetrahedronFunction
+
 //------------------------------------------------------------------------------
-ClassCost GetClassCost(Cost cost)
+bool AppliesTo(const Criterion& criterion, int group)
 {
-  switch (cost)
-  {
-    case Cost::Faces:
-      return { 75, 20 };
-    case Cost::Edges:
-      return { 170, 50 };
-    case Cost::Neighbors:
-      return { 220, 30 };
-    default:
-      return { 3000, 600 }; // of polyhedra; tetrahedra have less than a fifth
-  }
-}
+  constexpr unsigned shapes[] = { Polygons | Triangles | Quadrilaterals, Polyhedra | Tetrahedra,
+    Polyhedra | Pyramids | Wedges | Hexahedra };
+  return (criterion.AppliesTo & (shapes[group] | AnyCell)) != 0;
 }
 
 //------------------------------------------------------------------------------
-double EstimateSeconds(const std::vector<const Criterion*>& criteria, double corners, int threads)
+// Nanoseconds for each corner of a cell.
+double GetCost(const std::vector<const Criterion*>& criteria, int group)
 {
   // Criteria of a cell share one pass, those with neighbours another one.
   double ofCells = 0, ofNeighbors = 0, added = 0;
   for (const Criterion* criterion : criteria)
   {
-    const ClassCost cost = GetClassCost(criterion->Cost);
+    if (!AppliesTo(*criterion, group))
+    {
+      // Cells are read only to find that out.
+      ofCells = std::max(ofCells, Costs[static_cast<int>(Cost::Faces)][group].One);
+      continue;
+    }
+    const ClassCost& cost = group == CostOfTetrahedra && criterion->TetrahedronFunction
+      ? OfSoundTetrahedra
+      : Costs[static_cast<int>(criterion->Cost)][group];
     double& first = criterion->Cost == Cost::Neighbors ? ofNeighbors : ofCells;
     first = std::max(first, cost.One - cost.Another);
     added += cost.Another;
   }
+  return ofCells + ofNeighbors + added;
+}
+
+//------------------------------------------------------------------------------
+GroupCorners CountCornersOfGrid(vtkUnstructuredGrid* grid)
+{
+  GroupCorners corners = {};
+  vtkCellArray* const cells = grid->GetCells(); // none of a mesh that could not be read
+  vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
+  if (!cells || !types)
+  {
+    return corners;
+  }
+  for (vtkIdType cell = 0; cell < types->GetNumberOfValues(); ++cell)
+  {
+    const CellShape& shape = GetCellShape(types->GetValue(cell));
+    if (shape.Dimension >= 2) // lines and points cost nothing worth speaking of
+    {
+      const int number = shape.NumberOfCorners;
+      const CostGroup group = shape.Dimension == 2 ? CostOfPolygons
+        : number == 4                              ? CostOfTetrahedra
+                                                   : CostOfPolyhedra;
+      corners[group] += static_cast<double>(number > 0 ? number : cells->GetCellSize(cell));
+    }
+  }
+  return corners;
+}
+}
+
+//------------------------------------------------------------------------------
+GroupCorners CountCorners(vtkDataSet* mesh)
+{
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(mesh))
+  {
+    return CountCornersOfGrid(grid);
+  }
+  GroupCorners corners = {};
+  if (auto* surface = vtkPolyData::SafeDownCast(mesh))
+  {
+    corners[CostOfPolygons] = static_cast<double>(surface->GetPolys()->GetNumberOfConnectivityIds() +
+      surface->GetStrips()->GetNumberOfConnectivityIds());
+    return corners;
+  }
+  constexpr double ofBox = 8;
+  corners[CostOfPolyhedra] = ofBox * static_cast<double>(mesh->GetNumberOfCells());
+  return corners;
+}
+
+//------------------------------------------------------------------------------
+double EstimateSeconds(
+  const std::vector<const Criterion*>& criteria, const GroupCorners& corners, int threads)
+{
   constexpr double nanosecond = 1e-9;
-  return nanosecond * (ofCells + ofNeighbors + added) * corners / std::max(1, threads);
+  double sum = 0;
+  for (int group = 0; group < NumberOfCostGroups; ++group)
+  {
+    sum += GetCost(criteria, group) * corners[group];
+  }
+  return nanosecond * sum / std::max(1, threads);
 }
 }

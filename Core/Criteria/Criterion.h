@@ -68,7 +68,8 @@ enum class Cost
   Faces,      ///< one pass over the cell's own faces
   Edges,      ///< adjacency of faces and edges inside the cell
   Neighbors,  ///< the mesh-wide table of facets
-  Iterative   ///< linear programs, clipping
+  Iterative,  ///< linear programs
+  Clipping    ///< the kernel as a body, which only polyhedra need
 };
 
 /// Parts of CellGeometry that a criterion reads; only what some ticked criterion needs is computed.

@@ -97,7 +97,7 @@ std::vector<Criterion> KernelCriteria()
       "Volume (area) of the kernel, which is the set of points that see all of the cell, divided by that of the "
       "cell; 1 for convex cells, 0 where there is no such point.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(KernelRatio),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Clipping, needs, CAMARON_CELLS(KernelRatio),
       { "|K| / |E|, with K what the inner half-spaces of the faces of E have in common; of a warped face those of "
         "the triangles of its edges and its centre. Of a polygon: half-planes of its edges, in its plane. Half-spaces "
         "cut the bounding box of the cell one after the other. Exactly 1 where no point of the cell lies outside of a "

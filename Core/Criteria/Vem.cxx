@@ -176,7 +176,7 @@ std::vector<Criterion> VemCriteria()
     { "PolyhedronRho1", "Polyhedron: kernels",
       "Mean of the kernel ratio of a polyhedron and the product of those of its faces, each in its plane.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(PolyhedronRho1),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Clipping, needs, CAMARON_CELLS(PolyhedronRho1),
       { "½ (|K| / |P| + Π_f |K_f| / |f|)", "A face without an area counts as 0; else as KernelRatio.",
         "Has a name of our own: meant as ρ₁ of Sorgente et al. 2022, Polyhedral mesh quality indicator for the virtual "
         "element method, but the form could not be compared with that paper." } },
@@ -195,7 +195,7 @@ std::vector<Criterion> VemCriteria()
         "As for PolyhedronRho1." } },
     { "PolyhedronQuality", "Polyhedron: quality", "What PolyhedronRho1 to 3 say together; 1 is good.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(PolyhedronQuality),
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Clipping, needs, CAMARON_CELLS(PolyhedronQuality),
       { "√((ρ₁ρ₂ + ρ₁ρ₃) / 2) of PolyhedronRho1, 2, 3. That of a mesh is the root of the mean of the squares.",
         "0 without kernels of cell and faces; NaN as PolyhedronRho1.", "As for PolyhedronRho1." } },
   };

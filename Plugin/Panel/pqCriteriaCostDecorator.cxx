@@ -123,8 +123,10 @@ void pqCriteriaCostDecorator::updateText()
   vtkSMProperty* threads = proxy->GetProperty("NumberOfThreads");
   proxy->UpdatePropertyInformation(corners);
   proxy->UpdatePropertyInformation(threads);
-  const double seconds = camaron::EstimateSeconds(GetCriteria(proxy, preset),
-    vtkSMPropertyHelper(corners).GetAsDouble(), vtkSMPropertyHelper(threads).GetAsInt());
+  camaron::GroupCorners ofGroups = {};
+  vtkSMPropertyHelper(corners).Get(ofGroups.data(), camaron::NumberOfCostGroups);
+  const double seconds = camaron::EstimateSeconds(
+    GetCriteria(proxy, preset), ofGroups, vtkSMPropertyHelper(threads).GetAsInt());
   this->Label->setVisible(isOfPreset == (preset != nullptr) && seconds >= LongSeconds);
   vtkSMPropertyHelper input(proxy, "Input");
   auto* source = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());

@@ -264,21 +264,20 @@ void OnPolyhedra(vtkIdType size)
 
 //------------------------------------------------------------------------------
 // What the constants of Core/Criteria/CostEstimate.cxx are taken from: processor time for each corner of a
-// cell, of one criterion of a class and of each that is added.
-void OnClasses(const char* mesh, vtkUnstructuredGrid* grid)
+// cell, of one criterion of a class that is defined for one of the shapes and of each that is added.
+void OnClasses(const char* mesh, unsigned shapes, vtkUnstructuredGrid* grid)
 {
   const double corners = static_cast<double>(grid->GetCells()->GetNumberOfConnectivityIds());
   const std::pair<camaron::Cost, const char*> classes[] = { { camaron::Cost::Faces, "faces" },
     { camaron::Cost::Edges, "edges" }, { camaron::Cost::Neighbors, "neighbours" },
-    { camaron::Cost::Iterative, "iterative" } };
+    { camaron::Cost::Iterative, "iterative" }, { camaron::Cost::Clipping, "clipping" } };
   for (const auto& [cost, name] : classes)
   {
     std::vector<std::string> names;
     double one = 0;
     for (const camaron::Criterion& criterion : camaron::GetCriteria())
     {
-      const bool isDefined = (criterion.AppliesTo & (camaron::Polyhedra | camaron::Tetrahedra)) != 0;
-      if (criterion.Cost == cost && isDefined)
+      if (criterion.Cost == cost && (criterion.AppliesTo & shapes))
       {
         names.push_back(criterion.Name);
         one += Measure([&] { Touch(grid), EvaluateOn(grid, { criterion.Name }); }, 1).Processor;
@@ -309,8 +308,12 @@ int main(int argc, char* argv[])
         vtkSMPTools::GetEstimatedNumberOfThreads(), Repetitions);
       OnTetrahedra(static_cast<vtkIdType>(1e6 * tetrahedra));
       OnPolyhedra(static_cast<vtkIdType>(1e6 * polyhedra));
-      OnClasses("tetrahedra", camaron::MakeTetrahedra(static_cast<vtkIdType>(1e5 * tetrahedra)));
-      OnClasses("polyhedra", camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(1e5 * polyhedra)));
+      OnClasses("polygons", camaron::Polygons | camaron::Triangles,
+        camaron::MakeSurface(static_cast<vtkIdType>(1e5 * tetrahedra)));
+      OnClasses("tetrahedra", camaron::Polyhedra | camaron::Tetrahedra,
+        camaron::MakeTetrahedra(static_cast<vtkIdType>(1e5 * tetrahedra)));
+      OnClasses("polyhedra", camaron::Polyhedra,
+        camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(1e5 * polyhedra)));
     });
   return 0;
 }
