@@ -6,14 +6,22 @@ from __future__ import annotations
 
 import os
 import shutil
+import subprocess
 import tempfile
 from pathlib import Path
 from typing import Iterator, Optional
 
 
+#: Waits until the process that holds the other end of its input lets go of it. Unless that process
+#: said before that all is well, removes the folder $1 and those of the other names that are empty.
+CLEANER = 'read -r word && exit; rm -rf -- "$1"; shift; for f; do rmdir -- "$f" || exit; done'
+
+
 class Staging:
     """Collects files in a hidden folder inside their destination; `publish` moves them in place.
 
+    The folder is gone afterwards, also where the process is killed: signals end pvpython at once, or
+    wait until a writer is done where Python handles them. So a small process watches it from outside.
     What is no regular file, like a pipe or a device, gets the bytes of the file instead.
 
     >>> with Staging("report") as staging:
@@ -26,6 +34,7 @@ class Staging:
         self.path = Path()
         #: Folders that were made for the destination, the innermost first.
         self.created: list[Path] = []
+        self._cleaner: Optional[subprocess.Popen] = None
 
     def __enter__(self) -> "Staging":
         folder = self.destination
@@ -39,6 +48,7 @@ class Staging:
             self._remove_created()
             reason = f"{self.destination}: cannot write into this folder: {error.strerror}"
             raise type(error)(reason) from None
+        self._cleaner = _watch(self.path.absolute(), self.created)
         return self
 
     def names(self) -> list[str]:
@@ -71,6 +81,8 @@ class Staging:
         shutil.rmtree(self.path, ignore_errors=True)
         if kind is not None:
             self._remove_created()
+        if self._cleaner:
+            self._cleaner.communicate(b"done\n")
 
     def _remove_created(self) -> None:
         for folder in self.created:
@@ -80,6 +92,31 @@ class Staging:
                 continue
             except OSError:
                 break
+
+
+def _watch(folder: Path, created: list[Path]) -> Optional[subprocess.Popen]:
+    """Starts a process that removes folders if this one ends early; None where there is no shell."""
+    try:
+        return subprocess.Popen(
+            ["/bin/sh", "-c", CLEANER, "camaron", str(folder), *(str(f.absolute()) for f in created)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            cwd="/",
+            start_new_session=True,  # so that Ctrl-C does not reach it
+        )
+    except OSError:
+        return None
+
+
+def free_space(folder: os.PathLike | str) -> Optional[int]:
+    """Bytes that files in a folder may still take, or None where nobody knows."""
+    try:
+        disk = os.statvfs(folder)
+    except (OSError, AttributeError):
+        return None
+    blocks = disk.f_bfree if os.geteuid() == 0 else disk.f_bavail
+    return blocks * disk.f_frsize if disk.f_blocks else None
 
 
 def _feed(source: Path, target: Path) -> None:

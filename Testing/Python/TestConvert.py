@@ -4,6 +4,10 @@
 
 import os
 import re
+import shutil
+import signal
+import subprocess
+import time
 import unittest.mock
 
 import camaron_testing
@@ -296,6 +300,30 @@ class TestConvert(camaron_testing.TestCase):
                     reading.read(expected.stat().st_size), expected.read_bytes(), target.name
                 )
             self.assertTrue(pipe.is_fifo() and link.is_symlink())
+
+    def test_killed(self):
+        """Whatever ends the process while it writes, no folder of its own stays behind."""
+        script = "import sys, time\nfrom camaron.files import Staging\n"
+        script += "with Staging(sys.argv[1]) as staging:\n"
+        script += "    (staging.path / 'x.part').write_text('x')\n"
+        script += "    print('ready', flush=True)\n"
+        script += "    time.sleep(240)\n"
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+            with subprocess.Popen(
+                [shutil.which("pvpython"), "-c", script, str(self.folder / "new" / "folder")],
+                stdout=subprocess.PIPE,
+                stderr=subprocess.DEVNULL,
+            ) as process:
+                self.addCleanup(process.kill)
+                while process.stdout.readline().strip() not in (b"ready", b""):
+                    pass
+                self.assertTrue((self.folder / "new" / "folder").is_dir())
+                process.send_signal(number)
+                process.wait()
+            end = time.monotonic() + 60
+            while list(self.folder.iterdir()) and time.monotonic() < end:
+                time.sleep(0.05)
+            self.assertEqual(list(self.folder.rglob("*")), [], number)
 
     def test_field_data(self):
         """What a format cannot hold of it is told."""
