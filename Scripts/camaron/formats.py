@@ -20,8 +20,18 @@ from paraview import servermanager
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 
 
-#: Properties of writers that are set otherwise, or are of no use without lists of arrays.
+#: The property that lets a writer heed lists of arrays; naming arrays sets it.
+CHOOSES_ARRAYS = "ChooseArraysToWrite"
+#: Properties of writers that are set otherwise.
 NOT_OPTIONS = {"input", "filename", "choosearraystowrite"}
+#: Lists of arrays by plain name: what people call it, and where a source has these arrays.
+ARRAY_LISTS = {
+    "pointdataarrays": ("array of points", "PointData"),
+    "celldataarrays": ("array of cells", "CellData"),
+    "fielddataarrays": ("array of the mesh", "FieldData"),
+}
+#: Lists of arrays that no mesh has.
+OTHER_ARRAY_LISTS = {"edgedataarrays", "rowdataarrays", "vertexdataarrays"}
 #: The last extension of a file that names others, one for each time step: part.visf.series.
 SERIES = ".series"
 
@@ -162,6 +172,13 @@ def options(writer: Any) -> dict[str, Option]:
             continue
         choices = [_word(choice) for choice in getattr(prop, "Available", None) or [] if choice]
         value = prop.GetData() if choices else writer.GetPropertyValue(key)
+        if plain(key) in OTHER_ARRAY_LISTS:
+            continue
+        if _is_array_list(writer, key):
+            found[plain(key)] = Option(
+                key, _word(smproperty.GetXMLLabel() or key), [], "NAME,NAME|none", "all", ""
+            )
+            continue
         if smproperty.FindDomain("vtkSMArrayListDomain"):
             choices, value = [], "none"  # which there are depends on the mesh
         if not isinstance(value, (str, int, float)):
@@ -238,6 +255,9 @@ def set_option(writer: Any, name: str, value: Any) -> None:
             + (f"options of this format are\n{lines}" if known else "this format has none")
         )
     prop = hidden[key]
+    if _is_array_list(writer, prop):
+        _choose_arrays(writer, prop, name, value)
+        return
     choices = getattr(writer.GetProperty(prop), "Available", None)
     if choices:
         by_text = {plain(choice): choice for choice in choices}
@@ -268,6 +288,40 @@ def set_option(writer: Any, name: str, value: Any) -> None:
         setattr(writer, prop, number)
     except (ValueError, TypeError, RuntimeError):
         raise ValueError(f"{name} cannot be {value!r}") from None
+
+
+def _is_array_list(writer: Any, key: str) -> bool:
+    return plain(key) in ARRAY_LISTS and CHOOSES_ARRAYS in writer.ListProperties()
+
+
+def _choose_arrays(writer: Any, key: str, name: str, value: Any) -> None:
+    """Lets a writer write only these arrays of points, of cells or of the mesh, and all of the others."""
+    there = {k: _arrays(writer, k) for k in writer.ListProperties() if _is_array_list(writer, k)}
+    known = there[key]
+    if not isinstance(value, str):
+        wanted = list(value)
+    elif value in known:  # its name may have commas
+        wanted = [value]
+    elif value.lower() in ("all", "none", ""):
+        wanted = known if value.lower() == "all" else []
+    else:
+        wanted = [word.strip() for word in value.split(",")]
+    for word in wanted:
+        if word not in known:
+            what = ARRAY_LISTS[plain(key)][0]
+            listed = f"there are {', '.join(known)}" if known else "there are none"
+            raise ValueError(f"{name}: no {what} is named {word}{suggestion(word, known)}; {listed}")
+    if not writer.GetPropertyValue(CHOOSES_ARRAYS):
+        setattr(writer, CHOOSES_ARRAYS, 1)
+        for other in there:  # for the plugin's own writers none is the default then
+            setattr(writer, other, there[other])
+    setattr(writer, key, wanted)
+
+
+def _arrays(writer: Any, key: str) -> list[str]:
+    """Names of the arrays that a list of arrays may hold; none for a writer with nothing to write."""
+    source = writer.Input
+    return list(getattr(source, ARRAY_LISTS[plain(key)][1]).keys()) if source else []
 
 
 def _number(value: Any) -> Any:

@@ -12,7 +12,7 @@ import unittest.mock
 
 import camaron_testing
 import numpy
-from camaron import convert
+from camaron import convert, pipeline
 from paraview import simple
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
@@ -103,6 +103,43 @@ class TestConvert(camaron_testing.TestCase):
             with self.assertRaisesRegex(ValueError, re.escape(reason)):
                 convert(self.mesh(), self.folder / "x.vtu", **options)
         self.assertFalse((self.folder / "x.vtu").exists())
+
+    def test_arrays(self):
+        """Naming arrays chooses them, all others of that kind stay away; unknown ones are refused."""
+        source = self.folder / "arrays.vtk"
+        source.write_text(
+            camaron_testing.write_vtk(self.folder / "plain.vtk", CUBE, TETRAHEDRA).read_text()
+            + "\nCELL_DATA 2\nFIELD f 2\na 1 2 float\n1 2\nb 1 2 float\n3 4\n"
+            + "POINT_DATA 8\nFIELD f 2\np 1 8 float\n1 2 3 4 5 6 7 8\n"
+            + "q,r 1 8 float\n1 2 3 4 5 6 7 8\n"
+        )
+        for target, more in (("t.ply", {"write-cells": "on"}), ("t.vtu", {}), ("t.vtk", {})):
+            for options, points, cells in (
+                ({}, ["p", "q,r"], ["a", "b"]),
+                ({"point-data-arrays": "p"}, ["p"], ["a", "b"]),
+                ({"PointDataArrays": ["p"], "cell_data_arrays": "none"}, ["p"], []),
+                ({"point-data-arrays": "q,r", "cell-data-arrays": "b, a"}, ["q,r"], ["a", "b"]),
+                ({"point-data-arrays": "none", "cell-data-arrays": "all"}, [], ["a", "b"]),
+            ):
+                with self.subTest(target=target, options=options):
+                    path = self.folder / target
+                    convert(source, path, **options, **more)
+                    data = pipeline.open_mesh(path).source
+                    self.assertEqual(sorted(data.PointData.keys()), points)
+                    self.assertEqual(sorted(data.CellData.keys()), cells)
+                    simple.Delete(data)
+            (self.folder / target).unlink()
+            for options, reason in (
+                ({"point-data-arrays": "pp"}, "no array of points is named pp (did you mean p?)"),
+                ({"cell-data-arrays": "a,p"}, "no array of cells is named p; there are a, b"),
+                ({"cell-data-arrays": "A"}, "there are a, b"),
+                ({"field-data-arrays": "x"}, "unknown option" if "ply" in target else "there are none"),
+            ):
+                with self.assertRaisesRegex(ValueError, re.escape(reason)):
+                    convert(source, self.folder / target, **options)
+                self.assertFalse((self.folder / target).exists())
+        with self.assertRaisesRegex(ValueError, r"--point-data-arrays NAME,NAME\|none \(all\)"):
+            convert(source, self.folder / "t.ply", point_data_array="p")
 
     def test_numbers(self):
         """Numbers outside the range of an option are refused, and the range is named."""
