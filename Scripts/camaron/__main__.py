@@ -17,6 +17,10 @@ try:
 except SystemExit as end:  # argparse's
     status = end.code or 0
 sys.stdout.flush()
+if status:
+    # HDF5 complains once more, when the program ends, of a file that it could not write.
+    sys.stderr.flush()
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
 # Without sys.exit, which would keep pvbatch from leaving MPI in order.
 if "CAMARON_STATUS" in os.environ:
     with open(os.environ["CAMARON_STATUS"], "w", encoding="ascii") as file:

@@ -11,7 +11,7 @@ from typing import Any, Optional
 
 from paraview import servermanager, simple
 
-from . import formats, pipeline, tables, text
+from . import formats, pipeline, proofs, tables, text
 from .files import Staging, same_file
 
 #: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
@@ -21,6 +21,14 @@ FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".
 #: .stl, whose triangles share no points.
 FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
 GHOSTS = "vtkGhostType"
+#: Parts of extensions under which files are not written, and the options of their formats that do the like.
+OPTIONS_INSTEAD = (
+    ("face", "--write-boundary-faces"),
+    ("st", "--write-texture-coordinates"),
+    ("cnoff", "--vertex-colors NAME"),
+    ("coff", "--vertex-colors NAME"),
+    ("noff", "--write-normals"),
+)
 #: Types of cells that have no triangles, as the tables of statistics call them.
 POINTS_AND_LINES = ("Vertex", "PolyVertex", "Line", "PolyLine", "QuadraticEdge", "CubicLine")
 
@@ -52,9 +60,10 @@ def convert(
         raise ValueError(
             f"{target}: compressed files are read, but not written: write {target.stem} and compress it"
         )
+    pipeline.load_plugin()
+    _check_name(target)
     if same_file(source, target):
         raise ValueError(f"{target}: source and target are the same file")
-    pipeline.load_plugin()
     _check_ranks(target)
     opened = pipeline.open_mesh(source, time)
     made = [opened.source]
@@ -87,9 +96,24 @@ def write_source(source: Any, target: os.PathLike | str, notes: list[str]) -> No
 
 def check_target(target: os.PathLike | str) -> None:
     """ValueError if nobody writes a format of that extension."""
+    _check_name(Path(target))
     suffix = Path(target).suffix.lower()
     if not formats.own_writer(Path(target)) and suffix not in _known_suffixes():
         raise ValueError(f"{target}: no writer for {suffix or 'files without an extension'}")
+
+
+def _check_name(target: Path) -> None:
+    """ValueError for extensions of the plugin's formats under which files are read, but not written."""
+    suffix = target.suffix.lower()
+    name = formats.written_instead(target)
+    if name is None:
+        return
+    options = [option for word, option in OPTIONS_INSTEAD if word in suffix]
+    how = f" with {' '.join(options)}" if options else ""
+    raise ValueError(
+        f"{target}: files named *{suffix} are read, but not written under that name: "
+        f"write {name}{how}, which is of the same format"
+    )
 
 
 def _check_ranks(target: Path) -> None:
@@ -260,12 +284,17 @@ def write(
     """
     target = Path(target)
     with Staging(target.parent) as staging, pipeline.Messages() as messages:
-        writer = _make_writer(proxy, staging.path / target.name)
+        path = staging.path / target.name
+        own = formats.own_writer(target)
+        writer = _make_writer(proxy, path)
         try:
             for name, value in options.items():
                 formats.set_option(writer, name, value)
             table = _table(writer)
-            writer.UpdatePipeline()
+            if own:
+                writer.UpdatePipeline()
+            else:
+                _write_as_paraview(writer, proxy, path, _writes_all_steps(options))
         except RuntimeError as error:
             messages.errors.append(str(error))
         finally:
@@ -273,13 +302,8 @@ def write(
         names = staging.names()
         if messages.errors or (not names and pipeline.is_first_rank()):
             reason = messages.errors[0] if messages.errors else "nothing was written"
-            raise RuntimeError(_with_path(target, reason))
-        for folder in (target.parent / name for name in names):
-            if folder.is_dir() and not target.exists():
-                raise RuntimeError(
-                    f"{target}: the folder {folder} for its pieces is there already: choose another "
-                    "name, or remove the folder"
-                )
+            raise RuntimeError(_with_path(target, proofs.plain_reason(reason, staging.path)))
+        _check_companions(target, names)
         staging.publish()
         if notes is not None:
             notes += messages.warnings
@@ -291,6 +315,46 @@ def write(
             if staging.created:
                 notes.append(f"The folder {target.parent} was made.")
     return names
+
+
+def _write_as_paraview(writer: Any, proxy: Any, path: Path, all_steps: bool) -> None:
+    """Writes by a writer of ParaView's own; RuntimeError also where that does not notice its failure."""
+    proofs.check_space(proxy, path, path.parent)
+    if path.suffix.lower() not in proofs.WITH_HDF5:
+        writer.UpdatePipeline()
+    else:
+        with proofs.StandardError() as noise:
+            writer.UpdatePipeline()
+        if noise.reason():
+            raise RuntimeError(noise.reason())
+    if not pipeline.is_first_rank():
+        return
+    _name_as_asked(path)
+    proofs.check_written(proxy, path, all_steps)
+
+
+def _name_as_asked(path: Path) -> None:
+    """The writer of EnSight files calls `part.case` `part.0.case`."""
+    numbered = path.with_name(f"{path.stem}.0{path.suffix}")
+    if not path.exists() and numbered.is_file():
+        numbered.rename(path)
+
+
+def _check_companions(target: Path, names: list[str]) -> None:
+    """RuntimeError if files or folders that come with the target would replace those of another mesh."""
+    if target.exists():
+        return  # they are its own
+    for place in (target.parent / name for name in names):
+        if place.is_dir():
+            raise RuntimeError(
+                f"{target}: the folder {place} for its pieces is there already: choose another "
+                "name, or remove the folder"
+            )
+        if place.name != target.name and place.suffix != target.suffix and place.exists():
+            raise RuntimeError(
+                f"{target}: it comes with the file {place}, which is there already: choose another "
+                "name, or remove the file"
+            )
 
 
 def _make_writer(proxy: Any, path: Path) -> Any:

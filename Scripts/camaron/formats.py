@@ -151,6 +151,18 @@ def own_writer(path: os.PathLike | str) -> Optional[str]:
     return None
 
 
+def written_instead(path: os.PathLike | str) -> Optional[str]:
+    """The name of the file to write for one of an extension that the plugin reads, but nobody writes."""
+    path, suffix = Path(path), Path(path).suffix.lower()
+    kinds = {name: kinds for name, _, kinds in _hints("writers", "WriterFactory")}
+    if any(suffix == kind.lower() for written in kinds.values() for kind in written):
+        return None
+    for f in own_formats():
+        if suffix[1:] in f["extensions"] and kinds.get(f["writer"]):
+            return path.stem + kinds[f["writer"]][0]
+    return None
+
+
 def own_counterpart(reader: str) -> Optional[str]:
     """The proxy of the plugin that writes what a proxy of it reads, or None."""
     return next((f["writer"] for f in own_formats() if f["reader"] == reader), None)

@@ -4,6 +4,7 @@
 
 import os
 import re
+import resource
 import shutil
 import signal
 import subprocess
@@ -17,6 +18,9 @@ from paraview import simple
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
 TETRAHEDRA = [(10, (0, 1, 3, 4)), (10, (2, 3, 1, 6))]
+
+#: Bytes that files may have at most, to stand for a disk that is full.
+FULL = 3000
 
 
 class TestConvert(camaron_testing.TestCase):
@@ -232,6 +236,19 @@ class TestConvert(camaron_testing.TestCase):
         with self.assertRaisesRegex(ValueError, "not written: write x.msh and compress it"):
             convert(self.mesh(), self.folder / "x.msh.gz")
 
+    def test_names_that_are_only_read(self):
+        """Extensions that are read but not written are answered by the name that is, and the options."""
+        for name, reason in (
+            ("x.coff", "write x.off with --vertex-colors NAME,"),
+            ("x.noff", "write x.off with --write-normals,"),
+            ("x.4off", "write x.off, which"),
+            ("x.stcnoff", "x.off with --write-texture-coordinates --vertex-colors NAME --write-normals,"),
+            ("x.face", "write x.ele with --write-boundary-faces,"),
+            *((f"x.{kind}", "write x.ele, which") for kind in ("edge", "neigh", "poly", "smesh")),
+        ):
+            with self.assertRaisesRegex(ValueError, f"not written under that name: .*{reason}"):
+                convert(self.mesh(), self.folder / name)
+
     def test_errors(self):
         broken = self.folder / "broken.vtu"
         broken.write_text('<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid"><Unstr')
@@ -337,6 +354,55 @@ class TestConvert(camaron_testing.TestCase):
                     reading.read(expected.stat().st_size), expected.read_bytes(), target.name
                 )
             self.assertTrue(pipe.is_fifo() and link.is_symlink())
+
+    def test_full_disk(self):
+        """A file that could not be written to its end is an error, whether or not its writer says so.
+
+        Files may not grow beyond a limit here, which is as if the disk were full.
+        """
+        source = self.folder / "source.vtu"
+        convert(camaron_testing.EXAMPLES / "flange.visf", source)
+        convert(source, self.folder / "surface.vtp")
+        targets = "source.vtkhdf source.case source.xmf surface.obj surface.geo surface.csv surface.vtp"
+        for name in (targets + " source.vtk").split():
+            mesh = source if name.startswith("source") else self.folder / "surface.vtp"
+            target = self.folder / f"full-{name}"
+            target.write_text("old")
+            before = sorted(self.folder.iterdir())
+            limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (FULL, limits[1]))
+            try:
+                with self.subTest(name), self.assertRaises((RuntimeError, OSError)) as caught:
+                    convert(mesh, target)
+            finally:
+                resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+            self.assertNotIn("0x", str(caught.exception))
+            self.assertEqual(target.read_text(), "old")
+            self.assertEqual(sorted(self.folder.iterdir()), before, name)
+
+    def test_too_little_space(self):
+        """Formats whose writer would end the program on a full disk are not begun."""
+        with unittest.mock.patch("camaron.files.free_space", return_value=100):
+            with self.assertRaisesRegex(RuntimeError, "x.exo: the disk has 100 B free, and the mesh"):
+                convert(self.mesh(), self.folder / "x.exo")
+            with self.assertRaisesRegex(RuntimeError, "x.obj: .*the disk is full"):
+                convert(self.mesh(), self.folder / "x.obj")
+        convert(self.mesh(), self.folder / "x.exo")
+        self.assertTrue((self.folder / "x.exo").exists())
+
+    def test_companions(self):
+        """Files that come with a target do not replace those of something else; EnSight's has its name."""
+        for name, other in (("m.xmf", "m.h5"), ("m.ele", "m.node"), ("n.case", "n.0.00000.geo")):
+            (self.folder / other).write_text("mine")
+            with self.assertRaisesRegex(RuntimeError, f"{name}: it comes with the file .*{other}"):
+                convert(self.mesh(), self.folder / name)
+            self.assertEqual((self.folder / other).read_text(), "mine")
+            self.assertFalse((self.folder / name).exists())
+            (self.folder / other).unlink()
+            for _ in range(2):  # its own are replaced
+                convert(self.mesh(), self.folder / name)
+                self.assertEqual(self.cells(self.folder / name), 2)
+        self.assertFalse((self.folder / "n.0.case").exists())
 
     def test_killed(self):
         """Whatever ends the process while it writes, no folder of its own stays behind."""
