@@ -21,6 +21,10 @@ FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".
 #: .stl, whose triangles share no points.
 FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
 GHOSTS = "vtkGhostType"
+#: ParaView's formats that hold points and polygons only, as far as this says what they lose.
+BARE_SURFACES = {".stl"}
+#: Arrays that other cells than those of the mesh leave behind, or the readers add.
+NO_LOSS = {GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
 #: Parts of extensions under which files are not written, and the options of their formats that do the like.
 OPTIONS_INSTEAD = (
     ("face", "--write-boundary-faces"),
@@ -307,6 +311,7 @@ def write(
         staging.publish()
         if notes is not None:
             notes += messages.warnings
+            notes += _lost_in_surfaces(proxy, target)
             if table:
                 notes.append(
                     f"Only a table was written, of the {table}; the option field-association "
@@ -355,6 +360,23 @@ def _check_companions(target: Path, names: list[str]) -> None:
                 f"{target}: it comes with the file {place}, which is there already: choose another "
                 "name, or remove the file"
             )
+
+
+def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:
+    """A sentence on arrays that formats of bare surfaces do not hold."""
+    suffix = target.suffix.lower()
+    if suffix not in BARE_SURFACES:
+        return []
+    notes = []
+    lost = [
+        f"{name} of {noun}"
+        for noun, data in (("points", proxy.PointData), ("cells", proxy.CellData))
+        for name in data.keys()
+        if name not in NO_LOSS
+    ]
+    if lost:
+        notes.append(f"Files named *{suffix} hold no arrays; not written: {', '.join(lost)}.")
+    return notes
 
 
 def _make_writer(proxy: Any, path: Path) -> Any:

@@ -145,6 +145,13 @@ class TestConvert(camaron_testing.TestCase):
         with self.assertRaisesRegex(ValueError, r"--point-data-arrays NAME,NAME\|none \(all\)"):
             convert(source, self.folder / "t.ply", point_data_array="p")
 
+    def test_arrays_of_stl(self):
+        """A format of ParaView that holds no arrays says which were lost."""
+        source = camaron_testing.write_vtk(self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3))])
+        source.write_text(source.read_text() + "\nCELL_DATA 1\nFIELD f 1\na 1 1 float\n1\n")
+        lost = "Files named *.stl hold no arrays; not written: a of cells."
+        self.assertEqual(convert(source, self.folder / "q.stl"), [lost])
+
     def test_numbers(self):
         """Numbers outside the range of an option are refused, and the range is named."""
         source = self.mesh()
