@@ -187,9 +187,9 @@ def options(writer: Any) -> dict[str, Option]:
         if plain(key) in OTHER_ARRAY_LISTS:
             continue
         if _is_array_list(writer, key):
-            found[plain(key)] = Option(
-                key, _word(smproperty.GetXMLLabel() or key), [], "NAME,NAME|none", "all", ""
-            )
+            flag = _word(smproperty.GetXMLLabel() or key)
+            text = f"Which are written, by the name of every {ARRAY_LISTS[plain(key)][0]}."
+            found[plain(key)] = Option(key, flag, [], "NAME,NAME|none", "all", text)
             continue
         if smproperty.FindDomain("vtkSMArrayListDomain"):
             choices, value = [], "none"  # which there are depends on the mesh
