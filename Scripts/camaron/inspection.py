@@ -141,7 +141,9 @@ def _write(summary, quality, surface, folder, with_pictures) -> None:
     mesh_name = "mesh" + facts.extension(quality)
     # Every rank writes its own cells, without the layer of its neighbours' around them.
     whole = simple.RemoveGhostInformation(Input=quality) if pipeline.rank_count() > 1 else quality
-    conversion.write(whole, folder / mesh_name, _arrays_to_write(quality, shown))
+    whole.UpdatePipeline()
+    known = set(quality.GetProperty("Criteria").Available)
+    conversion.write(whole, folder / mesh_name, _arrays_to_write(whole, known, shown))
     if whole is not quality:
         simple.Delete(whole)
     summary["files"] = {
@@ -178,15 +180,14 @@ def _write(summary, quality, surface, folder, with_pictures) -> None:
                 )
 
 
-def _arrays_to_write(quality, criteria) -> dict[str, Any]:
-    """Options of a writer that leave out criteria without a meaning for the mesh."""
-    known = set(quality.GetProperty("Criteria").Available)
-    names = [array.Name for array in quality.CellData]
+def _arrays_to_write(mesh, known, criteria) -> dict[str, Any]:
+    """Options of a writer that leave out those known criteria that have no meaning for the mesh."""
+    names = [array.Name for array in mesh.CellData]
     left_out = [name for name in names if name in known and name not in criteria]
     if not left_out:
         return {}
     return {
         "ChooseArraysToWrite": 1,
         "CellDataArrays": [name for name in names if name not in left_out],
-        "PointDataArrays": [array.Name for array in quality.PointData],
+        "PointDataArrays": [array.Name for array in mesh.PointData],
     }
