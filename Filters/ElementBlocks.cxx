@@ -26,8 +26,7 @@
 
 namespace camaron
 {
-namespace
-{
+//------------------------------------------------------------------------------
 unsigned char GetGhostMask(ElementKind kind)
 {
   return kind == ElementKind::Cells ? vtkDataSetAttributes::DUPLICATECELL |
@@ -35,6 +34,9 @@ unsigned char GetGhostMask(ElementKind kind)
                                     : vtkDataSetAttributes::DUPLICATEPOINT |
       vtkDataSetAttributes::HIDDENPOINT;
 }
+
+namespace
+{
 static_assert(static_cast<int>(vtkDataSetAttributes::DUPLICATECELL) ==
     static_cast<int>(vtkDataSetAttributes::DUPLICATEPOINT),
   "copies are marked alike");

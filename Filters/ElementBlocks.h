@@ -77,6 +77,9 @@ struct ElementBlock : DataSetLeaf
   bool IsGhost(vtkIdType element) const { return !this->Skip.empty() && this->Skip[element]; }
 };
 
+/// Bits of vtkGhostType with which an element of that kind is a ghost.
+unsigned char GetGhostMask(ElementKind kind);
+
 class ElementBlocks
 {
 public:

@@ -5,7 +5,6 @@
 #include "Parallel.h"
 
 #include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkMath.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -24,8 +23,6 @@ namespace
 {
 constexpr vtkIdType Grain = 65536;
 constexpr unsigned OfPolygons = Polygons | Triangles | Quadrilaterals;
-constexpr unsigned char GhostBits = vtkDataSetAttributes::DUPLICATECELL |
-  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
 
 /// What is counted of a criterion: integers, so that their sums do not depend on the order of
 /// cells.
@@ -91,6 +88,7 @@ private:
 void Add(const double* values, vtkIdType size, const unsigned char* ghosts, const ValueRange& range,
   const IdealDistance& distance, Counts& counts)
 {
+  const unsigned char ghostMask = GetGhostMask(ElementKind::Cells);
   std::mutex mutex;
   ParallelFor(size, Grain,
     [&](vtkIdType begin, vtkIdType end)
@@ -99,7 +97,7 @@ void Add(const double* values, vtkIdType size, const unsigned char* ghosts, cons
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         const double value = values[cell];
-        if (std::isnan(value) || (ghosts && (ghosts[cell] & GhostBits)))
+        if (std::isnan(value) || (ghosts && (ghosts[cell] & ghostMask)))
         {
           continue;
         }

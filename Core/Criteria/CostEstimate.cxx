@@ -3,10 +3,10 @@
 #include "Criteria/CostEstimate.h"
 
 #include "Mesh/CellShape.h"
+#include "Mesh/MeshView.h"
 
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -70,22 +70,17 @@ double GetCost(const std::vector<const Criterion*>& criteria, int group)
 GroupCorners CountCornersOfGrid(vtkUnstructuredGrid* grid)
 {
   GroupCorners corners = {};
-  vtkCellArray* const cells = grid->GetCells(); // none of a mesh that could not be read
-  vtkUnsignedCharArray* const types = grid->GetCellTypesArray();
-  if (!cells || !types)
+  const MeshView mesh(grid);
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
-    return corners;
-  }
-  for (vtkIdType cell = 0; cell < types->GetNumberOfValues(); ++cell)
-  {
-    const CellShape& shape = GetCellShape(types->GetValue(cell));
+    const CellShape& shape = GetCellShape(mesh.GetCellType(cell));
     if (shape.Dimension >= 2) // lines and points cost nothing worth speaking of
     {
       const int number = shape.NumberOfCorners;
       const CostGroup group = shape.Dimension == 2 ? CostOfPolygons
         : number == 4                              ? CostOfTetrahedra
                                                    : CostOfPolyhedra;
-      corners[group] += static_cast<double>(number > 0 ? number : cells->GetCellSize(cell));
+      corners[group] += static_cast<double>(number > 0 ? number : mesh.GetCellPoints(cell).Size);
     }
   }
   return corners;

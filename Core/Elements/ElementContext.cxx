@@ -63,46 +63,46 @@ ElementUses CountUses(const ElementContext& context, std::size_t size, ForItems&
   const FacetTable& table = context.GetTopology().GetFaces();
   Counters cells(size), polygons(size), faces(size), boundaryFaces(size);
   const auto countCell = [&](vtkIdType cell, CellFacets& facets)
+  {
+    const bool isPolygon = facets.GetDimension(cell) == 2;
+    std::vector<vtkIdType> found;
+    const auto keep = [&](vtkIdType item) { found.push_back(item); };
+    if (isPolygon)
     {
-      const bool isPolygon = facets.GetDimension(cell) == 2;
-      std::vector<vtkIdType> found;
-      const auto keep = [&](vtkIdType item) { found.push_back(item); };
+      std::vector<vtkIdType> ring;
+      facets.GetPolygon(cell, ring);
+      forItems(ring.data(), static_cast<vtkIdType>(ring.size()), keep);
+    }
+    else
+    {
+      facets.ForEach(cell, [&](const vtkIdType* points, vtkIdType count, vtkIdType)
+        { forItems(points, count, keep); });
+    }
+    MakeUnique(found);
+    for (const vtkIdType item : found)
+    {
+      cells.Add(item);
       if (isPolygon)
       {
-        std::vector<vtkIdType> ring;
-        facets.GetPolygon(cell, ring);
-        forItems(ring.data(), static_cast<vtkIdType>(ring.size()), keep);
+        polygons.Add(item);
       }
-      else
+    }
+    ForFaces(table, cell, facets,
+      [&](const vtkIdType* points, vtkIdType count, bool isBoundary)
       {
-        facets.ForEach(cell, [&](const vtkIdType* points, vtkIdType count, vtkIdType)
-          { forItems(points, count, keep); });
-      }
-      MakeUnique(found);
-      for (const vtkIdType item : found)
-      {
-        cells.Add(item);
-        if (isPolygon)
+        found.clear();
+        forItems(points, count, keep);
+        MakeUnique(found);
+        for (const vtkIdType item : found)
         {
-          polygons.Add(item);
-        }
-      }
-      ForFaces(table, cell, facets,
-        [&](const vtkIdType* points, vtkIdType count, bool isBoundary)
-        {
-          found.clear();
-          forItems(points, count, keep);
-          MakeUnique(found);
-          for (const vtkIdType item : found)
+          faces.Add(item);
+          if (isBoundary)
           {
-            faces.Add(item);
-            if (isBoundary)
-            {
-              boundaryFaces.Add(item);
-            }
+            boundaryFaces.Add(item);
           }
-        });
-    };
+        }
+      });
+  };
   context.ForCells(
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -367,16 +367,13 @@ def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:
     suffix = target.suffix.lower()
     if suffix not in BARE_SURFACES:
         return []
-    notes = []
     lost = [
         f"{name} of {noun}"
         for noun, data in (("points", proxy.PointData), ("cells", proxy.CellData))
         for name in data.keys()
         if name not in NO_LOSS
     ]
-    if lost:
-        notes.append(f"Files named *{suffix} hold no arrays; not written: {', '.join(lost)}.")
-    return notes
+    return [f"Files named *{suffix} hold no arrays; not written: {', '.join(lost)}."] if lost else []
 
 
 def _make_writer(proxy: Any, path: Path) -> Any:

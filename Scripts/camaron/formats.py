@@ -22,16 +22,15 @@ from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 
 #: The property that lets a writer heed lists of arrays; naming arrays sets it.
 CHOOSES_ARRAYS = "ChooseArraysToWrite"
-#: Properties of writers that are set otherwise.
+#: Properties of writers that are set otherwise, and lists of arrays that no mesh has.
 NOT_OPTIONS = {"input", "filename", "choosearraystowrite"}
+NOT_OPTIONS |= {"edgedataarrays", "rowdataarrays", "vertexdataarrays"}
 #: Lists of arrays by plain name: what people call it, and where a source has these arrays.
 ARRAY_LISTS = {
     "pointdataarrays": ("array of points", "PointData"),
     "celldataarrays": ("array of cells", "CellData"),
     "fielddataarrays": ("array of the mesh", "FieldData"),
 }
-#: Lists of arrays that no mesh has.
-OTHER_ARRAY_LISTS = {"edgedataarrays", "rowdataarrays", "vertexdataarrays"}
 #: The last extension of a file that names others, one for each time step: part.visf.series.
 SERIES = ".series"
 
@@ -184,8 +183,6 @@ def options(writer: Any) -> dict[str, Option]:
             continue
         choices = [_word(choice) for choice in getattr(prop, "Available", None) or [] if choice]
         value = prop.GetData() if choices else writer.GetPropertyValue(key)
-        if plain(key) in OTHER_ARRAY_LISTS:
-            continue
         if _is_array_list(writer, key):
             flag = _word(smproperty.GetXMLLabel() or key)
             text = f"Which are written, by the name of every {ARRAY_LISTS[plain(key)][0]}."

@@ -184,10 +184,4 @@ def _arrays_to_write(mesh, known, criteria) -> dict[str, Any]:
     """Options of a writer that leave out those known criteria that have no meaning for the mesh."""
     names = [array.Name for array in mesh.CellData]
     left_out = [name for name in names if name in known and name not in criteria]
-    if not left_out:
-        return {}
-    return {
-        "ChooseArraysToWrite": 1,
-        "CellDataArrays": [name for name in names if name not in left_out],
-        "PointDataArrays": [array.Name for array in mesh.PointData],
-    }
+    return {"CellDataArrays": [name for name in names if name not in left_out]} if left_out else {}

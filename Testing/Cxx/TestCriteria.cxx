@@ -3,7 +3,6 @@
 // Values of the criteria against tables that an independent program computed from closed forms, and against
 // themselves under what must not change them.
 #include "Criteria/CellStatusBits.h"
-#include "Criteria/CostEstimate.h"
 
 #include "CriteriaTesting.h"
 #include "ReferenceShapes.h"
@@ -478,32 +477,6 @@ TEST(Criteria, ProgressAndAbort)
   int calls = 0;
   EXPECT_FALSE(Evaluate(MeshTopology(grid), {}, rows, [&](double) { return ++calls < 2; }));
   EXPECT_EQ(calls, 2);
-}
-
-// The estimate knows which cells are dear and which criteria mean nothing for them.
-TEST(Criteria, CostEstimate)
-{
-  const auto estimate = [](const char* criterion, CostGroup group)
-  {
-    GroupCorners corners = {};
-    corners[group] = 1e6;
-    return EstimateSeconds({ FindCriterion(criterion) }, corners, 1);
-  };
-  EXPECT_GT(estimate("KernelRatio", CostOfPolyhedra), 2 * estimate("KernelRatio", CostOfTetrahedra));
-  EXPECT_GT(estimate("KernelRatio", CostOfTetrahedra), 5 * estimate("SurfaceArea", CostOfTetrahedra));
-  for (const CostGroup group : { CostOfTetrahedra, CostOfPolyhedra })
-  {
-    EXPECT_EQ(estimate("VemQuality", group), estimate("FaceCount", group)); // of polygons
-  }
-  EXPECT_GT(estimate("VemQuality", CostOfPolygons), 2 * estimate("TetMeanRatio", CostOfPolygons));
-
-  const Grid hexahedra = MakeHexahedra(2, 1, 1, false);
-  EXPECT_EQ(CountCorners(hexahedra), (GroupCorners{ 0, 0, 16 }));
-  EXPECT_EQ(CountCorners(ToPolyhedra(hexahedra)), (GroupCorners{ 0, 0, 16 }));
-  Cells cells = { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } },
-    { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_LINE, { 0, 1 } }, { VTK_POLYGON, { 0, 1, 2, 3, 4 } } };
-  const Grid mixed = MakeGrid({}, cells);
-  EXPECT_EQ(CountCorners(mixed), (GroupCorners{ 8, 8, 0 }));
 }
 
 // The registry is complete and consistent in itself.
