@@ -87,23 +87,31 @@ vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
   return result;
 }
 
+constexpr unsigned char NoPart = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+
 //------------------------------------------------------------------------------
-// Hidden cells, and those that are refined elsewhere, are no part of a grid, as VTK has it for structured ones.
-vtkSmartPointer<vtkUnstructuredGrid> WithoutHidden(vtkUnstructuredGrid* grid)
+bool HasHidden(vtkDataSet* data)
 {
-  constexpr unsigned char masks = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-  vtkUnsignedCharArray* const ghosts = grid->GetCellGhostArray();
+  vtkUnsignedCharArray* const ghosts = data->GetCellGhostArray();
   const unsigned char* const flags = ghosts ? ghosts->GetPointer(0) : nullptr;
   const vtkIdType size = ghosts ? ghosts->GetNumberOfValues() : 0;
-  if (std::none_of(flags, flags + size, [](unsigned char flag) { return flag & masks; }))
+  return std::any_of(flags, flags + size, [](unsigned char flag) { return flag & NoPart; });
+}
+
+//------------------------------------------------------------------------------
+// Hidden cells, and those that are refined elsewhere, are no part of a mesh, as VTK has it for structured ones.
+vtkSmartPointer<vtkUnstructuredGrid> WithoutHidden(vtkUnstructuredGrid* grid)
+{
+  if (!HasHidden(grid))
   {
     return grid;
   }
+  vtkUnsignedCharArray* const ghosts = grid->GetCellGhostArray();
   vtkNew<vtkUnsignedCharArray> types;
   types->DeepCopy(GetCellTypes(grid));
-  for (vtkIdType cell = 0; cell < size; ++cell)
+  for (vtkIdType cell = 0; cell < ghosts->GetNumberOfValues(); ++cell)
   {
-    if (flags[cell] & masks)
+    if (ghosts->GetValue(cell) & NoPart)
     {
       types->SetValue(cell, VTK_EMPTY_CELL);
     }
@@ -123,7 +131,7 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
   {
     return WithHulls(WithoutHidden(grid), VTK_CONVEX_POINT_SET);
   }
-  if (vtkPolyData::SafeDownCast(data))
+  if (vtkPolyData::SafeDownCast(data) && !HasHidden(data))
   {
     return data;
   }
@@ -134,7 +142,7 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
     append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); // coordinates are computed
   }
   append->Update();
-  return vtkSmartPointer<vtkDataSet>(append->GetOutput());
+  return WithoutHidden(append->GetOutput());
 }
 
 //------------------------------------------------------------------------------

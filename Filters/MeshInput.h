@@ -15,8 +15,8 @@ namespace camaron
 /**
  * A vtkUnstructuredGrid or vtkPolyData with the same cells in the same order as @a data and its ghost
  * array: @a data itself whenever possible. Images and structured grids become unstructured;
- * VTK_CONVEX_POINT_SET cells get the faces of their hull; cells of grids that are hidden or refined elsewhere become
- * VTK_EMPTY_CELL.
+ * VTK_CONVEX_POINT_SET cells get the faces of their hull; cells that are hidden or refined elsewhere become
+ * VTK_EMPTY_CELL, for which a vtkPolyData becomes unstructured, too.
  */
 vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data);
 

@@ -8,7 +8,7 @@ import mesh_parts
 import numpy
 from paraview import simple
 from paraview.servermanager import OutputPort
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_CONVEX_POINT_SET,
@@ -25,6 +25,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkDataSetAttributes,
     vtkImageData,
     vtkPartitionedDataSetCollection,
+    vtkPolyData,
     vtkPolygon,
     vtkStructuredGrid,
     vtkUnstructuredGrid,
@@ -307,6 +308,30 @@ class TestCollapsedCells(camaron_testing.TestCase):
                 numpy.testing.assert_allclose(found[name], expected[name], rtol=1e-12, err_msg=name)
                 self.assertTrue(numpy.isnan(found[name][middle]), name)
             self.assertEqual(int(self.array(self.elements(grid, 0), "IsBoundary").sum()), 54 + 6)
+
+    def test_hidden_polygons(self):
+        """They are no neighbours in surfaces either: the values are those of the surface without them."""
+        names = [*OF_NEIGHBORS, "MinVolumeRatio", "MaxNeighborNormalAngle", "RegionId"]
+        points = numpy.array([(i + 0.3 * j * j, j, 0.5 * (i == 2)) for j, i in numpy.ndindex(4, 4)])
+        quads = [[4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4] for j, i in numpy.ndindex(3, 3)]
+
+        def make_surface(quads):
+            surface = vtkPolyData()
+            surface.SetPoints(vtkPoints())
+            surface.GetPoints().SetData(numpy_to_vtk(points, deep=1))
+            surface.Allocate(len(quads))
+            for quad in quads:
+                surface.InsertNextCell(VTK_QUAD, 4, quad)
+            return surface
+
+        hidden = 4
+        surface = make_surface(quads)
+        surface.AllocateCellGhostArray().SetValue(hidden, vtkDataSetAttributes.HIDDENCELL)
+        expected = self.evaluate(make_surface(quads[:hidden] + quads[hidden + 1 :]), names)
+        found = self.evaluate(surface, names)
+        for name in names:
+            self.assertTrue(numpy.isnan(found[name][hidden]), name)
+            numpy.testing.assert_array_equal(numpy.delete(found[name], hidden), expected[name], err_msg=name)
 
     def test_tolerances(self):
         """Numbers that no tolerance can be are errors."""
