@@ -135,6 +135,6 @@ void WarnOfPoints(vtkDataArray* points, Warnings& warnings, const Progress& prog
   {
     count(points, bad, progress);
   }
-  warnings.Add(bad, one, many, "with a coordinate that is not finite");
+  warnings.Add(bad, one, many, "with a coordinate that is not finite", FromZero);
 }
 }

@@ -139,7 +139,7 @@ void CellPiece::WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings,
         repeating.Merge(local);
       });
   }
-  warnings.Add(repeating, one, many, "with the same point more than once");
+  warnings.Add(repeating, one, many, "with the same point more than once", FromZero);
 }
 
 //------------------------------------------------------------------------------

@@ -56,16 +56,17 @@ std::string QuoteWord(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
-void Warnings::Add(const Tally& tally, const char* one, const char* many, const char* what)
+void Warnings::Add(
+  const Tally& tally, const char* one, const char* many, const char* what, const char* note)
 {
+  const std::string first = std::string(one) + " " + std::to_string(tally.First) + note;
   if (tally.Count == 1)
   {
-    this->Add("1 " + std::string(one) + " " + what + ": " + one + " " + std::to_string(tally.First));
+    this->Add("1 " + std::string(one) + " " + what + ": " + first);
   }
   else if (tally.Count > 1)
   {
-    this->Add(std::to_string(tally.Count) + " " + many + " " + what + ", the first is " + one + " " +
-      std::to_string(tally.First));
+    this->Add(std::to_string(tally.Count) + " " + many + " " + what + ", the first is " + first);
   }
 }
 }

@@ -72,13 +72,16 @@ struct Tally
   }
 };
 
+/// To be noted where files may have other ids than what is named by its place in the mesh.
+constexpr const char* FromZero = " (counted from 0)";
+
 /// Odd but usable input: one sentence per kind, with how many there are and the first of them.
 class Warnings
 {
 public:
   void Add(std::string sentence) { this->Sentences.push_back(std::move(sentence)); }
-  /// "12 polygons with fewer than 3 vertices, the first is polygon 7"; nothing if the tally is empty.
-  void Add(const Tally& tally, const char* one, const char* many, const char* what);
+  /// "12 polygons with fewer than 3 vertices, the first is polygon 7", and @a note; nothing if the tally is empty.
+  void Add(const Tally& tally, const char* one, const char* many, const char* what, const char* note = "");
 
   const std::vector<std::string>& GetSentences() const { return this->Sentences; }
 

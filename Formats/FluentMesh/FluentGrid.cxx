@@ -460,8 +460,9 @@ void FluentGridBuilder::Warn()
   }
   this->Messages.Add(empty, "cell", "cells", "without faces");
   this->Messages.Add(broken, "cell", "cells", "whose edges make no ring, left empty");
-  this->Messages.Add(
-    other, "cell", "cells", "whose faces are not those of the declared type, read as polyhedra");
+  this->Messages.Add(other, "cell", "cells",
+    this->Mesh.Dimension == 2 ? "whose edges are not those of the declared type, read as polygons"
+                              : "whose faces are not those of the declared type, read as polyhedra");
 }
 }
 
