@@ -181,6 +181,7 @@ bool FluentCellFaces::MatchVolume(unsigned char type)
 bool FluentCellFaces::MakeRing()
 {
   this->Edges.clear();
+  this->Loops.clear();
   for (std::size_t i = 0; i < this->Lists.size(); ++i)
   {
     const IdList& list = this->Lists[i];
@@ -188,16 +189,36 @@ bool FluentCellFaces::MakeRing()
     {
       return false;
     }
+    if (list[0] == list[1])
+    {
+      this->Loops.push_back(list[0]);
+      continue;
+    }
     // The first cell is on the left.
     const bool isLeft = this->Directions[i] != FaceDirection::Outward;
     this->Edges.push_back({ list[isLeft ? 0 : 1], list[isLeft ? 1 : 0],
       this->Directions[i] != FaceDirection::Unknown });
   }
   constexpr std::size_t MaxShort = 16;
-  if (this->Edges.size() > MaxShort)
+  if (!(this->Edges.size() > MaxShort ? this->MakeLongRing() : this->MakeShortRing()))
   {
-    return this->MakeLongRing();
+    return false;
   }
+  for (const std::int32_t node : this->Loops)
+  {
+    const auto place = std::find(this->Ring.begin(), this->Ring.end(), node);
+    if (place == this->Ring.end())
+    {
+      return false;
+    }
+    this->Ring.insert(place, node);
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentCellFaces::MakeShortRing()
+{
   // Start with an edge of a known direction; others follow it.
   const auto known = std::find_if(
     this->Edges.begin(), this->Edges.end(), [](const Edge& edge) { return edge.Directed; });

@@ -155,6 +155,7 @@ private:
   bool Join(std::size_t wanted);
   bool MatchVolume(unsigned char type);
   bool MakeRing();
+  bool MakeShortRing();
   bool MakeLongRing();
 
   const FluentMesh& Mesh;
@@ -172,6 +173,7 @@ private:
     bool Directed;
   };
   std::vector<Edge> Edges;
+  std::vector<std::int32_t> Loops; ///< nodes with an edge to themselves
 };
 }
 

@@ -37,6 +37,17 @@ void StartAtLeast(std::vector<vtkIdType>& ring)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+// Leaves points that follow themselves around a face once, as Fluent has it.
+void DropRepeated(std::vector<vtkIdType>& ring)
+{
+  ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+  while (ring.size() > 1 && ring.front() == ring.back())
+  {
+    ring.pop_back();
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -52,25 +63,66 @@ FluentOutput::FluentOutput(vtkDataSet* mesh, int dimension)
 }
 
 //------------------------------------------------------------------------------
+// Points of a cell that are different from the one before: of all its points, or around a polygon.
+int FluentOutput::CountCorners(vtkIdType meshCell) const
+{
+  const IndexRange points = this->Mesh.GetCellPoints(meshCell);
+  int count = 0;
+  for (vtkIdType i = 0; i < points.Size; ++i)
+  {
+    bool isNew = points[i] != points[i > 0 ? i - 1 : points.Size - 1];
+    for (vtkIdType j = 0; j < i && this->Dimension == 3; ++j)
+    {
+      isNew = isNew && points[i] != points[j];
+    }
+    count += isNew;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+// What is collapsed has other faces than its type.
 int FluentOutput::GetElement(vtkIdType cell) const
 {
-  switch (this->Mesh.GetCellType(this->GetMeshCell(cell)))
+  const vtkIdType meshCell = this->GetMeshCell(cell);
+  FluentElement element = FluentElement::Polyhedron;
+  int corners = 0;
+  switch (this->Mesh.GetCellType(meshCell))
   {
     case VTK_TRIANGLE:
-      return static_cast<int>(FluentElement::Triangle);
+      element = FluentElement::Triangle;
+      corners = 3;
+      break;
     case VTK_QUAD:
-      return static_cast<int>(FluentElement::Quadrilateral);
+      element = FluentElement::Quadrilateral;
+      corners = 4;
+      break;
     case VTK_TETRA:
-      return static_cast<int>(FluentElement::Tetrahedron);
+      element = FluentElement::Tetrahedron;
+      corners = 4;
+      break;
     case VTK_HEXAHEDRON:
-      return static_cast<int>(FluentElement::Hexahedron);
+      element = FluentElement::Hexahedron;
+      corners = 8;
+      break;
     case VTK_PYRAMID:
-      return static_cast<int>(FluentElement::Pyramid);
+      element = FluentElement::Pyramid;
+      corners = 5;
+      break;
     case VTK_WEDGE:
-      return static_cast<int>(FluentElement::Wedge);
+      element = FluentElement::Wedge;
+      corners = 6;
+      break;
     default:
-      return static_cast<int>(FluentElement::Polyhedron);
+      break;
   }
+  if (corners > 0 && this->CountCorners(meshCell) != corners)
+  {
+    element = element == FluentElement::Quadrilateral && this->CountCorners(meshCell) == 3
+      ? FluentElement::Triangle
+      : FluentElement::Polyhedron;
+  }
+  return static_cast<int>(element);
 }
 
 //------------------------------------------------------------------------------
@@ -178,13 +230,46 @@ void FluentOutput::MergeCopies()
 }
 
 //------------------------------------------------------------------------------
+// Whether the second cell of a facet runs around it against the first.
+bool FluentOutput::AreOpposite(Index facet) const
+{
+  const Index second = this->Facets.GetCells(facet).Second;
+  bool isReversed = false;
+  if (second >= 0)
+  {
+    for (const CellFacet use : this->Facets.GetCellFacets(second))
+    {
+      isReversed = isReversed || (use.Facet() == facet && use.IsReversed());
+    }
+  }
+  return isReversed;
+}
+
+//------------------------------------------------------------------------------
+// Whether it is the side of a facet's second cell alone, of which there is another side.
+bool FluentOutput::IsFarSide(const Face& face) const
+{
+  if (face.Cells[1] >= 0)
+  {
+    return false;
+  }
+  const FacetTable::CellPair cells = this->Facets.GetCells(face.Facet);
+  return cells.Second >= 0 && cells.Second != cells.First &&
+    face.Cells[0] == this->GetFileCell(cells.Second) && this->AreOpposite(face.Facet);
+}
+
+//------------------------------------------------------------------------------
 void FluentOutput::GetNodes(const Face& face, std::vector<vtkIdType>& nodes) const
 {
   if (this->Dimension == 3)
   {
-    // Outward of the first cell, into which the normal has to point.
+    // Outward of the facet's first cell; the normal has to point into that of the face.
     this->Topology.GetFacePoints(face.Facet, nodes);
-    std::reverse(nodes.begin(), nodes.end());
+    if (!this->IsFarSide(face))
+    {
+      std::reverse(nodes.begin(), nodes.end());
+    }
+    DropRepeated(nodes);
     if (!nodes.empty())
     {
       StartAtLeast(nodes);
@@ -194,6 +279,11 @@ void FluentOutput::GetNodes(const Face& face, std::vector<vtkIdType>& nodes) con
   const IndexRange points = this->Mesh.GetCellPoints(this->Facets.GetCells(face.Facet).First);
   const vtkIdType local = this->Facets.GetOwnerLocalFacet(face.Facet);
   nodes = { points[local], points[local + 1 < points.Size ? local + 1 : 0] };
+  if (this->IsFarSide(face))
+  {
+    std::swap(nodes[0], nodes[1]);
+  }
+  DropRepeated(nodes);
 }
 
 //------------------------------------------------------------------------------
@@ -201,12 +291,6 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
 {
   const Index count = this->Facets.GetNumberOfFacets();
   this->Faces.resize(static_cast<std::size_t>(count));
-  const auto getFileCell = [this](Index cell)
-  {
-    return cell < 0     ? -1
-      : this->AllCells ? cell
-                       : this->FileCells[static_cast<std::size_t>(cell)];
-  };
   std::vector<Face> more; // the other sides of faces that two cells run around alike
   const std::int32_t least = this->Dimension == 3 ? 3 : 2; // nodes that bound something
   Tally crowded, alike, small;
@@ -221,7 +305,7 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
       for (auto facet = static_cast<Index>(first * Grain); facet < end; ++facet)
       {
         const FacetTable::CellPair cells = this->Facets.GetCells(facet);
-        Face face{ facet, { getFileCell(cells.First), getFileCell(cells.Second) }, 0, 0 };
+        Face face{ facet, { this->GetFileCell(cells.First), this->GetFileCell(cells.Second) }, 0, 0 };
         this->GetNodes(face, nodes);
         face.Size = static_cast<std::int32_t>(nodes.size());
         if (face.Size < least)
@@ -233,12 +317,7 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
         face.Least = static_cast<std::int32_t>(*std::min_element(nodes.begin(), nodes.end()));
         if (cells.Second >= 0)
         {
-          bool isReversed = false;
-          for (const CellFacet use : this->Facets.GetCellFacets(cells.Second))
-          {
-            isReversed = isReversed || (use.Facet() == facet && use.IsReversed());
-          }
-          if (!isReversed)
+          if (!this->AreOpposite(facet))
           {
             localMore.push_back({ facet, { face.Cells[1], -1 }, face.Size, face.Least });
             face.Cells[1] = -1;
@@ -272,7 +351,9 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
   std::sort(
     more.begin(), more.end(), [](const Face& a, const Face& b) { return a.Facet < b.Facet; });
   this->Faces.insert(this->Faces.end(), more.begin(), more.end());
-  warnings.Add(small, "face", "faces", "of fewer than 3 points, left out (first by its cell)");
+  this->Dimension == 3
+    ? warnings.Add(small, "face", "faces", "of fewer than 3 points, left out (first by its cell)")
+    : warnings.Add(small, "edge", "edges", "of one point, left out (first by its cell)");
   warnings.Add(alike, "face", "faces",
     "around which both cells run in the same direction, written once for each (first by its cell)");
   return finished;

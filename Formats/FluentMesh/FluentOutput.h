@@ -8,7 +8,8 @@
  * each starts at its smallest node. So the file does not depend on which of the possible orders of
  * its nodes a cell has. Cells of a lower dimension that are faces of others say in which zone these
  * are, and are not cells of the file; their points may be copies of those of the others, as when
- * blocks were merged.
+ * blocks were merged. Two of them that are the same face between two cells, one for each side as of thin walls, make
+ * two faces of one cell each.
  */
 #ifndef camaron_FluentOutput_h
 #define camaron_FluentOutput_h
@@ -18,8 +19,9 @@
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 
-#include <map>    // for zones
-#include <vector> // for faces
+#include <map>     // for zones
+#include <utility> // for sides of faces
+#include <vector>  // for faces
 
 namespace camaron
 {
@@ -84,7 +86,8 @@ public:
   const std::vector<Section>& GetCellSections() const { return this->CellSections; }
   const std::vector<FluentZone>& GetZones() const { return this->Zones; }
 
-  /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten.
+  /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten. A point that follows
+  /// itself is there once.
   void GetNodes(const Face& face, std::vector<vtkIdType>& nodes) const;
 
 private:
@@ -92,11 +95,21 @@ private:
   void MergeCopies();
   bool FindFaces(Warnings& warnings, std::string& reason, const Progress& progress);
   void SortFacesOfCells();
+  Index GetFileCell(Index cell) const
+  {
+    return cell < 0 || this->AllCells ? cell : this->FileCells[static_cast<std::size_t>(cell)];
+  }
+  int CountCorners(vtkIdType meshCell) const;
+  bool AreOpposite(Index facet) const;
+  bool IsFarSide(const Face& face) const;
   void ReadZones();
   void SortFaces();
   void AddFaceSection(vtkIdType begin, vtkIdType end, int id);
   void FindCellSections(Warnings& warnings);
   void FindMarks(Warnings& warnings);
+  std::vector<std::size_t> SplitFace(std::size_t face, const std::vector<std::int32_t>& marks);
+  bool IsOutward(std::int32_t mark, const Face& face) const;
+  std::vector<vtkIdType> GetMarkNodes(std::int32_t mark) const;
   int GetInteriorZone(const Face& face) const;
   void WarnOfOddZones(Warnings& warnings) const;
   void WarnOfLostZones(Warnings& warnings) const;
@@ -118,7 +131,7 @@ private:
   std::vector<std::int32_t> Points, FilePoints;
   std::map<vtkIdType, vtkIdType> Originals; ///< of points that are copies
   std::vector<Face> Faces;
-  std::map<Index, int> MarkedZones; ///< zones of facets
+  std::map<std::pair<Index, std::int32_t>, int> MarkedZones; ///< zones of facets with their first cell
   std::map<int, int> MarkedTypes;   ///< types of boundary of these zones
   FluentInteriorZones InteriorZones;
   std::vector<Section> FaceSections, CellSections;

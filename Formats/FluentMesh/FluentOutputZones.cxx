@@ -139,67 +139,143 @@ void FluentOutput::WarnOfOddZones(Warnings& warnings) const
 }
 
 //------------------------------------------------------------------------------
-// Finds the facets that cells of a lower dimension are.
+// Points of a cell of a lower dimension, of which copies are the originals.
+std::vector<vtkIdType> FluentOutput::GetMarkNodes(std::int32_t mark) const
+{
+  const IndexRange points = this->Mesh.GetCellPoints(mark);
+  std::vector<vtkIdType> nodes;
+  for (vtkIdType i = 0; i < points.Size; ++i)
+  {
+    const auto original = this->Originals.find(points[i]);
+    nodes.push_back(original != this->Originals.end() ? original->second : points[i]);
+  }
+  return nodes;
+}
+
+//------------------------------------------------------------------------------
+// Whether a cell of a lower dimension runs around a face, which it is, as the reader shows those of the face's first
+// cell.
+bool FluentOutput::IsOutward(std::int32_t mark, const Face& face) const
+{
+  const std::vector<vtkIdType> nodes = this->GetMarkNodes(mark);
+  std::vector<vtkIdType> ring;
+  this->GetNodes(face, ring);
+  if (this->Dimension == 2)
+  {
+    return nodes == ring; // edges have the first cell on the left
+  }
+  const auto at = std::find(ring.begin(), ring.end(), nodes[0]) - ring.begin();
+  const auto size = static_cast<std::ptrdiff_t>(ring.size());
+  return nodes[1] == ring[static_cast<std::size_t>((at + size - 1) % size)];
+}
+
+//------------------------------------------------------------------------------
+// A face between two cells that has two marks, each for one side, becomes two. Returns the face, or both.
+std::vector<std::size_t> FluentOutput::SplitFace(
+  std::size_t face, const std::vector<std::int32_t>& marks)
+{
+  Face far = this->Faces[face];
+  if (marks.size() != 2 || far.Cells[1] < 0 ||
+    this->IsOutward(marks[0], far) == this->IsOutward(marks[1], far))
+  {
+    return { face };
+  }
+  far.Cells[0] = std::exchange(far.Cells[1], -1);
+  this->Faces[face].Cells[1] = -1;
+  this->Faces.push_back(far);
+  return { face, this->Faces.size() - 1 };
+}
+
+//------------------------------------------------------------------------------
+// Finds the faces that cells of a lower dimension are.
 void FluentOutput::FindMarks(Warnings& warnings)
 {
   if (this->Marks.empty())
   {
     return;
   }
-  const auto getPoint = [this](vtkIdType point)
-  {
-    const auto original = this->Originals.find(point);
-    return original != this->Originals.end() ? original->second : point;
-  };
-  std::vector<std::vector<vtkIdType>> wanted;
+  using Nodes = std::vector<vtkIdType>;
+  std::vector<Nodes> wanted;
   std::vector<bool> isOfMark(static_cast<std::size_t>(this->Mesh.GetNumberOfPoints()), false);
   for (const std::int32_t mark : this->Marks)
   {
-    const IndexRange points = this->Mesh.GetCellPoints(mark);
-    wanted.emplace_back();
-    for (vtkIdType i = 0; i < points.Size; ++i)
+    wanted.push_back(this->GetMarkNodes(mark));
+    for (const vtkIdType point : wanted.back())
     {
-      const vtkIdType point = getPoint(points[i]);
-      wanted.back().push_back(point);
       isOfMark[static_cast<std::size_t>(point)] = true;
     }
     std::sort(wanted.back().begin(), wanted.back().end());
   }
 
-  std::vector<std::pair<std::vector<vtkIdType>, Index>> facets;
-  std::vector<vtkIdType> nodes;
-  for (const Face& face : this->Faces)
+  std::vector<std::pair<Nodes, std::size_t>> candidates; // and the face
+  Nodes nodes;
+  for (std::size_t face = 0; face < this->Faces.size(); ++face)
   {
-    this->GetNodes(face, nodes);
+    this->GetNodes(this->Faces[face], nodes);
     if (std::all_of(nodes.begin(), nodes.end(),
           [&](vtkIdType node) { return isOfMark[static_cast<std::size_t>(node)]; }))
     {
       std::sort(nodes.begin(), nodes.end());
-      facets.emplace_back(nodes, face.Facet);
+      candidates.emplace_back(nodes, face);
     }
   }
-  std::sort(facets.begin(), facets.end());
+  std::sort(candidates.begin(), candidates.end());
 
-  vtkDataArray* const types = GetCellNumbers(this->DataSet, "BoundaryType");
-  Tally lost;
+  // Of every first candidate with the same nodes, those that are it and have a zone.
+  std::map<std::size_t, std::vector<std::int32_t>> found;
+  Tally lost, repeated;
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {
-    const auto facet =
-      std::lower_bound(facets.begin(), facets.end(), std::make_pair(wanted[i], Index(-1)));
-    if (facet == facets.end() || facet->first != wanted[i])
+    const auto first = std::lower_bound(
+      candidates.begin(), candidates.end(), std::make_pair(wanted[i], std::size_t(0)));
+    if (first == candidates.end() || first->first != wanted[i])
     {
       lost.Add(this->Marks[i]);
-      continue;
     }
-    const int zone = this->GetZone(this->Marks[i]);
-    if (zone > 0)
+    else if (this->GetZone(this->Marks[i]) > 0)
     {
-      this->MarkedZones.emplace(facet->second, zone);
-      this->MarkedTypes.emplace(zone, types ? ToBoundaryType(types->GetTuple1(this->Marks[i])) : 0);
+      found[static_cast<std::size_t>(first - candidates.begin())].push_back(this->Marks[i]);
     }
+  }
+
+  vtkDataArray* const types = GetCellNumbers(this->DataSet, "BoundaryType");
+  const std::size_t before = this->Faces.size();
+  for (const auto& entry : found)
+  {
+    std::vector<std::int32_t> marks = entry.second;
+    std::vector<std::size_t> faces;
+    for (std::size_t i = entry.first;
+         i < candidates.size() && candidates[i].first == candidates[entry.first].first; ++i)
+    {
+      faces.push_back(candidates[i].second);
+    }
+    faces = faces.size() == 1 ? this->SplitFace(faces[0], marks) : faces;
+    for (const std::size_t face : faces)
+    {
+      // Of two, that for this side.
+      const Face& side = this->Faces[face];
+      const auto mark = std::find_if(marks.begin(), marks.end(),
+        [&](std::int32_t m) { return this->IsOutward(m, side); });
+      const std::int32_t chosen = mark != marks.end() ? *mark : marks[0];
+      const int zone = this->GetZone(chosen);
+      this->MarkedZones.emplace(std::make_pair(side.Facet, side.Cells[0]), zone);
+      this->MarkedTypes.emplace(zone, types ? ToBoundaryType(types->GetTuple1(chosen)) : 0);
+    }
+    for (std::size_t i = faces.size(); i < marks.size(); ++i)
+    {
+      repeated.Add(marks[i]);
+    }
+  }
+  if (this->Faces.size() > before)
+  {
+    std::stable_sort(this->Faces.begin(), this->Faces.end(),
+      [](const Face& a, const Face& b) { return a.Cells[0] < b.Cells[0]; });
+    this->SortFacesOfCells();
   }
   warnings.Add(
     lost, "cell", "cells", "of a lower dimension left out, as no face of the others is the same");
+  warnings.Add(
+    repeated, "cell", "cells", "of a lower dimension left out, as others are the same face");
 }
 
 //------------------------------------------------------------------------------
@@ -344,7 +420,7 @@ void FluentOutput::SortFaces()
   const int interior = only ? only->Id : 0; // of faces between cells that are in no other
   const auto getKey = [this, interior](const Face& face)
   {
-    const auto marked = this->MarkedZones.find(face.Facet);
+    const auto marked = this->MarkedZones.find({ face.Facet, face.Cells[0] });
     if (marked != this->MarkedZones.end())
     {
       return Key{ true, marked->second };

@@ -107,6 +107,28 @@ std::set<std::string> DescribeZones(vtkFluentMeshReader* reader)
 }
 
 //------------------------------------------------------------------------------
+// The polygons or lines of a surface by the places of their points, each polygon from its least on.
+std::multiset<std::vector<std::array<double, 3>>> GetRings(vtkPolyData* surface)
+{
+  std::multiset<std::vector<std::array<double, 3>>> rings;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    vtkIdList* const ids = surface->GetCell(cell)->GetPointIds();
+    std::vector<std::array<double, 3>> ring(static_cast<std::size_t>(ids->GetNumberOfIds()));
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      surface->GetPoint(ids->GetId(static_cast<vtkIdType>(i)), ring[i].data());
+    }
+    if (ring.size() > 2)
+    {
+      std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    }
+    rings.insert(ring);
+  }
+  return rings;
+}
+
+//------------------------------------------------------------------------------
 void AddZones(vtkUnstructuredGrid* grid, const std::vector<int>& zones)
 {
   vtkNew<vtkIntArray> array;
@@ -292,6 +314,68 @@ TEST(FluentMeshWriter, KeepsZonesOfMergedBlocks)
     }
     EXPECT_EQ(sizes["inlet"], 3);
     EXPECT_GT(sizes["skin"], 3);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, one side of a thin wall, which is a face with a zone of its own, gets lost.
+TEST(FluentMeshWriter, KeepsBothSidesOfThinWalls)
+{
+  for (FluentSample mesh : { MakeMixed(2), MakeFlat(5) })
+  {
+    mesh.BoundaryTypes[11] = mesh.BoundaryTypes[12] = 3;
+    for (FluentSample::Cell& cell : mesh.Cells)
+    {
+      cell.Zone = 2;
+    }
+    const std::size_t size = mesh.Faces.size();
+    int walls = 0;
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      FluentSample::Face far = mesh.Faces[i];
+      if (far.Cells[1] >= 0 && i % 2 == 0)
+      {
+        far.Cells[0] = std::exchange(far.Cells[1], -1);
+        std::reverse(far.Nodes.begin(), far.Nodes.end());
+        far.Zone = 12;
+        mesh.Faces[i].Cells[1] = -1;
+        mesh.Faces[i].Zone = 11;
+        mesh.Faces.push_back(far);
+        ++walls;
+      }
+    }
+    ASSERT_GT(walls, 0);
+    const File file(Encode(mesh) + "(45 (11 wall thin)())(45 (12 wall thin-shadow)())\n", "test.msh");
+    vtkNew<vtkFluentMeshReader> reader;
+    reader->SetFileName(file.Path.c_str());
+    reader->Update();
+    vtkNew<vtkMultiBlockDataSet> both;
+    both->SetBlock(0, reader->GetOutputDataObject(0));
+    both->SetBlock(1, reader->GetOutputDataObject(1));
+    const Written written = Write(both);
+    ASSERT_EQ(written.Success, 1);
+    EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
+    const File copy(written.Bytes, "copy.msh");
+    vtkNew<vtkFluentMeshReader> second;
+    second->SetFileName(copy.Path.c_str());
+    second->Update();
+    ExpectSameCells(reader->GetOutput(), second->GetOutput());
+    EXPECT_EQ(DescribeZones(second), DescribeZones(reader));
+    EXPECT_TRUE(DescribeZones(second).count(
+      std::to_string(walls) + " faces of kind 3 in 12 thin-shadow"));
+    // Each side belongs to its cell, outward of which it runs.
+    vtkNew<vtkMultiBlockDataSet> again;
+    again->SetBlock(0, second->GetOutputDataObject(0));
+    again->SetBlock(1, second->GetOutputDataObject(1));
+    EXPECT_EQ(Write(again).Bytes, written.Bytes);
+    for (const unsigned int block : { 0u, 1u, 2u })
+    {
+      auto* const a = vtkPolyData::SafeDownCast(
+        vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(1))->GetBlock(block));
+      auto* const b = vtkPolyData::SafeDownCast(
+        vtkMultiBlockDataSet::SafeDownCast(second->GetOutputDataObject(1))->GetBlock(block));
+      EXPECT_EQ(GetRings(a), GetRings(b));
+    }
   }
 }
 
@@ -504,6 +588,27 @@ TEST(FluentMeshWriter, RepeatedNodes)
   const Written first = Write(Read(Encode(mesh)).Grid);
   ASSERT_EQ(first.Success, 1);
   EXPECT_EQ(Write(Read(first.Bytes).Grid).Bytes, first.Bytes);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, collapsed quadrilaterals vanish, or edges from a point to itself get into files.
+TEST(FluentMeshWriter, CollapsedQuadrilaterals)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
+    { { VTK_QUAD, { 0, 1, 2, 2 } }, { VTK_QUAD, { 0, 2, 3, 3 } } });
+  const Written written = Write(grid);
+  ASSERT_EQ(written.Success, 1);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("2 edges of one point, left out"), std::string::npos)
+    << written.Warnings[0];
+  const Result result = Read(written.Bytes);
+  EXPECT_TRUE(result.Warnings.empty()) << result.Warnings[0];
+  ASSERT_EQ(result.Grid->GetNumberOfCells(), 2);
+  for (const vtkIdType cell : { 0, 1 })
+  {
+    EXPECT_EQ(result.Grid->GetCellType(cell), VTK_TRIANGLE);
+    EXPECT_NEAR(GetMeasure(result.Grid, cell), 0.5, 1e-12);
+  }
 }
 
 //------------------------------------------------------------------------------
