@@ -151,10 +151,11 @@ double GetRadius(double radius)
 // Box around the points of all processes, in the unit that goes with it.
 Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
 {
+  const MeshPieces& pieces = task.GetPieces(); // of all processes together, also where there are none
   Bounds own;
   for (std::size_t piece = 0; piece < task.Blocks.Get().size(); ++piece)
   {
-    const MeshView mesh(task.GetPieces().GetMesh(piece));
+    const MeshView mesh(pieces.GetMesh(piece));
     for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
     {
       double x[3];

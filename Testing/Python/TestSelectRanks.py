@@ -68,6 +68,13 @@ class TestRanks(camaron_testing.TestCase):
                 WorstValues="Largest",
             )
 
+    def test_shapes_on_empty_rank(self):
+        """What a rank without cells knows of the place of the mesh comes from the others."""
+        source = mesh_parts.split_source(empty_rank=True)
+        everything = numpy.arange(WHOLE.GetNumberOfCells())
+        self.check(source, everything, Strategy="Half-spaces", Planes=[0, 0, 1000, 0, 0, 1])
+        self.check(source, [], Strategy="Half-spaces", Planes=[0, 0, -1000, 0, 0, 1])
+
     def test_pieces(self):
         self.check_strategies(numpy.arange(len(IDS)))
 
