@@ -82,7 +82,7 @@ bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
   request.Version = mesh.GetVersion();
   request.CellsToDraw = style.CellsToDraw;
   request.CellsMove = style.MovesCells();
-  request.Shape = style.Shape;
+  request.Shape = style.ExactShape;
   if (request == this->Last && this->Table.IsUploaded())
   {
     return true;
@@ -104,13 +104,13 @@ bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
   this->Program.SetTable("pointTable", mesh.Points, 3);
   this->Program.SetUniform("cellsToDraw", static_cast<int>(style.CellsToDraw));
   this->Program.SetUniform("cellsMove", request.CellsMove ? 1 : 0);
-  this->Program.SetShape(ShapeUniforms(style.Shape, mesh.GetMiddle()));
+  this->Program.SetShape(ShapeUniforms(style.ExactShape, mesh.GetMiddle()));
   this->NumberOfTetrahedra = this->Program.RunToEnd(this->Table,
     [&]
     {
       this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(),
         [&](std::size_t block)
-        { return request.CellsMove || MayCross(style.Shape, this->BlockBounds[block]); });
+        { return request.CellsMove || MayCross(style.ExactShape, this->BlockBounds[block]); });
     });
   this->Last = request;
   return true;

@@ -121,6 +121,7 @@ struct InspectionStyle
   bool CutFaces = false; ///< walls that the cut opens have their own colour
   Color CutColor = { { 0.9, 0.75, 0.4 } };
   ConvexShape Shape;
+  ConvexShape ExactShape; ///< the one that cuts exactly, see MakeExactShape
 
   bool HasLooks = false; ///< blocks of the mesh have colours or opacities of their own
 
@@ -164,6 +165,7 @@ struct InspectionStyle
     style.Cut = this->Cut;
     style.KeepInside = this->KeepInside;
     style.Shape = this->Shape;
+    style.ExactShape = this->ExactShape;
     return style;
   }
   bool DrawsPointsOnly() const { return this->Points && !this->Faces && !this->Edges; }

@@ -152,7 +152,7 @@ bool LabelMesh::IsCutAway(const Place& place) const
   {
     return false;
   }
-  const ConvexShape& shape = this->Style.Shape;
+  const ConvexShape& shape = this->Style.ExactShape;
   const Place x = this->AddMiddle(place);
   const auto multiply = [&](const double* row)
   { return row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3]; };

@@ -164,6 +164,7 @@ public:
   /// Of the last picture of the whole mesh.
   std::size_t CountTriangles(vtkMapper* ofMesh) const;
   double GetNormalLength(vtkUnstructuredGrid* mesh) const;
+  camaron::ConvexShape GetExactShape(vtkUnstructuredGrid* mesh) const;
   void UpdateShape(vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer);
   void ShowWires(const camaron::InspectionStyle& style, const Drawn& drawn, vtkActor* ofMesh);
 };

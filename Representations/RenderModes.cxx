@@ -96,7 +96,7 @@ void SetIsolines(vtkShaderProgram* program, const RenderContext& context)
 //------------------------------------------------------------------------------
 void SetShape(vtkShaderProgram* program, const RenderContext& context)
 {
-  const ShapeUniforms shape(context.Style.Shape, context.Middle);
+  const ShapeUniforms shape(context.Style.ExactShape, context.Middle);
   program->SetUniformi("numberOfPlanes", shape.NumberOfPlanes);
   program->SetUniform4fv("planes", ConvexShape::MaxPlanes, shape.Planes);
   program->SetUniformMatrix4x4("toUnitSphere", const_cast<float*>(shape.ToUnitSphere));

@@ -16,6 +16,7 @@
 #include "vtkPoints.h"
 #include "vtkSphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace camaron
@@ -194,5 +195,47 @@ ConvexShape TransformShape(const ConvexShape& shape, vtkMatrix4x4* toShape)
   vtkMatrix4x4::Multiply4x4(
     shape.ToUnitSphere.data(), toShape->GetData(), transformed.ToUnitSphere.data());
   return transformed;
+}
+
+//------------------------------------------------------------------------------
+ConvexShape MakeExactShape(
+  const ConvexShape& shape, bool keepInside, double size, const std::array<double, 6>& bounds)
+{
+  // Shaders have coordinates in float from the middle of the mesh, up to half its size, which are rounded by 2^-26 of the
+  // size, more where they are interpolated and multiplied: this is some ten times what that comes to, and not even
+  // a hundredth of a pixel of a picture that has all of the mesh. Points in float are as exact up to ten sizes from 0.
+  const double hair = std::ldexp(size, -18);
+  if (!(hair > 0) || !std::isfinite(hair))
+  {
+    return shape;
+  }
+  ConvexShape exact = shape;
+  for (std::array<double, 4>& plane : exact.Planes)
+  {
+    double height = plane[3], reach = 0;
+    for (int i = 0; i < 3; ++i)
+    {
+      height += plane[i] * (0.5 * bounds[2 * i] + 0.5 * bounds[2 * i + 1]);
+      reach += std::abs(plane[i]) * (0.5 * bounds[2 * i + 1] - 0.5 * bounds[2 * i]);
+    }
+    const bool keepsAll =
+      bounds[0] <= bounds[1] && (keepInside ? height + reach <= hair : height - reach >= -hair);
+    plane[3] += keepInside == keepsAll ? -hair : hair;
+  }
+  if (exact.Planes.empty())
+  {
+    double squares = 0;
+    for (int row = 0; row < 3; ++row)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        squares += exact.ToUnitSphere[4 * row + k] * exact.ToUnitSphere[4 * row + k];
+      }
+    }
+    const double growth = 1 + hair * std::sqrt(squares / 3);
+    std::transform(exact.ToUnitSphere.begin(), exact.ToUnitSphere.begin() + 12, exact.ToUnitSphere.begin(),
+      [growth](double x) { return x / growth; });
+  }
+  return exact;
 }
 }

@@ -158,7 +158,7 @@ void VisiblePixels::DrawTriangles(vtkOpenGLRenderWindow* window, const Scene& sc
   program->SetUniform3f("explodeCenter", style.GetExplodeCenter(scene.Mesh.GetMiddle()).data());
   if (style.CutsExactly())
   {
-    const ShapeUniforms shape(style.Shape, scene.Mesh.GetMiddle());
+    const ShapeUniforms shape(style.ExactShape, scene.Mesh.GetMiddle());
     program->SetUniformi("numberOfPlanes", shape.NumberOfPlanes);
     program->SetUniform4fv("planes", ConvexShape::MaxPlanes, shape.Planes);
     program->SetUniformMatrix4x4("toUnitSphere", const_cast<float*>(shape.ToUnitSphere));

@@ -535,6 +535,25 @@ double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructur
 }
 
 //------------------------------------------------------------------------------
+// The same for all pieces where the bounds of the whole are known; @a mesh: else, may be null.
+ConvexShape vtkMeshInspectionRepresentation::Internals::GetExactShape(vtkUnstructuredGrid* mesh) const
+{
+  const InspectionStyle& style = this->Style;
+  std::array<double, 6> bounds = style.Bounds;
+  if (bounds[0] > bounds[1] && mesh)
+  {
+    bounds = GetFiniteBounds(mesh);
+  }
+  const vtkBoundingBox box(bounds.data());
+  const double size = box.IsValid() ? box.GetDiagonalLength() * (1 + style.ExplodeFactor) : 0;
+  if (style.ExplodeFactor != 0)
+  {
+    bounds = { { 1, -1, 1, -1, 1, -1 } }; // cells go beyond
+  }
+  return MakeExactShape(style.Shape, style.KeepInside, size, bounds);
+}
+
+//------------------------------------------------------------------------------
 void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
 {
   Internals& self = *this->Internal;
@@ -561,6 +580,10 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
     style.OnProcessor = true;
   }
   style.NormalLength = self.GetNormalLength(mesh);
+  if (style.CutsExactly())
+  {
+    style.ExactShape = self.GetExactShape(mesh);
+  }
   for (vtkMapper* mapper : { drawn.Mapper, isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper })
   {
     static_cast<vtkMeshInspectionMapper*>(mapper)->SetStyle(style);

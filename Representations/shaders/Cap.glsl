@@ -80,11 +80,22 @@ vec4 ofPlace(samplerBuffer table)
   return sum;
 }
 
+// How weights change by a step, the part of it along the cut.
+vec4 ratesAlong(vec3 way, vec3 normal)
+{
+  vec3 others = toWeights * (way - dot(way, normal) * normal);
+  return vec4(-others.x - others.y - others.z, others);
+}
+
 void findLines()
 {
 #ifdef HAS_LINES
-  // The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels.
-  vec4 rates = sqrt(dFdx(hitWeights) * dFdx(hitWeights) + dFdy(hitWeights) * dFdy(hitWeights));
+  // The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels. It does not grow along
+  // the cut where that is beside a face all over: steps to the next pixel are in the cut to the last digit.
+  vec3 normal = normalize(hitNormal);
+  vec4 right = ratesAlong(dFdx(hitPlace), normal);
+  vec4 up = ratesAlong(dFdy(hitPlace), normal);
+  vec4 rates = sqrt(right * right + up * up);
   vec4 pixels = abs(hitWeights) / max(rates, 1.0e-30);
   pixelsToWall = 1.0e9;
   for (int i = 0; i < 4; ++i)
