@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace camaron
 {
@@ -60,6 +61,28 @@ void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
             rows[i] = value(i);
           }
         });
+    });
+}
+
+//------------------------------------------------------------------------------
+// Which lines are edges goes to the upper two bits of the first three points, which have room for them.
+void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
+{
+  constexpr int Bits = 30;
+  if (numberOfPoints > vtkIdType(1) << Bits)
+  {
+    throw std::length_error("Cells can be cut open in pieces of up to 2^30 points.");
+  }
+  ParallelFor(static_cast<vtkIdType>(tetrahedra.Points.size()), Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          tetrahedra.Points[i][k] |= (tetrahedra.Edges[i] >> 2 * k & 3u) << Bits;
+        }
+      }
     });
 }
 }
@@ -281,6 +304,7 @@ void InspectionMesh::NeedTetrahedra()
   if (!this->Tetrahedra.IsUploaded())
   {
     CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(this->Grid));
+    PackEdges(tetrahedra, this->Grid->GetNumberOfPoints());
     this->Tetrahedra.Upload(tetrahedra.Points.data(), tetrahedra.Points.size());
     this->CellsOfTetrahedra.Upload(tetrahedra.Cells.data(), tetrahedra.Cells.size());
     this->Blocks = std::move(tetrahedra.Blocks);

@@ -73,7 +73,7 @@ public:
   TextureBuffer CellPoints{ TextureBuffer::Row::UInt };
   TextureBuffer Owners{ TextureBuffer::Row::UInt2 }; ///< process and block of a cell
   TextureBuffer Leaves{ TextureBuffer::Row::UInt };  ///< the block of a cell, as a row of how blocks look
-  TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 };
+  TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 }; ///< points; bits 30 and 31 of the first three: the edges
   TextureBuffer CellsOfTetrahedra{ TextureBuffer::Row::UInt };
   /// Where those of a block of cells begin, see CellTetrahedra.h.
   const std::vector<std::uint32_t>& GetTetrahedronBlocks() const { return this->Blocks; }

@@ -66,6 +66,8 @@ struct ConvexShape
   std::vector<std::array<double, 4>> Planes;
   /// Takes the sphere to the unit sphere; row by row.
   std::array<double, 16> ToUnitSphere = {};
+  /// How far it was moved away from faces of cells in it, see MakeExactShape.
+  double HairsBreadth = 0;
 
   bool operator==(const ConvexShape& other) const
   {

@@ -4,6 +4,7 @@
 #include "CapVS.h"
 #include "DistanceRamp.h"
 #include "FacesVS.h"
+#include "InShapeGLSL.h"
 #include "InputsGLSL.h"
 #include "InspectionArrays.h"
 #include "MeshInspectionMapperInternals.h"
@@ -108,6 +109,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
   vtkShaderProgram::Substitute(vertex, "//Camaron::Defines", self.Code.Defines);
   vtkShaderProgram::Substitute(vertex, "//Camaron::Place", PlaceGLSL);
   vtkShaderProgram::Substitute(vertex, "//Camaron::Inputs", InputsGLSL);
+  vtkShaderProgram::Substitute(vertex, "//Camaron::Shape", InShapeGLSL);
   shaders[vtkShader::Vertex]->SetSource(vertex);
   shaders[vtkShader::Geometry]->SetSource("");
 

@@ -109,6 +109,7 @@ void SetCap(vtkShaderProgram* program, const RenderContext& context)
   float eye[4];
   std::copy(context.Eye.begin(), context.Eye.end(), eye);
   program->SetUniform4f("eye", eye);
+  program->SetUniformf("hairsBreadth", static_cast<float>(context.Style.ExactShape.HairsBreadth));
   SetShape(program, context);
 }
 

@@ -210,6 +210,7 @@ ConvexShape MakeExactShape(
     return shape;
   }
   ConvexShape exact = shape;
+  exact.HairsBreadth = hair;
   for (std::array<double, 4>& plane : exact.Planes)
   {
     double height = plane[3], reach = 0;

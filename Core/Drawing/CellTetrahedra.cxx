@@ -42,7 +42,7 @@ bool IsBefore(const MeshView& mesh, vtkIdType a, vtkIdType b)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(a, b, c, d, walls) for the tetrahedra of a cell.
+// Calls visit(a, b, c, d, walls, edges) for the tetrahedra of a cell.
 class TetrahedraOfCell
 {
 public:
@@ -62,7 +62,7 @@ public:
     if (this->Mesh.GetCellType(cell) == VTK_TETRA)
     {
       const IndexRange points = this->Mesh.GetCellPoints(cell);
-      visit(points[0], points[1], points[2], points[3], AllWalls);
+      visit(points[0], points[1], points[2], points[3], AllWalls, AllEdges);
       return;
     }
     vtkIdType apex = -1;
@@ -87,29 +87,37 @@ public:
           const std::uint32_t walls = 1 | this->IsAround(corner(i), corner(i + 1)) << 1 |
             (i + 2 == size && this->IsAround(corner(i + 1), corner(0))) << 2 |
             (i == 1 && this->IsAround(corner(0), corner(1))) << 3;
-          visit(apex, points[first], corner(i), corner(i + 1), walls);
+          const vtkIdType tetrahedron[4] = { apex, points[first], corner(i), corner(i + 1) };
+          visit(apex, points[first], corner(i), corner(i + 1), walls,
+            this->FindEdges(cell, tetrahedron, i == 1, i + 2 == size));
         }
       });
   }
 
 private:
   static constexpr std::uint32_t AllWalls = 15;
+  static constexpr std::uint32_t AllEdges = 63;
 
   // A triangle from the apex to an edge lies in a face of the cell if that face has both.
   void FindEdgesAround(vtkIdType cell, vtkIdType apex)
   {
     this->Around.clear();
+    this->Spokes.clear();
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
       {
-        if (std::find(points, points + size, apex) != points + size)
+        const vtkIdType at = std::find(points, points + size, apex) - points;
+        if (at < size)
         {
           for (vtkIdType i = 0; i < size; ++i)
           {
             this->Around.emplace_back(std::minmax(points[i], points[(i + 1) % size]));
           }
+          this->Spokes.push_back(points[(at + 1) % size]);
+          this->Spokes.push_back(points[(at + size - 1) % size]);
         }
       });
+    this->FindCurvedEdges(cell);
   }
   bool IsAround(vtkIdType a, vtkIdType b) const
   {
@@ -117,9 +125,54 @@ private:
     return std::find(this->Around.begin(), this->Around.end(), edge) != this->Around.end();
   }
 
+  // Of a curved cell not all sides of the parts of facets are edges.
+  void FindCurvedEdges(vtkIdType cell)
+  {
+    this->CurvedEdges.clear();
+    if (!this->Facets.IsCurved(cell))
+    {
+      return;
+    }
+    const int size = GetCellShape(this->Mesh.GetCellType(cell)).NumberOfFaces;
+    for (int facet = 0; facet < size; ++facet)
+    {
+      const std::vector<vtkIdType>& outline = this->Facets.GetOutline(cell, facet);
+      for (std::size_t i = 0; i < outline.size(); ++i)
+      {
+        this->CurvedEdges.emplace_back(std::minmax(outline[i], outline[(i + 1) % outline.size()]));
+      }
+    }
+  }
+
+  // The apex, and three corners of a facet of which the first two or the last and the first may be neighbors there.
+  std::uint32_t FindEdges(vtkIdType cell, const vtkIdType points[4], bool isFirst, bool isLast) const
+  {
+    const auto isSpoke = [&](vtkIdType point)
+    { return std::find(this->Spokes.begin(), this->Spokes.end(), point) != this->Spokes.end(); };
+    std::uint32_t edges = isSpoke(points[1]) | isSpoke(points[2]) << 1 | isSpoke(points[3]) << 2 |
+      isFirst << 3 | isLast << 4 | 1 << 5;
+    if (this->Facets.IsCurved(cell))
+    {
+      int bit = 0;
+      for (int i = 0; i < 4; ++i)
+      {
+        for (int k = i + 1; k < 4; ++k, ++bit)
+        {
+          const std::pair<vtkIdType, vtkIdType> edge = std::minmax(points[i], points[k]);
+          const bool isEdge =
+            std::find(this->CurvedEdges.begin(), this->CurvedEdges.end(), edge) != this->CurvedEdges.end();
+          edges &= ~(std::uint32_t(!isEdge) << bit);
+        }
+      }
+    }
+    return edges;
+  }
+
   const MeshView& Mesh;
   CurvedFacets Facets;
   std::vector<std::pair<vtkIdType, vtkIdType>> Around;
+  std::vector<std::pair<vtkIdType, vtkIdType>> CurvedEdges;
+  std::vector<vtkIdType> Spokes; ///< where edges from the apex end
 };
 
 //------------------------------------------------------------------------------
@@ -165,8 +218,9 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        tetrahedra.ForEach(
-          cell, [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType, std::uint32_t) { ++counts[block]; });
+        tetrahedra.ForEach(cell,
+          [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType, std::uint32_t, std::uint32_t)
+          { ++counts[block]; });
       }
     });
   CellTetrahedra made;
@@ -184,6 +238,7 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
   made.Blocks.push_back(static_cast<std::uint32_t>(total));
   made.Points.resize(total);
   made.Cells.resize(total);
+  made.Edges.resize(total);
   ForEachBlock(mesh,
     [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
@@ -191,11 +246,12 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         tetrahedra.ForEach(cell,
-          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls)
+          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls, std::uint32_t edges)
           {
             made.Points[next] = { { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
               static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(d) } };
             made.Cells[next] = static_cast<std::uint32_t>(cell) << CellTetrahedra::WallBits | walls;
+            made.Edges[next] = static_cast<std::uint8_t>(edges);
             ++next;
           });
       }

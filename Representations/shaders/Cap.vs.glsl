@@ -1,12 +1,13 @@
 //VTK::System::Dec
 //Camaron::Defines
 //Camaron::Place
+//Camaron::Shape
 
 // The far faces of the tetrahedra that the boundary of the shape crosses: twelve vertices for each. Through every pixel of
 // them goes a line of sight, and Cap.glsl finds where it meets the boundary in the tetrahedron.
 
 uniform usamplerBuffer cutTable;
-uniform usamplerBuffer tetrahedronTable;
+uniform usamplerBuffer tetrahedronTable; // points; bits 30 and 31 of the first three: edges
 uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
 uniform usamplerBuffer markTable;
 uniform vec4 eye; // a place (w is 1), or the direction towards it (w is 0)
@@ -46,13 +47,51 @@ vec4 vertexMC;
 //VTK::ValuePass::Dec
 //VTK::Picking::Dec
 
+#ifdef HAS_LINES
+uniform float hairsBreadth; // as far as the shape may be from a face of a cell that lies in it
+
+// Where the shape lies in a wall, the walls beside it are cut in other tetrahedra, no wider than a hair: here the edges
+// of the wall are drawn in their place, and the wall itself has no line. Edges: bits of the lines between corners
+// (0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3).
+void showEdgesOfWall(uint edges, vec3 places[4])
+{
+  uint ofTetrahedron = walls;
+  for (int plane = 0; plane < numberOfPlanes; ++plane)
+  {
+    bvec4 isBeside;
+    for (int i = 0; i < 4; ++i)
+    {
+      isBeside[i] = abs(dot(planes[plane], vec4(places[i], 1.0))) < 2.0 * hairsBreadth;
+    }
+    for (int wall = 0; wall < 4; ++wall)
+    {
+      if ((ofTetrahedron >> wall & 1u) == 0u || isBeside[wall] || !isBeside[(wall + 1) % 4] ||
+        !isBeside[(wall + 2) % 4] || !isBeside[(wall + 3) % 4])
+      {
+        continue;
+      }
+      walls &= ~(1u << wall);
+      for (int i = 0; i < 4; ++i)
+      {
+        int line = min(i, wall) == 0 ? max(i, wall) - 1 : i + wall; // to the wall's opposite corner
+        if (i != wall && (edges >> (5 - line) & 1u) == 1u)
+        {
+          walls |= 1u << i;
+        }
+      }
+    }
+  }
+}
+#endif
+
 void main()
 {
   int row = gl_VertexID / 12;
   int corner = gl_VertexID - 12 * row;
   int opposite = corner / 3; // the corner that the face does not have
   int tetrahedron = int(texelFetch(cutTable, row).x);
-  corners = texelFetch(tetrahedronTable, tetrahedron);
+  uvec4 stored = texelFetch(tetrahedronTable, tetrahedron);
+  corners = stored & 0x3fffffffu;
   uint owner = texelFetch(cellOfTetrahedronTable, tetrahedron).x;
   walls = owner & 15u;
   cellOfFace = owner >> 4;
@@ -64,6 +103,10 @@ void main()
   {
     places[i] = place(corners[i], cellOfFace).xyz;
   }
+#ifdef HAS_LINES
+  uvec4 upper = stored >> 30;
+  showEdgesOfWall(upper[0] | upper[1] << 2 | upper[2] << 4, places);
+#endif
   firstCorner = places[0];
   toWeights = inverse(
     mat3(places[1] - firstCorner, places[2] - firstCorner, places[3] - firstCorner));

@@ -1,6 +1,6 @@
 #version 150
 // One run for each tetrahedron.
-uniform usamplerBuffer tetrahedronTable;
+uniform usamplerBuffer tetrahedronTable; // points below bit 30
 uniform usamplerBuffer cellOfTetrahedronTable;
 uniform usamplerBuffer markTable;
 uniform samplerBuffer valueTable;
@@ -11,7 +11,7 @@ flat out uint cell;
 
 void main()
 {
-  pointsOfTetrahedron = texelFetch(tetrahedronTable, gl_VertexID);
+  pointsOfTetrahedron = texelFetch(tetrahedronTable, gl_VertexID) & 0x3fffffffu;
   for (int i = 0; i < 4; ++i)
   {
     values[i] = texelFetch(valueTable, int(pointsOfTetrahedron[i])).x;
