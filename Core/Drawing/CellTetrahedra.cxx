@@ -42,7 +42,7 @@ bool IsBefore(const MeshView& mesh, vtkIdType a, vtkIdType b)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(a, b, c, d, walls, edges) for the tetrahedra of a cell.
+// Calls visit(a, b, c, d, walls, findEdges) for the tetrahedra of a cell.
 class TetrahedraOfCell
 {
 public:
@@ -62,7 +62,7 @@ public:
     if (this->Mesh.GetCellType(cell) == VTK_TETRA)
     {
       const IndexRange points = this->Mesh.GetCellPoints(cell);
-      visit(points[0], points[1], points[2], points[3], AllWalls, AllEdges);
+      visit(points[0], points[1], points[2], points[3], AllWalls, [] { return AllEdges; });
       return;
     }
     vtkIdType apex = -1;
@@ -89,7 +89,7 @@ public:
             (i == 1 && this->IsAround(corner(0), corner(1))) << 3;
           const vtkIdType tetrahedron[4] = { apex, points[first], corner(i), corner(i + 1) };
           visit(apex, points[first], corner(i), corner(i + 1), walls,
-            this->FindEdges(cell, tetrahedron, i == 1, i + 2 == size));
+            [&] { return this->FindEdges(cell, tetrahedron, i == 1, i + 2 == size); });
         }
       });
   }
@@ -219,7 +219,7 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         tetrahedra.ForEach(cell,
-          [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType, std::uint32_t, std::uint32_t)
+          [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType, std::uint32_t, const auto&)
           { ++counts[block]; });
       }
     });
@@ -246,12 +246,12 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
         tetrahedra.ForEach(cell,
-          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls, std::uint32_t edges)
+          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls, const auto& findEdges)
           {
             made.Points[next] = { { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
               static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(d) } };
             made.Cells[next] = static_cast<std::uint32_t>(cell) << CellTetrahedra::WallBits | walls;
-            made.Edges[next] = static_cast<std::uint8_t>(edges);
+            made.Edges[next] = static_cast<std::uint8_t>(findEdges());
             ++next;
           });
       }

@@ -55,7 +55,8 @@ uniform float hairsBreadth; // as far as the shape may be from a face of a cell 
 // (0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3).
 void showEdgesOfWall(uint edges, vec3 places[4])
 {
-  uint ofTetrahedron = walls;
+  uint besides = 0u;
+  uint lines = 0u;
   for (int plane = 0; plane < numberOfPlanes; ++plane)
   {
     bvec4 isBeside;
@@ -65,22 +66,23 @@ void showEdgesOfWall(uint edges, vec3 places[4])
     }
     for (int wall = 0; wall < 4; ++wall)
     {
-      if ((ofTetrahedron >> wall & 1u) == 0u || isBeside[wall] || !isBeside[(wall + 1) % 4] ||
+      if ((walls >> wall & 1u) == 0u || isBeside[wall] || !isBeside[(wall + 1) % 4] ||
         !isBeside[(wall + 2) % 4] || !isBeside[(wall + 3) % 4])
       {
         continue;
       }
-      walls &= ~(1u << wall);
+      besides |= 1u << wall;
       for (int i = 0; i < 4; ++i)
       {
         int line = min(i, wall) == 0 ? max(i, wall) - 1 : i + wall; // to the wall's opposite corner
         if (i != wall && (edges >> (5 - line) & 1u) == 1u)
         {
-          walls |= 1u << i;
+          lines |= 1u << i;
         }
       }
     }
   }
+  walls = (walls & ~besides) | lines; // beside two planes, one wall is where the other one ends
 }
 #endif
 

@@ -5,12 +5,20 @@
 #include "Mesh/Vector.h"
 #include "CriteriaTesting.h"
 
+#include "vtkCell.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
 using namespace camaron;
 using namespace camaron::testing;
@@ -173,6 +181,74 @@ TEST(CellTetrahedra, WallsCoverCells)
     const double area = EvaluateAll(polyhedron).at("SurfaceArea")[0];
     EXPECT_NEAR(sumWalls(cell), area, 1e-12 * area) << type;
     EXPECT_NEAR(sumWalls(polyhedron), area, 1e-12 * area) << type;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Lines of tetrahedra that are edges of the cell are all of these, and no diagonals. A quadratic cell has two for each.
+TEST(CellTetrahedra, EdgesAreThoseOfCells)
+{
+  const auto findEdges = [](vtkUnstructuredGrid* grid)
+  {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    const CellTetrahedra tetrahedra = MakeCellTetrahedra(MeshView(grid));
+    for (std::size_t t = 0; t < tetrahedra.Points.size(); ++t)
+    {
+      int bit = 0;
+      for (int i = 0; i < 4; ++i)
+      {
+        for (int k = i + 1; k < 4; ++k, ++bit)
+        {
+          if (tetrahedra.Edges[t] >> bit & 1)
+          {
+            edges.insert(std::minmax(tetrahedra.Points[t][i], tetrahedra.Points[t][k]));
+          }
+        }
+      }
+    }
+    return edges;
+  };
+  std::vector<Grid> cells;
+  for (const int type : StandardTypes3D)
+  {
+    cells.push_back(MakeStandardCell(type));
+    EXPECT_EQ(findEdges(cells.back()), findEdges(ToPolyhedra(cells.back()))) << type;
+  }
+  for (const int type : { VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE, VTK_QUADRATIC_PYRAMID })
+  {
+    vtkNew<vtkGenericCell> unit;
+    unit->SetCellType(type);
+    const double* x = unit->GetParametricCoords();
+    Points points;
+    std::vector<vtkIdType> ids;
+    for (vtkIdType i = 0; i < unit->GetNumberOfPoints(); ++i, x += 3)
+    {
+      points.push_back({ x[0], x[1], x[2] });
+      ids.push_back(i);
+    }
+    cells.push_back(MakeGrid(points, { { type, ids } }));
+  }
+  for (const Grid& cell : cells)
+  {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> expected;
+    vtkCell* ofVTK = cell->GetCell(0);
+    for (int e = 0; e < ofVTK->GetNumberOfEdges(); ++e)
+    {
+      // The node of a curved edge comes last.
+      vtkIdList* ids = ofVTK->GetEdge(e)->GetPointIds();
+      const auto add = [&](vtkIdType i, vtkIdType k)
+      {
+        const auto a = static_cast<std::uint32_t>(ids->GetId(i)), b = static_cast<std::uint32_t>(ids->GetId(k));
+        expected.emplace(std::min(a, b), std::max(a, b));
+      };
+      const vtkIdType last = ids->GetNumberOfIds() - 1;
+      add(0, last);
+      if (last == 2)
+      {
+        add(2, 1);
+      }
+    }
+    EXPECT_EQ(findEdges(cell), expected) << ofVTK->GetCellType();
   }
 }
 

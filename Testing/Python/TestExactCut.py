@@ -111,6 +111,52 @@ class TestExactCut(PictureTestCase):
         self.assertLess((jumps & (near(lines) == 0)).sum(), 0.05 * jumps.sum())
         self.assertLess((lines & (near(near(jumps)) == 0)).sum(), 0.05 * lines.sum())
 
+    def test_in_faces(self):
+        """A shape that lies in faces of cells: what stays shows these, with their edges, as if whole cells were cut away."""
+        wavelet = simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
+        blocks = simple.AppendDatasets(Input=[wavelet])
+        straight = {"hexahedra": blocks, "tetrahedra": simple.Tetrahedralize(Input=wavelet)}
+        meshes = {name: (mesh, [1, 0, 0]) for name, mesh in straight.items()}
+        # Points that are rounded: no plane goes through four of them.
+        turned = simple.Transform(Input=blocks, Transform="Transform")
+        turned.Transform.Rotate, turned.Transform.Scale = [0, 0, 30], [0.1, 0.1, 0.1]
+        meshes["turned"] = (turned, [0.75**0.5, 0.5, 0])
+        box = {"Position": [-3, -2, -5], "Length": [5, 7, 8]}
+        for name, (mesh, normal) in meshes.items():
+            mesh = simple.PointAndCellIds(Input=mesh)
+            frame = simple.Outline(Input=mesh)
+            for shape in ("Plane",) if name == "turned" else ("Plane", "Box"):
+                for keeps in ("Outside", "Inside"):
+                    for color, edges in ((("CELLS", "CellIds"), 0), (None, 1)):
+                        pictures = []
+                        for way in ("Centroid", "Exactly"):
+                            display = self.show(mesh, color=color, CutBy=way, CutShape=shape)
+                            if shape == "Plane":
+                                display.CutShape.Origin = [0, 0, 0]
+                                # The camera looks at the cut.
+                                display.CutShape.Normal = normal if keeps == "Inside" else [-x for x in normal]
+                            else:
+                                for key, value in box.items():
+                                    setattr(display.CutShape, key, value)
+                            display.CutKeeps, display.DrawEdges = keeps, edges
+                            pictures.append(self.take(frame))
+                        with self.subTest(mesh=name, shape=shape, keeps=keeps, edges=edges):
+                            # Lines at the edges of a box are of the two faces beside, or of one.
+                            self.same(*pictures, 0.008 if edges else 0.002)
+
+    def test_around_all(self):
+        """A box whose sides are those of the mesh takes nothing away, not even points."""
+        mesh = hexahedra()
+        frame = simple.Outline(Input=mesh)
+        found = []
+        for cut in ("Nothing", "Exactly"):
+            display = self.show(mesh, CutBy=cut, CutShape="Box", CutKeeps="Inside")
+            display.CutShape.Position, display.CutShape.Length = [-5, -5, -5], [10, 10, 10]
+            self.take(frame)
+            found.append(selected(self.view, mesh, "points"))
+        self.assertGreater(len(found[0]), 300)
+        self.assertEqual(*found)
+
     def test_selection(self):
         """Cells are picked on the cut; what is cut away hides nothing and is not picked."""
         mesh = polyhedra()
