@@ -201,9 +201,9 @@ ConvexShape TransformShape(const ConvexShape& shape, vtkMatrix4x4* toShape)
 ConvexShape MakeExactShape(
   const ConvexShape& shape, bool keepInside, double size, const std::array<double, 6>& bounds)
 {
-  // Shaders have coordinates in float from the middle of the mesh, up to half its size, which are rounded by 2^-26 of the
-  // size, more where they are interpolated and multiplied: this is some ten times what that comes to, and not even
-  // a hundredth of a pixel of a picture that has all of the mesh. Points in float are as exact up to ten sizes from 0.
+  // Shaders have coordinates in float from the middle of the mesh, up to half its size, which are rounded by
+  // 2^-25 of the size, and heights over planes by a few times that: this is well above, and not even a hundredth
+  // of a pixel in a picture of the whole mesh. Files that have points in float round them more, far from 0.
   const double hair = std::ldexp(size, -18);
   if (!(hair > 0) || !std::isfinite(hair))
   {

@@ -36,7 +36,8 @@ struct CellTetrahedra
   std::vector<std::array<std::uint32_t, 4>> Points;
   /// The cell << WallBits; bit i: the face opposite point i lies in a face of the cell.
   std::vector<std::uint32_t> Cells;
-  /// Bits of the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3): those that are edges of the cell.
+  /// Bits of the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3): those that are
+  /// edges of the cell.
   std::vector<std::uint8_t> Edges;
   /// Where the tetrahedra of each block of cells begin, and the end.
   std::vector<std::uint32_t> Blocks;

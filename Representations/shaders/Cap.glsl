@@ -90,8 +90,8 @@ vec4 ratesAlong(vec3 way, vec3 normal)
 void findLines()
 {
 #ifdef HAS_LINES
-  // The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels. It does not grow along
-  // the cut where that is beside a face all over: steps to the next pixel are in the cut to the last digit.
+  // The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels. Steps to the
+  // next pixel are in the cut to the last digit: along a face beside the cut, the weight does not grow.
   vec3 normal = normalize(hitNormal);
   vec4 right = ratesAlong(dFdx(hitPlace), normal);
   vec4 up = ratesAlong(dFdy(hitPlace), normal);

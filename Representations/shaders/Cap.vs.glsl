@@ -59,15 +59,20 @@ void showEdgesOfWall(uint edges, vec3 places[4])
   uint lines = 0u;
   for (int plane = 0; plane < numberOfPlanes; ++plane)
   {
-    bvec4 isBeside;
+    int numberBeside = 0;
+    bool isBeside[4];
     for (int i = 0; i < 4; ++i)
     {
       isBeside[i] = abs(dot(planes[plane], vec4(places[i], 1.0))) < 2.0 * hairsBreadth;
+      numberBeside += isBeside[i] ? 1 : 0;
+    }
+    if (numberBeside != 3)
+    {
+      continue; // as for nearly all
     }
     for (int wall = 0; wall < 4; ++wall)
     {
-      if ((walls >> wall & 1u) == 0u || isBeside[wall] || !isBeside[(wall + 1) % 4] ||
-        !isBeside[(wall + 2) % 4] || !isBeside[(wall + 3) % 4])
+      if (isBeside[wall] || (walls >> wall & 1u) == 0u)
       {
         continue;
       }

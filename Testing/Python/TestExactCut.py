@@ -112,7 +112,7 @@ class TestExactCut(PictureTestCase):
         self.assertLess((lines & (near(near(jumps)) == 0)).sum(), 0.05 * lines.sum())
 
     def test_in_faces(self):
-        """A shape that lies in faces of cells: what stays shows these, with their edges, as if whole cells were cut away."""
+        """A shape that lies in faces of cells shows these, with their edges, as if whole cells were cut away."""
         wavelet = simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
         blocks = simple.AppendDatasets(Input=[wavelet])
         straight = {"hexahedra": blocks, "tetrahedra": simple.Tetrahedralize(Input=wavelet)}
@@ -149,7 +149,7 @@ class TestExactCut(PictureTestCase):
         mesh = hexahedra()
         frame = simple.Outline(Input=mesh)
         found = []
-        for cut in ("Nothing", "Exactly"):
+        for cut in ("No cut", "Exactly"):
             display = self.show(mesh, CutBy=cut, CutShape="Box", CutKeeps="Inside")
             display.CutShape.Position, display.CutShape.Length = [-5, -5, -5], [10, 10, 10]
             self.take(frame)
