@@ -85,44 +85,30 @@ int FluentOutput::CountCorners(vtkIdType meshCell) const
 int FluentOutput::GetElement(vtkIdType cell) const
 {
   const vtkIdType meshCell = this->GetMeshCell(cell);
-  FluentElement element = FluentElement::Polyhedron;
-  int corners = 0;
-  switch (this->Mesh.GetCellType(meshCell))
+  unsigned char type = this->Mesh.GetCellType(meshCell);
+  const int expected = this->Shapes[type].NumberOfCorners; // 0 if it may have any
+  const int corners = expected > 0 ? this->CountCorners(meshCell) : 0;
+  if (corners != expected)
+  {
+    type = this->Dimension == 2 && corners == 3 ? VTK_TRIANGLE : VTK_POLYHEDRON;
+  }
+  switch (type)
   {
     case VTK_TRIANGLE:
-      element = FluentElement::Triangle;
-      corners = 3;
-      break;
+      return static_cast<int>(FluentElement::Triangle);
     case VTK_QUAD:
-      element = FluentElement::Quadrilateral;
-      corners = 4;
-      break;
+      return static_cast<int>(FluentElement::Quadrilateral);
     case VTK_TETRA:
-      element = FluentElement::Tetrahedron;
-      corners = 4;
-      break;
+      return static_cast<int>(FluentElement::Tetrahedron);
     case VTK_HEXAHEDRON:
-      element = FluentElement::Hexahedron;
-      corners = 8;
-      break;
+      return static_cast<int>(FluentElement::Hexahedron);
     case VTK_PYRAMID:
-      element = FluentElement::Pyramid;
-      corners = 5;
-      break;
+      return static_cast<int>(FluentElement::Pyramid);
     case VTK_WEDGE:
-      element = FluentElement::Wedge;
-      corners = 6;
-      break;
+      return static_cast<int>(FluentElement::Wedge);
     default:
-      break;
+      return static_cast<int>(FluentElement::Polyhedron);
   }
-  if (corners > 0 && this->CountCorners(meshCell) != corners)
-  {
-    element = element == FluentElement::Quadrilateral && this->CountCorners(meshCell) == 3
-      ? FluentElement::Triangle
-      : FluentElement::Polyhedron;
-  }
-  return static_cast<int>(element);
 }
 
 //------------------------------------------------------------------------------

@@ -242,7 +242,7 @@ void FluentOutput::FindMarks(Warnings& warnings)
   const std::size_t before = this->Faces.size();
   for (const auto& entry : found)
   {
-    std::vector<std::int32_t> marks = entry.second;
+    const std::vector<std::int32_t>& marks = entry.second;
     std::vector<std::size_t> faces;
     for (std::size_t i = entry.first;
          i < candidates.size() && candidates[i].first == candidates[entry.first].first; ++i)

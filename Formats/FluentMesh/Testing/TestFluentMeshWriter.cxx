@@ -13,6 +13,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
 #include <array>
@@ -59,6 +60,26 @@ void ExpectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b, bool single
     EXPECT_EQ(a->GetCellType(cell), b->GetCellType(cell)) << cell;
     EXPECT_EQ(GetFaceSet(a, cell), GetFaceSet(b, cell)) << cell;
   }
+}
+
+//------------------------------------------------------------------------------
+// Cells and boundaries, as Group Datasets makes of both outputs.
+vtkSmartPointer<vtkMultiBlockDataSet> GroupOutputs(vtkFluentMeshReader* reader)
+{
+  auto both = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  both->SetBlock(0, reader->GetOutputDataObject(0));
+  both->SetBlock(1, reader->GetOutputDataObject(1));
+  return both;
+}
+
+//------------------------------------------------------------------------------
+// A reader that has read a file.
+vtkSmartPointer<vtkFluentMeshReader> Open(const std::string& path)
+{
+  auto reader = vtkSmartPointer<vtkFluentMeshReader>::New();
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return reader;
 }
 
 //------------------------------------------------------------------------------
@@ -287,19 +308,13 @@ TEST(FluentMeshWriter, KeepsZonesOfMergedBlocks)
     }
     const std::string names = "(45 (11 velocity-inlet inlet)())\n";
     const File file(Encode(mesh) + names, "test.msh");
-    vtkNew<vtkFluentMeshReader> reader;
-    reader->SetFileName(file.Path.c_str());
-    reader->Update();
-    vtkNew<vtkMultiBlockDataSet> both;
-    both->SetBlock(0, reader->GetOutputDataObject(0));
-    both->SetBlock(1, reader->GetOutputDataObject(1));
+    const auto reader = Open(file.Path);
+    const auto both = GroupOutputs(reader);
     const Written written = Write(both);
     ASSERT_EQ(written.Success, 1);
     EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
     const File copy(written.Bytes, "copy.msh");
-    vtkNew<vtkFluentMeshReader> second;
-    second->SetFileName(copy.Path.c_str());
-    second->Update();
+    const auto second = Open(copy.Path);
     ExpectSameCells(reader->GetOutput(), second->GetOutput());
     auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(second->GetOutputDataObject(1));
     ASSERT_EQ(blocks->GetNumberOfBlocks(), 2u);
@@ -346,27 +361,19 @@ TEST(FluentMeshWriter, KeepsBothSidesOfThinWalls)
     }
     ASSERT_GT(walls, 0);
     const File file(Encode(mesh) + "(45 (11 wall thin)())(45 (12 wall thin-shadow)())\n", "test.msh");
-    vtkNew<vtkFluentMeshReader> reader;
-    reader->SetFileName(file.Path.c_str());
-    reader->Update();
-    vtkNew<vtkMultiBlockDataSet> both;
-    both->SetBlock(0, reader->GetOutputDataObject(0));
-    both->SetBlock(1, reader->GetOutputDataObject(1));
+    const auto reader = Open(file.Path);
+    const auto both = GroupOutputs(reader);
     const Written written = Write(both);
     ASSERT_EQ(written.Success, 1);
     EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
     const File copy(written.Bytes, "copy.msh");
-    vtkNew<vtkFluentMeshReader> second;
-    second->SetFileName(copy.Path.c_str());
-    second->Update();
+    const auto second = Open(copy.Path);
     ExpectSameCells(reader->GetOutput(), second->GetOutput());
     EXPECT_EQ(DescribeZones(second), DescribeZones(reader));
     EXPECT_TRUE(DescribeZones(second).count(
       std::to_string(walls) + " faces of kind 3 in 12 thin-shadow"));
     // Each side belongs to its cell, outward of which it runs.
-    vtkNew<vtkMultiBlockDataSet> again;
-    again->SetBlock(0, second->GetOutputDataObject(0));
-    again->SetBlock(1, second->GetOutputDataObject(1));
+    const auto again = GroupOutputs(second);
     EXPECT_EQ(Write(again).Bytes, written.Bytes);
     for (const unsigned int block : { 0u, 1u, 2u })
     {
@@ -407,9 +414,7 @@ TEST(FluentMeshWriter, KeepsZonesOfInteriorFaces)
     }
     ASSERT_GT(between, 1);
     const File file(Encode(mesh) + names, "test.msh");
-    vtkNew<vtkFluentMeshReader> reader;
-    reader->SetFileName(file.Path.c_str());
-    reader->Update();
+    const auto reader = Open(file.Path);
     const Written written = Write(reader->GetOutput());
     ASSERT_EQ(written.Success, 1);
     const auto warnsOf = [&](const std::string& text)
@@ -674,23 +679,17 @@ TEST(FluentMeshWriter, CollectedFilesKeepTheirZones)
   for (const auto& entry :
     std::filesystem::directory_iterator(std::string(folder) + "/ansys_fluent"))
   {
-    vtkNew<vtkFluentMeshReader> reader;
-    reader->SetFileName(entry.path().string().c_str());
-    reader->Update();
+    const auto reader = Open(entry.path().string());
     const std::set<std::string> zones = DescribeZones(reader);
     const bool isRefined = entry.path().filename() == "dev_hanging_ascii.msh";
-    vtkNew<vtkMultiBlockDataSet> both;
-    both->SetBlock(0, reader->GetOutputDataObject(0));
-    both->SetBlock(1, reader->GetOutputDataObject(1));
+    const auto both = GroupOutputs(reader);
     for (const int encoding : { vtkFluentMeshWriter::ASCII, vtkFluentMeshWriter::BINARY_SINGLE })
     {
       const Written written =
         Write(both, [encoding](vtkFluentMeshWriter* writer) { writer->SetEncoding(encoding); });
       ASSERT_EQ(written.Success, 1) << entry.path();
       const File copy(written.Bytes, "copy.msh");
-      vtkNew<vtkFluentMeshReader> second;
-      second->SetFileName(copy.Path.c_str());
-      second->Update();
+      const auto second = Open(copy.Path);
       if (!isRefined) // whose split faces are a zone
       {
         EXPECT_EQ(DescribeZones(second), zones) << entry.path();
