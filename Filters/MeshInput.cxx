@@ -53,6 +53,15 @@ void ForEachTriangle(vtkIdList* strip, Visitor&& visit)
 }
 
 //------------------------------------------------------------------------------
+// The triangles of a strip have its global id, too.
+void CopyCellData(vtkDataSet* from, vtkIdList* sources, vtkDataSet* to)
+{
+  to->GetCellData()->CopyGlobalIdsOn();
+  to->GetCellData()->CopyAllocate(from->GetCellData(), sources->GetNumberOfIds());
+  to->GetCellData()->CopyData(from->GetCellData(), sources, vtkIdType(0));
+}
+
+//------------------------------------------------------------------------------
 // A grid in which the triangles of a strip stand in its place.
 vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
 {
@@ -82,8 +91,7 @@ vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
     result->InsertNextCell(type, points);
     sources->InsertNextId(cell);
   }
-  result->GetCellData()->CopyAllocate(grid->GetCellData(), sources->GetNumberOfIds());
-  result->GetCellData()->CopyData(grid->GetCellData(), sources, vtkIdType(0));
+  CopyCellData(grid, sources, result);
   return result;
 }
 
@@ -190,8 +198,7 @@ vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data)
   result->SetPolys(polygons);
   result->GetPointData()->ShallowCopy(surface->GetPointData());
   result->GetFieldData()->ShallowCopy(surface->GetFieldData());
-  result->GetCellData()->CopyAllocate(surface->GetCellData(), sources->GetNumberOfIds());
-  result->GetCellData()->CopyData(surface->GetCellData(), sources, vtkIdType(0));
+  CopyCellData(surface, sources, result);
   return result;
 }
 }

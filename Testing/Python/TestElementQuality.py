@@ -14,7 +14,15 @@ from camaron import ranking, tables
 from paraview import servermanager, simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
-from vtkmodules.vtkCommonDataModel import VTK_POLYGON, VTK_QUADRATIC_TETRA, VTK_TETRA, vtkPolyData
+from vtkmodules.vtkCommonDataModel import (
+    VTK_POLYGON,
+    VTK_QUADRATIC_TETRA,
+    VTK_TETRA,
+    VTK_TRIANGLE,
+    VTK_TRIANGLE_STRIP,
+    vtkCellArray,
+    vtkPolyData,
+)
 from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkTriangleFilter
 
 CORNERS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
@@ -308,6 +316,28 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertAlmostEqual(values["Volume"][2], 1, 12)
         surface = self.fetch(simple.MeshSurface(Input=self.open(path)))
         self.assertEqual(surface.GetNumberOfPolys(), 1 + 12 + 6)
+
+    def test_strips_keep_global_ids(self):
+        """Those of the other cells, and each triangle that of its strip."""
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (2, 0, 0)]
+        cells = [(VTK_TRIANGLE_STRIP, [0, 1, 2, 3]), (VTK_TRIANGLE, [1, 4, 3])]
+        grid = gallery.make_grid(points, cells, turns=False)
+        surface = vtkPolyData()
+        surface.SetPoints(grid.GetPoints())
+        surface.SetStrips(vtkCellArray())
+        surface.GetStrips().InsertNextCell(4, [0, 1, 2, 3])
+        surface.SetPolys(vtkCellArray())
+        surface.GetPolys().InsertNextCell(3, [1, 4, 3])
+        for mesh, given, expected in ((grid, [70, 80], [70, 70, 80]), (surface, [80, 70], [80, 70, 70])):
+            ids = vtkIdTypeArray()
+            ids.SetName("Ids")
+            for value in given:
+                ids.InsertNextValue(value)
+            mesh.GetCellData().SetGlobalIds(ids)
+            producer = simple.TrivialProducer()
+            producer.GetClientSideObject().SetOutput(mesh)
+            output = self.fetch(simple.ElementQuality(Input=producer, Criteria=["Area"])).GetCellData()
+            self.assertEqual(vtk_to_numpy(output.GetGlobalIds()).tolist(), expected)
 
     def test_blocks(self):
         group = simple.GroupDatasets(Input=[simple.Sphere(), simple.Wavelet()])

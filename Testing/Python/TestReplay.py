@@ -4,7 +4,9 @@
 
 import camaron_testing
 from camaron_testing import EXAMPLES
+from paraview import selection as paraview_selection
 from paraview import servermanager, simple, smstate, smtrace
+from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 
 #: What the filters are set to.
 PROPERTIES = {
@@ -101,6 +103,39 @@ class TestReplay(camaron_testing.TestCase):
         camaron_testing.pipeline.load_plugin()
         simple.LoadState(path)
         self.check(expected)
+
+    def select_from_active_selection(self):
+        """As the window makes the filter where something is selected."""
+        mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))
+        ids = paraview_selection._createSelection(
+            "IDSelectionSource", IDs=[-1, 3, -1, 5], FieldType="CELL"
+        )
+        active = vtkSMSelectionHelper.NewAppendSelectionsFromSelectionSource(ids.SMProxy)
+        mesh.SMProxy.SetSelectionInput(0, active, 0)
+        active.UnRegister(None)
+        simple.SelectElements(registrationName="Selected", Input=mesh, Strategy="Current")
+
+    def number_selected(self):
+        selected = simple.FindSource("Selected")
+        selected.UpdatePipeline()
+        return servermanager.Fetch(selected, idx=1).GetNode(0).GetSelectionList().GetNumberOfTuples()
+
+    def test_active_selection(self):
+        for way in ("trace", "state"):
+            with self.subTest(way):
+                simple.ResetSession()
+                camaron_testing.pipeline.load_plugin()
+                if way == "trace":
+                    smtrace.start_trace(preamble="")
+                self.select_from_active_selection()
+                text = smtrace.stop_trace() if way == "trace" else smstate.get_state()
+                self.assertEqual(self.number_selected(), 2)
+                self.replay(text)
+                self.assertEqual(self.number_selected(), 2)
+
+    def test_no_input(self):
+        """The filter can be made without one."""
+        self.assertIsNone(simple.SelectElements(Input=None).Input)
 
 
 if __name__ == "__main__":

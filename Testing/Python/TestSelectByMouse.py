@@ -6,7 +6,18 @@ import json
 
 import camaron_testing
 import numpy
-from window_testing import FRAME, WindowTestCase, add_filter, apply, choose, event, open_example, save_state
+from window_testing import (
+    FRAME,
+    PROPERTIES,
+    WindowTestCase,
+    add_filter,
+    apply,
+    check,
+    choose,
+    event,
+    open_example,
+    save_state,
+)
 
 #: Run in the window's Python shell: what each filter selects, and the faces' cells.
 LIST = """
@@ -45,8 +56,8 @@ class TestSelectByMouse(WindowTestCase):
         return json.loads((self.folder / f"{name}.json").read_text())
 
     def test_session(self):
-        state = self.folder / "session.pvsm"
-        self.play(
+        state, trace = self.folder / "session.pvsm", self.folder / "trace.py"
+        session = [
             *open_example("voronoi-ball.visf"),
             apply(),
             *rubber_band(0.42, 0.58),
@@ -67,14 +78,16 @@ class TestSelectByMouse(WindowTestCase):
             choose("Combination/ComboBox", "Subtract"),
             apply(),
             *self.list("before"),
-            *save_state(state),
-        )
+        ]
+        self.play(*self.traced(trace, *session), *save_state(state))
         self.play(
             *self.list("after"),
             options=[f"--state={state}"],
         )
+        self.replay(trace, LIST.replace("PATH", repr(str(self.folder / "replayed.json"))))
         before, after = self.found("before"), self.found("after")
         self.assertEqual(before, after)
+        self.assertEqual(before, self.found("replayed"))
         picked, grown, faces, outer = (numpy.array(before[str(i)]) for i in (1, 2, 3, 4))
         ends = before["ends"]
         # Cells of the surface in the middle of the view, and not most of it.
@@ -94,6 +107,21 @@ class TestSelectByMouse(WindowTestCase):
             distances = [numpy.linalg.norm(numpy.subtract(point, center)) for point in points]
             if was and sorted(distances)[-1] < radius:
                 self.assertFalse(left, "a face inside the sphere")
+
+    def test_count_in_panel(self):
+        count = f"{PROPERTIES}/Combination/SelectedCount"
+        self.play(
+            *open_example("voronoi-ball.visf"),
+            apply(),
+            *add_filter("SelectElements"),
+            choose("Strategy/ComboBox", "By id"),
+            choose("Ids/Ids", "3 5 100000000"),
+            apply(),
+            check(count, "text", "2 cells selected. 1 of 3 ids does not exist."),
+            choose("Ids/Ids", "3"),
+            apply(),
+            check(count, "text", "1 cell selected."),
+        )
 
 
 if __name__ == "__main__":

@@ -30,6 +30,11 @@ def choose(name, value):
     return event(f"{PROPERTIES}/{name}", "set_string", value)
 
 
+def check(target, name, value):
+    """The session fails where the widget's property has another value."""
+    return f'  <pqcheck object="{target}" property="{name}" arguments="{value}" />'
+
+
 def edit(action):
     """Undo or Redo."""
     return event(f"{WINDOW}/MainControlsToolbar/action{action}", "activate")

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMSelectElementsInitializationHelper.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPVVersionQuick.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+#include "vtkSMSessionProxyManager.h"
+#include "vtkSMTrace.h"
+
+#include <string>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Under the name that the panel of ParaView would give it when it is applied.
+void RegisterSelection(vtkSMProxy* proxy, const char* kind)
+{
+  constexpr const char* group = "selection_sources";
+  vtkSMSessionProxyManager* manager = proxy->GetSessionProxyManager();
+  if (!manager->GetProxyName(group, proxy))
+  {
+    const std::string name = std::string(kind) + "." + proxy->GetGlobalIDAsString();
+    manager->RegisterProxy(group, name.c_str(), proxy);
+#if PARAVIEW_VERSION_NUMBER_QUICK < PARAVIEW_VERSION_CHECK(6, 1, 0) // whose trace takes it for states only
+    SM_SCOPED_TRACE(RegisterSelectionProxy).arg("proxy", proxy);
+#endif
+  }
+}
+}
+
+vtkStandardNewMacro(vtkSMSelectElementsInitializationHelper);
+
+//------------------------------------------------------------------------------
+void vtkSMSelectElementsInitializationHelper::PostInitializeProxy(
+  vtkSMProxy* proxy, vtkPVXMLElement* element, vtkMTimeType initializedAt)
+{
+  // The superclass expects an input, and replaces a selection that a script gives.
+  vtkSMPropertyHelper selection(proxy, "Selection");
+  if (!vtkSMPropertyHelper(proxy, "Input").GetAsProxy() || selection.GetAsProxy())
+  {
+    return;
+  }
+  this->Superclass::PostInitializeProxy(proxy, element, initializedAt);
+  if (selection.GetAsProxy())
+  {
+    vtkSMPropertyHelper parts(selection.GetAsProxy(), "Input");
+    for (unsigned int i = 0; i < parts.GetNumberOfElements(); ++i)
+    {
+      RegisterSelection(parts.GetAsProxy(i), "selection_sources");
+    }
+    RegisterSelection(selection.GetAsProxy(), "selection_filter");
+  }
+}

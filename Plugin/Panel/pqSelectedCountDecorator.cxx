@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pqSelectedCountDecorator.h"
+
+#include "pqApplicationCore.h"
+#include "pqPipelineSource.h"
+#include "pqPropertyWidget.h"
+#include "pqServerManagerModel.h"
+
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+
+#include <QLabel>
+#include <QLayout>
+#include <QLocale>
+
+//------------------------------------------------------------------------------
+pqSelectedCountDecorator::pqSelectedCountDecorator(vtkPVXMLElement* xml, pqPropertyWidget* parent)
+  : Superclass(xml, parent)
+  , Label(new QLabel(parent))
+{
+  this->Label->setObjectName("SelectedCount");
+  this->Label->setWordWrap(true);
+  this->Label->hide();
+  if (QLayout* layout = parent->layout())
+  {
+    layout->addWidget(this->Label);
+  }
+  auto* source =
+    pqApplicationCore::instance()->getServerManagerModel()->findItem<pqPipelineSource*>(
+      parent->proxy());
+  if (source)
+  {
+    // Queued: the filter is in the middle of an update.
+    QObject::connect(source, QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
+      &pqSelectedCountDecorator::updateText, Qt::QueuedConnection);
+    if (source->modifiedState() != pqProxy::UNINITIALIZED)
+    {
+      this->updateText();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+pqSelectedCountDecorator::~pqSelectedCountDecorator() = default;
+
+//------------------------------------------------------------------------------
+void pqSelectedCountDecorator::updateText()
+{
+  vtkSMProxy* proxy = this->parentWidget()->proxy();
+  proxy->UpdatePropertyInformation();
+  const vtkIdType count = vtkSMPropertyHelper(proxy, "NumberOfSelectedElements").GetAsIdType();
+  const bool isOfPoints =
+    qstrcmp(vtkSMPropertyHelper(proxy, "ElementType").GetAsString(), "Points") == 0;
+  const QString report = vtkSMPropertyHelper(proxy, "Report").GetAsString();
+  this->Label->setText(QString("%1 %2 selected.%3")
+      .arg(QLocale().toString(static_cast<qlonglong>(count)),
+        QString(isOfPoints ? "point%1" : "cell%1").arg(count == 1 ? "" : "s"),
+        report.isEmpty() ? QString() : QString(" %1.").arg(report)));
+  this->Label->show();
+}
