@@ -443,10 +443,14 @@ void FluentGridBuilder::HandOverFaces()
 //------------------------------------------------------------------------------
 void FluentGridBuilder::Warn()
 {
-  Tally empty, broken, other;
+  Tally empty, broken, other, joined;
   const vtkUnsignedCharArray* const types = this->Grid->GetCellTypesArray();
   for (vtkIdType cell = 0; cell < this->Count; ++cell)
   {
+    if (this->Mesh.Piece.IsGhostLeaf(this->Mesh.Piece.GetLeaf(cell)))
+    {
+      continue; // which another piece tells of
+    }
     const unsigned char type = types->GetValue(cell);
     const FluentShape shape = this->Mesh.GetShape(cell);
     if (type == VTK_EMPTY_CELL)
@@ -457,12 +461,18 @@ void FluentGridBuilder::Warn()
     {
       other.Add(this->GetId(cell));
     }
+    else if (shape.Faces > 0 && this->Lists.GetSize(cell) > shape.Faces)
+    {
+      joined.Add(this->GetId(cell));
+    }
   }
   this->Messages.Add(empty, "cell", "cells", "without faces");
   this->Messages.Add(broken, "cell", "cells", "whose edges make no ring, left empty");
   this->Messages.Add(other, "cell", "cells",
     this->Mesh.Dimension == 2 ? "whose edges are not those of the declared type, read as polygons"
                               : "whose faces are not those of the declared type, read as polyhedra");
+  this->Messages.Add(joined, "cell", "cells",
+    "beside refined ones, no neighbours of these as their split faces are joined (Join Split Faces)");
 }
 }
 

@@ -68,10 +68,10 @@ class FluentMeshReading
 {
 public:
   FluentMeshReading(const std::string& name, const char* begin, const char* end,
-    const PieceRequest& request, vtkIdType chunk)
+    const PieceRequest& request, const FluentOptions& options)
     : File(name, begin, end)
     , Request(request)
-    , Chunk(chunk)
+    , Options(options)
   {
   }
 
@@ -93,7 +93,7 @@ private:
 
   FluentFile File;
   const PieceRequest& Request;
-  vtkIdType Chunk;
+  const FluentOptions& Options;
   FluentFaces Faces;
   FluentCells Cells;
   FluentPiece Piece;
@@ -160,6 +160,10 @@ bool FluentMeshReading::ReadTree()
       }
     }
   }
+  if (!this->Options.JoinSplitFaces)
+  {
+    this->Tree = FluentFaceTree();
+  }
   this->Tree.Build();
   return true;
 }
@@ -168,7 +172,7 @@ bool FluentMeshReading::ReadTree()
 // Makes all faces accessible.
 bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
 {
-  if (!this->Faces.KeepAll(this->File, this->Chunk, progress.Part(0, 0.8)) ||
+  if (!this->Faces.KeepAll(this->File, this->Options.Chunk, progress.Part(0, 0.8)) ||
     !this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.8, 1)))
   {
     return false;
@@ -187,10 +191,10 @@ bool FluentMeshReading::KeepFaces(vtkIdType nodes, const Progress& progress)
 bool FluentMeshReading::StreamFaces(vtkIdType nodes, const Progress& progress)
 {
   return this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0 &&
-    this->Faces.KeepBoundaries(this->File, this->Chunk, progress.Part(0, 0.1)) &&
+    this->Faces.KeepBoundaries(this->File, this->Options.Chunk, progress.Part(0, 0.1)) &&
     this->Faces.Check(this->File, nodes, this->Cells.GetCount(), progress.Part(0.1, 0.2)) &&
     this->Faces.Stream(
-      this->File, nodes, this->Cells.GetCount(), this->Chunk, progress.Part(0.2, 0.3)) &&
+      this->File, nodes, this->Cells.GetCount(), this->Options.Chunk, progress.Part(0.2, 0.3)) &&
     this->Interior.AddAll(this->Faces, this->Cells, progress.Part(0.3, 0.5)) &&
     this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.5, 1));
 }
@@ -225,7 +229,7 @@ bool FluentMeshReading::ReadCells(
   if (!streams)
   {
     this->Faces.StopStreaming();
-    if (!(isWhole ? this->Faces.KeepBoundaries(this->File, this->Chunk, progress.Part(0, 0.2))
+    if (!(isWhole ? this->Faces.KeepBoundaries(this->File, this->Options.Chunk, progress.Part(0, 0.2))
                   : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
       !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.2, 0.3)))
     {
@@ -236,7 +240,7 @@ bool FluentMeshReading::ReadCells(
     this->File.GetDimension() };
   if (this->File.FaceTrees.empty() && this->Cells.GetNumberOfLeaves() > 0)
   {
-    FluentFaceBatches batches(this->File, mesh, nodes, this->Chunk);
+    FluentFaceBatches batches(this->File, mesh, nodes, this->Options.Chunk);
     FluentPolyhedra polyhedra(mesh);
     FluentStandardCells cells(mesh);
     if (polyhedra.AreAll()
@@ -298,7 +302,7 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   }
   this->Faces.KeepBoundariesOnly();
   const auto coordinates =
-    ReadFluentNodes(this->File, this->Piece, this->Chunk, progress.Part(0.8, 1));
+    ReadFluentNodes(this->File, this->Piece, this->Options.Chunk, progress.Part(0.8, 1));
   if (!coordinates)
   {
     return false;
@@ -396,7 +400,7 @@ void FluentMeshReading::AddIds(vtkUnstructuredGrid* grid) const
 
 //------------------------------------------------------------------------------
 bool ReadContent(const std::string& name, const char* begin, const char* end,
-  const PieceRequest& request, vtkIdType chunk, vtkUnstructuredGrid* grid,
+  const PieceRequest& request, const FluentOptions& options, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress)
 {
   const std::string other = RecogniseOther(begin, end);
@@ -405,7 +409,7 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
     error = { ErrorKind::NotThisFormat, name + ": expected a Fluent mesh, found " + other };
     return false;
   }
-  FluentMeshReading reading(name, begin, end, request, chunk);
+  FluentMeshReading reading(name, begin, end, request, options);
   if (reading.Read(false, grid, boundaries, warnings, progress))
   {
     return true;
@@ -418,7 +422,7 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
     return false;
   }
   // Some writers are wrong about the order of bytes.
-  FluentMeshReading again(name, begin, end, request, chunk);
+  FluentMeshReading again(name, begin, end, request, options);
   Warnings others;
   grid->Initialize();
   if (again.Read(true, grid, boundaries, others, progress))
@@ -462,7 +466,7 @@ bool IsFluentMesh(const std::string& path)
 //------------------------------------------------------------------------------
 bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
-  vtkIdType chunk)
+  const FluentOptions& options)
 {
   const auto clear = [&]
   {
@@ -489,7 +493,7 @@ bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUns
         begin = inflation.begin();
         end = inflation.end();
       }
-      const bool isRead = ReadContent(file.GetName(), begin, end, request, chunk, grid, boundaries,
+      const bool isRead = ReadContent(file.GetName(), begin, end, request, options, grid, boundaries,
         warnings, error, progress.Part(isCompressed ? 0.5 : 0, 1));
       if (inflation.HasTrailingData() && request.Piece == 0)
       {

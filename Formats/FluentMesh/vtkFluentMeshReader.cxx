@@ -21,6 +21,13 @@ vtkFluentMeshReader::vtkFluentMeshReader()
 }
 
 //------------------------------------------------------------------------------
+void vtkFluentMeshReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "JoinSplitFaces: " << this->JoinSplitFaces << '\n';
+}
+
+//------------------------------------------------------------------------------
 int vtkFluentMeshReader::FillOutputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)
@@ -77,6 +84,8 @@ bool vtkFluentMeshReader::ReadMesh(const std::string& path, const camaron::Piece
   vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
   const camaron::Progress& progress)
 {
+  camaron::FluentOptions options;
+  options.JoinSplitFaces = this->JoinSplitFaces;
   return camaron::ReadFluentMesh(
-    path, request, output, this->Boundaries, warnings, error, progress);
+    path, request, output, this->Boundaries, warnings, error, progress, options);
 }

@@ -31,6 +31,19 @@ public:
   static vtkFluentMeshReader* New();
   vtkTypeMacro(vtkFluentMeshReader, vtkMeshFileReader);
 
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether a cell beside refined ones gets the faces that were split for these, and so the shape of
+   * its declared type. It is no neighbour of the refined cells then. Otherwise it is a polyhedron
+   * (in 2D a polygon) with the parts of these faces. Default: on.
+   */
+  vtkSetMacro(JoinSplitFaces, bool);
+  vtkGetMacro(JoinSplitFaces, bool);
+  vtkBooleanMacro(JoinSplitFaces, bool);
+  ///@}
+
   int CanReadFile(const char* fileName) override;
 
 protected:
@@ -50,6 +63,7 @@ private:
   vtkFluentMeshReader(const vtkFluentMeshReader&) = delete;
   void operator=(const vtkFluentMeshReader&) = delete;
 
+  bool JoinSplitFaces = true;
   vtkMultiBlockDataSet* Boundaries = nullptr; ///< during RequestData
 };
 

@@ -107,11 +107,13 @@ TEST(FluentMeshCells, ThreadsAndChunksChangeNothing)
         for (const vtkIdType chunk : { 50, 1000, 20000 })
         {
           vtkNew<vtkUnstructuredGrid> grid;
+          FluentOptions options;
+          options.Chunk = chunk;
           vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, "STDThread", false),
             [&]
             {
               ASSERT_TRUE(
-                ReadFluentMesh(file.Path, {}, grid, nullptr, warnings, error, Progress(), chunk))
+                ReadFluentMesh(file.Path, {}, grid, nullptr, warnings, error, Progress(), options))
                 << error.Message;
             });
           ExpectSameGrid(expected, grid);
