@@ -136,6 +136,7 @@ private:
   FluentInteriorZones InteriorZones;
   std::vector<Section> FaceSections, CellSections;
   std::vector<FluentZone> Zones, KnownZones;
+  Tally Renamed; ///< zones whose name a file cannot hold
   vtkDataArray* ZoneArray = nullptr;
 };
 }

@@ -52,18 +52,19 @@ bool IsZone(double number)
 }
 
 //------------------------------------------------------------------------------
-// A name without what ends one in a file.
+// A name without what ends one in a file. Letters beyond ASCII are bytes of UTF-8 and stay.
 std::string Clean(std::string name)
 {
   for (char& c : name)
   {
-    c = c <= ' ' || c == '(' || c == ')' || c == '"' || c == '\x7f' ? '-' : c;
+    const auto code = static_cast<unsigned char>(c);
+    c = code <= ' ' || c == '(' || c == ')' || c == '"' || code == 0x7f ? '-' : c;
   }
   return name;
 }
 
 //------------------------------------------------------------------------------
-std::vector<FluentZone> ListZones(vtkFieldData* data)
+std::vector<FluentZone> ListZones(vtkFieldData* data, Tally& renamed)
 {
   std::vector<FluentZone> zones;
   vtkDataArray* const ids = data->GetArray("ZoneIds");
@@ -83,7 +84,14 @@ std::vector<FluentZone> ListZones(vtkFieldData* data)
       continue;
     }
     zone.Id = static_cast<int>(id);
-    zone.Name = names && i < names->GetNumberOfValues() ? Clean(names->GetValue(i)) : std::string();
+    if (names && i < names->GetNumberOfValues())
+    {
+      zone.Name = Clean(names->GetValue(i));
+      if (zone.Name != names->GetValue(i))
+      {
+        renamed.Add(zone.Id);
+      }
+    }
     zone.Type = types && i < types->GetNumberOfValues() ? Clean(types->GetValue(i)) : std::string();
     zone.BoundaryType =
       numbers && numbers->GetNumberOfComponents() == 1 && i < numbers->GetNumberOfTuples()
@@ -107,7 +115,7 @@ vtkDataArray* GetCellNumbers(vtkDataSet* mesh, const char* name)
 void FluentOutput::ReadZones()
 {
   vtkFieldData* const data = this->DataSet->GetFieldData();
-  this->KnownZones = ListZones(data);
+  this->KnownZones = ListZones(data, this->Renamed);
   this->InteriorZones.Load(data);
   this->ZoneArray = GetCellNumbers(this->DataSet, "Zone");
 }
@@ -121,7 +129,7 @@ int FluentOutput::GetZone(vtkIdType cell) const
 }
 
 //------------------------------------------------------------------------------
-// Of numbers that Fluent cannot give to a zone; 0 and nan are those of cells without one.
+// Of names and numbers that Fluent cannot give to a zone; 0 and nan are those of cells without one.
 void FluentOutput::WarnOfOddZones(Warnings& warnings) const
 {
   Tally odd;
@@ -134,6 +142,8 @@ void FluentOutput::WarnOfOddZones(Warnings& warnings) const
       odd.Add(cell);
     }
   }
+  warnings.Add(this->Renamed, "zone", "zones",
+    "with blanks, brackets or quotes in the name, written as \"-\"");
   warnings.Add(odd, "cell", "cells",
     "whose Zone is no integer from 1 to 2147483647, treated as being in none");
 }
