@@ -265,8 +265,8 @@ def main(arguments: Sequence[str]) -> int:
     rest: list[str] = []
     if list(arguments[:1]) == ["convert"]:
         arguments, rest = _split_writer_options(arguments)
-    options = parser.parse_args(arguments)
     try:
+        options = parser.parse_args(arguments)
         return COMMANDS[options.command](options, rest)
     except KeyboardInterrupt:
         return 130
