@@ -54,6 +54,12 @@ void ArraysOfSteps::Add(const std::optional<double>& time, const std::vector<Sta
 //------------------------------------------------------------------------------
 std::string ArraysOfSteps::Describe(const std::string& kind) const
 {
+  if (this->TimesOfArrays.empty() && this->Missing.empty())
+  {
+    return "There are no " + kind +
+      " arrays with one component that are named like a quality criterion: evaluate some with Element Quality, "
+      "or choose arrays.";
+  }
   std::string text;
   std::vector<std::string> nowhere;
   std::copy_if(this->Missing.begin(), this->Missing.end(), std::back_inserter(nowhere),

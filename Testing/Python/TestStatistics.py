@@ -648,6 +648,13 @@ class TestStatistics(camaron_testing.TestCase):
             self.tables(source, Arrays=["Volume", "NotThere"])
         self.assertTrue(any("NotThere" in warning for warning in messages.warnings))
 
+    def test_no_criteria(self):
+        """A mesh without any is not answered with empty tables and silence."""
+        with camaron_testing.pipeline.Messages() as messages:
+            rows, _, _ = self.tables(simple.Wavelet())
+        self.assertEqual(rows, [])
+        self.assertIn("Element Quality", " ".join(messages.warnings))
+
 
 if __name__ == "__main__":
     camaron_testing.main()
