@@ -33,6 +33,7 @@ public:
   }
 
   bool KeepsAll(const ConversionPlan& plan, bool& isCloud) const;
+  void WarnOfCloud(Warnings& warnings) const;
   void DropCells();
   bool Fill(vtkDataSet* mesh, const CellConversion& how, const ConversionPlan& plan,
     ConversionFindings& found, const Progress& progress);
@@ -75,6 +76,35 @@ bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) cons
     }
   }
   return keepsAll;
+}
+
+//------------------------------------------------------------------------------
+// What is read is a vertex for every point.
+void OutputMeshBuilder::WarnOfCloud(Warnings& warnings) const
+{
+  const MeshView& mesh = this->Output.Input;
+  std::vector<bool> isVertex(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+  {
+    const IndexRange points = mesh.GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      if (points[i] >= 0 && points[i] < mesh.GetNumberOfPoints())
+      {
+        isVertex[static_cast<std::size_t>(points[i])] = true;
+      }
+    }
+  }
+  Tally alone;
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+  {
+    if (!isVertex[static_cast<std::size_t>(point)])
+    {
+      alone.Add(point);
+    }
+  }
+  warnings.Add(alone, "point", "points",
+    "without a cell, which will be read as a vertex like the others", FromZero);
 }
 
 //------------------------------------------------------------------------------
@@ -227,6 +257,7 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
   }
   if (isCloud && how.HoldsClouds && !plan.Holds(VTK_VERTEX) && !plan.Holds(VTK_POLY_VERTEX))
   {
+    builder.WarnOfCloud(warnings);
     builder.DropCells();
     return progress.Report(1);
   }

@@ -628,6 +628,10 @@ TEST(CellConversion, KeepsClouds)
   EXPECT_EQ(result.Mesh.GetNumberOfCells(), 0);
   EXPECT_EQ(result.Mesh.GetNumberOfPoints(), 2);
   EXPECT_TRUE(result.Warned.GetSentences().empty());
+  const Grid some = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_VERTEX, { 0 } } });
+  result = Convert(some, { VTK_TRIANGLE });
+  ASSERT_EQ(result.Warned.GetSentences().size(), 1u);
+  EXPECT_NE(result.Warned.GetSentences()[0].find("1 point without a cell"), std::string::npos);
   const Grid none = MakeGrid({ { 0, 0, 0 } }, {});
   EXPECT_TRUE(Convert(none, { VTK_TRIANGLE }).Success);
   const auto empty = vtkSmartPointer<vtkPolyData>::New();
