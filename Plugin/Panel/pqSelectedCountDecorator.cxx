@@ -3,10 +3,12 @@
 #include "pqSelectedCountDecorator.h"
 
 #include "pqApplicationCore.h"
+#include "pqCoreUtilities.h"
 #include "pqPipelineSource.h"
 #include "pqPropertyWidget.h"
 #include "pqServerManagerModel.h"
 
+#include "vtkCommand.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
 
@@ -34,11 +36,10 @@ pqSelectedCountDecorator::pqSelectedCountDecorator(vtkPVXMLElement* xml, pqPrope
     // Queued: the filter is in the middle of an update.
     QObject::connect(source, QOverload<pqPipelineSource*>::of(&pqPipelineSource::dataUpdated), this,
       &pqSelectedCountDecorator::updateText, Qt::QueuedConnection);
-    if (source->modifiedState() != pqProxy::UNINITIALIZED)
-    {
-      this->updateText();
-    }
   }
+  // What is changed is not the count any more, until the filter has run.
+  pqCoreUtilities::connect(
+    parent->proxy(), vtkCommand::UpdatePropertyEvent, this->Label, SLOT(hide()));
 }
 
 //------------------------------------------------------------------------------

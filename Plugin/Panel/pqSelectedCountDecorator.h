@@ -4,7 +4,7 @@
  * @class pqSelectedCountDecorator
  * @brief Says in the panel of Select Elements how many elements it selects, and what it has to report.
  *
- * Below the widget of the property that has it, from the last update on.
+ * Below the widget of the property that has it, from an update of the filter until it is changed.
  */
 #ifndef pqSelectedCountDecorator_h
 #define pqSelectedCountDecorator_h

@@ -103,5 +103,56 @@ class TestFailure(camaron_testing.TestCase):
         self.assertEqual(target.read_text(), "2 0\n0\n")
 
 
+@camaron_testing.require_display()
+class TestMending(camaron_testing.TestCase):
+    """What is drawn follows again once the reason of a failure is gone."""
+
+    def setUp(self):
+        super().setUp()
+        simple.ResetSession()
+        camaron_testing.pipeline.load_plugin()
+
+    def drawn(self, source, view):
+        """Cells of what a display has after the view was drawn."""
+        simple.Render(view)
+        display = simple.GetDisplayProperties(source, view)
+        return display.SMProxy.GetRepresentedDataInformation().GetNumberOfCells()
+
+    def test_filter(self):
+        sphere = simple.Sphere()
+        ids = simple.SelectElements(Input=sphere, Strategy="By id", Ids="1 2")
+        chosen = simple.Threshold(Input=ids, Scalars=["CELLS", "Selected"], LowerThreshold=1, UpperThreshold=1)
+        view = simple.CreateRenderView()
+        for source in (ids, chosen):
+            simple.Show(source, view)
+        self.assertEqual(self.drawn(chosen, view), 2)
+        with camaron_testing.pipeline.Messages() as messages:
+            ids.Ids = "one two"
+            simple.Render(view)
+        self.assertIn("expected a number", " ".join(messages.errors))
+        for text, count in (("1 2 3", 3), ("4", 1)):
+            ids.Ids = text
+            self.assertEqual(self.drawn(chosen, view), count)
+            self.assertEqual(chosen.GetDataInformation().GetNumberOfCells(), count)
+
+    def test_reader(self):
+        path = self.folder / "mesh.visf"
+        whole = (camaron_testing.EXAMPLES / "voronoi-ball.visf").read_bytes()
+        path.write_bytes(whole)
+        mesh = simple.OpenDataFile(str(path))
+        view = simple.CreateRenderView()
+        simple.Show(mesh, view)
+        self.assertEqual(self.drawn(mesh, view), 800)
+        path.write_bytes(whole[: len(whole) // 2])
+        with camaron_testing.pipeline.Messages() as messages:
+            simple.ReloadFiles(mesh)
+            simple.Render(view)
+        self.assertIn("mesh.visf", " ".join(messages.errors))
+        shutil.copy(camaron_testing.EXAMPLES / "flange.visf", path)
+        simple.ReloadFiles(mesh)
+        self.assertEqual(self.drawn(mesh, view), 4080)
+        self.assertEqual(mesh.GetDataInformation().GetNumberOfCells(), 4080)
+
+
 if __name__ == "__main__":
     camaron_testing.main()

@@ -118,9 +118,16 @@ class TestSelectByMouse(WindowTestCase):
             choose("Ids/Ids", "3 5 100000000"),
             apply(),
             check(count, "text", "2 cells selected. 1 of 3 ids does not exist."),
+            choose("Ids/Ids", "three"),
+            apply(),
+            check(count, "visible", "false"),
             choose("Ids/Ids", "3"),
             apply(),
             check(count, "text", "1 cell selected."),
+            check(count, "visible", "true"),
+            choose("Strategy/ComboBox", "All"),
+            apply(),
+            check(count, "text", "800 cells selected."),
         )
 
 
