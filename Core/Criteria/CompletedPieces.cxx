@@ -115,6 +115,7 @@ private:
       {
         points[p].emplace(this->Borders.GetKey(p, sharing.Point), sharing.Point);
       }
+      this->AddUnusedPoints(p, points[p]);
     }
     for (std::size_t process = 0; process < this->NumberOfProcesses; ++process)
     {
@@ -123,6 +124,34 @@ private:
       while (item != this->Integers[process].data() + this->Integers[process].size())
       {
         this->ReadCells(static_cast<std::int32_t>(process), item, real, points);
+      }
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  // What no cell of a piece has may still be a point of cells that it gets, if global ids tell so.
+  void AddUnusedPoints(
+    std::size_t piece, std::unordered_map<PointKey, vtkIdType, KeyHash>& points) const
+  {
+    if (points.empty() || !this->Borders.UsesIds())
+    {
+      return;
+    }
+    const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
+    std::vector<bool> isUsed(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
+    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+    {
+      const IndexRange list = mesh.GetCellPoints(cell);
+      for (vtkIdType i = 0; i < list.Size; ++i)
+      {
+        isUsed[static_cast<std::size_t>(list[i])] = true;
+      }
+    }
+    for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+    {
+      if (!isUsed[static_cast<std::size_t>(point)])
+      {
+        points.emplace(this->Borders.GetKey(piece, point), point);
       }
     }
   }

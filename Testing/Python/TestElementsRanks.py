@@ -235,6 +235,15 @@ class TestElementsRanks(camaron_testing.TestCase):
         for mesh in ("mixed", "surfaces"):
             self.check(mesh, rank_meshes.split_source(mesh, empty_rank=True), "empty rank")
 
+    def test_stray_points(self):
+        """A point that a piece has for none of its cells is a vertex once, where others have cells at it."""
+        source = rank_meshes.source("make_stray", "vtkUnstructuredGrid")
+        vertices = simple.OutputPort(simple.MeshElements(Input=source, VertexArrays=["UnusedPoint"]), 2)
+        statistics = simple.QualityStatistics(Input=vertices, Arrays=["UnusedPoint"])
+        table = servermanager.Fetch(statistics, idx=0)
+        self.assertEqual(table.GetValueByName(0, "Count").ToInt(), 5)
+        self.assertEqual(table.GetValueByName(0, "Max").ToDouble(), 0)
+
     def test_blocks(self):
         """Faces between blocks are a boundary, those between the pieces of a block are not."""
         for parts in (1, 3):

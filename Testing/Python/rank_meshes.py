@@ -13,7 +13,7 @@ import gallery
 import numpy
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
     VTK_POLYGON,
@@ -301,6 +301,19 @@ def make_blocks(mesh, rank, ranks, parts=1, global_ids=False, mixed_precision=Fa
                 grid = take(points, cells, chosen.tolist(), (), first_id, is_float)
                 collection.SetPartition(block, part, grid)
     return collection
+
+
+def make_stray(rank, ranks):
+    """Of two tetrahedra in turn those of a rank, with the points of both."""
+    points = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 1)]
+    cells = [(VTK_TETRA, [0, 1, 2, 3]), (VTK_TETRA, [1, 2, 4, 3])]
+    if rank >= len(cells):
+        return vtkUnstructuredGrid()
+    grid = gallery.make_grid(points, cells[rank::ranks])
+    ids = numpy_to_vtk(numpy.arange(len(points)), deep=True, array_type=VTK_ID_TYPE)
+    ids.SetName("GlobalIds")
+    grid.GetPointData().SetGlobalIds(ids)
+    return grid
 
 
 def source(function, kind, **options):
