@@ -17,6 +17,10 @@ void WakeConsumers(vtkSMProxy* producer)
   for (unsigned int i = 0; i < producer->GetNumberOfConsumers(); ++i)
   {
     vtkSMProxy* const consumer = producer->GetConsumerProxy(i);
+    if (!consumer || !consumer->GetObjectsCreated() || !consumer->GetSession())
+    {
+      continue; // deleted, or not ready yet
+    }
     if (consumer->IsA("vtkSMRepresentationProxy"))
     {
       vtkClientServerStream stream;
