@@ -5,15 +5,16 @@
 # Which ParaView to use, and getting one. The first that there is:
 #   host  an SDK >= 5.13 with Qt 6 that CMake finds (or that ParaView_DIR names), or that the host's
 #         distribution has as packages: installed where we are root;
-#   root  a private Debian 13 in $CAMARON_HOME/root (root.sh).
-# CAMARON_PARAVIEW=host or =root decides otherwise. The answer is kept in build/paraview.
+#   root  a private Debian in $CAMARON_HOME (root.sh).
+# CAMARON_PARAVIEW=host or =root decides otherwise, as CAMARON_DEBIAN does, which names the release of
+# the private one. The answer is kept in build/paraview.
 
 choice=$build/paraview
 
 # Sets `paraview` (host, root, or inside where this call runs in the root already) and, for host,
 # `prefix` and `sdk`, its bin's parent and its ParaView_DIR.
 paraview_ready() {
-  local wish=${CAMARON_PARAVIEW:-}
+  local wish=${CAMARON_PARAVIEW:-${CAMARON_DEBIAN:+root}}
   [[ $wish =~ ^(host|root|)$ ]] || die "CAMARON_PARAVIEW is 'host' or 'root', not '$wish'"
   if [[ -n ${CAMARON_INSIDE:-} ]]; then
     paraview=inside
@@ -71,8 +72,11 @@ find_sdk() {
     say "using the ParaView in $(head -n 1 "$build/probe/paraview")"
 }
 
+# packages VERSION: those that Debian's ParaView of that version takes.
 packages() {
-  sed 's/#.*//; /^ *$/d' "$launcher/packages.txt" | LC_ALL=C sort -u
+  local -a lists=("$launcher/packages.txt")
+  [[ ${1%%.*} == 5 ]] || lists+=("$launcher/packages-6.txt")
+  sed 's/#.*//; /^ *$/d' "${lists[@]}" | LC_ALL=C sort -u
 }
 
 # Only root may install, and so learn what there is to install.
@@ -88,7 +92,7 @@ candidate() {
 
 install_packages() {
   local -a names
-  mapfile -t names < <(packages)
+  mapfile -t names < <(packages "$(candidate)")
   say "installing ParaView's packages on this machine (log: $build/log/packages.log) ..."
   apt_install "$build/log/packages.log" "${names[@]}" && "$launcher/link-modules.sh"
 }

@@ -2,10 +2,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # shellcheck shell=bash disable=SC2154  # what ./camaron and its other parts set
 #
-# A private Debian 13 with ParaView, for hosts that have none: made by mmdebstrap, entered with
-# bubblewrap, with root's rights or, where user namespaces are allowed, without.
+# A private Debian with ParaView, for hosts that have none: made by mmdebstrap, entered with
+# bubblewrap, with root's rights or, where user namespaces are allowed, without. It is Debian 13, or the
+# release that CAMARON_DEBIAN names, which has a folder of its own here and among the builds.
 
-root=$CAMARON_HOME/root
+release=${CAMARON_DEBIAN:-trixie}
+[[ $release =~ ^[a-z]+$ ]] || die "CAMARON_DEBIAN is the name of a release, such as forky, not '$release'"
+# Its ParaView, or an older one of the same packages, and the room that it takes while it is installed.
+root_paraview=6 root_megabytes=6000
+[[ $release != trixie ]] || root_paraview=5 root_megabytes=5000
+root=$CAMARON_HOME/root${CAMARON_DEBIAN:+-$CAMARON_DEBIAN}
 root_log=$CAMARON_HOME/log
 root_stamp=$root/camaron-packages # the packages a whole root has; written last
 root_path=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
@@ -18,7 +24,7 @@ root_ready() {
 }
 
 root_whole() {
-  [[ -r $root_stamp && -z $(comm -23 <(packages) "$root_stamp") ]]
+  [[ -r $root_stamp && -z $(comm -23 <(packages "$root_paraview") "$root_stamp") ]]
 }
 
 root_make() {
@@ -31,14 +37,14 @@ root_make() {
   fi
   local free
   free=$(df -Pk "$CAMARON_HOME" | awk 'NR == 2 { print int($4 / 1024) }')
-  ((free >= 5000)) || die "a private Debian 13 needs 5000 MB in $CAMARON_HOME, which has $free MB left;" \
+  ((free >= root_megabytes)) || die "a private Debian needs $root_megabytes MB in $CAMARON_HOME, which has $free MB left;" \
     "name a roomier folder with CAMARON_HOME"
-  say "getting ParaView: a private Debian 13 in $root (about 2 minutes, 3.7 GB; logs: $root_log) ..."
+  say "getting ParaView: a private Debian ($release) in $root (some minutes, $((root_megabytes / 1000)) GB; logs: $root_log) ..."
   if root_base "$root.new" && root_install "$root.new"; then
     mv "$root.new" "$root" && rm -f "$root.new.apt"
   else
     rm -rf --one-file-system "$root".new*
-    die "could not get ParaView; it takes network access to $(mirror) and 5000 MB in $CAMARON_HOME"
+    die "could not get ParaView; it takes network access to $(mirror) and $root_megabytes MB in $CAMARON_HOME"
   fi
 }
 
@@ -51,7 +57,7 @@ root_tools() {
   [[ $EUID == 0 ]] || tools+=(uidmap)
   if ! type mmdebstrap bwrap >/dev/null 2>&1 || [[ $EUID != 0 ]] && ! type newuidmap >/dev/null 2>&1; then
     [[ $EUID == 0 ]] || die "to get ParaView, let root run: apt-get install ${tools[*]} (or, on Debian 13 or newer," \
-      "what $launcher/packages.txt names); $use"
+      "what $launcher/packages*.txt name); $use"
     refresh_apt
     apt_install "$build/log/packages.log" "${tools[@]}" || die "could not install ${tools[*]}; $use"
   fi
@@ -82,7 +88,7 @@ apt_settings() {
   echo 'APT::Sandbox::User "root";'
 }
 
-# root_base DIR: a Debian 13 with apt and nothing more.
+# root_base DIR: a Debian with apt and nothing more.
 root_base() {
   local settings=$1.apt options=(--verbose --variant=apt --dpkgopt=force-unsafe-io
     "--aptopt=$1.apt")
@@ -91,10 +97,10 @@ root_base() {
   if [[ $EUID == 0 ]]; then
     # Mounts of a killed mmdebstrap must not outlive it, lest removing its root reach into /dev.
     logged "base system" "$root_log/base.log" unshare --mount \
-      mmdebstrap --mode=root "${options[@]}" trixie "$1" "$(mirror)"
+      mmdebstrap --mode=root "${options[@]}" "$release" "$1" "$(mirror)"
   else
     logged "base system" "$root_log/base.log" \
-      mmdebstrap --mode=unshare --include=fakeroot "${options[@]}" trixie "$1.tar" "$(mirror)" &&
+      mmdebstrap --mode=unshare --include=fakeroot "${options[@]}" "$release" "$1.tar" "$(mirror)" &&
       tar -x -f "$1.tar" -C "$1" --exclude './dev/*' && rm "$1.tar"
   fi
 }
@@ -102,14 +108,14 @@ root_base() {
 # root_install DIR: the packages into the Debian in DIR. Also mends what an interrupted call left.
 root_install() {
   local -a names rights=() become=()
-  mapfile -t names < <(packages)
+  mapfile -t names < <(packages "$root_paraview")
   # Without root's rights there is only one user id inside; fakeroot pretends there were more.
   [[ $EUID == 0 ]] || {
     rights=(--unshare-user --uid 0 --gid 0)
     become=(env FAKEROOTDONTTRYCHOWN=1 fakeroot-tcp)
   }
   apt_settings >"$1/etc/apt/apt.conf.d/99mmdebstrap"
-  echo "deb $(mirror) trixie main" >"$1/etc/apt/sources.list"
+  echo "deb $(mirror) $release main" >"$1/etc/apt/sources.list"
   touch "$1"/etc/{resolv.conf,hosts,passwd,group,machine-id} # to mount the host's on
   logged "ParaView" "$root_log/paraview.log" \
     bwrap --die-with-parent --unshare-pid "${rights[@]}" --bind "$1" / \
@@ -122,8 +128,8 @@ root_install() {
       apt-get install -y --no-install-recommends "$@"
       apt-get clean
       /mnt/link-modules.sh' sh "${names[@]}" || return
-  LC_ALL=C sort -u -o "$1/camaron-packages.new" <(packages) "$1/${root_stamp##*/}" 2>/dev/null ||
-    packages >"$1/camaron-packages.new"
+  LC_ALL=C sort -u -o "$1/camaron-packages.new" <(packages "$root_paraview") "$1/${root_stamp##*/}" 2>/dev/null ||
+    packages "$root_paraview" >"$1/camaron-packages.new"
   mv "$1/camaron-packages.new" "$1/${root_stamp##*/}"
 }
 

@@ -6,7 +6,7 @@
 set -uo pipefail
 
 # Else ./camaron would begin to build.
-[[ -n ${CAMARON_HOME:-} && -r $1/build/built ]] || { echo "not run by ./camaron test"; exit 77; }
+[[ -n ${CAMARON_HOME:-} && -r $1/build${CAMARON_DEBIAN:+/$CAMARON_DEBIAN}/built ]] || { echo "not run by ./camaron test"; exit 77; }
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
