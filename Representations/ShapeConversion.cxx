@@ -12,7 +12,6 @@
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPlanes.h"
-#include "vtkPVPlane.h"
 #include "vtkPoints.h"
 #include "vtkSphere.h"
 
@@ -46,21 +45,20 @@ bool AddPlane(const double origin[3], const double normal[3], ConvexShape& shape
 }
 
 //------------------------------------------------------------------------------
-// ParaView's plane has an offset along its normal.
-std::array<double, 3> GetOrigin(vtkPlane* plane)
+// What a plane evaluates has the offset and the axis of ParaView's, which its origin and normal have not.
+bool AddPlane(vtkPlane* plane, ConvexShape& shape)
 {
-  std::array<double, 3> origin;
-  plane->GetOrigin(origin.data());
-  if (auto* shifted = vtkPVPlane::SafeDownCast(plane))
+  double origin[3];
+  double normal[3];
+  plane->GetOrigin(origin);
+  plane->EvaluateGradient(origin, normal);
+  const double value = plane->EvaluateFunction(origin);
+  const double length = std::hypot(normal[0], normal[1], normal[2]);
+  for (int i = 0; i < 3 && length > 0; ++i)
   {
-    const double* normal = plane->GetNormal();
-    const double length = std::hypot(normal[0], normal[1], normal[2]);
-    for (int i = 0; i < 3 && length > 0; ++i)
-    {
-      origin[i] += shifted->GetOffset() * normal[i] / length;
-    }
+    origin[i] -= value / length * normal[i] / length;
   }
-  return origin;
+  return AddPlane(origin, normal, shape);
 }
 
 //------------------------------------------------------------------------------
@@ -137,7 +135,7 @@ std::string ConvertShape(vtkImplicitFunction* function, ConvexShape& shape)
   }
   else if (auto* plane = vtkPlane::SafeDownCast(function))
   {
-    isValid = AddPlane(GetOrigin(plane).data(), plane->GetNormal(), converted);
+    isValid = AddPlane(plane, converted);
   }
   else if (auto* planes = vtkPlanes::SafeDownCast(function))
   {

@@ -111,6 +111,18 @@ class TestExactCut(PictureTestCase):
         self.assertLess((jumps & (near(lines) == 0)).sum(), 0.05 * jumps.sum())
         self.assertLess((lines & (near(near(jumps)) == 0)).sum(), 0.05 * lines.sum())
 
+    def test_offset(self):
+        """A plane with an offset cuts where the offset puts it."""
+        mesh = hexahedra()
+        frame = simple.Outline(Input=mesh)
+        plane = self.show(mesh, CutBy="Exactly", CutShape="Plane").CutShape
+        pictures = []
+        for origin, offset in (([0.9, 1.2, 0], 0), ([0, 0, 0], 1.5), ([0, 0, 0], 0)):
+            plane.Origin, plane.Normal, plane.Offset = origin, [3, 4, 0], offset
+            pictures.append(self.take(frame))
+        self.same(*pictures[:2])
+        self.assertGreater(difference(*pictures[1:]), 0.01)
+
     def test_in_faces(self):
         """A shape that lies in faces of cells shows these, with their edges, as if whole cells were cut away."""
         wavelet = simple.Wavelet(WholeExtent=[-5, 5, -5, 5, -5, 5])
