@@ -9,6 +9,7 @@
 #include "Drawing/DrawableFaces.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
@@ -143,7 +144,7 @@ void InspectionMesh::Update()
   {
     vtkCellArray* cells = this->Grid->GetCells();
     geometry = GetVersionOf({ this->Grid->GetPoints()->GetData(), cells->GetOffsetsArray(),
-      cells->GetConnectivityArray(), this->Grid->GetCellTypesArray(),
+      cells->GetConnectivityArray(), GetCellTypes(this->Grid),
       this->Grid->GetCellGhostArray(), this->Grid->GetCellData()->GetArray(OuterFacetsName) });
     selected =
       GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),

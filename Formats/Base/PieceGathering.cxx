@@ -4,6 +4,7 @@
 
 #include "GatheredMesh.h"
 #include "Mesh/PointSetHulls.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
@@ -80,7 +81,7 @@ public:
   {
     this->Send(grid->GetPoints() ? grid->GetPoints()->GetData() : nullptr);
     const bool hasCells = grid->GetNumberOfCells() > 0;
-    this->Send(hasCells ? grid->GetCellTypesArray() : static_cast<vtkDataArray*>(nullptr));
+    this->Send(hasCells ? GetCellTypes(grid) : nullptr);
     this->Send(hasCells ? grid->GetCells() : nullptr);
     this->Send(hasCells ? grid->GetPolyhedronFaces() : nullptr);
     this->Send(hasCells ? grid->GetPolyhedronFaceLocations() : nullptr);

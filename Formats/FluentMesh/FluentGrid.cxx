@@ -4,6 +4,7 @@
 
 #include "FluentCellLists.h"
 #include "Mesh/MeshTopology.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellType.h"
@@ -444,7 +445,7 @@ void FluentGridBuilder::HandOverFaces()
 void FluentGridBuilder::Warn()
 {
   Tally empty, broken, other, joined;
-  const vtkUnsignedCharArray* const types = this->Grid->GetCellTypesArray();
+  const auto* const types = vtkUnsignedCharArray::SafeDownCast(GetCellTypes(this->Grid)); // of SetCells
   for (vtkIdType cell = 0; cell < this->Count; ++cell)
   {
     if (this->Mesh.Piece.IsGhostLeaf(this->Mesh.Piece.GetLeaf(cell)))

@@ -9,6 +9,7 @@
 #define camaron_FormatTesting_h
 
 #include "Mesh/CellFacets.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
@@ -230,7 +231,7 @@ inline void ExpectSameGrid(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
   }
   if (a->GetNumberOfCells() > 0)
   {
-    EXPECT_TRUE(HaveSameValues(a->GetCellTypesArray(), b->GetCellTypesArray()));
+    EXPECT_TRUE(HaveSameValues(GetCellTypes(a), GetCellTypes(b)));
     EXPECT_TRUE(HaveSameLists(a->GetCells(), b->GetCells()));
     EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaces(), b->GetPolyhedronFaces()));
     EXPECT_TRUE(HaveSameLists(a->GetPolyhedronFaceLocations(), b->GetPolyhedronFaceLocations()));

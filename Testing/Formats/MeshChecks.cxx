@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshChecks.h"
 
+#include "vtkCamaronCompat.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -307,9 +309,10 @@ std::string FindFault(vtkUnstructuredGrid* grid)
   {
     return fault;
   }
-  if (grid->GetCellTypesArray()->GetNumberOfValues() != cells)
+  const vtkIdType types = GetCellTypes(grid)->GetNumberOfValues();
+  if (types != cells)
   {
-    return Say(grid->GetCellTypesArray()->GetNumberOfValues(), " types of ", cells, " cells");
+    return Say(types, " types of ", cells, " cells");
   }
   fault = FindFault(grid->GetCells(), points, "cells");
   for (vtkIdType cell = 0; cell < cells && fault.empty(); ++cell)
