@@ -12,6 +12,10 @@ import numpy
 from camaron import convert, opening, pipeline
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkVersion
+
+#: Files on which vtkFLUENTReader of VTK 9.6 fails an assertion, as it scans numbers, which ends the program.
+ABORTING = ("foam_rotateSphere_3d_hex_ascii.msh", "prime_hex_bin.msh")
 
 #: VTK's number of the types in the table of the collected files.
 TYPES = {"tri": 5, "quad": 9, "tet": 10, "hex": 12, "wedge": 13, "pyr": 14, "poly": 42}
@@ -178,6 +182,7 @@ class TestFluentMesh(camaron_testing.TestCase):
         It gives every cell once per zone of the faces that it has, so sets are compared.
         """
         self.require_data()
+        version = vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()
 
         def describe(grid):
             types = vtk_to_numpy(grid.GetCellTypesArray()).tolist()
@@ -196,6 +201,9 @@ class TestFluentMesh(camaron_testing.TestCase):
             "pyfluent_flap_2d_triquad_ascii.msh",
             "tgrid_axial_comp_3d_hex_ascii.msh",
         ):
+            if version == (9, 6) and name in ABORTING:
+                print(f"{name} is left out: the reader of VTK 9.6 aborts on it")
+                continue
             path = self.data(f"ansys_fluent/{name}")
             grid = self.fetch(self.read(path))
             case = self.folder / "mesh.cas"
