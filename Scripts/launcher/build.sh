@@ -17,8 +17,8 @@ environment() {
   export VTK_SMP_BACKEND_IN_USE=${VTK_SMP_BACKEND_IN_USE:-STDThread}
   export VTK_SMP_MAX_THREADS=${VTK_SMP_MAX_THREADS:-$threads}
   export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$threads}
-  # More ranks than cores, in Open MPI 4 and 5, and as root.
-  export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
+  # More ranks than cores, in Open MPI 4 and 6, and as root.
+  export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_mapby=:oversubscribe
   export HWLOC_COMPONENTS=${HWLOC_COMPONENTS:--gl} # which looks for displays that are not ours
   [[ $EUID != 0 ]] || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   if [[ ! -d ${XDG_RUNTIME_DIR:-} ]]; then
@@ -34,6 +34,9 @@ environment() {
   elif [[ $paraview == host ]]; then
     export PATH=$prefix/bin:$PATH
   fi
+  # In Open MPI 5; a later one warns of this name.
+  [[ $("${enter[@]}" mpiexec --version 2>&1) != *'(Open MPI) 5.'* ]] ||
+    export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
   export PYTHONPATH=$top/Scripts${PYTHONPATH:+:$PYTHONPATH}
 }
 
