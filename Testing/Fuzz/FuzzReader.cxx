@@ -15,12 +15,28 @@
 
 using namespace camaron::testing;
 
+namespace
+{
+//------------------------------------------------------------------------------
+// So that a finding whose file is lost can be tried again: printf '...' makes the file.
+void Print(const std::string& bytes)
+{
+  std::fputs("printf '", stderr);
+  for (const char byte : bytes)
+  {
+    const bool isPlain = byte >= ' ' && byte <= '~' && byte != '\'' && byte != '\\' && byte != '%';
+    std::fprintf(stderr, isPlain ? "%c" : "\\%03o", static_cast<unsigned char>(byte));
+  }
+  std::fputs("'\n", stderr);
+}
+}
+
 //------------------------------------------------------------------------------
 // Options that need not be named at every call; what is named there comes later and counts.
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
 {
   static std::vector<std::string> all = {
-    "-timeout=5",        // seconds for one input
+    "-timeout=60", // seconds for one input, of which it may wait any; ReaderTrial counts those of the processor
     "-rss_limit_mb=2048", // of the whole program, sanitizer and corpus included
     "-malloc_limit_mb=64", // for one request; inputs are far smaller
     "-max_len=16384",    // enough for some hundred rows of anything
@@ -66,6 +82,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (!reading.Fault.empty())
   {
     std::fprintf(stderr, "%s: %s\n", GetFormat().Name.c_str(), reading.Fault.c_str());
+    Print(bytes);
     std::abort();
   }
   return 0;
