@@ -3,6 +3,7 @@
 #include "TetGenArrays.h"
 
 #include "CellMesh/OutputWarnings.h"
+#include "TetGenRows.h"
 
 #include "vtkDataSetAttributes.h"
 
@@ -98,6 +99,11 @@ TetGenArrays::TetGenArrays(
   std::stable_sort(this->Attributes.begin(), this->Attributes.end(),
     [&](const Column& a, const Column& b)
     { return GetRank(a.Name, this->First) < GetRank(b.Name, this->First); });
+  // Those that are too many for a reader are named as not written.
+  if (this->Attributes.size() > MaxTetGenAttributes)
+  {
+    this->Attributes.resize(MaxTetGenAttributes);
+  }
 }
 
 //------------------------------------------------------------------------------

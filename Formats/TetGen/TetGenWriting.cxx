@@ -117,6 +117,9 @@ public:
     if (options.Arrays)
     {
       this->PointArrays = TetGenArrays(mesh->GetPointData(), "attr_0", true);
+    }
+    if (options.Arrays && this->Elements.Size > 0)
+    {
       this->CellArrays = TetGenArrays(mesh->GetCellData(), "Region", this->HasFaces());
     }
   }

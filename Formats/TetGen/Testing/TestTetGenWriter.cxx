@@ -3,6 +3,7 @@
 // Files of TetGen and Triangle that we write: exact bytes, the same mesh when they are read again,
 // and no file of two meshes.
 #include "TestMeshes.h"
+#include "TetGenRows.h"
 #include "TetGenSamples.h"
 #include "vtkTetGenWriter.h"
 
@@ -266,6 +267,29 @@ TEST(TetGenWriter, PointsWithoutElements)
   const WrittenFiles empty = Write(MakeGrid({}, {}));
   EXPECT_EQ(empty.Files.at("node"), "0 3 0 0\n");
   EXPECT_TRUE(empty.Read("ele").Errors.empty());
+  // What cells have that are no elements is not announced as attributes of elements.
+  AddArray<vtkDoubleArray>(cloud->GetCellData(), "Region", { 1, 2 });
+  const WrittenFiles regions = Write(cloud);
+  EXPECT_EQ(regions.Files.at("ele"), "0 4 0\n");
+  ASSERT_EQ(regions.Warnings.size(), 1u);
+  EXPECT_NE(regions.Warnings[0].find("not written: Region"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a file is written that the reader refuses.
+TEST(TetGenWriter, MoreArraysThanAttributes)
+{
+  const Grid grid = MakeTwoTetrahedra();
+  for (int i = 0; i <= MaxTetGenAttributes; ++i)
+  {
+    AddArray<vtkIntArray>(grid->GetCellData(), ("attr_" + std::to_string(i)).c_str(), { 1, 2 });
+  }
+  const WrittenFiles written = Write(grid);
+  ASSERT_TRUE(written.Success);
+  EXPECT_NE(written.Warnings[0].find("not written: attr_1000"), std::string::npos)
+    << written.Warnings[0];
+  EXPECT_EQ(written.Files.at("ele").substr(0, 9), "2 4 1000\n");
+  EXPECT_TRUE(written.Read("ele").Errors.empty());
 }
 
 //------------------------------------------------------------------------------
