@@ -81,7 +81,7 @@ def convert(
         if not formats.own_writer(target):
             notes += _pieces_that_stay(Path(source))
         proxy = _suitable(made, target, notes)
-        write(proxy, target, options, notes)
+        write(proxy, target, options, notes, Path(source))
         return notes
     finally:
         for proxy in reversed(made):
@@ -280,11 +280,12 @@ def write(
     target: os.PathLike | str,
     options: dict[str, Any],
     notes: Optional[list[str]] = None,
+    source: Optional[Path] = None,
 ) -> list[str]:
     """Writes to a temporary name, then renames; returns the names of the files and folders made.
 
-    Formats of several files (.vtm, .node and .ele) have further names. What the writer warns of is
-    added to `notes`.
+    Formats of several files (.vtm, .node and .ele) have further names; none of them may belong to the
+    mesh of the file `source`. What the writer warns of is added to `notes`.
     """
     target = Path(target)
     with Staging(target.parent) as staging, pipeline.Messages() as messages:
@@ -307,10 +308,11 @@ def write(
         if messages.errors or (not names and pipeline.is_first_rank()):
             reason = messages.errors[0] if messages.errors else "nothing was written"
             raise RuntimeError(_with_path(target, proofs.plain_reason(reason, staging.path)))
-        _check_companions(target, names)
+        _check_companions(target, names, source)
         staging.publish()
         if notes is not None:
             notes += messages.warnings
+            notes += _companions_that_stay(target, names)
             notes += _lost_in_surfaces(proxy, target)
             if table:
                 notes.append(
@@ -345,8 +347,20 @@ def _name_as_asked(path: Path) -> None:
         numbered.rename(path)
 
 
-def _check_companions(target: Path, names: list[str]) -> None:
+def _are_of_one_mesh(a: Path, b: Path) -> bool:
+    """Whether files are by their names companions in a format of the plugin that takes several for a mesh."""
+    kinds = formats.own_extensions(formats.own_writer(b))
+    return a.suffix.lower() in kinds and same_file(a.parent, b.parent) and a.stem == b.stem
+
+
+def _check_companions(target: Path, names: list[str], source: Optional[Path]) -> None:
     """RuntimeError if files or folders that come with the target would replace those of another mesh."""
+    replaced = [place for place in (target.parent / name for name in names) if place.exists()]
+    if source and replaced and len(names) > 1 and _are_of_one_mesh(source, target):
+        raise RuntimeError(
+            f"{target}: {', '.join(map(str, replaced))} would be replaced, which belongs to the mesh of "
+            f"{source}: choose another name"
+        )
     if target.exists():
         return  # they are its own
     for place in (target.parent / name for name in names):
@@ -360,6 +374,14 @@ def _check_companions(target: Path, names: list[str]) -> None:
                 f"{target}: it comes with the file {place}, which is there already: choose another "
                 "name, or remove the file"
             )
+
+
+def _companions_that_stay(target: Path, names: list[str]) -> list[str]:
+    """A sentence on files of another mesh that will be taken for companions of those that were written."""
+    kinds = formats.own_extensions(formats.own_writer(target)) if len(names) > 1 else []
+    old = [target.stem + kind for kind in kinds if target.stem + kind not in names]
+    old = [name for name in old if (target.parent / name).exists()]
+    return [f"Files beside it do not belong to this mesh: {', '.join(old)}."] if old else []
 
 
 def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:

@@ -162,6 +162,11 @@ def written_instead(path: os.PathLike | str) -> Optional[str]:
     return None
 
 
+def own_extensions(writer: Optional[str]) -> list[str]:
+    """Extensions of the files of the plugin's format with that writer: [".ele", ".node", ...]."""
+    return ["." + e.lower() for f in own_formats() if writer and f["writer"] == writer for e in f["extensions"]]
+
+
 def own_counterpart(reader: str) -> Optional[str]:
     """The proxy of the plugin that writes what a proxy of it reads, or None."""
     return next((f["writer"] for f in own_formats() if f["reader"] == reader), None)

@@ -410,6 +410,15 @@ class TestConvert(camaron_testing.TestCase):
                 convert(self.mesh(), self.folder / name)
                 self.assertEqual(self.cells(self.folder / name), 2)
         self.assertFalse((self.folder / "n.0.case").exists())
+        # Nor those of the mesh itself; and what stays of another one is told.
+        before = [(self.folder / name).read_bytes() for name in ("m.node", "m.ele")]
+        with self.assertRaisesRegex(RuntimeError, "m.node: .*m.ele, .*belongs to the mesh of .*m.ele"):
+            convert(self.folder / "m.ele", self.folder / "m.node", first_id=1)
+        after = [(self.folder / name).read_bytes() for name in ("m.node", "m.ele")]
+        self.assertEqual(after, before)
+        (self.folder / "m.neigh").write_text("old")
+        notes = convert(self.mesh(), self.folder / "m.ele")
+        self.assertIn("Files beside it do not belong to this mesh: m.neigh.", notes)
 
     def test_killed(self):
         """Whatever ends the process while it writes, no folder of its own stays behind."""
