@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -24,17 +25,30 @@ namespace
 constexpr int FirstZone = 2; // as most writers count, after an interior zone 1
 
 //------------------------------------------------------------------------------
+// Kinds of boundaries and Fluent's numbers of them; the first one of a number is the usual one.
+constexpr std::pair<const char*, int> BoundaryTypes[] = { { "interior", 2 }, { "wall", 3 },
+  { "pressure-inlet", 4 }, { "inlet-vent", 4 }, { "intake-fan", 4 }, { "pressure-outlet", 5 },
+  { "exhaust-fan", 5 }, { "outlet-vent", 5 }, { "symmetry", 7 }, { "shadow", 8 },
+  { "pressure-far-field", 9 }, { "velocity-inlet", 10 }, { "periodic", 12 }, { "fan", 14 },
+  { "porous-jump", 14 }, { "radiator", 14 }, { "mass-flow-inlet", 20 }, { "interface", 24 },
+  { "overset", 25 }, { "outflow", 36 }, { "axis", 37 } };
+
+//------------------------------------------------------------------------------
 // Fluent's number of a kind of boundary; 0 for what is none.
 int GetBoundaryType(const std::string& name)
 {
-  static const std::map<std::string, int> types = { { "interior", 2 }, { "wall", 3 },
-    { "pressure-inlet", 4 }, { "inlet-vent", 4 }, { "intake-fan", 4 }, { "pressure-outlet", 5 },
-    { "exhaust-fan", 5 }, { "outlet-vent", 5 }, { "symmetry", 7 }, { "shadow", 8 },
-    { "pressure-far-field", 9 }, { "velocity-inlet", 10 }, { "periodic", 12 }, { "fan", 14 },
-    { "porous-jump", 14 }, { "radiator", 14 }, { "mass-flow-inlet", 20 }, { "interface", 24 },
-    { "overset", 25 }, { "outflow", 36 }, { "axis", 37 } };
-  const auto type = types.find(name);
-  return type != types.end() ? type->second : 0;
+  const auto type = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
+    [&](const std::pair<const char*, int>& known) { return known.first == name; });
+  return type != std::end(BoundaryTypes) ? type->second : 0;
+}
+
+//------------------------------------------------------------------------------
+// The usual kind of boundary of a number; empty for a number that is of none.
+std::string GetBoundaryName(int number)
+{
+  const auto type = std::find_if(std::begin(BoundaryTypes), std::end(BoundaryTypes),
+    [&](const std::pair<const char*, int>& known) { return known.second == number; });
+  return type != std::end(BoundaryTypes) ? type->first : "";
 }
 
 //------------------------------------------------------------------------------
@@ -485,10 +499,11 @@ void FluentOutput::AddFaceSection(vtkIdType begin, vtkIdType end, int id)
   }
   constexpr int Polygons = 5;
   section.Element = large ? Polygons : same && size > 1 ? size : 0;
-  const std::string type = hasInside ? "interior" : "wall";
-  const FluentZone zone = id > 0 ? this->Describe(id, type) : this->MakeZone(type, FirstZone + 1);
   const auto marked = this->MarkedTypes.find(id);
   section.Type = marked != this->MarkedTypes.end() ? marked->second : 0;
+  const std::string given = GetBoundaryName(section.Type);
+  const std::string type = !given.empty() ? given : hasInside ? "interior" : "wall";
+  const FluentZone zone = id > 0 ? this->Describe(id, type) : this->MakeZone(type, FirstZone + 1);
   section.Type = section.Type > 0 ? section.Type : zone.BoundaryType;
   section.Type = section.Type > 0 || id == 0 ? section.Type : GetBoundaryType(zone.Type);
   section.Type = section.Type > 0 ? section.Type

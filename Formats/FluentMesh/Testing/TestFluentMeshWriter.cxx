@@ -334,6 +334,26 @@ TEST(FluentMeshWriter, KeepsZonesOfMergedBlocks)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, other programs take a boundary for a wall whose kind is known of its cells only.
+TEST(FluentMeshWriter, NamesZonesByTheKindOfTheirCells)
+{
+  Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 3 } } });
+  for (const char* name : { "Zone", "BoundaryType" })
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(name);
+    array->InsertNextValue(1);
+    array->InsertNextValue(*name == 'Z' ? 5 : 10);
+    grid->GetCellData()->AddArray(array);
+  }
+  const Written written = Write(grid);
+  ASSERT_EQ(written.Success, 1);
+  EXPECT_NE(written.Bytes.find("(45 (5 velocity-inlet velocity-inlet-5)())"), std::string::npos)
+    << written.Bytes;
+}
+
+//------------------------------------------------------------------------------
 // If this fails, one side of a thin wall, which is a face with a zone of its own, gets lost.
 TEST(FluentMeshWriter, KeepsBothSidesOfThinWalls)
 {
