@@ -573,7 +573,7 @@ bool PLYBinaryRows::ReadColumns(
         }
         for (const PLYColumn& column : columns)
         {
-          WithConversion(this->Element.Properties[column.Property].Type, column,
+          WithConversion(this->Element.Properties[column.Property].Type, column, this->OddColours,
             [&](auto in, auto out, auto convert)
             {
               using In = decltype(in);

@@ -9,6 +9,7 @@
 
 #include "PLYRows.h"
 
+#include <atomic>      // for counts
 #include <type_traits> // for the kinds of types
 
 namespace camaron
@@ -32,9 +33,26 @@ std::uint8_t ToColour(In value)
   }
 }
 
-/// Calls @a function(in, out, convert) with values of the types of a property and of its column.
+/// Whether ToColour keeps the value.
+template <typename In>
+bool IsColour(In value)
+{
+  if constexpr (std::is_floating_point<In>::value)
+  {
+    return value >= In(0) && value <= In(1);
+  }
+  else
+  {
+    return value >= In(0) && static_cast<std::uint64_t>(value) <= 255;
+  }
+}
+
+/**
+ * Calls @a function(in, out, convert) with values of the types of a property and of its column; @a oddColours gets how
+ * many have no colour.
+ */
 template <typename Function>
-void WithConversion(PLYType type, const PLYColumn& column, Function&& function)
+void WithConversion(PLYType type, const PLYColumn& column, std::atomic<vtkIdType>& oddColours, Function&& function)
 {
   WithType(type,
     [&](auto in)
@@ -42,7 +60,15 @@ void WithConversion(PLYType type, const PLYColumn& column, Function&& function)
       using In = decltype(in);
       if (column.Conversion == PLYConversion::Colour)
       {
-        function(in, std::uint8_t(), [](In value) { return ToColour(value); });
+        function(in, std::uint8_t(),
+          [&oddColours](In value)
+          {
+            if (!IsColour(value))
+            {
+              oddColours.fetch_add(1, std::memory_order_relaxed);
+            }
+            return ToColour(value);
+          });
       }
       else if (column.Type == type)
       {

@@ -473,6 +473,12 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
     const std::string names = "rows of " + Quote(part.Rows->GetElement().Name);
     this->Messages.Add(part.Rows->GetLongRows(), name.c_str(), names.c_str(),
       "with more values than the header says");
+    if (const vtkIdType odd = part.Rows->CountOddColours())
+    {
+      this->Messages.Add(CountOf(odd, "colour value", "colour values") + " of " +
+        Quote(part.Rows->GetElement().Name) +
+        " beyond 0 to 1, or 0 to 255 if integers, for which the nearest is shown");
+    }
   }
   return good && !progress.IsStopped();
 }

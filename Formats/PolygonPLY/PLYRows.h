@@ -15,6 +15,7 @@
 #include "Scan/IdSet.h"
 #include "Scan/Progress.h"
 
+#include <atomic> // for counts
 #include <memory> // for rows
 #include <vector> // for columns
 
@@ -116,6 +117,8 @@ public:
     const std::string& found) = 0;
   /// Rows that hold more than the header says.
   const Tally& GetLongRows() const { return this->LongRows; }
+  /// Values of colours that have been read for which there is no colour.
+  vtkIdType CountOddColours() const { return this->OddColours; }
 
 protected:
   explicit PLYRows(const PLYElement& element)
@@ -126,6 +129,7 @@ protected:
 
   PLYElement Element;
   Tally LongRows;
+  mutable std::atomic<vtkIdType> OddColours{ 0 };
 };
 }
 

@@ -342,7 +342,7 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
   const PLYType type = this->Element.Properties[column.Property].Type;
   const std::string& what = this->Values[column.Property];
   bool good = false;
-  WithConversion(type, column,
+  WithConversion(type, column, this->OddColours,
     [&](auto in, auto out, auto convert)
     {
       using In = decltype(in);

@@ -151,6 +151,27 @@ TEST(PolygonPLYReader, NormalsColoursAndTextures)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, colours are changed without a word.
+TEST(PolygonPLYReader, ColoursBeyondTheirRange)
+{
+  for (const char* format : { "ascii", "binary_little_endian" })
+  {
+    Sample sample;
+    Element& vertices = sample.AddElement("vertex");
+    vertices.Add("float", "x").Add("float", "y").Add("float", "z");
+    vertices.Add("float", "red").Add("float", "green").Add("float", "blue");
+    vertices.Rows = { { { 0 }, { 0 }, { 0 }, { 0 }, { 127 }, { 0.5 } },
+      { { 1 }, { 0 }, { 0 }, { -1 }, { 1 }, { 255 } } };
+    const Result result = ReadBytes(sample.Encode(format));
+    ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
+    ASSERT_EQ(result.Warnings.size(), 1u);
+    EXPECT_NE(result.Warnings[0].find("3 colour values of 'vertex' beyond 0 to 1"), std::string::npos)
+      << result.Warnings[0];
+    EXPECT_EQ(result.Grid->GetPointData()->GetArray("RGB")->GetComponent(0, 1), 255);
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, vectors that our writer took apart stay so, or others are put together.
 TEST(PolygonPLYReader, VectorsThatCommentsTellOf)
 {
