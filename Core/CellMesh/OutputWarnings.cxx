@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/OutputWarnings.h"
 
+#include "CellMesh/OutputMesh.h"
 #include "Criteria/CellGeometry.h"
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
@@ -261,7 +262,7 @@ bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, 
 }
 
 //------------------------------------------------------------------------------
-void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
+void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnings& warnings)
 {
   constexpr double EnoughOfSize = 1e-6;
   const int allDigits = MeshView(mesh).HasFloatPoints() ? 9 : 17;
@@ -291,14 +292,14 @@ void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings)
       ": set Digits to 17 to keep them");
     return;
   }
-  const MeshView view(mesh);
-  const auto isRounded = [&](vtkIdType id)
+  const auto isRounded = [&](vtkIdType point)
   {
     double x[3];
-    view.GetPoint(id, x);
+    output.GetPoint(point, x);
     return !std::all_of(x, x + 3, [digits](double v) { return HasDigits(v, digits); });
   };
-  const Tally rounded = CountWhere(view.GetNumberOfPoints(), [&] { return isRounded; });
+  Tally rounded = CountWhere(output.GetNumberOfPoints(), [&] { return isRounded; });
+  rounded.First = rounded.Count > 0 ? output.GetInputPoint(rounded.First) : -1;
   const std::string fate =
     "rounded to " + std::to_string(digits) + " digits (Digits 17 keeps all)";
   warnings.Add(rounded, "point", "points", fate.c_str());

@@ -18,6 +18,8 @@ class vtkDataSet;
 
 namespace camaron
 {
+class OutputMesh;
+
 /// Names of the arrays of a mesh that are written.
 struct WrittenArrays
 {
@@ -61,11 +63,11 @@ bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, 
   const std::string& path, Warnings& warnings, ScanError& error);
 
 /**
- * Warns of points whose coordinates have more than so many significant digits, and where those keep
- * less than a millionth of the size of the mesh, as far from the origin or as they are so few.
+ * Warns of points that are written and whose coordinates have more than so many significant digits, and where those
+ * keep less than a millionth of the size of the mesh, as far from the origin or as they are so few.
  * @param digits 0 for as many as there are
  */
-void WarnOfDigits(vtkDataSet* mesh, int digits, Warnings& warnings);
+void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnings& warnings);
 
 /**
  * Warns of 3D cells of negative volume, other than polyhedra, for formats that give cells by faces

@@ -144,14 +144,13 @@ bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& 
     }
     WarnOfArrays(mesh, GetName(dialect), warnings, written);
   }
-  WarnOfDigits(mesh, options.Digits, warnings);
-
   const CellConversion how{ GetName(dialect), GetTypes(dialect), options.Others };
   OutputMesh output;
   if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
   {
     return false;
   }
+  WarnOfDigits(mesh, output, options.Digits, warnings);
   const std::string points = std::to_string(output.GetNumberOfPoints());
   const std::string cells = std::to_string(output.GetNumberOfCells());
 

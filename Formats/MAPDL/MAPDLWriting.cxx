@@ -435,7 +435,7 @@ bool WriteMAPDL(const std::string& path, vtkDataSet* mesh, const MAPDLWriteOptio
   const std::vector<Component> components = FindComponents(mesh, written, warnings);
   const DeckWriter writer(mesh, output, options);
   writer.Warn(mesh, std::move(written), warnings);
-  WarnOfDigits(mesh, options.Digits, warnings);
+  WarnOfDigits(mesh, output, options.Digits, warnings);
   OutputFile file(path);
   const bool good = writer.Write(file, components, progress.Part(0.3, 1)) && file.Commit();
   error = file.GetError();

@@ -286,7 +286,7 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
   }
   else
   {
-    WarnOfDigits(mesh, options.Digits, warnings);
+    WarnOfDigits(mesh, output, options.Digits, warnings);
     // Camarón wants the counts in the second line.
     file.Write(
       columns.GetKeyword() + "\n" + std::to_string(points) + " " + std::to_string(faces) + " 0\n");

@@ -57,6 +57,21 @@ void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, points that are not in the file are counted, or are named by their place there.
+TEST(M3DWriter, TellsOfRoundedPointsThatAreWritten)
+{
+  const Grid grid = MakeGrid(
+    { { 1. / 3, 0, 0 }, { 2. / 3, 1, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1. / 3 } },
+    { { VTK_LINE, { 0, 1 } }, { VTK_TETRA, { 2, 3, 4, 5 } } });
+  const Written file = Write(grid, "test.m3d",
+    [](vtkM3DWriter* w) { w->SetUnsupportedCells(vtkM3DWriter::SKIP); });
+  ASSERT_TRUE(file.Success);
+  const auto tells = [](const std::string& text)
+  { return text.find("1 point rounded to 9 digits (Digits 17 keeps all): point 5") != std::string::npos; };
+  EXPECT_EQ(std::count_if(file.Warnings.begin(), file.Warnings.end(), tells), 1);
+}
+
+//------------------------------------------------------------------------------
 TEST(M3DWriter, WritesWhatGeneratorsWrite)
 {
   const Grid grid = MakeGrid(
