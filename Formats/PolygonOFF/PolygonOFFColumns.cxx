@@ -128,6 +128,12 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
     {
       warnings.Add("the mesh has no texture coordinates to write");
     }
+    else if (this->Texture->GetNumberOfComponents() != 2)
+    {
+      const bool isMore = this->Texture->GetNumberOfComponents() > 2;
+      warnings.Add(std::string("OFF files hold two texture coordinates: ") +
+        (isMore ? "the third one is not written" : "a second one of 0 is added"));
+    }
   }
 
   WrittenArrays written;

@@ -254,6 +254,18 @@ TEST(PolygonOFFWriter, ColorsOfAllTypes)
     });
   EXPECT_EQ(without.Bytes, "OFF\n1 0 0\n0 0 0\n");
   EXPECT_EQ(without.Warnings.size(), 2u);
+  for (const int components : { 1, 3 })
+  {
+    const Grid grid = MakeDecorated();
+    AddArray<vtkDoubleArray>(grid->GetPointData(), "UVW", components, 0, 0.1);
+    grid->GetPointData()->SetActiveTCoords("UVW");
+    const Written changed =
+      Write(grid, [](vtkPolygonOFFWriter* w) { w->WriteTextureCoordinatesOn(); });
+    ASSERT_TRUE(changed.Success);
+    const auto tells = [](const std::string& text)
+    { return text.find("two texture coordinates") != std::string::npos; };
+    EXPECT_EQ(std::count_if(changed.Warnings.begin(), changed.Warnings.end(), tells), 1) << components;
+  }
 }
 
 //------------------------------------------------------------------------------
