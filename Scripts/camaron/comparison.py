@@ -13,7 +13,7 @@ from typing import Any, Callable, Iterable, Optional
 from paraview import simple
 
 from . import comparison_report, facts, pipeline, tables, text
-from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, set_groups
+from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, list_names, set_groups
 from .files import Staging, same_file
 from .json_text import to_json
 
@@ -71,7 +71,7 @@ def compare(
     directory = Path(directory)
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
-    criteria = None if criteria is None else list(criteria)
+    criteria = list_names(criteria)
     pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     with Evaluation(paths[0], time) as first, Evaluation(paths[1], time) as second:

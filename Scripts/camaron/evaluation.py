@@ -66,6 +66,17 @@ class Evaluation:
             )
 
 
+def list_names(criteria: Iterable[str] | str | None) -> Optional[list[str]]:
+    """The names in a list of them, or in a text such as "Volume,Diameter"; None for none.
+
+    >>> list_names("all")
+    ['all']
+    """
+    if criteria is None:
+        return None
+    return criteria.split(",") if isinstance(criteria, str) else list(criteria)
+
+
 def choose_criteria(
     quality: Any,
     preset: Optional[str],

@@ -15,7 +15,7 @@ from typing import Any, Callable, Iterable, Optional
 from paraview import simple
 
 from . import conversion, facts, pictures, pipeline, ranking, report, tables, text
-from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, set_groups
+from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, list_names, set_groups
 from .files import Staging, same_file
 from .json_text import to_json
 
@@ -58,7 +58,7 @@ def inspect(
     directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
-    criteria = None if criteria is None else list(criteria)
+    criteria = list_names(criteria)
     pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
     with Evaluation(mesh, time) as evaluated:

@@ -246,7 +246,7 @@ class TestInspect(camaron_testing.TestCase):
         """Types, blocks and arrays divide the cells; the numbers of a group are those of its cells."""
         _, _, cells = camaron_testing.read_visf(FLANGE)
         sizes = numpy.array([len(cell) for cell in cells])
-        summary = self.inspect(FLANGE, criteria=["FaceCount", "Volume"])
+        summary = self.inspect(FLANGE, criteria="FaceCount,Volume")
         groups = {g["group"]: g for g in summary["criteria"][1]["groups"]}
         self.assertEqual(groups["tetrahedra"]["count"], (sizes == 4).sum())
         self.assertEqual(sum(g["count"] for g in groups.values()), len(cells))
