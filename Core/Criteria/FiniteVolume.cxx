@@ -249,7 +249,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "Null (no neighbour) for a cell without neighbours. Collapsed faces, centroids in the same "
         "place and neighbours with coordinates that are not finite are passed over; null (degenerate) "
         "when nothing is left.",
-        "checkMesh's for planar faces, to the digits it prints. Fluent reports the cosine: see "
+        "checkMesh's for planar convex faces, to the digits it prints. Fluent reports the cosine: see "
         "`OrthogonalQuality`." } },
     { "MaxBoundaryNonOrthogonality", "Largest non-orthogonality at the boundary",
       "Largest angle between the line to the centre of a boundary face and the normal of that face.",
@@ -271,7 +271,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "of the faces",
         "Infinite where d lies in the plane of the face, as for a flat cell; collapsed faces are "
         "passed over, null (degenerate) when all are. Inverted or not makes no difference.",
-        "checkMesh's for planar faces, to the digits it prints. Fluent, Gmsh and Verdict mean other "
+        "checkMesh's for planar convex faces, to the digits it prints. Fluent, Gmsh and Verdict mean other "
         "things by skewness." } },
     { "MinFaceWeight", "Smallest face weight",
       "Smaller distance of a face from the two centroids, along its normal, divided by the sum of both.",
@@ -281,7 +281,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       { "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the smallest of the inner "
         "faces",
         "As `MaxNonOrthogonality`; 0 where a centroid lies in the plane of the face.",
-        "checkMesh's \"face interpolation weight\" for planar faces, to the digits it prints." } },
+        "checkMesh's \"face interpolation weight\" for planar convex faces, to the digits it prints." } },
     { "MinVolumeRatio", "Smallest volume ratio",
       "Smaller divided by larger volume (area) of the cell and a neighbour, the worst of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
