@@ -17,6 +17,7 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -103,14 +104,15 @@ std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
   {
     leaves.push_back({ data, 0, 0, "" });
   }
-  else if (vtkDataObjectTree::SafeDownCast(input))
+  else if (vtkDataObjectTree::SafeDownCast(input) && !vtkUniformGridAMR::SafeDownCast(input))
   {
     unsigned int flatIndex = 0;
     AddTree(input, flatIndex, 0, "", leaves);
   }
   else if (composite)
   {
-    // Adaptive meshes: their levels and boxes are the same on all processes.
+    // Adaptive meshes: their levels and boxes are the same on all processes. (Trees, too, from VTK 9.6 on, whose iterator
+    // counts in its own way.)
     vtkSmartPointer<vtkCompositeDataIterator> it;
     it.TakeReference(composite->NewIterator());
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())

@@ -80,9 +80,9 @@ vec3 lineThrough(vec4 a, vec4 b)
 #endif
 
 // A corner of what is drawn: between two points of the mesh, or at one of them.
-uint firstPoint;
-uint secondPoint;
-float between;
+uint firstPoint = 0u;
+uint secondPoint = 0u;
+float between = 0.0;
 
 vec4 ofPlace(samplerBuffer table)
 {

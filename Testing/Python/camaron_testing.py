@@ -74,6 +74,12 @@ def rank_count():
     return pipeline.rank_count()
 
 
+def paraview_version():
+    """Major and minor version of ParaView."""
+    manager = servermanager.vtkSMProxyManager
+    return manager.GetVersionMajor(), manager.GetVersionMinor()
+
+
 def own_cells(data):
     """Which cells of a data set are no copies of those of another rank, as an array of bool."""
     ghosts = data.GetCellGhostArray()

@@ -5,6 +5,7 @@
 
 import shutil
 import struct
+import unittest
 from collections import Counter
 from pathlib import Path
 
@@ -182,6 +183,10 @@ class TestVisf(camaron_testing.TestCase):
             _, polygons, polyhedra = counts(names[i])
             self.assertEqual(self.information(source)[1], polyhedra or polygons)
 
+    @unittest.skipIf(
+        camaron_testing.rank_count() > 1 and camaron_testing.paraview_version() >= (6, 1),
+        "ParaView 6.1 does not come back from LoadState on several ranks, whatever the state",
+    )
     def test_state(self):
         path = str(self.folder / "mesh.visf")
         shutil.copy(EXAMPLES / "flange.visf", path)
