@@ -111,8 +111,8 @@ std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
   }
   else if (composite)
   {
-    // Adaptive meshes: their levels and boxes are the same on all processes. (Trees, too, from VTK 9.6 on, whose iterator
-    // counts in its own way.)
+    // Adaptive meshes, whose levels and boxes are the same on all processes. From VTK 9.6 on they are trees, too, but
+    // their iterator counts in its own way.
     vtkSmartPointer<vtkCompositeDataIterator> it;
     it.TakeReference(composite->NewIterator());
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())

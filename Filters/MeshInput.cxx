@@ -150,7 +150,10 @@ vtkSmartPointer<vtkDataSet> AsMesh(vtkDataSet* data)
     append->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); // coordinates are computed
   }
   append->Update();
-  return WithoutHidden(append->GetOutput());
+  vtkUnstructuredGrid* const grid = append->GetOutput();
+  grid->GetPointData()->ShallowCopy(data->GetPointData()); // with the global ids
+  grid->GetCellData()->ShallowCopy(data->GetCellData());
+  return WithoutHidden(grid);
 }
 
 //------------------------------------------------------------------------------

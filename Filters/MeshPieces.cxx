@@ -10,6 +10,7 @@
 #include "Elements/MismatchedFaces.h"
 #include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
+#include "RepeatedGhosts.h"
 #include "RunTogether.h"
 #include "SharedCopies.h"
 
@@ -35,7 +36,8 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
       {
         CheckPointIds(leaf.Data);
         this->FirstCopies.push_back(FindFirstCopies(leaf.Data));
-        this->Meshes.push_back(AsMesh(ShareCopiesOfPoints(leaf.Data, this->FirstCopies.back())));
+        this->Meshes.push_back(AsMesh(
+          HideRepeatedGhosts(ShareCopiesOfPoints(leaf.Data, this->FirstCopies.back()))));
         vtkDataSet* mesh = this->Meshes.back();
         this->Topologies.push_back(std::make_unique<MeshTopology>(mesh));
         LinkedPiece piece;

@@ -237,8 +237,9 @@ std::vector<unsigned char> FindUsedPoints(const MeshView& mesh)
   std::vector<unsigned char> isUsed(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
+    const bool isEmpty = mesh.GetCellType(cell) == VTK_EMPTY_CELL; // a hidden one
     const IndexRange points = mesh.GetCellPoints(cell);
-    for (vtkIdType i = 0; i < points.Size; ++i)
+    for (vtkIdType i = 0; i < points.Size && !isEmpty; ++i)
     {
       isUsed[points[i]] = 1;
     }

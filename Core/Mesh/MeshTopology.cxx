@@ -122,8 +122,9 @@ PointCells FindPointCells(const MeshView& mesh)
     mesh,
     [&mesh](CellFacets&, vtkIdType cell, auto&& put)
     {
+      const bool isEmpty = mesh.GetCellType(cell) == VTK_EMPTY_CELL; // a hidden one, whatever its points
       const IndexRange points = mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i < points.Size; ++i)
+      for (vtkIdType i = 0; i < points.Size && !isEmpty; ++i)
       {
         put(points[i], static_cast<Index>(cell));
       }

@@ -52,7 +52,8 @@ bool IsColour(In value)
  * many have no colour.
  */
 template <typename Function>
-void WithConversion(PLYType type, const PLYColumn& column, std::atomic<vtkIdType>& oddColours, Function&& function)
+void WithConversion(PLYType type, const PLYColumn& column, std::atomic<vtkIdType>& oddColours,
+  Function&& function)
 {
   WithType(type,
     [&](auto in)

@@ -220,10 +220,12 @@ class TestElementsRanks(camaron_testing.TestCase):
             self.check(mesh, source, f"ids, ghosts {ghosts}", global_ids=True)
 
     def test_appended(self):
-        """Several pieces in one data set: points of their borders are there more than once."""
-        for mesh in ("voronoi", "mixed", "surfaces"):
-            source = rank_meshes.split_source(mesh, global_ids=True, scattered=True, appended=3)
-            self.check(mesh, source, "appended", global_ids=True)
+        """Several pieces in one data set: points of their borders are there more than once, with ghosts cells, too."""
+        for mesh, ghosts in (("voronoi", False), ("voronoi", True), ("mixed", True), ("surfaces", False)):
+            source = rank_meshes.split_source(
+                mesh, ghosts=ghosts, global_ids=True, scattered=True, appended=3
+            )
+            self.check(mesh, source, f"appended, ghosts {ghosts}", global_ids=True)
 
     def test_scattered(self):
         """Without ids faces may be seen from their other side, and cells have other numbers."""

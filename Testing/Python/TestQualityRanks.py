@@ -227,10 +227,12 @@ class TestQualityRanks(camaron_testing.TestCase):
             self.check(mesh, source, f"ids, ghosts {ghosts}")
 
     def test_appended(self):
-        """Several pieces in one data set: points of their borders are there more than once."""
-        for mesh in ("voronoi", "surfaces"):
-            source = rank_meshes.split_source(mesh, global_ids=True, scattered=True, appended=3)
-            self.check(mesh, source, "appended")
+        """Several pieces in one data set: points of their borders are there more than once, with ghosts cells, too."""
+        for mesh, ghosts in (("voronoi", False), ("voronoi", True), ("surfaces", True)):
+            source = rank_meshes.split_source(
+                mesh, ghosts=ghosts, global_ids=True, scattered=True, appended=3
+            )
+            self.check(mesh, source, f"appended, ghosts {ghosts}")
 
     def test_global_ids_decide(self):
         """Points at the same place with different ids are not the same: the pieces only touch."""

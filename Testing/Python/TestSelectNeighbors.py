@@ -21,7 +21,7 @@ SPLITS = (
     {"scattered": True, "ghosts": True},
     {"ghosts": True, "empty_rank": True},
 )
-APPENDED = {"scattered": True, "global_ids": True, "appended": 3}
+APPENDED = {"scattered": True, "global_ids": True, "appended": 3, "ghosts": True}
 if camaron_testing.rank_count() == 1:
     MESHES, SPLITS = ("voronoi", "tetrahedra", "overlapping", "surfaces", "mixed"), (SPLITS[0], APPENDED)
 else:

@@ -256,26 +256,31 @@ def make_part(
     """What a rank has; with `empty_rank` the first of several has no cell.
 
     With `broken_ids` ranks do not agree on the ids of points, with `mixed_precision` not on their type.
-    With `appended`, the rank has so many pieces in one grid, as readers of files of pieces make it.
+    With `appended`, the rank has so many pieces in one grid, as readers of files of pieces make it; with `ghosts`
+    each with its own, so that the grid has cells several times.
     """
     points, cells = {**MESHES, **LOOSE}[mesh]()
     skipped = 1 if empty_rank and ranks > 1 else 0
     owners = owners_of(cells, ranks - skipped, scattered) + skipped
     own = [n for n in range(len(cells)) if owners[n] == rank]
-    copies = []
-    if ghosts:
-        touched = set().union(*(points_of(cells[n]) for n in own))
-        copies = [
-            n for n in range(len(cells)) if owners[n] != rank and points_of(cells[n]) & touched
-        ]
+
+    def copies_around(numbers):
+        touched = set().union(*(points_of(cells[n]) for n in numbers))
+        others = set(range(len(cells))) - set(numbers) if ghosts else ()
+        return [n for n in sorted(others) if points_of(cells[n]) & touched]
+
     first_id = 1000 + broken_ids * rank if global_ids else None
     is_float = mixed_precision and rank % 2 == 1
     if not own:
         return vtkUnstructuredGrid()
     if appended > 1:
         chunks = [chunk.tolist() for chunk in numpy.array_split(own, appended) if len(chunk)]
-        return append([take(points, cells, chunk, (), first_id, is_float) for chunk in chunks])
-    return take(points, cells, own, copies, first_id, is_float)
+        parts = [
+            take(points, cells, chunk, copies_around(chunk), first_id, is_float)
+            for chunk in chunks
+        ]
+        return append(parts)
+    return take(points, cells, own, copies_around(own), first_id, is_float)
 
 
 def make_blocks(mesh, rank, ranks, parts=1, global_ids=False, mixed_precision=False):
