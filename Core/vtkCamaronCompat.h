@@ -11,6 +11,8 @@
 
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
@@ -76,6 +78,16 @@ inline vtkDataArray* GetCellTypes(vtkUnstructuredGrid* grid)
 #else
   return grid->GetCellTypesArray();
 #endif
+}
+
+/**
+ * Data of blocks within blocks; null for anything else. Adaptive meshes become trees in VTK 9.6, but their iterator
+ * counts boxes as it did before, which is not how trees are counted, and they hold no other data sets than grids;
+ * delete this when their classes are gone, and call SafeDownCast instead.
+ */
+inline vtkDataObjectTree* GetTree(vtkDataObject* data)
+{
+  return vtkUniformGridAMR::SafeDownCast(data) ? nullptr : vtkDataObjectTree::SafeDownCast(data);
 }
 }
 

@@ -5,6 +5,7 @@
 #include "MeshPieces.h"
 #include "SharedCopies.h"
 #include "Selection/SharedElements.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -17,7 +18,6 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
-#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -104,15 +104,14 @@ std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
   {
     leaves.push_back({ data, 0, 0, "" });
   }
-  else if (vtkDataObjectTree::SafeDownCast(input) && !vtkUniformGridAMR::SafeDownCast(input))
+  else if (GetTree(input))
   {
     unsigned int flatIndex = 0;
     AddTree(input, flatIndex, 0, "", leaves);
   }
   else if (composite)
   {
-    // Adaptive meshes, whose levels and boxes are the same on all processes. From VTK 9.6 on they are trees, too, but
-    // their iterator counts in its own way.
+    // Adaptive meshes: their levels and boxes are the same on all processes.
     vtkSmartPointer<vtkCompositeDataIterator> it;
     it.TakeReference(composite->NewIterator());
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())

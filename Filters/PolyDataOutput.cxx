@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataOutput.h"
 
+#include "vtkCamaronCompat.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
@@ -23,7 +25,7 @@ void MakePolyDataOutputs(vtkInformationVector** inputVector, vtkInformationVecto
   for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
   {
     vtkSmartPointer<vtkDataObject> wanted;
-    if (vtkDataObjectTree::SafeDownCast(input))
+    if (GetTree(input))
     {
       wanted.TakeReference(input->NewInstance());
     }

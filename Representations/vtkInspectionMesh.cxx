@@ -10,6 +10,7 @@
 #include "Mesh/FacetLinks.h"
 #include "MeshInput.h"
 #include "MeshPieces.h"
+#include "vtkCamaronCompat.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
@@ -191,7 +192,7 @@ void FillTree(vtkDataObject* input,
   const std::map<unsigned int, vtkSmartPointer<vtkUnstructuredGrid>>& blocks,
   vtkDataObjectTree* output)
 {
-  auto* tree = vtkDataObjectTree::SafeDownCast(input);
+  vtkDataObjectTree* tree = GetTree(input);
   if (!tree)
   {
     auto* list = vtkMultiBlockDataSet::SafeDownCast(output);
@@ -261,7 +262,7 @@ int vtkInspectionMesh::RequestDataObject(
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0], 0);
   const int type = !vtkCompositeDataSet::SafeDownCast(input) ? VTK_UNSTRUCTURED_GRID
-    : vtkPartitionedDataSetCollection::SafeDownCast(input) ||
+    : vtkPartitionedDataSetCollection::SafeDownCast(GetTree(input)) ||
       vtkPartitionedDataSet::SafeDownCast(input)
     ? VTK_PARTITIONED_DATA_SET_COLLECTION
     : VTK_MULTIBLOCK_DATA_SET;

@@ -278,7 +278,8 @@ bool ConvertCells(vtkDataSet* mesh, const CellConversion& how, const std::string
       HasUnsupported(found) ? DescribeRefusal(how, found, false, path)
                             : GetFileName(path) + ": " + how.Format +
           " files can hold none of the " + std::to_string(output.GetInput().GetNumberOfCells()) +
-          " cells, as these have too few points" };
+          " cells, as these have too few points" +
+          (how.Surface == SurfaceFaces::Boundary ? ", or no face at the boundary" : "") };
     return false;
   }
   found.NumberOfLostPoints = builder.DropPoints();

@@ -184,7 +184,7 @@ private:
         this->Add(blocks->GetBlock(i));
       }
     }
-    else if (auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(data))
+    else if (auto* const collection = vtkPartitionedDataSetCollection::SafeDownCast(GetTree(data)))
     {
       for (unsigned int i = 0; i < collection->GetNumberOfPartitionedDataSets(); ++i)
       {

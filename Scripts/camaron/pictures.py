@@ -45,7 +45,8 @@ COLORS = [
 def can_render() -> bool:
     """Whether there is a display, or a ParaView that needs none; it crashes where neither is."""
     information = vtkPVRenderingCapabilitiesInformation()
-    return information.Supports(information.GetLocalCapabilities(), information.OPENGL)
+    with pipeline.Messages():  # VTK 9.6 warns of the X server that is not there before it does without
+        return information.Supports(information.GetLocalCapabilities(), information.OPENGL)
 
 
 class Scene:

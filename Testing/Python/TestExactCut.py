@@ -103,8 +103,9 @@ class TestExactCut(PictureTestCase):
         jumps = numpy.zeros_like(lines)
         for axis in (0, 1):
             jumps |= numpy.abs(cells - numpy.roll(cells, 1, axis)).max(axis=2) > 8
-        near = lambda marks: sum(
-            numpy.roll(marks, (i, k), (0, 1)).astype(int) for i in (-1, 0, 1) for k in (-1, 0, 1)
+        # Not the sum of Python, over which the script of a filter puts that of VTK 9.6.
+        near = lambda marks: numpy.sum(
+            [numpy.roll(marks, (i, k), (0, 1)) for i in (-1, 0, 1) for k in (-1, 0, 1)], axis=0
         )
         self.assertGreater(jumps.sum(), 4000)
         # The rim of the cut is no edge.
@@ -112,12 +113,12 @@ class TestExactCut(PictureTestCase):
         self.assertLess((lines & (near(near(jumps)) == 0)).sum(), 0.05 * lines.sum())
 
     def test_offset(self):
-        """A plane with an offset cuts where the offset puts it."""
+        """A plane with an offset, in lengths of its normal, cuts where the offset puts it."""
         mesh = hexahedra()
         frame = simple.Outline(Input=mesh)
         plane = self.show(mesh, CutBy="Exactly", CutShape="Plane").CutShape
         pictures = []
-        for origin, offset in (([0.9, 1.2, 0], 0), ([0, 0, 0], 1.5), ([0, 0, 0], 0)):
+        for origin, offset in (([0.9, 1.2, 0], 0), ([0, 0, 0], 0.3), ([0, 0, 0], 0)):
             plane.Origin, plane.Normal, plane.Offset = origin, [3, 4, 0], offset
             pictures.append(self.take(frame))
         self.same(*pictures[:2])

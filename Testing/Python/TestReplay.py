@@ -11,14 +11,15 @@ from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 #: What the filters are set to.
 PROPERTIES = {
     "ElementQuality": {
-        "Criteria": ["KernelRatio", "MaxDihedralAngle", "VertexCount"],
+        # In their own order, in which ParaView 6.1 puts them.
+        "Criteria": ["VertexCount", "MaxDihedralAngle", "KernelRatio"],
         "AngleUnits": "Radians",
         "WriteNullMask": 1,
     },
     "MeshElements": {
         "FaceArrays": ["FaceCellCount", "NonOrthogonality"],
         "EdgeArrays": ["EdgeAngleSum"],
-        "VertexArrays": ["VertexAngleSum", "IsBoundary"],
+        "VertexArrays": ["IsBoundary", "VertexAngleSum"],
     },
     "SelectElements": {
         "Strategy": "Half-spaces",
@@ -123,6 +124,8 @@ class TestReplay(camaron_testing.TestCase):
     def test_active_selection(self):
         for way in ("trace", "state"):
             with self.subTest(way):
+                if way == "trace" and not camaron_testing.traces_have_selections():
+                    self.skipTest("traces of ParaView 6.1 leave out what has a selection")
                 simple.ResetSession()
                 camaron_testing.pipeline.load_plugin()
                 if way == "trace":

@@ -84,10 +84,11 @@ class TestSelectByMouse(WindowTestCase):
             *self.list("after"),
             options=[f"--state={state}"],
         )
-        self.replay(trace, LIST.replace("PATH", repr(str(self.folder / "replayed.json"))))
         before, after = self.found("before"), self.found("after")
         self.assertEqual(before, after)
-        self.assertEqual(before, self.found("replayed"))
+        if camaron_testing.traces_have_selections():
+            self.replay(trace, LIST.replace("PATH", repr(str(self.folder / "replayed.json"))))
+            self.assertEqual(before, self.found("replayed"))
         picked, grown, faces, outer = (numpy.array(before[str(i)]) for i in (1, 2, 3, 4))
         ends = before["ends"]
         # Cells of the surface in the middle of the view, and not most of it.

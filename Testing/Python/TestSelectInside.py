@@ -303,6 +303,8 @@ class TestSelectInside(camaron_testing.TestCase):
             self.assertIn(reason, messages.errors[0])
         for shape in ("Sphere", "Cylinder"):
             for radius in (-1, math.nan):
+                if shape == "Cylinder" and radius == -1 and camaron_testing.paraview_version() >= (6, 1):
+                    continue  # whose vtkCylinder takes 0 for it
                 select = simple.SelectElements(Input=source, Strategy="Shape", Shape=shape)
                 select.Shape.Radius = radius
                 with camaron_testing.pipeline.Messages() as messages:

@@ -580,6 +580,9 @@ class TestStatistics(camaron_testing.TestCase):
         everything.UpdatePipeline()
         everything.UpdatePropertyInformation()
         self.assertEqual(everything.GetPropertyValue("NumberOfSelectedElements"), row["Count"])
+        surface = simple.MeshSurface(Input=pulse)
+        surface.UpdatePipeline()
+        self.assertGreater(surface.GetDataInformation().GetNumberOfCells(), 100)
 
     def test_images_and_surfaces(self):
         """Input need not be an unstructured grid."""

@@ -80,6 +80,11 @@ def paraview_version():
     return manager.GetVersionMajor(), manager.GetVersionMinor()
 
 
+def traces_have_selections():
+    """From 6.1 on only states have them; what has a selection as its input is left out of traces."""
+    return paraview_version() < (6, 1)
+
+
 def own_cells(data):
     """Which cells of a data set are no copies of those of another rank, as an array of bool."""
     ghosts = data.GetCellGhostArray()
