@@ -149,6 +149,8 @@ class Scenes:
         display.SetRepresentationType("Mesh Inspection")
         if color or display.ColorArrayName[1]:
             simple.ColorBy(display, color)
+        if color:
+            display.LookupTable.ApplyPreset("Cool to Warm", True)  # no longer the default in ParaView 6
         display.SetScalarBarVisibility(self.view, False)
         if "CutShape" in properties:
             display.CutShape = properties["CutShape"]
