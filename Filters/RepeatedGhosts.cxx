@@ -2,75 +2,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RepeatedGhosts.h"
 
-#include "Mesh/MeshView.h"
+#include "Mesh/DuplicateCells.h"
 
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <map>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace camaron
 {
 namespace
 {
-/// The points of a cell, sorted, and its global id.
-using CellKey = std::pair<std::vector<vtkIdType>, double>;
-
 //------------------------------------------------------------------------------
-CellKey GetKey(const MeshView& mesh, vtkIdType cell, vtkDataArray* globalIds)
+// The ghost cells, and others that have points of ghost cells only.
+std::vector<Index> FindCandidates(const MeshView& mesh, const std::vector<bool>& isGhost)
 {
-  const IndexRange points = mesh.GetCellPoints(cell);
-  CellKey key({}, globalIds ? globalIds->GetComponent(cell, 0) : 0);
-  for (vtkIdType i = 0; i < points.Size; ++i)
-  {
-    key.first.push_back(points[i]);
-  }
-  std::sort(key.first.begin(), key.first.end());
-  return key;
-}
-
-//------------------------------------------------------------------------------
-std::vector<vtkIdType> FindRepeatedGhosts(
-  const MeshView& mesh, vtkUnsignedCharArray* ghosts, vtkDataArray* globalIds)
-{
-  const auto isGhost = [ghosts](vtkIdType cell)
-  { return (ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL) != 0; };
-  std::vector<vtkIdType> repeated;
-  std::map<CellKey, vtkIdType> copies; // the first of each
   std::vector<bool> isOfGhost(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
-    if (!isGhost(cell))
+    const IndexRange points = mesh.GetCellPoints(cell);
+    for (vtkIdType i = 0; i < points.Size && isGhost[cell]; ++i)
     {
-      continue;
-    }
-    const CellKey key = GetKey(mesh, cell, globalIds);
-    if (!copies.emplace(key, cell).second)
-    {
-      repeated.push_back(cell);
-    }
-    for (const vtkIdType point : key.first)
-    {
-      isOfGhost[static_cast<std::size_t>(point)] = true;
+      isOfGhost[points[i]] = true;
     }
   }
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && !copies.empty(); ++cell)
+  std::vector<Index> candidates;
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     const IndexRange points = mesh.GetCellPoints(cell);
-    bool mayBe = !isGhost(cell);
-    for (vtkIdType i = 0; i < points.Size && mayBe; ++i)
+    vtkIdType i = 0;
+    while (i < points.Size && isOfGhost[points[i]])
     {
-      mayBe = isOfGhost[static_cast<std::size_t>(points[i])];
+      ++i;
     }
-    const auto copy = mayBe ? copies.find(GetKey(mesh, cell, globalIds)) : copies.end();
-    if (copy != copies.end())
+    if (i == points.Size)
     {
-      repeated.push_back(copy->second);
-      copies.erase(copy);
+      candidates.push_back(static_cast<Index>(cell));
+    }
+  }
+  return candidates;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Index> FindRepeatedGhosts(
+  const MeshView& mesh, const std::vector<bool>& isGhost, vtkDataArray* globalIds)
+{
+  const auto getId = [globalIds](Index cell) { return globalIds ? globalIds->GetComponent(cell, 0) : 0; };
+  const std::vector<Index> candidates = FindCandidates(mesh, isGhost);
+  std::vector<Index> repeated;
+  for (std::vector<Index>& group : FindDuplicateCells(mesh, 0, &candidates))
+  {
+    // Of those of one id the first stays, which is the original if there is one.
+    std::sort(group.begin(), group.end(),
+      [&](Index a, Index b)
+      {
+        return std::make_tuple(getId(a), bool(isGhost[a]), a) < std::make_tuple(getId(b), bool(isGhost[b]), b);
+      });
+    for (std::size_t i = 1; i < group.size(); ++i)
+    {
+      if (isGhost[group[i]] && getId(group[i]) == getId(group[i - 1]))
+      {
+        repeated.push_back(group[i]);
+      }
     }
   }
   return repeated;
@@ -86,15 +82,24 @@ vtkSmartPointer<vtkDataSet> HideRepeatedGhosts(vtkDataSet* mesh)
   {
     return mesh;
   }
-  const std::vector<vtkIdType> repeated =
-    FindRepeatedGhosts(view, ghosts, mesh->GetCellData()->GetGlobalIds());
+  std::vector<bool> isGhost;
+  for (vtkIdType cell = 0; cell < ghosts->GetNumberOfValues(); ++cell)
+  {
+    isGhost.push_back(ghosts->GetValue(cell) & vtkDataSetAttributes::DUPLICATECELL);
+  }
+  if (std::find(isGhost.begin(), isGhost.end(), true) == isGhost.end())
+  {
+    return mesh;
+  }
+  const std::vector<Index> repeated =
+    FindRepeatedGhosts(view, isGhost, mesh->GetCellData()->GetGlobalIds());
   if (repeated.empty())
   {
     return mesh;
   }
   vtkNew<vtkUnsignedCharArray> marks;
   marks->DeepCopy(ghosts);
-  for (const vtkIdType cell : repeated)
+  for (const Index cell : repeated)
   {
     marks->SetValue(cell, marks->GetValue(cell) | vtkDataSetAttributes::HIDDENCELL);
   }

@@ -55,18 +55,21 @@ struct HashedCell
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::vector<Index>> FindDuplicateCells(const MeshView& mesh)
+std::vector<std::vector<Index>> FindDuplicateCells(
+  const MeshView& mesh, int leastDimension, const std::vector<Index>* among)
 {
-  std::vector<HashedCell> cells(static_cast<std::size_t>(mesh.GetNumberOfCells()));
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
+  const vtkIdType size = among ? static_cast<vtkIdType>(among->size()) : mesh.GetNumberOfCells();
+  std::vector<HashedCell> cells(static_cast<std::size_t>(size));
+  ParallelFor(size, Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
       const CellFacets facets(mesh);
       std::vector<vtkIdType> signature;
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      for (vtkIdType i = begin; i < end; ++i)
       {
+        const Index cell = among ? (*among)[i] : static_cast<Index>(i);
         GetSignature(mesh, cell, facets.GetDimension(cell), signature);
-        cells[cell] = { Hash(signature), static_cast<Index>(cell) };
+        cells[i] = { Hash(signature), cell };
       }
     });
   WithThreads([&] { vtkSMPTools::Sort(cells.begin(), cells.end()); });
@@ -83,7 +86,7 @@ std::vector<std::vector<Index>> FindDuplicateCells(const MeshView& mesh)
     for (auto cell = first; last - first > 1 && cell != last; ++cell)
     {
       const int dimension = facets.GetDimension(cell->Cell);
-      if (dimension >= 2)
+      if (dimension >= leastDimension)
       {
         alike.emplace_back(std::vector<vtkIdType>(), cell->Cell);
         GetSignature(mesh, cell->Cell, dimension, alike.back().first);

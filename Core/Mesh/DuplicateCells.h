@@ -15,10 +15,13 @@
 namespace camaron
 {
 /**
- * Groups of two or more cells of the same dimension, 2 or 3, that have the same set of point ids; each ascending.
+ * Groups of two or more cells of the same dimension that have the same set of point ids; each ascending.
  * Finds them in parallel, in n log(n) time however many cells are alike.
+ * @param leastDimension of the cells that are looked at
+ * @param among only these cells; all if none are given
  */
-std::vector<std::vector<Index>> FindDuplicateCells(const MeshView& mesh);
+std::vector<std::vector<Index>> FindDuplicateCells(
+  const MeshView& mesh, int leastDimension = 2, const std::vector<Index>* among = nullptr);
 }
 
 #endif

@@ -221,7 +221,8 @@ class TestElementsRanks(camaron_testing.TestCase):
 
     def test_appended(self):
         """Several pieces in one data set: points of their borders are there more than once, with ghosts cells, too."""
-        for mesh, ghosts in (("voronoi", False), ("voronoi", True), ("mixed", True), ("surfaces", False)):
+        meshes = ("voronoi", False), ("mixed", False), ("surfaces", False), ("voronoi", True), ("mixed", True)
+        for mesh, ghosts in meshes:
             source = rank_meshes.split_source(
                 mesh, ghosts=ghosts, global_ids=True, scattered=True, appended=3
             )

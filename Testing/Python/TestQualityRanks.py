@@ -228,7 +228,7 @@ class TestQualityRanks(camaron_testing.TestCase):
 
     def test_appended(self):
         """Several pieces in one data set: points of their borders are there more than once, with ghosts cells, too."""
-        for mesh, ghosts in (("voronoi", False), ("voronoi", True), ("surfaces", True)):
+        for mesh, ghosts in (("voronoi", False), ("surfaces", False), ("voronoi", True), ("surfaces", True)):
             source = rank_meshes.split_source(
                 mesh, ghosts=ghosts, global_ids=True, scattered=True, appended=3
             )

@@ -21,9 +21,10 @@ SPLITS = (
     {"scattered": True, "ghosts": True},
     {"ghosts": True, "empty_rank": True},
 )
-APPENDED = {"scattered": True, "global_ids": True, "appended": 3, "ghosts": True}
+APPENDED = {"scattered": True, "global_ids": True, "appended": 3}
 if camaron_testing.rank_count() == 1:
-    MESHES, SPLITS = ("voronoi", "tetrahedra", "overlapping", "surfaces", "mixed"), (SPLITS[0], APPENDED)
+    MESHES = ("voronoi", "tetrahedra", "overlapping", "surfaces", "mixed")
+    SPLITS = (SPLITS[0], APPENDED, {**APPENDED, "ghosts": True})
 else:
     MESHES, SPLITS = ("voronoi", "surfaces", "mixed"), SPLITS[1:]
 KINDS = ("Face", "Edge", "Vertex")
