@@ -52,11 +52,11 @@ void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
 }
 
 /**
- * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk, then
- * @a place(begin, end, sumBefore) for each; returns the total.
+ * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk, @a prepare(total), then
+ * @a place(begin, end, sumBefore) for each chunk; returns the total.
  */
-template <typename Count, typename Place>
-vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& place)
+template <typename Count, typename Prepare, typename Place>
+vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Prepare&& prepare, Place&& place)
 {
   const vtkIdType numberOfChunks = (size + chunk - 1) / chunk;
   std::vector<vtkIdType> sums(numberOfChunks + 1, 0);
@@ -73,6 +73,7 @@ vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& p
   {
     sums[c + 1] += sums[c];
   }
+  prepare(sums[numberOfChunks]);
   ParallelFor(numberOfChunks, 1,
     [&](vtkIdType first, vtkIdType end)
     {
@@ -82,6 +83,13 @@ vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& p
       }
     });
   return sums[numberOfChunks];
+}
+
+/// The same with nothing to prepare.
+template <typename Count, typename Place>
+vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Place&& place)
+{
+  return ParallelScan(size, chunk, count, [](vtkIdType) {}, place);
 }
 }
 

@@ -46,6 +46,8 @@ public:
         }
       });
   }
+  /// Those of the chunk that begins with a cell; of another object made for as many cells, too.
+  std::vector<Index>& GetPlaces(vtkIdType begin) { return this->Places[begin / this->Chunk]; }
   /// Turns numbers of items into places; returns where the buckets begin, and behind them the number of all items.
   std::vector<Index> Place();
 

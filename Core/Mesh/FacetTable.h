@@ -90,6 +90,7 @@ public:
 private:
   friend class FacetMatcher;
   friend class FacetTableBuilder;
+  friend class TetrahedronFaces;
 
   ///@{
   /// In place of the second cell.

@@ -105,14 +105,13 @@ FacetTable FacetTableBuilder::Build(
 {
   FacetTableBuilder builder(mesh, dimension);
   builder.CountFacets();
-  if (static_cast<Index>(given.size()) == builder.NumberOfUses && !given.empty())
+  const bool areGiven = static_cast<Index>(given.size()) == builder.NumberOfUses && !given.empty();
+  if (builder.AreTetrahedra && !areGiven && TetrahedronFaces::Fill(mesh, builder.Table))
   {
-    builder.MatchGiven(given, numberOfGiven);
+    return std::move(builder.Table);
   }
-  else
-  {
-    builder.MatchUses();
-  }
+  builder.ClearUses();
+  areGiven ? builder.MatchGiven(given, numberOfGiven) : builder.MatchUses();
   builder.NumberFacets();
   builder.ListCells();
   builder.KeepCollapsed();
@@ -196,7 +195,12 @@ void FacetTableBuilder::CountFacets()
   }
   this->NumberOfUses = static_cast<Index>(total);
   this->Table.CellFacets.resize(total);
-  ParallelFor(total, UseChunk,
+}
+
+//------------------------------------------------------------------------------
+void FacetTableBuilder::ClearUses()
+{
+  ParallelFor(this->NumberOfUses, UseChunk,
     [this](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType use = begin; use < end; ++use)
@@ -237,10 +241,6 @@ void FacetTableBuilder::ForEachSoundFacet(CellFacets& facets, vtkIdType cell, Pu
 // Leaves in CellFacets for every use the first one with the same points: itself, or the complement of another one.
 void FacetTableBuilder::MatchUses()
 {
-  if (this->AreTetrahedra && MatchTetrahedronFaces(this->Mesh, this->Table.CellFacets))
-  {
-    return;
-  }
   const Buckets buckets = this->FillBuckets(static_cast<Index>(this->Mesh.GetNumberOfPoints()),
     [this](CellFacets& facets, vtkIdType cell, auto&& put)
     {

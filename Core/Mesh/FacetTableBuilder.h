@@ -38,6 +38,7 @@ private:
   struct Buckets;
 
   void CountFacets();
+  void ClearUses();
   void MatchUses();
   void MatchGiven(const std::vector<Index>& given, Index numberOfGiven);
   void NumberFacets();
