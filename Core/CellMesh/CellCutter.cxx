@@ -112,6 +112,24 @@ double CellCutter::GetVolume(const Tetrahedron& t) const
 }
 
 //------------------------------------------------------------------------------
+// Consistent faces run along every edge once in either direction; where parts of a cell meet at one, as often in either.
+bool CellCutter::IsConsistent()
+{
+  std::sort(this->Edges.begin(), this->Edges.end());
+  if (std::adjacent_find(this->Edges.begin(), this->Edges.end()) == this->Edges.end())
+  {
+    return true;
+  }
+  std::vector<std::pair<vtkIdType, vtkIdType>> reversed;
+  for (const auto& [a, b] : this->Edges)
+  {
+    reversed.emplace_back(b, a);
+  }
+  std::sort(reversed.begin(), reversed.end());
+  return reversed == this->Edges;
+}
+
+//------------------------------------------------------------------------------
 void CellCutter::CutCell(vtkIdType cell)
 {
   this->Tetrahedra.clear();
@@ -130,10 +148,7 @@ void CellCutter::CutCell(vtkIdType cell)
         }
       }
     });
-  // Consistent faces run along every edge once in either direction.
-  std::sort(this->Edges.begin(), this->Edges.end());
-  const bool consistent =
-    std::adjacent_find(this->Edges.begin(), this->Edges.end()) == this->Edges.end();
+  const bool consistent = this->IsConsistent();
 
   this->Facets.ForEach(cell,
     [&](const vtkIdType* points, vtkIdType size, vtkIdType)

@@ -67,6 +67,7 @@ private:
     return { x[0], x[1], x[2] };
   }
   void Fan(const vtkIdType* points, vtkIdType size, vtkIdType first);
+  bool IsConsistent();
   bool CanFan(const vtkIdType* points, vtkIdType size, vtkIdType first);
 
   const MeshView& Mesh;
@@ -75,8 +76,7 @@ private:
   std::vector<Tetrahedron> Tetrahedra;
   std::vector<vtkIdType> Points;
   std::vector<Vector> Normals;
-  std::vector<std::pair<vtkIdType, vtkIdType>> Edges;
-  std::vector<std::vector<vtkIdType>> Faces;
+  std::vector<std::pair<vtkIdType, vtkIdType>> Edges; ///< of all faces, as these run
   vtkSmartPointer<vtkPolygon> Polygon;
   vtkNew<vtkIdList> Ears;
 };

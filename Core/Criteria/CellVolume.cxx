@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The volume of CellGeometry, and which way faces have to point for it.
 #include "Criteria/CellGeometry.h"
-#include "Criteria/CellShells.h"
+#include "Geometry/ClosedShell.h"
 
 namespace camaron
 {
@@ -36,6 +36,25 @@ void CellGeometry::ComputeVolume()
 }
 
 //------------------------------------------------------------------------------
+// The shells that the topology tells apart, cut into triangles at the centres of faces.
+static std::vector<ClosedShell> GetShells(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  std::vector<ClosedShell> shells(topology.GetNumberOfShells());
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* ring = topology.GetFace(f);
+    const int size = topology.GetFaceSize(f);
+    for (int i = 0; i < size; ++i)
+    {
+      shells[topology.GetShell(f)].Add(
+        cell.GetFaceCenter(f), cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]));
+    }
+  }
+  return shells;
+}
+
+//------------------------------------------------------------------------------
 void CellGeometry::OrientPolyhedron()
 {
   const int numberOfShells = this->Topology->GetNumberOfShells();
@@ -47,13 +66,13 @@ void CellGeometry::OrientPolyhedron()
   areReversed.assign(numberOfShells, 1);
   if (numberOfShells > 1)
   {
-    const std::vector<CellShell> shells = GetCellShells(*this);
-    const std::vector<unsigned char> areVoids = FindVoids(*this, shells);
+    const std::vector<ClosedShell> shells = GetShells(*this);
+    const std::vector<unsigned char> areVoids = FindVoids(shells);
     for (int i = 0; i < numberOfShells; ++i)
     {
       // One without a volume may point where it does.
       areReversed[i] =
-        !this->IsZeroVolume(shells[i].Volume) && (shells[i].Volume < 0) != (areVoids[i] != 0);
+        !this->IsZeroVolume(shells[i].GetVolume()) && (shells[i].GetVolume() < 0) != (areVoids[i] != 0);
     }
   }
   this->OwnTopology.ReverseShells(areReversed);

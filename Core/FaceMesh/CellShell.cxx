@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceMesh/CellShell.h"
 
+#include "Geometry/ClosedShell.h"
+
 #include <algorithm>
 
 namespace camaron
@@ -219,7 +221,7 @@ void CellShell::LoadPlaces()
 }
 
 //------------------------------------------------------------------------------
-// The usual case in short: where all faces turned away from the mean of the points run consistently,
+// The usual case in short: where all faces turned away from the mean of the points run consistently and make one sphere,
 // that is what the general way finds. Not so if false.
 bool CellShell::TurnFromMean()
 {
@@ -289,7 +291,11 @@ bool CellShell::TurnFromMean()
       last = now;
     }
   }
-  return isConsistent != 0;
+  // As all of it is seen from the mean, Euler's formula tells one sphere from several ones.
+  const std::int32_t numberOfEdges = this->GetNumberOfCorners() / 2;
+  const bool isSphere =
+    static_cast<std::int32_t>(numberOfPoints) - numberOfEdges + this->GetNumberOfFaces() == 2;
+  return isConsistent != 0 && isSphere;
 }
 
 //------------------------------------------------------------------------------
@@ -298,6 +304,7 @@ bool CellShell::TurnConsistently()
   const std::int32_t numberOfFaces = this->GetNumberOfFaces();
   this->Seen.assign(numberOfFaces, 0);
   this->Stack.clear();
+  this->Parts.clear();
   for (std::int32_t start = 0; start < numberOfFaces; ++start)
   {
     if (this->Seen[start])
@@ -305,8 +312,9 @@ bool CellShell::TurnConsistently()
       continue;
     }
     this->Seen[start] = 1;
-    this->Stack.push_back(start); // the faces of one part of the shell stay in the stack
-    const std::size_t first = this->Stack.size() - 1;
+    const std::size_t first = this->Stack.size();
+    this->Parts.push_back(first);
+    this->Stack.push_back(start);
     double volume = 0;
     for (std::size_t next = first; next < this->Stack.size(); ++next)
     {
@@ -343,7 +351,60 @@ bool CellShell::TurnConsistently()
       }
     }
   }
+  this->TurnVoids();
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Parts of the shell that lie within others.
+void CellShell::TurnVoids()
+{
+  if (this->Parts.size() < 2)
+  {
+    return;
+  }
+  this->Parts.push_back(this->Stack.size());
+  std::vector<ClosedShell> shells(this->Parts.size() - 1);
+  for (std::size_t part = 0; part < shells.size(); ++part)
+  {
+    for (std::size_t i = this->Parts[part]; i < this->Parts[part + 1]; ++i)
+    {
+      this->AddTriangles(this->Stack[i], shells[part]);
+    }
+  }
+  const std::vector<unsigned char> areVoids = FindVoids(shells);
+  for (std::size_t part = 0; part < shells.size(); ++part)
+  {
+    for (std::size_t i = this->Parts[part]; i < this->Parts[part + 1]; ++i)
+    {
+      this->Turned[this->Stack[i]] ^= areVoids[part];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Those between the edges of a face and the mean of its points.
+void CellShell::AddTriangles(std::int32_t face, ClosedShell& shell) const
+{
+  std::vector<Vector> ring;
+  Vector sum;
+  for (std::int32_t corner = this->Begins[face]; corner < this->Begins[face + 1]; ++corner)
+  {
+    const double* const x = &this->Places[3 * std::size_t(this->Corners[corner])];
+    ring.push_back({ x[0], x[1], x[2] });
+    sum += ring.back();
+  }
+  if (this->Turned[face])
+  {
+    std::reverse(ring.begin(), ring.end());
+  }
+  const Vector mean = (1.0 / static_cast<double>(ring.size())) * sum;
+  Vector last = ring.back();
+  for (const Vector& next : ring)
+  {
+    shell.Add(mean, last, next);
+    last = next;
+  }
 }
 
 //------------------------------------------------------------------------------

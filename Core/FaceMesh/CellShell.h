@@ -6,8 +6,8 @@
  *
  * A face that two cells share runs outward for one of them at most, and many files do not care at all.
  * If every edge of the cell belongs to two of its faces, the faces of each connected part of the shell
- * are turned to run consistently, and outward by the volume they enclose; a part of no volume follows
- * its first face. A cell that is not closed in this way, or cannot be oriented, keeps its faces as the
+ * are turned to run consistently, and outward by the volume they enclose, or inward if they bound a void;
+ * a part of no volume follows its first face. A cell that is not closed in this way, or cannot be oriented, keeps its faces as the
  * mesh has them. Nothing else is repaired.
  *
  * Cost is linear in the number of corners of all faces. Holds scratch memory: use one per thread.
@@ -21,6 +21,8 @@
 
 namespace camaron
 {
+class ClosedShell;
+
 class CellShell
 {
 public:
@@ -86,6 +88,8 @@ private:
   void LoadPlaces();
   bool TurnFromMean();
   bool TurnConsistently();
+  void TurnVoids();
+  void AddTriangles(std::int32_t face, ClosedShell& shell) const;
   double GetVolumeOfFace(std::int32_t face) const;
 
   PointSource Points;
@@ -102,7 +106,8 @@ private:
   std::vector<std::int32_t> Table;   ///< open hash table of points or edges
   std::vector<std::int32_t> Mates;   ///< per corner the other use of the edge that starts there
   std::vector<std::int32_t> Owners;  ///< per corner its face
-  std::vector<std::int32_t> Stack;
+  std::vector<std::int32_t> Stack;   ///< faces, of one part of the shell after the other
+  std::vector<std::size_t> Parts;    ///< where they begin in Stack
   std::vector<unsigned char> Seen;
   std::vector<double> Places;        ///< coordinates of the points, relative to the first
 };

@@ -524,6 +524,38 @@ TEST(CellConversion, CutsInconsistentPolyhedra)
 }
 
 //------------------------------------------------------------------------------
+// Two cubes that meet at an edge contradict nothing: what lies behind the apex is negative, and told.
+TEST(CellConversion, CutsPolyhedraThatMeetThemselves)
+{
+  Points points;
+  for (const double x : { 0, 1, 2 })
+  {
+    for (const double y : { 0, 1, 2 })
+    {
+      points.push_back({ x, y, 0 });
+      points.push_back({ x, y, 1 });
+    }
+  }
+  const auto addCube = [](vtkIdType low, Faces& faces)
+  {
+    const vtkIdType z = 1, y = 2, x = 6; // steps
+    faces.push_back({ low, low + y, low + x + y, low + x });
+    faces.push_back({ low + z, low + x + z, low + x + y + z, low + y + z });
+    faces.push_back({ low, low + x, low + x + z, low + z });
+    faces.push_back({ low + y, low + y + z, low + x + y + z, low + x + y });
+    faces.push_back({ low, low + z, low + y + z, low + y });
+    faces.push_back({ low + x, low + x + y, low + x + y + z, low + x + z });
+  };
+  Faces faces;
+  addCube(2, faces);
+  addCube(6, faces);
+  const Grid grid = MakePolyhedra(MakePoints(points), { faces });
+  const Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Convert);
+  EXPECT_NEAR(result.GetVolume(), 2, 1e-12);
+  EXPECT_NE(result.GetWarnings().find("have no positive volume"), std::string::npos) << result.GetWarnings();
+}
+
+//------------------------------------------------------------------------------
 // Formats of primitives can hold most meshes of polyhedra, inverted ones included.
 TEST(CellConversion, RecognisesPolyhedra)
 {

@@ -328,6 +328,47 @@ TEST(VisfReader, TurnsFacesOutward)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, the faces around a void point into the cell, and the void counts as if it were filled twice.
+TEST(VisfReader, TurnsFacesIntoVoids)
+{
+  std::mt19937 random(12);
+  const std::vector<std::array<float, 2>> outlines[] = {
+    { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } },
+    { { { 2, 0 } }, { { 1, 2 } }, { { -1, 2 } }, { { -2, 0 } }, { { -1, -2 } }, { { 1, -2 } } }
+  };
+  const double volumes[] = { 3, 12 };
+  for (int i = 0; i < 100; ++i)
+  {
+    VisfMesh mesh = MakePrism(outlines[i % 2]);
+    const VisfMesh inner = MakePrism(outlines[i % 2]);
+    for (const auto& p : inner.Points)
+    {
+      mesh.Points.push_back({ { 0.25f + p[0] / 4, 0.25f + p[1] / 4, 0.25f + p[2] / 2 } });
+    }
+    for (auto polygon : inner.Polygons)
+    {
+      for (auto& id : polygon)
+      {
+        id += static_cast<std::int32_t>(inner.Points.size());
+      }
+      mesh.Polyhedra[0].push_back(static_cast<std::int32_t>(mesh.Polygons.size()));
+      mesh.Polygons.push_back(polygon);
+    }
+    for (auto& polygon : mesh.Polygons)
+    {
+      if (random() % 2)
+      {
+        std::reverse(polygon.begin() + 1, polygon.end());
+      }
+    }
+    std::shuffle(mesh.Polyhedra[0].begin(), mesh.Polyhedra[0].end(), random);
+    const Result result = ReadMesh(mesh, Encoding::Little03);
+    EXPECT_TRUE(result.Warnings.empty());
+    EXPECT_NEAR(GetVolume(result.Grid, 0), volumes[i % 2] * (1 - 1.0 / 32), 1e-12);
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a shared face is given to both cells in the same direction.
 TEST(VisfReader, SharedFacesPointOutwardForBothCells)
 {
