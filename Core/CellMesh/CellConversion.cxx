@@ -5,6 +5,7 @@
 #include "CellMesh/CellConverter.h"
 #include "CellMesh/OutputMesh.h"
 #include "Mesh/MeshTopology.h"
+#include "Mesh/UsedPoints.h"
 #include "Scan/MappedFile.h"
 
 #include "vtkDataSet.h"
@@ -83,18 +84,7 @@ bool OutputMeshBuilder::KeepsAll(const ConversionPlan& plan, bool& isCloud) cons
 void OutputMeshBuilder::WarnOfCloud(Warnings& warnings) const
 {
   const MeshView& mesh = this->Output.Input;
-  std::vector<bool> isVertex(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
-  {
-    const IndexRange points = mesh.GetCellPoints(cell);
-    for (vtkIdType i = 0; i < points.Size; ++i)
-    {
-      if (points[i] >= 0 && points[i] < mesh.GetNumberOfPoints())
-      {
-        isVertex[static_cast<std::size_t>(points[i])] = true;
-      }
-    }
-  }
+  const std::vector<bool> isVertex = FindUsedPoints(mesh);
   Tally alone;
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {

@@ -6,6 +6,7 @@
 #include "Criteria/CellWriter.h"
 #include "Criteria/PieceBorders.h"
 #include "Criteria/SharedPoints.h"
+#include "Mesh/UsedPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -138,15 +139,7 @@ private:
       return;
     }
     const MeshView& mesh = this->Pieces[piece].Topology->GetMesh();
-    std::vector<bool> isUsed(static_cast<std::size_t>(mesh.GetNumberOfPoints()));
-    for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
-    {
-      const IndexRange list = mesh.GetCellPoints(cell);
-      for (vtkIdType i = 0; i < list.Size; ++i)
-      {
-        isUsed[static_cast<std::size_t>(list[i])] = true;
-      }
-    }
+    const std::vector<bool> isUsed = FindUsedPoints(mesh);
     for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
     {
       if (!isUsed[static_cast<std::size_t>(point)])

@@ -6,7 +6,7 @@
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/FacetKey.h"
+#include "Mesh/FacetRing.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
 

@@ -6,6 +6,7 @@
 #include "Elements/Counters.h"
 #include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
+#include "Mesh/UsedPoints.h"
 #include "Parallel.h"
 
 #include "vtkCellArray.h"
@@ -231,23 +232,6 @@ void MarkGhostEdges(
 }
 
 //------------------------------------------------------------------------------
-// Of every point of a mesh whether a cell has it.
-std::vector<unsigned char> FindUsedPoints(const MeshView& mesh)
-{
-  std::vector<unsigned char> isUsed(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
-  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
-  {
-    const bool isEmpty = mesh.GetCellType(cell) == VTK_EMPTY_CELL; // a hidden one
-    const IndexRange points = mesh.GetCellPoints(cell);
-    for (vtkIdType i = 0; i < points.Size && !isEmpty; ++i)
-    {
-      isUsed[points[i]] = 1;
-    }
-  }
-  return isUsed;
-}
-
-//------------------------------------------------------------------------------
 // Vertices, too; those of no cell as the point says. The copies of a piece, which are not in its completed mesh, may
 // have points that no other cell has.
 void MarkGhostVertices(
@@ -255,7 +239,7 @@ void MarkGhostVertices(
 {
   const PointCells& around = context.GetTopology().GetPointCells();
   vtkUnsignedCharArray* ofPoints = context.GetPiece()->GetPointGhostArray();
-  const std::vector<unsigned char> isUsed = FindUsedPoints(MeshView(context.GetPiece()));
+  const std::vector<bool> isUsed = FindUsedPoints(MeshView(context.GetPiece()));
   std::vector<Index> cells;
   for (std::size_t point = 0; point < isKept.size(); ++point)
   {

@@ -53,11 +53,11 @@ public:
         for (vtkIdType f = 0; f < faces.Size; ++f)
         {
           const IndexRange points = this->Mesh.GetPolyhedronFacePoints(faces[f]);
-          this->Points.resize(points.Size);
-          for (vtkIdType i = 0; i < points.Size; ++i)
+          if (this->Points.size() < static_cast<std::size_t>(points.Size))
           {
-            this->Points[i] = points[i];
+            this->Points.resize(points.Size);
           }
+          Copy(points, this->Points.data());
           visit(this->Points.data(), points.Size, f);
         }
         return;
@@ -115,6 +115,13 @@ public:
           visit(points[i], points[i + 1 < size ? i + 1 : 0]);
         }
       });
+  }
+
+  /// Whether a cell lists its facets, as a polyhedron does, so that they are there without a copy.
+  bool ListsFacets(vtkIdType cell) const { return this->Shapes[this->Mesh.GetCellType(cell)].ListsFaces; }
+  IndexRange GetListedFacet(vtkIdType cell, vtkIdType wanted) const
+  {
+    return this->Mesh.GetPolyhedronFacePoints(this->Mesh.GetPolyhedronFaces(cell)[wanted]);
   }
 
   /// Calls @a visit(const vtkIdType* points, vtkIdType numberOfPoints) for one facet.
@@ -184,14 +191,23 @@ public:
 private:
   void AppendListedFace(vtkIdType cell, vtkIdType wanted, std::vector<vtkIdType>& face) const
   {
-    const IndexRange points =
-      this->Mesh.GetPolyhedronFacePoints(this->Mesh.GetPolyhedronFaces(cell)[wanted]);
+    const IndexRange points = this->GetListedFacet(cell, wanted);
     const std::size_t begin = face.size();
     face.resize(begin + points.Size);
-    for (vtkIdType i = 0; i < points.Size; ++i)
+    Copy(points, face.data() + begin);
+  }
+
+  static void Copy(const IndexRange& points, vtkIdType* to)
+  {
+    const auto copy = [&](const auto* from)
     {
-      face[begin + i] = points[i];
-    }
+      for (vtkIdType i = 0; i < points.Size; ++i)
+      {
+        to[i] = from[i];
+      }
+    };
+    points.Values.Values32 ? copy(points.Values.Values32 + points.Begin)
+                           : copy(points.Values.Values64 + points.Begin);
   }
 
   /// The node of a 2D cell that is its corner @a i.

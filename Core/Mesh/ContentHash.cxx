@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ContentHash.h"
 
-#include "Mesh/FacetKey.h"
+#include "Mesh/HashMix.h"
 #include "Parallel.h"
 
 #include "vtkDataArray.h"
@@ -28,15 +28,15 @@ std::uint64_t HashBytes(const unsigned char* bytes, vtkIdType size, std::uint64_
     std::memcpy(words, bytes, sizeof(words));
     for (int i = 0; i < 4; ++i)
     {
-      lanes[i] = FacetKey::Mix(lanes[i], words[i]);
+      lanes[i] = MixHash(lanes[i], words[i]);
     }
   }
   std::memset(words, 0, sizeof(words));
   std::memcpy(words, bytes, static_cast<std::size_t>(size));
-  std::uint64_t hash = FacetKey::Mix(seed, static_cast<std::uint64_t>(size));
+  std::uint64_t hash = MixHash(seed, static_cast<std::uint64_t>(size));
   for (int i = 0; i < 4; ++i)
   {
-    hash = FacetKey::Mix(hash, FacetKey::Mix(lanes[i], words[i]));
+    hash = MixHash(hash, MixHash(lanes[i], words[i]));
   }
   return hash;
 }
@@ -45,7 +45,7 @@ std::uint64_t HashBytes(const unsigned char* bytes, vtkIdType size, std::uint64_
 //------------------------------------------------------------------------------
 std::uint64_t HashContent(vtkDataArray* array, std::uint64_t seed)
 {
-  std::uint64_t hash = FacetKey::Mix(seed, static_cast<std::uint64_t>(array->GetNumberOfValues()));
+  std::uint64_t hash = MixHash(seed, static_cast<std::uint64_t>(array->GetNumberOfValues()));
   if (!array->HasStandardMemoryLayout())
   {
     return hash;
@@ -59,9 +59,9 @@ std::uint64_t HashContent(vtkDataArray* array, std::uint64_t seed)
       for (vtkIdType block = begin; block < end; ++block)
       {
         const vtkIdType first = block * BlockSize;
-        sum += HashBytes(bytes + first, std::min(BlockSize, size - first), FacetKey::Mix(hash, block));
+        sum += HashBytes(bytes + first, std::min(BlockSize, size - first), MixHash(hash, block));
       }
     });
-  return FacetKey::Mix(hash, sum);
+  return MixHash(hash, sum);
 }
 }

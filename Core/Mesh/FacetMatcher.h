@@ -8,58 +8,47 @@
 #define camaron_FacetMatcher_h
 
 #include "Mesh/CellFacets.h"
-#include "Mesh/FacetKey.h"
 #include "Mesh/FacetTable.h"
 
-#include <vector> // for the entries
+#include <vector> // for what is known of uses
 
 namespace camaron
 {
 class FacetMatcher
 {
 public:
-  /// Of @a table the offsets are there, and cell facets for all uses.
+  /// Of @a table the offsets are there, and in place of its cell facets hashes of the points of all uses.
   FacetMatcher(const MeshView& mesh, FacetTable& table)
     : Table(table)
+    , CellsPerUse(table.Stride > 0 ? 1.0 / table.Stride : 0)
     , Facets(mesh)
+    , OtherFacets(mesh)
   {
   }
 
   /**
    * Leaves in the cell facets of ascending uses the first of these with the same points: a use itself, or the complement
-   * of another one and whether it runs against it.
+   * of another one and whether it runs against it. Only those with the same hash are compared.
    */
   void Match(const Index* uses, Index size);
 
-  /// The same where the table has hashes of the uses and few have the same. Only these are compared.
-  void MatchHashed(const Index* uses, Index size);
-
 private:
-  struct Entry
-  {
-    FacetKey Key;
-    std::uint64_t Hash;
-    vtkIdType Begin, Size; // in Points, if the key is hashed
-    Index Next;            // with the same hash
-  };
-
   void FindAlike(const Index* uses, Index size);
-  void LoadEntries(const Index* uses, Index size);
-  void Load(Entry& entry, const vtkIdType* points, vtkIdType size);
-  bool IsSame(const Entry& a, const Entry& b) const
-  {
-    return a.Key == b.Key && (!a.Key.IsHashed() || this->HaveSamePoints(a, b));
-  }
-  bool HaveSamePoints(const Entry& a, const Entry& b) const;
+  bool AreSame(Index use, Index other, vtkIdType cell, vtkIdType otherCell, bool& isReversed);
   vtkIdType FindCell(Index use, vtkIdType from) const;
 
   FacetTable& Table;
-  CellFacets Facets;
-  std::vector<Entry> Entries;
-  std::vector<Index> Lists; // of entries with the same hash
-  std::vector<Index> Alike; // uses with the same hash as another one
-  std::vector<unsigned char> IsAlike;
-  std::vector<vtkIdType> Points, Sorted;
+  double CellsPerUse; ///< if all have as many
+  CellFacets Facets, OtherFacets;
+  ///@{
+  /// Of every use of the bucket.
+  std::vector<Index> Hashes;
+  std::vector<Index> Firsts; // the first one with the same hash
+  std::vector<Index> Nexts;  // of those that are different, but have the same hash
+  std::vector<unsigned char> AreAlike;
+  std::vector<Index> Cells; // of those that are alike
+  ///@}
+  std::vector<Index> Slots; // of a hash table of the first ones
 };
 }
 

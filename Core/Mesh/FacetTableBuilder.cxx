@@ -3,8 +3,9 @@
 #include "Mesh/FacetTableBuilder.h"
 
 #include "Mesh/CellBuckets.h"
-#include "Mesh/FacetKey.h"
 #include "Mesh/FacetMatcher.h"
+#include "Mesh/FacetRing.h"
+#include "Mesh/HashMix.h"
 #include "Mesh/TetrahedronFaces.h"
 #include "Parallel.h"
 
@@ -21,7 +22,8 @@ namespace
 {
 constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType UseChunk = 1 << 16;
-constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // a use must fit CellFacet with its direction bit
+constexpr vtkIdType MaxUses = vtkIdType(1) << 30;   // a use must fit CellFacet with its direction bit
+constexpr vtkIdType MaxPoints = vtkIdType(1) << 31; // that Index can number
 
 //------------------------------------------------------------------------------
 // Numbers from 0 on that facets of the same points have in common, in whatever order and each however often. Few
@@ -42,20 +44,52 @@ public:
 
   Index operator()(const vtkIdType* points, vtkIdType size) const
   {
-    vtkIdType smallest = points[0], largest = points[0], all = points[0], any = points[0];
-    for (vtkIdType i = 1; i < size; ++i)
+    vtkIdType smallest = points[0];
+    std::uint64_t sum = 0, seen = 0, twice = 0;
+    for (vtkIdType i = 0; i < size; ++i)
     {
+      const std::uint64_t hash = MixHash(1, static_cast<std::uint64_t>(points[i]));
+      const std::uint64_t bit = std::uint64_t(1) << (hash >> 58);
+      twice |= seen & bit;
+      seen |= bit;
+      sum += hash;
       smallest = std::min(smallest, points[i]);
-      largest = std::max(largest, points[i]);
-      all &= points[i];
-      any |= points[i];
     }
-    const std::uint64_t ends = FacetKey::Mix(1, static_cast<std::uint64_t>(smallest << 32 | largest));
-    const std::uint64_t hash = FacetKey::Mix(ends, static_cast<std::uint64_t>(all << 32 | any));
-    return static_cast<Index>((smallest >> this->Shift) << Bits | (static_cast<vtkIdType>(hash >> 32) & Mask));
+    if (twice != 0 && HasRepeatedPoints(points, size))
+    {
+      sum = SumDistinct(points, size);
+    }
+    return static_cast<Index>(
+      (smallest >> this->Shift) << Bits | (static_cast<vtkIdType>(MixHash(1, sum) >> 32) & Mask));
   }
 
 private:
+  static bool HasRepeatedPoints(const vtkIdType* points, vtkIdType size)
+  {
+    constexpr vtkIdType MaxCompared = 16; // pair by pair; of more it is taken for granted
+    bool isRepeated = size > MaxCompared;
+    for (vtkIdType i = 1; i < size && size <= MaxCompared; ++i)
+    {
+      for (vtkIdType j = 0; j < i; ++j)
+      {
+        isRepeated |= points[i] == points[j];
+      }
+    }
+    return isRepeated;
+  }
+
+  static std::uint64_t SumDistinct(const vtkIdType* points, vtkIdType size)
+  {
+    std::vector<vtkIdType> distinct(points, points + size);
+    SortDistinct(distinct);
+    std::uint64_t sum = 0;
+    for (const vtkIdType point : distinct)
+    {
+      sum += MixHash(1, static_cast<std::uint64_t>(point));
+    }
+    return sum;
+  }
+
   static constexpr int Bits = 19; // of the hash proper; those above tell up to MaxBuckets buckets
   static constexpr vtkIdType Mask = (1 << Bits) - 1;
   int Shift = 0;
@@ -123,7 +157,7 @@ FacetTableBuilder::FacetTableBuilder(const MeshView& mesh, int dimension)
   : Mesh(mesh)
   , Dimension(dimension)
 {
-  if (mesh.GetNumberOfPoints() > FacetKey::MaxPoints || mesh.GetNumberOfCells() > MaxUses)
+  if (mesh.GetNumberOfPoints() > MaxPoints || mesh.GetNumberOfCells() > MaxUses)
   {
     throw std::length_error("more points or cells in one piece than 32 bit ids can number");
   }
@@ -241,14 +275,14 @@ void FacetTableBuilder::ForEachSoundFacet(CellFacets& facets, vtkIdType cell, Pu
 // Leaves in CellFacets for every use the first one with the same points: itself, or the complement of another one.
 void FacetTableBuilder::MatchUses()
 {
-  const Buckets buckets = this->FillBuckets(static_cast<Index>(this->Mesh.GetNumberOfPoints()),
-    [this](CellFacets& facets, vtkIdType cell, auto&& put)
+  const PointHash hash(this->Mesh.GetNumberOfPoints());
+  const Buckets buckets = this->FillBuckets(hash.GetLargest(),
+    [&](CellFacets& facets, vtkIdType cell, auto&& put)
     {
       this->ForEachSoundFacet(facets, cell,
-        [&](Index use, const vtkIdType* points, vtkIdType size)
-        { put(use, static_cast<Index>(GetSmallest(points, size))); });
+        [&](Index use, const vtkIdType* points, vtkIdType size) { put(use, hash(points, size)); });
     });
-  this->Match(buckets, &FacetMatcher::Match);
+  this->Match(buckets);
 }
 
 //------------------------------------------------------------------------------
@@ -272,7 +306,7 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
           }
         });
     });
-  this->Match(buckets, &FacetMatcher::MatchHashed);
+  this->Match(buckets);
   ParallelFor(this->NumberOfUses, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -322,9 +356,7 @@ std::unique_ptr<std::atomic<Index>[]> FacetTableBuilder::FindFirstUses(
 }
 
 //------------------------------------------------------------------------------
-// Calls @a match for every bucket.
-template <typename MatchBucket>
-void FacetTableBuilder::Match(const Buckets& buckets, MatchBucket match)
+void FacetTableBuilder::Match(const Buckets& buckets)
 {
   ParallelFor(static_cast<vtkIdType>(buckets.Begins.size()) - 1, CellBuckets::Grain,
     [&](vtkIdType begin, vtkIdType end)
@@ -333,7 +365,7 @@ void FacetTableBuilder::Match(const Buckets& buckets, MatchBucket match)
       for (vtkIdType bucket = begin; bucket < end; ++bucket)
       {
         const Index first = buckets.Begins[bucket];
-        (matcher.*match)(buckets.Uses.get() + first, buckets.Begins[bucket + 1] - first);
+        matcher.Match(buckets.Uses.get() + first, buckets.Begins[bucket + 1] - first);
       }
     });
 }

@@ -4,8 +4,8 @@
  * @class camaron::FacetTableBuilder
  * @brief Finds the unique facets of a mesh.
  *
- * Uses of facets are put into buckets by their smallest point id, or by a hash where most are known to differ, and
- * compared within a bucket, whose keys fit into the cache of a processor. So time and memory stay proportional to the
+ * Uses of facets are put into buckets by a hash of their points that is close for neighbours. Those with the same hash are
+ * compared within a bucket, which fits into the cache of a processor. So time and memory stay proportional to the
  * mesh however it is numbered; 4 bytes per use are needed meanwhile.
  */
 #ifndef camaron_FacetTableBuilder_h
@@ -50,8 +50,7 @@ private:
   /// Of every given number.
   std::unique_ptr<std::atomic<Index>[]> FindFirstUses(
     const std::vector<Index>& given, Index numberOfGiven);
-  template <typename MatchBucket>
-  void Match(const Buckets& buckets, MatchBucket match);
+  void Match(const Buckets& buckets);
   template <typename PutItems>
   Buckets FillBuckets(Index maxKey, PutItems&& putItems);
   /// The first use with the same points, as long as facets have no numbers.

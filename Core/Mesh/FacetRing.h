@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FacetRing.h
+ * @brief In which direction the points of a facet run, wherever they begin.
+ */
+#ifndef camaron_FacetRing_h
+#define camaron_FacetRing_h
+
+#include "vtkType.h" // for vtkIdType
+
+#include <algorithm> // for std::min
+
+namespace camaron
+{
+/// Where a ring of values, at(0) to at(size - 1), begins if it is read so that it is the first of all in the dictionary.
+template <typename At>
+vtkIdType FindLeastRotation(vtkIdType size, At&& at)
+{
+  const auto get = [&](vtkIdType i) { return at(i < size ? i : i - size); };
+  vtkIdType a = 0, b = 1, common = 0; // candidates, and how many values they have in common
+  while (a < size && b < size && common < size)
+  {
+    const auto first = get(a + common), second = get(b + common);
+    if (first == second)
+    {
+      ++common;
+      continue;
+    }
+    (second < first ? a : b) += common + 1;
+    b += a == b;
+    common = 0;
+  }
+  return std::min(a, b);
+}
+
+/// RingRunsDown of a ring that comes to its smallest value more than once: whether it comes later in the dictionary than
+/// the other way round.
+template <typename At>
+bool RepeatingRingRunsDown(vtkIdType size, At&& at)
+{
+  const auto back = [&](vtkIdType i) { return at(size - 1 - i); };
+  vtkIdType forth = FindLeastRotation(size, at), other = FindLeastRotation(size, back);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (at(forth) != back(other))
+    {
+      return at(forth) > back(other);
+    }
+    forth = forth + 1 < size ? forth + 1 : 0;
+    other = other + 1 < size ? other + 1 : 0;
+  }
+  return false;
+}
+
+/**
+ * True when a ring of more than two values, at(0) to at(size - 1), runs from its smallest one towards the larger of
+ * that one's neighbours; so two rings with the same values have equal signs when they run the same way.
+ */
+template <typename At>
+bool RingRunsDown(vtkIdType size, At&& at)
+{
+  vtkIdType smallest = 0;
+  auto least = at(0);
+  bool isRepeated = false;
+  for (vtkIdType i = 1; i < size; ++i)
+  {
+    const auto value = at(i);
+    const bool isSmaller = value < least;
+    isRepeated = !isSmaller & (isRepeated | (value == least));
+    smallest = isSmaller ? i : smallest;
+    least = isSmaller ? value : least;
+  }
+  if (isRepeated)
+  {
+    return RepeatingRingRunsDown(size, at);
+  }
+  const vtkIdType next = smallest + 1 < size ? smallest + 1 : 0;
+  const vtkIdType previous = smallest > 0 ? smallest - 1 : size - 1;
+  return at(next) > at(previous);
+}
+
+/// The same of the points of a polygon or an edge.
+inline bool RunsDown(const vtkIdType* points, vtkIdType size)
+{
+  return size == 2 ? points[0] > points[1]
+                   : RingRunsDown(size, [=](vtkIdType i) { return points[i]; });
+}
+
+/// Turns a point list into sorted distinct points.
+template <typename Points>
+void SortDistinct(Points& points)
+{
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+}
+}
+
+#endif
