@@ -282,8 +282,8 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
   if (size > 0 && lastDigit > EnoughOfSize * size)
   {
     std::string step, length;
-    AppendNumber(step, static_cast<float>(lastDigit));
-    AppendNumber(length, static_cast<float>(size));
+    RealFormat::Significant(6).Append(step, lastDigit);
+    RealFormat::Significant(6).Append(length, size);
     const double sizeDigit = getLastDigit(size); // at the origin
     warnings.Add("coordinates are kept to " + step + " only, of a mesh of size " + length +
       (sizeDigit > EnoughOfSize * size

@@ -55,11 +55,14 @@ bool AreSameFacets(const Points& a, const Points& b, bool& isReversed)
   if (size == b.Size)
   {
     vtkIdType start = 0;
-    while (start < size && b[start] != a[0])
+    int found = 0; // a ring that comes to the point twice could begin at either
+    for (vtkIdType i = 0; i < size; ++i)
     {
-      ++start;
+      const bool isFirst = b[i] == a[0];
+      start = isFirst ? i : start;
+      found += isFirst;
     }
-    bool isSame = start < size, isOpposite = isSame;
+    bool isSame = found == 1, isOpposite = isSame;
     vtkIdType forward = start, backward = start;
     for (vtkIdType i = 1; i < size; ++i)
     {

@@ -11,6 +11,7 @@
 #include "Scan/RealFormat.h"
 #include "Scan/WriteRows.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
@@ -21,6 +22,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 
@@ -305,21 +307,24 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// A mesh of two dimensions must be in a plane of constant z.
+// A mesh of two dimensions must be in a plane of constant z, but for rounding; @a z is what is farthest from zero.
 bool IsPlanar(const FluentOutput& mesh, double& z)
 {
-  double x[3];
-  mesh.GetMesh().GetPoint(mesh.GetMeshPoint(0), x);
-  z = x[2];
-  for (vtkIdType point = 1; point < mesh.GetNumberOfPoints(); ++point)
+  constexpr double Rounding = 1e-12; // of the size of the mesh
+  vtkBoundingBox box;
+  for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {
+    double x[3];
     mesh.GetMesh().GetPoint(mesh.GetMeshPoint(point), x);
-    if (x[2] != z)
+    if (std::isnan(x[2]))
     {
       return false;
     }
+    box.AddPoint(x);
   }
-  return true;
+  const double *low = box.GetMinPoint(), *high = box.GetMaxPoint();
+  z = std::fabs(low[2]) > std::fabs(high[2]) ? low[2] : high[2];
+  return high[2] - low[2] <= Rounding * box.GetDiagonalLength();
 }
 
 //------------------------------------------------------------------------------
@@ -376,7 +381,7 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
   }
   if (z != 0)
   {
-    warnings.Add("the mesh is in another plane than z = 0; z is not written");
+    warnings.Add("the mesh is not exactly in the plane z = 0; z is not written");
   }
   WrittenArrays written;
   written.Cells = { "Zone", "BoundaryType" };

@@ -253,11 +253,11 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
   WarnOfArrays(mesh, "MAPDL", warnings, written);
   if (this->Nodes.IsUnusable())
   {
-    warnings.Add("values of NodeId are not unique ids; nodes are counted from 1");
+    warnings.Add("values of NodeId are not all different and from 1 to 2147483647; nodes are counted from 1");
   }
   if (this->Elements.IsUnusable())
   {
-    warnings.Add("values of ElementId are not unique ids; elements are counted from 1");
+    warnings.Add("values of ElementId are not all different and from 1 to 2147483647; elements are counted from 1");
   }
 }
 

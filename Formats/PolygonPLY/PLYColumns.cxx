@@ -105,17 +105,17 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   vtkDataArray* const colours = FindColours(attributes);
   if (normals)
   {
-    this->Add(normals, { "nx", "ny", "nz" });
+    this->AddUsual(normals, "Normals", { "nx", "ny", "nz" });
   }
   if (colours)
   {
     std::vector<std::string> names = { "red", "green", "blue", "alpha" };
     names.resize(static_cast<std::size_t>(colours->GetNumberOfComponents()));
-    this->Add(colours, names);
+    this->AddUsual(colours, names.size() == 4 ? "RGBA" : "RGB", names);
   }
   if (textures)
   {
-    this->Add(textures, { "texture_u", "texture_v" }); // as ParaView and MeshLab know them
+    this->AddUsual(textures, "TCoords", { "texture_u", "texture_v" }); // as ParaView and MeshLab know them
   }
   std::vector<vtkDataArray*> others;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
@@ -142,7 +142,8 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   if (!this->Renamed.empty())
   {
     warnings.Add(
-      "arrays whose names are no words, or mean something else in PLY files, are renamed: " +
+      "arrays are renamed, as names in PLY files are words, some of which mean something else, and normals, colours "
+      "and texture coordinates have no names of their own: " +
       this->Renamed);
   }
   this->Messages = nullptr;
@@ -213,6 +214,23 @@ void PLYColumns::Add(vtkDataArray* array, const std::vector<std::string>& names)
 }
 
 //------------------------------------------------------------------------------
+// What everybody knows by the names of its properties; @a name is what the reader calls it.
+void PLYColumns::AddUsual(vtkDataArray* array, const char* name, const std::vector<std::string>& names)
+{
+  if (GetArrayName(array) != name)
+  {
+    this->AddRenamed(array, name);
+  }
+  this->Add(array, names);
+}
+
+//------------------------------------------------------------------------------
+void PLYColumns::AddRenamed(vtkDataArray* array, const std::string& name)
+{
+  this->Renamed += (this->Renamed.empty() ? "" : ", ") + DescribeArray(array) + " to " + name;
+}
+
+//------------------------------------------------------------------------------
 // Keeps the names of an array for it, if they are words, so that others which need one do not take
 // them.
 void PLYColumns::Reserve(vtkDataArray* array)
@@ -245,8 +263,7 @@ void PLYColumns::AddOther(vtkDataArray* array)
   }
   if (base != own)
   {
-    this->Renamed += (this->Renamed.empty() ? "" : ", ") + DescribeArray(array) + " to " + base +
-      (word != own && word != base ? " (" + word + " is another)" : "");
+    this->AddRenamed(array, base + (word != own && word != base ? " (" + word + " is another)" : ""));
   }
   if (components > 1)
   {

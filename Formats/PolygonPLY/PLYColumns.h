@@ -115,6 +115,8 @@ private:
     int Component;
   };
   void Add(vtkDataArray* array, const std::vector<std::string>& names);
+  void AddUsual(vtkDataArray* array, const char* name, const std::vector<std::string>& names);
+  void AddRenamed(vtkDataArray* array, const std::string& name);
   void Reserve(vtkDataArray* array);
   void AddOther(vtkDataArray* array);
   PLYType ChooseType(vtkDataArray* array, PLYType type);

@@ -365,6 +365,35 @@ TEST(MeshTopology, DirectionOfRings)
   }
 }
 
+// Whatever its cells begin with, and where there are two ways to lay one ring over the other.
+TEST(MeshTopology, DirectionOfFacesThatRepeatPoints)
+{
+  const Points points(16, Point{ 0, 0, 0 });
+  for (const std::vector<vtkIdType>& ring : std::vector<std::vector<vtkIdType>>{
+         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 }, { 4, 0, 4, 5 }, { 0, 4, 5, 4 } })
+  {
+    std::vector<Faces> cells;
+    for (std::size_t start = 0; start < ring.size(); ++start)
+    {
+      std::vector<vtkIdType> turned(ring);
+      std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+      cells.push_back({ turned, { 10, 11, 12 } });
+      std::reverse(turned.begin(), turned.end());
+      cells.push_back({ turned, { 10, 11, 13 } });
+    }
+    const auto grid = MakePolyhedra(MakePoints(points), cells);
+    const FacetTable& faces = MeshTopology(grid).GetFaces();
+    const bool down = RunsDown(ring.data(), static_cast<vtkIdType>(ring.size()));
+    for (std::size_t cell = 0; cell < cells.size(); ++cell)
+    {
+      const std::vector<vtkIdType>& own = cells[cell][0];
+      const CellFacet facet = faces.GetCellFacets(static_cast<vtkIdType>(cell))[0];
+      EXPECT_EQ(facet.Facet(), faces.GetCellFacets(0)[0].Facet());
+      EXPECT_EQ(facet.IsReversed(), RunsDown(own.data(), static_cast<vtkIdType>(own.size())) != down);
+    }
+  }
+}
+
 // Cells that are added or changed in place leave the times of arrays as they were.
 TEST(MeshTopology, ChangedInPlace)
 {

@@ -638,6 +638,17 @@ TEST(FluentMeshWriter, CollapsedQuadrilaterals)
 }
 
 //------------------------------------------------------------------------------
+// A mesh that was turned is flat but for rounding.
+TEST(FluentMeshWriter, RoundedPlanes)
+{
+  const Written written = Write(MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 1e-17 }, { 0, 1, -2e-16 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
+  ASSERT_EQ(written.Success, 1);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("not exactly in the plane z = 0"), std::string::npos);
+}
+
+//------------------------------------------------------------------------------
 TEST(FluentMeshWriter, OtherPlanesAndNames)
 {
   const Grid grid = MakeGrid({ { 0, 0, 3 }, { 1, 0, 3 }, { 0, 1, 3 }, { 1, 1, 3 } },
@@ -655,7 +666,7 @@ TEST(FluentMeshWriter, OtherPlanesAndNames)
   ASSERT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("1 zone with blanks, brackets"), std::string::npos);
-  EXPECT_NE(written.Warnings[1].find("another plane than z = 0"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("not exactly in the plane z = 0"), std::string::npos);
   EXPECT_NE(written.Bytes.find("(45 (8 fluid heiße--Luft-)())"), std::string::npos) << written.Bytes;
   EXPECT_NE(written.Bytes.find("(12 (2 2 2 1 1))"), std::string::npos) << written.Bytes;
   const Result result = Read(written.Bytes);

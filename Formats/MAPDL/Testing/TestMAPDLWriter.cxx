@@ -298,7 +298,7 @@ TEST(MAPDLWriter, NumbersThatDecksCannotHave)
   written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("1 value of Material"), std::string::npos);
-  EXPECT_NE(written.Warnings[1].find("ElementId are not unique ids"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("values of ElementId are not all different"), std::string::npos);
   EXPECT_EQ(GetValue(ReadDeck(written.Bytes).Grid, "ElementId", 2), 3);
 }
 

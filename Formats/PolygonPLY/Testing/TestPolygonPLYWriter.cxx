@@ -204,7 +204,7 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
   ASSERT_EQ(written.Warnings.size(), 4u);
   EXPECT_NE(written.Warnings[0].find("largest"), std::string::npos);
   EXPECT_NE(written.Warnings[1].find(
-              "renamed: x to x_, two words to two_words, a b to a_b_ (a_b is another), an array "
+              "of their own: x to x_, two words to two_words, a b to a_b_ (a_b is another), an array "
               "without name to array, v_1 to v_1_"),
     std::string::npos)
     << written.Warnings[1];
@@ -216,6 +216,25 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
     points->GetArray("a_b")->GetTuple1(1));
   EXPECT_EQ(again.Grid->GetPointData()->GetArray("larger")->GetTuple1(4), -4e15);
   EXPECT_EQ(again.Grid->GetPoint(1)[0], 1);
+}
+
+//------------------------------------------------------------------------------
+// What is active has the properties that everybody knows, and with them no name.
+TEST(PolygonPLYWriter, TellsOfNamesOfNormals)
+{
+  Grid grid = MakePolygons();
+  vtkPointData* points = grid->GetPointData();
+  AddArray<vtkFloatArray>(points, "Direction", 3, 5);
+  AddArray<vtkFloatArray>(points, "TCoords", 2, 5);
+  points->SetActiveNormals("Direction");
+  points->SetActiveTCoords("TCoords");
+  const Written written = WriteText(grid);
+  ASSERT_TRUE(written.Success);
+  EXPECT_TRUE(Has(written, "property float nx\n")) << written.Bytes;
+  EXPECT_TRUE(Has(written, "property float texture_u\n")) << written.Bytes;
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find(": Direction to Normals"), std::string::npos) << written.Warnings[0];
+  EXPECT_EQ(written.Warnings[0].find("to TCoords"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------
