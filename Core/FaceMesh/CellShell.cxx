@@ -291,11 +291,28 @@ bool CellShell::TurnFromMean()
       last = now;
     }
   }
-  // As all of it is seen from the mean, Euler's formula tells one sphere from several ones.
+  return isConsistent != 0 && this->IsOneSphere();
+}
+
+//------------------------------------------------------------------------------
+// Of a shell that is seen from the mean as a whole. Euler's formula tells one sphere from several ones, but where these
+// have points in common, and so six edges or more there. Then false, too.
+bool CellShell::IsOneSphere() const
+{
+  const std::size_t numberOfPoints = this->Ids.size();
+  std::uint64_t further = 0;
+  for (std::size_t point = 0; point < numberOfPoints; ++point)
+  {
+    std::uint64_t edges = this->Next[point];
+    for (int edge = 0; edge < 5; ++edge)
+    {
+      edges &= edges - 1; // without the lowest bit
+    }
+    further |= edges;
+  }
   const std::int32_t numberOfEdges = this->GetNumberOfCorners() / 2;
-  const bool isSphere =
+  return further == 0 &&
     static_cast<std::int32_t>(numberOfPoints) - numberOfEdges + this->GetNumberOfFaces() == 2;
-  return isConsistent != 0 && isSphere;
 }
 
 //------------------------------------------------------------------------------

@@ -87,6 +87,7 @@ private:
   bool PairEdges(FindOrAdd&& findOrAdd);
   void LoadPlaces();
   bool TurnFromMean();
+  bool IsOneSphere() const;
   bool TurnConsistently();
   void TurnVoids();
   void AddTriangles(std::int32_t face, ClosedShell& shell) const;

@@ -34,7 +34,7 @@ vtkIdType FindLeastRotation(vtkIdType size, At&& at)
   return std::min(a, b);
 }
 
-/// RingRunsDown of a ring that comes to its smallest value more than once: whether it comes later in the dictionary than
+/// RingRunsDown of a ring that comes to a value more than once: whether it comes later in the dictionary than
 /// the other way round.
 template <typename At>
 bool RepeatingRingRunsDown(vtkIdType size, At&& at)
@@ -71,12 +71,12 @@ bool RingRunsDown(vtkIdType size, At&& at)
     smallest = isSmaller ? i : smallest;
     least = isSmaller ? value : least;
   }
-  if (isRepeated)
+  const vtkIdType next = smallest + 1 < size ? smallest + 1 : 0;
+  const vtkIdType previous = smallest > 0 ? smallest - 1 : size - 1;
+  if (isRepeated || at(next) == at(previous))
   {
     return RepeatingRingRunsDown(size, at);
   }
-  const vtkIdType next = smallest + 1 < size ? smallest + 1 : 0;
-  const vtkIdType previous = smallest > 0 ? smallest - 1 : size - 1;
   return at(next) > at(previous);
 }
 

@@ -350,7 +350,7 @@ TEST(MeshTopology, SharedByConnectivity)
 TEST(MeshTopology, DirectionOfRings)
 {
   for (const std::vector<vtkIdType>& ring : std::vector<std::vector<vtkIdType>>{
-         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 } })
+         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 }, { 0, 1, 5, 4, 4, 1 } })
   {
     const auto size = static_cast<vtkIdType>(ring.size());
     const bool down = RunsDown(ring.data(), size);
@@ -370,7 +370,8 @@ TEST(MeshTopology, DirectionOfFacesThatRepeatPoints)
 {
   const Points points(16, Point{ 0, 0, 0 });
   for (const std::vector<vtkIdType>& ring : std::vector<std::vector<vtkIdType>>{
-         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 }, { 4, 0, 4, 5 }, { 0, 4, 5, 4 } })
+         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 }, { 0, 1, 5, 4, 4, 1 },
+         { 4, 0, 4, 5 }, { 0, 4, 5, 4 } })
   {
     std::vector<Faces> cells;
     for (std::size_t start = 0; start < ring.size(); ++start)

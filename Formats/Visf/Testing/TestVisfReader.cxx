@@ -369,6 +369,28 @@ TEST(VisfReader, TurnsFacesIntoVoids)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a void from corner to corner of its cell is taken for a part of it, as Euler's formula has 2 for both.
+TEST(VisfReader, VoidsThatTouchTheWall)
+{
+  VisfMesh mesh = MakePrism({ { { 0, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
+  mesh.Points.push_back({ { 0.4f, 0.3f, 0.6f } });
+  mesh.Points.push_back({ { 0.6f, 0.3f, 0.4f } });
+  for (const std::vector<std::int32_t>& polygon :
+    std::vector<std::vector<std::int32_t>>{ { 0, 8, 9 }, { 0, 6, 8 }, { 6, 8, 9 }, { 0, 6, 9 } })
+  {
+    mesh.Polyhedra[0].push_back(static_cast<std::int32_t>(mesh.Polygons.size()));
+    mesh.Polygons.push_back(polygon);
+  }
+  const Result result = ReadMesh(mesh, Encoding::Ascii);
+  const auto edge = [&](int point, int c) { return result.Grid->GetPoint(point)[c]; };
+  const double a[] = { edge(8, 0), edge(8, 1), edge(8, 2) }, b[] = { edge(9, 0), edge(9, 1), edge(9, 2) };
+  // Of the tetrahedron between (0, 0, 0), (1, 1, 1), a and b.
+  const double sixth = a[1] * b[2] - a[2] * b[1] + a[2] * b[0] - a[0] * b[2] + a[0] * b[1] - a[1] * b[0];
+  ASSERT_GT(std::fabs(sixth), 0.01);
+  EXPECT_NEAR(GetVolume(result.Grid, 0), 1 - std::fabs(sixth) / 6, 1e-12);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, a shared face is given to both cells in the same direction.
 TEST(VisfReader, SharedFacesPointOutwardForBothCells)
 {
