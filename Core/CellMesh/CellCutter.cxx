@@ -112,7 +112,7 @@ double CellCutter::GetVolume(const Tetrahedron& t) const
 }
 
 //------------------------------------------------------------------------------
-// Consistent faces run along every edge once in either direction; where parts of a cell meet at one, as often in either.
+// Consistent faces run along every edge once in either direction; where parts of a cell meet, as often in either.
 bool CellCutter::IsConsistent()
 {
   std::sort(this->Edges.begin(), this->Edges.end());
