@@ -221,8 +221,8 @@ void CellShell::LoadPlaces()
 }
 
 //------------------------------------------------------------------------------
-// The usual case in short: where all faces turned away from the mean of the points run consistently and make one sphere,
-// that is what the general way finds. Not so if false.
+// The usual case in short: where all faces turned away from the mean of the points run consistently and make one
+// sphere, that is what the general way finds. Not so if false.
 bool CellShell::TurnFromMean()
 {
   const std::size_t numberOfPoints = this->Ids.size();

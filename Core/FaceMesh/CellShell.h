@@ -6,9 +6,9 @@
  *
  * A face that two cells share runs outward for one of them at most, and many files do not care at all.
  * If every edge of the cell belongs to two of its faces, the faces of each connected part of the shell
- * are turned to run consistently, and outward by the volume they enclose, or inward if they bound a void;
- * a part of no volume follows its first face. A cell that is not closed in this way, or cannot be oriented, keeps its faces as the
- * mesh has them. Nothing else is repaired.
+ * are turned to run consistently, and outward by the volume they enclose, or inward if they bound a
+ * void; a part of no volume follows its first face. A cell that is not closed in this way, or cannot be
+ * oriented, keeps its faces as the mesh has them. Nothing else is repaired.
  *
  * Cost is linear in the number of corners of all faces. Holds scratch memory: use one per thread.
  */

@@ -27,8 +27,8 @@ public:
   }
 
   /**
-   * Leaves in the cell facets of ascending uses the first of these with the same points: a use itself, or the complement
-   * of another one and whether it runs against it. Only those with the same hash are compared.
+   * Leaves in the cell facets of ascending uses the first of these with the same points: a use itself, or the
+   * complement of another one and whether it runs against it. Only those with the same hash are compared.
    */
   void Match(const Index* uses, Index size);
 

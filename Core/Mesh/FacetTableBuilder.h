@@ -4,8 +4,8 @@
  * @class camaron::FacetTableBuilder
  * @brief Finds the unique facets of a mesh.
  *
- * Uses of facets are put into buckets by a hash of their points that is close for neighbours. Those with the same hash are
- * compared within a bucket, which fits into the cache of a processor. So time and memory stay proportional to the
+ * Uses of facets are put into buckets by a hash of their points that is close for neighbours. Those with the same hash
+ * are compared within a bucket, which fits into the cache of a processor. So time and memory stay proportional to the
  * mesh however it is numbered; 4 bytes per use are needed meanwhile.
  */
 #ifndef camaron_FacetTableBuilder_h
