@@ -6,6 +6,28 @@
 
 namespace camaron
 {
+namespace
+{
+//------------------------------------------------------------------------------
+// The shells that the topology tells apart, cut into triangles at the centres of faces.
+std::vector<ClosedShell> GetShells(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  std::vector<ClosedShell> shells(topology.GetNumberOfShells());
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* ring = topology.GetFace(f);
+    const int size = topology.GetFaceSize(f);
+    for (int i = 0; i < size; ++i)
+    {
+      shells[topology.GetShell(f)].Add(
+        cell.GetFaceCenter(f), cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]));
+    }
+  }
+  return shells;
+}
+}
+
 //------------------------------------------------------------------------------
 double CellGeometry::SumVolume() const
 {
@@ -33,25 +55,6 @@ void CellGeometry::ComputeVolume()
     this->OrientPolyhedron();
   }
   this->OrientationSign = this->Volume < 0 ? -1 : 1;
-}
-
-//------------------------------------------------------------------------------
-// The shells that the topology tells apart, cut into triangles at the centres of faces.
-static std::vector<ClosedShell> GetShells(const CellGeometry& cell)
-{
-  const CellTopology& topology = cell.GetTopology();
-  std::vector<ClosedShell> shells(topology.GetNumberOfShells());
-  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
-  {
-    const int* ring = topology.GetFace(f);
-    const int size = topology.GetFaceSize(f);
-    for (int i = 0; i < size; ++i)
-    {
-      shells[topology.GetShell(f)].Add(
-        cell.GetFaceCenter(f), cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]));
-    }
-  }
-  return shells;
 }
 
 //------------------------------------------------------------------------------

@@ -12,15 +12,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The points of a facet that are in the scratch memory of CellFacets.
-struct PointList
-{
-  const vtkIdType* Points;
-  vtkIdType Size;
-  vtkIdType operator[](vtkIdType i) const { return this->Points[i]; }
-};
-
-//------------------------------------------------------------------------------
 template <typename Points>
 bool RunsDown(const Points& points)
 {
@@ -158,7 +149,7 @@ bool FacetMatcher::AreSame(Index use, Index other, vtkIdType cell, vtkIdType oth
     {
       this->OtherFacets.Visit(otherCell, otherLocal,
         [&](const vtkIdType* otherPoints, vtkIdType otherSize)
-        { areSame = AreSameFacets(PointList{ points, size }, PointList{ otherPoints, otherSize }, isReversed); });
+        { areSame = AreSameFacets(FacetPoints{ points, size }, FacetPoints{ otherPoints, otherSize }, isReversed); });
     });
   return areSame;
 }

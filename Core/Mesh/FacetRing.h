@@ -13,7 +13,16 @@
 
 namespace camaron
 {
-/// Where a ring of values, at(0) to at(size - 1), begins if it is read so that it is the first of all in the dictionary.
+/// The points of a facet in memory that somebody else has.
+struct FacetPoints
+{
+  const vtkIdType* Points;
+  vtkIdType Size;
+  vtkIdType operator[](vtkIdType i) const { return this->Points[i]; }
+};
+
+/// Where a ring of values, at(0) to at(size - 1), begins if it is read so that it is the first of all in the
+/// dictionary.
 template <typename At>
 vtkIdType FindLeastRotation(vtkIdType size, At&& at)
 {

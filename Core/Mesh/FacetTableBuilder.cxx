@@ -97,14 +97,6 @@ private:
 };
 
 //------------------------------------------------------------------------------
-struct FacetPoints
-{
-  const vtkIdType* Points;
-  vtkIdType Size;
-  vtkIdType operator[](vtkIdType i) const { return this->Points[i]; }
-};
-
-//------------------------------------------------------------------------------
 // Whether a list of points has three different ones; as a rule the first three are.
 template <typename Points>
 bool IsPolygon(const Points& points)

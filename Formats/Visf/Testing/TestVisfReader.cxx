@@ -299,31 +299,40 @@ TEST(VisfReader, RefusesFalsePrimitives)
 }
 
 //------------------------------------------------------------------------------
+// An L, which no test against a centre gets right, and a hexagon; and what prisms over them hold.
+const std::vector<std::array<float, 2>> Outlines[] = {
+  { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } },
+  { { { 2, 0 } }, { { 1, 2 } }, { { -1, 2 } }, { { -2, 0 } }, { { -1, -2 } }, { { 1, -2 } } }
+};
+constexpr double Volumes[] = { 3, 12 };
+
+//------------------------------------------------------------------------------
+// Some faces the other way round, and those of the cell in another order.
+static void TurnAtRandom(VisfMesh& mesh, std::mt19937& random)
+{
+  for (auto& polygon : mesh.Polygons)
+  {
+    if (random() % 2)
+    {
+      std::reverse(polygon.begin() + 1, polygon.end());
+    }
+  }
+  std::shuffle(mesh.Polyhedra[0].begin(), mesh.Polyhedra[0].end(), random);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, faces of polyhedra point inward for some of the directions in which a file lists them.
 TEST(VisfReader, TurnsFacesOutward)
 {
   std::mt19937 random(11);
-  // An L, which no test against a centre gets right, and a hexagonal prism.
-  const std::vector<std::array<float, 2>> outlines[] = {
-    { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } },
-    { { { 2, 0 } }, { { 1, 2 } }, { { -1, 2 } }, { { -2, 0 } }, { { -1, -2 } }, { { 1, -2 } } }
-  };
-  const double volumes[] = { 3, 12 };
   for (int i = 0; i < 100; ++i)
   {
-    VisfMesh mesh = MakePrism(outlines[i % 2]);
-    for (auto& polygon : mesh.Polygons)
-    {
-      if (random() % 2)
-      {
-        std::reverse(polygon.begin() + 1, polygon.end());
-      }
-    }
-    std::shuffle(mesh.Polyhedra[0].begin(), mesh.Polyhedra[0].end(), random);
+    VisfMesh mesh = MakePrism(Outlines[i % 2]);
+    TurnAtRandom(mesh, random);
     const Result result = ReadMesh(mesh, Encoding::Big03);
     ASSERT_EQ(result.Grid->GetCellType(0), VTK_POLYHEDRON);
     EXPECT_TRUE(result.Warnings.empty());
-    EXPECT_NEAR(GetVolume(result.Grid, 0), volumes[i % 2], 1e-12);
+    EXPECT_NEAR(GetVolume(result.Grid, 0), Volumes[i % 2], 1e-12);
   }
 }
 
@@ -332,15 +341,10 @@ TEST(VisfReader, TurnsFacesOutward)
 TEST(VisfReader, TurnsFacesIntoVoids)
 {
   std::mt19937 random(12);
-  const std::vector<std::array<float, 2>> outlines[] = {
-    { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } },
-    { { { 2, 0 } }, { { 1, 2 } }, { { -1, 2 } }, { { -2, 0 } }, { { -1, -2 } }, { { 1, -2 } } }
-  };
-  const double volumes[] = { 3, 12 };
   for (int i = 0; i < 100; ++i)
   {
-    VisfMesh mesh = MakePrism(outlines[i % 2]);
-    const VisfMesh inner = MakePrism(outlines[i % 2]);
+    VisfMesh mesh = MakePrism(Outlines[i % 2]);
+    const VisfMesh inner = MakePrism(Outlines[i % 2]);
     for (const auto& p : inner.Points)
     {
       mesh.Points.push_back({ { 0.25f + p[0] / 4, 0.25f + p[1] / 4, 0.25f + p[2] / 2 } });
@@ -354,17 +358,10 @@ TEST(VisfReader, TurnsFacesIntoVoids)
       mesh.Polyhedra[0].push_back(static_cast<std::int32_t>(mesh.Polygons.size()));
       mesh.Polygons.push_back(polygon);
     }
-    for (auto& polygon : mesh.Polygons)
-    {
-      if (random() % 2)
-      {
-        std::reverse(polygon.begin() + 1, polygon.end());
-      }
-    }
-    std::shuffle(mesh.Polyhedra[0].begin(), mesh.Polyhedra[0].end(), random);
+    TurnAtRandom(mesh, random);
     const Result result = ReadMesh(mesh, Encoding::Little03);
     EXPECT_TRUE(result.Warnings.empty());
-    EXPECT_NEAR(GetVolume(result.Grid, 0), volumes[i % 2] * (1 - 1.0 / 32), 1e-12);
+    EXPECT_NEAR(GetVolume(result.Grid, 0), Volumes[i % 2] * (1 - 1.0 / 32), 1e-12);
   }
 }
 
