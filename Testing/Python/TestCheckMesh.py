@@ -2,9 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Finite-volume criteria against OpenFOAM's checkMesh, where it is installed."""
 
-import os
 import re
-import shutil
 import subprocess
 import sys
 import unittest
@@ -13,13 +11,13 @@ from pathlib import Path
 import camaron_testing
 import mesh_parts
 import numpy
+import openfoam_case
 from camaron import tables
 from camaron_testing import EXAMPLES
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.vtkCommonDataModel import VTK_WEDGE
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-CHECK_MESH = shutil.which("checkMesh")
 CRITERIA = [
     "Volume",
     "CellAspectRatio",
@@ -31,7 +29,6 @@ CRITERIA = [
     "MinFaceFlatness",
     "Openness",
 ]
-HEADER = "FoamFile {{ version 2.0; format ascii; class {}; object {}; }}\n"
 #: What checkMesh prints, by criterion: which end of it, and the text before the number.
 PRINTED = {
     "MaxNonOrthogonality": (max, r"non-orthogonality Max: "),
@@ -56,55 +53,17 @@ LIMITS = {
 DICTIONARY = Path("/usr/share/openfoam/etc/caseDicts/meshQualityDict")
 
 
-def write_case(folder, faces):
-    """An OpenFOAM case of faces as MeshElements gives them."""
-    points = vtk_to_numpy(faces.GetPoints().GetData())
-    data = faces.GetCellData()
-    owner = vtk_to_numpy(data.GetArray("OwnerCell"))
-    neighbor = vtk_to_numpy(data.GetArray("NeighborCell"))
-    polygons = faces.GetPolys()
-    offsets = vtk_to_numpy(polygons.GetOffsetsArray())
-    ids = vtk_to_numpy(polygons.GetConnectivityArray())
-    inner = numpy.flatnonzero(neighbor >= 0)
-    inner = inner[numpy.lexsort((neighbor[inner], owner[inner]))]
-    order = numpy.concatenate([inner, numpy.flatnonzero(neighbor < 0)])
-    mesh = folder / "constant" / "polyMesh"
-    mesh.mkdir(parents=True)
-    (folder / "system").mkdir()
-
-    def write(name, kind, rows):
-        text = "\n".join([str(len(rows)), "(", *rows, ")", ""])
-        (mesh / name).write_text(HEADER.format(kind, name) + text)
-
-    write("points", "vectorField", [f"({x!r} {y!r} {z!r})" for x, y, z in points.tolist()])
-    rows = [ids[offsets[f] : offsets[f + 1]] for f in order]
-    write("faces", "faceList", [f"{len(r)}({' '.join(map(str, r))})" for r in rows])
-    write("owner", "labelList", [str(o) for o in owner[order]])
-    write("neighbour", "labelList", [str(n) for n in neighbor[inner]])
-    walls = f"walls {{ type wall; nFaces {len(order) - len(inner)}; startFace {len(inner)}; }}"
-    write("boundary", "polyBoundaryMesh", [walls])
-    for name in ("fvSchemes", "fvSolution"):
-        entries = "gradSchemes {} divSchemes {} laplacianSchemes {}\n" * (name == "fvSchemes")
-        (folder / "system" / name).write_text(HEADER.format("dictionary", name) + entries)
-    (folder / "system" / "controlDict").write_text(
-        HEADER.format("dictionary", "controlDict")
-        + "application none; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;"
-        " writeControl timeStep; writeInterval 1; writePrecision 12;\n"
-    )
-
-
 class TestCheckMesh(camaron_testing.TestCase):
     def compare(self, source, tolerance):
         """Worst values of all cells are those that checkMesh prints, to the digits it prints."""
-        faces = servermanager.Fetch(simple.MeshElements(Input=source, FaceArrays=["OwnerCell", "NeighborCell"]), idx=0)
         case = self.folder / "case"
-        write_case(case, faces)
+        openfoam_case.write(case, source)
         run = subprocess.run(
-            [CHECK_MESH, "-allGeometry", "-allTopology", "-noFunctionObjects", "-case", str(case)],
+            openfoam_case.check_mesh(case, "-allGeometry", "-allTopology"),
             capture_output=True,
             text=True,
             timeout=120,
-            env={"WM_PROJECT_DIR": "/usr/share/openfoam", **os.environ, "FOAM_SIGFPE": "false"},
+            env=openfoam_case.environment(),
         )
         printed = run.stdout
         self.assertIn("Mesh stats", printed, run.stderr)
@@ -154,7 +113,7 @@ class TestCheckMesh(camaron_testing.TestCase):
 
 
 if __name__ == "__main__":
-    if not CHECK_MESH:
+    if not openfoam_case.PROGRAM:
         print("skipped: OpenFOAM's checkMesh is not installed")
         sys.exit(camaron_testing.SKIPPED)
     camaron_testing.main()
