@@ -12,20 +12,6 @@ namespace
 // Squares, for which no root has to be taken, and products of which are numbers.
 constexpr double LargestLength = 1e40, LargestVolume = 1e120, SmallestVolume = 1e-120;
 constexpr double Margin = 4; // CellGeometry may round otherwise
-
-//------------------------------------------------------------------------------
-// All of a block, whose points follow each other.
-bool AreTetrahedra(const MeshView& mesh, vtkIdType first)
-{
-  constexpr int size = SoundTetrahedra::Size;
-  bool are = true;
-  for (int cell = 0; cell < size; ++cell)
-  {
-    are &= mesh.GetCellType(first + cell) == VTK_TETRA;
-  }
-  return are &&
-    mesh.GetCellPoints(first + size - 1).Begin - mesh.GetCellPoints(first).Begin == 4 * (size - 1);
-}
 }
 
 //------------------------------------------------------------------------------
@@ -43,67 +29,69 @@ template <typename Coordinate>
 int SoundTetrahedra::LoadPoints(
   const MeshView& mesh, const Coordinate* points, vtkIdType first, int numberOfCells)
 {
-  if (numberOfCells == Size && AreTetrahedra(mesh, first))
+  if (numberOfCells == Size && mesh.AreOfType(VTK_TETRA, first, Size))
   {
-    // One after the other, as in nearly all of most meshes.
     const IndexRange ids = mesh.GetCellPoints(first);
-    const auto load = [&](const auto* corners)
+    if (mesh.GetCellPoints(first + Size - 1).Begin == ids.Begin + 4 * (Size - 1))
     {
-      for (int cell = 0; cell < Size; ++cell)
-      {
-        this->LoadCell(cell, points, corners + 4 * cell);
-      }
-    };
-    ids.Values.Values32 ? load(ids.Values.Values32 + ids.Begin)
-                        : load(ids.Values.Values64 + ids.Begin);
-    return Size;
+      // One after the other, as in nearly all of most meshes.
+      ids.Values.Values32 ? this->LoadCells(points, ids.Values.Values32 + ids.Begin)
+                          : this->LoadCells(points, ids.Values.Values64 + ids.Begin);
+      return Size;
+    }
   }
+  vtkIdType corners[4 * Size] = {}; // of other cells the first point, which is there if there is a tetrahedron
+  bool areTetrahedra[Size] = {};
   int numberOfTetrahedra = 0;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    if (mesh.GetCellType(first + cell) == VTK_TETRA)
+    {
+      const IndexRange ids = mesh.GetCellPoints(first + cell);
+      for (int i = 0; i < 4; ++i)
+      {
+        corners[4 * cell + i] = ids[i];
+      }
+      areTetrahedra[cell] = true;
+      ++numberOfTetrahedra;
+    }
+  }
+  if (numberOfTetrahedra > 0)
+  {
+    this->LoadCells(points, corners);
+  }
   for (int cell = 0; cell < Size; ++cell)
   {
-    if (cell >= numberOfCells || mesh.GetCellType(first + cell) != VTK_TETRA)
-    {
-      this->Places[cell] = std::numeric_limits<double>::quiet_NaN();
-      this->AreSound[cell] = 0;
-      continue;
-    }
-    ++numberOfTetrahedra;
-    this->LoadCell(cell, points, mesh.GetCellPoints(first + cell));
+    this->Places[cell] =
+      areTetrahedra[cell] ? this->Places[cell] : std::numeric_limits<double>::quiet_NaN();
+    this->AreSound[cell] = 0;
   }
   return numberOfTetrahedra;
 }
 
 //------------------------------------------------------------------------------
-template <typename Coordinate, typename Ids>
-void SoundTetrahedra::LoadCell(int cell, const Coordinate* points, const Ids& ids)
+template <typename Coordinate, typename Id>
+void SoundTetrahedra::LoadCells(const Coordinate* points, const Id* corners)
 {
-  const Coordinate* const origin = points + 3 * static_cast<vtkIdType>(ids[0]);
-  const double x = origin[0], y = origin[1], z = origin[2];
-  this->Places[cell] = std::abs(x) + std::abs(y) + std::abs(z);
-  for (int i = 0; i < 3; ++i)
+  for (int cell = 0; cell < Size; cell += 2)
   {
-    const Coordinate* const point = points + 3 * static_cast<vtkIdType>(ids[i + 1]);
-    this->Block.X[i][cell] = point[0] - x;
-    this->Block.Y[i][cell] = point[1] - y;
-    this->Block.Z[i][cell] = point[2] - z;
+    const Id *const first = corners + 4 * cell, *const second = first + 4;
+    const auto load = [&](int corner)
+    {
+      const Coordinate *const a = points + 3 * static_cast<vtkIdType>(first[corner]),
+                       *const b = points + 3 * static_cast<vtkIdType>(second[corner]);
+      return VectorPair(GatherPair(a, b), GatherPair(a + 1, b + 1), GatherPair(a + 2, b + 2));
+    };
+    const VectorPair origin = load(0);
+    StorePair(Abs(origin.X) + Abs(origin.Y) + Abs(origin.Z), this->Places + cell);
+    for (int i = 0; i < 3; ++i)
+    {
+      const VectorPair edge = load(i + 1) - origin;
+      StorePair(edge.X, this->Block.X[i] + cell);
+      StorePair(edge.Y, this->Block.Y[i] + cell);
+      StorePair(edge.Z, this->Block.Z[i] + cell);
+    }
   }
-}
-
-//------------------------------------------------------------------------------
-// Of this cell and the next.
-void SoundTetrahedra::Measure(int cell)
-{
-  const TetrahedronPair pair(this->Block, cell);
-  const VectorPair a = pair.GetPoint(1), b = pair.GetPoint(2), c = pair.GetPoint(3);
-  StorePair(Dot(a, Cross(b, c)) / MakePair(6, 6), this->Block.Volumes + cell);
-  const Pair squares[] = { Norm2(a), Norm2(c - a), Norm2(c), Norm2(b - a), Norm2(c - b), Norm2(b) };
-  for (int edge = 0; edge < 6; ++edge)
-  {
-    StorePair(squares[edge], this->Block.SquaredLengths[edge] + cell);
-  }
-  const Pair longest =
-    Max(Max(Max(squares[0], squares[1]), Max(squares[2], squares[3])), Max(squares[4], squares[5]));
-  StorePair(longest, this->Block.MaxSquaredLengths + cell);
 }
 
 //------------------------------------------------------------------------------
@@ -117,15 +105,18 @@ int SoundTetrahedra::FindSound(const MeshView& mesh, const EvaluationOptions& op
     options.DegeneracyTolerance > 0 ? 0 : GetAbsoluteTolerance(1, mesh.HasFloatPoints());
   const auto both = [](double value) { return MakePair(value, value); };
   const Pair relative = both(Margin * tolerance * tolerance), absolute = both(2 * Margin * precision * precision);
-  const Pair none = both(0);
+  const Pair none = both(0), six = both(6);
   Pair sum = none;
   for (int cell = 0; cell < Size; cell += 2)
   {
-    this->Measure(cell);
     const TetrahedronPair pair(this->Block, cell);
-    const Pair length = pair.GetMaxSquaredLength(), place = LoadPair(this->Places + cell);
+    const VectorPair a = pair.GetPoint(1), b = pair.GetPoint(2), c = pair.GetPoint(3);
+    const Pair signedVolume = Dot(a, Cross(b, c)) / six;
+    StorePair(signedVolume, this->Block.Volumes + cell);
+    // No edge is longer than two from the first point.
+    const Pair length = both(4) * Max(Max(Norm2(a), Norm2(b)), Norm2(c)), place = LoadPair(this->Places + cell);
     const Pair zero = Max(relative * length, absolute * (place * place + length));
-    const Pair volume = pair.GetVolume() * pair.GetVolume();
+    const Pair volume = signedVolume * signedVolume;
     // Above zero where all is well. A volume is no number or infinite where a coordinate is; where one of two
     // values is no number, Min and Max are the second one.
     const Pair room = Min(Min(both(LargestLength) - length, both(LargestVolume) - volume),

@@ -42,9 +42,9 @@ private:
   template <typename Coordinate>
   int LoadPoints(
     const MeshView& mesh, const Coordinate* points, vtkIdType first, int numberOfCells);
-  template <typename Coordinate, typename Ids>
-  void LoadCell(int cell, const Coordinate* points, const Ids& ids);
-  void Measure(int cell);
+  /// Loads all cells from the ids of their corners, four of each cell.
+  template <typename Coordinate, typename Id>
+  void LoadCells(const Coordinate* points, const Id* corners);
   int FindSound(const MeshView& mesh, const EvaluationOptions& options);
 
   TetrahedronBlock Block = {}; // what was not loaded has to be numbers, too

@@ -12,6 +12,8 @@
 
 #include "Mesh/VectorPair.h"
 
+#include <array> // for the edges
+
 namespace camaron
 {
 /// What is kept of a block of tetrahedra, of each by its place.
@@ -20,8 +22,6 @@ struct TetrahedronBlock
   static constexpr int Size = 32; // what stays in the nearest cache
 
   double X[3][Size], Y[3][Size], Z[3][Size]; // edges from the first point to the others
-  double SquaredLengths[6][Size];            // in the order of the edges of CellTopology
-  double MaxSquaredLengths[Size];            // of which every tetrahedron has need
   double Volumes[Size];
 };
 
@@ -43,34 +43,34 @@ public:
   Pair GetVolume() const { return this->Load(this->Block.Volumes); }
 
   double GetNumberOfEdges() const { return 6; }
-  Pair GetSquaredLength(int edge) const { return this->Load(this->Block.SquaredLengths[edge]); }
+  /// In the order of the edges of CellTopology.
+  std::array<Pair, 6> GetSquaredLengths() const
+  {
+    const VectorPair a = this->GetPoint(1), b = this->GetPoint(2), c = this->GetPoint(3);
+    return { Norm2(a), Norm2(c - a), Norm2(c), Norm2(b - a), Norm2(c - b), Norm2(b) };
+  }
   Pair GetMinSquaredLength() const
   {
-    const auto ofTwo = [&](int edge)
-    { return Min(this->GetSquaredLength(edge), this->GetSquaredLength(edge + 1)); };
-    return Min(Min(ofTwo(0), ofTwo(2)), ofTwo(4));
+    const std::array<Pair, 6> all = this->GetSquaredLengths();
+    return Min(Min(Min(all[0], all[1]), Min(all[2], all[3])), Min(all[4], all[5]));
   }
-  Pair GetMaxSquaredLength() const { return this->Load(this->Block.MaxSquaredLengths); }
+  Pair GetMaxSquaredLength() const
+  {
+    const std::array<Pair, 6> all = this->GetSquaredLengths();
+    return Max(Max(Max(all[0], all[1]), Max(all[2], all[3])), Max(all[4], all[5]));
+  }
   Pair GetMinEdgeLength() const { return Sqrt(this->GetMinSquaredLength()); }
   Pair GetMaxEdgeLength() const { return Sqrt(this->GetMaxSquaredLength()); }
   Pair GetDiameter() const { return this->GetMaxEdgeLength(); }
   Pair GetSumOfSquaredLengths() const
   {
-    Pair sum = this->GetSquaredLength(0);
-    for (int edge = 1; edge < 6; ++edge)
-    {
-      sum = sum + this->GetSquaredLength(edge);
-    }
-    return sum;
+    const std::array<Pair, 6> all = this->GetSquaredLengths();
+    return all[0] + all[1] + all[2] + all[3] + all[4] + all[5];
   }
   Pair GetTotalEdgeLength() const
   {
-    Pair sum = Sqrt(this->GetSquaredLength(0));
-    for (int edge = 1; edge < 6; ++edge)
-    {
-      sum = sum + Sqrt(this->GetSquaredLength(edge));
-    }
-    return sum;
+    const std::array<Pair, 6> all = this->GetSquaredLengths();
+    return Sqrt(all[0]) + Sqrt(all[1]) + Sqrt(all[2]) + Sqrt(all[3]) + Sqrt(all[4]) + Sqrt(all[5]);
   }
   Pair GetSurfaceArea() const
   {

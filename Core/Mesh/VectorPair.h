@@ -146,6 +146,22 @@ inline void StorePair(Pair a, double* values)
 ///@}
 
 ///@{
+/// Two numbers from anywhere in memory.
+inline Pair GatherPair(const double* a, const double* b)
+{
+  return MakePair(*a, *b);
+}
+inline Pair GatherPair(const float* a, const float* b)
+{
+#if defined(__SSE2__) && defined(__GNUC__)
+  return _mm_cvtps_pd(_mm_unpacklo_ps(_mm_load_ss(a), _mm_load_ss(b)));
+#else
+  return MakePair(*a, *b);
+#endif
+}
+///@}
+
+///@{
 /// The same of one number, for templates of either.
 inline double Sqrt(double a)
 {
