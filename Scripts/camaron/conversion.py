@@ -20,11 +20,10 @@ FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".
 #: ranks write the points at their borders twice, ghost cells as if they were cells, or nothing; but for
 #: .stl, whose triangles share no points.
 FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
-GHOSTS = "vtkGhostType"
 #: ParaView's formats that hold points and polygons only, as far as this says what they lose.
 BARE_SURFACES = {".stl"}
 #: Arrays that other cells than those of the mesh leave behind, or the readers add.
-NO_LOSS = {GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
+NO_LOSS = {pipeline.GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
 #: Parts of extensions under which files are not written, and the options of their formats that do the like.
 OPTIONS_INSTEAD = (
     ("face", "--write-boundary-faces"),
@@ -102,7 +101,7 @@ def check_target(target: os.PathLike | str) -> None:
     """ValueError if nobody writes a format of that extension."""
     _check_name(Path(target))
     suffix = Path(target).suffix.lower()
-    if not formats.own_writer(Path(target)) and suffix not in _known_suffixes():
+    if not formats.own_writer(Path(target)) and suffix not in formats.written_extensions():
         raise ValueError(f"{target}: no writer for {suffix or 'files without an extension'}")
 
 
@@ -124,7 +123,7 @@ def _check_ranks(target: Path) -> None:
     suffix = target.suffix.lower()
     if (
         pipeline.rank_count() > 1
-        and suffix in _known_suffixes()
+        and suffix in formats.written_extensions()
         and suffix not in FORMATS_IN_PIECES | {".stl"}
         and not formats.own_writer(target)
     ):
@@ -133,11 +132,6 @@ def _check_ranks(target: Path) -> None:
             f"{target}: files named *{suffix} are written by one process: leave out --ranks, or choose "
             f"{pieces if pieces in FORMATS_IN_PIECES else '.pvtu'} or a format of the plugin"
         )
-
-
-def _known_suffixes() -> set[str]:
-    """Extensions of the formats that somebody writes, whatever the mesh."""
-    return {kind.lower() for f in formats.known_formats() for kind in f.extensions if f.writers}
 
 
 def _pieces_that_stay(source: Path) -> list[str]:
@@ -180,9 +174,9 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         return proxy
 
     def without_ghosts(proxy) -> Any:
-        if suffix in FORMATS_IN_PIECES or not proxy.CellData[GHOSTS]:
+        if suffix in FORMATS_IN_PIECES or not proxy.CellData[pipeline.GHOSTS]:
             return proxy
-        real = append(simple.RemoveGhostInformation(Input=proxy))
+        real = append(pipeline.without_ghosts(proxy))
         cells = [pipeline.data_information(p).GetNumberOfCells() for p in (proxy, real)]
         if cells[0] > cells[1]:
             notes.append(f"Left out: {text.plural(cells[0] - cells[1], 'ghost cell')}.")
@@ -207,7 +201,7 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
             notes.append(f"The boundary surface was written{', as triangles' if triangles else ''}.")
         return append(simple.Triangulate(Input=surface)) if triangles else surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
-    if suffix in _known_suffixes():
+    if suffix in formats.written_extensions():
         raise ValueError(f"{target}: files named *{suffix} cannot hold a mesh like this")
     raise ValueError(
         f"{target}: no writer for {suffix}{formats.suggestion(suffix, known)}; "

@@ -150,12 +150,17 @@ def own_writer(path: os.PathLike | str) -> Optional[str]:
     return None
 
 
+def written_extensions() -> set[str]:
+    """Extensions of the files that somebody writes, whatever the mesh: {".ele", ".vtu", ...}."""
+    return {kind.lower() for _, _, kinds in _hints("writers", "WriterFactory") for kind in kinds}
+
+
 def written_instead(path: os.PathLike | str) -> Optional[str]:
     """The name of the file to write for one of an extension that the plugin reads, but nobody writes."""
     path, suffix = Path(path), Path(path).suffix.lower()
-    kinds = {name: kinds for name, _, kinds in _hints("writers", "WriterFactory")}
-    if any(suffix == kind.lower() for written in kinds.values() for kind in written):
+    if suffix in written_extensions():
         return None
+    kinds = {name: kinds for name, _, kinds in _hints("writers", "WriterFactory")}
     for f in own_formats():
         if suffix[1:] in f["extensions"] and kinds.get(f["writer"]):
             return path.stem + kinds[f["writer"]][0]

@@ -140,7 +140,7 @@ def _write(summary, quality, surface, folder, with_pictures) -> None:
     shown = [c["name"] for c in summary["criteria"]]
     mesh_name = "mesh" + facts.extension(quality)
     # Every rank writes its own cells, without the layer of its neighbours' around them.
-    whole = simple.RemoveGhostInformation(Input=quality) if pipeline.rank_count() > 1 else quality
+    whole = pipeline.without_ghosts(quality) if pipeline.rank_count() > 1 else quality
     whole.UpdatePipeline()
     known = set(quality.GetProperty("Criteria").Available)
     conversion.write(whole, folder / mesh_name, _arrays_to_write(whole, known, shown))

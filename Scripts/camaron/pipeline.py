@@ -10,9 +10,12 @@ from pathlib import Path
 from typing import Any, Optional
 
 from paraview import servermanager, simple
-from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
 from . import opening
+
+#: The name of the array of ghost marks.
+GHOSTS = "vtkGhostType"
 
 
 def load_plugin() -> None:
@@ -147,6 +150,27 @@ def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:
 def data_information(source: Any, port: int = 0) -> Any:
     """vtkPVDataInformation of an output, gathered over all ranks."""
     return servermanager.OutputPort(source, port).GetDataInformation().DataInformation
+
+
+def without_ghosts(source: Any) -> Any:
+    """A filter that leaves out the ghost cells of a source."""
+    # Of polyhedra, VTK 9.6 removes them with memory for all faces times the points of all faces.
+    version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
+    information = data_information(source)
+    ghosts = information.GetCellDataInformation().GetArrayInformation(GHOSTS)
+    if (
+        version < (9, 6)
+        or information.DataSetTypeIsA("vtkPolyData")
+        or not ghosts
+        or ghosts.GetIsPartial()  # cells without marks would be lost
+    ):
+        return simple.RemoveGhostInformation(Input=source)
+    return simple.Threshold(
+        Input=source,
+        Scalars=["CELLS", GHOSTS],
+        ThresholdMethod="Below Lower Threshold",
+        LowerThreshold=0,
+    )
 
 
 def is_composite(source: Any) -> bool:

@@ -15,6 +15,7 @@ import camaron_testing
 import numpy
 from camaron import convert, pipeline
 from paraview import simple
+from vtkmodules.vtkCommonCore import vtkVersion
 
 CUBE = [(x, y, z) for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1))]
 TETRAHEDRA = [(10, (0, 1, 3, 4)), (10, (2, 3, 1, 6))]
@@ -370,8 +371,10 @@ class TestConvert(camaron_testing.TestCase):
         source = self.folder / "source.vtu"
         convert(camaron_testing.EXAMPLES / "flange.visf", source)
         convert(source, self.folder / "surface.vtp")
-        targets = "source.vtkhdf source.case source.xmf surface.obj surface.geo surface.csv surface.vtp"
-        for name in (targets + " source.vtk").split():
+        targets = "source.case source.xmf source.vtk surface.obj surface.geo surface.csv surface.vtp"
+        if (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 6):
+            targets += " source.vtkhdf"  # the HDF5 of later ones ends the program
+        for name in targets.split():
             mesh = source if name.startswith("source") else self.folder / "surface.vtp"
             target = self.folder / f"full-{name}"
             target.write_text("old")

@@ -103,7 +103,7 @@ class TestFluentMesh(camaron_testing.TestCase):
         self.assertGreater(len(files), 15)
         for name, points, counts, _ in files:
             source = self.read(self.data(f"ansys_fluent/{name}"))
-            owned = simple.RemoveGhostInformation(Input=source)
+            owned = pipeline.without_ghosts(source)
             owned.UpdatePipeline()
             information = owned.GetDataInformation()
             self.assertEqual(information.GetNumberOfCells(), sum(counts.values()), name)
