@@ -22,6 +22,14 @@ FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".
 FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
 #: ParaView's formats that hold points and polygons only, as far as this says what they lose.
 BARE_SURFACES = {".stl"}
+#: ParaView's formats whose writers fail at polyhedra without saying so, or leave files that nothing can read.
+WITHOUT_POLYHEDRA = {".vtkhdf", ".e", ".g", ".ex2", ".ex2v2"}
+#: Those whose writer ends the program at cells that it does not know; and the ones that it knows.
+OF_IOSS = {".exo", ".gen", ".par", ".exii", ".exoii"}
+IOSS_TYPES = set(
+    "Vertex Line Triangle QuadraticTriangle Quad QuadraticQuad BiQuadraticQuad Tetra Hexahedron QuadraticHexahedron "
+    "TriQuadraticHexahedron Wedge QuadraticWedge BiQuadraticQuadraticWedge Pyramid QuadraticPyramid".split()
+)
 #: Arrays that other cells than those of the mesh leave behind, or the readers add.
 NO_LOSS = {pipeline.GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
 #: Parts of extensions under which files are not written, and the options of their formats that do the like.
@@ -243,8 +251,8 @@ def _has_volumes(proxy: Any) -> bool:
     return low <= high
 
 
-def _without_triangles(proxy: Any) -> list[str]:
-    """A sentence on cells of fewer than two dimensions, if there are any."""
+def _count_by_type(proxy: Any) -> dict[str, int]:
+    """`{"Tetra": 12, "All": 12}`"""
     quality = simple.ElementQuality(Input=proxy, Criteria=["CellTypeId"])
     statistics = simple.QualityStatistics(
         Input=quality, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1
@@ -252,6 +260,27 @@ def _without_triangles(proxy: Any) -> list[str]:
     counts = {row["Group"]: row["Count"] for row in tables.fetch(statistics)}
     for made in (statistics, quality):
         simple.Delete(made)
+    return counts
+
+
+def _check_types(proxy: Any, target: Path) -> None:
+    """ValueError if there are cells that the writer of one of ParaView's formats would not survive."""
+    suffix = target.suffix.lower()
+    if suffix not in WITHOUT_POLYHEDRA | OF_IOSS or formats.own_writer(target):
+        return
+    counts = _count_by_type(proxy)
+    known = IOSS_TYPES if suffix in OF_IOSS else set(counts) - {"Polyhedron"}
+    for label, count in counts.items():
+        if label != "All" and label not in known:
+            raise ValueError(
+                f"{target}: files named *{suffix} cannot hold {text.cell_type(label)}, of which the mesh has "
+                f"{count}: choose .vtu or a format of the plugin"
+            )
+
+
+def _without_triangles(proxy: Any) -> list[str]:
+    """A sentence on cells of fewer than two dimensions, if there are any."""
+    counts = _count_by_type(proxy)
     lost = [
         f"{counts[label]} {text.cell_type(label, counts[label])}"
         for label in POINTS_AND_LINES
@@ -282,6 +311,7 @@ def write(
     mesh of the file `source`. What the writer warns of is added to `notes`.
     """
     target = Path(target)
+    _check_types(proxy, target)
     with Staging(target.parent) as staging, pipeline.Messages() as messages:
         path = staging.path / target.name
         own = formats.own_writer(target)

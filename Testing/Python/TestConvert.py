@@ -272,16 +272,20 @@ class TestConvert(camaron_testing.TestCase):
                 convert(source, self.folder / target)
             self.assertEqual(sorted(self.folder.iterdir()), before, "nothing may be left behind")
 
-    def test_failed_write_keeps_the_old_file(self):
-        """An Exodus file cannot hold general polyhedra; what was there stays."""
+    def test_cells_that_writers_do_not_know(self):
+        """Cells at which writers of ParaView would end or never end are refused; what was there stays."""
         faces = [(0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)]
         stream = [len(faces)] + [x for face in faces for x in (len(face), *face)]
         source = camaron_testing.write_vtk(self.folder / "poly.vtk", CUBE, [(42, stream)])
-        target = self.folder / "poly.e"
-        target.write_text("old")
-        with self.assertRaises(RuntimeError):
-            convert(source, target)
-        self.assertEqual(target.read_text(), "old")
+        for name in ("poly.e", "poly.exo", "poly.vtkhdf"):
+            target = self.folder / name
+            target.write_text("old")
+            with self.assertRaisesRegex(ValueError, f"{name}: .* polyhedra, of which the mesh has 1: choose .vtu"):
+                convert(source, target)
+            self.assertEqual(target.read_text(), "old")
+        polygon = camaron_testing.write_vtk(self.folder / "polygon.vtk", CUBE, [(7, (0, 1, 2, 3))])
+        with self.assertRaisesRegex(ValueError, "cannot hold polygons, of which the mesh has 1: "):
+            convert(polygon, self.folder / "polygon.exo")
 
     def test_refused_cells(self):
         """What a format cannot hold is an error unless the user says what to do."""
