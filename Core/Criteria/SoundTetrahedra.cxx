@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/SoundTetrahedra.h"
 
-#include <cmath>
 #include <limits>
 
 namespace camaron

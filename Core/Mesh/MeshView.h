@@ -102,15 +102,19 @@ public:
   {
     return this->Types ? this->Types[cell] : this->GetPolyDataCellType(cell);
   }
-  /// Whether so many cells from @a first on are all of a type; asked of the cells of grids, not of polygonal data.
+  /// Whether so many cells from @a first on are all of a type; false for polygonal data, which has no list of types.
   bool AreOfType(unsigned char type, vtkIdType first, int count) const
   {
-    int others = this->Types ? 0 : 1;
-    for (int i = 0; i < count && this->Types; ++i)
+    if (!this->Types)
     {
-      others |= this->Types[first + i] ^ type;
+      return false;
     }
-    return others == 0;
+    unsigned char difference = 0;
+    for (int i = 0; i < count; ++i)
+    {
+      difference |= this->Types[first + i] ^ type;
+    }
+    return difference == 0;
   }
   /// Point ids as VTK lists them; of a polyhedron its distinct points in no particular order.
   IndexRange GetCellPoints(vtkIdType cell) const

@@ -268,6 +268,8 @@ def _check_types(proxy: Any, target: Path) -> None:
     suffix = target.suffix.lower()
     if suffix not in WITHOUT_POLYHEDRA | OF_IOSS or formats.own_writer(target):
         return
+    if not pipeline.data_information(proxy).GetNumberOfCells():
+        return
     counts = _count_by_type(proxy)
     known = IOSS_TYPES if suffix in OF_IOSS else set(counts) - {"Polyhedron"}
     for label, count in counts.items():

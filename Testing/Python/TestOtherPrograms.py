@@ -71,7 +71,7 @@ class TestOtherPrograms(camaron_testing.TestCase):
         bound = 1.5
         make_box(self.folder / "box.poly", (1, 0.7, 0.4))
         run = subprocess.run(
-            [TETGEN, f"-pq{bound}a0.002V", "box.poly"],
+            [TETGEN, f"-pq{bound}a0.0015V", "box.poly"],
             cwd=self.folder,
             capture_output=True,
             text=True,
@@ -90,7 +90,7 @@ class TestOtherPrograms(camaron_testing.TestCase):
             "TetRadiusEdgeRatio",
         ]
         values = evaluate_source(self.open(self.folder / "box.1.ele"), names)
-        self.assertGreater(len(values["Volume"]), 200)
+        self.assertGreater(len(values["Volume"]), 300)
         self.assertEqual(
             len(values["Volume"]), int(re.search(r"Mesh tetrahedra: (\d+)", run.stdout).group(1))
         )
