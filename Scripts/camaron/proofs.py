@@ -113,4 +113,4 @@ def plain_reason(reason: str, folder: Path) -> str:
         free = files.free_space(folder)
         room = f"; the disk has {text.memory(free)} free" if free is not None else ""
         return f"cannot write the file ({found[1]} does not say why){room}"
-    return re.sub(r"; deleting file: .*", "", reason)
+    return re.sub(r"; deleting file: .*| while processing .*", "", reason, flags=re.DOTALL)
