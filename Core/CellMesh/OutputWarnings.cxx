@@ -16,10 +16,12 @@
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <mutex>
 
@@ -29,6 +31,7 @@ namespace
 {
 constexpr int MaxComponents = 3; // of what is checked
 constexpr vtkIdType ChunkSize = 1 << 16; // tuples that a thread checks in a row
+constexpr std::uint64_t MaxInteger = std::uint64_t(1) << 53; // up to which a double holds every one
 constexpr const char* TimeArrayName = "TimeValue"; // of field data of readers of time steps
 
 //------------------------------------------------------------------------------
@@ -41,7 +44,6 @@ bool HasDigits(double value, int digits)
   }
   // A quotient of integers and powers of ten that are exact is the number nearest to the decimal one.
   constexpr int MaxPower = 22;
-  constexpr double MaxInteger = 9007199254740992.; // 2^53
   const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
   if (std::abs(decimals) <= MaxPower)
   {
@@ -57,7 +59,7 @@ bool HasDigits(double value, int digits)
     }();
     const double power = powers[static_cast<std::size_t>(std::abs(decimals))];
     const double integer = std::round(decimals > 0 ? value * power : value / power);
-    if (std::fabs(integer) < MaxInteger)
+    if (std::fabs(integer) < static_cast<double>(MaxInteger))
     {
       return (decimals > 0 ? integer / power : integer * power) == value;
     }
@@ -67,6 +69,19 @@ bool HasDigits(double value, int digits)
   double rounded = 0;
   ParseReal(text.data(), text.data() + text.size(), rounded);
   return rounded == value;
+}
+
+//------------------------------------------------------------------------------
+bool IsExactInDouble(const vtkVariant& value)
+{
+  const bool isNegative = !value.IsUnsignedLong() && !value.IsUnsignedLongLong() && value.ToTypeInt64() < 0;
+  const std::uint64_t bits = value.ToTypeUInt64();
+  std::uint64_t magnitude = isNegative ? 0 - bits : bits;
+  while (magnitude > MaxInteger && magnitude % 2 == 0)
+  {
+    magnitude /= 2;
+  }
+  return magnitude <= MaxInteger;
 }
 
 //------------------------------------------------------------------------------
@@ -259,6 +274,43 @@ bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, 
       }
     },
     { many, one, many }, path, warnings, error);
+}
+
+//------------------------------------------------------------------------------
+void WarnOfIntegers(vtkDataArray* array, Warnings& warnings)
+{
+  constexpr int sizeOfLong = 8;
+  if (array->GetDataTypeSize() < sizeOfLong || array->GetDataType() == VTK_DOUBLE)
+  {
+    return;
+  }
+  const int components = array->GetNumberOfComponents();
+  double greatest = 0;
+  for (int c = 0; c < components; ++c)
+  {
+    const double* const range = array->GetFiniteRange(c);
+    greatest = array->GetNumberOfTuples() > 0 ? std::max({ greatest, -range[0], range[1] }) : 0;
+  }
+  // Ranges are rounded, too.
+  if (greatest < static_cast<double>(MaxInteger))
+  {
+    return;
+  }
+  const Tally rounded = CountWhere(array->GetNumberOfTuples(),
+    [&]
+    {
+      return [&](vtkIdType tuple)
+      {
+        bool isExact = true;
+        for (int c = 0; c < components; ++c)
+        {
+          isExact &= IsExactInDouble(array->GetVariantValue(tuple * components + c));
+        }
+        return !isExact;
+      };
+    });
+  const std::string fate = "of the array " + DescribeArray(array) + " rounded to double";
+  warnings.Add(rounded, "value", "values", fate.c_str());
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,9 @@ bool CheckSinglePrecision(
 bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, const char* many,
   const std::string& path, Warnings& warnings, ScanError& error);
 
+/// Warns of integers that are not the same as numbers in double precision, which formats have for them.
+void WarnOfIntegers(vtkDataArray* array, Warnings& warnings);
+
 /**
  * Warns of points that are written and whose coordinates have more than so many significant digits, and where those
  * keep less than a millionth of the size of the mesh, as far from the origin or as they are so few.

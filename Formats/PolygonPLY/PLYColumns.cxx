@@ -173,12 +173,7 @@ PLYType PLYColumns::ChooseType(vtkDataArray* array, PLYType type)
   {
     return PLYType::UInt32;
   }
-  constexpr double Exact = 9007199254740992.; // 2^53, of double
-  if (least < -Exact || greatest > Exact)
-  {
-    this->Messages->Add("the array " + GetArrayName(array) +
-      " has integers that PLY files cannot hold; they are rounded to double");
-  }
+  WarnOfIntegers(array, *this->Messages);
   return PLYType::Double;
 }
 

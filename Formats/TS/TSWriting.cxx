@@ -60,7 +60,7 @@ bool WriteTS(const std::string& path, vtkDataSet* mesh, const TSOptions& options
   if (isGOCAD)
   {
     TSurfWriting writing(mesh, output);
-    WarnOfArrays(mesh, "TSurf", warnings, writing.GetWritten());
+    writing.Warn(warnings);
     good = writing.Write(file, progress.Part(0.3, 1));
   }
   else

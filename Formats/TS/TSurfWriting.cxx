@@ -279,6 +279,16 @@ void TSurfWriting::AppendPoint(vtkIdType point, vtkIdType id, std::string& text)
 }
 
 //------------------------------------------------------------------------------
+void TSurfWriting::Warn(Warnings& warnings) const
+{
+  WarnOfArrays(this->Input, "TSurf", warnings, this->Written);
+  for (vtkDataArray* property : this->Properties)
+  {
+    WarnOfIntegers(property, warnings);
+  }
+}
+
+//------------------------------------------------------------------------------
 bool TSurfWriting::Write(OutputFile& file, const Progress& progress) const
 {
   const std::size_t objects = this->Objects.size() - 1;

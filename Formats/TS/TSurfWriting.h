@@ -32,8 +32,8 @@ public:
   /// @param input of which @a mesh was made
   TSurfWriting(vtkDataSet* input, const OutputMesh& mesh);
 
-  /// Names of the arrays that the file holds.
-  const WrittenArrays& GetWritten() const { return this->Written; }
+  /// Says what the file cannot hold.
+  void Warn(Warnings& warnings) const;
 
   /// False with the error in @a file, or if stopped.
   bool Write(OutputFile& file, const Progress& progress) const;

@@ -11,6 +11,7 @@
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
+#include "vtkTypeInt64Array.h"
 
 #include <limits>
 
@@ -122,6 +123,26 @@ TEST(TSWriter, ValuesThatStandForNoData)
   const Written file = Write(grid, vtkTSWriter::GOCAD);
   EXPECT_NE(file.Bytes.find("NO_DATA_VALUES -9999999\n"), std::string::npos) << file.Bytes;
   EXPECT_TRUE(HaveSameValues(Read(file.Bytes).Grid->GetPointData()->GetArray("a"), values));
+}
+
+//------------------------------------------------------------------------------
+// If this fails, two ids become one without a word.
+TEST(TSWriter, IntegersThatAreRounded)
+{
+  const Grid grid = MakeTriangles();
+  vtkNew<vtkTypeInt64Array> ids;
+  ids->SetName("id");
+  constexpr vtkTypeInt64 exact = vtkTypeInt64(1) << 53;
+  for (const vtkTypeInt64 id : { exact, exact + 1, -exact - 1, exact + 2 })
+  {
+    ids->InsertNextValue(id);
+  }
+  grid->GetPointData()->AddArray(ids);
+  const Written file = Write(grid, vtkTSWriter::GOCAD);
+  ASSERT_EQ(file.Warnings.size(), 1u);
+  EXPECT_NE(file.Warnings[0].find("2 values of the array id rounded to double, the first is value 1"),
+    std::string::npos)
+    << file.Warnings[0];
 }
 
 //------------------------------------------------------------------------------
