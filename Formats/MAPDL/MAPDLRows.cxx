@@ -111,6 +111,29 @@ template bool MAPDLRowFormat::ReadToken(const Line&, int, std::int64_t&, const c
 template bool MAPDLRowFormat::ReadToken(const Line&, int, double&, const char*&) const;
 
 //------------------------------------------------------------------------------
+bool MAPDLRowFormat::SetFault(
+  const Line& line, int i, const char* place, const char* expected, MAPDLFault& fault) const
+{
+  fault.Set(place, ErrorKind::Syntax, expected);
+  if (this->Columns)
+  {
+    // Those of other rows than the format says hold parts of numbers.
+    const ColumnFormat::Column& column = (*this->Columns)[i];
+    const ColumnText text(line.Begin, line.End, column);
+    fault.Expected += " in columns " + std::to_string(column.Begin + 1) + " to " +
+      std::to_string(column.Begin + column.Width);
+    const char* end = text.End;
+    while (end > place && IsSpace(end[-1]))
+    {
+      --end;
+    }
+    const bool isPlain = std::all_of(place, end, [](char c) { return c >= ' ' && c <= '~'; });
+    fault.Found = isPlain ? "'" + std::string(place, end) + "'" : "";
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool MAPDLNodeFormat::ReadId(const Line& line, std::int32_t& id, MAPDLFault& fault) const
 {
   constexpr char Expected[] = "the number of a node from 1 to 2147483647";
@@ -118,7 +141,7 @@ bool MAPDLNodeFormat::ReadId(const Line& line, std::int32_t& id, MAPDLFault& fau
   const char* place;
   if (!this->Fields.Read(line, 0, value, place))
   {
-    return fault.Set(place, ErrorKind::Syntax, Expected);
+    return this->Fields.SetFault(line, 0, place, Expected, fault);
   }
   if (value < 1 || value > MaxId)
   {
@@ -134,9 +157,10 @@ bool MAPDLNodeFormat::ReadCoordinates(const Line& line, double x[3], MAPDLFault&
   for (int c = 0; c < 3; ++c)
   {
     const char* place;
-    if (!this->Fields.Read(line, this->FirstCoordinate + c, x[c], place))
+    const int field = this->FirstCoordinate + c;
+    if (!this->Fields.Read(line, field, x[c], place))
     {
-      return fault.Set(place, ErrorKind::Syntax, "a coordinate of a node");
+      return this->Fields.SetFault(line, field, place, "a coordinate of a node", fault);
     }
   }
   return true;
@@ -223,7 +247,7 @@ bool MAPDLElementFormat::ReadInteger(
   const char* place;
   if (!this->Fields.Read(line, field, number, place))
   {
-    return fault.Set(place, ErrorKind::Syntax, what);
+    return this->Fields.SetFault(line, field, place, what, fault);
   }
   if (number < -MaxId || number > MaxId)
   {
