@@ -411,6 +411,12 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
         "a parenthesis that closes the section that begins here", "the end of the file");
       return false;
     }
+    if (std::memchr(body, '(', static_cast<std::size_t>(static_cast<const char*>(end) - body)))
+    {
+      this->FailAt(section.Place, ErrorKind::Truncated,
+        "a parenthesis that closes the section that begins here", "another that opens");
+      return false;
+    }
     section.Begin = body;
     section.End = static_cast<const char*>(end);
     this->Position = section.End + 1;

@@ -215,7 +215,13 @@ bool HeaderReading::ReadProperty(const std::vector<std::string_view>& words)
       words[2], ErrorKind::Syntax, "an integer type for the length of a list, such as uchar");
   }
   property.Name = std::string(words[type + 1]);
-  this->Header.Elements.back().Properties.push_back(property);
+  PLYElement& element = this->Header.Elements.back();
+  if (element.Find({ property.Name.c_str() }, property.IsList) >= 0)
+  {
+    this->Header.Oddities.push_back(
+      "the element " + Quote(element.Name) + " has the property " + Quote(property.Name) + " more than once");
+  }
+  element.Properties.push_back(property);
   return this->CheckName(words[type + 1]);
 }
 

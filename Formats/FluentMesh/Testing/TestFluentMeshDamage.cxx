@@ -99,6 +99,8 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
   ExpectError("(2 3)\n(10 (1 1 1 1)(1 2 3))\n", vtkErrorCode::FileFormatError, "found no faces");
   ExpectError(Tetrahedron + "(45 (1 x", premature,
     "test.msh:18: expected a parenthesis that closes the section that begins here");
+  ExpectError(change("(12 (2 1 1 1 2))", "(12 (2 1 1 1 2)"), premature,
+    "expected a parenthesis that closes the section that begins here, found another that opens");
   ExpectError(Tetrahedron + "x", format, "test.msh:18: expected a section");
   ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 z 1 3)"), format,
     "test.msh:5: expected a hexadecimal number or the end of the header, found 'z'");
