@@ -374,7 +374,7 @@ TEST(Criteria, IndependentOfThreadsAndCompany)
 {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> noise(-0.2, 0.2);
-  const Grid grid = Transform(MakeHexahedra(20, 20, 20, true), [&](const Point& p)
+  const Grid grid = Transform(MakeHexahedra(14, 14, 14, true), [&](const Point& p)
     { return Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) }; });
   Values reference;
   for (const int threads : { 1, 2, 5 })

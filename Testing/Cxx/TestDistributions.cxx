@@ -22,7 +22,7 @@ using namespace camaron::testing;
 // Distances of Kolmogorov and Smirnov by their definition, on any number of processes, one of them without values.
 TEST(Statistics, DistributionDistance)
 {
-  const auto lists = DifficultLists(700);
+  const auto lists = DifficultLists(300);
   const auto share = [](const std::vector<double>& list, double x)
   {
     const auto isNull = [](double value) { return std::isnan(value); };
