@@ -11,6 +11,8 @@
 #include "Scan/IdLists.h"
 #include "Scan/PieceRequest.h"
 
+#include <functional> // for points that are read later
+
 namespace camaron
 {
 /**
@@ -84,6 +86,12 @@ struct FaceMesh
   Buffer<float> Floats;
   Buffer<double> Doubles;
   ///@}
+  /**
+   * If given, Points has only their number so far, as they are read when it is known which ones a piece has: fills the
+   * coordinates of the members of a numbered set, one after the other; false if they are no longer there, or if
+   * stopped.
+   */
+  std::function<bool(const IdSet& points, float* coordinates, const Progress& progress)> ReadPoints;
   IdLists Faces;
   IdLists Cells;
 

@@ -24,6 +24,8 @@ namespace
 constexpr vtkIdType BlockSize = IdLists::BlockSize;
 constexpr vtkIdType Ahead = 8; // items whose faces are fetched meanwhile
 constexpr vtkIdType MaxInt32 = INT32_MAX;
+const ScanError MeshHasChanged = { ErrorKind::Changed,
+  "expected the mesh of a moment ago, found another one" };
 
 //------------------------------------------------------------------------------
 // What an item of the piece becomes.
@@ -62,7 +64,11 @@ public:
     {
       return false;
     }
-    TakePoints(this->Mesh, this->Piece, this->Grid, progress.Part(0.2, 0.25));
+    if (!TakePoints(this->Mesh, this->Piece, this->Grid, progress.Part(0.2, 0.25)))
+    {
+      this->Error = progress.IsStopped() ? ScanError() : MeshHasChanged;
+      return false;
+    }
     if (this->Piece.IsCloud())
     {
       this->Total.Points = this->Piece.GetNumberOfItems();
@@ -495,7 +501,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
   this->Exceptions = std::move(exceptions);
   if (hasChanged)
   {
-    this->Error = { ErrorKind::Changed, "expected the mesh of a moment ago, found another one" };
+    this->Error = MeshHasChanged;
   }
   return finished && !hasChanged;
 }

@@ -14,6 +14,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <vector>
 
 namespace camaron
@@ -24,7 +25,7 @@ constexpr vtkIdType BlockSize = 1024;
 
 //------------------------------------------------------------------------------
 template <typename Real, typename Array>
-void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
+bool TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
   vtkUnstructuredGrid* grid, const Progress& progress)
 {
   PointSource& source = mesh.Points;
@@ -33,6 +34,17 @@ void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
   if (isWhole && owned.size() == 3 * source.Count)
   {
     coordinates = std::move(owned);
+  }
+  else if (mesh.ReadPoints)
+  {
+    if constexpr (std::is_same_v<Real, float>)
+    {
+      coordinates = Buffer<float>(3 * piece.GetNumberOfPoints());
+      if (!mesh.ReadPoints(piece.GetPoints(), coordinates.data(), progress))
+      {
+        return false;
+      }
+    }
   }
   else
   {
@@ -57,21 +69,17 @@ void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
   vtkNew<vtkPoints> points;
   points->SetData(coordinates.template TakeArray<Array>(3));
   grid->SetPoints(points);
+  return true;
 }
 }
 
 //------------------------------------------------------------------------------
-void TakePoints(
+bool TakePoints(
   FaceMesh& mesh, const MeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
 {
-  if (mesh.Points.IsDouble)
-  {
-    TakePointsAs<double, vtkDoubleArray>(mesh, mesh.Doubles, piece, grid, progress);
-  }
-  else
-  {
-    TakePointsAs<float, vtkFloatArray>(mesh, mesh.Floats, piece, grid, progress);
-  }
+  return mesh.Points.IsDouble
+    ? TakePointsAs<double, vtkDoubleArray>(mesh, mesh.Doubles, piece, grid, progress)
+    : TakePointsAs<float, vtkFloatArray>(mesh, mesh.Floats, piece, grid, progress);
 }
 
 //------------------------------------------------------------------------------

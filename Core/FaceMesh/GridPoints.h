@@ -13,8 +13,9 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Sets the points of @a grid; from then on @a mesh has those of the grid where these are all.
-void TakePoints(
+/// Sets the points of @a grid; from then on @a mesh has those of the grid. False if they cannot be
+/// read any more, or if stopped.
+bool TakePoints(
   FaceMesh& mesh, const MeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
 
 /// Adds global ids to a piece of a mesh, and which points and cells are ghosts.

@@ -80,8 +80,17 @@ struct Content
   bool HasTrailingData = false;
   std::string WrongFlag; // what was made of it
   IdLists::Expectation Faces, Cells;
+  Tally BadPoints; // with a coordinate that is not finite, of points that are read later
   ScanError Error;
 };
+
+//------------------------------------------------------------------------------
+constexpr const char* Coordinate = "a coordinate of a vertex";
+
+bool AreFinite(double x, double y, double z)
+{
+  return std::isfinite(x + y + z); // sums of floats do not overflow
+}
 
 //------------------------------------------------------------------------------
 class VisfReading
@@ -100,6 +109,8 @@ public:
 private:
   bool ReadBinary(const Header& header, Content& content, const Progress& progress) const;
   bool ReadText(Content& content, const Progress& progress) const;
+  bool ReadTextPoints(
+    TextScanner& scanner, vtkIdType points, Content& content, const Progress& progress) const;
   bool ReadTextTail(TextScanner& scanner, const TextLines* lines, bool withFlag, Content& content,
     const Progress& progress) const;
   void Expect(Content& content, vtkIdType points, vtkIdType faces) const;
@@ -260,6 +271,57 @@ bool VisfReading::ReadBinary(
 }
 
 //------------------------------------------------------------------------------
+// Pieces of a large text check all points now, and read theirs once they are known.
+bool VisfReading::ReadTextPoints(
+  TextScanner& scanner, vtkIdType points, Content& content, const Progress& progress) const
+{
+  FaceMesh& mesh = content.Mesh;
+  const TextLines* const lines = content.Lines.get();
+  const auto readRow = [](TextRow& text, float x[3])
+  { return text.ReadReal(x[0], Coordinate) && text.ReadReal(x[1], Coordinate) && text.ReadReal(x[2], Coordinate); };
+  if (this->InPieces && lines)
+  {
+    TextScanner attempt = scanner;
+    std::mutex mutex;
+    const bool good = ReadRowsOnce(attempt, lines, points, progress,
+      [&](vtkIdType row, TextRow& text)
+      {
+        float x[3];
+        if (!readRow(text, x))
+        {
+          return false;
+        }
+        if (!AreFinite(x[0], x[1], x[2]))
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          content.BadPoints.Add(row);
+        }
+        return true;
+      });
+    if (good)
+    {
+      mesh.Points = PointSource(nullptr, points, false);
+      mesh.ReadPoints = [lines, points, readRow, start = scanner](
+                          const IdSet& wanted, float* coordinates, const Progress& part)
+      {
+        TextScanner again = start;
+        return ReadRowsOnce(again, lines, points, part,
+          [&](vtkIdType row, TextRow& text)
+          { return !wanted.Contains(row) || readRow(text, coordinates + 3 * wanted.GetNumber(row)); });
+      };
+      scanner = attempt;
+      return true;
+    }
+    content.BadPoints = Tally();
+  }
+  mesh.Floats = Buffer<float>(3 * points);
+  mesh.Points = PointSource(reinterpret_cast<const char*>(mesh.Floats.data()), points, false);
+  return !progress.IsStopped() &&
+    ReadRows(scanner, lines, points, progress,
+      [&](vtkIdType row, TextRow& text) { return readRow(text, mesh.Floats.data() + 3 * row); });
+}
+
+//------------------------------------------------------------------------------
 bool VisfReading::ReadText(Content& content, const Progress& progress) const
 {
   TextScanner scanner(this->File.GetName(), this->File.begin(), this->File.end(), '#');
@@ -285,15 +347,10 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
     {
       lines.reset(new TextLines(scanner, progress.Part(0, 0.1), this->Chunk));
     }
-    mesh.Floats = Buffer<float>(3 * points);
-    if (progress.IsStopped() ||
-      !ReadTable(scanner, lines.get(), points, 3, mesh.Floats.data(),
-        "a coordinate of a vertex", progress.Part(0.1, 0.4)))
+    if (progress.IsStopped() || !this->ReadTextPoints(scanner, points, content, progress.Part(0.1, 0.4)))
     {
       return false;
     }
-    mesh.Points =
-      PointSource(reinterpret_cast<const char*>(mesh.Floats.data()), points, false);
     if (!scanner.SkipSpace())
     {
       return true;
@@ -419,9 +476,8 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
 }
 
 //------------------------------------------------------------------------------
-void Warn(const Content& content, const Progress& progress, Warnings& warnings)
+Tally FindBadPoints(const PointSource& points, const Progress& progress)
 {
-  const PointSource& points = content.Mesh.Points;
   Tally bad;
   std::mutex mutex;
   constexpr vtkIdType Block = 4096;
@@ -433,7 +489,7 @@ void Warn(const Content& content, const Progress& progress, Warnings& warnings)
       {
         double x[3];
         points.Get(i, x);
-        if (!std::isfinite(x[0] + x[1] + x[2])) // sums of floats do not overflow
+        if (!AreFinite(x[0], x[1], x[2]))
         {
           local.Add(i);
         }
@@ -441,6 +497,14 @@ void Warn(const Content& content, const Progress& progress, Warnings& warnings)
       const std::lock_guard<std::mutex> lock(mutex);
       bad.Merge(local);
     });
+  return bad;
+}
+
+//------------------------------------------------------------------------------
+void Warn(const Content& content, const Progress& progress, Warnings& warnings)
+{
+  const PointSource& points = content.Mesh.Points;
+  const Tally bad = content.Mesh.ReadPoints ? content.BadPoints : FindBadPoints(points, progress);
   warnings.Add(bad, "vertex", "vertices", "with a coordinate that is not finite");
   warnings.Add(content.Faces.Empty, "polygon", "polygons", "without vertices, left out");
   warnings.Add(content.Faces.Short, "polygon", "polygons", "with fewer than 3 vertices");
