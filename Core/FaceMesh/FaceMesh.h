@@ -87,9 +87,9 @@ struct FaceMesh
   Buffer<double> Doubles;
   ///@}
   /**
-   * If given, Points has only their number so far, as they are read when it is known which ones a piece has: fills the
-   * coordinates of the members of a numbered set, one after the other; false if they are no longer there, or if
-   * stopped.
+   * If given, Points has only their number so far, as those of a piece are read when it is known which they are: fills
+   * the coordinates, in single precision, of the members of a numbered set, one after the other; false if they are no
+   * longer there, or if stopped.
    */
   std::function<bool(const IdSet& points, float* coordinates, const Progress& progress)> ReadPoints;
   IdLists Faces;
