@@ -289,7 +289,7 @@ void WarnOfIntegers(vtkDataArray* array, Warnings& warnings)
   for (int c = 0; c < components; ++c)
   {
     const double* const range = array->GetFiniteRange(c);
-    greatest = array->GetNumberOfTuples() > 0 ? std::max({ greatest, -range[0], range[1] }) : 0;
+    greatest = std::max({ greatest, -range[0], range[1] }); // an empty one goes from large to small
   }
   // Ranges are rounded, too.
   if (greatest < static_cast<double>(MaxInteger))

@@ -14,7 +14,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <vector>
 
 namespace camaron
@@ -25,26 +24,15 @@ constexpr vtkIdType BlockSize = 1024;
 
 //------------------------------------------------------------------------------
 template <typename Real, typename Array>
-bool TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
+void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
   vtkUnstructuredGrid* grid, const Progress& progress)
 {
   PointSource& source = mesh.Points;
   const bool isWhole = piece.IsWhole();
   Buffer<Real> coordinates;
-  if (isWhole && owned.size() == 3 * source.Count)
+  if (owned.size() == 3 * piece.GetNumberOfPoints())
   {
     coordinates = std::move(owned);
-  }
-  else if (mesh.ReadPoints)
-  {
-    if constexpr (std::is_same_v<Real, float>)
-    {
-      coordinates = Buffer<float>(3 * piece.GetNumberOfPoints());
-      if (!mesh.ReadPoints(piece.GetPoints(), coordinates.data(), progress))
-      {
-        return false;
-      }
-    }
   }
   else
   {
@@ -69,7 +57,6 @@ bool TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
   vtkNew<vtkPoints> points;
   points->SetData(coordinates.template TakeArray<Array>(3));
   grid->SetPoints(points);
-  return true;
 }
 }
 
@@ -77,9 +64,23 @@ bool TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
 bool TakePoints(
   FaceMesh& mesh, const MeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
 {
-  return mesh.Points.IsDouble
-    ? TakePointsAs<double, vtkDoubleArray>(mesh, mesh.Doubles, piece, grid, progress)
-    : TakePointsAs<float, vtkFloatArray>(mesh, mesh.Floats, piece, grid, progress);
+  if (mesh.ReadPoints)
+  {
+    mesh.Floats = Buffer<float>(3 * piece.GetNumberOfPoints());
+    if (!mesh.ReadPoints(piece.GetPoints(), mesh.Floats.data(), progress))
+    {
+      return false;
+    }
+  }
+  if (mesh.Points.IsDouble)
+  {
+    TakePointsAs<double, vtkDoubleArray>(mesh, mesh.Doubles, piece, grid, progress);
+  }
+  else
+  {
+    TakePointsAs<float, vtkFloatArray>(mesh, mesh.Floats, piece, grid, progress);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

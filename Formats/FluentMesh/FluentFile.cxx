@@ -405,16 +405,13 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
   {
     const char* const body = this->Position + 1;
     const void* end = std::memchr(body, ')', static_cast<std::size_t>(this->End - body));
-    if (!end)
+    const bool opens =
+      end && std::memchr(body, '(', static_cast<std::size_t>(static_cast<const char*>(end) - body));
+    if (!end || opens)
     {
       this->FailAt(section.Place, ErrorKind::Truncated,
-        "a parenthesis that closes the section that begins here", "the end of the file");
-      return false;
-    }
-    if (std::memchr(body, '(', static_cast<std::size_t>(static_cast<const char*>(end) - body)))
-    {
-      this->FailAt(section.Place, ErrorKind::Truncated,
-        "a parenthesis that closes the section that begins here", "another that opens");
+        "a parenthesis that closes the section that begins here",
+        opens ? "another that opens" : "the end of the file");
       return false;
     }
     section.Begin = body;

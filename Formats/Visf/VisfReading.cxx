@@ -317,8 +317,7 @@ bool VisfReading::ReadTextPoints(
   mesh.Floats = Buffer<float>(3 * points);
   mesh.Points = PointSource(reinterpret_cast<const char*>(mesh.Floats.data()), points, false);
   return !progress.IsStopped() &&
-    ReadRows(scanner, lines, points, progress,
-      [&](vtkIdType row, TextRow& text) { return readRow(text, mesh.Floats.data() + 3 * row); });
+    ReadTable(scanner, lines, points, 3, mesh.Floats.data(), Coordinate, progress);
 }
 
 //------------------------------------------------------------------------------
