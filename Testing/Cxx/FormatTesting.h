@@ -9,6 +9,7 @@
 #define camaron_FormatTesting_h
 
 #include "Mesh/CellFacets.h"
+#include "Mesh/CellShape.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCallbackCommand.h"
@@ -27,6 +28,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -273,6 +275,44 @@ inline std::vector<std::vector<vtkIdType>> DescribeCell(
       }
     });
   return lists;
+}
+
+//------------------------------------------------------------------------------
+/// Volume of a cell of three dimensions by its plane faces, positive if they run outward; area of one of two in the
+/// plane of x and y, positive if it is counterclockwise.
+inline double GetMeasure(vtkUnstructuredGrid* grid, vtkIdType cell)
+{
+  const MeshView mesh(grid);
+  double sum = 0;
+  const auto getPoint = [&](vtkIdType id)
+  {
+    std::array<double, 3> x;
+    mesh.GetPoint(id, x.data());
+    return x;
+  };
+  const IndexRange points = mesh.GetCellPoints(cell);
+  if (GetCellShape(mesh.GetCellType(cell)).Dimension == 2)
+  {
+    for (vtkIdType i = 0; i < points.Size; ++i)
+    {
+      const auto a = getPoint(points[i]), b = getPoint(points[(i + 1) % points.Size]);
+      sum += (a[0] * b[1] - a[1] * b[0]) / 2;
+    }
+    return sum;
+  }
+  CellFacets(mesh).ForEach(cell,
+    [&](const vtkIdType* ids, vtkIdType size, vtkIdType)
+    {
+      const auto a = getPoint(ids[0]);
+      for (vtkIdType i = 1; i + 1 < size; ++i)
+      {
+        const auto b = getPoint(ids[i]), c = getPoint(ids[i + 1]);
+        sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+                 a[2] * (b[0] * c[1] - b[1] * c[0])) /
+          6;
+      }
+    });
+  return sum;
 }
 
 //------------------------------------------------------------------------------

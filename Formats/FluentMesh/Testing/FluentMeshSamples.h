@@ -371,44 +371,6 @@ inline std::vector<FluentEncoding> GetEncodings()
 }
 
 //------------------------------------------------------------------------------
-/// Volume of a 3D cell by its faces, positive if they run outward; area of a 2D one, positive if it
-// is counterclockwise.
-inline double GetMeasure(vtkUnstructuredGrid* grid, vtkIdType cell)
-{
-  const MeshView mesh(grid);
-  double sum = 0;
-  const auto getPoint = [&](vtkIdType id)
-  {
-    std::array<double, 3> x;
-    mesh.GetPoint(id, x.data());
-    return x;
-  };
-  const IndexRange points = mesh.GetCellPoints(cell);
-  if (GetCellShape(mesh.GetCellType(cell)).Dimension == 2)
-  {
-    for (vtkIdType i = 0; i < points.Size; ++i)
-    {
-      const auto a = getPoint(points[i]), b = getPoint(points[(i + 1) % points.Size]);
-      sum += (a[0] * b[1] - a[1] * b[0]) / 2;
-    }
-    return sum;
-  }
-  CellFacets(mesh).ForEach(cell,
-    [&](const vtkIdType* ids, vtkIdType size, vtkIdType)
-    {
-      const auto a = getPoint(ids[0]);
-      for (vtkIdType i = 1; i + 1 < size; ++i)
-      {
-        const auto b = getPoint(ids[i]), c = getPoint(ids[i + 1]);
-        sum += (a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-                 a[2] * (b[0] * c[1] - b[1] * c[0])) /
-          6;
-      }
-    });
-  return sum;
-}
-
-//------------------------------------------------------------------------------
 /// The faces of a sample's cell as it sees them, outward, each from its smallest node.
 using FaceSet = std::set<std::vector<vtkIdType>>;
 inline void Normalise(std::vector<vtkIdType>& face)

@@ -166,6 +166,16 @@ inline std::string Encode(const VisfMesh& mesh, Encoding encoding)
 }
 
 //------------------------------------------------------------------------------
+inline VisfMesh MakeTetrahedron()
+{
+  VisfMesh mesh;
+  mesh.Points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } };
+  mesh.Polygons = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } };
+  mesh.Polyhedra = { { 0, 1, 2, 3 } };
+  return mesh;
+}
+
+//------------------------------------------------------------------------------
 /// A row of unit cubes along x, the first @a wedges of them cut into two wedges, faces shared.
 inline VisfMesh MakeBar(int cubes, int wedges = 0)
 {
