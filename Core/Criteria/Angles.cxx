@@ -10,55 +10,54 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-AngleRange OverFaces(const CellGeometry& cell)
-{
-  AngleRange range;
-  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
-  {
-    range.Add(cell.GetFaceAngles(f));
-  }
-  return range;
-}
-
-//------------------------------------------------------------------------------
 double InUserUnit(const CellGeometry& cell, double radian)
 {
   return std::isnan(radian) ? radian : cell.ToAngleUnit(radian);
 }
-}
-
-//------------------------------------------------------------------------------
-double MinFaceAngle(const CellGeometry& cell)
+Pair InUserUnit(const TetrahedronPair& pair, Pair radian)
 {
-  return InUserUnit(cell, OverFaces(cell).GetMin());
+  return pair.ToAngleUnit(radian);
+}
 }
 
 //------------------------------------------------------------------------------
-double MaxFaceAngle(const CellGeometry& cell)
+template <typename Cell>
+auto MinFaceAngle(const Cell& cell)
 {
-  return InUserUnit(cell, OverFaces(cell).GetMax());
+  return InUserUnit(cell, cell.GetMinFaceAngle());
 }
 
 //------------------------------------------------------------------------------
-double MinDihedralAngle(const CellGeometry& cell)
+template <typename Cell>
+auto MaxFaceAngle(const Cell& cell)
+{
+  return InUserUnit(cell, cell.GetMaxFaceAngle());
+}
+
+//------------------------------------------------------------------------------
+template <typename Cell>
+auto MinDihedralAngle(const Cell& cell)
 {
   return InUserUnit(cell, cell.GetMinDihedralAngle());
 }
 
 //------------------------------------------------------------------------------
-double MaxDihedralAngle(const CellGeometry& cell)
+template <typename Cell>
+auto MaxDihedralAngle(const Cell& cell)
 {
   return InUserUnit(cell, cell.GetMaxDihedralAngle());
 }
 
 //------------------------------------------------------------------------------
-double MinSolidAngle(const CellGeometry& cell)
+template <typename Cell>
+auto MinSolidAngle(const Cell& cell)
 {
   return cell.GetMinSolidAngle();
 }
 
 //------------------------------------------------------------------------------
-double MaxSolidAngle(const CellGeometry& cell)
+template <typename Cell>
+auto MaxSolidAngle(const Cell& cell)
 {
   return cell.GetMaxSolidAngle();
 }
@@ -95,6 +94,12 @@ double EquiangleSkewness(const CellGeometry& cell)
   close();
   return worst;
 }
+Pair EquiangleSkewness(const TetrahedronPair& pair)
+{
+  const double ideal = Pi / 3;
+  return Max((pair.GetMaxFaceAngle() - MakePair(ideal, ideal)) / (Pi - ideal),
+    (MakePair(ideal, ideal) - pair.GetMinFaceAngle()) / ideal);
+}
 
 //------------------------------------------------------------------------------
 std::vector<Criterion> AngleCriteria()
@@ -126,7 +131,7 @@ std::vector<Criterion> AngleCriteria()
     { "MinFaceAngle", "Smallest face angle", "Smallest interior angle of all faces of the cell.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle),
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MinFaceAngle, MinFaceAngle),
       { "min over all faces of θᵢ, as for `MinInteriorAngle`",
         "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
         "has a value.",
@@ -135,7 +140,7 @@ std::vector<Criterion> AngleCriteria()
       "Largest interior angle of all faces of the cell, above 180 at a reflex corner.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle),
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MaxFaceAngle, MaxFaceAngle),
       { "max over all faces of θᵢ, as for `MinInteriorAngle`",
         "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
         "has a value.",
@@ -145,7 +150,7 @@ std::vector<Criterion> AngleCriteria()
       "70.53, hexahedron 90.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { 20, Infinity }, "common practice; 40 for tetrahedra in the Verdict manual", Hint, Real,
-      Cost::Edges, NeedsDihedral, CAMARON_CELLS(MinDihedralAngle),
+      Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MinDihedralAngle, MinDihedralAngle),
       { "at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − atan2(e · (n₁ "
         "× n₂), n₁ · n₂); the value is min θ",
         "A flat tetrahedron has 0. Edges of collapsed faces are passed over; null (degenerate) when "
@@ -160,7 +165,7 @@ std::vector<Criterion> AngleCriteria()
       "not convex.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, 165 }, "common practice", Hint, Real,
-      Cost::Edges, NeedsDihedral, CAMARON_CELLS(MaxDihedralAngle),
+      Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MaxDihedralAngle, MaxDihedralAngle),
       { "max θ, with θ as for `MinDihedralAngle`",
         "A flat tetrahedron has 180. Null as `MinDihedralAngle`.",
         "TetGen's dihedral angles. Above 180° where a cell is not convex, which Camarón's cannot be." } },
@@ -168,7 +173,7 @@ std::vector<Criterion> AngleCriteria()
       "Smallest solid angle of the cell at one of its vertices; cube 1.5708, regular tetrahedron 0.5513.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Bigger,
       { 0.1, Infinity }, "common practice for tetrahedra", Hint, Real,
-      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS(MinSolidAngle),
+      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MinSolidAngle, MinSolidAngle),
       { "area of the unit sphere that the cell covers as seen from a vertex; the spherical polygon of "
         "its edges is cut into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b · c + c "
         "· a); the value is the smallest of the vertices",
@@ -182,7 +187,7 @@ std::vector<Criterion> AngleCriteria()
       "Largest solid angle of the cell at one of its vertices; a full sphere is 12.566.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS(MaxSolidAngle),
+      Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MaxSolidAngle, MaxSolidAngle),
       { "the largest of the angles Ω of `MinSolidAngle`",
         "As `MinSolidAngle`.",
         "As `MinSolidAngle`." } },
@@ -191,7 +196,7 @@ std::vector<Criterion> AngleCriteria()
       "above 1 at reflex corners.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 0.9 }, "common finite-volume practice", Hint, Real,
-      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(EquiangleSkewness),
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(EquiangleSkewness, EquiangleSkewness),
       { "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face of k "
         "corners; the largest of the faces",
         "1 for a collinear triangle, above 1 at reflex corners. Null (degenerate) when no face has an "

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The angles of CellGeometry: interior angles of faces, dihedral and solid angles. Faces, edges and points are taken two
 // at a time; where something is collapsed or straight, one after the other.
+#include "Criteria/AnglePairs.h"
 #include "Criteria/CellGeometry.h"
-#include "Mesh/VectorPair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +34,18 @@ void CellGeometry::ComputeCorners()
 }
 
 //------------------------------------------------------------------------------
+AngleRange CellGeometry::JoinFaceAngles() const
+{
+  AngleRange angles;
+  for (const CellTopology::FacePair& pair : this->Topology->FacePairs)
+  {
+    angles.Add(this->FaceAngles[pair.First]);
+    angles.Add(this->FaceAngles[pair.Second]);
+  }
+  return angles;
+}
+
+//------------------------------------------------------------------------------
 void CellGeometry::KeepAngles(
   const CellTopology::FacePair& pair, const AngleRangePair& angles)
 {
@@ -42,19 +54,12 @@ void CellGeometry::KeepAngles(
 }
 
 //------------------------------------------------------------------------------
-// All corners have the same sine times the lengths of their sides: twice the area.
 void CellGeometry::ComputeTriangleAngles(const CellTopology::FacePair& pair)
 {
   const int *first = this->Topology->GetFace(pair.First), *second = this->Topology->GetFace(pair.Second);
-  const Vector* points = this->Points.data();
-  const VectorPair p0(points[first[0]], points[second[0]]), p1(points[first[1]], points[second[1]]),
-    p2(points[first[2]], points[second[2]]);
-  const VectorPair a = p1 - p0, b = p2 - p1, c = p0 - p2, normal = Cross(a, b);
-  const Pair sine = Sqrt(Dot(normal, normal)), zero = MakePair(0, 0);
+  const auto getPoint = [&](int i) { return VectorPair(this->Points[first[i]], this->Points[second[i]]); };
   AngleRangePair angles;
-  angles.Add(sine, zero - Dot(a, b));
-  angles.Add(sine, zero - Dot(b, c));
-  angles.Add(sine, zero - Dot(c, a));
+  AddTriangleAngles(getPoint(0), getPoint(1), getPoint(2), angles);
   this->KeepAngles(pair, angles);
 }
 
@@ -164,12 +169,6 @@ void CellGeometry::ComputeDihedralAngles()
 }
 
 //------------------------------------------------------------------------------
-namespace
-{
-constexpr double DihedralRounding = 1e-14; // of sines
-}
-
-//------------------------------------------------------------------------------
 void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
 {
   const CellTopology::Edge& edge = this->Topology->Edges[e];
@@ -203,12 +202,9 @@ inline void CellGeometry::AddDihedralAngles(int first, int second, AngleRangePai
   const auto endsOf = [&](int end)
   { return VectorPair(this->Points[a->Points[end]], this->Points[b->Points[end]]); };
   const Pair length = Sqrt(MakePair(this->SquaredLengths[first], this->SquaredLengths[second]));
-  const VectorPair s0 = vectorsOf(0), s1 = vectorsOf(1), along = endsOf(1) - endsOf(0);
-  const Pair zero = MakePair(0, 0), sign = MakePair(this->OrientationSign, this->OrientationSign),
-             rounding = MakePair(DihedralRounding, DihedralRounding);
-  const Pair sine = sign * Dot(along, Cross(s0, s1));
-  const Pair limit = rounding * length * areasOf(0) * areasOf(1);
-  angles.Add(SelectLess(limit, Abs(sine), sine, zero), (zero - length) * Dot(s0, s1));
+  const AnglePair angle = GetDihedralAngles(endsOf(1) - endsOf(0), length, vectorsOf(0), vectorsOf(1), areasOf(0),
+    areasOf(1), MakePair(this->OrientationSign, this->OrientationSign));
+  angles.Add(angle.Sine, angle.Cosine);
 }
 
 //------------------------------------------------------------------------------
@@ -283,16 +279,6 @@ void CellGeometry::ComputeSolidAngles()
 }
 
 //------------------------------------------------------------------------------
-namespace
-{
-constexpr double StraightCorner = 1e-9; // of a face: its sine
-// A triangle whose corner lies opposite to another one, or to its other side, has no area of its own.
-constexpr double DegenerateFan = 1e-6;
-// Rounding must not turn an angle of 0 into a full sphere.
-constexpr double SolidRounding = 1e-13;
-}
-
-//------------------------------------------------------------------------------
 // Of two points with three edges each; false, and nothing is added, where the general way has more to look at.
 bool CellGeometry::AddSimpleAngles(
   const CellTopology& topology, int first, int second, AngleRangePair& halfAngles) const
@@ -306,29 +292,20 @@ bool CellGeometry::AddSimpleAngles(
     return MakePair(getSign(a[i].Edge, first), getSign(b[i].Edge, second)) *
       VectorPair(this->EdgeDirections[a[i].Edge], this->EdgeDirections[b[i].Edge]);
   };
-  const VectorPair spokes[3] = { getSpoke(0), getSpoke(1), getSpoke(2) };
-  for (int i = 0; i < 3; ++i)
-  {
-    const VectorPair area(this->FaceVectors[a[i].Face], this->FaceVectors[b[i].Face]);
-    const Pair turn = Dot(Cross(spokes[i < 2 ? i + 1 : 0], spokes[i]), area);
-    if (turn[0] <= StraightCorner * this->FaceAreas[a[i].Face] ||
-      turn[1] <= StraightCorner * this->FaceAreas[b[i].Face])
-    {
-      return false;
-    }
-  }
-  const Pair y = Dot(spokes[0], Cross(spokes[1], spokes[2]));
-  const Pair x = MakePair(1, 1) + Dot(spokes[0], spokes[1]) + Dot(spokes[1], spokes[2]) +
-    Dot(spokes[2], spokes[0]);
-  const Pair square = x * x + y * y;
-  if (square[0] < DegenerateFan || square[1] < DegenerateFan)
+  const auto getVector = [&](int i)
+  { return VectorPair(this->FaceVectors[a[i].Face], this->FaceVectors[b[i].Face]); };
+  const auto getArea = [&](int i) { return MakePair(this->FaceAreas[a[i].Face], this->FaceAreas[b[i].Face]); };
+  const VectorPair spokes[] = { getSpoke(0), getSpoke(1), getSpoke(2) };
+  const VectorPair vectors[] = { getVector(0), getVector(1), getVector(2) };
+  const Pair areas[] = { getArea(0), getArea(1), getArea(2) };
+  Pair isSimple;
+  const AnglePair half = GetHalfSolidAngles(
+    spokes, vectors, areas, MakePair(this->OrientationSign, this->OrientationSign), isSimple);
+  if (isSimple[0] == 0 || isSimple[1] == 0)
   {
     return false;
   }
-  const Pair zero = MakePair(0, 0), sign = MakePair(this->OrientationSign, this->OrientationSign),
-             rounding = MakePair(-SolidRounding, -SolidRounding);
-  const Pair sine = sign * y;
-  halfAngles.Add(SelectLess(sine, zero, SelectLess(sine, rounding * x, sine, zero), sine), x);
+  halfAngles.Add(half.Sine, half.Cosine);
   return true;
 }
 

@@ -129,6 +129,8 @@ public:
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
   const EvaluationOptions& GetOptions() const { return *this->Options; }
 
+  /// Of a cell of a fixed 3D type whose points are all different.
+  static const CellTopology& GetTopologyOfType(unsigned char type);
   const CellTopology& GetTopology() const { return *this->Topology; }
   /// The first point.
   const Vector& GetOrigin() const { return this->Origin; }
@@ -225,7 +227,9 @@ public:
   const AngleRange& GetFaceAngles(int face) const { return this->FaceAngles[face]; }
 
   ///@{
-  /// With NeedsDihedral and NeedsSolidAngle: in radian and steradian; null where undefined.
+  /// With NeedsCorners, NeedsDihedral and NeedsSolidAngle: in radian and steradian; null where undefined.
+  double GetMinFaceAngle() const { return this->JoinFaceAngles().GetMin(); }
+  double GetMaxFaceAngle() const { return this->JoinFaceAngles().GetMax(); }
   double GetMinDihedralAngle() const { return this->DihedralAngles.GetMin(); }
   double GetMaxDihedralAngle() const { return this->DihedralAngles.GetMax(); }
   double GetMinSolidAngle() const { return Twice(this->HalfSolidAngles.GetMin()); }
@@ -312,6 +316,7 @@ private:
   void OrientPolyhedron();
   void ComputeCentroid();
   void ComputeCorners();
+  AngleRange JoinFaceAngles() const;
   void ComputeFaceAngles(int face, AngleRange& angles);
   void ComputeTriangleAngles(const CellTopology::FacePair& pair);
   void ComputePolygonAngles(const CellTopology::FacePair& pair);

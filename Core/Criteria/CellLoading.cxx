@@ -14,7 +14,6 @@ namespace camaron
 {
 namespace
 {
-constexpr double Pi = 3.141592653589793238462643383279502884;
 constexpr int MaxStandardPoints = 12;
 constexpr double LargestUsualSize = 1e30, SmallestUsualSize = 1e-30; // products of ten lengths are numbers
 }
@@ -59,6 +58,12 @@ const CellGeometry::StandardCell* CellGeometry::GetStandardCells()
 }
 
 //------------------------------------------------------------------------------
+const CellTopology& CellGeometry::GetTopologyOfType(unsigned char type)
+{
+  return GetStandardCells()[type].Topology;
+}
+
+//------------------------------------------------------------------------------
 CellGeometry::CellGeometry()
   : CellShapes(&GetCellShape(0))
   , StandardCells(GetStandardCells())
@@ -73,7 +78,7 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   this->HasFloatPoints = mesh.HasFloatPoints();
   this->Options = &options;
   this->TrustFaceOrientation = options.TrustFaceOrientation;
-  this->AngleFactor = options.Angles == AngleUnit::Degrees ? 180 / Pi : 1;
+  this->AngleFactor = GetAngleFactor(options.Angles);
   this->Shapes = 0;
   this->BoxScale.Length = -1;
   this->Diameter = -1;

@@ -33,6 +33,7 @@ constexpr ClassCost Costs[][NumberOfCostGroups] = {
   { { 360, 5 }, { 480, 5 }, { 1000, 20 } },
 };
 constexpr ClassCost OfSoundTetrahedra = { 12, 6 }; // of criteria with a TetrahedronFunction
+constexpr ClassCost OfTheirAngles = { 40, 20 };
 
 //------------------------------------------------------------------------------
 bool AppliesTo(const Criterion& criterion, int group)
@@ -56,8 +57,9 @@ double GetCost(const std::vector<const Criterion*>& criteria, int group)
       ofCells = std::max(ofCells, Costs[static_cast<int>(Cost::Faces)][group].One);
       continue;
     }
+    const bool isAngle = (criterion->Needs & (NeedsCorners | NeedsDihedral | NeedsSolidAngle)) != 0;
     const ClassCost& cost = group == CostOfTetrahedra && criterion->TetrahedronFunction
-      ? OfSoundTetrahedra
+      ? (isAngle ? OfTheirAngles : OfSoundTetrahedra)
       : Costs[static_cast<int>(criterion->Cost)][group];
     double& first = criterion->Cost == Cost::Neighbors ? ofNeighbors : ofCells;
     first = std::max(first, cost.One - cost.Another);

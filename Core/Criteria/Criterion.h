@@ -44,6 +44,12 @@ enum class AngleUnit
   Radians
 };
 
+/// From radian.
+constexpr double GetAngleFactor(AngleUnit unit)
+{
+  return unit == AngleUnit::Degrees ? 180 / 3.141592653589793238462643383279502884 : 1;
+}
+
 /// "deg", "rad", "sr" or "" (lengths, areas and volumes are in the units of the mesh).
 const char* GetUnitLabel(enum Unit unit, AngleUnit angles);
 

@@ -103,7 +103,7 @@ private:
     for (vtkIdType first = begin; first < end; first += SoundTetrahedra::Size)
     {
       const int size = static_cast<int>(std::min<vtkIdType>(SoundTetrahedra::Size, end - first));
-      const int numberOfSound = tetrahedra.Load(this->Mesh, first, size, this->Options);
+      const int numberOfSound = tetrahedra.Load(this->Mesh, first, size, this->Options, this->Needs);
       if (numberOfSound > 0)
       {
         for (const CriterionValues& row : this->Criteria)

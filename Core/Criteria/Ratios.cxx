@@ -75,6 +75,12 @@ double MinPointDistanceRatio(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+template <typename Cell>
+auto GetIsoperimetricQuotient(const Cell& cell)
+{
+  const auto volume = cell.GetVolume(), surface = cell.GetSurfaceArea();
+  return 36 * Pi * volume * volume / (surface * surface * surface);
+}
 double IsoperimetricQuotient(const CellGeometry& cell)
 {
   if (cell.GetShapes() & Polygons)
@@ -89,7 +95,7 @@ double IsoperimetricQuotient(const CellGeometry& cell)
     return volume;
   }
   return cell.IsZeroArea(surface) ? Null(NullReason::Degenerate)
-                                  : 36 * Pi * volume * volume / (surface * surface * surface);
+                                  : GetIsoperimetricQuotient(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -203,7 +209,7 @@ std::vector<Criterion> RatioCriteria()
       "polyhedron; 1 for circle and ball, 0.5236 for the cube.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(IsoperimetricQuotient),
+      Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS_AND_TETRAHEDRA(IsoperimetricQuotient, GetIsoperimetricQuotient),
       { "4πA/P² of a polygon, 36πV²/(surface area)³ of a polyhedron",
         "0 for a flat cell; null (degenerate) without perimeter or surface, null (invalid topology) "
         "for an open polyhedron.",

@@ -68,17 +68,29 @@ double VertexCount(const CellGeometry& cell)
 {
   return cell.GetNumberOfPoints();
 }
+Pair VertexCount(const TetrahedronPair&)
+{
+  return MakePair(4, 4);
+}
 
 //------------------------------------------------------------------------------
 double EdgeCount(const CellGeometry& cell)
 {
   return static_cast<double>(cell.GetTopology().Edges.size());
 }
+Pair EdgeCount(const TetrahedronPair&)
+{
+  return MakePair(6, 6);
+}
 
 //------------------------------------------------------------------------------
 double FaceCount(const CellGeometry& cell)
 {
   return cell.GetTopology().GetNumberOfFaces();
+}
+Pair FaceCount(const TetrahedronPair&)
+{
+  return MakePair(4, 4);
 }
 
 //------------------------------------------------------------------------------
@@ -233,19 +245,19 @@ std::vector<Criterion> SizeCriteria()
         "the sign." } },
     { "VertexCount", "Vertices", "Number of distinct points.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(VertexCount),
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(VertexCount, VertexCount),
       { "number of different point ids",
         "Of a cell that uses a point twice, without the repetition.",
         "Camarón's." } },
     { "EdgeCount", "Edges", "Number of distinct edges.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsEdges, CAMARON_CELLS(EdgeCount),
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeCount, EdgeCount),
       { "number of different pairs of neighbouring points along the faces",
         "0 for a polygon of fewer than three different points.",
         "camaron-web's." } },
     { "FaceCount", "Faces", "Number of faces with at least three distinct points.",
       Polyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(FaceCount),
+      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS_AND_TETRAHEDRA(FaceCount, FaceCount),
       { "number of faces with at least three different points",
         "Faces of fewer points do not count.",
         "Camarón's, where no face is collapsed." } },

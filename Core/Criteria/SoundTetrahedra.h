@@ -3,7 +3,7 @@
 /**
  * @class camaron::SoundTetrahedra
  * @brief A block of consecutive cells, of which those VTK_TETRA are evaluated that are sound: nothing in them is
- * collapsed, flat, huge or not a number.
+ * collapsed, flat, huge or not a number, and solid angles need no second way where they are asked for.
  *
  * So formulas need not look for what is undefined, and take two cells at a time. Makes no topology. Values do not
  * depend on how a mesh is cut into blocks.
@@ -21,8 +21,10 @@ class SoundTetrahedra
 public:
   static constexpr int Size = TetrahedronBlock::Size;
 
-  /// Takes up to Size cells from @a first on; returns how many of them are sound.
-  int Load(const MeshView& mesh, vtkIdType first, int numberOfCells, const EvaluationOptions& options);
+  /// Takes up to Size cells from @a first on, with the angles that a combination of Needs names; returns how many of
+  /// them are sound.
+  int Load(const MeshView& mesh, vtkIdType first, int numberOfCells, const EvaluationOptions& options,
+    unsigned needs);
 
   /// False if the cell is something else than a tetrahedron, or so close to it that CellGeometry has to tell.
   bool IsSound(int cell) const { return this->AreSound[cell] != 0; }
@@ -45,7 +47,8 @@ private:
   /// Loads all cells from the ids of their corners, four of each cell.
   template <typename Coordinate, typename Id>
   void LoadCells(const Coordinate* points, const Id* corners);
-  int FindSound(const MeshView& mesh, const EvaluationOptions& options);
+  void FindSound(const MeshView& mesh, const EvaluationOptions& options);
+  void ComputeAngles(unsigned needs);
 
   TetrahedronBlock Block = {}; // what was not loaded has to be numbers, too
   double Places[Size];         // sums of the absolute coordinates of first points; NaN where there is none

@@ -10,6 +10,7 @@
 #ifndef camaron_TetrahedronPair_h
 #define camaron_TetrahedronPair_h
 
+#include "Criteria/AngleRange.h"
 #include "Mesh/VectorPair.h"
 
 #include <array> // for the edges
@@ -23,6 +24,8 @@ struct TetrahedronBlock
 
   double X[3][Size], Y[3][Size], Z[3][Size]; // edges from the first point to the others
   double Volumes[Size];
+  double AngleFactor; // from radian to the unit that the user chose
+  std::array<AngleRange, Size> FaceAngles, DihedralAngles, HalfSolidAngles; // where they are asked for
 };
 
 class TetrahedronPair
@@ -78,8 +81,29 @@ public:
     return GetArea(a, c) + GetArea(b - a, c - a) + GetArea(-1 * b, c - b) + GetArea(b, a);
   }
 
+  ///@{
+  /// In radian and steradian.
+  Pair GetMinFaceAngle() const { return this->GetMin(this->Block.FaceAngles); }
+  Pair GetMaxFaceAngle() const { return this->GetMax(this->Block.FaceAngles); }
+  Pair GetMinDihedralAngle() const { return this->GetMin(this->Block.DihedralAngles); }
+  Pair GetMaxDihedralAngle() const { return this->GetMax(this->Block.DihedralAngles); }
+  Pair GetMinSolidAngle() const { return 2.0 * this->GetMin(this->Block.HalfSolidAngles); }
+  Pair GetMaxSolidAngle() const { return 2.0 * this->GetMax(this->Block.HalfSolidAngles); }
+  ///@}
+  Pair ToAngleUnit(Pair radian) const { return this->Block.AngleFactor * radian; }
+
 private:
+  using Angles = std::array<AngleRange, TetrahedronBlock::Size>;
+
   Pair Load(const double* values) const { return LoadPair(values + this->Place); }
+  Pair GetMin(const Angles& angles) const
+  {
+    return MakePair(angles[this->Place].GetMin(), angles[this->Place + 1].GetMin());
+  }
+  Pair GetMax(const Angles& angles) const
+  {
+    return MakePair(angles[this->Place].GetMax(), angles[this->Place + 1].GetMax());
+  }
 
   static Pair GetArea(const VectorPair& a, const VectorPair& b) { return Norm(0.5 * Cross(a, b)); }
 

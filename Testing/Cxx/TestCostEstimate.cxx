@@ -19,10 +19,9 @@ TEST(CostEstimate, CellsAndCriteria)
   };
   EXPECT_GT(estimate("KernelRatio", CostOfPolyhedra), 2 * estimate("KernelRatio", CostOfTetrahedra));
   EXPECT_GT(estimate("KernelRatio", CostOfTetrahedra), 5 * estimate("SurfaceArea", CostOfTetrahedra));
-  for (const CostGroup group : { CostOfTetrahedra, CostOfPolyhedra })
-  {
-    EXPECT_EQ(estimate("VemQuality", group), estimate("FaceCount", group)); // of polygons
-  }
+  EXPECT_EQ(estimate("VemQuality", CostOfPolyhedra), estimate("FaceCount", CostOfPolyhedra)); // of polygons
+  EXPECT_EQ(estimate("VemQuality", CostOfTetrahedra), estimate("MaxWarpage", CostOfTetrahedra));
+  EXPECT_GT(estimate("MinSolidAngle", CostOfTetrahedra), 2 * estimate("FaceCount", CostOfTetrahedra));
   EXPECT_GT(estimate("VemQuality", CostOfPolygons), 2 * estimate("TetMeanRatio", CostOfPolygons));
 
   const Grid hexahedra = MakeHexahedra(2, 1, 1, false);

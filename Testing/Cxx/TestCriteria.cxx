@@ -400,7 +400,7 @@ TEST(Criteria, IndependentOfThreadsAndCompany)
 
 // Sound tetrahedra go without topology: if this fails, a value depends on whether they do, and so on what else is asked
 // for. Among them are flat and inverted ones, one with a point used twice, huge and tiny ones, one that is not a number,
-// and other cells.
+// regular ones, whose angles differ by rounding, one with a point in the middle of an edge, and other cells.
 TEST(Criteria, TetrahedraWithoutTopology)
 {
   std::mt19937 random(5);
@@ -428,6 +428,22 @@ TEST(Criteria, TetrahedraWithoutTopology)
           cells.push_back({ VTK_PYRAMID, { 0, first + 1, first + 2, first + 3, 1 } });
         }
       }
+    }
+  }
+  for (int i = 0; i < 200; ++i)
+  {
+    const double turn = random(), c = i == 0 ? 1 : std::cos(turn), s = i == 0 ? 0 : std::sin(turn);
+    for (const Points& shape : { Points{ { 1, 1, 1 }, { 1, -1, -1 }, { -1, 1, -1 }, { -1, -1, 1 } },
+           Points{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
+           Points{ { -1, 0, 0 }, { 1, 0, 0 }, { 1e-9, 1, 0 }, { 0, 1e-5, 1e-5 } } })
+    {
+      const auto first = static_cast<vtkIdType>(points.size());
+      for (const Point& p : shape)
+      {
+        const double x = c * p[0] - s * p[1], y = s * p[0] + c * p[1];
+        points.push_back({ { x, c * y - s * p[2], s * y + c * p[2] } });
+      }
+      cells.push_back({ VTK_TETRA, { first, first + 1, first + 2, first + 3 } });
     }
   }
   const Grid grid = MakeGrid(points, cells);
