@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/SoundTetrahedra.h"
-#include "Criteria/AnglePairs.h"
+#include "Criteria/TetrahedronAngles.h"
 
 #include <algorithm>
 #include <limits>
@@ -136,87 +136,33 @@ void SoundTetrahedra::FindSound(const MeshView& mesh, const EvaluationOptions& o
 }
 
 //------------------------------------------------------------------------------
-// Faces, edges and points in the order in which CellGeometry takes them: of angles that are the same but for rounding the
-// first one counts.
 void SoundTetrahedra::ComputeAngles(unsigned needs)
 {
-  constexpr int edges[] = { 0, 2, 4, 1, 3, 5 }, points[] = { 0, 2, 1, 3 };
-  const CellTopology& topology = CellGeometry::GetTopologyOfType(VTK_TETRA);
-  const auto keep = [](const AngleRangePair& angles, AngleRange* to)
-  {
-    to[0] = angles[0];
-    to[1] = angles[1];
-  };
   for (int cell = 0; cell < Size; cell += 2)
   {
-    const TetrahedronPair pair(this->Block, cell);
-    const VectorPair places[] = { VectorPair(), pair.GetPoint(1), pair.GetPoint(2), pair.GetPoint(3) };
+    const auto keep = [cell](const AngleRangePair& angles, TetrahedronBlock::Angles& all)
+    {
+      all[cell] = angles[0];
+      all[cell + 1] = angles[1];
+    };
+    TetrahedronAngles angles(TetrahedronPair(this->Block, cell));
     if (needs & NeedsCorners)
     {
-      AngleRangePair angles;
-      for (int f = 3; f >= 0; --f)
-      {
-        const int* const face = topology.GetFace(f);
-        AddTriangleAngles(places[face[0]], places[face[1]], places[face[2]], angles);
-      }
-      keep(angles, &this->Block.FaceAngles[cell]);
+      keep(angles.GetFaceAngles(), this->Block.FaceAngles);
     }
-    if (!(needs & (NeedsDihedral | NeedsSolidAngle)))
+    if (needs & (NeedsDihedral | NeedsSolidAngle))
     {
-      continue;
-    }
-    const Pair zero = MakePair(0, 0), one = MakePair(1, 1);
-    const Pair sign = SelectLess(pair.GetVolume(), zero, zero - one, one);
-    VectorPair vectors[4];
-    Pair areas[4];
-    for (int f = 0; f < 4; ++f)
-    {
-      const int* const face = topology.GetFace(f);
-      vectors[f] = 0.5 * Cross(places[face[1]] - places[face[0]], places[face[2]] - places[face[0]]);
-      areas[f] = Norm(vectors[f]);
-    }
-    VectorPair along[6];
-    Pair lengths[6];
-    for (int e = 0; e < 6; ++e)
-    {
-      const CellTopology::Edge& edge = topology.Edges[e];
-      along[e] = places[edge.Points[1]] - places[edge.Points[0]];
-      lengths[e] = Norm(along[e]);
+      angles.MeasureSides();
     }
     if (needs & NeedsDihedral)
     {
-      AngleRangePair angles;
-      for (const int e : edges)
-      {
-        const int *const faces = topology.Edges[e].Faces;
-        const AnglePair angle = GetDihedralAngles(along[e], lengths[e], vectors[faces[0]], vectors[faces[1]],
-          areas[faces[0]], areas[faces[1]], sign);
-        angles.Add(angle.Sine, angle.Cosine);
-      }
-      keep(angles, &this->Block.DihedralAngles[cell]);
+      keep(angles.GetDihedralAngles(), this->Block.DihedralAngles);
     }
     if (needs & NeedsSolidAngle)
     {
-      AngleRangePair angles;
-      Pair areSound = LoadPair(this->AreSound + cell);
-      for (const int point : points)
-      {
-        const CellTopology::Spoke* const spokes = &topology.Spokes[topology.SpokeOffsets[point]];
-        const auto getDirection = [&](int i)
-        {
-          const int e = spokes[i].Edge;
-          return (topology.Edges[e].Points[0] == point ? one : zero - one) * ((one / lengths[e]) * along[e]);
-        };
-        const VectorPair directions[] = { getDirection(0), getDirection(1), getDirection(2) };
-        const VectorPair between[] = { vectors[spokes[0].Face], vectors[spokes[1].Face], vectors[spokes[2].Face] };
-        const Pair sizes[] = { areas[spokes[0].Face], areas[spokes[1].Face], areas[spokes[2].Face] };
-        Pair isSimple;
-        const AnglePair half = GetHalfSolidAngles(directions, between, sizes, sign, isSimple);
-        angles.Add(half.Sine, half.Cosine);
-        areSound = areSound * isSimple;
-      }
-      StorePair(areSound, this->AreSound + cell);
-      keep(angles, &this->Block.HalfSolidAngles[cell]);
+      Pair areSimple;
+      keep(angles.GetHalfSolidAngles(areSimple), this->Block.HalfSolidAngles);
+      StorePair(LoadPair(this->AreSound + cell) * areSimple, this->AreSound + cell);
     }
   }
 }

@@ -25,7 +25,8 @@ struct TetrahedronBlock
   double X[3][Size], Y[3][Size], Z[3][Size]; // edges from the first point to the others
   double Volumes[Size];
   double AngleFactor; // from radian to the unit that the user chose
-  std::array<AngleRange, Size> FaceAngles, DihedralAngles, HalfSolidAngles; // where they are asked for
+  using Angles = std::array<AngleRange, Size>;
+  Angles FaceAngles, DihedralAngles, HalfSolidAngles; // where they are asked for
 };
 
 class TetrahedronPair
@@ -93,14 +94,12 @@ public:
   Pair ToAngleUnit(Pair radian) const { return this->Block.AngleFactor * radian; }
 
 private:
-  using Angles = std::array<AngleRange, TetrahedronBlock::Size>;
-
   Pair Load(const double* values) const { return LoadPair(values + this->Place); }
-  Pair GetMin(const Angles& angles) const
+  Pair GetMin(const TetrahedronBlock::Angles& angles) const
   {
     return MakePair(angles[this->Place].GetMin(), angles[this->Place + 1].GetMin());
   }
-  Pair GetMax(const Angles& angles) const
+  Pair GetMax(const TetrahedronBlock::Angles& angles) const
   {
     return MakePair(angles[this->Place].GetMax(), angles[this->Place + 1].GetMax());
   }
