@@ -33,8 +33,9 @@ public:
   void Add(double sine, double cosine)
   {
     const double sum = std::abs(sine) + std::abs(cosine);
-    const double x = sum > 0 ? cosine / sum : 1;
-    const double order = sine >= 0 ? 1 - x : 3 + x;
+    const bool isAcute = sine >= 0 && cosine >= 0; // then small angles must not lose their digits
+    const double share = sum > 0 ? (isAcute ? sine : cosine) / sum : 0;
+    const double order = sine < 0 ? 3 + share : isAcute ? share : 1 - share;
     if (order < this->MinOrder)
     {
       this->MinOrder = order;
@@ -90,8 +91,10 @@ public:
   {
     const Pair zero = MakePair(0, 0), one = MakePair(1, 1);
     const Pair sum = Abs(sine) + Abs(cosine);
-    const Pair x = SelectLess(zero, sum, cosine / sum, one);
-    const Pair order = SelectLess(sine, zero, MakePair(3, 3) + x, one - x);
+    const Pair ofAcute = SelectLess(cosine, zero, cosine, sine);
+    const Pair share = SelectLess(zero, sum, SelectLess(sine, zero, cosine, ofAcute) / sum, zero);
+    const Pair ofUpper = SelectLess(cosine, zero, one - share, share);
+    const Pair order = SelectLess(sine, zero, MakePair(3, 3) + share, ofUpper);
     this->MinSine = SelectLess(order, this->MinOrder, sine, this->MinSine);
     this->MinCosine = SelectLess(order, this->MinOrder, cosine, this->MinCosine);
     this->MinOrder = SelectLess(order, this->MinOrder, order, this->MinOrder);

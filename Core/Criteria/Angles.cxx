@@ -177,8 +177,9 @@ std::vector<Criterion> AngleCriteria()
       { "area of the unit sphere that the cell covers as seen from a vertex; the spherical polygon of "
         "its edges is cut into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b · c + c "
         "· a); the value is the smallest of the vertices",
-        "0 for a flat cell; ends of a collapsed edge count as one vertex. Null (degenerate) for a "
-        "cell in one point, null (invalid topology) for an open cell or where faces meet at a vertex "
+        "0 for a flat cell; ends of a collapsed edge count as one vertex. Vertices at which a face without "
+        "an area has a straight corner are passed over. Null (degenerate) for a cell in one point, "
+        "null (invalid topology) for an open cell or where faces meet at a vertex "
         "in more than one group.",
         "Of a tetrahedron Σ Ω = 2 Σ θ − 4π, with TetGen's dihedral angles. Camarón gives the share of "
         "the sphere and is wrong beyond 90°; camaron-web has no answer where more than three edges "

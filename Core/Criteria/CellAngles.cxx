@@ -381,10 +381,15 @@ void CellGeometry::AddSolidAngle(
     this->Spokes[numberOfSpokes++] = spoke;
     // Over the face between the two spokes; where its corner is straight or reflex the short arc between
     // them is not its side of the spherical polygon.
-    const int f = topology.Spokes[s].Face;
-    if (topology.GetFaceSize(f) > 3)
+    const int f = topology.Spokes[s].Face, number = merged ? topology.FaceNumbers[f] : f;
+    const bool isTriangle = topology.GetFaceSize(f) == 3;
+    if (Dot(spoke, next) < 0 && this->IsZeroArea(this->FaceAreas[number]) &&
+      (isTriangle || Norm(Cross(next, spoke)) <= StraightCorner))
     {
-      const int number = merged ? topology.FaceNumbers[f] : f;
+      return; // a straight corner of a face that does not say on which side it is
+    }
+    if (!isTriangle)
+    {
       const Vector& area = this->FaceVectors[number];
       const double turn = Dot(Cross(next, spoke), area);
       const double flat = StraightCorner * this->FaceAreas[number];

@@ -75,10 +75,10 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
       "cells after " + std::to_string(lastEnd) + ", which is in another section",
       std::to_string(section.Header[1]));
   }
-  else if (file.DeclaredCells >= 0 && section.Header[2] > file.DeclaredCells)
+  else if (file.DeclaredCells.Count >= 0 && section.Header[2] > file.DeclaredCells.Count)
   {
     file.FailAt(section.Place, ErrorKind::Index,
-      "cells from 1 to " + std::to_string(file.DeclaredCells), std::to_string(section.Header[2]));
+      "cells from 1 to " + std::to_string(file.DeclaredCells.Count), std::to_string(section.Header[2]));
   }
   else if (element > MaxElement)
   {
@@ -111,15 +111,17 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
 bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
 {
   std::vector<const FluentSection*> sections;
-  this->Count = std::max<std::int64_t>(file.DeclaredCells, 0);
+  this->Count = std::max<std::int64_t>(file.DeclaredCells.Count, 0);
+  const char* place = file.DeclaredCells.Place; // of what gives the number
   for (const FluentSection& section : file.Cells)
   {
     sections.push_back(&section);
+    place = section.Header[2] > this->Count ? section.Place : place;
     this->Count = std::max(this->Count, section.Header[2]);
   }
   if (this->Count > maxCells)
   {
-    file.Fail(ErrorKind::Count, "at most " + std::to_string(maxCells) + " cells for its faces",
+    file.FailAt(place, ErrorKind::Count, "at most " + std::to_string(maxCells) + " cells for its faces",
       std::to_string(this->Count));
     return false;
   }

@@ -39,10 +39,10 @@ bool FluentFaces::AddRuns(FluentFile& file)
         "faces after " + std::to_string(lastId) + ", which is in another section",
         std::to_string(section->Header[1]));
     }
-    else if (file.DeclaredFaces >= 0 && section->Header[2] > file.DeclaredFaces)
+    else if (file.DeclaredFaces.Count >= 0 && section->Header[2] > file.DeclaredFaces.Count)
     {
       file.FailAt(section->Place, ErrorKind::Index,
-        "faces from 1 to " + std::to_string(file.DeclaredFaces),
+        "faces from 1 to " + std::to_string(file.DeclaredFaces.Count),
         std::to_string(section->Header[2]));
     }
     else if (element < 0 || element > 5 || element == 1)

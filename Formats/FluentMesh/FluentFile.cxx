@@ -328,7 +328,7 @@ bool FluentFile::Keep(FluentSection&& section)
       this->HasMeshSection = true;
       if (isDeclaration)
       {
-        this->DeclaredNodes = section.Header[2];
+        this->DeclaredNodes = { section.Header[2], section.Place };
         const std::int64_t dimension = section.HeaderSize > 4 ? section.Header[4] : 0;
         if (this->Dimension == 0 && (dimension == 2 || dimension == 3))
         {
@@ -343,7 +343,7 @@ bool FluentFile::Keep(FluentSection&& section)
     case 12:
       if (isDeclaration)
       {
-        this->DeclaredCells = section.Header[2];
+        this->DeclaredCells = { section.Header[2], section.Place };
       }
       else if (section.GetCount() > 0)
       {
@@ -354,7 +354,7 @@ bool FluentFile::Keep(FluentSection&& section)
       this->HasMeshSection = true;
       if (isDeclaration)
       {
-        this->DeclaredFaces = section.Header[2];
+        this->DeclaredFaces = { section.Header[2], section.Place };
       }
       else if (section.GetCount() > 0)
       {

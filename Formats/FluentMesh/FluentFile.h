@@ -38,6 +38,13 @@ struct FluentSection
   std::int64_t GetCount() const { return this->Header[2] - this->Header[1] + 1; }
 };
 
+/// How many nodes, cells or faces there are in all.
+struct FluentTotal
+{
+  std::int64_t Count = -1;     ///< -1 if the file does not say
+  const char* Place = nullptr; ///< of the section that does
+};
+
 struct FluentZone
 {
   int Id = 0;
@@ -76,10 +83,9 @@ public:
   bool HasBinarySections() const { return this->FirstBinary != nullptr; }
 
   ///@{
-  /// Sections with a body or a range, in the order of the file, and the totals that others declare,
-  /// or -1.
+  /// Sections with a body or a range, in the order of the file, and the totals that others declare.
   std::vector<FluentSection> Nodes, Cells, Faces;
-  std::int64_t DeclaredNodes = -1, DeclaredCells = -1, DeclaredFaces = -1;
+  FluentTotal DeclaredNodes, DeclaredCells, DeclaredFaces;
   ///@}
   std::vector<FluentSection> FaceTrees;
   std::vector<FluentSection> InterfaceFaces; ///< 61 and 62

@@ -293,11 +293,11 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   {
     return false;
   }
-  if (this->File.DeclaredFaces > this->Faces.GetCount())
+  const FluentTotal& declared = this->File.DeclaredFaces;
+  if (declared.Count > this->Faces.GetCount())
   {
-    this->File.Fail(ErrorKind::Truncated,
-      std::to_string(this->File.DeclaredFaces) + " faces, as declared",
-      std::to_string(this->Faces.GetCount()));
+    this->File.FailAt(declared.Place, ErrorKind::Truncated,
+      std::to_string(declared.Count) + " faces, as declared", std::to_string(this->Faces.GetCount()));
     return false;
   }
   this->Faces.KeepBoundariesOnly();

@@ -208,10 +208,11 @@ vtkIdType CountFluentNodes(FluentFile& file)
     }
     count = section->Header[2];
   }
-  if (count != file.DeclaredNodes && file.DeclaredNodes >= 0)
+  const FluentTotal& declared = file.DeclaredNodes;
+  if (count != declared.Count && declared.Count >= 0)
   {
-    file.Fail(count > file.DeclaredNodes ? ErrorKind::Index : ErrorKind::Truncated,
-      std::to_string(file.DeclaredNodes) + " nodes, as declared", std::to_string(count));
+    file.FailAt(declared.Place, count > declared.Count ? ErrorKind::Index : ErrorKind::Truncated,
+      std::to_string(declared.Count) + " nodes, as declared", std::to_string(count));
     return -1;
   }
   return count;

@@ -238,14 +238,16 @@ def describe_options(writer: Any, indent: str = "  ") -> list[str]:
 def describe_formats() -> str:
     """All formats as text, with the options of their writers."""
     lines = []
-    formats = known_formats()
+    formats, written = known_formats(), written_extensions()
     for own, title in ((True, "Formats of the plugin"), (False, "Formats of ParaView")):
         lines += ["", f"{title} (r: read, w: written):"]
         for f in formats:
             if f.own != own:
                 continue
             mode = ("r" if f.reader else "-") + ("w" if f.writers else "-")
-            lines.append(f"  {mode}  {f.description}: {' '.join(f.extensions)}")
+            without = [e for e in f.extensions if f.writers and e.lower() not in written]
+            remark = f" (not for OUT: {' '.join(without)})" if without else ""
+            lines.append(f"  {mode}  {f.description}: {' '.join(f.extensions)}{remark}")
             seen: set[str] = set()
             for name in f.writers:
                 for line in describe_options(make_writer(name), "        "):

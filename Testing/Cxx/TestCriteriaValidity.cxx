@@ -160,6 +160,50 @@ TEST(CriteriaValidity, DegeneratePolygons)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, flat tetrahedra, in many of which three or four points lie in a line, have solid angles that no convex
+// cell has, or others when they are polyhedra.
+TEST(CriteriaValidity, SolidAnglesOfFlatTetrahedra)
+{
+  std::mt19937 random(6);
+  Points points;
+  Cells cells;
+  for (int i = 0; i < 3000; ++i)
+  {
+    Points corners(4);
+    for (Point& corner : corners)
+    {
+      corner = { { double(random() % 3), double(random() % 3), double(random() % 3) } };
+    }
+    const auto edge = [&](int end, int c) { return corners[end][c] - corners[0][c]; };
+    const double volume = edge(1, 0) * (edge(2, 1) * edge(3, 2) - edge(2, 2) * edge(3, 1)) +
+      edge(1, 1) * (edge(2, 2) * edge(3, 0) - edge(2, 0) * edge(3, 2)) +
+      edge(1, 2) * (edge(2, 0) * edge(3, 1) - edge(2, 1) * edge(3, 0));
+    if (volume == 0)
+    {
+      const auto first = static_cast<vtkIdType>(points.size());
+      points.insert(points.end(), corners.begin(), corners.end());
+      cells.push_back({ VTK_TETRA, { first, first + 1, first + 2, first + 3 } });
+    }
+  }
+  ASSERT_GT(cells.size(), 500u);
+  const Grid grid = MakeGrid(points, cells);
+  const Values values = EvaluateAll(grid), ofPolyhedra = EvaluateAll(ToPolyhedra(grid));
+  for (const char* name : { "MinSolidAngle", "MaxSolidAngle" })
+  {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      const double value = values.at(name)[i], other = ofPolyhedra.at(name)[i];
+      ASSERT_EQ(std::isnan(value), std::isnan(other)) << name << " of cell " << i;
+      if (!std::isnan(value))
+      {
+        EXPECT_NEAR(value, other, 1e-9) << name << " of cell " << i;
+        EXPECT_TRUE(std::abs(value) < 1e-9 || std::abs(value - 2 * Pi) < 1e-9) << name << " of cell " << i << ": " << value;
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // The published table of degenerate polyhedra.
 TEST(CriteriaValidity, DegeneratePolyhedra)
 {
