@@ -19,7 +19,7 @@ void CellGeometry::Compute(unsigned needs)
   {
     needs |= isPolyhedron ? NeedsFaces | NeedsVolume : NeedsFaces;
   }
-  if ((needs & (NeedsEdges | NeedsCorners | NeedsDihedral | NeedsSolidAngle)) &&
+  if ((needs & (NeedsEdges | NeedsAngles)) &&
     this->Topology == &this->OwnTopology)
   {
     this->OwnTopology.FindEdges();
@@ -31,15 +31,15 @@ void CellGeometry::Compute(unsigned needs)
     this->IsToBeOriented() && !this->Topology->IsClosed ? this->OwnTopology.MakeConsistent()
                                                         : this->OwnTopology.FindShells();
   }
-  if (needs & (NeedsEdges | NeedsCorners | NeedsDihedral | NeedsSolidAngle))
+  if (needs & (NeedsEdges | NeedsAngles))
   {
     this->ComputeEdges();
   }
-  if (needs & (NeedsCorners | NeedsDihedral | NeedsSolidAngle))
+  if (needs & NeedsAngles)
   {
     this->HasCollapsedEdge = this->IsZeroLength(this->GetMinEdgeLength());
   }
-  const unsigned withFaces = NeedsFaces | NeedsCorners | NeedsDihedral | NeedsSolidAngle;
+  const unsigned withFaces = NeedsFaces | NeedsAngles;
   if (needs & (this->IsTetrahedronByNodes() ? withFaces : withFaces | NeedsVolume))
   {
     this->ComputeFaces((needs & NeedsCentroid) != 0);

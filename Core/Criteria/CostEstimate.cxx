@@ -57,7 +57,7 @@ double GetCost(const std::vector<const Criterion*>& criteria, int group)
       ofCells = std::max(ofCells, Costs[static_cast<int>(Cost::Faces)][group].One);
       continue;
     }
-    const bool isAngle = (criterion->Needs & (NeedsCorners | NeedsDihedral | NeedsSolidAngle)) != 0;
+    const bool isAngle = (criterion->Needs & NeedsAngles) != 0;
     const ClassCost& cost = group == CostOfTetrahedra && criterion->TetrahedronFunction
       ? (isAngle ? OfTheirAngles : OfSoundTetrahedra)
       : Costs[static_cast<int>(criterion->Cost)][group];

@@ -88,6 +88,7 @@ enum Needs : unsigned
   NeedsCorners = 8u,  ///< interior angles of the faces
   NeedsDihedral = 16u,
   NeedsSolidAngle = 32u,
+  NeedsAngles = NeedsCorners | NeedsDihedral | NeedsSolidAngle, ///< any of them
   NeedsCentroid = 64u,  ///< with NeedsVolume for a polyhedron
   NeedsMeanSizes = 128u,   ///< of all cells of the mesh
   NeedsSurfaceSides = 256u, ///< which side of a closed surface is the outer one

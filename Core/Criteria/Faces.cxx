@@ -45,13 +45,8 @@ double MaxWarpage(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MaxFaceConcavity(const CellGeometry& cell)
 {
-  AngleRange angles;
-  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
-  {
-    angles.Add(cell.GetFaceAngles(f));
-  }
-  const double largest = angles.GetMax();
-  return angles.IsEmpty() ? largest : cell.ToAngleUnit(std::max(0.0, largest - Pi));
+  const double largest = cell.GetMaxFaceAngle();
+  return std::isnan(largest) ? largest : cell.ToAngleUnit(std::max(0.0, largest - Pi));
 }
 
 //------------------------------------------------------------------------------

@@ -27,7 +27,7 @@ int SoundTetrahedra::Load(
     return 0;
   }
   this->FindSound(mesh, options);
-  if (needs & (NeedsCorners | NeedsDihedral | NeedsSolidAngle))
+  if (needs & NeedsAngles)
   {
     this->Block.AngleFactor = GetAngleFactor(options.Angles);
     this->ComputeAngles(needs);

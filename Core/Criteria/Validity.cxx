@@ -20,7 +20,7 @@ double IsStarShaped(const CellGeometry& cell);
 namespace
 {
 constexpr unsigned NeedsAll =
-  NeedsEdges | NeedsFaces | NeedsVolume | NeedsCorners | NeedsDihedral | NeedsSolidAngle | NeedsCentroid;
+  NeedsEdges | NeedsFaces | NeedsVolume | NeedsAngles | NeedsCentroid;
 
 constexpr double OpennessLimit = 1e-6;
 constexpr double HalfTurn = 3.141592653589793238462643383279502884;

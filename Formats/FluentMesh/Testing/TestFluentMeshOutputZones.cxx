@@ -41,6 +41,20 @@ vtkSmartPointer<vtkFluentMeshReader> Open(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
+// What both outputs of a reader become in a file, and when that is read; nothing is lost, and nothing to be said.
+void WriteBothOutputs(
+  vtkFluentMeshReader* reader, Written& written, vtkSmartPointer<vtkFluentMeshReader>& second)
+{
+  const auto both = GroupOutputs(reader);
+  written = Write(both);
+  ASSERT_EQ(written.Success, 1);
+  EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
+  const File copy(written.Bytes, "copy.msh");
+  second = Open(copy.Path);
+  ExpectSameCells(reader->GetOutput(), second->GetOutput());
+}
+
+//------------------------------------------------------------------------------
 // All that is known of every zone, and how many faces it has.
 std::set<std::string> DescribeZones(vtkFluentMeshReader* reader)
 {
@@ -178,13 +192,10 @@ TEST(FluentMeshOutputZones, KeepsZonesOfMergedBlocks)
     const std::string names = "(45 (11 velocity-inlet inlet)())\n";
     const File file(Encode(mesh) + names, "test.msh");
     const auto reader = Open(file.Path);
-    const auto both = GroupOutputs(reader);
-    const Written written = Write(both);
-    ASSERT_EQ(written.Success, 1);
-    EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
-    const File copy(written.Bytes, "copy.msh");
-    const auto second = Open(copy.Path);
-    ExpectSameCells(reader->GetOutput(), second->GetOutput());
+    Written written;
+    vtkSmartPointer<vtkFluentMeshReader> second;
+    WriteBothOutputs(reader, written, second);
+    ASSERT_TRUE(second);
     auto* const blocks = vtkMultiBlockDataSet::SafeDownCast(second->GetOutputDataObject(1));
     ASSERT_EQ(blocks->GetNumberOfBlocks(), 2u);
     std::map<std::string, vtkIdType> sizes;
@@ -251,13 +262,10 @@ TEST(FluentMeshOutputZones, KeepsBothSidesOfThinWalls)
     ASSERT_GT(walls, 0);
     const File file(Encode(mesh) + "(45 (11 wall thin)())(45 (12 wall thin-shadow)())\n", "test.msh");
     const auto reader = Open(file.Path);
-    const auto both = GroupOutputs(reader);
-    const Written written = Write(both);
-    ASSERT_EQ(written.Success, 1);
-    EXPECT_TRUE(written.Warnings.empty()) << written.Warnings[0];
-    const File copy(written.Bytes, "copy.msh");
-    const auto second = Open(copy.Path);
-    ExpectSameCells(reader->GetOutput(), second->GetOutput());
+    Written written;
+    vtkSmartPointer<vtkFluentMeshReader> second;
+    WriteBothOutputs(reader, written, second);
+    ASSERT_TRUE(second);
     EXPECT_EQ(DescribeZones(second), DescribeZones(reader));
     EXPECT_TRUE(DescribeZones(second).count(
       std::to_string(walls) + " faces of kind 3 in 12 thin-shadow"));
