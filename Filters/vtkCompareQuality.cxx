@@ -12,6 +12,7 @@
 #include "MeshCopies.h"
 #include "Parallel.h"
 #include "SameCells.h"
+#include "Scan/Buffer.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
@@ -20,9 +21,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 #include <algorithm>
@@ -109,9 +108,8 @@ void AddDeltas(const std::string& name, const MatchedValues& values, const camar
 {
   for (std::size_t i = 0; i < values.After.size(); ++i)
   {
-    auto delta = vtkSmartPointer<vtkDoubleArray>::New();
+    const auto delta = camaron::MakeLargeArray<vtkDoubleArray>(values.After[i].Size);
     delta->SetName((name + "_Delta").c_str());
-    delta->SetNumberOfValues(values.After[i].Size);
     camaron::ParallelFor(values.After[i].Size, 1 << 16,
       [&](vtkIdType begin, vtkIdType end)
       {

@@ -12,6 +12,7 @@
 #include "MeshPieces.h"
 #include "Parallel.h"
 #include "RunTogether.h"
+#include "Scan/Buffer.h"
 #include "WorstCriterion.h"
 
 #include "vtkCellData.h"
@@ -20,7 +21,6 @@
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -43,9 +43,8 @@ constexpr vtkIdType Grain = 65536;
 vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh)
 {
   auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh); // others have no cells of higher order
-  auto mask = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  const auto mask = camaron::MakeLargeArray<vtkUnsignedCharArray>(values->GetNumberOfValues());
   mask->SetName((std::string(values->GetName()) + "_Null").c_str());
-  mask->SetNumberOfValues(values->GetNumberOfValues());
   const double* from = values->GetPointer(0);
   unsigned char* to = mask->GetPointer(0);
   camaron::ParallelFor(values->GetNumberOfValues(), Grain,
@@ -316,12 +315,12 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
         std::vector<camaron::CriterionValues> rows;
         for (const camaron::Criterion* criterion : criteria)
         {
-          vtkNew<vtkDoubleArray> array;
+          const auto array =
+            camaron::MakeLargeArray<vtkDoubleArray>(topology.GetMesh().GetNumberOfCells());
           array->SetName(criterion->Name);
-          array->SetNumberOfValues(topology.GetMesh().GetNumberOfCells());
           camaron::SetUnitLabel(array, criterion->UnitLabel(options.Angles).c_str());
           rows.push_back({ criterion, array->GetPointer(0) });
-          arrays[criterion->Name].emplace_back(array);
+          arrays[criterion->Name].push_back(array);
         }
         isFinished = camaron::Evaluate(topology, pieces.GetOptions(piece), rows,
           [&](double done)

@@ -13,6 +13,7 @@
 
 #include "Criteria/CellGeometry.h"
 #include "Mesh/MeshTopology.h"
+#include "Scan/Buffer.h"
 
 #include <vector> // for the facets
 
@@ -24,8 +25,8 @@ struct PieceLinks;
 /// Centroid and volume or area of every cell of a mesh.
 struct CellCenters
 {
-  std::vector<Vector> Centroids; ///< not relative to anything; NaN where there is none
-  std::vector<double> Sizes;     ///< null where the cell is not closed
+  LargeVector<Vector> Centroids; ///< not relative to anything; NaN where there is none
+  LargeVector<double> Sizes;     ///< null where the cell is not closed
 
   /// None yet.
   explicit CellCenters(vtkIdType numberOfCells);

@@ -3,12 +3,12 @@
 #include "Elements/ElementArray.h"
 
 #include "Criteria/UnitLabel.h"
+#include "Scan/Buffer.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
@@ -24,9 +24,8 @@ namespace
 template <typename Array>
 auto* Add(vtkPolyData* elements, const char* name)
 {
-  vtkNew<Array> array;
+  const auto array = MakeLargeArray<Array>(elements->GetNumberOfCells());
   array->SetName(name);
-  array->SetNumberOfValues(elements->GetNumberOfCells());
   std::fill_n(array->GetPointer(0), elements->GetNumberOfCells(), 0);
   elements->GetCellData()->AddArray(array);
   return array->GetPointer(0);

@@ -8,6 +8,7 @@
 #include "Mesh/CellFacets.h"
 #include "Mesh/UsedPoints.h"
 #include "Parallel.h"
+#include "Scan/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -34,8 +35,7 @@ constexpr vtkIdType Grain = 1024;
 vtkSmartPointer<vtkCellArray> MakePolygons(const ElementContext& context, const FacetTable& table)
 {
   const MeshView& mesh = context.GetMesh();
-  vtkNew<vtkTypeInt64Array> offsets, connectivity;
-  offsets->SetNumberOfValues(table.GetNumberOfFacets() + 1);
+  const auto offsets = MakeLargeArray<vtkTypeInt64Array>(table.GetNumberOfFacets() + 1);
   vtkTypeInt64* starts = offsets->GetPointer(0);
   starts[0] = 0;
   const auto forCells = [&](auto&& visit)
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkCellArray> MakePolygons(const ElementContext& context, const 
     return polygons;
   }
   std::partial_sum(starts, starts + table.GetNumberOfFacets() + 1, starts);
-  connectivity->SetNumberOfValues(starts[table.GetNumberOfFacets()]);
+  const auto connectivity = MakeLargeArray<vtkTypeInt64Array>(starts[table.GetNumberOfFacets()]);
   vtkTypeInt64* ids = connectivity->GetPointer(0);
   forCells([&](Index facet, const vtkIdType* points, vtkIdType size)
     { std::copy_n(points, size, ids + starts[facet]); });
@@ -139,13 +139,12 @@ vtkSmartPointer<vtkCellArray> MakePolygonCells(const ElementContext& context)
 // Cells that lines or vertices are made of: k ids each.
 vtkSmartPointer<vtkCellArray> MakeCells(vtkIdType size, int points)
 {
-  vtkNew<vtkTypeInt64Array> offsets, connectivity;
-  offsets->SetNumberOfValues(size + 1);
+  const auto offsets = MakeLargeArray<vtkTypeInt64Array>(size + 1);
   for (vtkIdType i = 0; i <= size; ++i)
   {
     offsets->SetValue(i, points * i);
   }
-  connectivity->SetNumberOfValues(points * size);
+  const auto connectivity = MakeLargeArray<vtkTypeInt64Array>(points * size);
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   cells->SetData(offsets, connectivity);
   return cells;
@@ -268,9 +267,8 @@ void AddWorst(const ElementContext& context, const Criterion& criterion, vtkData
 {
   const PointCells& around = context.GetTopology().GetPointCells();
   const IndexLists points(vertices->GetVerts());
-  vtkNew<vtkDoubleArray> worst;
+  const auto worst = MakeLargeArray<vtkDoubleArray>(vertices->GetNumberOfCells());
   worst->SetName((std::string("VertexWorst") + criterion.Name).c_str());
-  worst->SetNumberOfValues(vertices->GetNumberOfCells());
   worst->CopyInformation(values->GetInformation());
   double* to = worst->GetPointer(0);
   const bool takesLargest = criterion.Better == Better::Smaller;

@@ -54,7 +54,7 @@ struct Arrays
   Buffer<unsigned char> Types;
   Buffer<Id> Offsets, Connectivity;
   Buffer<Id> FaceOffsets, FaceConnectivity, LocationOffsets, Locations;
-  std::vector<Index> CellFaces;
+  LargeVector<Index> CellFaces;
 
   Arrays(vtkIdType items, const Extent& total, bool provideFaces)
     : Types(items)
@@ -73,7 +73,7 @@ struct Arrays
     }
     if (provideFaces)
     {
-      this->CellFaces.resize(static_cast<std::size_t>(total.Faces));
+      this->CellFaces.resize(static_cast<std::size_t>(total.Faces), 0);
     }
   }
 

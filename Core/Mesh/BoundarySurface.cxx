@@ -6,6 +6,7 @@
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
+#include "Scan/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -195,9 +196,8 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
     total.Cells += start(kind, numberOfChunks).Cells;
   }
 
-  vtkNew<vtkIdTypeArray> cellIds;
-  cellIds->SetNumberOfValues(total.Cells);
-  vtkNew<vtkTypeInt64Array> offsets[NumberOfKinds], connectivity[NumberOfKinds];
+  const auto cellIds = MakeLargeArray<vtkIdTypeArray>(total.Cells);
+  vtkSmartPointer<vtkTypeInt64Array> offsets[NumberOfKinds], connectivity[NumberOfKinds];
   vtkIdType firstCell[NumberOfKinds];
   total.Cells = 0;
   for (int kind = 0; kind < NumberOfKinds; ++kind)
@@ -205,9 +205,9 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
     const Counts& counts = start(kind, numberOfChunks);
     firstCell[kind] = total.Cells;
     total.Cells += counts.Cells;
-    offsets[kind]->SetNumberOfValues(counts.Cells + 1);
+    offsets[kind] = MakeLargeArray<vtkTypeInt64Array>(counts.Cells + 1);
     offsets[kind]->SetValue(counts.Cells, counts.Points);
-    connectivity[kind]->SetNumberOfValues(counts.Points);
+    connectivity[kind] = MakeLargeArray<vtkTypeInt64Array>(counts.Points);
   }
   forEachChunk(
     [&](SurfaceParts& parts, vtkIdType chunk, vtkIdType begin, vtkIdType end)
@@ -233,7 +233,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
     });
 
   // Only the points that are used, in their old order.
-  std::vector<Index> newIds(view.GetNumberOfPoints(), -1);
+  LargeVector<Index> newIds(view.GetNumberOfPoints(), -1);
   for (auto& values : connectivity)
   {
     for (vtkIdType i = 0; i < values->GetNumberOfValues(); ++i)
@@ -246,8 +246,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
   {
     id = id < 0 ? -1 : static_cast<Index>(numberOfPoints++);
   }
-  vtkNew<vtkIdTypeArray> pointIds;
-  pointIds->SetNumberOfValues(numberOfPoints);
+  const auto pointIds = MakeLargeArray<vtkIdTypeArray>(numberOfPoints);
   vtkNew<vtkPoints> points;
   points->SetDataType(view.HasFloatPoints() ? VTK_FLOAT : VTK_DOUBLE);
   points->SetNumberOfPoints(numberOfPoints);

@@ -111,7 +111,7 @@ private:
 
   Index NumberOfCells = 0;
   Index Stride = 0;                    ///< facets per cell when all cells have the same, else 0
-  std::vector<vtkIdType> CellOffsets;  ///< only if Stride is 0
+  LargeVector<vtkIdType> CellOffsets;  ///< only if Stride is 0
   LargeVector<CellFacet> CellFacets;
   LargeVector<CellPair> FacetCells;
   std::vector<ExtraCell> ExtraCells;   ///< third and further cells, sorted

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -121,13 +120,13 @@ bool IsPolygon(const Points& points)
 // Uses by runs of their keys, and in order within each.
 struct FacetTableBuilder::Buckets
 {
-  std::unique_ptr<Index[]> Uses;
+  LargeVector<Index> Uses;
   std::vector<Index> Begins;
 };
 
 //------------------------------------------------------------------------------
 FacetTable FacetTableBuilder::Build(
-  const MeshView& mesh, int dimension, const std::vector<Index>& given, Index numberOfGiven)
+  const MeshView& mesh, int dimension, const LargeVector<Index>& given, Index numberOfGiven)
 {
   FacetTableBuilder builder(mesh, dimension);
   builder.CountFacets();
@@ -280,10 +279,10 @@ void FacetTableBuilder::MatchUses()
 //------------------------------------------------------------------------------
 // The same. Only the first use of every given number is compared with the others, and few of these have the same
 // points as another one.
-void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index numberOfGiven)
+void FacetTableBuilder::MatchGiven(const LargeVector<Index>& given, Index numberOfGiven)
 {
-  const std::unique_ptr<std::atomic<Index>[]> firstUses = this->FindFirstUses(given, numberOfGiven);
-  const std::unique_ptr<unsigned char[]> down(new unsigned char[given.size()]());
+  const LargeVector<std::atomic<Index>> firstUses = this->FindFirstUses(given, numberOfGiven);
+  LargeVector<unsigned char> down(given.size(), 0);
   const PointHash hash(this->Mesh.GetNumberOfPoints());
   const Buckets buckets = this->FillBuckets(hash.GetLargest(),
     [&](CellFacets& facets, vtkIdType cell, auto&& put)
@@ -320,10 +319,10 @@ void FacetTableBuilder::MatchGiven(const std::vector<Index>& given, Index number
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<std::atomic<Index>[]> FacetTableBuilder::FindFirstUses(
-  const std::vector<Index>& given, Index numberOfGiven)
+LargeVector<std::atomic<Index>> FacetTableBuilder::FindFirstUses(
+  const LargeVector<Index>& given, Index numberOfGiven)
 {
-  std::unique_ptr<std::atomic<Index>[]> firstUses(new std::atomic<Index>[numberOfGiven]);
+  LargeVector<std::atomic<Index>> firstUses(static_cast<std::size_t>(numberOfGiven));
   ParallelFor(numberOfGiven, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -357,7 +356,7 @@ void FacetTableBuilder::Match(const Buckets& buckets)
       for (vtkIdType bucket = begin; bucket < end; ++bucket)
       {
         const Index first = buckets.Begins[bucket];
-        matcher.Match(buckets.Uses.get() + first, buckets.Begins[bucket + 1] - first);
+        matcher.Match(buckets.Uses.data() + first, buckets.Begins[bucket + 1] - first);
       }
     });
 }
@@ -386,7 +385,7 @@ FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems
     });
   Buckets buckets;
   buckets.Begins = places.Place();
-  buckets.Uses.reset(new Index[buckets.Begins.back()]);
+  buckets.Uses.resize(static_cast<std::size_t>(buckets.Begins.back()));
   places.ForEachChunk(
     [&](std::vector<Index>& next, vtkIdType begin, vtkIdType end)
     {

@@ -15,7 +15,6 @@
 #include "Mesh/FacetTable.h"
 
 #include <atomic> // for first uses
-#include <memory> // for first uses
 #include <mutex>  // for collapsed facets
 #include <vector> // for scratch
 
@@ -29,7 +28,7 @@ public:
    * of a facet, cell by cell, a number below @a numberOfGiven; equal numbers are the same facet.
    * @throw std::length_error if there are more than 2^30 uses of facets
    */
-  static FacetTable Build(const MeshView& mesh, int dimension, const std::vector<Index>& given = {},
+  static FacetTable Build(const MeshView& mesh, int dimension, const LargeVector<Index>& given = {},
     Index numberOfGiven = 0);
 
 private:
@@ -40,7 +39,7 @@ private:
   void CountFacets();
   void ClearUses();
   void MatchUses();
-  void MatchGiven(const std::vector<Index>& given, Index numberOfGiven);
+  void MatchGiven(const LargeVector<Index>& given, Index numberOfGiven);
   void NumberFacets();
   void ListCells();
   void ListExtraCells();
@@ -48,8 +47,8 @@ private:
   void ForEachSoundFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put);
   void KeepCollapsed();
   /// Of every given number.
-  std::unique_ptr<std::atomic<Index>[]> FindFirstUses(
-    const std::vector<Index>& given, Index numberOfGiven);
+  LargeVector<std::atomic<Index>> FindFirstUses(
+    const LargeVector<Index>& given, Index numberOfGiven);
   void Match(const Buckets& buckets);
   template <typename PutItems>
   Buckets FillBuckets(Index maxKey, PutItems&& putItems);

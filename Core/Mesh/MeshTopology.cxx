@@ -145,7 +145,7 @@ struct MeshTopology::Tables
   EdgeList Edges;
   camaron::PointCells PointCells;
   std::vector<Index> CellRegions, PointRegionCounts;
-  std::vector<Index> GivenFaces; // until Faces is built
+  LargeVector<Index> GivenFaces; // until Faces is built
   Index NumberOfGivenFaces = 0;
 };
 
@@ -252,7 +252,7 @@ const FacetTable& MeshTopology::GetFaces() const
     {
       tables.Faces =
         FacetTableBuilder::Build(this->Mesh, 3, tables.GivenFaces, tables.NumberOfGivenFaces);
-      std::vector<Index>().swap(tables.GivenFaces);
+      LargeVector<Index>().swap(tables.GivenFaces);
     });
   return tables.Faces;
 }
@@ -371,7 +371,7 @@ void MeshTopology::GetNeighbors(
 
 //------------------------------------------------------------------------------
 void MeshTopology::Provide(
-  vtkUnstructuredGrid* grid, std::vector<Index>&& cellFaces, Index numberOfFileFaces)
+  vtkUnstructuredGrid* grid, LargeVector<Index>&& cellFaces, Index numberOfFileFaces)
 {
   const std::shared_ptr<Tables> tables = Cache::Get().Find(grid, true);
   tables->GivenFaces = std::move(cellFaces);

@@ -91,7 +91,7 @@ public:
    * @param numberOfFileFaces one more than the largest number
    */
   static void Provide(
-    vtkUnstructuredGrid* grid, std::vector<Index>&& cellFaces, Index numberOfFileFaces);
+    vtkUnstructuredGrid* grid, LargeVector<Index>&& cellFaces, Index numberOfFileFaces);
 
 private:
   struct Tables;

@@ -116,6 +116,14 @@ private:
   Value* Values = nullptr;
   vtkIdType Size = 0;
 };
+
+/// A VTK array of class @a Array in such memory: to be filled by whoever asks for it.
+template <typename Array>
+vtkSmartPointer<Array> MakeLargeArray(vtkIdType numberOfTuples, int numberOfComponents = 1)
+{
+  return Buffer<typename Array::ValueType>(numberOfTuples * numberOfComponents)
+    .template TakeArray<Array>(numberOfComponents);
+}
 }
 
 #endif

@@ -99,7 +99,7 @@ bool FluentCellLists::Find(const FluentMesh& mesh, const Progress& progress)
       }
     });
   this->Cursors[count] = static_cast<std::uint32_t>(total);
-  this->Lists.resize(static_cast<std::size_t>(total));
+  this->Lists.resize(static_cast<std::size_t>(total), 0);
   const bool finished = ForEachUse(mesh, progress.Part(0.5, 1),
     [&](vtkIdType cell, vtkIdType face)
     {

@@ -8,9 +8,10 @@
 #define camaron_FluentCellLists_h
 
 #include "FluentCellFaces.h"
+#include "Scan/Buffer.h"
 
 #include <atomic> // for cursors
-#include <vector> // for lists
+#include <vector> // for cursors
 
 namespace camaron
 {
@@ -27,7 +28,7 @@ public:
     return vtkIdType(this->Cursors[cell + 1]) - vtkIdType(this->Cursors[cell]);
   }
   /// The lists one after the other.
-  std::vector<Index> Take() { return std::move(this->Lists); }
+  LargeVector<Index> Take() { return std::move(this->Lists); }
 
 private:
   using Cursor = std::atomic<std::uint32_t>;
@@ -36,7 +37,7 @@ private:
 
   std::vector<Cursor>
     Cursors; ///< faces of every cell, then where the next of them goes, then the first
-  std::vector<Index> Lists;
+  LargeVector<Index> Lists;
 };
 }
 

@@ -424,7 +424,7 @@ void FluentGridBuilder::HandOverFaces()
     return;
   }
   vtkIdType count = this->Mesh.Faces.GetCount();
-  std::vector<Index> lists = this->Lists.Take();
+  LargeVector<Index> lists = this->Lists.Take();
   if (!this->Mesh.Piece.IsWhole())
   {
     IdSet used(count);

@@ -162,7 +162,7 @@ bool FluentPolyhedra::FindPlaces()
   this->FaceOffsets = Buffer<Id>(faces + 1);
   this->FaceOffsets[faces] = static_cast<Id>(corners);
   this->Corners = Buffer<Id>(corners);
-  this->Faces.resize(static_cast<std::size_t>(faces));
+  this->Faces.resize(static_cast<std::size_t>(faces), 0);
   return true;
 }
 

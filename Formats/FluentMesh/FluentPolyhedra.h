@@ -64,7 +64,7 @@ private:
   Buffer<Id> Corners;     ///< points
   Buffer<Id> Offsets;     ///< where the points of every cell begin
   Buffer<Id> Points;
-  std::vector<Index> Faces; ///< positions in the file of the faces of cells
+  LargeVector<Index> Faces; ///< positions in the file of the faces of cells
 };
 }
 

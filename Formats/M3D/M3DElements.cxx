@@ -59,8 +59,30 @@ const ElementKind* FindElementKind(unsigned char type, M3DDialect dialect)
 }
 
 //------------------------------------------------------------------------------
+bool MaterialTally::Read(TextRow& row, double* values)
+{
+  for (int c = 0; c < MaterialSize; ++c)
+  {
+    // A word that is no number is no material either; Camarón does not look at it.
+    std::string_view word;
+    const bool good = row.HasMore() && row.ReadWord(word, "the material of an element");
+    const char* const end = word.data() + word.size();
+    if (!good || ParseReal(word.data(), end, values[c]) != end)
+    {
+      this->Missing.store(true, std::memory_order_relaxed);
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void MaterialTally::Add(TextRow& row)
 {
+  if (this->Different.load(std::memory_order_relaxed))
+  {
+    return;
+  }
   const char* const text = row.GetPosition();
   if (const char* sample = this->Sample.load(std::memory_order_acquire))
   {
@@ -72,17 +94,9 @@ void MaterialTally::Add(TextRow& row)
     }
   }
   double values[MaterialSize];
-  std::string_view word;
-  for (double& value : values)
+  if (!this->Read(row, values))
   {
-    // A word that is no number is no material either; Camarón does not look at it.
-    const bool good = row.HasMore() && row.ReadWord(word, "the material of an element");
-    const char* const end = word.data() + word.size();
-    if (!good || ParseReal(word.data(), end, value) != end)
-    {
-      this->Missing.store(true, std::memory_order_relaxed);
-      return;
-    }
+    return;
   }
   if (!this->Sample.load(std::memory_order_acquire))
   {

@@ -70,8 +70,10 @@ public:
   {
   }
 
-  /// Looks at what follows the nodes of an element.
+  /// Looks at what follows the nodes of an element, until materials differ: then all are to be read.
   void Add(TextRow& row);
+  /// Reads what follows the nodes of an element; false if it is missing.
+  bool Read(TextRow& row, double* values);
 
   bool IsMissingSomewhere() const { return this->Missing; }
   bool IsFoundSomewhere() const { return this->Sample != nullptr; }

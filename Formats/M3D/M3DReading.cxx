@@ -174,6 +174,7 @@ bool M3DReading::ReadCodes(
 }
 
 //------------------------------------------------------------------------------
+// True without any if some are missing.
 bool M3DReading::ReadMaterials(
   TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
 {
@@ -187,17 +188,16 @@ bool M3DReading::ReadMaterials(
       double unused[MaterialSize];
       const vtkIdType cell = piece.FindCell(i);
       double* const values = cell < 0 ? unused : materials.data() + MaterialSize * cell;
-      bool isGood = rows.ReadElement(row, nodes) != nullptr;
-      for (int c = 0; c < MaterialSize && isGood; ++c)
-      {
-        isGood = row.ReadReal(values[c], "the material of an element");
-      }
-      return isGood;
+      return rows.ReadElement(row, nodes) && this->Found->Read(row, values);
     },
     this->Layout);
+  if (!good)
+  {
+    return this->Found->IsMissingSomewhere();
+  }
   this->Materials = materials.TakeArray<vtkDoubleArray>(MaterialSize);
   this->Materials->SetName(MaterialName);
-  return good;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -303,8 +303,7 @@ bool M3DReading::Read(
   {
     return false;
   }
-  const bool complete = !this->Found->IsMissingSomewhere();
-  if (complete && this->Found->Varies() &&
+  if (this->Found->Varies() && !this->Found->IsMissingSomewhere() &&
     !this->ReadMaterials(elements, lines, piece, progress.Part(0.8, 0.9)))
   {
     return false;
@@ -312,7 +311,7 @@ bool M3DReading::Read(
 
   if (this->Request.Piece == 0)
   {
-    if (!complete && this->Found->Varies())
+    if (this->Found->Varies() && this->Found->IsMissingSomewhere())
     {
       this->Messages.Add("the material of elements is not read, as some elements have none");
     }

@@ -8,6 +8,7 @@
 #include "Mesh/BoundarySurface.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
+#include "Scan/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellSizeFilter.h"
@@ -79,11 +80,11 @@ void Print(const std::string& what, vtkIdType cells, const Seconds& seconds,
 //------------------------------------------------------------------------------
 void EvaluateOn(vtkUnstructuredGrid* grid, const std::vector<std::string>& names)
 {
-  std::vector<std::vector<double>> values(names.size());
+  std::vector<camaron::Buffer<double>> values; // as Element Quality has them
   std::vector<camaron::CriterionValues> rows;
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    values[i].resize(grid->GetNumberOfCells());
+    values.emplace_back(grid->GetNumberOfCells());
     rows.push_back({ camaron::FindCriterion(names[i]), values[i].data() });
   }
   camaron::Evaluate(camaron::MeshTopology(grid), {}, rows, [](double) { return true; });

@@ -320,7 +320,7 @@ TEST(MeshTopology, SameForAnyThreadsAndGivenFaces)
       });
   }
   // File numbers: shuffled, and one face under two numbers as in files that repeat inner faces.
-  std::vector<Index> given;
+  LargeVector<Index> given;
   const Index numberOfFaces = MeshTopology(grid).GetFaces().GetNumberOfFacets();
   std::set<Index> seen;
   for (const CellFacet facet : reference)

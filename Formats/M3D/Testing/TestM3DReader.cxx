@@ -163,12 +163,17 @@ TEST(M3DReader, ReadsMaterials)
   for (const char* row :
     { "T 0 1 3 5\n", "T 0 1 3 5 7 8\n", "T 0 1 3 5 7 8 steel\n", "T 0 1 3 5 # 1 2 3\n" })
   {
-    const Result some = ReadBytes(start + "T 0 1 3 4 1 2 3\n" + row + "T 0 1 3 6 1 2 4\n");
-    ASSERT_TRUE(some.Errors.empty());
-    EXPECT_EQ(some.Grid->GetCellData()->GetNumberOfArrays(), 0);
-    EXPECT_EQ(some.Grid->GetFieldData()->GetArray("Material"), nullptr);
-    ASSERT_EQ(some.Warnings.size(), 1u);
-    EXPECT_NE(some.Warnings[0].find("the material of elements is not read"), std::string::npos);
+    const std::string first = "T 0 1 3 4 1 2 3\n", last = "T 0 1 3 6 1 2 4\n";
+    for (const std::string& rows : { first + row + last, first + last + row })
+    {
+      const Result some = ReadBytes(start + rows);
+      ASSERT_TRUE(some.Errors.empty());
+      EXPECT_EQ(some.Grid->GetNumberOfCells(), 3);
+      EXPECT_EQ(some.Grid->GetCellData()->GetNumberOfArrays(), 0);
+      EXPECT_EQ(some.Grid->GetFieldData()->GetArray("Material"), nullptr);
+      ASSERT_EQ(some.Warnings.size(), 1u);
+      EXPECT_NE(some.Warnings[0].find("the material of elements is not read"), std::string::npos);
+    }
   }
   const Result dropped = ReadBytes(start + "T 0 1 3 4 1 2 3\nT 0 1 3 5\nT 0 1 3 6 1 2 3\n");
   EXPECT_TRUE(dropped.Warnings.empty());
