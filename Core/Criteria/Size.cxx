@@ -238,7 +238,8 @@ std::vector<Criterion> SizeCriteria()
         "0 for a flat cell, negative for a standard cell in wrong order. A polyhedron whose faces "
         "point inward is turned first unless Trust Face Orientation is on; of several closed surfaces each, so "
         "that voids are subtracted and parts beside each other added. Null (invalid topology) "
-        "where an edge has one face only, or there are fewer than four faces.",
+        "where an edge has one face only, where trusted faces do not agree on what is outside, or there are fewer than "
+        "four faces.",
         "OpenFOAM's checkMesh and, also for hexahedra with warped faces, Verdict (`VerdictVolume`). "
         "VTK's Cell Size gives the convex hull of a polyhedron: 3.5 instead of 3 for an L-shaped "
         "prism. Camarón gives a unit cube that was moved to x = 10 a volume of 3; camaron-web loses "

@@ -114,9 +114,15 @@ double FaceOrientationStatus(const CellGeometry& cell)
   }
   if (std::isnan(volume))
   {
-    // Faces that could not be made to agree, although every edge has two of them.
+    // Faces that do not agree, although every edge has two of them.
     const bool isManifold = topology.IsManifold && topology.GetNumberOfFaces() >= 4;
-    return isManifold && !topology.IsClosed ? double(NotOrientable) : volume;
+    if (!isManifold || topology.IsClosed)
+    {
+      return volume;
+    }
+    CellTopology consistent = topology; // has not been tried where the user trusts them
+    consistent.MakeConsistent();
+    return consistent.IsClosed ? Mixed : NotOrientable;
   }
   const int reversed = cell.IsOfStandardType() ? 0 : topology.GetNumberOfReversedFaces();
   if (reversed == 0)

@@ -104,8 +104,9 @@ constexpr Measure Measures[] = {
       { "‖J‖ ‖J⁻¹‖ / dimension with Frobenius norms, weighted to be 1 for the regular simplex; the "
         "largest of the corners",
         "Infinite for a flat cell; negative for an inverted tetrahedron, infinite for an inverted "
-        "hexahedron.",
-        "VTK's Mesh Quality and Cell Quality. Of a triangle one divided by `BhatiaLawrence`." } },
+        "wedge or hexahedron.",
+        "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
+        "there. Of a triangle one divided by `BhatiaLawrence`." } },
     { "VerdictDiagonal", "Verdict diagonal",
       "Shortest divided by longest diagonal.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.65, Infinity },
@@ -131,7 +132,7 @@ constexpr Measure Measures[] = {
       { "min |J| at the integration points / V × volume of the master cell",
         "1 for every triangle and tetrahedron, flat or not; 0 for a flat hexahedron; negative for a "
         "crossed quadrilateral.",
-        "VTK's Mesh Quality and Cell Quality." } },
+        "VTK's Mesh Quality and Cell Quality, but for wedges: see `VerdictVolume`." } },
     { "VerdictEdgeRatio", "Verdict edge ratio",
       "Longest divided by shortest edge; of hexahedra only some edges, depending on the order of the nodes.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
@@ -192,7 +193,8 @@ constexpr Measure Measures[] = {
         nullptr, verdict::wedge_max_aspect_frobenius, verdict::hex_max_aspect_frobenius },
       { "the largest of the aspect Frobenius numbers of the corners",
         "Infinite for a collapsed edge, a flat or inverted cell.",
-        "VTK's Mesh Quality and Cell Quality." } },
+        "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
+        "there." } },
     { "VerdictMaxEdgeRatio", "Verdict largest edge ratio",
       "Largest ratio of the principal axes.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 1.3 },
@@ -216,7 +218,8 @@ constexpr Measure Measures[] = {
         nullptr, verdict::wedge_mean_aspect_frobenius, nullptr },
       { "mean of the aspect Frobenius numbers of the six corners / 1.16477",
         "Infinite for a collapsed edge, a flat or inverted cell.",
-        "VTK's Mesh Quality and Cell Quality." } },
+        "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
+        "there." } },
     { "VerdictMeanRatio", "Verdict mean ratio",
       "Mean ratio of the tetrahedron.", Unit::None, { -1, 1 }, 1,
       Better::Bigger, { 0.3, Infinity },
@@ -300,9 +303,10 @@ constexpr Measure Measures[] = {
         verdict::pyramid_scaled_jacobian, verdict::wedge_scaled_jacobian, verdict::hex_scaled_jacobian },
       { "min over the corners of det J / product of the lengths of its columns; of simplices weighted "
         "to be 1 for the regular one",
-        "0 for a flat cell or a collapsed edge (of which Verdict says 10³⁰ for a hexahedron), "
-        "negative for an inverted one.",
-        "VTK's Mesh Quality and Cell Quality. `CornerScaledJacobian` is the same for most hexahedra." } },
+        "0 for a flat cell or a collapsed edge (of which Verdict says 10³⁰ for a hexahedron and passes over the corners "
+        "of a wedge), negative for an inverted one, but 0 for a pyramid.",
+        "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`. "
+        "`CornerScaledJacobian` is the same for most hexahedra." } },
     { "VerdictShape", "Verdict shape",
       "Inverse of the worst condition number or aspect Frobenius.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.25, Infinity },
@@ -313,8 +317,8 @@ constexpr Measure Measures[] = {
         "angle there between the normal and the apex, h the longest edge / √2",
         "0 for a flat, collapsed or inverted cell (10⁻³⁰ for a triangle).",
         "VTK's Mesh Quality and Cell Quality. Of a triangle `BhatiaLawrence`, of a tetrahedron "
-        "`TetMeanRatio` are the same. Of a pyramid with a warped base the result depends on the order of the "
-        "nodes." } },
+        "`TetMeanRatio` are the same. Of a wedge VTK says 0 for a healthy one: see `VerdictVolume`. Of a pyramid with a "
+        "warped base the result depends on the order of the nodes." } },
     { "VerdictShapeAndSize", "Verdict shape and size",
       "Product of Verdict's shape and relative size squared.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.2, Infinity }, {},
@@ -405,9 +409,14 @@ int GetCorners(const CellGeometry& cell, unsigned shape, double corners[MaxSimpl
   {
     std::copy_n(cell.GetTopology().GetFace(0), size, nodes);
   }
-  else if (!cell.HasNodesInOrder() || cell.GetCellType() == VTK_VOXEL)
+  else if (!cell.HasNodesInOrder())
   {
     size = GetSimpleNodes(cell.GetTopology(), shape, nodes);
+  }
+  else if (cell.GetCellType() == VTK_VOXEL)
+  {
+    std::swap(nodes[2], nodes[3]);
+    std::swap(nodes[6], nodes[7]);
   }
   else if (shape & Wedges)
   {
@@ -495,12 +504,23 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   {
     return Null(NullReason::Degenerate); // of no angle Verdict says 360 for the least and 0 for the largest
   }
+  if (function == verdict::wedge_scaled_jacobian && cell.IsZeroLength(cell.GetMinEdgeLength()))
+  {
+    return 0; // Verdict passes over the corners there
+  }
   double corners[MaxSimpleNodes][3] = {};
   const int size = GetCorners(cell, ShapesInOrder[index], corners);
   double value = 0;
   if (function)
   {
     value = EvaluateScaled(measure, function, cell, size, corners);
+    // Verdict does not see that a corner of a wedge is turned inside out, as it does for hexahedra.
+    const bool isOfCorners = function == verdict::wedge_condition ||
+      function == verdict::wedge_max_aspect_frobenius || function == verdict::wedge_mean_aspect_frobenius;
+    if (isOfCorners && verdict::wedge_jacobian(size, corners) < 0)
+    {
+      value = Infinity;
+    }
   }
   else
   {

@@ -242,9 +242,20 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   EXPECT_NEAR(values["Volume"][0], -1.0 / 6, 1e-15);
   EXPECT_NEAR(values["MaxDihedralAngle"][0], 90, 1e-10);
 
-  // Open: a cube without its last face.
+  // One face inward: mended, unless the user trusts them; then the cell has no inside.
   const ReferenceShape& cube = FindReferenceShape("unit cube");
   Faces faces = GetFaces(cube.Polyhedron, 0);
+  std::reverse(faces[2].begin(), faces[2].end());
+  const Grid mixed = MakePolyhedra(cube.Polyhedron->GetPoints(), { faces });
+  values = EvaluateAll(mixed);
+  EXPECT_NEAR(values["Volume"][0], 1, 1e-12);
+  EXPECT_EQ(values["FaceOrientationStatus"][0], 2);
+  values = EvaluateAll(mixed, trust);
+  EXPECT_EQ(GetNullReason(values["Volume"][0]), NullReason::InvalidTopology);
+  EXPECT_EQ(values["FaceOrientationStatus"][0], 2);
+
+  // Open: a cube without its last face.
+  faces = GetFaces(cube.Polyhedron, 0);
   faces.pop_back();
   values = EvaluateAll(MakePolyhedra(cube.Polyhedron->GetPoints(), { faces }));
   for (const char* name : { "Volume", "MinDihedralAngle", "MinSolidAngle", "IsoperimetricQuotient" })

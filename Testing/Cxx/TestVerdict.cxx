@@ -269,6 +269,23 @@ TEST(Verdict, PitfallsAreMended)
   hexahedron->GetPoint(0, x);
   hexahedron->GetPoints()->SetPoint(1, x);
   EXPECT_LE(EvaluateOne(hexahedron, "VerdictScaledJacobian"), 0);
+  // Verdict passes over the corners of a collapsed edge of a wedge, and does not see that a wedge is inverted.
+  Grid wedge = MakeStandardCell(VTK_WEDGE);
+  wedge->GetPoint(0, x);
+  wedge->GetPoints()->SetPoint(1, x);
+  EXPECT_EQ(EvaluateOne(wedge, "VerdictScaledJacobian"), 0);
+  wedge = MakeStandardCell(VTK_WEDGE);
+  for (vtkIdType point = 0; point < wedge->GetNumberOfPoints(); ++point)
+  {
+    wedge->GetPoint(point, x);
+    wedge->GetPoints()->SetPoint(point, x[0], x[1], -x[2]);
+  }
+  EXPECT_LT(EvaluateOne(wedge, "VerdictVolume"), 0);
+  EXPECT_LT(EvaluateOne(wedge, "VerdictScaledJacobian"), 0);
+  for (const char* name : { "VerdictCondition", "VerdictMaxAspectFrobenius", "VerdictMeanAspectFrobenius" })
+  {
+    EXPECT_EQ(EvaluateOne(wedge, name), std::numeric_limits<double>::infinity()) << name;
+  }
   // A flat tetrahedron is infinitely bad.
   const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
     { { VTK_TETRA, { 0, 1, 2, 3 } } });
@@ -295,6 +312,24 @@ TEST(Verdict, PitfallsAreMended)
   const Grid square = MakeCell(VTK_QUAD);
   EXPECT_NEAR(EvaluateOne(square, "VerdictMaxAngle"), 90, 1e-9);
   EXPECT_NEAR(EvaluateOne(square, "VerdictMaxAngle", radians), std::acos(0.0), 1e-12);
+}
+
+//------------------------------------------------------------------------------
+// If this fails, voxels have values of their own in measures that depend on the order of the nodes.
+TEST(Verdict, VoxelsAreHexahedra)
+{
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 3, 0 }, { 2, 3, 0 }, { 0, 0, 5 }, { 2, 0, 5 },
+                               { 0, 3, 5 }, { 2, 3, 5 } },
+    { { VTK_VOXEL, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_HEXAHEDRON, { 0, 1, 3, 2, 4, 5, 7, 6 } } });
+  auto values = EvaluateAll(grid);
+  EXPECT_EQ(values["VerdictEdgeRatio"][0], 1.5);
+  for (const auto& criterion : values)
+  {
+    if (criterion.first.compare(0, 7, "Verdict") == 0 && !std::isnan(criterion.second[1]))
+    {
+      EXPECT_EQ(criterion.second[0], criterion.second[1]) << criterion.first;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
