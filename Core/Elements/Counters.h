@@ -9,11 +9,11 @@
 
 #include "Criteria/Criterion.h"
 #include "Mesh/FacetTable.h"
+#include "Scan/Buffer.h"
 
 #include <atomic>  // for the numbers
 #include <cmath>   // for rounding
 #include <cstdint> // for sums
-#include <vector>  // for the numbers
 
 namespace camaron
 {
@@ -23,12 +23,16 @@ public:
   explicit Counters(std::size_t size)
     : Values(size)
   {
+    for (auto& value : this->Values)
+    {
+      value.store(0, std::memory_order_relaxed);
+    }
   }
   void Add(vtkIdType i) { this->Values[i].fetch_add(1, std::memory_order_relaxed); }
-  std::vector<Index> Get() const { return { this->Values.begin(), this->Values.end() }; }
+  LargeVector<Index> Get() const { return { this->Values.begin(), this->Values.end() }; }
 
 private:
-  std::vector<std::atomic<Index>> Values;
+  LargeVector<std::atomic<Index>> Values;
 };
 
 /// Keeps the smallest of some values.
@@ -55,7 +59,7 @@ public:
   Value Get(vtkIdType i) const { return this->Values[i].load(std::memory_order_relaxed); }
 
 private:
-  std::vector<std::atomic<Value>> Values;
+  LargeVector<std::atomic<Value>> Values;
 };
 
 /**
@@ -69,6 +73,10 @@ public:
     : Sums(size)
     , Reasons(size)
   {
+    for (auto& sum : this->Sums)
+    {
+      sum.store(0, std::memory_order_relaxed);
+    }
     for (auto& reason : this->Reasons)
     {
       reason.store(NoParts, std::memory_order_relaxed);
@@ -99,8 +107,8 @@ public:
 private:
   static constexpr double Resolution = 0x1p49; // room for 2600 full circles in 63 bits
   static constexpr unsigned char NoParts = 255;
-  std::vector<std::atomic<std::int64_t>> Sums;
-  std::vector<std::atomic<unsigned char>> Reasons;
+  LargeVector<std::atomic<std::int64_t>> Sums;
+  LargeVector<std::atomic<unsigned char>> Reasons;
 };
 }
 

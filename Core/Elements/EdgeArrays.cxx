@@ -143,14 +143,14 @@ void EdgeLength(const ElementContext& context, double* values)
 //------------------------------------------------------------------------------
 void EdgeCellCount(const ElementContext& context, vtkIdType* values)
 {
-  const std::vector<Index>& cells = context.GetEdgeUses().Cells;
+  const LargeVector<Index>& cells = context.GetEdgeUses().Cells;
   std::copy(cells.begin(), cells.end(), values);
 }
 
 //------------------------------------------------------------------------------
 void EdgeFaceCount(const ElementContext& context, vtkIdType* values)
 {
-  const std::vector<Index>& faces = context.GetEdgeUses().Faces;
+  const LargeVector<Index>& faces = context.GetEdgeUses().Faces;
   std::copy(faces.begin(), faces.end(), values);
 }
 
@@ -227,21 +227,21 @@ void EdgeDihedralAngle(const ElementContext& context, double* values)
 //------------------------------------------------------------------------------
 void EdgeMinDihedralAngle(const ElementContext& context, double* values)
 {
-  const std::vector<double>& angles = context.GetEdgeAngles().Min;
+  const LargeVector<double>& angles = context.GetEdgeAngles().Min;
   std::copy(angles.begin(), angles.end(), values);
 }
 
 //------------------------------------------------------------------------------
 void EdgeMaxDihedralAngle(const ElementContext& context, double* values)
 {
-  const std::vector<double>& angles = context.GetEdgeAngles().Max;
+  const LargeVector<double>& angles = context.GetEdgeAngles().Max;
   std::copy(angles.begin(), angles.end(), values);
 }
 
 //------------------------------------------------------------------------------
 void EdgeAngleSum(const ElementContext& context, double* values)
 {
-  const std::vector<double>& angles = context.GetEdgeAngles().Sum;
+  const LargeVector<double>& angles = context.GetEdgeAngles().Sum;
   std::copy(angles.begin(), angles.end(), values);
 }
 

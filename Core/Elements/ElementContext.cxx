@@ -20,34 +20,6 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Calls visit(points, size, isBoundary) for every face of 3D cells once, and every 2D cell.
-template <typename Visit>
-void ForFaces(const FacetTable& faces, vtkIdType cell, CellFacets& facets, Visit&& visit)
-{
-  const int dimension = facets.GetDimension(cell);
-  if (dimension == 3)
-  {
-    const FacetTable::Range uses = faces.GetCellFacets(cell);
-    facets.ForEach(cell,
-      [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
-      {
-        const Index facet = uses[static_cast<Index>(local)].Facet();
-        if (faces.GetCells(facet).First == cell && !faces.IsCollapsed(facet) &&
-          faces.GetOwnerLocalFacet(facet) == static_cast<Index>(local))
-        {
-          visit(points, size, faces.IsBoundary(facet));
-        }
-      });
-  }
-  else if (dimension == 2)
-  {
-    std::vector<vtkIdType> points;
-    facets.GetPolygon(cell, points);
-    visit(points.data(), static_cast<vtkIdType>(points.size()), false);
-  }
-}
-
-//------------------------------------------------------------------------------
 // Sorts and leaves every item once.
 void MakeUnique(std::vector<vtkIdType>& items)
 {
@@ -58,61 +30,108 @@ void MakeUnique(std::vector<vtkIdType>& items)
 //------------------------------------------------------------------------------
 // Counts uses by cells and faces: forItems(points, size, visit(item)) tells what a ring of points uses.
 template <typename ForItems>
-ElementUses CountUses(const ElementContext& context, std::size_t size, ForItems&& forItems)
+class UseCounter
 {
-  const FacetTable& table = context.GetTopology().GetFaces();
-  Counters cells(size), polygons(size), faces(size), boundaryFaces(size);
-  const auto countCell = [&](vtkIdType cell, CellFacets& facets)
+public:
+  UseCounter(const ElementContext& context, std::size_t size, ForItems& forItems)
+    : Table(context.GetTopology().GetFaces())
+    , ForItemsOf(forItems)
+    , Cells(size)
+    , Polygons(size)
+    , Faces(size)
+    , BoundaryFaces(size)
+  {
+    context.ForCells(
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        CellFacets facets(context.GetMesh());
+        Scratch scratch;
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          this->Count(cell, facets, scratch);
+        }
+      });
+  }
+  ElementUses Get() const
+  {
+    return { this->Cells.Get(), this->Polygons.Get(), this->Faces.Get(), this->BoundaryFaces.Get() };
+  }
+
+private:
+  struct Scratch
+  {
+    std::vector<vtkIdType> Ring, OfFace, OfCell;
+  };
+
+  void Count(vtkIdType cell, CellFacets& facets, Scratch& scratch)
   {
     const bool isPolygon = facets.GetDimension(cell) == 2;
-    std::vector<vtkIdType> found;
-    const auto keep = [&](vtkIdType item) { found.push_back(item); };
+    scratch.OfCell.clear();
     if (isPolygon)
     {
-      std::vector<vtkIdType> ring;
-      facets.GetPolygon(cell, ring);
-      forItems(ring.data(), static_cast<vtkIdType>(ring.size()), keep);
+      facets.GetPolygon(cell, scratch.Ring);
+      this->FindItems(scratch.Ring.data(), static_cast<vtkIdType>(scratch.Ring.size()), scratch);
+      AddAll(scratch.OfFace, this->Faces);
     }
     else
     {
-      facets.ForEach(cell, [&](const vtkIdType* points, vtkIdType count, vtkIdType)
-        { forItems(points, count, keep); });
-    }
-    MakeUnique(found);
-    for (const vtkIdType item : found)
-    {
-      cells.Add(item);
-      if (isPolygon)
-      {
-        polygons.Add(item);
-      }
-    }
-    ForFaces(table, cell, facets,
-      [&](const vtkIdType* points, vtkIdType count, bool isBoundary)
-      {
-        found.clear();
-        forItems(points, count, keep);
-        MakeUnique(found);
-        for (const vtkIdType item : found)
+      const FacetTable::Range uses = this->Table.GetCellFacets(cell);
+      facets.ForEach(cell,
+        [&](const vtkIdType* points, vtkIdType size, vtkIdType local)
         {
-          faces.Add(item);
-          if (isBoundary)
+          this->FindItems(points, size, scratch);
+          const auto use = static_cast<Index>(local);
+          if (use < uses.size() && this->IsOwnFace(cell, uses[use].Facet(), use))
           {
-            boundaryFaces.Add(item);
+            AddAll(scratch.OfFace, this->Faces);
+            if (this->Table.IsBoundary(uses[use].Facet()))
+            {
+              AddAll(scratch.OfFace, this->BoundaryFaces);
+            }
           }
-        }
-      });
-  };
-  context.ForCells(
-    [&](vtkIdType begin, vtkIdType end)
+        });
+    }
+    MakeUnique(scratch.OfCell);
+    AddAll(scratch.OfCell, this->Cells);
+    if (isPolygon)
     {
-      CellFacets facets(context.GetMesh());
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        countCell(cell, facets);
-      }
-    });
-  return { cells.Get(), polygons.Get(), faces.Get(), boundaryFaces.Get() };
+      AddAll(scratch.OfCell, this->Polygons);
+    }
+  }
+
+  // Of one face, once each, and with those of the other faces of the cell.
+  void FindItems(const vtkIdType* points, vtkIdType size, Scratch& scratch) const
+  {
+    scratch.OfFace.clear();
+    this->ForItemsOf(points, size, [&](vtkIdType item) { scratch.OfFace.push_back(item); });
+    MakeUnique(scratch.OfFace);
+    scratch.OfCell.insert(scratch.OfCell.end(), scratch.OfFace.begin(), scratch.OfFace.end());
+  }
+
+  bool IsOwnFace(vtkIdType cell, Index facet, Index local) const
+  {
+    return this->Table.GetCells(facet).First == cell && !this->Table.IsCollapsed(facet) &&
+      this->Table.GetOwnerLocalFacet(facet) == local;
+  }
+
+  static void AddAll(const std::vector<vtkIdType>& items, Counters& counters)
+  {
+    for (const vtkIdType item : items)
+    {
+      counters.Add(item);
+    }
+  }
+
+  const FacetTable& Table;
+  ForItems& ForItemsOf;
+  Counters Cells, Polygons, Faces, BoundaryFaces;
+};
+
+//------------------------------------------------------------------------------
+template <typename ForItems>
+ElementUses CountUses(const ElementContext& context, std::size_t size, ForItems&& forItems)
+{
+  return UseCounter(context, size, forItems).Get();
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +171,9 @@ EdgeAngles ComputeEdgeAngles(const ElementContext& context)
       }
     });
   EdgeAngles angles;
+  angles.Sum.reserve(size);
+  angles.Min.reserve(size);
+  angles.Max.reserve(size);
   const auto get = [&](double value, double sum)
   { return std::abs(value) < infinity ? value : std::isnan(sum) ? sum : Null(NullReason::NotApplicable); };
   for (vtkIdType edge = 0; edge < static_cast<vtkIdType>(size); ++edge)

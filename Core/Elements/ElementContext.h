@@ -14,6 +14,7 @@
 #include "Elements/EdgeFinder.h"
 #include "Mesh/MeshTopology.h"
 #include "Parallel.h"
+#include "Scan/Buffer.h"
 
 #include <algorithm>  // for parts of the mesh
 #include <array>      // for steps
@@ -40,16 +41,16 @@ unsigned FindCellDimensions(const MeshView& mesh);
 /// How many cells, faces and polygon cells meet at an edge or vertex.
 struct ElementUses
 {
-  std::vector<Index> Cells;         ///< 2D and 3D cells
-  std::vector<Index> Polygons;      ///< 2D cells
-  std::vector<Index> Faces;         ///< faces of 3D cells, each once, and 2D cells
-  std::vector<Index> BoundaryFaces; ///< faces with one 3D cell
+  LargeVector<Index> Cells;         ///< 2D and 3D cells
+  LargeVector<Index> Polygons;      ///< 2D cells
+  LargeVector<Index> Faces;         ///< faces of 3D cells, each once, and 2D cells
+  LargeVector<Index> BoundaryFaces; ///< faces with one 3D cell
 };
 
 /// Dihedral angles that the 3D cells have at every edge, in radian; null where there are none.
 struct EdgeAngles
 {
-  std::vector<double> Min, Max, Sum;
+  LargeVector<double> Min, Max, Sum;
 };
 
 /// Where a mesh is the piece of one, with cells of others: see CompletePieces.

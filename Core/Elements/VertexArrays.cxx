@@ -24,7 +24,7 @@ void VertexCellCount(const ElementContext& context, vtkIdType* values)
 //------------------------------------------------------------------------------
 void VertexFaceCount(const ElementContext& context, vtkIdType* values)
 {
-  const std::vector<Index>& faces = context.GetVertexUses().Faces;
+  const LargeVector<Index>& faces = context.GetVertexUses().Faces;
   std::copy(faces.begin(), faces.end(), values);
 }
 
@@ -41,7 +41,7 @@ void VertexEdgeCount(const ElementContext& context, vtkIdType* values)
 //------------------------------------------------------------------------------
 void IsBoundaryVertex(const ElementContext& context, unsigned char* values)
 {
-  const std::vector<Index>& outer = context.GetVertexUses().BoundaryFaces;
+  const LargeVector<Index>& outer = context.GetVertexUses().BoundaryFaces;
   std::transform(outer.begin(), outer.end(), values, [](Index count) { return count > 0; });
   const MeshView& mesh = context.GetMesh();
   const FacetTable& table = context.GetTopology().GetSurfaceEdges();
