@@ -122,7 +122,7 @@ constexpr Measure Measures[] = {
       { nullptr, nullptr, nullptr,
         nullptr, nullptr, verdict::hex_dimension },
       { "V / √(2 Σ |∂V/∂pᵢ|²) over the corners",
-        "0 for a flat hexahedron.",
+        "0 for a flat hexahedron, null (degenerate) for one on a line.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictDistortion", "Verdict distortion",
       "Smallest Jacobian determinant relative to the area or volume.", Unit::None, { -Infinity, Infinity }, 1,
@@ -150,9 +150,9 @@ constexpr Measure Measures[] = {
       { "max((θmax − θₑ)/(180° − θₑ), (θₑ − θmin)/θₑ), the largest of the faces; of a tetrahedron "
         "also of its dihedral angles with θₑ = 70.53°",
         "1 for a flat triangle or tetrahedron, above 1 for a reflex corner; null (degenerate) for a quadrilateral with "
-        "a collapsed edge.",
+        "a collapsed edge. Of other cells with one the value depends on which edge it is.",
         "VTK's Mesh Quality and Cell Quality, which say −1 for a quadrilateral with a collapsed edge. `EquiangleSkewness` "
-        "is the same, except of tetrahedra." } },
+        "is the same of cells without a collapsed edge and crossed faces, except of tetrahedra." } },
     { "VerdictEquivolumeSkew", "Verdict equivolume skew",
       "Relative deviation of the volume from that of the regular tetrahedron of the same circumsphere.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
@@ -167,7 +167,7 @@ constexpr Measure Measures[] = {
       { nullptr, nullptr, verdict::tet_inradius,
         nullptr, nullptr, nullptr },
       { "r = 3V / surface area",
-        "0 for a flat tetrahedron, negative for an inverted one.",
+        "0 for a flat tetrahedron, null (degenerate) for one on a line, negative for an inverted one.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictJacobian", "Verdict Jacobian",
       "Smallest determinant of the Jacobian.", Unit::Volume, { -Infinity, Infinity }, None,
@@ -209,7 +209,7 @@ constexpr Measure Measures[] = {
       { nullptr, nullptr, nullptr,
         nullptr, verdict::wedge_max_stretch, nullptr },
       { "√2 min l / max diagonal of a quadrilateral face; the largest of the three",
-        "0 when all three faces have a collapsed edge.",
+        "0 when all three faces have a collapsed edge, infinite for a wedge on a line.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictMeanAspectFrobenius", "Verdict mean aspect Frobenius",
       "Mean aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
@@ -265,7 +265,8 @@ constexpr Measure Measures[] = {
       { "2r/R of a triangle; of a tetrahedron the smallest inradius of the twelve tetrahedra between "
         "its corners, the middles of its edges and its own middle, divided by R and weighted to be 1 "
         "for the regular one",
-        "0 for a flat cell, null (degenerate) for a triangle with two equal points.",
+        "0 for a flat cell, null (degenerate) for a triangle with two equal points. An inverted tetrahedron has not the "
+        "value of its mirror image.",
         "VTK's Mesh Quality and Cell Quality. Of a triangle `TriangleRadiusRatio` is the same." } },
     { "VerdictOddy", "Verdict Oddy",
       "Largest deviation of the metric tensor from the isotropic one.", Unit::None, { 0, Infinity }, 0,
@@ -303,8 +304,8 @@ constexpr Measure Measures[] = {
         verdict::pyramid_scaled_jacobian, verdict::wedge_scaled_jacobian, verdict::hex_scaled_jacobian },
       { "min over the corners of det J / product of the lengths of its columns; of simplices weighted "
         "to be 1 for the regular one",
-        "0 for a flat cell or a collapsed edge (of which Verdict says 10³⁰ for a hexahedron and passes over the corners "
-        "of a wedge), negative for an inverted one, but 0 for a pyramid.",
+        "0 for a flat cell or a collapsed edge (of which Verdict says 10³⁰ for a hexahedron, passes over the corners of "
+        "a wedge, and sees a triangle in a quadrilateral whose last two corners are one), negative for an inverted one, but 0 for a pyramid.",
         "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`. "
         "`CornerScaledJacobian` is the same for most hexahedra." } },
     { "VerdictShape", "Verdict shape",
@@ -333,8 +334,8 @@ constexpr Measure Measures[] = {
       { nullptr, verdict::quad_shear, nullptr,
         nullptr, nullptr, verdict::hex_shear },
       { "max(0, the smallest scaled Jacobian of the corners)",
-        "0 for a flat or inverted cell; a quadrilateral with a collapsed edge counts as a triangle.",
-        "VTK's Mesh Quality and Cell Quality." } },
+        "0 for a flat or inverted cell and for a quadrilateral with a collapsed edge.",
+        "VTK's Mesh Quality and Cell Quality, which take a quadrilateral whose last two corners are one for a triangle." } },
     { "VerdictShearAndSize", "Verdict shear and size",
       "Product of Verdict's shear and relative size squared.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.2, Infinity }, {},
@@ -358,7 +359,7 @@ constexpr Measure Measures[] = {
       { nullptr, nullptr, verdict::tet_squish_index,
         nullptr, nullptr, nullptr },
       { "max over the faces of 1 − n · ŵ",
-        "1 for a flat tetrahedron, 2 for an inverted one.",
+        "1 for a flat tetrahedron (0 for one on a line), above 1 for an inverted one.",
         "VTK's Mesh Quality and Cell Quality. 1 minus the part n · ŵ of `OrthogonalQuality`." } },
     { "VerdictStretch", "Verdict stretch",
       "Shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
@@ -504,9 +505,12 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   {
     return Null(NullReason::Degenerate); // of no angle Verdict says 360 for the least and 0 for the largest
   }
-  if (function == verdict::wedge_scaled_jacobian && cell.IsZeroLength(cell.GetMinEdgeLength()))
+  // Verdict passes over the corners there, or sees a triangle where the last two of a quadrilateral are one.
+  const bool isOfEdges = function == verdict::wedge_scaled_jacobian || function == verdict::quad_scaled_jacobian ||
+    function == verdict::quad_shear || measure.SizeFunctions[index] == verdict::quad_shear_and_size;
+  if (isOfEdges && cell.IsZeroLength(cell.GetMinEdgeLength()))
   {
-    return 0; // Verdict passes over the corners there
+    return 0;
   }
   double corners[MaxSimpleNodes][3] = {};
   const int size = GetCorners(cell, ShapesInOrder[index], corners);
@@ -518,6 +522,11 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
     const bool isOfCorners = function == verdict::wedge_condition ||
       function == verdict::wedge_max_aspect_frobenius || function == verdict::wedge_mean_aspect_frobenius;
     if (isOfCorners && verdict::wedge_jacobian(size, corners) < 0)
+    {
+      value = Infinity;
+    }
+    // Of a quadrilateral without a principal axis it says what the best one has.
+    if (function == verdict::quad_skew && std::isinf(ReadInfinity(verdict::quad_taper(size, corners))))
     {
       value = Infinity;
     }

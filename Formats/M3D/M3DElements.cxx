@@ -5,6 +5,7 @@
 #include "Scan/TextRows.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace camaron
@@ -108,7 +109,8 @@ void MaterialTally::Add(TextRow& row)
       this->Sample.store(text, std::memory_order_release);
     }
   }
-  if (!std::equal(values, values + MaterialSize, this->Values))
+  const auto isSame = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+  if (!std::equal(values, values + MaterialSize, this->Values, isSame))
   {
     this->Different.store(true, std::memory_order_relaxed);
   }

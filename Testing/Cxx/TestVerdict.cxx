@@ -303,6 +303,21 @@ TEST(Verdict, PitfallsAreMended)
   {
     EXPECT_EQ(GetNullReason(EvaluateOne(collapsed, name)), NullReason::Degenerate) << name;
   }
+  // Whichever edge is collapsed: Verdict sees a triangle where the last two corners are one.
+  for (vtkIdType corner = 0; corner < 4; ++corner)
+  {
+    const Grid quadrilateral = MakeCell(VTK_QUAD);
+    quadrilateral->GetPoint((corner + 1) % 4, x);
+    quadrilateral->GetPoints()->SetPoint(corner, x);
+    for (const char* name : { "VerdictScaledJacobian", "VerdictShear", "VerdictShearAndSize" })
+    {
+      EXPECT_EQ(EvaluateOne(quadrilateral, name), 0) << name << " at corner " << corner;
+    }
+  }
+  // One that crosses itself may lack a principal axis, of which Verdict makes the best skew.
+  const Grid crossed = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
+    { { VTK_QUAD, { 0, 1, 2, 3 } } });
+  EXPECT_EQ(EvaluateOne(crossed, "VerdictSkew"), std::numeric_limits<double>::infinity());
   // A tetrahedron is one whatever its VTK type.
   const Grid healthy = MakeStandardCell(VTK_TETRA);
   EXPECT_NEAR(EvaluateOne(ToPolyhedra(healthy), "VerdictShape"), EvaluateOne(healthy, "VerdictShape"), 1e-12);
