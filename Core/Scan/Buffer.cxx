@@ -19,13 +19,15 @@ void* AllocateLarge(std::size_t bytes)
   constexpr std::size_t HugePage = std::size_t(1) << 21; // of x86-64 and of most ARM systems
   if (bytes >= 2 * HugePage)
   {
+    // The last huge page where it is nearly full, else small ones for the rest, so that not much is paid for in vain.
+    const std::size_t rest = bytes % HugePage;
+    const std::size_t size = rest >= HugePage / 4 * 3 ? bytes - rest + HugePage : bytes;
     void* memory = nullptr;
-    if (posix_memalign(&memory, HugePage, bytes) != 0)
+    if (posix_memalign(&memory, HugePage, size) != 0)
     {
       throw std::bad_alloc();
     }
-    // Whole huge pages only, so that the rest of the last one is not paid for. A wish, not a need.
-    madvise(memory, bytes / HugePage * HugePage, MADV_HUGEPAGE);
+    madvise(memory, size / HugePage * HugePage, MADV_HUGEPAGE); // a wish, not a need
     return memory;
   }
 #endif
