@@ -33,6 +33,21 @@ constexpr MeanSizes::Kind SizeKinds[NumberOfShapes] = { MeanSizes::TriangleArea,
   MeanSizes::NumberOfKinds, MeanSizes::HexahedronVolume };
 
 //------------------------------------------------------------------------------
+// Verdict does not see that a corner of a wedge is turned inside out, as it does for hexahedra.
+template <Function OfWedge>
+double OfUprightWedge(int size, const double corners[][3])
+{
+  return verdict::wedge_jacobian(size, corners) < 0 ? VerdictInfinity : OfWedge(size, corners);
+}
+
+//------------------------------------------------------------------------------
+// Of a quadrilateral without a principal axis Verdict says what the best one has.
+double SkewOfQuadrilateral(int size, const double corners[][3])
+{
+  return verdict::quad_taper(size, corners) >= VerdictInfinity ? VerdictInfinity : verdict::quad_skew(size, corners);
+}
+
+//------------------------------------------------------------------------------
 // A measure of Verdict. The acceptable range is that of the most lenient shape.
 struct Measure
 {
@@ -100,7 +115,7 @@ constexpr Measure Measures[] = {
       "Condition number of the Jacobian, the largest of the corners.", Unit::None,
       { -Infinity, Infinity }, 1, Better::Smaller, { 0, 4 },
       { verdict::tri_condition, verdict::quad_condition, verdict::tet_condition,
-        nullptr, verdict::wedge_condition, verdict::hex_condition },
+        nullptr, OfUprightWedge<verdict::wedge_condition>, verdict::hex_condition },
       { "‖J‖ ‖J⁻¹‖ / dimension with Frobenius norms, weighted to be 1 for the regular simplex; the "
         "largest of the corners",
         "Infinite for a flat cell; negative for an inverted tetrahedron, infinite for an inverted "
@@ -190,7 +205,7 @@ constexpr Measure Measures[] = {
       "Largest aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { nullptr, verdict::quad_max_aspect_frobenius, nullptr,
-        nullptr, verdict::wedge_max_aspect_frobenius, verdict::hex_max_aspect_frobenius },
+        nullptr, OfUprightWedge<verdict::wedge_max_aspect_frobenius>, verdict::hex_max_aspect_frobenius },
       { "the largest of the aspect Frobenius numbers of the corners",
         "Infinite for a collapsed edge, a flat or inverted cell.",
         "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
@@ -215,7 +230,7 @@ constexpr Measure Measures[] = {
       "Mean aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, Infinity },
       { nullptr, nullptr, nullptr,
-        nullptr, verdict::wedge_mean_aspect_frobenius, nullptr },
+        nullptr, OfUprightWedge<verdict::wedge_mean_aspect_frobenius>, nullptr },
       { "mean of the aspect Frobenius numbers of the six corners / 1.16477",
         "Infinite for a collapsed edge, a flat or inverted cell.",
         "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
@@ -305,7 +320,8 @@ constexpr Measure Measures[] = {
       { "min over the corners of det J / product of the lengths of its columns; of simplices weighted "
         "to be 1 for the regular one",
         "0 for a flat cell or a collapsed edge (of which Verdict says 10³⁰ for a hexahedron, passes over the corners of "
-        "a wedge, and sees a triangle in a quadrilateral whose last two corners are one), negative for an inverted one, but 0 for a pyramid.",
+        "a wedge, and sees a triangle in a quadrilateral whose last two corners are one), negative for an inverted one, "
+        "but 0 for a pyramid.",
         "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`. "
         "`CornerScaledJacobian` is the same for most hexahedra." } },
     { "VerdictShape", "Verdict shape",
@@ -347,7 +363,7 @@ constexpr Measure Measures[] = {
     { "VerdictSkew", "Verdict skew",
       "Largest cosine of the angles between the principal axes.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.5 },
-      { nullptr, verdict::quad_skew, nullptr,
+      { nullptr, SkewOfQuadrilateral, nullptr,
         nullptr, nullptr, verdict::hex_skew },
       { "max |X̂ᵢ · X̂ⱼ| of the principal axes X",
         "Infinite when a principal axis vanishes.",
@@ -518,18 +534,6 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   if (function)
   {
     value = EvaluateScaled(measure, function, cell, size, corners);
-    // Verdict does not see that a corner of a wedge is turned inside out, as it does for hexahedra.
-    const bool isOfCorners = function == verdict::wedge_condition ||
-      function == verdict::wedge_max_aspect_frobenius || function == verdict::wedge_mean_aspect_frobenius;
-    if (isOfCorners && verdict::wedge_jacobian(size, corners) < 0)
-    {
-      value = Infinity;
-    }
-    // Of a quadrilateral without a principal axis it says what the best one has.
-    if (function == verdict::quad_skew && std::isinf(ReadInfinity(verdict::quad_taper(size, corners))))
-    {
-      value = Infinity;
-    }
   }
   else
   {

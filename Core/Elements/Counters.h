@@ -17,16 +17,24 @@
 
 namespace camaron
 {
+/// So many times the same number.
+template <typename Value>
+LargeVector<std::atomic<Value>> MakeAtomics(std::size_t size, Value first)
+{
+  LargeVector<std::atomic<Value>> values(size);
+  for (auto& value : values)
+  {
+    value.store(first, std::memory_order_relaxed);
+  }
+  return values;
+}
+
 class Counters
 {
 public:
   explicit Counters(std::size_t size)
-    : Values(size)
+    : Values(MakeAtomics<Index>(size, 0))
   {
-    for (auto& value : this->Values)
-    {
-      value.store(0, std::memory_order_relaxed);
-    }
   }
   void Add(vtkIdType i) { this->Values[i].fetch_add(1, std::memory_order_relaxed); }
   LargeVector<Index> Get() const { return { this->Values.begin(), this->Values.end() }; }
@@ -41,12 +49,8 @@ class Minima
 {
 public:
   Minima(std::size_t size, Value largest)
-    : Values(size)
+    : Values(MakeAtomics(size, largest))
   {
-    for (auto& value : this->Values)
-    {
-      value.store(largest, std::memory_order_relaxed);
-    }
   }
   void Add(vtkIdType i, Value value)
   {
@@ -70,17 +74,9 @@ class AngleSums
 {
 public:
   explicit AngleSums(std::size_t size)
-    : Sums(size)
-    , Reasons(size)
+    : Sums(MakeAtomics<std::int64_t>(size, 0))
+    , Reasons(MakeAtomics(size, NoParts))
   {
-    for (auto& sum : this->Sums)
-    {
-      sum.store(0, std::memory_order_relaxed);
-    }
-    for (auto& reason : this->Reasons)
-    {
-      reason.store(NoParts, std::memory_order_relaxed);
-    }
   }
   void Add(vtkIdType i, double angle)
   {

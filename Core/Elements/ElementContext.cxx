@@ -33,7 +33,7 @@ template <typename ForItems>
 class UseCounter
 {
 public:
-  UseCounter(const ElementContext& context, std::size_t size, ForItems& forItems)
+  UseCounter(const ElementContext& context, std::size_t size, const ForItems& forItems)
     : Table(context.GetTopology().GetFaces())
     , ForItemsOf(forItems)
     , Cells(size)
@@ -123,16 +123,9 @@ private:
   }
 
   const FacetTable& Table;
-  ForItems& ForItemsOf;
+  const ForItems& ForItemsOf;
   Counters Cells, Polygons, Faces, BoundaryFaces;
 };
-
-//------------------------------------------------------------------------------
-template <typename ForItems>
-ElementUses CountUses(const ElementContext& context, std::size_t size, ForItems&& forItems)
-{
-  return UseCounter(context, size, forItems).Get();
-}
 
 //------------------------------------------------------------------------------
 EdgeAngles ComputeEdgeAngles(const ElementContext& context)
@@ -274,7 +267,7 @@ const ElementUses& ElementContext::GetEdgeUses() const
   return GetOnce(this->EdgeUses,
     [&]
     {
-      return CountUses(*this, this->Topology.GetEdges().size(),
+      return UseCounter(*this, this->Topology.GetEdges().size(),
         [&](const vtkIdType* points, vtkIdType size, auto&& visit)
         {
           for (vtkIdType i = 0; i < size; ++i)
@@ -285,7 +278,7 @@ const ElementUses& ElementContext::GetEdgeUses() const
               visit(finder.Find(a, b));
             }
           }
-        });
+        }).Get();
     });
 }
 
@@ -295,14 +288,14 @@ const ElementUses& ElementContext::GetVertexUses() const
   return GetOnce(this->VertexUses,
     [this]
     {
-      return CountUses(*this, static_cast<std::size_t>(this->GetMesh().GetNumberOfPoints()),
+      return UseCounter(*this, static_cast<std::size_t>(this->GetMesh().GetNumberOfPoints()),
         [](const vtkIdType* points, vtkIdType size, auto&& visit)
         {
           for (vtkIdType i = 0; i < size; ++i)
           {
             visit(points[i]);
           }
-        });
+        }).Get();
     });
 }
 

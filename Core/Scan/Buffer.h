@@ -119,10 +119,9 @@ private:
 
 /// A VTK array of class @a Array in such memory: to be filled by whoever asks for it.
 template <typename Array>
-vtkSmartPointer<Array> MakeLargeArray(vtkIdType numberOfTuples, int numberOfComponents = 1)
+vtkSmartPointer<Array> MakeLargeArray(vtkIdType size)
 {
-  return Buffer<typename Array::ValueType>(numberOfTuples * numberOfComponents)
-    .template TakeArray<Array>(numberOfComponents);
+  return Buffer<typename Array::ValueType>(size).template TakeArray<Array>();
 }
 }
 

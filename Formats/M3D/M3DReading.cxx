@@ -180,7 +180,7 @@ bool M3DReading::ReadMaterials(
 {
   const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
   Buffer<double> materials(MaterialSize * piece.GetNumberOfCells());
-  const bool good = ReadRows(
+  const bool good = ReadRowsOnce(
     scanner, lines, this->NumberOfElements, progress,
     [&](vtkIdType i, TextRow& row)
     {

@@ -159,6 +159,10 @@ TEST(M3DReader, ReadsMaterials)
   EXPECT_EQ(same.Grid->GetCellData()->GetNumberOfArrays(), 0);
   ASSERT_NE(same.Grid->GetFieldData()->GetArray("Material"), nullptr);
   EXPECT_EQ(same.Grid->GetFieldData()->GetArray("Material")->GetComponent(0, 0), 3);
+  // As are numbers that are none.
+  const Result none = ReadBytes(start + "T 0 1 3 4 nan 1 2\nT 0 1 3 5 nan 1.0 2\nT 0 1 3 6 NaN 1 2\n");
+  EXPECT_EQ(none.Grid->GetCellData()->GetNumberOfArrays(), 0);
+  EXPECT_NE(none.Grid->GetFieldData()->GetArray("Material"), nullptr);
 
   for (const char* row :
     { "T 0 1 3 5\n", "T 0 1 3 5 7 8\n", "T 0 1 3 5 7 8 steel\n", "T 0 1 3 5 # 1 2 3\n" })
