@@ -3,21 +3,18 @@
 #include "CellMesh/CellGrid.h"
 
 #include "Scan/PieceArrays.h"
-#include "Scan/PointRanges.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace camaron
 {
@@ -80,61 +77,18 @@ void AddIds(const CellPiece& piece, vtkUnstructuredGrid* grid)
     SetGhosts(grid->GetCellData(), std::move(cellFlags));
   }
 }
-
-//------------------------------------------------------------------------------
-struct CountNotFinite
-{
-  template <typename Array>
-  void operator()(Array* array, Tally& tally, const Progress& progress)
-  {
-    std::mutex mutex;
-    const auto points = vtk::DataArrayTupleRange<3>(array);
-    constexpr vtkIdType Block = 4096;
-    progress.For((points.size() + Block - 1) / Block,
-      [&](vtkIdType first, vtkIdType last)
-      {
-        Tally local;
-        for (vtkIdType i = first * Block; i < std::min(last * Block, points.size()); ++i)
-        {
-          const auto x = points[i];
-          if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
-          {
-            local.Add(i);
-          }
-        }
-        const std::lock_guard<std::mutex> lock(mutex);
-        tally.Merge(local);
-      });
-  }
-};
 }
 
 //------------------------------------------------------------------------------
 void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid)
 {
-  SetPointsWithRanges(points, grid);
+  vtkNew<vtkPoints> gridPoints;
+  gridPoints->SetData(points);
+  grid->SetPoints(gridPoints);
   SetCells(mesh, grid);
   if (!piece.IsWhole())
   {
     AddIds(piece, grid);
   }
-}
-
-//------------------------------------------------------------------------------
-void WarnOfPoints(vtkDataArray* points, Warnings& warnings, const Progress& progress,
-  const char* one, const char* many)
-{
-  if (FindPointRanges(points))
-  {
-    return; // all are finite
-  }
-  Tally bad;
-  CountNotFinite count;
-  if (!vtkArrayDispatch::DispatchByArray<vtkTypeList::Create<vtkAOSDataArrayTemplate<float>,
-        vtkAOSDataArrayTemplate<double>>>::Execute(points, count, bad, progress))
-  {
-    count(points, bad, progress);
-  }
-  warnings.Add(bad, one, many, "with a coordinate that is not finite", FromZero);
 }
 }

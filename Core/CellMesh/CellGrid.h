@@ -21,10 +21,6 @@ namespace camaron
  * @param points coordinates of the points of the piece, in its order
  */
 void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid);
-
-/// Warns of points with a coordinate that is not finite, named as in "node", "nodes".
-void WarnOfPoints(vtkDataArray* points, Warnings& warnings, const Progress& progress,
-  const char* one = "point", const char* many = "points");
 }
 
 #endif

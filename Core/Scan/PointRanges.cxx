@@ -125,59 +125,29 @@ void Keep(const Ranges& ranges, vtkDataArray* points)
   known->Set(vtkDataArray::L2_NORM_RANGE(), norms, 2);
   known->Set(vtkDataArray::L2_NORM_FINITE_RANGE(), norms, 2);
 }
-
-bool HasRanges(vtkDataArray* points)
-{
-  return points->HasInformation() && points->GetInformation()->Has(vtkDataArray::L2_NORM_RANGE());
-}
 }
 
 //------------------------------------------------------------------------------
-bool FindPointRanges(vtkDataArray* points)
+bool FindPointRanges(vtkPointSet* mesh)
 {
-  auto* const floats = vtkFloatArray::SafeDownCast(points);
-  auto* const doubles = vtkDoubleArray::SafeDownCast(points);
-  if ((!floats && !doubles) || points->GetNumberOfTuples() == 0)
+  vtkDataArray* const data = mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr;
+  auto* const floats = vtkFloatArray::SafeDownCast(data);
+  auto* const doubles = vtkDoubleArray::SafeDownCast(data);
+  if ((!floats && !doubles) || data->GetNumberOfTuples() == 0)
   {
     return false;
   }
-  const vtkIdType size = points->GetNumberOfTuples();
-  const Ranges ranges = floats ? FindRanges(floats->GetPointer(0), size)
-                               : FindRanges(doubles->GetPointer(0), size);
-  if (ranges.AreFinite)
+  const vtkIdType size = data->GetNumberOfTuples();
+  const Ranges ranges =
+    floats ? FindRanges(floats->GetPointer(0), size) : FindRanges(doubles->GetPointer(0), size);
+  if (!ranges.AreFinite)
   {
-    Keep(ranges, points);
+    return false;
   }
-  return ranges.AreFinite;
-}
-
-//------------------------------------------------------------------------------
-void SetPointsWithRanges(vtkDataArray* points, vtkPointSet* mesh)
-{
-  const bool hasRanges = HasRanges(points);
-  vtkNew<vtkInformation> ranges;
-  const auto meshPoints = hasRanges ? vtkSmartPointer<vtkPoints>(vtkNew<RangedPoints>())
-                                    : vtkSmartPointer<vtkPoints>::New();
-  if (hasRanges)
-  {
-    ranges->Copy(points->GetInformation());
-  }
-  meshPoints->SetData(points); // for VTK a change of the array
-  mesh->SetPoints(meshPoints);
-  if (hasRanges)
-  {
-    points->GetInformation()->Copy(ranges);
-  }
-}
-
-//------------------------------------------------------------------------------
-void FindPointRanges(vtkPointSet* mesh)
-{
-  vtkDataArray* const data = mesh->GetPoints() ? mesh->GetPoints()->GetData() : nullptr;
-  if (data && !(HasRanges(data) && RangedPoints::SafeDownCast(mesh->GetPoints())) &&
-    (HasRanges(data) || FindPointRanges(data)))
-  {
-    SetPointsWithRanges(data, mesh);
-  }
+  vtkNew<RangedPoints> points;
+  points->SetData(data); // for VTK a change of the array, whose ranges it would forget
+  mesh->SetPoints(points);
+  Keep(ranges, data);
+  return true;
 }
 }

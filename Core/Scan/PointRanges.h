@@ -11,7 +11,6 @@
 #ifndef camaron_PointRanges_h
 #define camaron_PointRanges_h
 
-class vtkDataArray;
 class vtkPointSet;
 
 namespace camaron
@@ -19,14 +18,9 @@ namespace camaron
 /**
  * Finds these ranges and leaves them where VTK keeps those that it has computed itself, until the coordinates are
  * modified. Where any coordinate is not finite nothing is left, and VTK finds out by itself.
+ * @return whether they are left
  */
-void FindPointRanges(vtkPointSet* mesh);
-
-/// The same for coordinates that SetPointsWithRanges gives to a mesh later; false if nothing is left.
-bool FindPointRanges(vtkDataArray* points);
-
-/// Gives coordinates to a mesh, with the ranges that were found of them, which VTK would forget.
-void SetPointsWithRanges(vtkDataArray* points, vtkPointSet* mesh);
+bool FindPointRanges(vtkPointSet* mesh);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "FaceMesh/FaceMesh.h"
 #include "Scan/FileStates.h"
 #include "Scan/MappedFile.h"
+#include "Scan/NotFinitePoints.h"
 #include "Scan/PointRanges.h"
 
 #include "vtkCommunicator.h"
@@ -72,6 +73,25 @@ bool HaveReadTheSame(
     states.push_back({ all[i], all[i + 1], all[i + 2] });
   }
   return camaron::FileStates::AreSame(states);
+}
+
+//------------------------------------------------------------------------------
+// Adds what the first process tells of points whose coordinates are not finite, of all pieces.
+void WarnOfPoints(vtkUnstructuredGrid* piece, vtkMultiProcessController* processes, camaron::Warnings& warnings)
+{
+  camaron::Tally bad = camaron::FindNotFinitePoints(piece);
+  if (processes)
+  {
+    const camaron::Tally mine = bad;
+    const vtkIdType first = mine.Count > 0 ? mine.First : VTK_ID_MAX;
+    processes->Reduce(&mine.Count, &bad.Count, 1, vtkCommunicator::SUM_OP, 0);
+    processes->Reduce(&first, &bad.First, 1, vtkCommunicator::MIN_OP, 0);
+  }
+  if (!processes || processes->GetLocalProcessId() == 0)
+  {
+    warnings.Add(bad, "point", "points", "with a coordinate that is not finite",
+      processes ? " (counted from 0; points that several processes have are counted by each)" : camaron::FromZero);
+  }
 }
 }
 
@@ -151,7 +171,10 @@ int vtkMeshFileReader::RequestData(
   }
   if (!hasFailed)
   {
-    camaron::FindPointRanges(output);
+    if (!camaron::FindPointRanges(output) || processes)
+    {
+      WarnOfPoints(output, processes, warnings);
+    }
     const std::string name = camaron::GetFileName(this->FileName);
     for (const std::string& sentence : warnings.GetSentences())
     {

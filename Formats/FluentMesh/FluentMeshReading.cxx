@@ -320,7 +320,6 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   }
   if (this->Request.Piece == 0)
   {
-    WarnOfPoints(coordinates, warnings, Progress(), "node", "nodes");
     if (this->Cells.GetNumberOfUndeclared() > 0)
     {
       warnings.Add(

@@ -315,8 +315,7 @@ bool M3DReading::Read(
     {
       this->Messages.Add("the material of elements is not read, as some elements have none");
     }
-    WarnOfPoints(this->Points, this->Messages, progress.Part(0.9, 0.95), "node", "nodes");
-    piece.WarnOfRepeatedPoints(this->Mesh, this->Messages, progress.Part(0.95, 1), "element", "elements");
+    piece.WarnOfRepeatedPoints(this->Mesh, this->Messages, progress.Part(0.9, 1), "element", "elements");
     this->WarnOfRest(scanner);
   }
   else

@@ -139,8 +139,7 @@ bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progr
     {
       this->Messages.Add(sentence);
     }
-    WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "node", "nodes");
-    piece.WarnOfRepeatedPoints(mesh.Cells, this->Messages, progress.Part(0.97, 1));
+    piece.WarnOfRepeatedPoints(mesh.Cells, this->Messages, progress.Part(0.95, 1));
   }
   FillGrid(mesh.Cells, piece, points, this->Grid);
   return !progress.IsStopped();

@@ -68,7 +68,6 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
   const auto points = vertices.Coordinates.template TakeArray<Array>(3);
   if (request.Piece == 0)
   {
-    WarnOfPoints(points, warnings, progress.Part(0, 0.4), "vertex", "vertices");
     if (header.Dimension > 3)
     {
       warnings.Add("the vertices have " + std::to_string(header.Dimension) +

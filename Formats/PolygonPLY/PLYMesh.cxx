@@ -192,13 +192,9 @@ bool PLYMesh::ReadCells(const Progress& progress)
     return false;
   }
   const vtkSmartPointer<vtkDataArray> coordinates = pointArrays.Get(plans[0].Name);
-  if (this->Request.Piece == 0)
+  if (this->Request.Piece == 0 && !parts.empty())
   {
-    WarnOfPoints(coordinates, this->Messages, progress.Part(0.95, 0.97), Vertex, "vertices");
-    if (!parts.empty())
-    {
-      piece.WarnOfRepeatedPoints(cells.Mesh, this->Messages, progress.Part(0.97, 1));
-    }
+    piece.WarnOfRepeatedPoints(cells.Mesh, this->Messages, progress.Part(0.95, 1));
   }
   FillGrid(cells.Mesh, piece, coordinates, this->Grid);
   pointArrays.MoveTo(this->Grid->GetPointData());
@@ -312,11 +308,6 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   }
   pointArrays.MoveTo(this->Grid->GetPointData());
   cellArrays.MoveTo(this->Grid->GetCellData());
-  if (this->Request.Piece == 0)
-  {
-    WarnOfPoints(
-      this->Grid->GetPoints()->GetData(), this->Messages, Progress(), Vertex, "vertices");
-  }
   return !progress.IsStopped();
 }
 

@@ -234,9 +234,8 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
 
   if (this->Request.Piece == 0)
   {
-    WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
     this->Piece.WarnOfRepeatedPoints(
-      this->Mesh, this->Messages, progress.Part(0.97, 1), "triangle", "triangles");
+      this->Mesh, this->Messages, progress.Part(0.95, 1), "triangle", "triangles");
     if (scanner.SkipSpace())
     {
       this->Messages.Add("there is more data after the end of the mesh");

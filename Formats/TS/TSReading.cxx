@@ -171,9 +171,8 @@ bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progres
 
   if (this->Request.Piece == 0)
   {
-    WarnOfPoints(points, this->Messages, progress.Part(0.95, 0.97), "vertex", "vertices");
     this->Piece.WarnOfRepeatedPoints(
-      this->Mesh, this->Messages, progress.Part(0.97, 1), "tetrahedron", "tetrahedra");
+      this->Mesh, this->Messages, progress.Part(0.95, 1), "tetrahedron", "tetrahedra");
     if (scanner.SkipSpace())
     {
       this->Messages.Add("there is more data after the end of the mesh");

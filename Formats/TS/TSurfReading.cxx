@@ -136,8 +136,7 @@ bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid
   if (request.Piece == 0)
   {
     values.Warn(warnings);
-    WarnOfPoints(points, warnings, progress.Part(0.9, 0.95), "vertex", "vertices");
-    piece.WarnOfRepeatedPoints(mesh, warnings, progress.Part(0.95, 1), "triangle", "triangles");
+    piece.WarnOfRepeatedPoints(mesh, warnings, progress.Part(0.9, 1), "triangle", "triangles");
   }
   else
   {

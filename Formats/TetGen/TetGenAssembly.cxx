@@ -97,8 +97,7 @@ bool TetGenAssembly::Fill(
   if (this->Request.Piece == 0)
   {
     this->Nodes.Warn(this->Messages);
-    WarnOfPoints(points, this->Messages, progress.Part(0.7, 0.8), "node", "nodes");
-    this->Piece.WarnOfRepeatedPoints(mesh, this->Messages, progress.Part(0.8, 0.9));
+    this->Piece.WarnOfRepeatedPoints(mesh, this->Messages, progress.Part(0.7, 0.9));
     if (!this->More.empty())
     {
       this->Messages.Add(this->More);

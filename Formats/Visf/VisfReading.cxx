@@ -9,9 +9,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
-#include <mutex>
 
 namespace camaron
 {
@@ -80,17 +78,11 @@ struct Content
   bool HasTrailingData = false;
   std::string WrongFlag; // what was made of it
   IdLists::Expectation Faces, Cells;
-  Tally BadPoints; // with a coordinate that is not finite, of points that are read later
   ScanError Error;
 };
 
 //------------------------------------------------------------------------------
 constexpr const char* Coordinate = "a coordinate of a vertex";
-
-bool AreFinite(double x, double y, double z)
-{
-  return std::isfinite(x + y + z); // sums of floats do not overflow
-}
 
 //------------------------------------------------------------------------------
 class VisfReading
@@ -282,21 +274,11 @@ bool VisfReading::ReadTextPoints(
   if (this->InPieces && lines)
   {
     TextScanner attempt = scanner;
-    std::mutex mutex;
     const bool good = ReadRowsOnce(attempt, lines, points, progress,
-      [&](vtkIdType row, TextRow& text)
+      [readRow](vtkIdType, TextRow& text)
       {
         float x[3];
-        if (!readRow(text, x))
-        {
-          return false;
-        }
-        if (!AreFinite(x[0], x[1], x[2]))
-        {
-          const std::lock_guard<std::mutex> lock(mutex);
-          content.BadPoints.Add(row);
-        }
-        return true;
+        return readRow(text, x);
       });
     if (good)
     {
@@ -312,7 +294,6 @@ bool VisfReading::ReadTextPoints(
       scanner = attempt;
       return true;
     }
-    content.BadPoints = Tally();
   }
   mesh.Floats = Buffer<float>(3 * points);
   mesh.Points = PointSource(reinterpret_cast<const char*>(mesh.Floats.data()), points, false);
@@ -475,43 +456,15 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
 }
 
 //------------------------------------------------------------------------------
-Tally FindBadPoints(const PointSource& points, const Progress& progress)
+void Warn(const Content& content, Warnings& warnings)
 {
-  Tally bad;
-  std::mutex mutex;
-  constexpr vtkIdType Block = 4096;
-  progress.For((points.Count + Block - 1) / Block,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      Tally local;
-      for (vtkIdType i = first * Block; i < std::min(last * Block, points.Count); ++i)
-      {
-        double x[3];
-        points.Get(i, x);
-        if (!AreFinite(x[0], x[1], x[2]))
-        {
-          local.Add(i);
-        }
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      bad.Merge(local);
-    });
-  return bad;
-}
-
-//------------------------------------------------------------------------------
-void Warn(const Content& content, const Progress& progress, Warnings& warnings)
-{
-  const PointSource& points = content.Mesh.Points;
-  const Tally bad = content.Mesh.ReadPoints ? content.BadPoints : FindBadPoints(points, progress);
-  warnings.Add(bad, "vertex", "vertices", "with a coordinate that is not finite");
   warnings.Add(content.Faces.Empty, "polygon", "polygons", "without vertices, left out");
   warnings.Add(content.Faces.Short, "polygon", "polygons", "with fewer than 3 vertices");
   warnings.Add(
     content.Faces.Repeating, "polygon", "polygons", "with the same vertex twice in a row");
   warnings.Add(content.Cells.Empty, "polyhedron", "polyhedra", "without polygons");
   const int type = content.Mesh.Cells.GetCount() > 0 ? 2 : content.Mesh.Faces.GetCount() > 0 ? 1 : 0;
-  if (type != content.Type && points.Count > 0)
+  if (type != content.Type && content.Mesh.Points.Count > 0)
   {
     warnings.Add(std::string("the header promises ") + DescribeType(content.Type) +
       ", the content is " + DescribeType(type));
@@ -587,11 +540,11 @@ bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructu
       }
       if (request.Piece == 0)
       {
-        Warn(content, progress.Part(0.4, 0.42), warnings);
+        Warn(content, warnings);
       }
       content.Mesh.HasEmptyFaces = content.Faces.Empty.Count > 0;
       const bool built =
-        BuildGrid(content.Mesh, request, grid, warnings, error, progress.Part(0.42, 1));
+        BuildGrid(content.Mesh, request, grid, warnings, error, progress.Part(0.4, 1));
       if (error)
       {
         error.Message = file.GetName() + ": " + error.Message;

@@ -312,12 +312,4 @@ TEST(CellMesh, OddThingsAreCounted)
   piece.WarnOfRepeatedPoints(mesh, warnings, Progress(), "tetrahedron", "tetrahedra");
   ASSERT_EQ(warnings.GetSentences().size(), 1u);
   EXPECT_NE(warnings.GetSentences()[0].find("2 tetrahedra"), std::string::npos);
-  vtkNew<vtkDoubleArray> points;
-  points->SetNumberOfComponents(3);
-  points->InsertNextTuple3(0, 1, 2);
-  points->InsertNextTuple3(0, std::nan(""), 2);
-  WarnOfPoints(points, warnings, Progress(), "node", "nodes");
-  ASSERT_EQ(warnings.GetSentences().size(), 2u);
-  EXPECT_EQ(warnings.GetSentences()[1],
-    "1 node with a coordinate that is not finite: node 1 (counted from 0)");
 }

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The ranges that a reader leaves with the points are those that VTK computes.
+#include "Scan/NotFinitePoints.h"
 #include "Scan/PointRanges.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkInformation.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -107,7 +110,7 @@ TEST(PointRanges, AreLeftToVTKWhereTheyAreNotFinite)
     coordinates->SetComponent(77777, 1, odd);
     vtkNew<vtkUnstructuredGrid> grid;
     SetPoints(grid, coordinates);
-    FindPointRanges(grid);
+    EXPECT_FALSE(FindPointRanges(grid));
     EXPECT_FALSE(coordinates->GetInformation()->Has(vtkDataArray::L2_NORM_RANGE()));
     if (odd == odd)
     {
@@ -117,25 +120,29 @@ TEST(PointRanges, AreLeftToVTKWhereTheyAreNotFinite)
 }
 
 //------------------------------------------------------------------------------
-// Readers look at coordinates before there is a mesh.
-TEST(PointRanges, StayWithCoordinatesThatBecomeThoseOfAMesh)
+// Whatever the type of the coordinates, and in a piece by the places in the whole mesh.
+TEST(PointRanges, PointsThatAreNotFiniteAreCounted)
 {
-  const auto coordinates = MakeCoordinates<vtkFloatArray>(1000);
-  EXPECT_TRUE(FindPointRanges(coordinates));
+  const auto coordinates = MakeCoordinates<vtkDoubleArray>(200000);
   vtkNew<vtkUnstructuredGrid> grid;
-  SetPointsWithRanges(coordinates, grid);
-  ExpectRangesOfVTK(grid);
-  vtkPoints* const points = grid->GetPoints();
-  FindPointRanges(grid);
-  EXPECT_EQ(grid->GetPoints(), points) << "they were found again";
-  ExpectRangesOfVTK(grid);
-
-  const auto others = MakeCoordinates<vtkDoubleArray>(1000);
-  others->SetComponent(77, 1, std::numeric_limits<double>::infinity());
-  EXPECT_FALSE(FindPointRanges(others));
-  SetPointsWithRanges(others, grid);
-  EXPECT_EQ(grid->GetPoints()->GetData(), others);
-  ExpectRangesOfVTK(grid);
+  EXPECT_EQ(FindNotFinitePoints(grid).Count, 0);
+  SetPoints(grid, coordinates);
+  EXPECT_EQ(FindNotFinitePoints(grid).Count, 0);
+  coordinates->SetComponent(150000, 2, std::numeric_limits<double>::quiet_NaN());
+  coordinates->SetComponent(77777, 1, std::numeric_limits<double>::infinity());
+  coordinates->SetComponent(77777, 2, -std::numeric_limits<double>::infinity());
+  coordinates->SetComponent(9, 0, 1e200); // finite, though its square is not
+  EXPECT_EQ(FindNotFinitePoints(grid).Count, 2);
+  EXPECT_EQ(FindNotFinitePoints(grid).First, 77777);
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("GlobalPointIds");
+  ids->SetNumberOfValues(200000);
+  for (vtkIdType i = 0; i < 200000; ++i)
+  {
+    ids->SetValue(i, 1000000 - i);
+  }
+  grid->GetPointData()->AddArray(ids);
+  EXPECT_EQ(FindNotFinitePoints(grid).First, 850000);
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,14 @@ rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
 convert(*sys.argv[1:])
 pathlib.Path(f"{sys.argv[2]}.{rank}").write_text("done")
 """
+#: What every rank runs: it opens a file.
+OPENING = """
+import sys
+from camaron import pipeline
+pipeline.load_plugin()
+from paraview import simple
+simple.OpenDataFile(sys.argv[1]).UpdatePipeline()
+"""
 FILE_NOT_OPENED, TRUNCATED = 20002, 20004  # of vtkErrorCode
 
 
@@ -92,6 +100,22 @@ class TestFailure(camaron_testing.TestCase):
         errors, outcome = self.run_ranks(before / "mesh.visf", after / "mesh.visf")
         self.assertEqual(errors.count("mesh.visf: cannot read the file: another program"), 1, errors)
         self.assertEqual(outcome, [f"rank {i}: 0 cells, code {FILE_NOT_OPENED}" for i in range(2)])
+
+    def test_one_warning_of_all_ranks(self):
+        """Also of points that only the second rank has; a point of both counts for each."""
+        bad = self.folder / "bad.tri"
+        points = [f"{i} {i * i} {i * i * i}" for i in range(8)]
+        points[0], points[7] = "0 nan 0", "1 0 inf"
+        triangles = [f"{i} {i + 1} {i + 2}" for i in range(6)]
+        bad.write_text("\n".join(["8", *points, "6", *triangles, ""]))
+        errors = self.run_script(OPENING, bad).stderr
+        expected = "bad.tri: 2 points with a coordinate that is not finite, the first is point 0 (counted from 0; "
+        self.assertEqual(errors.count(expected), 1, errors)
+        self.assertEqual(errors.count("not finite"), 1, errors)
+        points[0], points[3] = "0 0 0", "1 0 inf"
+        bad.write_text("\n".join(["8", *points, "6", *triangles, ""]))
+        errors = self.run_script(OPENING, bad).stderr
+        self.assertIn("bad.tri: 3 points with a coordinate that is not finite, the first is point 3", errors)
 
     def test_empty_meshes_are_written(self):
         """A mesh that is empty for no error is a mesh."""

@@ -102,9 +102,9 @@ TEST(TRIReader, WarnsOfOddThings)
   const Result result = ReadBytes("3\n0 0 0\n1 0 nan\n0 1 0\n2\n0 1 2\n0 0 2\nmore\n");
   ASSERT_TRUE(result.Errors.empty());
   ASSERT_EQ(result.Warnings.size(), 3u);
-  EXPECT_NE(result.Warnings[0].find("1 vertex"), std::string::npos);
-  EXPECT_NE(result.Warnings[1].find("1 triangle"), std::string::npos);
-  EXPECT_NE(result.Warnings[2].find("more data"), std::string::npos);
+  EXPECT_NE(result.Warnings[0].find("1 triangle"), std::string::npos);
+  EXPECT_NE(result.Warnings[1].find("more data"), std::string::npos);
+  EXPECT_NE(result.Warnings[2].find("1 point"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

@@ -241,9 +241,9 @@ TEST(TSReader, WarnsOfOddThings)
 {
   const Result tetrahedra = ReadBytes("4 1\n0 0 nan\n1 0 0\n0 1 0\n0 0 1\n0 1 1 3\n1 2 3 0\n");
   ASSERT_EQ(tetrahedra.Warnings.size(), 3u);
-  EXPECT_NE(tetrahedra.Warnings[0].find("1 vertex"), std::string::npos);
-  EXPECT_NE(tetrahedra.Warnings[1].find("1 tetrahedron"), std::string::npos);
-  EXPECT_NE(tetrahedra.Warnings[2].find("more data"), std::string::npos);
+  EXPECT_NE(tetrahedra.Warnings[0].find("1 tetrahedron"), std::string::npos);
+  EXPECT_NE(tetrahedra.Warnings[1].find("more data"), std::string::npos);
+  EXPECT_NE(tetrahedra.Warnings[2].find("1 point"), std::string::npos);
   const Result surface =
     ReadBytes("GOCAD TSurf 1\nPROPERTIES a b\nVRTX 1 0 0 inf\nPVRTX 2 1 0 0 5\nPVRTX 2 0 1 0 6 7\n"
               "PATOM 4 2 5 CNXYZ\nTRGL 1 2 2\nEND\nand more\n");
@@ -254,8 +254,8 @@ TEST(TSReader, WarnsOfOddThings)
   EXPECT_NE(
     surface.Warnings[2].find("fewer values than there are properties: 2"), std::string::npos);
   EXPECT_NE(surface.Warnings[3].find("which keeps its own: 1"), std::string::npos);
-  EXPECT_NE(surface.Warnings[4].find("1 vertex"), std::string::npos);
-  EXPECT_NE(surface.Warnings[5].find("1 triangle"), std::string::npos);
+  EXPECT_NE(surface.Warnings[4].find("1 triangle"), std::string::npos);
+  EXPECT_NE(surface.Warnings[5].find("1 point"), std::string::npos);
 }
 
 //------------------------------------------------------------------------------

@@ -189,7 +189,7 @@ TEST(TetGenReader, WarnsOfOddThings)
   };
   const std::string node = "4 3 0 0\n0 0 0 0\n1 1 0 0\n2 0 1 0\n3 0 0 1\n";
   const std::string ele = "1 4 0\n0 0 1 2 3\n";
-  warning({ { "node", "1 3 0 0\n0 0 nan 0\n" } }, "node", "1 node with a coordinate that is not");
+  warning({ { "node", "1 3 0 0\n0 0 nan 0\n" } }, "node", "1 point with a coordinate that is not");
   warning({ { "node", "3 3 0 1\n0 0 0 0 1\n1 0 0 0\n2 0 0 0 # none\n" } }, "node",
     "2 nodes without the boundary marker");
   warning({ { "node", "3 3 0 0\n0 0 0 0\n1 1 0 0 7 7 # two\n2 0 1 0 8\n" } }, "node",

@@ -200,8 +200,8 @@ TEST(VisfReader, ReadsNumbersExactly)
     EXPECT_EQ(std::signbit(value), std::signbit(expected[i])) << i;
   }
   ASSERT_EQ(result.Warnings.size(), 1u); // 1e39 overflows; nan and inf
-  EXPECT_NE(result.Warnings[0].find("2 vertices with a coordinate that is not finite, the first is "
-                                    "vertex 4"),
+  EXPECT_NE(result.Warnings[0].find("2 points with a coordinate that is not finite, the first is "
+                                    "point 4 (counted from 0)"),
     std::string::npos);
 }
 
