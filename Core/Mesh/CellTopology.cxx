@@ -23,11 +23,14 @@ std::uint64_t DropLowest(std::uint64_t set)
 //------------------------------------------------------------------------------
 void CellTopology::Clear()
 {
+  this->LastIsKnown = this->IsAsAdded;
+  this->IsAsAdded = false;
+  this->LastNumberOfPoints = this->NumberOfPoints;
+  std::swap(this->FaceOffsets, this->LastOffsets);
+  std::swap(this->FacePoints, this->LastPoints);
   this->NumberOfPoints = 0;
   this->FaceOffsets.assign(1, 0);
   this->FacePoints.clear();
-  this->Edges.clear();
-  this->HasVertexFigures = false;
 }
 
 //------------------------------------------------------------------------------
@@ -39,6 +42,20 @@ void CellTopology::AddFace(const int* points, int size)
 
 //------------------------------------------------------------------------------
 bool CellTopology::Finish(bool edgesCanWait)
+{
+  this->IsAsAdded = this->LastIsKnown && this->NumberOfPoints == this->LastNumberOfPoints &&
+    this->FaceOffsets == this->LastOffsets && this->FacePoints == this->LastPoints;
+  const bool wasRepeated = !this->IsAsAdded && this->FinishNew();
+  if (!edgesCanWait)
+  {
+    this->FindEdges();
+  }
+  return wasRepeated;
+}
+
+//------------------------------------------------------------------------------
+// Nothing is known of its faces yet.
+bool CellTopology::FinishNew()
 {
   const int numberOfFaces = this->GetNumberOfFaces();
   this->FaceNumbers.resize(numberOfFaces);
@@ -57,11 +74,10 @@ bool CellTopology::Finish(bool edgesCanWait)
   }
   const bool wasRepeated = isRepeated && this->DropRepeatedPoints();
   this->Reversed.assign(this->GetNumberOfFaces(), 0);
-  this->HasEdges = this->IsOneShell = false;
-  if (!edgesCanWait)
-  {
-    this->FindEdges();
-  }
+  this->Edges.clear();
+  this->HasEdges = this->IsOneShell = this->HasShells = this->HasFacePairs = false;
+  this->KnowsVertexFigures = this->HasVertexFigures = false;
+  this->IsAsAdded = !wasRepeated;
   return wasRepeated;
 }
 
@@ -331,6 +347,16 @@ bool CellTopology::IsBalanced() const
 }
 
 //------------------------------------------------------------------------------
+void CellTopology::FindShells()
+{
+  if (!this->HasShells)
+  {
+    this->FindShells(false);
+    this->HasShells = true;
+  }
+}
+
+//------------------------------------------------------------------------------
 void CellTopology::FindShells(bool makeConsistent)
 {
   const int numberOfFaces = this->GetNumberOfFaces();
@@ -487,6 +513,7 @@ void CellTopology::ReverseFace(int face)
     std::reverse(this->FaceEdges.begin() + begin, this->FaceEdges.begin() + end - 1);
   }
   this->Reversed[face] ^= 1;
+  this->IsAsAdded = this->KnowsVertexFigures = false;
 }
 
 //------------------------------------------------------------------------------
@@ -524,6 +551,11 @@ void CellTopology::ReverseShells(const std::vector<unsigned char>& areReversed)
 // in the other face. Nowhere else do the faces at all points form cycles, but where there are none.
 void CellTopology::MakeVertexFigures()
 {
+  if (this->KnowsVertexFigures)
+  {
+    return;
+  }
+  this->KnowsVertexFigures = true;
   this->HasVertexFigures = this->FacePoints.empty() || (this->IsClosed && this->IsManifold);
   if (!this->HasVertexFigures)
   {
@@ -567,6 +599,11 @@ void CellTopology::MakeVertexFigures()
 // Loops over faces of the same size one after the other are foreseen by the processor.
 void CellTopology::FindFacePairs()
 {
+  if (this->HasFacePairs)
+  {
+    return;
+  }
+  this->HasFacePairs = true;
   const int numberOfFaces = this->GetNumberOfFaces();
   this->FirstFaces.resize(MaxBits, -1);
   this->NextFaces.resize(numberOfFaces);

@@ -5,7 +5,8 @@
  * @brief Faces, edges and vertex figures of one cell, in local point numbers.
  *
  * Made once for every standard type, and anew for every polyhedron, polygon and collapsed standard
- * cell, by the same code: so all of them answer alike. Holds its memory for the next cell.
+ * cell, by the same code: so all of them answer alike. Holds its memory for the next cell, and what it knows, too,
+ * where that has the same faces in local numbers, as cells of one kind often have.
  */
 #ifndef camaron_CellTopology_h
 #define camaron_CellTopology_h
@@ -88,7 +89,7 @@ public:
    * The shells of the cell: faces that hang together over edges that have exactly two of them, and, where such
    * a group is not closed for itself, the groups that close it.
    */
-  void FindShells() { this->FindShells(false); }
+  void FindShells();
   /// Reverses faces so that neighbours agree; each shell keeps the direction of its first face.
   void MakeConsistent() { this->FindShells(true); }
   int GetShell(int face) const { return this->Shells[face]; }
@@ -105,6 +106,7 @@ public:
   void FindFacePairs();
 
 private:
+  bool FinishNew();
   bool DropRepeatedPoints();
   void ListCorners();
   bool IsClosedShell() const;
@@ -118,12 +120,19 @@ private:
   void JoinOpenShells();
   void ReverseFace(int face);
 
+  ///@{
+  // The cell before.
+  std::vector<int> LastOffsets, LastPoints;
+  int LastNumberOfPoints = 0;
+  bool LastIsKnown = false; // the members still tell of these faces
+  ///@}
+  bool IsAsAdded = false; // no face was changed
   std::vector<int> NextPoints; // parallel to FacePoints
   std::vector<int> FirstFaces, NextFaces; // faces by size, as linked lists
   LocalNumbers EdgeNumbers;
   std::vector<int> EdgeUses, FirstCorners, LastCorners; // of edges
   std::vector<int> EdgeTable; // by the points of an edge
-  bool HasEdges = false, IsOneShell = false;
+  bool HasEdges = false, IsOneShell = false, HasShells = false, HasFacePairs = false, KnowsVertexFigures = false;
   std::vector<int> Shells, Stack;
   std::vector<unsigned char> Reversed;
   int NumberOfShells = 0;
