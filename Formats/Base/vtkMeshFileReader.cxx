@@ -150,6 +150,10 @@ int vtkMeshFileReader::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   const camaron::FileStates states;
   this->ReadMesh(this->FileName, request, output, warnings, error, progress);
+  if (!error)
+  {
+    progress.Report(1); // of a file so small that nothing was reported, too
+  }
   if (progress.IsStopped() && error.Kind != camaron::ErrorKind::Changed)
   {
     // Whatever was tried in vain before, in another dialect perhaps, is not why there is no mesh.
