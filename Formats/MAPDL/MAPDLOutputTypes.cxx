@@ -116,6 +116,26 @@ MAPDLOutputTypes::MAPDLOutputTypes(vtkDataSet* mesh, const OutputMesh& output)
 }
 
 //------------------------------------------------------------------------------
+Tally MAPDLOutputTypes::FindOtherTypes() const
+{
+  Tally others;
+  for (vtkIdType cell = 0; cell < this->Output.GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType from = this->Output.GetInputCell(cell);
+    const std::int32_t id = this->TypeIds[from], element = this->Elements[from];
+    const std::int32_t writtenId = this->GetType(cell).Id;
+    const bool isSame = (!this->TypeIds.HasArray() || id == writtenId) &&
+      (!this->Elements.HasArray() || element == this->Types.find(writtenId)->second.Element);
+    const bool isToldOf = id != 0 || element != 0 || !this->TypeIds.IsKept(from) || !this->Elements.IsKept(from);
+    if (isToldOf && !isSame)
+    {
+      others.Add(from);
+    }
+  }
+  return others;
+}
+
+//------------------------------------------------------------------------------
 MAPDLOutputTypes::Key MAPDLOutputTypes::GetKey(vtkIdType cell) const
 {
   const vtkIdType from = this->Output.GetInputCell(cell);

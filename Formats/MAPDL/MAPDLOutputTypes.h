@@ -80,6 +80,8 @@ public:
   }
   /// Whether the arrays decide about some cell, if there are cells.
   bool UsesArrays() const { return this->KeepsTypes || this->TypeOfKey.empty(); }
+  /// Cells that have another type than the arrays say, if these say something of them.
+  Tally FindOtherTypes() const;
 
 private:
   using Key = std::tuple<std::int32_t, std::int32_t, unsigned char>; // type, element, shape

@@ -248,6 +248,8 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
   if (this->Types.UsesArrays())
   {
     written.Cells.insert(written.Cells.end(), { "TypeId", "ElementType" });
+    warnings.Add(this->Types.FindOtherTypes(), "cell", "cells",
+      "written with another TypeId or ElementType, as a deck with theirs would be read as another mesh", FromZero);
   }
   written.Fields = { "NodeComponents", "ElementComponents" };
   WarnOfArrays(mesh, "MAPDL", warnings, written);

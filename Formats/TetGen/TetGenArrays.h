@@ -15,8 +15,10 @@
 #include "vtkDataArray.h"
 #include "vtkSmartPointer.h"
 
-#include <string> // for text
-#include <vector> // for columns
+#include <algorithm> // for std::any_of
+#include <cmath>     // for std::isnan
+#include <string>    // for text
+#include <vector>    // for columns
 
 class vtkDataSetAttributes;
 
@@ -48,6 +50,16 @@ public:
   void AppendMarker(std::string& text, vtkIdType tuple) const { this->Marker.Append(text, tuple); }
   ///@}
 
+  ///@{
+  /// Whether there is a value to write, other than zero.
+  bool HasAttributes(vtkIdType tuple) const
+  {
+    return std::any_of(this->Attributes.begin(), this->Attributes.end(),
+      [tuple](const Column& column) { return column.HasValue(tuple); });
+  }
+  bool HasMarker(vtkIdType tuple) const { return this->HasMarkers() && this->Marker.HasValue(tuple); }
+  ///@}
+
   /// Adds the names of arrays that are written.
   void AddNames(std::vector<std::string>& names) const;
   /// Arrays that are read back under another name, as "Pressure as attr_0, ...".
@@ -62,6 +74,11 @@ private:
     std::string Name;
 
     void Set(vtkDataArray* array);
+    bool HasValue(vtkIdType tuple) const
+    {
+      const double value = this->Array->GetComponent(tuple, 0);
+      return value != 0 && !std::isnan(value);
+    }
     void Append(std::string& text, vtkIdType tuple) const
     {
       text += ' ';

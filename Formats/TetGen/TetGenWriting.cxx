@@ -128,6 +128,7 @@ public:
   void Warn(const std::string& path, Warnings& warnings) const;
 
 private:
+  void WarnOfLostValues(Warnings& warnings) const;
   bool HasFaces() const { return this->Elements.Corners == 4 && this->Faces.Size > 0; }
   bool HasBoundary() const
   {
@@ -310,6 +311,33 @@ bool TetGenWriting::Write(const std::string& path, ScanError& error, const Progr
 }
 
 //------------------------------------------------------------------------------
+// Where triangles stand beside tetrahedra, a file of elements has no markers, and one of faces nothing else.
+void TetGenWriting::WarnOfLostValues(Warnings& warnings) const
+{
+  Tally triangles, tetrahedra;
+  for (vtkIdType i = 0; i < this->Faces.Size; ++i)
+  {
+    const vtkIdType cell = this->Output.GetInputCell(this->Faces[i]);
+    if (this->CellArrays.HasAttributes(cell))
+    {
+      triangles.Add(cell);
+    }
+  }
+  for (vtkIdType i = 0; this->HasFaces() && i < this->Elements.Size; ++i)
+  {
+    const vtkIdType cell = this->Output.GetInputCell(this->Elements[i]);
+    if (this->CellArrays.HasMarker(cell))
+    {
+      tetrahedra.Add(cell);
+    }
+  }
+  warnings.Add(triangles, "cell", "cells",
+    "written as a face, with other values than a BoundaryMarker, which faces of TetGen cannot have", FromZero);
+  warnings.Add(tetrahedra, "cell", "cells",
+    "written as an element, with a BoundaryMarker, which elements of TetGen cannot have", FromZero);
+}
+
+//------------------------------------------------------------------------------
 void TetGenWriting::Warn(const std::string& path, Warnings& warnings) const
 {
   if (this->Options.Arrays)
@@ -326,6 +354,7 @@ void TetGenWriting::Warn(const std::string& path, Warnings& warnings) const
         (points.empty() || cells.empty() ? "" : ", ") + cells);
     }
   }
+  this->WarnOfLostValues(warnings);
   std::string old;
   for (const TetGenKind kind : { TetGenKind::Face, TetGenKind::Edge, TetGenKind::Neigh })
   {

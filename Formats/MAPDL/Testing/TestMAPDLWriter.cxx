@@ -218,6 +218,26 @@ TEST(MAPDLWriter, NamesThatBecomeTheSame)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, some cells get another type without a word, as those of others are kept.
+TEST(MAPDLWriter, TypesThatSomeCellsCannotKeep)
+{
+  Grid grid = MakeGrid(Corners,
+    { { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 2, 3, 5 } },
+      { VTK_TETRA, { 0, 1, 3, 4 } } });
+  AddArray<vtkIntArray>(grid->GetCellData(), "TypeId", { 1, 2, 1, 0 });
+  AddArray<vtkIntArray>(grid->GetCellData(), "ElementType", { 285, 0, 187, 0 });
+  const Written written = WriteAll(grid);
+  ASSERT_EQ(written.Warnings.size(), 1u);
+  EXPECT_NE(written.Warnings[0].find("2 cells written with another TypeId or ElementType"), std::string::npos)
+    << written.Warnings[0];
+  EXPECT_NE(written.Warnings[0].find("the first is cell 1 (counted from 0)"), std::string::npos);
+  const Result result = ReadDeck(written.Bytes);
+  EXPECT_EQ(GetValue(result.Grid, "TypeId", 0), 1);
+  EXPECT_EQ(GetValue(result.Grid, "ElementType", 0), 285);
+  EXPECT_EQ(result.Grid->GetCellType(1), VTK_QUAD);
+}
+
+//------------------------------------------------------------------------------
 // If this fails, arrays that do not fit make decks that are read as other meshes, or not at all.
 TEST(MAPDLWriter, ArraysThatDoNotFit)
 {

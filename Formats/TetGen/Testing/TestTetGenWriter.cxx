@@ -185,6 +185,17 @@ TEST(TetGenWriter, TrianglesBesideTetrahedraAreFaces)
   EXPECT_EQ(GetValues(faces.Grid->GetCellData(), "BoundaryMarker"), (Values{ 5, -6 }));
   EXPECT_EQ(Count(written.Read("ele").Grid, VTK_TETRA), 2);
 
+  // What has no place in these files is not lost without a word.
+  const Grid marked = MakeTetrahedraWithTriangles();
+  marked->GetCellData()->GetArray("BoundaryMarker")->SetComponent(2, 0, 8);
+  marked->GetCellData()->GetArray("Region")->SetComponent(1, 0, 30);
+  marked->GetCellData()->GetArray("Region")->SetComponent(3, 0, 30);
+  const WrittenFiles lost = Write(marked);
+  ASSERT_EQ(lost.Warnings.size(), 2u);
+  EXPECT_NE(lost.Warnings[0].find("2 cells written as a face, with other values than a BoundaryMarker"), std::string::npos);
+  EXPECT_NE(lost.Warnings[0].find("the first is cell 1 (counted from 0)"), std::string::npos) << lost.Warnings[0];
+  EXPECT_NE(lost.Warnings[1].find("1 cell written as an element, with a BoundaryMarker"), std::string::npos);
+
   const WrittenFiles boundary =
     Write(MakeTwoTetrahedra(), [](vtkTetGenWriter* w) { w->WriteBoundaryFacesOn(); });
   const Result sides = boundary.Read("face");
