@@ -10,6 +10,7 @@
 #include "EvaluatedArrays.h"
 #include "MeshInput.h"
 #include "MeshPieces.h"
+#include "NullMask.h"
 #include "Parallel.h"
 #include "RunTogether.h"
 #include "Scan/Buffer.h"
@@ -33,37 +34,6 @@
 #include <utility>
 
 vtkStandardNewMacro(vtkElementQuality);
-
-namespace
-{
-constexpr vtkIdType Grain = 65536;
-
-//------------------------------------------------------------------------------
-// Why each value is null, read from the values.
-vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh)
-{
-  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh); // others have no cells of higher order
-  const auto mask = camaron::MakeLargeArray<vtkUnsignedCharArray>(values->GetNumberOfValues());
-  mask->SetName((std::string(values->GetName()) + "_Null").c_str());
-  const double* from = values->GetPointer(0);
-  unsigned char* to = mask->GetPointer(0);
-  camaron::ParallelFor(values->GetNumberOfValues(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        camaron::NullReason reason = camaron::GetNullReason(from[cell]);
-        if (reason == camaron::NullReason::Value && grid &&
-          camaron::GetCellShape(static_cast<unsigned char>(grid->GetCellType(cell))).IsHigherOrder)
-        {
-          reason = camaron::NullReason::HigherOrder;
-        }
-        to[cell] = static_cast<unsigned char>(reason);
-      }
-    });
-  return mask;
-}
-}
 
 //------------------------------------------------------------------------------
 vtkElementQuality::vtkElementQuality()
@@ -355,7 +325,7 @@ void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leave
       data->AddArray(array);
       if (this->WriteNullMask)
       {
-        data->AddArray(MakeNullMask(array, leaves[leaf].Data));
+        data->AddArray(camaron::MakeNullMask(array, leaves[leaf].Data));
       }
     }
     if (worst)

@@ -6,15 +6,18 @@
 #include "Elements/MeshElements.h"
 #include "MeshInput.h"
 #include "MeshPieces.h"
+#include "NullMask.h"
 #include "PolyDataOutput.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArraySelection.h"
+#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -45,6 +48,20 @@ std::vector<std::string> GetTicked(vtkDataArraySelection* selection)
     }
   }
   return names;
+}
+
+//------------------------------------------------------------------------------
+void AddNullMasks(vtkPolyData* elements)
+{
+  vtkCellData* const arrays = elements->GetCellData();
+  const int size = arrays->GetNumberOfArrays();
+  for (int i = 0; i < size; ++i)
+  {
+    if (auto* const values = vtkDoubleArray::SafeDownCast(arrays->GetArray(i)))
+    {
+      arrays->AddArray(camaron::MakeNullMask(values, elements));
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -95,6 +112,9 @@ void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WorstOfCells: " << this->WorstOfCells << '\n';
   os << indent << "MergeTolerance: " << this->MergeTolerance << '\n';
   os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
+  os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
+  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
+  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
   os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
 }
 
@@ -198,6 +218,8 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   camaron::EvaluationOptions common;
   common.Angles =
     this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
+  common.TrustFaceOrientation = this->TrustFaceOrientation;
+  common.DegeneracyTolerance = this->DegeneracyTolerance;
   camaron::ControllerReducer reducer;
   // A stopped execution comes again for each of the other ports.
   std::int64_t isStopped = this->CheckAbort();
@@ -272,6 +294,13 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     if (!context.GoesOn(1))
     {
       return;
+    }
+    for (const auto& output : outputs)
+    {
+      if (this->WriteNullMask)
+      {
+        AddNullMasks(output[piece]);
+      }
     }
   }
 }

@@ -86,6 +86,26 @@ public:
   ///@}
 
   ///@{
+  /// Add a mask array per array of real numbers that tells why a value is null, as vtkElementQuality. Default: off.
+  vtkSetMacro(WriteNullMask, bool);
+  vtkGetMacro(WriteNullMask, bool);
+  vtkBooleanMacro(WriteNullMask, bool);
+  ///@}
+
+  ///@{
+  /// Take the faces of polyhedra as directed outward, as vtkElementQuality. Default: off.
+  vtkSetMacro(TrustFaceOrientation, bool);
+  vtkGetMacro(TrustFaceOrientation, bool);
+  vtkBooleanMacro(TrustFaceOrientation, bool);
+  ///@}
+
+  ///@{
+  /// Share of a cell's diameter up to which an edge counts as collapsed, as in vtkElementQuality. Default: 0.
+  vtkSetClampMacro(DegeneracyTolerance, double, 0.0, 1.0);
+  vtkGetMacro(DegeneracyTolerance, double);
+  ///@}
+
+  ///@{
   /**
    * Whether blocks are pieces of one mesh, so that faces between them have a cell on either side, and cells are
    * numbered through all blocks. Default: off.
@@ -117,6 +137,9 @@ private:
   bool WorstOfCells = false;
   double MergeTolerance = 0;
   int AngleUnits = DEGREES;
+  bool WriteNullMask = false;
+  bool TrustFaceOrientation = false;
+  double DegeneracyTolerance = 0;
   bool ConnectBlocks = false;
 };
 

@@ -9,11 +9,11 @@
 #define camaron_AnglePairs_h
 
 #include "Criteria/AngleRange.h"
+#include "Criteria/DihedralAngle.h"
 #include "Mesh/VectorPair.h"
 
 namespace camaron
 {
-constexpr double DihedralRounding = 1e-14; // of sines
 constexpr double StraightCorner = 1e-9;    // of a face: its sine
 // A triangle whose corner lies opposite to another one, or to its other side, has no area of its own.
 constexpr double DegenerateFan = 1e-6;

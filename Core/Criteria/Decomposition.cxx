@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // A cell cut at its centroid: into the pyramids over its faces, and into the tetrahedra of the centroid,
-// the centre of a face and an edge of that face.
+// the centre of a face and an edge of that face; a polygon into the triangles of the centroid and its edges.
 #include "Criteria/CriterionRows.h"
 
 #include <algorithm>
@@ -13,6 +13,8 @@ namespace camaron
 namespace
 {
 constexpr double RegularVolume = 0.5132002392796673; // of a tetrahedron of circumradius 1
+constexpr double RegularArea = 1.2990381056766580;   // of a triangle of circumradius 1
+constexpr double RootOfThree = 1.7320508075688772;
 
 //------------------------------------------------------------------------------
 // What is left of tetrahedra that are flat: rounded products. Those over short edges of large cells are not, however
@@ -57,8 +59,57 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
 }
 
 //------------------------------------------------------------------------------
+// The smallest measure(a, b, area) of the triangles of a polygon with an area, a and b relative to the centroid. Those
+// without one are left to the measure.
+template <typename Measure>
+double GetMinOfTriangles(const CellGeometry& cell, Measure&& measure)
+{
+  const int* ring = cell.GetTopology().GetFace(0);
+  const int size = cell.GetTopology().GetFaceSize(0);
+  const Vector normal = Unit(cell.GetFaceVector(0));
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector a = cell.GetPoint(ring[i]) - cell.GetCentroid();
+    const Vector b = cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetCentroid();
+    smallest = std::min(smallest, measure(a, b, 0.5 * Dot(normal, Cross(a, b))));
+  }
+  return smallest;
+}
+
+//------------------------------------------------------------------------------
+// The same of any polygon, where flat triangles have 0.
+template <typename Measure>
+double MinOfTriangles(const CellGeometry& cell, Measure&& measure)
+{
+  if (cell.IsZeroArea(cell.GetPolygonArea()))
+  {
+    return 0;
+  }
+  return GetMinOfTriangles(cell,
+    [&](const Vector& a, const Vector& b, double area)
+    {
+      constexpr double tolerance = 1e-12;
+      const bool isFlat = 4 * area * area <= tolerance * tolerance * Norm2(a) * Norm2(b);
+      return isFlat || cell.IsZeroLength(Norm(b - a)) ? 0 : measure(a, b, area);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool IsPolygon(const CellGeometry& cell)
+{
+  return (cell.GetShapes() & Polygons) != 0;
+}
+
+//------------------------------------------------------------------------------
 double GetMinPyramidVolume(const CellGeometry& cell)
 {
+  if (IsPolygon(cell))
+  {
+    return cell.IsZeroArea(cell.GetPolygonArea())
+      ? 0
+      : GetMinOfTriangles(cell, [](const Vector&, const Vector&, double area) { return area; });
+  }
   double smallest = std::numeric_limits<double>::infinity();
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
@@ -72,12 +123,19 @@ double GetMinPyramidVolume(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MinFacePyramidVolume(const CellGeometry& cell)
 {
-  return std::isnan(cell.GetVolume()) ? cell.GetVolume() : GetMinPyramidVolume(cell);
+  const bool isOpen = !IsPolygon(cell) && std::isnan(cell.GetVolume());
+  return isOpen ? cell.GetVolume() : GetMinPyramidVolume(cell);
 }
 
 //------------------------------------------------------------------------------
 double MinFacePyramidRatio(const CellGeometry& cell)
 {
+  if (IsPolygon(cell))
+  {
+    const double area = cell.GetPolygonArea();
+    return cell.IsZeroArea(area) ? Null(NullReason::Degenerate)
+                                 : GetMinPyramidVolume(cell) * cell.GetTopology().GetFaceSize(0) / area;
+  }
   const double volume = cell.GetVolume();
   if (std::isnan(volume))
   {
@@ -91,6 +149,10 @@ double MinFacePyramidRatio(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MinTetVolume(const CellGeometry& cell)
 {
+  if (IsPolygon(cell))
+  {
+    return MinOfTriangles(cell, [](const Vector&, const Vector&, double area) { return area; });
+  }
   return MinOfTetrahedra(cell,
     [](const Vector&, const Vector&, const Vector&, double volume) { return volume; });
 }
@@ -98,6 +160,11 @@ double MinTetVolume(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MinTetMeanRatio(const CellGeometry& cell)
 {
+  if (IsPolygon(cell))
+  {
+    return MinOfTriangles(cell, [](const Vector& a, const Vector& b, double area)
+      { return 4 * RootOfThree * area / (Norm2(a) + Norm2(b) + Norm2(b - a)); });
+  }
   // The volume by the power 3/2 of the squared edges is smallest in the same tetrahedron, and so one cube root
   // is enough.
   const double smallest = MinOfTetrahedra(cell,
@@ -117,6 +184,15 @@ double MinTetMeanRatio(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double MinTetQuality(const CellGeometry& cell)
 {
+  if (IsPolygon(cell))
+  {
+    return MinOfTriangles(cell,
+      [](const Vector& a, const Vector& b, double area)
+      {
+        const double radius = Norm(a) * Norm(b) * Norm(b - a) / (4 * std::abs(area));
+        return area / (RegularArea * radius * radius);
+      });
+  }
   return MinOfTetrahedra(cell,
     [](const Vector& a, const Vector& b, const Vector& c, double volume)
     {
@@ -132,18 +208,21 @@ std::vector<Criterion> DecompositionCriteria()
 {
   // clang-format off
   return {
-    { "MinFacePyramidVolume", "Smallest face pyramid", "Volume of the smallest pyramid of a face and the centroid of the cell.",
-      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
+    { "MinFacePyramidVolume", "Smallest face pyramid",
+      "Volume of the smallest pyramid of a face and the centroid of the cell; of a polygon the area of the smallest "
+      "triangle of an edge and the centroid.",
+      PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { Positive, Infinity }, CheckMesh, Cited, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidVolume),
-      { "min over the faces of ⅓ S_f · (c_f − C)",
+      { "min over the faces of ⅓ S_f · (c_f − C); of a polygon with normal n, min over the edges of "
+        "½ n · ((pᵢ − C) × (pᵢ₊₁ − C))",
         "0 for a flat cell, negative for an inverted one or where C lies outside a face; null "
         "(invalid topology) for an open one.",
         "checkMesh counts the faces whose pyramid, of either cell, is not positive." } },
     { "MinFacePyramidRatio", "Smallest face pyramid, relative",
       "Volume of the smallest pyramid of a face and the centroid, times the number of faces, divided by "
-      "the volume of the cell; 1 if all are equal.",
-      Polyhedra, Unit::None, { -Infinity, 1 }, 1, Better::Bigger,
+      "the volume of the cell (of a polygon triangles, edges and area); 1 if all are equal.",
+      PolygonsAndPolyhedra, Unit::None, { -Infinity, 1 }, 1, Better::Bigger,
       { Positive, Infinity }, CheckMesh, Cited, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinFacePyramidRatio),
       { "`MinFacePyramidVolume` × number of faces / |V|",
@@ -151,31 +230,37 @@ std::vector<Criterion> DecompositionCriteria()
         "an open one.",
         "No other program here reports it." } },
     { "MinTetVolume", "Smallest tetrahedron of the decomposition",
-      "Volume of the smallest tetrahedron of the centroid, the centre of a face and an edge of it.",
-      Polyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
+      "Volume of the smallest tetrahedron of the centroid, the centre of a face and an edge of it; of a polygon the "
+      "area of the smallest triangle of the centroid and an edge.",
+      PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetVolume),
-      { "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6",
+      { "min over faces and their edges of (c_f − C) · ((pᵢ − C) × (pᵢ₊₁ − C)) / 6; of a polygon as "
+        "`MinFacePyramidVolume`",
         "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
         "topology) for an open one.",
         "OpenFOAM cuts faces at a vertex of its choice instead of their centre when it has to." } },
     { "MinTetMeanRatio", "Smallest mean ratio of the decomposition",
-      "Mean ratio of the worst tetrahedron of the centroid, the centre of a face and an edge of it; above "
-      "0 where the cell is star-shaped about its centroid. Not 1 for the cube.",
-      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      "Mean ratio of the worst tetrahedron of the centroid, the centre of a face and an edge of it (of a polygon the "
+      "worst triangle of the centroid and an edge); above 0 where the cell is star-shaped about its centroid. Not 1 for "
+      "the cube.",
+      PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { Positive, Infinity }, "star-shaped about its centroid", Cited, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetMeanRatio),
-      { "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁)",
+      { "min of `TetMeanRatio` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); of a polygon min of 4√3 A / Σl² over the "
+        "triangles (C, pᵢ, pᵢ₊₁)",
         "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
         "topology) for an open one.",
         "No other program here reports it." } },
     { "MinTetQuality", "Smallest OpenFOAM tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere, of the worst "
-      "tetrahedron of the centroid, the centre of a face and an edge of it.",
-      Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
+      "tetrahedron of the centroid, the centre of a face and an edge of it; of a polygon area and circumcircle of the "
+      "worst triangle of the centroid and an edge.",
+      PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Cited, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MinTetQuality),
-      { "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁)",
+      { "min of `TetQualityFoam` over the tetrahedra (C, c_f, pᵢ, pᵢ₊₁); of a polygon min of A / (¾√3 R²) over the "
+        "triangles (C, pᵢ, pᵢ₊₁)",
         "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
         "topology) for an open one.",
         "What OpenFOAM's minTetQuality bounds, but for the vertex of a face at which OpenFOAM cuts "

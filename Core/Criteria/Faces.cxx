@@ -74,9 +74,44 @@ double Openness(const CellGeometry& cell)
   return largest;
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// Of edges for faces, in the plane of the polygon.
+double GetPolygonConcavity(const CellGeometry& cell)
+{
+  if (cell.IsZeroArea(cell.GetPolygonArea()))
+  {
+    return Null(NullReason::Degenerate);
+  }
+  const Vector normal = Unit(cell.GetFaceVector(0));
+  const int* ring = cell.GetTopology().GetFace(0);
+  const int size = cell.GetTopology().GetFaceSize(0);
+  const auto point = [&](int i) { return cell.GetPoint(ring[i % size]); };
+  double largest = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < size; ++i)
+  {
+    // From the middle of an edge to that of the next one is half the way from its start to the end of that.
+    const Vector way = 0.5 * (point(i + 2) - point(i));
+    const Vector own = Cross(point(i + 1) - point(i), normal), next = Cross(point(i + 2) - point(i + 1), normal);
+    if (!cell.IsZeroLength(Norm(own)) && !cell.IsZeroLength(Norm(next)))
+    {
+      largest = std::max({ largest, Dot(Unit(own), way), Dot(Unit(next), -way) });
+    }
+  }
+  return std::isinf(largest)                       ? Null(NullReason::Degenerate)
+    : cell.IsZeroLength(std::abs(largest)) ? 0
+                                                   : largest / cell.GetDiameter();
+}
+}
+
 //------------------------------------------------------------------------------
 double CellConcavity(const CellGeometry& cell)
 {
+  if (cell.GetShapes() & Polygons)
+  {
+    return GetPolygonConcavity(cell);
+  }
   if (std::isnan(cell.GetVolume()))
   {
     return cell.GetVolume();
@@ -142,14 +177,15 @@ std::vector<Criterion> FaceCriteria()
         "none has one.",
         "The angle that OpenFOAM's maxConcave bounds." } },
     { "CellConcavity", "Cell concavity",
-      "Largest distance of the centre of a face outside the plane of a neighbouring face, divided by the "
-      "diameter; not above 0 where the cell is convex.",
-      Polyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Smaller,
+      "Largest distance of the centre of a face outside the plane of a neighbouring face (of a polygon of the middle of "
+      "an edge beyond a neighbouring edge), divided by the diameter; not above 0 where the cell is convex.",
+      PolygonsAndPolyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity),
-      { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge",
+      { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; of a polygon over the pairs of "
+        "edges with a common vertex",
         "0 for a flat cell; beyond 1 where the centre of a face that crosses itself lies far outside; null "
-        "(degenerate) when no face has an area, null (invalid topology) for an open cell. Inside out or not makes no "
+        "(degenerate) when no face or polygon has an area, null (invalid topology) for an open cell. Inside out or not makes no "
         "difference.",
         "No other program here reports it; Validate Cells of VTK answers yes or no." } },
     { "Openness", "Openness",
@@ -159,7 +195,8 @@ std::vector<Criterion> FaceCriteria()
       { -Infinity, 1e-6 }, CheckMesh, Cited, Real,
       Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(Openness),
       { "max over x, y, z of |Σ S_f,i| / Σ |S_f,i|",
-        "1 for a cube without one face; null (degenerate) when no face has an area.",
+        "1 for a cube without one face; null (degenerate) when no face has an area. Polygons, which are closed in any "
+        "case, have none.",
         "checkMesh's \"cell openness\", which it prints for the worst cell." } },
   };
   // clang-format on

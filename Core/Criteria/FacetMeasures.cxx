@@ -108,9 +108,10 @@ double GetVolumeRatio(const CellNeighborhood& cell, const Facet& facet)
 //------------------------------------------------------------------------------
 double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
 {
-  const double own = Dot(facet.Area, facet.Way) / 3;
+  const double dimension = (cell.GetGeometry().GetShapes() & Polygons) ? 2 : 3;
+  const double own = Dot(facet.Area, facet.Way) / dimension;
   return facet.Other == Side::Cell
-    ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / 3)
+    ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / dimension)
     : own;
 }
 

@@ -161,14 +161,16 @@ double CellVolumeRatio(const CellNeighborhood& cell)
 double OrthogonalQuality(const CellNeighborhood& cell)
 {
   Worst worst(false);
+  // A vector of no length makes the quality 0.
+  const auto unit = [&](const Vector& vector)
+  { return cell.GetGeometry().IsZeroLength(Norm(vector)) ? Vector() : Unit(vector); };
   for (const Facet& facet : cell.GetFacets())
   {
-    // A vector of no length makes the quality 0.
     const Vector normal = facet.IsZero ? Vector() : (1 / facet.Size) * facet.Area;
-    worst.Add(Dot(normal, Unit(facet.Way)));
+    worst.Add(Dot(normal, unit(facet.Way)));
     if (facet.Other == Side::Cell)
     {
-      worst.Add(Dot(normal, Unit(facet.Line)));
+      worst.Add(Dot(normal, unit(facet.Line)));
     }
     else if (facet.Other == Side::Missing)
     {

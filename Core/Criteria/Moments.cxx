@@ -32,6 +32,12 @@ struct Moments
       this->XY * (this->XY * this->ZZ - this->YZ * this->ZX) +
       this->ZX * (this->XY * this->YZ - this->YY * this->ZX);
   }
+  /// What is left of the determinant where the matrix is one of a plane.
+  double GetSumOfMinors() const
+  {
+    return this->XX * this->YY - this->XY * this->XY + this->YY * this->ZZ - this->YZ * this->YZ +
+      this->ZZ * this->XX - this->ZX * this->ZX;
+  }
   /// Descending.
   void GetEigenvalues(double values[3]) const
   {
@@ -80,6 +86,21 @@ double PrincipalAspectRatio(const CellGeometry& cell)
 double CellIsotropy(const CellGeometry& cell)
 {
   Moments moments;
+  if (cell.GetShapes() & Polygons)
+  {
+    if (cell.IsZeroArea(cell.GetPolygonArea()))
+    {
+      return cell.IsZeroLength(cell.GetDiameter()) ? Null(NullReason::Degenerate) : 0;
+    }
+    const Vector normal = Unit(cell.GetFaceVector(0));
+    const int* ring = cell.GetTopology().GetFace(0);
+    const int size = cell.GetTopology().GetFaceSize(0);
+    for (int i = 0; i < size; ++i)
+    {
+      moments.Add(Cross(cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetPoint(ring[i]), normal));
+    }
+    return std::max(0.0, 4 * moments.Scaled(1 / moments.GetTrace()).GetSumOfMinors());
+  }
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
     moments.Add(cell.GetFaceVector(f));
@@ -106,11 +127,14 @@ std::vector<Criterion> MomentCriteria()
         "No other program here reports it." } },
     { "CellIsotropy", "Cell isotropy",
       "27 det T / (tr T)^3, T being the sum of the products of the face vectors with themselves; 1 for "
-      "the cube and all regular polyhedra, 0 for a flat cell.",
-      Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      "the cube and all regular polyhedra, 0 for a flat cell. Of a polygon 4 det T / (tr T)^2 with the normals of the "
+      "edges, as long as these, in its plane.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(CellIsotropy),
-      { "27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces",
-        "0 for a flat cell, null (degenerate) when no face has an area. An open cell has a value; "
+      { "27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces; of a polygon 4 det T / (tr T)² in its plane, with "
+        "edges for faces",
+        "0 for a flat cell or a collinear polygon, null (degenerate) when no face has an area or all points of a polygon "
+        "are one. An open cell has a value; "
         "inside out or not makes no difference.",
         "OpenFOAM's cell determinant has the same matrix of the inner faces, but divided by their "
         "mean area: see `CellDeterminant`." } },

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
+#include "Criteria/DihedralAngle.h"
 #include "Mesh/FacetLinks.h"
 #include "Criteria/SurfaceSides.h"
 #include "Mesh/CellFacets.h"
@@ -112,8 +113,7 @@ void NeighborNormalAngle(
 // The angle on the inner side of a closed surface between a polygon and the one beyond an edge.
 double GetInnerAngle(const Vector& own, const Vector& other, const Vector& edge, bool isOutward)
 {
-  const double bend = std::atan2(Dot(edge, Cross(own, other)), Dot(own, other));
-  return Pi - (isOutward ? bend : -bend);
+  return GetDihedralAngle(isOutward ? edge : -edge, own, other);
 }
 
 //------------------------------------------------------------------------------

@@ -74,7 +74,8 @@ const std::vector<Preset>& GetPresets()
         { "MinTetQuality", { 1e-15, Infinity } },
         { "CellDeterminant", { 0.001, Infinity } },
         { "Openness", { -Infinity, 1e-6 } } } },
-    { "Surface", "Polygonal surfaces; ranges of the Verdict manual, rev. A, for triangles.",
+    { "Surface", "Polygonal surfaces; ranges of the Verdict manual, rev. A, for triangles, and that of the largest angle for "
+      "quadrilaterals.",
       { { "Area", { Positive, Infinity } },
         { "MinInteriorAngle", { 30, Infinity } },
         { "MaxInteriorAngle", { -Infinity, 135 } },

@@ -147,7 +147,8 @@ unsigned FindStatus(const CellGeometry& cell)
     return NonFinitePoint;
   }
   unsigned status = CheckFaces(cell) |
-    Flag(cell.GetNumberOfPoints() > 1 && MinPointDistanceRatio(cell) == 0, CoincidentPoints) |
+    // Null where all points are in one place.
+    Flag(cell.GetNumberOfPoints() > 1 && !(MinPointDistanceRatio(cell) > 0), CoincidentPoints) |
     Flag(cell.HasRepeatedPoints(), CoincidentPoints) |
     Flag(cell.IsZeroLength(cell.GetMinEdgeLength()), ZeroLengthEdge) |
     Flag(cell.GetOptions().ChecksStarShape && IsStarShaped(cell) == 0, NotStarShaped);
@@ -158,8 +159,8 @@ unsigned FindStatus(const CellGeometry& cell)
   else
   {
     status |= CheckPolyhedron(cell);
-    // The faces of a convex cell do not meet; looking is expensive.
-    status |= Flag((status & Nonconvex) && HasIntersectingFaces(cell), IntersectingFaces);
+    // The faces of a convex cell do not meet; looking is expensive. Of an open one it is not known.
+    status |= Flag((status & (Nonconvex | NotWatertight)) && HasIntersectingFaces(cell), IntersectingFaces);
   }
   return status;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of edges.
+#include "Criteria/DihedralAngle.h"
 #include "Elements/Counters.h"
 #include "Elements/ElementArray.h"
 #include "Elements/FacetValues.h"
@@ -17,7 +18,6 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType Grain = 1024;
-constexpr double Pi = 3.141592653589793238462643383279502884;
 
 //------------------------------------------------------------------------------
 Vector GetPoint(const MeshView& mesh, vtkIdType id)
@@ -220,7 +220,7 @@ void EdgeDihedralAngle(const ElementContext& context, double* values)
       const Vector along = Unit(GetOffset(mesh, edge.Points[0], edge.Points[1], exponent));
       values[edge.Edge] = Norm2(n0) == 0 || Norm2(n1) == 0 || Norm2(along) == 0
         ? Null(NullReason::Degenerate)
-        : Pi - std::atan2(Dot(along, Cross(n0, n1)), Dot(n0, n1));
+        : GetDihedralAngle(along, n0, n1);
     });
 }
 
@@ -338,6 +338,9 @@ const std::vector<ElementArray>& GetEdgeArrays()
       OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetFaceWeight>>)) },
     { "VolumeRatio", "Smaller divided by larger area of the two polygons; null at the boundary.",
       OfPolygons, Unit::None, false, CAMARON_REALS((OfFacets<1, Inside<GetVolumeRatio>>)) },
+    { "FacePyramidVolume",
+      "Area of the triangle of the edge and the centroid of a polygon, the smaller one of both sides.",
+      OfPolygons, Unit::Area, false, CAMARON_REALS((OfFacets<1, PyramidSize<2>>)) },
   };
   // clang-format on
   return arrays;

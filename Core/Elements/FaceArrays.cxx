@@ -82,14 +82,6 @@ void FaceMismatch(const ElementContext& context, unsigned char* values)
 }
 
 //------------------------------------------------------------------------------
-double FacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
-{
-  return std::isnan(cell.GetSize())
-    ? cell.GetSize()
-    : cell.GetGeometry().ToMesh(GetFacePyramidVolume(cell, facet), 3);
-}
-
-//------------------------------------------------------------------------------
 // A measure of a face that has an area.
 template <double (*Measure)(const CellGeometry&, int)>
 double OfShape(const CellGeometry& cell, int face)
@@ -195,7 +187,7 @@ const std::vector<ElementArray>& GetFaceArrays()
       OfPolyhedra, Unit::None, true, CAMARON_FACETS(Inside<GetVolumeRatio>) },
     { "FacePyramidVolume",
       "Volume of the pyramid over the face with the centroid of a cell as apex, the smaller one of both sides.",
-      OfPolyhedra, Unit::Volume, true, CAMARON_FACETS(FacePyramidVolume) },
+      OfPolyhedra, Unit::Volume, true, CAMARON_FACETS((PyramidSize<3>)) },
     { "FaceTwist",
       "Smallest cosine between the triangles about the centre of the face and the line of the centroids, at the "
       "boundary the line to the centre of the face.",

@@ -9,6 +9,8 @@
 
 #include "Criteria/FacetMeasures.h"
 
+#include <cmath> // for std::isnan
+
 namespace camaron
 {
 /// A value between two cells; null where there is no other.
@@ -37,6 +39,14 @@ double Boundary(const CellNeighborhood& cell, const CellNeighborhood::Facet& fac
 {
   return facet.Other == CellNeighborhood::Side::Boundary ? Measure(cell, facet)
                                                          : Null(NullReason::NotApplicable);
+}
+
+/// The smaller pyramid, or triangle, of the facet and the centroids, in units of the mesh.
+template <int Dimension>
+double PyramidSize(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
+{
+  return std::isnan(cell.GetSize()) ? cell.GetSize()
+                                    : cell.GetGeometry().ToMesh(GetFacePyramidVolume(cell, facet), Dimension);
 }
 }
 

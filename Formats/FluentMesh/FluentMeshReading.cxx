@@ -39,11 +39,12 @@ bool BeginsWith(const char* begin, const char* end, std::string_view text)
     std::memcmp(begin, text.data(), text.size()) == 0;
 }
 
+constexpr std::string_view HDF5("\x89HDF\r\n\x1a\n", 8);
+
 //------------------------------------------------------------------------------
 // Files of other formats that have the same extensions; an empty string for none of them.
 std::string RecogniseOther(const char* begin, const char* end)
 {
-  constexpr std::string_view HDF5("\x89HDF\r\n\x1a\n", 8);
   if (BeginsWith(begin, end, HDF5))
   {
     return "a Common Fluids Format file (HDF5), which ParaView's FLUENT CFF reader opens if it is "
@@ -58,6 +59,10 @@ std::string RecogniseOther(const char* begin, const char* end)
     BeginsWith(text, end, "$Comments"))
   {
     return "a Gmsh file, which the reader of ParaView's GmshIO plugin opens";
+  }
+  if (text < end && *text >= '0' && *text <= '9')
+  {
+    return "a file that begins with a number, as those of Netgen and ADVENTURE do";
   }
   return std::string();
 }
@@ -405,7 +410,9 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
   const std::string other = RecogniseOther(begin, end);
   if (!other.empty())
   {
-    error = { ErrorKind::NotThisFormat, name + ": expected a Fluent mesh, found " + other };
+    const bool isFluent = BeginsWith(begin, end, HDF5); // but in another format
+    error = { isFluent ? ErrorKind::Unsupported : ErrorKind::NotThisFormat,
+      name + ": expected a Fluent mesh, found " + other };
     return false;
   }
   FluentMeshReading reading(name, begin, end, request, options);

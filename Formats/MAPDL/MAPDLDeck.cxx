@@ -55,19 +55,52 @@ std::string MAPDLDeck::GetReasonForMissing(std::int32_t node) const
                                     : ", which commands may define that are not executed: " + names;
 }
 
+namespace
+{
+constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
+
+//------------------------------------------------------------------------------
+// Whether a line, from its first field on, is a comment or a keyword of Abaqus.
+bool IsOfAbaqus(const char* field, const char* end)
+{
+  constexpr std::string_view Keywords[] = { "*HEADING", "*NODE", "*ELEMENT", "*PART", "*ASSEMBLY",
+    "*MATERIAL", "*STEP", "*INCLUDE", "*PREPRINT", "*NSET", "*ELSET" };
+  if (end - field < 2 || field[0] != '*')
+  {
+    return false;
+  }
+  const auto isEnd = [](char c) { return c == ',' || IsSpace(c); };
+  const std::string word = ToUpperMAPDL(
+    std::string_view(field, static_cast<std::size_t>(std::find_if(field, end, isEnd) - field)));
+  return field[1] == '*' || std::find(std::begin(Keywords), std::end(Keywords), word) != std::end(Keywords);
+}
+}
+
+//------------------------------------------------------------------------------
+bool LooksLikeAbaqus(const char* begin, const char* end)
+{
+  end = std::min(end, begin + std::min(Enough, end - begin));
+  for (const char* text = begin; text < end;)
+  {
+    const Line line(text, end);
+    text = line.Next;
+    if (IsOfAbaqus(SkipBlanks(line.Begin, line.End), line.End))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 //------------------------------------------------------------------------------
 bool LooksLikeMAPDL(const char* begin, const char* end)
 {
-  constexpr std::ptrdiff_t Enough = 1 << 18; // parameters and materials may come first
   const bool isAll = end - begin <= Enough;
   end = isAll ? end : begin + Enough;
   if (std::memchr(begin, '\0', std::min<std::ptrdiff_t>(end - begin, 4096)))
   {
     return false;
   }
-  // Keywords of Abaqus, whose decks have the same extension.
-  constexpr std::string_view Others[] = { "*HEADING", "*NODE", "*ELEMENT", "*PART", "*ASSEMBLY",
-    "*MATERIAL", "*STEP", "*INCLUDE", "*PREPRINT", "*NSET", "*ELSET" };
   const MAPDLParameters parameters;
   bool hasHint = false;
   MAPDLCommand command;
@@ -76,19 +109,13 @@ bool LooksLikeMAPDL(const char* begin, const char* end)
     const Line line(text, end);
     text = line.Next;
     const char* field = SkipBlanks(line.Begin, line.End);
-    if (line.End - field >= 2 && field[0] == '*' && field[1] == '*')
+    if (IsOfAbaqus(field, line.End))
     {
-      return false; // a comment of Abaqus
+      return false;
     }
     if (ClassifyMAPDLLine(line) != MAPDLLine::Command || !command.Take(field, line.End))
     {
       continue;
-    }
-    const std::string_view name = command.GetField(0);
-    if (!name.empty() && name[0] == '*' &&
-      std::find(std::begin(Others), std::end(Others), ToUpperMAPDL(name)) != std::end(Others))
-    {
-      return false;
     }
     double number;
     if (command.Is("NBLOCK"))

@@ -126,6 +126,8 @@ bool WalkMAPDL(const char* begin, const char* end, vtkIdType chunk, const Progre
 
 /// Whether text begins like a deck with a mesh. Looks at no more than the first part of it.
 bool LooksLikeMAPDL(const char* begin, const char* end);
+/// The same for decks of Abaqus, which have the same extension.
+bool LooksLikeAbaqus(const char* begin, const char* end);
 }
 
 #endif

@@ -187,7 +187,8 @@ TEST(MeshElements, FiniteVolumesOfPolygons)
   } rows[] = { { "NonOrthogonality", "MaxNonOrthogonality", true },
     { "BoundaryNonOrthogonality", "MaxBoundaryNonOrthogonality", true },
     { "FaceSkewness", "MaxFaceSkewness", true },
-    { "FaceWeight", "MinFaceWeight", false }, { "VolumeRatio", "MinVolumeRatio", false } };
+    { "FaceWeight", "MinFaceWeight", false }, { "VolumeRatio", "MinVolumeRatio", false },
+    { "FacePyramidVolume", "MinFacePyramidVolume", false } };
   for (const auto& row : rows)
   {
     std::vector<double> values(sheet->GetNumberOfCells());

@@ -323,18 +323,20 @@ class TestConvert(camaron_testing.TestCase):
 
     def test_other_formats(self):
         """Other programs' formats under our extensions go to ParaView's own readers, and say so."""
-        gmsh = self.folder / "g.msh"
-        gmsh.write_text(
+        mesh = (
             "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n"
             "$EndNodes\n$Elements\n1\n1 2 2 1 1 1 2 3\n$EndElements\n"
         )
-        try:
-            notes = convert(gmsh, self.folder / "g.vtu")
-        except RuntimeError as error:  # a ParaView without its reader
-            self.assertRegex(str(error), "this is a Gmsh mesh, for which this ParaView has no")
-        else:
-            self.assertRegex(notes[0], "This is a Gmsh mesh; ParaView's own reader")
-            self.assertEqual(self.cells(self.folder / "g.vtu"), 1)
+        for comments in ("", "$Comments\nof whoever wrote it\n$EndComments\n"):
+            gmsh = self.folder / "g.msh"
+            gmsh.write_text(comments + mesh)
+            try:
+                notes = convert(gmsh, self.folder / "g.vtu")
+            except RuntimeError as error:  # a ParaView without its reader
+                self.assertRegex(str(error), "this is a Gmsh mesh, for which this ParaView has no")
+            else:
+                self.assertRegex(notes[0], "This is a Gmsh mesh; ParaView's own reader")
+                self.assertEqual(self.cells(self.folder / "g.vtu"), 1)
 
     def test_unreadable(self):
         """Each says what is wrong in a few words."""

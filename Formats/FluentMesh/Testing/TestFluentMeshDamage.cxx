@@ -91,8 +91,9 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
 
   ExpectError("", unknown, "test.msh: expected a Fluent mesh, found an empty file");
   ExpectError("solid x\n", unknown, "test.msh:1: expected a section of a Fluent mesh");
-  ExpectError("\x89HDF\r\n\x1a\n0123", unknown, "ParaView's FLUENT CFF reader");
+  ExpectError("\x89HDF\r\n\x1a\n0123", format, "ParaView's FLUENT CFF reader");
   ExpectError("$MeshFormat\n2.2 0 8\n", unknown, "Gmsh");
+  ExpectError("8\n1 0 0 0\n", unknown, "begins with a number, as those of Netgen and ADVENTURE do");
   ExpectError("(0 \"only a comment\")\n", unknown, "no nodes or faces");
   ExpectError("(2 4)\n", format, "test.msh:1: expected the dimension of the mesh, 2 or 3");
   ExpectError("(2 3)\n(10 (0 1 4 0))\n", premature, ":2: expected 4 nodes, as declared, found 0");

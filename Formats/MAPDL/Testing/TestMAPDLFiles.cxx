@@ -126,6 +126,7 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
       "test.cdb: expected a deck of Mechanical APDL with nodes" },
     { "*HEADING\n*NODE\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError, "expected a deck" },
     { "/PREP7\nK,1,0,0,0\nFINISH\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found none" },
+    { "*Node, nset=all\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found a deck of Abaqus" },
     { "N,1\nN,2,1\n/CLEAR\n", Code::UnrecognizedFileTypeError,
       "with nodes (NBLOCK or N) after the last /CLEAR, found none" },
     { "/PREP7\nN,1,(1/24)\nN,2,A\n", Code::UnrecognizedFileTypeError,
