@@ -33,9 +33,9 @@ SharedFaces::RoleTable SharedFaces::GetUsualRoles()
     {
       role = type == VTK_TRIANGLE_STRIP ? FaceRole::Strip : FaceRole::Polygon;
     }
-    else if (type == VTK_LINE || type == VTK_VERTEX)
+    else if (shape.Dimension == 0 || shape.Dimension == 1)
     {
-      role = FaceRole::Polygon;
+      role = FaceRole::Pieces;
     }
     else if (type == VTK_EMPTY_CELL)
     {
@@ -206,6 +206,18 @@ void SharedFaces::ForEachPolygon(Scratch& scratch, vtkIdType cell, Visit&& visit
       {
         const vtkIdType triangle[3] = { points[i], points[i + 1 + i % 2], points[i + 2 - i % 2] };
         visit(triangle, vtkIdType(3), vtkIdType(-1));
+      }
+      return;
+    }
+    case FaceRole::Pieces:
+    {
+      const IndexRange points = this->Mesh.GetCellPoints(cell);
+      const CellShape& shape = GetCellShape(this->Mesh.GetCellType(cell));
+      const vtkIdType last = shape.IsHigherOrder ? 1 : points.Size - shape.Dimension; // of second order: one line
+      for (vtkIdType i = 0; i < last; ++i)
+      {
+        const vtkIdType piece[2] = { points[i], points[i + shape.Dimension] };
+        visit(piece, vtkIdType(shape.Dimension + 1), vtkIdType(-1));
       }
       return;
     }

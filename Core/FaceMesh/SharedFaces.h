@@ -38,7 +38,8 @@ enum class FaceRole : unsigned char
 {
   Polyhedron,
   Polygon,
-  Strip, ///< a polygon per triangle
+  Strip,  ///< a polygon per triangle
+  Pieces, ///< polygons of one or two points: of points and lines
   None
 };
 
@@ -47,7 +48,7 @@ class SharedFaces
 public:
   using RoleTable = std::array<FaceRole, 256>; ///< by type of cells
 
-  /// 3D cells and cells without points as polyhedra, 2D cells, lines and vertices as polygons.
+  /// 3D cells and cells without points as polyhedra, 2D cells as polygons, points and lines as their pieces.
   static RoleTable GetUsualRoles();
 
   SharedFaces(vtkDataSet* mesh, const RoleTable& roles);

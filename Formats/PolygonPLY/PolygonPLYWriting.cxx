@@ -181,7 +181,8 @@ vtkIdType Writing::GetGreatestLength(const WordLists& lists)
 void Writing::ShareFaces()
 {
   SharedFaces::RoleTable roles = SharedFaces::GetUsualRoles();
-  roles[VTK_LINE] = roles[VTK_VERTEX] = FaceRole::None; // edges, and faces of one vertex
+  // Points and lines are faces of one vertex, and edges.
+  std::replace(roles.begin(), roles.end(), FaceRole::Pieces, FaceRole::None);
   this->Shared = std::make_unique<SharedFaces>(this->Mesh, roles);
   this->Shared->Build();
   this->GreatestFace = std::max(this->GreatestFace, GetGreatestLength(this->Shared->Polygons));

@@ -81,7 +81,7 @@ bool VisfLists::IsCloud(Warnings& warnings) const
     return true;
   }
   warnings.Add(higherOrder, "cell", "cells", "of higher order, written by the corners");
-  warnings.Add(small, "cell", "cells", "of one or two points, written as polygons with so many vertices");
+  warnings.Add(small, "cell", "cells", "of points or lines, written as polygons of one or two vertices");
   warnings.Add(others, "cell", "cells", "of types that Visf cannot hold, left out");
   return false;
 }

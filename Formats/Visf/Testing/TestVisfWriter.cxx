@@ -252,18 +252,18 @@ TEST(VisfWriter, OtherTypesOfCells)
     { { VTK_VOXEL, { 0, 1, 3, 4, 9, 10, 12, 13 } }, { VTK_PIXEL, { 0, 1, 3, 4 } },
       { VTK_QUADRATIC_TRIANGLE, { 0, 2, 6, 1, 4, 3 } }, { VTK_TRIANGLE_STRIP, { 0, 1, 3, 4, 6 } },
       { VTK_LINE, { 0, 1 } }, { VTK_POLY_LINE, { 0, 1, 2 } },
+      { VTK_QUADRATIC_EDGE, { 2, 0, 1 } }, { VTK_POLY_VERTEX, { 7, 5 } },
       { VTK_QUADRATIC_TETRA, { 0, 2, 6, 18, 1, 4, 3, 9, 10, 12 } } });
   const File file("", "written.visf");
   const Written written = WriteFile(file.Path, grid);
-  ASSERT_EQ(written.Warnings.size(), 3u);
-  EXPECT_NE(written.Warnings[0].find("2 cells of higher order"), std::string::npos);
-  EXPECT_NE(written.Warnings[1].find("1 cell of one or two points"), std::string::npos);
-  EXPECT_NE(written.Warnings[2].find("1 cell of types that Visf cannot hold"), std::string::npos);
+  ASSERT_EQ(written.Warnings.size(), 2u);
+  EXPECT_NE(written.Warnings[0].find("3 cells of higher order"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("4 cells of points or lines"), std::string::npos);
   const Result result = ReadFile(file.Path);
   const int types[] = { VTK_HEXAHEDRON, VTK_TETRA, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE, VTK_TRIANGLE,
-    VTK_TRIANGLE, VTK_LINE };
-  ASSERT_EQ(result.Grid->GetNumberOfCells(), 8);
-  for (vtkIdType cell = 0; cell < 8; ++cell)
+    VTK_TRIANGLE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_VERTEX, VTK_VERTEX };
+  ASSERT_EQ(result.Grid->GetNumberOfCells(), 13);
+  for (vtkIdType cell = 0; cell < 13; ++cell)
   {
     EXPECT_EQ(result.Grid->GetCellType(cell), types[cell]);
   }
@@ -274,6 +274,12 @@ TEST(VisfWriter, OtherTypesOfCells)
   EXPECT_EQ(ids->GetId(0), 1);
   EXPECT_EQ(ids->GetId(1), 4);
   EXPECT_EQ(ids->GetId(2), 3);
+  const std::vector<std::vector<vtkIdType>> pieces = { { 0, 1 }, { 0, 1 }, { 1, 2 }, { 2, 0 }, { 7 }, { 5 } };
+  for (vtkIdType piece = 0; piece < 6; ++piece)
+  {
+    result.Grid->GetCellPoints(7 + piece, ids);
+    EXPECT_EQ(std::vector<vtkIdType>(ids->begin(), ids->end()), pieces[static_cast<std::size_t>(piece)]);
+  }
 
   vtkNew<vtkPolyData> surface;
   surface->SetPoints(grid->GetPoints());
