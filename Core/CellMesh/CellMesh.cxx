@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellMesh.h"
 
+#include "Scan/RepeatedIds.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -24,36 +26,12 @@ CellMesh MakeCloud(vtkIdType numberOfPoints)
 }
 
 //------------------------------------------------------------------------------
-bool HasRepeatedPointsAnywhere(const std::int32_t* points, vtkIdType size)
-{
-  constexpr vtkIdType Few = 8; // for which comparing all pairs is fastest
-  if (size <= Few)
-  {
-    for (vtkIdType i = 1; i < size; ++i)
-    {
-      for (vtkIdType j = 0; j < i; ++j)
-      {
-        if (points[i] == points[j])
-        {
-          return true;
-        }
-      }
-    }
-    return false;
-  }
-  thread_local std::vector<std::int32_t> scratch;
-  scratch.assign(points, points + size);
-  std::sort(scratch.begin(), scratch.end());
-  return std::adjacent_find(scratch.begin(), scratch.end()) != scratch.end();
-}
-
-//------------------------------------------------------------------------------
 void FindRepeatedPoints(const std::int32_t* points, const std::int32_t* offsets, std::int32_t size,
   vtkIdType first, vtkIdType count, Tally& repeating)
 {
   for (vtkIdType i = 0; i < count && !offsets; ++i)
   {
-    if (HasRepeatedPoints(points + i * size, size))
+    if (HasRepeatedIds(points + i * size, size))
     {
       repeating.Add(first + i);
     }
@@ -72,7 +50,7 @@ void FindRepeatedPoints(const std::int32_t* points, const std::int32_t* offsets,
     }
     else
     {
-      repeats = HasRepeatedPoints(p, length);
+      repeats = HasRepeatedIds(p, length);
     }
     if (repeats)
     {

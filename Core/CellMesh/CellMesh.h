@@ -67,18 +67,6 @@ struct CellMesh
 /// One VTK_VERTEX per point.
 CellMesh MakeCloud(vtkIdType numberOfPoints);
 
-/// Whether a cell of any size has a point twice.
-bool HasRepeatedPointsAnywhere(const std::int32_t* points, vtkIdType size);
-
-/// Whether a cell has a point twice.
-inline bool HasRepeatedPoints(const std::int32_t* points, vtkIdType size)
-{
-  constexpr vtkIdType Triangle = 3; // by far the most frequent of large meshes
-  return size == Triangle
-    ? (points[0] == points[1]) | (points[0] == points[2]) | (points[1] == points[2])
-    : HasRepeatedPointsAnywhere(points, size);
-}
-
 /**
  * Finds those of some cells, one after the other, that have a point twice.
  * @param points of all of them

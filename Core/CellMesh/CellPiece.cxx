@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellPiece.h"
 
+#include "Scan/RepeatedIds.h"
+
 #include <algorithm>
 
 namespace camaron
@@ -35,7 +37,7 @@ void CellPiece::NoteFirstUse(vtkIdType cell, const std::int32_t* points, vtkIdTy
   {
     this->Used.Add(points[i]);
   }
-  if (HasRepeatedPoints(points, size))
+  if (HasRepeatedIds(points, size))
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Repeating.Add(cell);

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/IdLists.h"
 
+#include "Scan/RepeatedIds.h"
 #include "Scan/ShortNumbers.h"
 
 #include <algorithm>
+#include <cstring>
 #include <mutex>
 #include <optional>
 
@@ -141,6 +143,17 @@ vtkIdType IdLists::CheckBlocks(
   const char* place = this->GetBlock(firstBlock);
   const char* block = place;
   const vtkIdType end = std::min(lastBlock * BlockSize, this->Count);
+  std::vector<std::int32_t> scratch(8);
+  // Ids in any byte order, and in a file anywhere.
+  const auto align = [&scratch](const char* ids, std::int32_t size)
+  {
+    if (scratch.size() < static_cast<std::size_t>(size))
+    {
+      scratch.resize(static_cast<std::size_t>(size));
+    }
+    std::memcpy(scratch.data(), ids, sizeof(std::int32_t) * static_cast<std::size_t>(size));
+    return scratch.data();
+  };
   for (vtkIdType i = firstBlock * BlockSize; i < end; ++i)
   {
     const IdList list = this->At(place);
@@ -162,14 +175,9 @@ vtkIdType IdLists::CheckBlocks(
       continue;
     }
     bool valid = true;
-    bool repeats = false;
-    std::int32_t previous = list[size - 1];
     for (std::int32_t j = 0; j < size; ++j)
     {
-      const std::int32_t id = list[j];
-      valid &= static_cast<std::uint32_t>(id) < limit;
-      repeats |= id == previous;
-      previous = id;
+      valid &= static_cast<std::uint32_t>(list[j]) < limit;
     }
     if (!valid)
     {
@@ -179,7 +187,7 @@ vtkIdType IdLists::CheckBlocks(
     {
       seen.Short.Add(i);
     }
-    else if (repeats)
+    else if (HasRepeatedIds(align(list.Ids, size), size))
     {
       seen.Repeating.Add(i);
     }
@@ -425,13 +433,6 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
       seen.Least = std::min(seen.Least, size);
       seen.Most = std::max(seen.Most, size);
       const std::int32_t* const ids = seen.Words.data();
-      std::int32_t previous = size > 0 ? ids[size - 1] : -1;
-      bool repeats = false;
-      for (std::int32_t j = 0; j < size; ++j)
-      {
-        repeats |= ids[j] == previous;
-        previous = ids[j];
-      }
       if (expected.Used)
       {
         if (!seen.Used)
@@ -447,7 +448,7 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
       {
         (size == 0 ? seen.Empty : seen.Short).Add(line);
       }
-      else if (repeats)
+      else if (HasRepeatedIds(ids, size))
       {
         seen.Repeating.Add(line);
       }

@@ -67,7 +67,7 @@ public:
     bool AccessAll = true;  ///< whether any list may be asked for, not only blocks of them
     Tally Empty;            ///< lists without ids
     Tally Short;            ///< lists with one or two ids
-    Tally Repeating;        ///< lists with the same id twice in a row (cyclically)
+    Tally Repeating;        ///< lists of three ids and more with the same one twice
   };
 
   /// Takes @a count lists from a binary file; false with the error in the scanner, or if stopped.

@@ -267,7 +267,7 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   mesh.HasEmptyFaces = faceLists.Empty.Count > 0;
   if (this->Request.Piece == 0)
   {
-    this->Messages.Add(faceLists.Repeating, "face", "faces", "with the same vertex twice in a row");
+    this->Messages.Add(faceLists.Repeating, "face", "faces", "with the same vertex more than once");
     this->Messages.Add(cellLists.Empty, "cell", "cells", "without faces");
   }
 

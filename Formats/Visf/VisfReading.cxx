@@ -461,7 +461,7 @@ void Warn(const Content& content, Warnings& warnings)
   warnings.Add(content.Faces.Empty, "polygon", "polygons", "without vertices, left out");
   warnings.Add(content.Faces.Short, "polygon", "polygons", "with fewer than 3 vertices");
   warnings.Add(
-    content.Faces.Repeating, "polygon", "polygons", "with the same vertex twice in a row");
+    content.Faces.Repeating, "polygon", "polygons", "with the same vertex more than once");
   warnings.Add(content.Cells.Empty, "polyhedron", "polyhedra", "without polygons");
   const int type = content.Mesh.Cells.GetCount() > 0 ? 2 : content.Mesh.Faces.GetCount() > 0 ? 1 : 0;
   if (type != content.Type && content.Mesh.Points.Count > 0)

@@ -69,7 +69,7 @@ void ExpectRepeatedPoints(const Lists& lists, std::int32_t size)
   Tally expected, found;
   for (vtkIdType i = 0; i < count; ++i)
   {
-    if (HasRepeatedPointsAnywhere(
+    if (HasRepeatedIdsAnywhere(
           lists.Ids.data() + lists.Offsets[i], lists.Offsets[i + 1] - lists.Offsets[i]))
     {
       expected.Add(First + i);
