@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Reader, criteria and surface on a pvserver of one and of two ranks, with the client in this process."""
+"""Formats, criteria and surface on a pvserver of one and of two ranks, from a client."""
 
 import os
 import shutil
@@ -10,10 +10,20 @@ import tempfile
 from pathlib import Path
 
 import camaron_testing
+import gallery
+import numpy
+from camaron import formats, pipeline
 from paraview import simple
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 SECONDS = 600  # a server that hangs; slow machines are none
 CRITERIA = ["Volume", "MinDihedralAngle", "FaceCount"]
+#: Files of every format, each with the mesh that it is written of and what to set.
+FILES = [
+    *((f"m.{kind}", gallery.tetrahedra, {}) for kind in ("visf", "m3d", "ts", "ele", "msh", "cdb")),
+    *((f"m.{kind}", gallery.triangles, {}) for kind in ("tri", "off", "ply")),
+    ("gocad.ts", gallery.triangles, {"Dialect": "GOCAD"}),
+]
 
 
 def free_port():
@@ -87,6 +97,30 @@ class TestClientServer(camaron_testing.TestCase):
         surface = simple.MeshSurface(Input=quality)
         surface.UpdatePipeline()
         self.assertGreater(surface.GetDataInformation().GetNumberOfCells(), 100)
+        self.check_formats()
+
+    def check_formats(self):
+        """All are written and read there: what one rank has, and what each has a share of."""
+        writers = {formats.own_writer(name) for name, *_ in FILES}
+        self.assertEqual(writers, {f["writer"] for f in formats.own_formats()})
+        for name, make, options in FILES:
+            grid, path = make(), self.folder / f"{make.__name__}.vtu"
+            writer = vtkXMLUnstructuredGridWriter()
+            writer.SetFileName(str(path))
+            writer.SetInputData(grid)
+            writer.Write()
+            source = self.open(path)
+            for path in (self.folder / name, self.folder / f"again-{name}"):
+                simple.SaveData(str(path), source, **options)
+                source = pipeline.open_mesh(path).source
+                self.assertIn(source.SMProxy.GetXMLName(), formats.own_readers(path))
+                own = simple.RemoveGhostInformation(Input=source)
+                own.UpdatePipeline()
+                found = self.fetch(own)
+                self.assertEqual(found.GetNumberOfCells(), grid.GetNumberOfCells(), path.name)
+                # Points on seams belong to both ranks.
+                points = numpy.unique(gallery.points_of(found), axis=0)
+                self.assertEqual(len(points), grid.GetNumberOfPoints(), path.name)
 
     def test_one_rank(self):
         self.check(1)

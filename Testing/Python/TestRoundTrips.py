@@ -16,14 +16,16 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 VOLUMES = {"tetrahedra", "mixed"}
 SURFACES = {"triangles", "quads", "polygons", "plane"}
-#: Meshes of gallery.py that files of an extension have to hold.
+#: Meshes of gallery.py that files of an extension, or of a dialect before it, have to hold.
 HELD = {
     "visf": VOLUMES | SURFACES | {"polyhedra", "cloud"},
     "m3d": VOLUMES | {"inverted", "cloud"},
     "m2d": {"triangles", "quads", "cloud"},
     "mvm": VOLUMES | {"inverted", "triangles", "quads", "cloud"},
     "tri": {"triangles", "cloud"},
+    "Cart3D.tri": {"triangles", "cloud"},
     "ts": {"tetrahedra", "inverted", "cloud"},
+    "GOCAD.ts": {"triangles", "cloud"},
     "ele": {"tetrahedra", "inverted", "triangles", "quadratic_tetrahedra", "cloud"},
     "node": {"tetrahedra", "inverted", "triangles", "quadratic_tetrahedra", "cloud"},
     "msh": VOLUMES | {"polyhedra", "plane"},
@@ -36,8 +38,14 @@ HELD = {
 SINGLE = {"visf"}
 #: Encodings that do, of files that do not otherwise.
 SINGLE_ENCODINGS = {("off", "binary"), ("msh", "binary-single"), ("cas", "binary-single")}
-#: What to set so that every digit, and every cell, is written.
-OPTIONS = {"M3D": {"Digits": 17}, "MAPDL": {"Digits": 17}, "PolygonPLY": {"WriteCells": 1}}
+#: What to set so that every digit, and every cell, is written, in the dialect that the name says.
+OPTIONS = {
+    "M3D": {"Digits": 17},
+    "MAPDL": {"Digits": 17},
+    "PolygonPLY": {"WriteCells": 1},
+    "Cart3D.tri": {"Dialect": "Cart3D"},
+    "GOCAD.ts": {"Dialect": "GOCAD"},
+}
 
 
 class TestRoundTrips(camaron_testing.TestCase):
@@ -47,7 +55,9 @@ class TestRoundTrips(camaron_testing.TestCase):
 
     def save(self, source, path, notes=None, **options):
         """By ParaView's own SaveData, whose errors are those of the writer."""
-        options = options or OPTIONS.get(formats.own_writer(path)[: -len("Writer")], {})
+        dialect = ".".join(path.name.split(".")[-2:])
+        writer = formats.own_writer(path)[: -len("Writer")]
+        options = options or OPTIONS.get(dialect) or OPTIONS.get(writer, {})
         with pipeline.Messages() as messages:
             try:
                 simple.SaveData(str(path), source, **options)
@@ -58,11 +68,11 @@ class TestRoundTrips(camaron_testing.TestCase):
         return not messages.errors
 
     def kinds(self):
-        """Extensions of files that the plugin reads and writes; one of those that mean the same."""
+        """Ends of names that the plugin reads and writes; one of those that mean the same."""
         found = []
         for f in formats.own_formats():
             if f["reader"] and f["writer"]:
-                known = [extension for extension in f["extensions"] if extension in HELD]
+                known = [kind for kind in HELD if kind.split(".")[-1] in f["extensions"]]
                 found += known or f["extensions"][:1]
         return found
 
