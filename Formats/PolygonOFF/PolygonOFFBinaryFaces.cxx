@@ -430,9 +430,13 @@ bool OFFBinaryReading::ReadPieceOfFaces(
           {
             this->Faces.Colors.Set(index, color);
           }
-        }) ||
-    !FillCells(sinks, this->Faces.Mesh, error))
+        }))
   {
+    return false;
+  }
+  if (!FillCells(sinks, this->Faces.Mesh, error))
+  {
+    this->Scanner.FailAt(this->Scanner.GetPosition(), error.Kind, error.Message, "more");
     return false;
   }
   this->Faces.Mesh.NumberOfPoints = piece.GetNumberOfPoints();

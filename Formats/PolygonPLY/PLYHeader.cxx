@@ -252,6 +252,7 @@ bool HeaderReading::Read()
     return this->Fail(text, ErrorKind::NotThisFormat, "a PLY file, whose first line is 'ply'");
   }
   text = HeaderLine(text, end).Next;
+  std::vector<std::string>& oddities = this->Header.Oddities;
   while (SkipEmptyLines(text, end))
   {
     const HeaderLine line(text, end);
@@ -262,8 +263,7 @@ bool HeaderReading::Read()
       this->Header.Body = text;
       if (!this->HasFormat)
       {
-        this->Header.Oddities.emplace_back(
-          "the header does not tell the format, taken to be ascii");
+        oddities.emplace_back("the header does not tell the format, taken to be ascii");
       }
       return true;
     }
@@ -284,9 +284,10 @@ bool HeaderReading::Read()
     else if (this->HasFormat && this->Header.Elements.empty())
     {
       // Old versions of Blender forgot the keyword `comment`.
-      if (this->Header.Oddities.empty())
+      const std::string unknown = "a line of the header has no known keyword, left out";
+      if (std::find(oddities.begin(), oddities.end(), unknown) == oddities.end())
       {
-        this->Header.Oddities.emplace_back("a line of the header has no known keyword, left out");
+        oddities.push_back(unknown);
       }
     }
     else
