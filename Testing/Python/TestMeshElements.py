@@ -9,12 +9,15 @@ import struct
 import unittest
 
 import camaron_testing
+import mesh_parts
 import numpy
 from camaron import tables
 from camaron_testing import EXAMPLES
 from paraview import simple
 from paraview.servermanager import OutputPort
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, vtkUnstructuredGrid
 
 CELLS = 800  # of the Voronoi ball
 RANKS = camaron_testing.rank_count()
@@ -93,6 +96,42 @@ class TestMeshElements(camaron_testing.TestCase):
         for port in range(3):
             filter_.Update(port)
             self.assertGreater(filter_.GetOutputDataObject(port).GetNumberOfCells(), CELLS)
+
+    @unittest.skipIf(RANKS > 1, "every rank would have the cube")
+    def test_options_of_element_quality(self):
+        """Trusted faces, the tolerance and masks mean the same as there."""
+        grid = vtkUnstructuredGrid()
+        points = vtkPoints()
+        for i in range(8):
+            points.InsertNextPoint(i & 1, i >> 1 & 1, i >> 2)
+        grid.SetPoints(points)
+        inward = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        stream = vtkIdList()
+        for word in (6, *(word for face in inward for word in (4, *face))):
+            stream.InsertNextId(word)
+        grid.InsertNextCell(VTK_POLYHEDRON, stream)
+        cube = mesh_parts.producer(grid)
+        for trusted, sign in ((0, 1), (1, -1)):
+            elements = simple.MeshElements(
+                Input=cube, TrustFaceOrientation=trusted, WriteNullMask=1, WorstOfCells=1
+            )
+            quality = simple.ElementQuality(
+                Input=cube, TrustFaceOrientation=trusted, Criteria=["MinFacePyramidVolume"]
+            )
+            quality.UpdatePipeline()
+            faces = self.information(elements, 0)
+            (value, _) = self.range_of(faces, "FacePyramidVolume")
+            self.assertAlmostEqual(value, sign / 6)
+            self.assertEqual(self.range_of(quality.GetDataInformation(), "MinFacePyramidVolume")[0], value)
+            self.assertEqual(self.range_of(faces, "FacePyramidVolume_Null"), (0.0, 0.0))
+            self.assertEqual(self.range_of(faces, "NonOrthogonality_Null"), (4.0, 4.0))
+            self.assertIsNone(faces.GetCellDataInformation().GetArrayInformation("OwnerCell_Null"))
+            self.assertEqual(self.range_of(self.information(elements, 1), "EdgeLength_Null"), (0.0, 0.0))
+        # Where an edge as long as half of the cube has no length, no face has an area.
+        flat = simple.MeshElements(
+            Input=cube, DegeneracyTolerance=0.6, FaceArrays=["FaceSkewness"], WriteNullMask=1
+        )
+        self.assertEqual(self.range_of(self.information(flat, 0), "FaceSkewness_Null"), (2.0, 2.0))
 
     def test_polygon_criteria_of_faces(self):
         mesh = simple.OpenDataFile(str(EXAMPLES / "flange.visf"))
