@@ -13,17 +13,6 @@ using namespace camaron::testing;
 namespace
 {
 //------------------------------------------------------------------------------
-Grid MakePolygon(const Points& points)
-{
-  std::vector<vtkIdType> ids;
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    ids.push_back(static_cast<vtkIdType>(i));
-  }
-  return MakeGrid(points, { { VTK_POLYGON, ids } });
-}
-
-//------------------------------------------------------------------------------
 double Get(const Values& values, const char* name)
 {
   return values.at(name)[0];

@@ -4,6 +4,7 @@
 #include "CellMesh/CellMesh.h"
 #include "Scan/Bytes.h"
 #include "Scan/ListRows.h"
+#include "Scan/RepeatedIds.h"
 
 #include <gtest/gtest.h>
 
