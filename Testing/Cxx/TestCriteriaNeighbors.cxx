@@ -136,6 +136,38 @@ TEST(CriteriaNeighbors, DeterminantOfPolygons)
 }
 
 //------------------------------------------------------------------------------
+// The published table takes all faces for inner ones, which those of a cell are that is there twice, and is of the
+// determinant that is 8 for a cube. If this fails, ours is not OpenFOAM's.
+TEST(CriteriaNeighbors, DeterminantOfReferenceShapes)
+{
+  const std::map<std::string, double> expected = {
+    { "unit cube", 8 },
+    { "regular tetrahedron", 2.37037037037 },
+    { "right-corner tetrahedron", 1.459229314226 },
+    { "square pyramid", 2.935468516058 },
+    { "right triangular prism", 3.948622274316 },
+    { "regular octahedron", 18.96296296296 },
+    { "regular dodecahedron", 64 },
+    { "truncated octahedron", 163.134669766 },
+    { "sheared hex", 3.68191210096 },
+    { "box", 3.172555652832 },
+    { "flat sliver", 2.556930455963e-06 },
+    { "hexagonal prism", 16.16975301667 },
+    { "L-prism", 22.56039575347 },
+    { "warped hex", 7.871281112028 },
+  };
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    const Faces faces = GetFaces(shape.Polyhedron, 0);
+    const Values values = EvaluateAll(MakePolyhedra(shape.Polyhedron->GetPoints(), { faces, faces }));
+    for (const std::size_t cell : { 0, 1 })
+    {
+      ExpectNear(expected.at(shape.Name) / 8, values.at("CellDeterminant")[cell], 1e-10, shape.Name);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, the centroid of a cell with coordinates that are not finite is taken to lie somewhere, and its
 // neighbours get numbers that depend on where the mesh lies.
 TEST(CriteriaNeighbors, NonFiniteNeighbor)
