@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Criteria that look at the neighbours of a cell, or at all cells of the mesh.
 #include "CriteriaTesting.h"
+#include "MeshElementsTesting.h"
 #include "ReferenceShapes.h"
 
 using namespace camaron;
@@ -19,18 +20,28 @@ TEST(CriteriaNeighbors, Neighbors)
     return MakeGrid(points,
       { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_HEXAHEDRON, { 1, 8, 9, 2, 5, 10, 11, 6 } } });
   };
+  const auto shear = [](const Point& p) { return Point{ p[0], p[1] + p[0], p[2] }; };
   const double d = std::sqrt(0.5);
+  // What the inner face has, but the quality of the worse cell and the skewness of the second, whose other faces count.
   const struct
   {
     const char* Name;
     Grid Mesh;
-    double NonOrthogonality, Quality, Skewness, Weight, Ratio;
+    double NonOrthogonality, Quality, InnerSkewness, Skewness, Weight, Ratio;
   } pairs[] = {
-    { "two unit cubes", hexahedra({ { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 2, 1, 1 } }), 0, 1, 0, 0.5, 1 },
-    { "cube and box", hexahedra({ { 3, 0, 0 }, { 3, 1, 0 }, { 3, 0, 1 }, { 3, 1, 1 } }), 0, 1, 0, 1.0 / 3,
+    { "two unit cubes", hexahedra({ { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 2, 1, 1 } }), 0, 1, 0, 0, 0.5, 1 },
+    { "cube and box", hexahedra({ { 3, 0, 0 }, { 3, 1, 0 }, { 3, 0, 1 }, { 3, 1, 1 } }), 0, 1, 0, 0, 1.0 / 3,
       0.5 },
     { "cube and sheared cube", hexahedra({ { 2, 1, 0 }, { 2, 2, 0 }, { 2, 1, 1 }, { 2, 2, 1 } }),
-      std::atan(0.5) * 180 / Pi, d, 1, 0.5, 1 },
+      std::atan(0.5) * 180 / Pi, d, 0.5, 1, 0.5, 1 },
+    { "two sheared cubes, x-face", Transform(MakeHexahedra(2, 1, 1, false), shear), 45, d, 0, 1, 0.5, 1 },
+    { "two sheared cubes, y-face", Transform(MakeHexahedra(1, 2, 1, false), shear), 45, d, 0, 1, 0.5, 1 },
+    // The slanted sides of the wedge have lines to the centre (1/6, -1/4) and normals (1/2, -1), and count.
+    { "cube and wedge",
+      MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
+                 { 0, 1, 1 }, { 2, 0.5, 0 }, { 2, 0.5, 1 } },
+        { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_WEDGE, { 1, 2, 8, 5, 6, 9 } } }),
+      0, 8 / std::sqrt(65.0), 0, 1.0 / 15, 0.4, 0.5 },
   };
   for (const auto& pair : pairs)
   {
@@ -46,8 +57,15 @@ TEST(CriteriaNeighbors, Neighbors)
       }
       ExpectNear(pair.Quality,
         std::min(values.at("OrthogonalQuality")[0], values.at("OrthogonalQuality")[1]), 1e-10, pair.Name);
-      // The skewness of the inner face is 0.5 in the third pair; the sides of the sheared cell have 1.
       ExpectNear(pair.Skewness, values.at("MaxFaceSkewness")[1], 1e-10, pair.Name);
+      const Elements elements(grid);
+      for (vtkIdType face = 0; face < elements.Faces->GetNumberOfCells(); ++face)
+      {
+        if (Get(elements.Faces, "IsBoundary", face) == 0)
+        {
+          ExpectNear(pair.InnerSkewness, Get(elements.Faces, "FaceSkewness", face), 1e-10, pair.Name);
+        }
+      }
     }
   }
   EXPECT_NEAR(EvaluateAll(pairs[2].Mesh).at("MaxFaceSkewness")[0], 0.5, 1e-9);
