@@ -96,6 +96,9 @@ TEST(CriteriaNeighbors, Neighbors)
   }
   ExpectNear(0, alone.at("CellDeterminant")[0], 1e-12, "alone");
   const std::map<std::string, std::array<double, 2>> boundary = {
+    { "unit cube", { 0, 1 } }, { "regular tetrahedron", { 0, 1 } }, { "right triangular prism", { 0, 1 } },
+    { "regular octahedron", { 0, 1 } }, { "regular dodecahedron", { 0, 1 } },
+    { "truncated octahedron", { 0, 1 } }, { "box", { 0, 1 } }, { "hexagonal prism", { 0, 1 } },
     { "right-corner tetrahedron", { 0.25, 0.9045340337333 } }, { "square pyramid", { 0.25, 0.9045340337333 } },
     { "sheared hex", { 1, 0.7071067811865 } }, { "flat sliver", { 0.499700119952, 0.02999250221178 } },
     { "L-prism", { 1.333333333333, 0.2425356250363 } }, { "warped hex", { 0.2248677248677, 0.9502584924607 } },
