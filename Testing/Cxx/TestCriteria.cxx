@@ -63,6 +63,7 @@ TEST(Criteria, ReferencePolygons)
     const char* Name;
     Points Polygon;
     double Area, Perimeter, Vertices, EdgeLengthRatio, MinAngle, MaxAngle, Skewness, Quotient;
+    double Flatness = 1;
   };
   const Row rows[] = {
     { "square", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, 1, 4, 4, 1, 90, 90, 0,
@@ -83,7 +84,8 @@ TEST(Criteria, ReferencePolygons)
       { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } }, 3, 8, 6, 0.5,
       90, 270, 2.5, 0.5890486225481 },
     { "warped quad", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, .5 }, { 0, 1, 0 } }, 1.06066017178,
-      4.2360679775, 4, 0.8944271909999, 78.46304096718, 90, 0.1281884336979, 0.7427801407227 },
+      4.2360679775, 4, 0.8944271909999, 78.46304096718, 90, 0.1281884336979, 0.7427801407227,
+      0.9746721852373 },
   };
   for (const Row& row : rows)
   {
@@ -99,6 +101,7 @@ TEST(Criteria, ReferencePolygons)
     expect("MaxInteriorAngle", row.MaxAngle);
     expect("EquiangleSkewness", row.Skewness);
     expect("IsoperimetricQuotient", row.Quotient);
+    expect("MinFaceFlatness", row.Flatness);
   }
 }
 
@@ -109,23 +112,26 @@ TEST(Criteria, ReferenceSimplices)
   const struct
   {
     Points Triangle;
-    double RadiusRatio, BhatiaLawrence;
-  } triangles[] = { { { { 0, 0, 0 }, { 1, 0, 0 }, { .5, h, 0 } }, 1, 1 },
-    { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, 0.8284271247462, 0.8660254037844 },
-    { { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 } }, 0.8, 0.8313843876331 } };
+    double RadiusRatio, BhatiaLawrence, RadiusEdgeRatio;
+  } triangles[] = { { { { 0, 0, 0 }, { 1, 0, 0 }, { .5, h, 0 } }, 1, 1, std::sqrt(1.0 / 3) },
+    { { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, 0.8284271247462, 0.8660254037844, std::sqrt(0.5) },
+    { { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 } }, 0.8, 0.8313843876331, 5.0 / 6 } };
   for (const auto& row : triangles)
   {
     const Values values = EvaluateAll(MakePolygon(row.Triangle));
     ExpectNear(row.RadiusRatio, values.at("TriangleRadiusRatio")[0], 1e-10, "TriangleRadiusRatio");
     ExpectNear(row.BhatiaLawrence, values.at("BhatiaLawrence")[0], 1e-10, "BhatiaLawrence");
+    ExpectNear(
+      row.RadiusEdgeRatio, values.at("TriangleRadiusEdgeRatio")[0], 1e-10, "TriangleRadiusEdgeRatio");
   }
   const struct
   {
     const char* Name;
-    double RadiusRatio, RadiusEdgeRatio, MeanRatio;
-  } tetrahedra[] = { { "regular tetrahedron", 1, 0.6123724356958, 1 },
-    { "right-corner tetrahedron", 0.7320508075689, 0.8660254037844, 0.8399473665966 },
-    { "flat sliver", 0.02999250221178, 0.7070714320336, 0.08771176097029 } };
+    double RadiusRatio, RadiusEdgeRatio, MeanRatio, AspectGamma, AspectRatio;
+  } tetrahedra[] = { { "regular tetrahedron", 1, 0.6123724356958, 1, 1, 1 },
+    { "right-corner tetrahedron", 0.7320508075689, 0.8660254037844, 0.8399473665966, 1.299038105677,
+      1.366025403784 },
+    { "flat sliver", 0.02999250221178, 0.7070714320336, 0.08771176097029, 38.495791593, 40.83299319586 } };
   for (const auto& row : tetrahedra)
   {
     const ReferenceShape& shape = FindReferenceShape(row.Name);
@@ -135,6 +141,8 @@ TEST(Criteria, ReferenceSimplices)
       ExpectNear(row.RadiusRatio, values.at("TetRadiusRatio")[0], 1e-10, row.Name);
       ExpectNear(row.RadiusEdgeRatio, values.at("TetRadiusEdgeRatio")[0], 1e-10, row.Name);
       ExpectNear(row.MeanRatio, values.at("TetMeanRatio")[0], 1e-10, row.Name);
+      ExpectNear(row.AspectGamma, values.at("VerdictAspectGamma")[0], 1e-10, row.Name);
+      ExpectNear(row.AspectRatio, values.at("VerdictAspectRatio")[0], 1e-10, row.Name);
     }
   }
 }

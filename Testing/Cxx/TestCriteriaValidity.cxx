@@ -134,11 +134,11 @@ TEST(CriteriaValidity, DegeneratePolygons)
   {
     const char* Name;
     Points Polygon;
-    double EdgeLengthRatio, MinAngle, MaxAngle, RadiusRatio, BhatiaLawrence, Area;
+    double EdgeLengthRatio, MinAngle, MaxAngle, RadiusRatio, RadiusEdgeRatio, BhatiaLawrence, Area;
   } rows[] = {
-    { "collinear", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0.5, 0, 180, 0, 0, 0 },
-    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, 0, 0 },
-    { "one point", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, nan, nan, nan, nan, nan, 0 },
+    { "collinear", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0.5, 0, 180, 0, Infinity, 0, 0 },
+    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, Infinity, 0, 0 },
+    { "one point", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, nan, nan, nan, nan, nan, nan, 0 },
   };
   for (const auto& row : rows)
   {
@@ -149,11 +149,13 @@ TEST(CriteriaValidity, DegeneratePolygons)
     expect("MinInteriorAngle", row.MinAngle);
     expect("MaxInteriorAngle", row.MaxAngle);
     expect("TriangleRadiusRatio", row.RadiusRatio);
+    expect("TriangleRadiusEdgeRatio", row.RadiusEdgeRatio);
     expect("BhatiaLawrence", row.BhatiaLawrence);
     expect("Area", row.Area);
   }
   const Values quad = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }));
-  for (const char* name : { "TriangleRadiusRatio", "BhatiaLawrence", "TetRadiusRatio", "Volume" })
+  for (const char* name :
+    { "TriangleRadiusRatio", "TriangleRadiusEdgeRatio", "BhatiaLawrence", "TetRadiusRatio", "Volume" })
   {
     EXPECT_EQ(GetNullReason(quad.at(name)[0]), NullReason::NotApplicable) << name;
   }
