@@ -191,20 +191,24 @@ TEST(Criteria, ValuesByHand)
         { "PrincipalAspectRatio", 1 }, { "Sphericity", std::cbrt(Pi / 6) }, { "VolumeEdgeRatio", 1 },
         { "CornerScaledJacobian", 1 }, { "MaxWarpage", 0 }, { "MaxFaceConcavity", 0 },
         { "CellConcavity", -0.5 / r3 }, { "MinFacePyramidRatio", 1 }, { "MinTetVolume", 1.0 / 24 },
-        { "MinTetMeanRatio", 0.8 }, { "EquivalentRadius", std::cbrt(0.75 / Pi) },
+        { "MinTetMeanRatio", 0.8 }, { "MinTetQuality", 1.8 / std::sqrt(15.0) }, // circumradius sqrt(5 / 16)
+        { "EquivalentRadius", std::cbrt(0.75 / Pi) },
         { "MinFaceArea", 1 }, { "MaxFaceArea", 1 }, { "MinFaceVertexCount", 4 },
         { "MaxFaceVertexCount", 4 }, { "TetQualityFoam", none } } },
     { "regular tetrahedron",
       { { "CornerScaledJacobian", std::sqrt(0.5) }, { "TetQualityFoam", 1 },
-        { "PrincipalAspectRatio", 1 }, { "MinFacePyramidRatio", 1 } } },
-    { "right-corner tetrahedron", { { "TetQualityFoam", 0.5 } } },
+        { "PrincipalAspectRatio", 1 }, { "MinFacePyramidRatio", 1 }, // circumradius sqrt(11 / 32) of a twelfth
+        { "MinTetQuality", std::sqrt(2.0) / 144 / (8 * r3 / 27 * std::pow(11.0 / 32, 1.5)) } } },
+    { "regular octahedron", { { "MinTetQuality", 1.0 / 6 }, { "MeanEdgeLength", 1 } } },
+    { "right-corner tetrahedron",
+      { { "TetQualityFoam", 0.5 }, { "MeanEdgeLength", (1 + std::sqrt(2.0)) / 2 } } },
     { "flat sliver", { { "TetQualityFoam", 0.0259768654863 }, { "EdgeRatio", 1 / 0.7071774883295 } } },
     { "square pyramid",
       { { "CornerScaledJacobian", none }, { "MinFaceVertexCount", 3 }, { "MaxFaceVertexCount", 4 },
         { "MinFaceArea", r3 / 4 }, { "MaxFaceArea", 1 } } },
     { "box",
       { { "PrincipalAspectRatio", 0.25 }, { "EdgeRatio", 4 }, { "VolumeEdgeRatio", 8 / std::pow(7, 1.5) },
-        { "EdgeDiameterRatio", 1 / std::sqrt(21.0) } } },
+        { "EdgeDiameterRatio", 1 / std::sqrt(21.0) }, { "MeanEdgeLength", 7.0 / 3 } } },
     { "sheared hex", { { "CornerScaledJacobian", std::sqrt(0.5) } } },
     { "L-prism",
       { { "CornerScaledJacobian", -1 }, { "MaxFaceConcavity", 90 }, { "CellConcavity", 1.0 / 6 },
@@ -231,7 +235,7 @@ TEST(Criteria, ValuesByHand)
   ExpectNear(std::sqrt(2 / Pi), rectangle.at("EquivalentRadius")[0], 1e-12, "rectangle");
   const Values triangle =
     EvaluateAll(MakeGrid({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
-  ExpectNear(0.8333333333333, triangle.at("TriangleRadiusEdgeRatio")[0], 1e-10, "triangle");
+  ExpectNear(4, triangle.at("MeanEdgeLength")[0], 1e-12, "triangle");
 
   // The faces of a cube but one: all of that axis is open.
   const Grid& cube = FindReferenceShape("unit cube").Polyhedron;

@@ -47,6 +47,29 @@ TEST(CriteriaValidity, Validity)
   std::reverse(faces[2].begin(), faces[2].end());
   EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("FaceOrientationStatus")[0], 2);
 
+  // A tetrahemihexahedron, of four triangles and the three squares between the points of an octahedron: every edge has
+  // two faces, but they have one side only.
+  const Grid oneSided =
+    MakePolyhedron({ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
+      { { 0, 1, 2 }, { 0, 4, 5 }, { 3, 1, 5 }, { 3, 4, 2 }, { 0, 1, 3, 4 }, { 0, 2, 3, 5 }, { 1, 2, 4, 5 } });
+  EvaluationOptions trust;
+  trust.TrustFaceOrientation = true;
+  for (const EvaluationOptions& options : { EvaluationOptions(), trust })
+  {
+    EXPECT_EQ(EvaluateAll(oneSided, options).at("FaceOrientationStatus")[0], 3);
+  }
+  EXPECT_EQ(GetNullReason(EvaluateAll(oneSided).at("Volume")[0]), NullReason::InvalidTopology);
+  EXPECT_EQ(status(oneSided) & (FacesAreOrientedIncorrectly | NotWatertight | NonManifoldEdge),
+    FacesAreOrientedIncorrectly);
+
+  // A tetrahedron with a point in the middle of an edge, where a face without an area closes it.
+  const Grid sliver = MakePolyhedron({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 0, 0 } },
+    { { 0, 2, 1 }, { 0, 4, 1, 3 }, { 0, 1, 4 }, { 0, 3, 2 }, { 1, 2, 3 } });
+  EXPECT_EQ(status(sliver) &
+      (DegenerateFaces | ZeroLengthEdge | CoincidentPoints | NotWatertight | InvertedOrZeroVolume),
+    DegenerateFaces);
+  EXPECT_EQ(EvaluateAll(sliver).at("IsValid")[0], 0);
+
   Points points = corners;
   points[6] = points[5]; // an edge of no length
   EXPECT_EQ(status(MakePolyhedron(points, outward)) & (ZeroLengthEdge | CoincidentPoints),
@@ -90,6 +113,13 @@ TEST(CriteriaValidity, Validity)
                 { 4, 6, 5 } })) &
       (NonManifoldVertex | NotWatertight),
     NonManifoldVertex);
+
+  // Two that meet in an edge, which then has four faces.
+  const Grid hinge = MakePolyhedron(pair,
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 5, 4 }, { 0, 4, 3 }, { 0, 3, 5 }, { 4, 5, 3 } });
+  EXPECT_EQ(status(hinge) & (NonManifoldEdge | NotWatertight), NonManifoldEdge);
+  EXPECT_EQ(EvaluateAll(hinge).at("IsConvex")[0], 0);
+  EXPECT_EQ(EvaluateAll(hinge).at("IsValid")[0], 0);
 }
 
 //------------------------------------------------------------------------------
