@@ -297,7 +297,8 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   EXPECT_NEAR(values["SurfaceArea"][0], 5, 1e-12);
   EXPECT_EQ(values["FaceCount"][0], 5);
 
-  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains.
+  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains. Its side at x = 0 is warped,
+  // with vector area (-1, 1/2, 1/2) and centre (5/18, 19/36, 19/36); at its edges the angles are those of mean planes.
   const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
     { 1, 1, 1 }, { 1, 1, 1 } };
   for (const vtkIdType last : { 6, 7 })
@@ -307,9 +308,13 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
     EXPECT_EQ(values["VertexCount"][0], last == 6 ? 7 : 8);
     EXPECT_EQ(values["MinEdgeLength"][0], 0);
     EXPECT_EQ(values["EdgeLengthRatio"][0], 0);
-    EXPECT_NEAR(values["Volume"][0], 5.0 / 6, 0.1);
-    EXPECT_FALSE(std::isnan(values["MinDihedralAngle"][0])) << last;
-    EXPECT_FALSE(std::isnan(values["MinSolidAngle"][0])) << last;
+    EXPECT_NEAR(values["Volume"][0], 0.75, 1e-10) << last;
+    EXPECT_NEAR(values["MinDihedralAngle"][0], std::atan(2.0) * 180 / Pi, 1e-10) << last;
+    EXPECT_NEAR(values["MaxDihedralAngle"][0], 180 - std::atan(3 / std::sqrt(2.0)) * 180 / Pi, 1e-10) << last;
+    EXPECT_NEAR(values["MinSolidAngle"][0], Pi / 4, 1e-10) << last;
+    EXPECT_NEAR(values["MaxSolidAngle"][0], Pi / 2, 1e-10) << last;
+    EXPECT_EQ(static_cast<unsigned>(values["CellStatus"][0]) & (ZeroLengthEdge | CoincidentPoints),
+      ZeroLengthEdge | CoincidentPoints);
     EXPECT_EQ(GetNullReason(values["TetRadiusRatio"][0]), NullReason::NotApplicable);
   }
 
