@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Criteria that look at the neighbours of a cell, or at all cells of the mesh.
 #include "CriteriaTesting.h"
+#include "MeshElementsTesting.h"
 #include "ReferenceShapes.h"
 
 using namespace camaron;
@@ -19,18 +20,28 @@ TEST(CriteriaNeighbors, Neighbors)
     return MakeGrid(points,
       { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_HEXAHEDRON, { 1, 8, 9, 2, 5, 10, 11, 6 } } });
   };
+  const auto shear = [](const Point& p) { return Point{ p[0], p[1] + p[0], p[2] }; };
   const double d = std::sqrt(0.5);
+  // What the inner face has, but the quality of the worse cell and the skewness of the second, whose other faces count.
   const struct
   {
     const char* Name;
     Grid Mesh;
-    double NonOrthogonality, Quality, Skewness, Weight, Ratio;
+    double NonOrthogonality, Quality, InnerSkewness, Skewness, Weight, Ratio;
   } pairs[] = {
-    { "two unit cubes", hexahedra({ { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 2, 1, 1 } }), 0, 1, 0, 0.5, 1 },
-    { "cube and box", hexahedra({ { 3, 0, 0 }, { 3, 1, 0 }, { 3, 0, 1 }, { 3, 1, 1 } }), 0, 1, 0, 1.0 / 3,
+    { "two unit cubes", hexahedra({ { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 2, 1, 1 } }), 0, 1, 0, 0, 0.5, 1 },
+    { "cube and box", hexahedra({ { 3, 0, 0 }, { 3, 1, 0 }, { 3, 0, 1 }, { 3, 1, 1 } }), 0, 1, 0, 0, 1.0 / 3,
       0.5 },
     { "cube and sheared cube", hexahedra({ { 2, 1, 0 }, { 2, 2, 0 }, { 2, 1, 1 }, { 2, 2, 1 } }),
-      26.56505118, d, 1, 0.5, 1 },
+      std::atan(0.5) * 180 / Pi, d, 0.5, 1, 0.5, 1 },
+    { "two sheared cubes, x-face", Transform(MakeHexahedra(2, 1, 1, false), shear), 45, d, 0, 1, 0.5, 1 },
+    { "two sheared cubes, y-face", Transform(MakeHexahedra(1, 2, 1, false), shear), 45, d, 0, 1, 0.5, 1 },
+    // The slanted sides of the wedge have lines to the centre (1/6, -1/4) and normals (1/2, -1), and count.
+    { "cube and wedge",
+      MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
+                 { 0, 1, 1 }, { 2, 0.5, 0 }, { 2, 0.5, 1 } },
+        { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_WEDGE, { 1, 2, 8, 5, 6, 9 } } }),
+      0, 8 / std::sqrt(65.0), 0, 1.0 / 15, 0.4, 0.5 },
   };
   for (const auto& pair : pairs)
   {
@@ -39,15 +50,22 @@ TEST(CriteriaNeighbors, Neighbors)
       const Values values = EvaluateAll(grid);
       for (const std::size_t cell : { 0, 1 })
       {
-        ExpectNear(pair.NonOrthogonality, values.at("MaxNonOrthogonality")[cell], 1e-9, pair.Name);
-        ExpectNear(pair.Weight, values.at("MinFaceWeight")[cell], 1e-9, pair.Name);
-        ExpectNear(pair.Ratio, values.at("MinVolumeRatio")[cell], 1e-9, pair.Name);
-        ExpectNear(1 / pair.Ratio, values.at("CellVolumeRatio")[cell], 1e-9, pair.Name);
+        ExpectNear(pair.NonOrthogonality, values.at("MaxNonOrthogonality")[cell], 1e-10, pair.Name);
+        ExpectNear(pair.Weight, values.at("MinFaceWeight")[cell], 1e-10, pair.Name);
+        ExpectNear(pair.Ratio, values.at("MinVolumeRatio")[cell], 1e-10, pair.Name);
+        ExpectNear(1 / pair.Ratio, values.at("CellVolumeRatio")[cell], 1e-10, pair.Name);
       }
       ExpectNear(pair.Quality,
-        std::min(values.at("OrthogonalQuality")[0], values.at("OrthogonalQuality")[1]), 1e-9, pair.Name);
-      // The skewness of the inner face is 0.5 in the third pair; the sides of the sheared cell have 1.
-      ExpectNear(pair.Skewness, values.at("MaxFaceSkewness")[1], 1e-9, pair.Name);
+        std::min(values.at("OrthogonalQuality")[0], values.at("OrthogonalQuality")[1]), 1e-10, pair.Name);
+      ExpectNear(pair.Skewness, values.at("MaxFaceSkewness")[1], 1e-10, pair.Name);
+      const Elements elements(grid);
+      for (vtkIdType face = 0; face < elements.Faces->GetNumberOfCells(); ++face)
+      {
+        if (Get(elements.Faces, "IsBoundary", face) == 0)
+        {
+          ExpectNear(pair.InnerSkewness, Get(elements.Faces, "FaceSkewness", face), 1e-10, pair.Name);
+        }
+      }
     }
   }
   EXPECT_NEAR(EvaluateAll(pairs[2].Mesh).at("MaxFaceSkewness")[0], 0.5, 1e-9);
@@ -78,15 +96,18 @@ TEST(CriteriaNeighbors, Neighbors)
   }
   ExpectNear(0, alone.at("CellDeterminant")[0], 1e-12, "alone");
   const std::map<std::string, std::array<double, 2>> boundary = {
-    { "right-corner tetrahedron", { 0.25, 0.9045340337 } }, { "square pyramid", { 0.25, 0.9045340337 } },
-    { "sheared hex", { 1, 0.7071067812 } }, { "flat sliver", { 0.49970012, 0.02999250221 } },
-    { "L-prism", { 1.333333333, 0.242535625 } }, { "warped hex", { 0.2248677249, 0.9502584925 } },
+    { "unit cube", { 0, 1 } }, { "regular tetrahedron", { 0, 1 } }, { "right triangular prism", { 0, 1 } },
+    { "regular octahedron", { 0, 1 } }, { "regular dodecahedron", { 0, 1 } },
+    { "truncated octahedron", { 0, 1 } }, { "box", { 0, 1 } }, { "hexagonal prism", { 0, 1 } },
+    { "right-corner tetrahedron", { 0.25, 0.9045340337333 } }, { "square pyramid", { 0.25, 0.9045340337333 } },
+    { "sheared hex", { 1, 0.7071067811865 } }, { "flat sliver", { 0.499700119952, 0.02999250221178 } },
+    { "L-prism", { 1.333333333333, 0.2425356250363 } }, { "warped hex", { 0.2248677248677, 0.9502584924607 } },
   };
   for (const auto& shape : boundary)
   {
     const Values values = EvaluateAll(FindReferenceShape(shape.first).Polyhedron);
-    ExpectNear(shape.second[0], values.at("MaxFaceSkewness")[0], 1e-9, shape.first);
-    ExpectNear(shape.second[1], values.at("OrthogonalQuality")[0], 1e-9, shape.first);
+    ExpectNear(shape.second[0], values.at("MaxFaceSkewness")[0], 1e-10, shape.first);
+    ExpectNear(shape.second[1], values.at("OrthogonalQuality")[0], 1e-10, shape.first);
   }
 
   // A cell next to a piece border: what is beyond is not known, unless there are ghosts.
@@ -108,7 +129,7 @@ TEST(CriteriaNeighbors, Neighbors)
     { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_QUAD, { 2, 1, 4, 5 } } }));
   ExpectNear(2, squares.at("CellVolumeRatio")[0], 1e-12, "areas");
   ExpectNear(1.0 / 3, squares.at("MinFaceWeight")[1], 1e-12, "weights");
-  ExpectNear(std::atan2(0.5, 1.5) * 180 / Pi, squares.at("MaxNonOrthogonality")[0], 1e-9, "angle");
+  ExpectNear(std::atan2(0.5, 1.5) * 180 / Pi, squares.at("MaxNonOrthogonality")[0], 1e-10, "angle");
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +154,38 @@ TEST(CriteriaNeighbors, DeterminantOfPolygons)
   ExpectNear(0.25, squares[0], 1e-12, "corner");
   const auto alone = EvaluateAll(MakeGrid(points, { cells[0] })).at("CellDeterminant");
   ExpectNear(0, alone[0], 1e-12, "alone");
+}
+
+//------------------------------------------------------------------------------
+// The published table takes all faces for inner ones, which those of a cell are that is there twice, and is of the
+// determinant that is 8 for a cube. If this fails, ours is not OpenFOAM's.
+TEST(CriteriaNeighbors, DeterminantOfReferenceShapes)
+{
+  const std::map<std::string, double> expected = {
+    { "unit cube", 8 },
+    { "regular tetrahedron", 2.37037037037 },
+    { "right-corner tetrahedron", 1.459229314226 },
+    { "square pyramid", 2.935468516058 },
+    { "right triangular prism", 3.948622274316 },
+    { "regular octahedron", 18.96296296296 },
+    { "regular dodecahedron", 64 },
+    { "truncated octahedron", 163.134669766 },
+    { "sheared hex", 3.68191210096 },
+    { "box", 3.172555652832 },
+    { "flat sliver", 2.556930455963e-06 },
+    { "hexagonal prism", 16.16975301667 },
+    { "L-prism", 22.56039575347 },
+    { "warped hex", 7.871281112028 },
+  };
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    const Faces faces = GetFaces(shape.Polyhedron, 0);
+    const Values values = EvaluateAll(MakePolyhedra(shape.Polyhedron->GetPoints(), { faces, faces }));
+    for (const std::size_t cell : { 0, 1 })
+    {
+      ExpectNear(expected.at(shape.Name) / 8, values.at("CellDeterminant")[cell], 1e-10, shape.Name);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

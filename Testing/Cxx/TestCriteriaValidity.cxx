@@ -47,6 +47,29 @@ TEST(CriteriaValidity, Validity)
   std::reverse(faces[2].begin(), faces[2].end());
   EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("FaceOrientationStatus")[0], 2);
 
+  // A tetrahemihexahedron, of four triangles and the three squares between the points of an octahedron: every edge has
+  // two faces, but they have one side only.
+  const Grid oneSided =
+    MakePolyhedron({ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
+      { { 0, 1, 2 }, { 0, 4, 5 }, { 3, 1, 5 }, { 3, 4, 2 }, { 0, 1, 3, 4 }, { 0, 2, 3, 5 }, { 1, 2, 4, 5 } });
+  EvaluationOptions trust;
+  trust.TrustFaceOrientation = true;
+  for (const EvaluationOptions& options : { EvaluationOptions(), trust })
+  {
+    EXPECT_EQ(EvaluateAll(oneSided, options).at("FaceOrientationStatus")[0], 3);
+  }
+  EXPECT_EQ(GetNullReason(EvaluateAll(oneSided).at("Volume")[0]), NullReason::InvalidTopology);
+  EXPECT_EQ(status(oneSided) & (FacesAreOrientedIncorrectly | NotWatertight | NonManifoldEdge),
+    FacesAreOrientedIncorrectly);
+
+  // A tetrahedron with a point in the middle of an edge, where a face without an area closes it.
+  const Grid sliver = MakePolyhedron({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 0, 0 } },
+    { { 0, 2, 1 }, { 0, 4, 1, 3 }, { 0, 1, 4 }, { 0, 3, 2 }, { 1, 2, 3 } });
+  EXPECT_EQ(status(sliver) &
+      (DegenerateFaces | ZeroLengthEdge | CoincidentPoints | NotWatertight | InvertedOrZeroVolume),
+    DegenerateFaces);
+  EXPECT_EQ(EvaluateAll(sliver).at("IsValid")[0], 0);
+
   Points points = corners;
   points[6] = points[5]; // an edge of no length
   EXPECT_EQ(status(MakePolyhedron(points, outward)) & (ZeroLengthEdge | CoincidentPoints),
@@ -90,6 +113,13 @@ TEST(CriteriaValidity, Validity)
                 { 4, 6, 5 } })) &
       (NonManifoldVertex | NotWatertight),
     NonManifoldVertex);
+
+  // Two that meet in an edge, which then has four faces.
+  const Grid hinge = MakePolyhedron(pair,
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 5, 4 }, { 0, 4, 3 }, { 0, 3, 5 }, { 4, 5, 3 } });
+  EXPECT_EQ(status(hinge) & (NonManifoldEdge | NotWatertight), NonManifoldEdge);
+  EXPECT_EQ(EvaluateAll(hinge).at("IsConvex")[0], 0);
+  EXPECT_EQ(EvaluateAll(hinge).at("IsValid")[0], 0);
 }
 
 //------------------------------------------------------------------------------
@@ -134,11 +164,11 @@ TEST(CriteriaValidity, DegeneratePolygons)
   {
     const char* Name;
     Points Polygon;
-    double EdgeLengthRatio, MinAngle, MaxAngle, RadiusRatio, BhatiaLawrence, Area;
+    double EdgeLengthRatio, MinAngle, MaxAngle, RadiusRatio, RadiusEdgeRatio, BhatiaLawrence, Area;
   } rows[] = {
-    { "collinear", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0.5, 0, 180, 0, 0, 0 },
-    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, 0, 0 },
-    { "one point", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, nan, nan, nan, nan, nan, 0 },
+    { "collinear", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0.5, 0, 180, 0, Infinity, 0, 0 },
+    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, Infinity, 0, 0 },
+    { "one point", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, nan, nan, nan, nan, nan, nan, 0 },
   };
   for (const auto& row : rows)
   {
@@ -149,11 +179,13 @@ TEST(CriteriaValidity, DegeneratePolygons)
     expect("MinInteriorAngle", row.MinAngle);
     expect("MaxInteriorAngle", row.MaxAngle);
     expect("TriangleRadiusRatio", row.RadiusRatio);
+    expect("TriangleRadiusEdgeRatio", row.RadiusEdgeRatio);
     expect("BhatiaLawrence", row.BhatiaLawrence);
     expect("Area", row.Area);
   }
   const Values quad = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }));
-  for (const char* name : { "TriangleRadiusRatio", "BhatiaLawrence", "TetRadiusRatio", "Volume" })
+  for (const char* name :
+    { "TriangleRadiusRatio", "TriangleRadiusEdgeRatio", "BhatiaLawrence", "TetRadiusRatio", "Volume" })
   {
     EXPECT_EQ(GetNullReason(quad.at(name)[0]), NullReason::NotApplicable) << name;
   }
@@ -265,7 +297,8 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   EXPECT_NEAR(values["SurfaceArea"][0], 5, 1e-12);
   EXPECT_EQ(values["FaceCount"][0], 5);
 
-  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains.
+  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains. Its side at x = 0 is warped,
+  // with vector area (-1, 1/2, 1/2) and centre (5/18, 19/36, 19/36); at its edges the angles are those of mean planes.
   const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
     { 1, 1, 1 }, { 1, 1, 1 } };
   for (const vtkIdType last : { 6, 7 })
@@ -275,9 +308,13 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
     EXPECT_EQ(values["VertexCount"][0], last == 6 ? 7 : 8);
     EXPECT_EQ(values["MinEdgeLength"][0], 0);
     EXPECT_EQ(values["EdgeLengthRatio"][0], 0);
-    EXPECT_NEAR(values["Volume"][0], 5.0 / 6, 0.1);
-    EXPECT_FALSE(std::isnan(values["MinDihedralAngle"][0])) << last;
-    EXPECT_FALSE(std::isnan(values["MinSolidAngle"][0])) << last;
+    EXPECT_NEAR(values["Volume"][0], 0.75, 1e-10) << last;
+    EXPECT_NEAR(values["MinDihedralAngle"][0], std::atan(2.0) * 180 / Pi, 1e-10) << last;
+    EXPECT_NEAR(values["MaxDihedralAngle"][0], 180 - std::atan(3 / std::sqrt(2.0)) * 180 / Pi, 1e-10) << last;
+    EXPECT_NEAR(values["MinSolidAngle"][0], Pi / 4, 1e-10) << last;
+    EXPECT_NEAR(values["MaxSolidAngle"][0], Pi / 2, 1e-10) << last;
+    EXPECT_EQ(static_cast<unsigned>(values["CellStatus"][0]) & (ZeroLengthEdge | CoincidentPoints),
+      ZeroLengthEdge | CoincidentPoints);
     EXPECT_EQ(GetNullReason(values["TetRadiusRatio"][0]), NullReason::NotApplicable);
   }
 

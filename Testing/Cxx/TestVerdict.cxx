@@ -420,7 +420,7 @@ TEST(Verdict, AnySize)
         if (std::string(criterion.Name).rfind("Verdict", 0) == 0)
         {
           const double unitSize = std::pow(size, getDimension(criterion, isPolygon));
-          ExpectNear(unit.at(criterion.Name)[0], scaled.at(criterion.Name)[0] / unitSize, 1e-9,
+          ExpectSame(unit.at(criterion.Name)[0], scaled.at(criterion.Name)[0] / unitSize, 1e-9,
             criterion.Name + (" of size " + std::to_string(std::log10(size))));
         }
       }
