@@ -108,10 +108,13 @@ double GetVolumeRatio(const CellNeighborhood& cell, const Facet& facet)
 //------------------------------------------------------------------------------
 double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
 {
-  const double dimension = (cell.GetGeometry().GetShapes() & Polygons) ? 2 : 3;
-  const double own = Dot(facet.Area, facet.Way) / dimension;
+  if (cell.GetGeometry().GetShapes() & Polygons)
+  {
+    return Dot(facet.Area, facet.Way) / 2; // that of the other one lies in another plane
+  }
+  const double own = Dot(facet.Area, facet.Way) / 3;
   return facet.Other == Side::Cell
-    ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / dimension)
+    ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / 3)
     : own;
 }
 

@@ -27,7 +27,7 @@ double GetFaceSkewness(const CellNeighborhood& cell, const CellNeighborhood::Fac
 double GetFaceWeight(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// Smaller divided by larger size of the two cells.
 double GetVolumeRatio(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
-/// Volume of the smaller one of the pyramids of the facet and the centroids; area of triangles of an edge.
+/// Volume of the smaller one of the pyramids of the facet and the centroids; of an edge the area of its triangle.
 double GetFacePyramidVolume(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// Smallest cosine between the triangles about the centre of a face and the line to the other centroid, at the
 /// boundary to the centre of the face.

@@ -297,7 +297,10 @@ TEST(MeshElements, ExtremeSizes)
       {
         for (const ElementArray& row : rows)
         {
-          const int dimension = row.Unit == Unit::Length ? 1 : row.Unit == Unit::Volume ? 3 : 0;
+          const int dimension = row.Unit == Unit::Length ? 1
+            : row.Unit == Unit::Area                     ? 2
+            : row.Unit == Unit::Volume                   ? 3
+                                                         : 0;
           for (vtkIdType i = 0; expected->GetCellData()->HasArray(row.Name) && i < expected->GetNumberOfCells(); ++i)
           {
             const double value = std::ldexp(Get(found, row.Name, i), -exponent * dimension);
