@@ -189,7 +189,7 @@ double MinTetQuality(const CellGeometry& cell)
     return MinOfTriangles(cell,
       [](const Vector& a, const Vector& b, double area)
       {
-        const double radius = Norm(a) * Norm(b) * Norm(b - a) / (4 * std::abs(area));
+        const double radius = Norm(a) * Norm(b) * Norm(b - a) / (2 * Norm(Cross(a, b)));
         return area / (RegularArea * radius * radius);
       });
   }

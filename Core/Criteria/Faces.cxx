@@ -77,7 +77,16 @@ double Openness(const CellGeometry& cell)
 namespace
 {
 //------------------------------------------------------------------------------
-// Of edges for faces, in the plane of the polygon.
+// How far the middle of the next edge lies beyond an edge, or that of the edge beyond the next one, in the plane of a
+// polygon with a normal.
+double GetConcavity(const Vector& from, const Vector& via, const Vector& to, const Vector& normal)
+{
+  const Vector way = 0.5 * (to - from); // from one middle to the other
+  return std::max(Dot(Unit(Cross(via - from, normal)), way), Dot(Unit(Cross(to - via, normal)), -way));
+}
+
+//------------------------------------------------------------------------------
+// Of edges for faces; those without a length are none.
 double GetPolygonConcavity(const CellGeometry& cell)
 {
   if (cell.IsZeroArea(cell.GetPolygonArea()))
@@ -87,21 +96,25 @@ double GetPolygonConcavity(const CellGeometry& cell)
   const Vector normal = Unit(cell.GetFaceVector(0));
   const int* ring = cell.GetTopology().GetFace(0);
   const int size = cell.GetTopology().GetFaceSize(0);
-  const auto point = [&](int i) { return cell.GetPoint(ring[i % size]); };
+  // Where the last edges with a length begin and end, those before the first point to begin with.
+  Vector begin, end = cell.GetPoint(ring[0]);
   double largest = -std::numeric_limits<double>::infinity();
-  for (int i = 0; i < size; ++i)
+  int edges = 0;
+  for (int i = 1; i < 2 * size; ++i)
   {
-    // From the middle of an edge to that of the next one is half the way from its start to the end of that.
-    const Vector way = 0.5 * (point(i + 2) - point(i));
-    const Vector own = Cross(point(i + 1) - point(i), normal), next = Cross(point(i + 2) - point(i + 1), normal);
-    if (!cell.IsZeroLength(Norm(own)) && !cell.IsZeroLength(Norm(next)))
+    const Vector& next = cell.GetPoint(ring[i % size]);
+    if (cell.IsZeroLength(Norm(Cross(next - end, normal))))
     {
-      largest = std::max({ largest, Dot(Unit(own), way), Dot(Unit(next), -way) });
+      continue;
     }
+    if (++edges > 1)
+    {
+      largest = std::max(largest, GetConcavity(begin, end, next, normal));
+    }
+    begin = end;
+    end = next;
   }
-  return std::isinf(largest)                       ? Null(NullReason::Degenerate)
-    : cell.IsZeroLength(std::abs(largest)) ? 0
-                                                   : largest / cell.GetDiameter();
+  return cell.IsZeroLength(std::abs(largest)) ? 0 : largest / cell.GetDiameter();
 }
 }
 

@@ -49,6 +49,13 @@ struct Moments
     vtkMath::Jacobi(matrix, values, columns);
   }
 };
+
+//------------------------------------------------------------------------------
+// What is from 0 to 1 but for rounding.
+double LimitToOne(double value)
+{
+  return std::min(1.0, std::max(0.0, value));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +106,7 @@ double CellIsotropy(const CellGeometry& cell)
     {
       moments.Add(Cross(cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetPoint(ring[i]), normal));
     }
-    return std::max(0.0, 4 * moments.Scaled(1 / moments.GetTrace()).GetSumOfMinors());
+    return LimitToOne(4 * moments.Scaled(1 / moments.GetTrace()).GetSumOfMinors());
   }
   for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
   {
@@ -108,7 +115,7 @@ double CellIsotropy(const CellGeometry& cell)
   const double trace = moments.GetTrace();
   return cell.IsZeroArea(std::sqrt(trace))
     ? Null(NullReason::Degenerate)
-    : std::max(0.0, 27 * moments.Scaled(1 / trace).GetDeterminant());
+    : LimitToOne(27 * moments.Scaled(1 / trace).GetDeterminant());
 }
 
 //------------------------------------------------------------------------------

@@ -159,8 +159,8 @@ unsigned FindStatus(const CellGeometry& cell)
   else
   {
     status |= CheckPolyhedron(cell);
-    // The faces of a convex cell do not meet; looking is expensive. Of an open one it is not known.
-    status |= Flag((status & (Nonconvex | NotWatertight)) && HasIntersectingFaces(cell), IntersectingFaces);
+    // The faces of a convex cell do not meet; looking is expensive.
+    status |= Flag((status & Nonconvex) && HasIntersectingFaces(cell), IntersectingFaces);
   }
   return status;
 }

@@ -213,7 +213,8 @@ void SharedFaces::ForEachPolygon(Scratch& scratch, vtkIdType cell, Visit&& visit
     {
       const IndexRange points = this->Mesh.GetCellPoints(cell);
       const CellShape& shape = GetCellShape(this->Mesh.GetCellType(cell));
-      const vtkIdType last = shape.IsHigherOrder ? 1 : points.Size - shape.Dimension; // of second order: one line
+      const vtkIdType pieces = points.Size - shape.Dimension;
+      const vtkIdType last = shape.IsHigherOrder ? std::min<vtkIdType>(pieces, 1) : pieces;
       for (vtkIdType i = 0; i < last; ++i)
       {
         const vtkIdType piece[2] = { points[i], points[i + shape.Dimension] };

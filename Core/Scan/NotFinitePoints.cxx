@@ -6,6 +6,7 @@
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"
+#include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
@@ -22,7 +23,7 @@ constexpr vtkIdType Grain = 1 << 16;
 struct FindNotFinite
 {
   template <typename Array>
-  void operator()(Array* coordinates, vtkDataArray* ids, Tally& tally) const
+  void operator()(Array* coordinates, const vtkIdType* ids, Tally& tally) const
   {
     std::mutex mutex;
     const auto points = vtk::DataArrayTupleRange<3>(coordinates);
@@ -35,7 +36,7 @@ struct FindNotFinite
           const auto x = points[i];
           if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
           {
-            local.Add(ids ? static_cast<vtkIdType>(ids->GetComponent(i, 0)) : i);
+            local.Add(ids ? ids[i] : i);
           }
         }
         const std::lock_guard<std::mutex> lock(mutex);
@@ -54,7 +55,8 @@ Tally FindNotFinitePoints(vtkPointSet* mesh)
     return tally;
   }
   vtkDataArray* const coordinates = mesh->GetPoints()->GetData();
-  vtkDataArray* const ids = mesh->GetPointData()->GetArray("GlobalPointIds");
+  auto* const globalIds = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray("GlobalPointIds"));
+  const vtkIdType* const ids = globalIds ? globalIds->GetPointer(0) : nullptr;
   const FindNotFinite find;
   if (!vtkArrayDispatch::DispatchByArray<vtkTypeList::Create<vtkAOSDataArrayTemplate<float>,
         vtkAOSDataArrayTemplate<double>>>::Execute(coordinates, find, ids, tally))

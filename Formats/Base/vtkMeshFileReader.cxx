@@ -77,9 +77,10 @@ bool HaveReadTheSame(
 
 //------------------------------------------------------------------------------
 // Adds what the first process tells of points whose coordinates are not finite, of all pieces.
-void WarnOfPoints(vtkUnstructuredGrid* piece, vtkMultiProcessController* processes, camaron::Warnings& warnings)
+void WarnOfPoints(
+  vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessController* processes, camaron::Warnings& warnings)
 {
-  camaron::Tally bad = camaron::FindNotFinitePoints(piece);
+  camaron::Tally bad = areFinite ? camaron::Tally() : camaron::FindNotFinitePoints(piece);
   if (processes)
   {
     const camaron::Tally mine = bad;
@@ -175,10 +176,7 @@ int vtkMeshFileReader::RequestData(
   }
   if (!hasFailed)
   {
-    if (!camaron::FindPointRanges(output) || processes)
-    {
-      WarnOfPoints(output, processes, warnings);
-    }
+    WarnOfPoints(output, camaron::FindPointRanges(output), processes, warnings);
     const std::string name = camaron::GetFileName(this->FileName);
     for (const std::string& sentence : warnings.GetSentences())
     {

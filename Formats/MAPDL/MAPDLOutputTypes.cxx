@@ -119,6 +119,7 @@ MAPDLOutputTypes::MAPDLOutputTypes(vtkDataSet* mesh, const OutputMesh& output)
 Tally MAPDLOutputTypes::FindOtherTypes() const
 {
   Tally others;
+  vtkIdType last = -1; // a cell may have been cut into several ones, which follow each other
   for (vtkIdType cell = 0; cell < this->Output.GetNumberOfCells(); ++cell)
   {
     const vtkIdType from = this->Output.GetInputCell(cell);
@@ -127,9 +128,10 @@ Tally MAPDLOutputTypes::FindOtherTypes() const
     const bool isSame = (!this->TypeIds.HasArray() || id == writtenId) &&
       (!this->Elements.HasArray() || element == this->Types.find(writtenId)->second.Element);
     const bool isToldOf = id != 0 || element != 0 || !this->TypeIds.IsKept(from) || !this->Elements.IsKept(from);
-    if (isToldOf && !isSame)
+    if (isToldOf && !isSame && from != last)
     {
       others.Add(from);
+      last = from;
     }
   }
   return others;

@@ -107,8 +107,9 @@ bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progr
     error = { ErrorKind::NotThisFormat,
       this->File.GetName() + ": expected a deck of Mechanical APDL with nodes (NBLOCK or N)" +
         (deck.NumberOfClearedRows > 0 ? " after the last /CLEAR" : "") +
-        (LooksLikeAbaqus(this->Text.Begin, this->Text.End) ? ", found a deck of Abaqus" : ", found none") +
-        (deck.SkippedNodes.empty() ? "" : " whose coordinates are numbers or known parameters") };
+        (!deck.SkippedNodes.empty() ? ", found none whose coordinates are numbers or known parameters"
+            : LooksLikeAbaqus(this->Text.Begin, this->Text.End) ? ", found a deck of Abaqus"
+                                                                : ", found none") };
     return false;
   }
   MAPDLMesh mesh(deck, this->Options);

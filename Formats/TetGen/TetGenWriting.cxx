@@ -314,23 +314,25 @@ bool TetGenWriting::Write(const std::string& path, ScanError& error, const Progr
 // Where triangles stand beside tetrahedra, a file of elements has no markers, and one of faces nothing else.
 void TetGenWriting::WarnOfLostValues(Warnings& warnings) const
 {
-  Tally triangles, tetrahedra;
-  for (vtkIdType i = 0; i < this->Faces.Size; ++i)
+  const auto count = [this](const CellList& list, auto&& isLost)
   {
-    const vtkIdType cell = this->Output.GetInputCell(this->Faces[i]);
-    if (this->CellArrays.HasAttributes(cell))
+    Tally tally;
+    vtkIdType last = -1; // a cell may have been cut into several ones, which follow each other
+    for (vtkIdType i = 0; this->HasFaces() && i < list.Size; ++i)
     {
-      triangles.Add(cell);
+      const vtkIdType cell = this->Output.GetInputCell(list[i]);
+      if (cell != last && isLost(cell))
+      {
+        tally.Add(cell);
+      }
+      last = cell;
     }
-  }
-  for (vtkIdType i = 0; this->HasFaces() && i < this->Elements.Size; ++i)
-  {
-    const vtkIdType cell = this->Output.GetInputCell(this->Elements[i]);
-    if (this->CellArrays.HasMarker(cell))
-    {
-      tetrahedra.Add(cell);
-    }
-  }
+    return tally;
+  };
+  const Tally triangles =
+    count(this->Faces, [this](vtkIdType cell) { return this->CellArrays.HasAttributes(cell); });
+  const Tally tetrahedra =
+    count(this->Elements, [this](vtkIdType cell) { return this->CellArrays.HasMarker(cell); });
   warnings.Add(triangles, "cell", "cells",
     "written as a face, with other values than a BoundaryMarker, which faces of TetGen cannot have", FromZero);
   warnings.Add(tetrahedra, "cell", "cells",

@@ -49,14 +49,18 @@ private:
 bool VisfLists::IsCloud(Warnings& warnings) const
 {
   const MeshView& mesh = this->GetMesh();
-  bool isCloud = true;
-  Tally higherOrder, small, others;
+  bool isCloud = true; // all points, in their order
+  Tally higherOrder, small, empty, others;
   vtkIdType corners = 0;
   for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
   {
     const CellShape& shape = GetCellShape(mesh.GetCellType(cell));
     const FaceRole role = this->GetRole(cell);
-    corners += isCloud ? mesh.GetCellPoints(cell).Size : 0;
+    const IndexRange points = mesh.GetCellPoints(cell);
+    for (vtkIdType i = 0; isCloud && i < points.Size; ++i)
+    {
+      isCloud = points[i] == corners++;
+    }
     if (shape.IsHigherOrder && role != FaceRole::None)
     {
       higherOrder.Add(cell);
@@ -71,7 +75,7 @@ bool VisfLists::IsCloud(Warnings& warnings) const
     }
     else if (shape.Dimension == 0 || shape.Dimension == 1)
     {
-      small.Add(cell);
+      (points.Size > shape.Dimension ? small : empty).Add(cell);
     }
   }
   // Every point of a cloud is read as a cell.
@@ -82,6 +86,7 @@ bool VisfLists::IsCloud(Warnings& warnings) const
   }
   warnings.Add(higherOrder, "cell", "cells", "of higher order, written by the corners");
   warnings.Add(small, "cell", "cells", "of points or lines, written as polygons of one or two vertices");
+  warnings.Add(empty, "cell", "cells", "of too few points for their type, left out");
   warnings.Add(others, "cell", "cells", "of types that Visf cannot hold, left out");
   return false;
 }

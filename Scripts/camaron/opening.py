@@ -97,7 +97,7 @@ def _other_format(path: Path) -> Optional[tuple]:
             raise NotReadable(f"the first file of the series, {path}, is not there")
     with open(path, "rb") as file:
         head = file.read(1 << 16).lstrip()
-    if head.startswith(b"$Comments"):  # of Gmsh, before all else
+    while head.startswith(b"$Comments"):  # of Gmsh, before all else
         head = head.partition(b"$EndComments")[2].lstrip()
     return next((row[1:] for row in OTHER_FORMATS if head.startswith(row[0])), None)
 

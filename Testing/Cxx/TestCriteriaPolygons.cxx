@@ -40,9 +40,18 @@ TEST(CriteriaPolygons, CutAtTheCentroid)
   EXPECT_NEAR(Get(corner, "CellConcavity"), 0.5 / std::sqrt(8.0), 1e-15);
   EXPECT_NEAR(Get(corner, "CellIsotropy"), 1, 1e-15); // as much edge in either direction
 
+  // A corner that has two points is one, too.
+  const Values twice = EvaluateAll(MakePolygon(
+    { { 1, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 2, 1, 0 } }));
+  EXPECT_NEAR(Get(twice, "CellConcavity"), 0.5 / std::sqrt(8.0), 1e-15);
+
   // A quarter of the rectangle's edges are short: T = diag(2, 18), 4 * 36 / 400.
   const Values rectangle = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 0, 1 }, { 0, 0, 1 } }));
   EXPECT_NEAR(Get(rectangle, "CellIsotropy"), 0.36, 1e-15);
+
+  // Warped: the triangles have the area 1 in the mean plane, the circumradius 1.5 in space.
+  const Values warped = EvaluateAll(MakePolygon({ { 1, 1, 1 }, { -1, 1, -1 }, { -1, -1, 1 }, { 1, -1, -1 } }));
+  EXPECT_NEAR(Get(warped, "MinTetQuality"), 1 / (0.75 * std::sqrt(3.0) * 2.25), 1e-15);
 
   // The centroid of a dart lies outside.
   const Values dart = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 4, -4, 0 }, { 1, 0, 0 }, { 4, 4, 0 } }));

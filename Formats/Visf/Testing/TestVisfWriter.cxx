@@ -294,6 +294,30 @@ TEST(VisfWriter, OtherTypesOfCells)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, vertices come back as others: a cloud has all points in their order.
+TEST(VisfWriter, VerticesThatAreNoCloud)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 } };
+  const auto read = [&](const Cells& cells)
+  {
+    const Result result = ReadBytes(WriteBytes(MakeGrid(points, cells)));
+    std::vector<vtkIdType> ids;
+    vtkNew<vtkIdList> list;
+    for (vtkIdType cell = 0; cell < result.Grid->GetNumberOfCells(); ++cell)
+    {
+      EXPECT_EQ(result.Grid->GetCellType(cell), VTK_VERTEX);
+      result.Grid->GetCellPoints(cell, list);
+      ids.push_back(list->GetId(0));
+    }
+    return ids;
+  };
+  EXPECT_EQ(read({ { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } }), (std::vector<vtkIdType>{ 0, 1 }));
+  EXPECT_EQ(read({ { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 0 } } }), (std::vector<vtkIdType>{ 0, 0 }));
+  EXPECT_EQ(read({ { VTK_VERTEX, { 1 } }, { VTK_VERTEX, { 0 } } }), (std::vector<vtkIdType>{ 1, 0 }));
+  EXPECT_EQ(read({ { VTK_POLY_VERTEX, { 1, 1 } } }), (std::vector<vtkIdType>{ 1, 1 }));
+}
+
+//------------------------------------------------------------------------------
 // If this fails, convex point sets, which do not list their faces, are lost.
 TEST(VisfWriter, HullsOfPointSets)
 {
