@@ -252,38 +252,37 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 template <typename IsMirrored>
 bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirrored)
 {
-  // Without branches where they depend on the mesh: they cost more than all else.
-  std::uint32_t ids[4][3];
+  // Without branches where they depend on the mesh: they cost more than all else. First, second and third points of
+  // the faces, so that all faces are looked at together.
+  std::uint32_t a[4], b[4], c[4];
   for (int f = 0; f < 4; ++f)
   {
-    for (std::int32_t i = 0; i < 3; ++i)
-    {
-      ids[f][i] = static_cast<std::uint32_t>(faces[f][i]);
-    }
+    a[f] = static_cast<std::uint32_t>(faces[f][0]);
+    b[f] = static_cast<std::uint32_t>(faces[f][1]);
+    c[f] = static_cast<std::uint32_t>(faces[f][2]);
   }
-  std::uint32_t v[4] = { ids[0][0], ids[0][1], ids[0][2], 0 };
-  for (const std::uint32_t id : ids[1])
+  std::uint32_t v[4] = { a[0], b[0], c[0], 0 };
+  for (const std::uint32_t id : { a[1], b[1], c[1] })
   {
     const bool isNew = (id != v[0]) & (id != v[1]) & (id != v[2]);
     v[3] |= isNew ? id : 0u;
   }
-  bool good = (v[0] != v[1]) & (v[0] != v[2]) & (v[1] != v[2]) & (v[3] != v[0]) &
+  const bool areDistinct = (v[0] != v[1]) & (v[0] != v[2]) & (v[1] != v[2]) & (v[3] != v[0]) &
     (v[3] != v[1]) & (v[3] != v[2]);
+  const std::uint32_t sum = v[0] + v[1] + v[2] + v[3];
   std::uint32_t opposite[4]; // to each face, if it has three of the four
-  unsigned int all = 0;
+  std::uint32_t missing[4];  // sets of them
+  std::uint32_t wrong = 0;
   for (int f = 0; f < 4; ++f)
   {
-    unsigned int missing = 15u;
-    for (const std::uint32_t id : ids[f])
-    {
-      missing &= ~((id == v[0] ? 1u : 0u) | (id == v[1] ? 2u : 0u) | (id == v[2] ? 4u : 0u) |
-        (id == v[3] ? 8u : 0u));
-    }
-    good &= (missing & (missing - 1)) == 0;
-    all |= missing;
-    opposite[f] = (v[0] + v[1] + v[2] + v[3]) - (ids[f][0] + ids[f][1] + ids[f][2]);
+    const auto has = [&](std::uint32_t id)
+    { return static_cast<std::uint32_t>((a[f] == id) | (b[f] == id) | (c[f] == id)); };
+    const std::uint32_t has0 = has(v[0]), has1 = has(v[1]), has2 = has(v[2]), has3 = has(v[3]);
+    wrong |= (has0 + has1 + has2 + has3) ^ 3u;
+    missing[f] = 15u ^ (has0 | has1 << 1 | has2 << 2 | has3 << 3);
+    opposite[f] = sum - a[f] - b[f] - c[f];
   }
-  if (!good || all != 15u)
+  if (!areDistinct || wrong != 0 || (missing[0] | missing[1] | missing[2] | missing[3]) != 15u)
   {
     return false;
   }

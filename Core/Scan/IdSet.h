@@ -13,6 +13,7 @@
 #include "vtkType.h" // for vtkIdType
 
 #include <atomic>  // for filling from several threads
+#include <cstddef> // for places
 #include <cstdint> // for the words
 #include <vector>  // for the words
 
@@ -50,8 +51,9 @@ public:
     }
   }
   /**
-   * Adds ids for one thread. Ascending ids, as the first uses of faces often are, cost little, because
-   * what falls into one word is added at once; all are added when the adder goes out of scope.
+   * Adds ids for one thread. What falls into one word is added at once, as far as the ids are near others shortly
+   * before, as those of a mesh are: what threads do together costs much more. All are added when the adder goes out of
+   * scope.
    */
   class Adder
   {
@@ -60,7 +62,13 @@ public:
       : Set(set)
     {
     }
-    ~Adder() { this->Flush(); }
+    ~Adder()
+    {
+      for (Part& part : this->Parts)
+      {
+        this->Flush(part);
+      }
+    }
     Adder(const Adder&) = delete;
     void operator=(const Adder&) = delete;
 
@@ -70,32 +78,37 @@ public:
       {
         return;
       }
-      const std::uint64_t bit = std::uint64_t(1) << (id & 63);
       const vtkIdType word = id >> 6;
-      if (this->Set.Words[word].load(std::memory_order_relaxed) & bit)
+      Part& part = this->Parts[static_cast<std::size_t>(word) % NumberOfParts];
+      if (part.Word != word)
       {
-        return;
+        this->Flush(part);
+        part.Word = word;
       }
-      if (word != this->Word)
-      {
-        this->Flush();
-        this->Word = word;
-      }
-      this->Bits |= bit;
+      part.Bits |= std::uint64_t(1) << (id & 63);
     }
 
   private:
-    void Flush()
+    static constexpr std::size_t NumberOfParts = 256;
+    struct Part
     {
-      if (this->Bits)
+      vtkIdType Word = 0;
+      std::uint64_t Bits = 0; ///< to add to it
+    };
+    void Flush(Part& part)
+    {
+      if (part.Bits)
       {
-        this->Set.Words[this->Word].fetch_or(this->Bits, std::memory_order_relaxed);
-        this->Bits = 0;
+        std::atomic<std::uint64_t>& word = this->Set.Words[part.Word];
+        if (part.Bits & ~word.load(std::memory_order_relaxed))
+        {
+          word.fetch_or(part.Bits, std::memory_order_relaxed);
+        }
+        part.Bits = 0;
       }
     }
     IdSet& Set;
-    vtkIdType Word = -1;
-    std::uint64_t Bits = 0;
+    Part Parts[NumberOfParts];
   };
 
   /// Adds all ids in [0, limit) that are not in @a other, which must have the same limit.
