@@ -296,11 +296,10 @@ bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirr
   const int f = primitive.Mirror[0], g = primitive.Mirror[1];
   this->FaceOf[f] = turn ? g : f;
   this->FaceOf[g] = turn ? f : g;
-  std::int32_t& a = this->Nodes[primitive.OppositeNode[f]];
-  std::int32_t& b = this->Nodes[primitive.OppositeNode[g]];
-  const std::int32_t oldA = a, oldB = b;
-  a = turn ? oldB : oldA;
-  b = turn ? oldA : oldB;
+  std::int32_t &first = this->Nodes[primitive.OppositeNode[f]], &second = this->Nodes[primitive.OppositeNode[g]];
+  const std::int32_t oldFirst = first, oldSecond = second;
+  first = turn ? oldSecond : oldFirst;
+  second = turn ? oldFirst : oldSecond;
   return true;
 }
 
