@@ -230,9 +230,9 @@ void CellGeometry::ComputeSolidAngles()
   {
     this->MergeCollapsedEdges();
   }
-  else if (this->Topology == &this->OwnTopology)
+  else if (this->OwnTopology)
   {
-    this->OwnTopology.MakeVertexFigures();
+    this->OwnTopology->MakeVertexFigures();
   }
   const CellTopology& topology = collapsed ? this->MergedTopology : *this->Topology;
   if (!this->Topology->IsClosed || !topology.HasVertexFigures)

@@ -11,9 +11,9 @@ namespace camaron
 void CellGeometry::ComputeFaces(bool withMoments)
 {
   const int numberOfFaces = this->Topology->GetNumberOfFaces();
-  if (this->Topology == &this->OwnTopology)
+  if (this->OwnTopology)
   {
-    this->OwnTopology.FindFacePairs();
+    this->OwnTopology->FindFacePairs();
   }
   this->FaceVectors.resize(numberOfFaces);
   this->FaceCenters.resize(numberOfFaces);

@@ -20,16 +20,16 @@ void CellGeometry::Compute(unsigned needs)
     needs |= isPolyhedron ? NeedsFaces | NeedsVolume : NeedsFaces;
   }
   if ((needs & (NeedsEdges | NeedsAngles)) &&
-    this->Topology == &this->OwnTopology)
+    this->OwnTopology)
   {
-    this->OwnTopology.FindEdges();
+    this->OwnTopology->FindEdges();
   }
   const unsigned oriented = NeedsVolume | NeedsDihedral | NeedsSolidAngle;
-  if (isPolyhedron && (needs & oriented) && this->Topology == &this->OwnTopology)
+  if (isPolyhedron && (needs & oriented) && this->OwnTopology)
   {
-    this->OwnTopology.CheckClosed();
-    this->IsToBeOriented() && !this->Topology->IsClosed ? this->OwnTopology.MakeConsistent()
-                                                        : this->OwnTopology.FindShells();
+    this->OwnTopology->CheckClosed();
+    this->IsToBeOriented() && !this->Topology->IsClosed ? this->OwnTopology->MakeConsistent()
+                                                        : this->OwnTopology->FindShells();
   }
   if (needs & (NeedsEdges | NeedsAngles))
   {

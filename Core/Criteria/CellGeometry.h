@@ -20,6 +20,7 @@
 #include "Mesh/CellShape.h"
 #include "Mesh/CellTopology.h"
 #include "Mesh/MeshView.h"
+#include "Mesh/RecentTopologies.h"
 #include "Mesh/Vector.h"
 #include "Mesh/VectorPair.h"
 
@@ -124,7 +125,7 @@ public:
   /// True for a type whose faces follow from its nodes.
   bool IsOfStandardType() const { return this->IsStandard; }
   /// True if its points are the corner nodes of such a 3D type in VTK's order; not if two of them are the same.
-  bool HasNodesInOrder() const { return this->Topology != &this->OwnTopology; }
+  bool HasNodesInOrder() const { return !this->OwnTopology; }
   /// True if a face has the same point twice in a row.
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
   const EvaluationOptions& GetOptions() const { return *this->Options; }
@@ -138,7 +139,7 @@ public:
   /// Id of a point in the mesh.
   vtkIdType GetPointId(int point) const
   {
-    return this->Topology == &this->OwnTopology ? this->PointIds[point] : this->Nodes[point];
+    return this->OwnTopology ? this->PointIds[point] : this->Nodes[point];
   }
   /// Of a polygon as the mesh lists them, also those that follow themselves.
   const std::vector<vtkIdType>& GetCornerIds() const { return this->CornerIds; }
@@ -273,7 +274,7 @@ private:
   template <typename Id>
   void NumberPoints(const MeshView& mesh, const Id* ids, int size, int* numbers);
   /// Edges may wait until Compute is asked for something that needs them; simple shapes are told by them.
-  void FinishOwnTopology(bool edgesCanWait = false);
+  void FindOwnTopology(bool edgesCanWait = false);
 
   bool IsQuadrilateral() const
   {
@@ -367,7 +368,8 @@ private:
   IndexRange Nodes;                // without
   std::vector<vtkIdType> CornerIds; // of nodes or corners of faces
   const CellTopology* Topology = nullptr; // that of the standard type, or OwnTopology
-  CellTopology OwnTopology;
+  CellTopology* OwnTopology = nullptr;    // none where the type tells it
+  RecentTopologies OwnTopologies;
 
   double MinSquaredLength = 0, MaxSquaredLength = 0;
   bool HasCollapsedEdge = false;

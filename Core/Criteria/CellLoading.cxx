@@ -200,6 +200,7 @@ void CellGeometry::LoadStandard(
   this->NumberOfPoints = size;
   this->Nodes = points;
   this->Topology = &this->StandardCells[this->CellType].Topology;
+  this->OwnTopology = nullptr;
   this->Shapes = this->StandardCells[this->CellType].Shapes;
 }
 
@@ -215,18 +216,14 @@ void CellGeometry::LoadCollapsed(
   }
   int locals[MaxStandardPoints];
   this->NumberPoints(mesh, this->CornerIds.data(), shape.NumberOfCorners, locals);
-  this->OwnTopology.Clear();
-  for (int f = 0; f < shape.NumberOfFaces; ++f)
+  std::vector<int>&offsets = this->OwnTopologies.FaceOffsets, &numbers = this->OwnTopologies.FacePoints;
+  offsets.assign(shape.FaceOffsets, shape.FaceOffsets + shape.NumberOfFaces + 1);
+  numbers.resize(offsets.back());
+  for (int i = 0; i < offsets.back(); ++i)
   {
-    int face[CellShape::MaxFacePoints];
-    int size = 0;
-    for (int i = shape.FaceOffsets[f]; i < shape.FaceOffsets[f + 1]; ++i)
-    {
-      face[size++] = locals[shape.FacePoints[i]];
-    }
-    this->OwnTopology.AddFace(face, size);
+    numbers[i] = locals[shape.FacePoints[i]];
   }
-  this->FinishOwnTopology();
+  this->FindOwnTopology();
   this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
 }
 
@@ -242,23 +239,21 @@ void CellGeometry::LoadPolygon(
   {
     this->CornerIds[i] = points[this->CellType == VTK_PIXEL && i > 1 ? 5 - i : i];
   }
-  this->OwnTopology.Clear();
-  this->OwnTopology.AddFace(size);
-  this->OwnTopology.FacePoints.resize(size);
-  this->NumberPoints(mesh, this->CornerIds.data(), size, this->OwnTopology.FacePoints.data());
-  this->FinishOwnTopology();
+  this->OwnTopologies.FaceOffsets = { 0, size };
+  this->OwnTopologies.FacePoints.resize(size);
+  this->NumberPoints(mesh, this->CornerIds.data(), size, this->OwnTopologies.FacePoints.data());
+  this->FindOwnTopology();
 }
 
 //------------------------------------------------------------------------------
 void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
 {
-  CellTopology& topology = this->OwnTopology;
-  topology.Clear();
   const IndexRange faces = mesh.GetPolyhedronFaces(cell);
   IndexRange corners; // of all faces, where they lie one after the other
   bool isOneRun = true;
-  topology.FaceOffsets.resize(faces.Size + 1);
-  int* offsets = topology.FaceOffsets.data();
+  this->OwnTopologies.FaceOffsets.resize(faces.Size + 1);
+  int* offsets = this->OwnTopologies.FaceOffsets.data();
+  offsets[0] = 0;
   for (vtkIdType f = 0; f < faces.Size; ++f)
   {
     const IndexRange points = mesh.GetPolyhedronFacePoints(faces[f]);
@@ -268,8 +263,8 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
     offsets[f + 1] = static_cast<int>(corners.Size);
   }
   const int size = offsets[faces.Size];
-  topology.FacePoints.resize(size);
-  int* numbers = topology.FacePoints.data();
+  this->OwnTopologies.FacePoints.resize(size);
+  int* numbers = this->OwnTopologies.FacePoints.data();
   if (isOneRun && corners.Values.Values32)
   {
     this->NumberPoints(mesh, corners.Values.Values32 + corners.Begin, size, numbers);
@@ -292,7 +287,7 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
     }
     this->NumberPoints(mesh, this->CornerIds.data(), size, numbers);
   }
-  this->FinishOwnTopology(this->NumberOfPoints > MaxSimpleNodes);
+  this->FindOwnTopology(this->NumberOfPoints > MaxSimpleNodes);
   this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
 }
 
@@ -324,10 +319,10 @@ void CellGeometry::NumberPoints(const MeshView& mesh, const Id* ids, int size, i
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::FinishOwnTopology(bool edgesCanWait)
+void CellGeometry::FindOwnTopology(bool edgesCanWait)
 {
-  this->OwnTopology.NumberOfPoints = this->NumberOfPoints;
-  this->HasRepeatedPoint = this->OwnTopology.Finish(edgesCanWait);
-  this->Topology = &this->OwnTopology;
+  this->OwnTopology =
+    &this->OwnTopologies.Find(this->NumberOfPoints, edgesCanWait, this->HasRepeatedPoint);
+  this->Topology = this->OwnTopology;
 }
 }

@@ -78,10 +78,10 @@ void CellGeometry::OrientPolyhedron()
         !this->IsZeroVolume(shells[i].GetVolume()) && (shells[i].GetVolume() < 0) != (areVoids[i] != 0);
     }
   }
-  this->OwnTopology.ReverseShells(areReversed);
-  for (int f = 0; f < this->OwnTopology.GetNumberOfFaces(); ++f)
+  this->OwnTopology->ReverseShells(areReversed);
+  for (int f = 0; f < this->OwnTopology->GetNumberOfFaces(); ++f)
   {
-    if (areReversed[this->OwnTopology.GetShell(f)])
+    if (areReversed[this->OwnTopology->GetShell(f)])
     {
       this->FaceVectors[f] = -this->FaceVectors[f];
       if (!this->FaceMoments.empty())

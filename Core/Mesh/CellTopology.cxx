@@ -23,11 +23,7 @@ std::uint64_t DropLowest(std::uint64_t set)
 //------------------------------------------------------------------------------
 void CellTopology::Clear()
 {
-  this->LastIsKnown = this->IsAsAdded;
   this->IsAsAdded = false;
-  this->LastNumberOfPoints = this->NumberOfPoints;
-  std::swap(this->FaceOffsets, this->LastOffsets);
-  std::swap(this->FacePoints, this->LastPoints);
   this->NumberOfPoints = 0;
   this->FaceOffsets.assign(1, 0);
   this->FacePoints.clear();
@@ -37,25 +33,28 @@ void CellTopology::Clear()
 void CellTopology::AddFace(const int* points, int size)
 {
   this->FacePoints.insert(this->FacePoints.end(), points, points + size);
-  this->AddFace(size);
+  this->FaceOffsets.push_back(this->FaceOffsets.back() + size);
+}
+
+//------------------------------------------------------------------------------
+void CellTopology::Take(int numberOfPoints, std::vector<int>& faceOffsets, std::vector<int>& facePoints)
+{
+  this->IsAsAdded = false;
+  this->NumberOfPoints = numberOfPoints;
+  std::swap(this->FaceOffsets, faceOffsets);
+  std::swap(this->FacePoints, facePoints);
+}
+
+//------------------------------------------------------------------------------
+bool CellTopology::Knows(
+  int numberOfPoints, const std::vector<int>& faceOffsets, const std::vector<int>& facePoints) const
+{
+  return this->IsAsAdded && this->NumberOfPoints == numberOfPoints && this->FaceOffsets == faceOffsets &&
+    this->FacePoints == facePoints;
 }
 
 //------------------------------------------------------------------------------
 bool CellTopology::Finish(bool edgesCanWait)
-{
-  this->IsAsAdded = this->LastIsKnown && this->NumberOfPoints == this->LastNumberOfPoints &&
-    this->FaceOffsets == this->LastOffsets && this->FacePoints == this->LastPoints;
-  const bool wasRepeated = !this->IsAsAdded && this->FinishNew();
-  if (!edgesCanWait)
-  {
-    this->FindEdges();
-  }
-  return wasRepeated;
-}
-
-//------------------------------------------------------------------------------
-// Nothing is known of its faces yet.
-bool CellTopology::FinishNew()
 {
   const int numberOfFaces = this->GetNumberOfFaces();
   this->FaceNumbers.resize(numberOfFaces);
@@ -78,6 +77,10 @@ bool CellTopology::FinishNew()
   this->HasEdges = this->IsOneShell = this->HasShells = this->HasFacePairs = false;
   this->KnowsVertexFigures = this->HasVertexFigures = false;
   this->IsAsAdded = !wasRepeated;
+  if (!edgesCanWait)
+  {
+    this->FindEdges();
+  }
   return wasRepeated;
 }
 

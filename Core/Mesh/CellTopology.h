@@ -5,8 +5,7 @@
  * @brief Faces, edges and vertex figures of one cell, in local point numbers.
  *
  * Made once for every standard type, and anew for every polyhedron, polygon and collapsed standard
- * cell, by the same code: so all of them answer alike. Holds its memory for the next cell, and what it knows, too,
- * where that has the same faces in local numbers, as cells of one kind often have.
+ * cell, by the same code: so all of them answer alike. Holds its memory for the next cell.
  */
 #ifndef camaron_CellTopology_h
 #define camaron_CellTopology_h
@@ -70,9 +69,14 @@ public:
 
   /// Starts a new cell.
   void Clear();
-  /// Adds a face of points that FacePoints gets later, before Finish.
-  void AddFace(int size) { this->FaceOffsets.push_back(this->FaceOffsets.back() + size); }
   void AddFace(const int* points, int size);
+  ///@{
+  /// In place of Clear and AddFace: takes the lists, and gives those of another cell for them, which can be overwritten.
+  void Take(int numberOfPoints, std::vector<int>& faceOffsets, std::vector<int>& facePoints);
+  /// Whether it is finished with these faces and still has them.
+  bool Knows(
+    int numberOfPoints, const std::vector<int>& faceOffsets, const std::vector<int>& facePoints) const;
+  ///@}
   /**
    * Ends a cell. In its faces a point that follows itself counts once, and less than three points are no face.
    * Finds the edges, unless they can wait for FindEdges or CheckClosed, and with them whether the cell is closed.
@@ -106,7 +110,6 @@ public:
   void FindFacePairs();
 
 private:
-  bool FinishNew();
   bool DropRepeatedPoints();
   void ListCorners();
   bool IsClosedShell() const;
@@ -120,13 +123,7 @@ private:
   void JoinOpenShells();
   void ReverseFace(int face);
 
-  ///@{
-  // The cell before.
-  std::vector<int> LastOffsets, LastPoints;
-  int LastNumberOfPoints = 0;
-  bool LastIsKnown = false; // the members still tell of these faces
-  ///@}
-  bool IsAsAdded = false; // no face was changed
+  bool IsAsAdded = false; // no face was changed since Finish
   std::vector<int> NextPoints; // parallel to FacePoints
   std::vector<int> FirstFaces, NextFaces; // faces by size, as linked lists
   LocalNumbers EdgeNumbers;
