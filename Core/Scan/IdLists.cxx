@@ -187,7 +187,7 @@ vtkIdType IdLists::CheckBlocks(
     {
       seen.Short.Add(i);
     }
-    else if (HasRepeatedIds(align(list.Ids, size), size))
+    else if (seen.FindsRepeating && HasRepeatedIds(align(list.Ids, size), size))
     {
       seen.Repeating.Add(i);
     }
@@ -225,6 +225,7 @@ IdLists::Verdict IdLists::Check(
       Expectation seen;
       seen.Limit = expected.Limit;
       seen.Used = expected.Used;
+      seen.FindsRepeating = expected.FindsRepeating;
       bool even = true;
       const vtkIdType firstBad = this->CommonSize == 3 ? this->CheckBlocks<3>(first, last, seen, even)
         : this->CommonSize == 4 ? this->CheckBlocks<4>(first, last, seen, even)
@@ -448,7 +449,7 @@ bool IdLists::CheckLines(TextScanner& scanner, const TextLines& lines, bool drop
       {
         (size == 0 ? seen.Empty : seen.Short).Add(line);
       }
-      else if (HasRepeatedIds(ids, size))
+      else if (expected.FindsRepeating && HasRepeatedIds(ids, size))
       {
         seen.Repeating.Add(line);
       }

@@ -65,6 +65,7 @@ public:
     vtkIdType Limit = 0;    ///< ids must be in [0, Limit)
     IdSet* Used = nullptr;  ///< if given, all ids found are added to it
     bool AccessAll = true;  ///< whether any list may be asked for, not only blocks of them
+    bool FindsRepeating = false; ///< whether Repeating is of interest
     Tally Empty;            ///< lists without ids
     Tally Short;            ///< lists with one or two ids
     Tally Repeating;        ///< lists of three ids and more with the same one twice

@@ -239,6 +239,7 @@ bool PLYMesh::ReadPolyhedra(const Progress& progress)
   const vtkIdType numberOfCells = cells.Mesh.NumberOfCells;
   IdLists::Expectation faceLists, cellLists;
   faceLists.Limit = numberOfPoints;
+  faceLists.FindsRepeating = true;
   cellLists.Limit = numberOfFaces;
   if (this->Request.NumberOfPieces > 1)
   {

@@ -158,6 +158,7 @@ void VisfReading::Expect(Content& content, vtkIdType points, vtkIdType faces) co
   content.Faces.List = "polygon";
   content.Faces.Id = "vertex";
   content.Faces.Limit = points;
+  content.Faces.FindsRepeating = true;
   if (this->InPieces)
   {
     content.Mesh.PointsOfFaces = IdSet(points);
