@@ -3,6 +3,7 @@
 // What finite volumes ask of a cell and its neighbours, as OpenFOAM's checkMesh and Fluent define it.
 #include "Criteria/CriterionRows.h"
 #include "Criteria/FacetMeasures.h"
+#include "Criteria/Moments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -205,34 +206,16 @@ double CellDeterminant(const CellNeighborhood& cell)
     return 0;
   }
   mean /= count;
-  double m[3][3] = {};
+  Moments moments;
   for (const Facet& facet : cell.GetFacets())
   {
     if (facet.Other == Side::Cell)
     {
-      const double v[3] = { facet.Area.X / mean, facet.Area.Y / mean, facet.Area.Z / mean };
-      for (int i = 0; i < 3; ++i)
-      {
-        for (int j = 0; j < 3; ++j)
-        {
-          m[i][j] += v[i] * v[j];
-        }
-      }
+      moments.Add({ facet.Area.X / mean, facet.Area.Y / mean, facet.Area.Z / mean });
     }
   }
-  if (isPolygon)
-  {
-    // Edges have no part across the plane: what is left of the determinant is the sum of its minors.
-    constexpr double ofSquare = 4;
-    return (m[0][0] * m[1][1] - m[0][1] * m[1][0] + m[0][0] * m[2][2] - m[0][2] * m[2][0] +
-             m[1][1] * m[2][2] - m[1][2] * m[2][1]) /
-      ofSquare;
-  }
-  const double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-    m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-    m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-  constexpr double ofCube = 8;
-  return determinant / ofCube;
+  constexpr double ofSquare = 4, ofCube = 8;
+  return isPolygon ? moments.GetSumOfMinors() / ofSquare : moments.GetDeterminant() / ofCube;
 }
 
 //------------------------------------------------------------------------------

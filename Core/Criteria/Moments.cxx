@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How much a cell is stretched, from the second moments of its points and of its face vectors.
 #include "Criteria/CriterionRows.h"
-#include "vtkMath.h"
+#include "Criteria/Moments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,45 +11,6 @@ namespace camaron
 {
 namespace
 {
-//------------------------------------------------------------------------------
-// A symmetric matrix, the sum of products of vectors with themselves.
-struct Moments
-{
-  double XX = 0, YY = 0, ZZ = 0, XY = 0, YZ = 0, ZX = 0;
-  void Add(const Vector& v)
-  {
-    this->XX += v.X * v.X, this->YY += v.Y * v.Y, this->ZZ += v.Z * v.Z;
-    this->XY += v.X * v.Y, this->YZ += v.Y * v.Z, this->ZX += v.Z * v.X;
-  }
-  double GetTrace() const { return this->XX + this->YY + this->ZZ; }
-  Moments Scaled(double s) const
-  {
-    return { s * this->XX, s * this->YY, s * this->ZZ, s * this->XY, s * this->YZ, s * this->ZX };
-  }
-  double GetDeterminant() const
-  {
-    return this->XX * (this->YY * this->ZZ - this->YZ * this->YZ) -
-      this->XY * (this->XY * this->ZZ - this->YZ * this->ZX) +
-      this->ZX * (this->XY * this->YZ - this->YY * this->ZX);
-  }
-  /// What is left of the determinant where the matrix is one of a plane.
-  double GetSumOfMinors() const
-  {
-    return this->XX * this->YY - this->XY * this->XY + this->YY * this->ZZ - this->YZ * this->YZ +
-      this->ZZ * this->XX - this->ZX * this->ZX;
-  }
-  /// Descending.
-  void GetEigenvalues(double values[3]) const
-  {
-    double rows[3][3] = { { this->XX, this->XY, this->ZX }, { this->XY, this->YY, this->YZ },
-      { this->ZX, this->YZ, this->ZZ } };
-    double vectors[3][3];
-    double* matrix[3] = { rows[0], rows[1], rows[2] };
-    double* columns[3] = { vectors[0], vectors[1], vectors[2] };
-    vtkMath::Jacobi(matrix, values, columns);
-  }
-};
-
 //------------------------------------------------------------------------------
 // What is from 0 to 1 but for rounding.
 double LimitToOne(double value)
