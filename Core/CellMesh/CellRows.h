@@ -59,6 +59,19 @@ private:
  */
 bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);
 
+/// The same with the error in the scanner.
+template <typename Scanner>
+bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, Scanner& scanner)
+{
+  ScanError error;
+  const bool good = FillCells(sinks, mesh, error);
+  if (!good)
+  {
+    scanner.FailAt(scanner.GetPosition(), error.Kind, error.Message, "more");
+  }
+  return good;
+}
+
 /**
  * Reads @a count rows by @a visit(row, TextRow&, CellSink&), which adds one cell per row, returns false
  * when something is wrong, and may be called by several threads. Sets the cells of @a mesh, not the
@@ -89,13 +102,7 @@ bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, Ce
       return false;
     }
   }
-  ScanError error;
-  if (!FillCells(sinks, mesh, error))
-  {
-    scanner.FailAt(scanner.GetPosition(), error.Kind, error.Message, "more");
-    return false;
-  }
-  return true;
+  return FillCells(sinks, mesh, scanner);
 }
 }
 

@@ -410,7 +410,6 @@ bool OFFBinaryReading::ReadPieceOfFaces(
   this->Faces.AreOfPiece = true;
   this->Faces.Colors = OFFColors(this->HasFaceColors ? piece.GetNumberOfCells() : 0);
   std::vector<CellSink> sinks(this->Blocks.size());
-  ScanError error;
   if (!this->ForEachFace(false, progress.Part(0.7, 1),
         [&](vtkIdType block, vtkIdType cell, vtkIdType, const std::int32_t* ids,
           std::int32_t size, const OFFColor& color)
@@ -430,13 +429,9 @@ bool OFFBinaryReading::ReadPieceOfFaces(
           {
             this->Faces.Colors.Set(index, color);
           }
-        }))
+        }) ||
+    !FillCells(sinks, this->Faces.Mesh, this->Scanner))
   {
-    return false;
-  }
-  if (!FillCells(sinks, this->Faces.Mesh, error))
-  {
-    this->Scanner.FailAt(this->Scanner.GetPosition(), error.Kind, error.Message, "more");
     return false;
   }
   this->Faces.Mesh.NumberOfPoints = piece.GetNumberOfPoints();

@@ -165,13 +165,7 @@ bool TetGenFacets::ReadOneByOne(
       return false;
     }
   }
-  ScanError error;
-  if (!FillCells(sinks, this->Mesh, error))
-  {
-    scanner.FailAt(scanner.GetPosition(), error.Kind, error.Message, "more");
-    return false;
-  }
-  return true;
+  return FillCells(sinks, this->Mesh, scanner);
 }
 
 //------------------------------------------------------------------------------
