@@ -69,6 +69,29 @@ class TestCase(unittest.TestCase):
         return DATA / name
 
 
+class FormatTestCase(TestCase):
+    """For readers and writers of one format; no source outlives its test."""
+
+    def tearDown(self):
+        for source in reversed(list(simple.GetSources().values())):
+            simple.Delete(source)
+        super().tearDown()
+
+    def make(self, name, text):
+        """A file of this text."""
+        path = self.folder / name
+        path.write_text(text)
+        return path
+
+    def cells(self, source):
+        """Number of cells; ParaView asks for ghost cells, which do not count."""
+        cleaned = simple.RemoveGhostInformation(Input=source)
+        cleaned.UpdatePipeline(source.SMProxy.GetDataInformation(0).GetTime())
+        count = cleaned.GetDataInformation().GetNumberOfCells()
+        simple.Delete(cleaned)
+        return count
+
+
 def rank_count():
     """Number of MPI ranks."""
     return pipeline.rank_count()

@@ -73,12 +73,7 @@ def collected():
         yield name, points, counts, boundary and int(boundary[1])
 
 
-class TestFluentMesh(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
+class TestFluentMesh(camaron_testing.FormatTestCase):
     def read(self, path):
         """Our reader, whatever others ParaView has for the extension."""
         with pipeline.Messages() as messages:

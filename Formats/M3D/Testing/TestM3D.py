@@ -43,12 +43,7 @@ def parse(path):
     return numpy.array(points), elements
 
 
-class TestM3D(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
+class TestM3D(camaron_testing.FormatTestCase):
     def test_counts(self):
         """Points and cells of collected files are those of the file, on any number of ranks."""
         for name in COLLECTED:

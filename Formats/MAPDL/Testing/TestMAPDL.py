@@ -59,12 +59,7 @@ cmblock,bottom,node,2
 """
 
 
-class TestMAPDL(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
+class TestMAPDL(camaron_testing.FormatTestCase):
     def deck(self, text=DECK, name="small.cdb"):
         path = self.folder / name
         path.write_text(text)

@@ -27,23 +27,7 @@ COUNTS = {  # points and cells, as README.md of the collected files says
 }
 
 
-class TestPolygonOFF(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
-    def make(self, name, text):
-        path = self.folder / name
-        path.write_text(text)
-        return path
-
-    def cells(self, source):
-        """Number of cells; ParaView asks for ghost cells, which do not count."""
-        cleaned = simple.RemoveGhostInformation(Input=source)
-        cleaned.UpdatePipeline(source.SMProxy.GetDataInformation(0).GetTime())
-        return cleaned.GetDataInformation().GetNumberOfCells()
-
+class TestPolygonOFF(camaron_testing.FormatTestCase):
     def test_open(self):
         for name in ("a.off", "A.OFF", "b.coff", "c.4off"):
             source = self.open(self.make(name, "OFF\n" + TRIANGLE.format(0)))

@@ -47,12 +47,7 @@ end_header
     return header.encode() + body
 
 
-class TestPolygonPLY(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
+class TestPolygonPLY(camaron_testing.FormatTestCase):
     def write(self, name, data):
         """A file that all ranks see."""
         path = self.folder / name

@@ -13,23 +13,7 @@ CART3D = "4 2\n0 0 0\n1 0 0.1\n0 1 0\n1 1 0\n1 3 2\n2 3 4\n7\n-2\n"
 COUNTS = {"camaron_polygon_mesh": (8, 18), "dev_surface": (231, 466)}  # points and cells
 
 
-class TestTRI(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
-    def make(self, name, text):
-        path = self.folder / name
-        path.write_text(text)
-        return path
-
-    def cells(self, source):
-        """Number of cells; ParaView asks for ghost cells, which do not count."""
-        cleaned = simple.RemoveGhostInformation(Input=source)
-        cleaned.UpdatePipeline()
-        return cleaned.GetDataInformation().GetNumberOfCells()
-
+class TestTRI(camaron_testing.FormatTestCase):
     def numbers(self, path):
         return [[float(word) for word in line.split()] for line in path.read_text().splitlines()]
 

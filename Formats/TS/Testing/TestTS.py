@@ -38,12 +38,7 @@ def parse_surface(path):
 FILES = {"dev_tets_camaron": parse_tetrahedra, "dev_gocad_tsurf": parse_surface}
 
 
-class TestTS(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
+class TestTS(camaron_testing.FormatTestCase):
     def test_counts(self):
         """Points and cells of collected files are those of the file, on any number of ranks."""
         for name, parse in FILES.items():

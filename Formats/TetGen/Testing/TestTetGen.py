@@ -27,24 +27,12 @@ def strip(cells):
     return {"node": nodes, "ele": elements, "neigh": neighbors, "face": faces}
 
 
-class TestTetGen(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
+class TestTetGen(camaron_testing.FormatTestCase):
     def save(self, name, cells):
         """Writes the files of a strip; returns their path without extension."""
         for extension, lines in strip(cells).items():
             (self.folder / f"{name}.{extension}").write_text("\n".join(lines) + "\n")
         return str(self.folder / name)
-
-    def cells(self, source):
-        cleaned = simple.RemoveGhostInformation(Input=source)
-        cleaned.UpdatePipeline(source.SMProxy.GetDataInformation(0).GetTime())
-        count = cleaned.GetDataInformation().GetNumberOfCells()
-        simple.Delete(cleaned)
-        return count
 
     def test_any_file_opens_the_mesh(self):
         base = self.save("strip.1", 50)

@@ -60,12 +60,7 @@ def counts(path):
     return vertices, len(polygons), len(polyhedra)
 
 
-class TestVisf(camaron_testing.TestCase):
-    def tearDown(self):
-        for source in reversed(list(simple.GetSources().values())):
-            simple.Delete(source)
-        super().tearDown()
-
+class TestVisf(camaron_testing.FormatTestCase):
     def information(self, source):
         """Numbers of points and cells; ParaView asks for ghost cells, which do not count."""
         cleaned = simple.RemoveGhostInformation(Input=source)
