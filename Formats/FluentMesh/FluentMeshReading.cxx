@@ -323,14 +323,10 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   {
     warnings.Add("there are too many zones of faces to show the boundaries by zone");
   }
-  if (this->Request.Piece == 0)
+  if (this->Request.Piece == 0 && this->Cells.GetNumberOfUndeclared() > 0)
   {
-    if (this->Cells.GetNumberOfUndeclared() > 0)
-    {
-      warnings.Add(
-        "cells that are in no section of cells, so that their type and zone are not known: " +
-        std::to_string(this->Cells.GetNumberOfUndeclared()));
-    }
+    warnings.Add("cells that are in no section of cells, so that their type and zone are not known: " +
+      std::to_string(this->Cells.GetNumberOfUndeclared()));
   }
   return true;
 }

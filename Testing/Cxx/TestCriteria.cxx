@@ -54,57 +54,6 @@ TEST(Criteria, ClosedForms)
   EXPECT_NEAR(value(FindReferenceShape("L-prism").Polyhedron, "MaxSolidAngle"), 1.5 * Pi, 1e-12);
 }
 
-// The published table of polygons.
-TEST(Criteria, ReferencePolygons)
-{
-  const double h = std::sqrt(3.0) / 2;
-  struct Row
-  {
-    const char* Name;
-    Points Polygon;
-    double Area, Perimeter, Vertices, EdgeLengthRatio, MinAngle, MaxAngle, Skewness, Quotient;
-    double Flatness = 1;
-  };
-  const Row rows[] = {
-    { "square", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, 1, 4, 4, 1, 90, 90, 0,
-      0.7853981633974 },
-    { "rectangle", { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 0, 1, 0 } }, 2, 6, 4, 0.5, 90, 90, 0,
-      0.6981317007977 },
-    { "rhombus", { { 0, 0, 0 }, { 1, 0, 0 }, { 1.5, h, 0 }, { .5, h, 0 } }, 0.8660254037844, 4, 4, 1, 60,
-      120, 0.3333333333333, 0.6801747615878 },
-    { "pentagon", MakeRegularPolygon(5, 0), 1.720477400589, 5, 5, 1, 108, 108, 0, 0.8648062659772 },
-    { "hexagon", MakeRegularPolygon(6, 0), 2.598076211353, 6, 6, 1, 120, 120, 0, 0.9068996821171 },
-    { "equilateral", { { 0, 0, 0 }, { 1, 0, 0 }, { .5, h, 0 } }, 0.4330127018922, 3, 3, 1, 60, 60, 0,
-      0.6045997880781 },
-    { "right isosceles", { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, 0.5, 3.414213562373, 3,
-      0.7071067811865, 45, 90, 0.25, 0.5390120844526 },
-    { "3-4-5", { { 0, 0, 0 }, { 4, 0, 0 }, { 0, 3, 0 } }, 6, 12, 3, 0.6, 36.86989764584, 90,
-      0.3855017059026, 0.5235987755983 },
-    { "L hexagon",
-      { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } }, 3, 8, 6, 0.5,
-      90, 270, 2.5, 0.5890486225481 },
-    { "warped quad", { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, .5 }, { 0, 1, 0 } }, 1.06066017178,
-      4.2360679775, 4, 0.8944271909999, 78.46304096718, 90, 0.1281884336979, 0.7427801407227,
-      0.9746721852373 },
-  };
-  for (const Row& row : rows)
-  {
-    const Values values = EvaluateAll(MakePolygon(row.Polygon));
-    const auto expect = [&](const char* name, double expected)
-    { ExpectNear(expected, values.at(name)[0], 1e-10, std::string(row.Name) + ' ' + name); };
-    expect("Area", row.Area);
-    expect("Perimeter", row.Perimeter);
-    expect("VertexCount", row.Vertices);
-    expect("EdgeCount", row.Vertices);
-    expect("EdgeLengthRatio", row.EdgeLengthRatio);
-    expect("MinInteriorAngle", row.MinAngle);
-    expect("MaxInteriorAngle", row.MaxAngle);
-    expect("EquiangleSkewness", row.Skewness);
-    expect("IsoperimetricQuotient", row.Quotient);
-    expect("MinFaceFlatness", row.Flatness);
-  }
-}
-
 // The published table of triangles and tetrahedra.
 TEST(Criteria, ReferenceSimplices)
 {
