@@ -56,6 +56,7 @@ ARRAYS = {
         "FaceSkewness",
         "FaceWeight",
         "VolumeRatio",
+        "FacePyramidVolume",
     ],
     "Vertex": [
         "VertexCellCount",
