@@ -20,6 +20,7 @@
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArraySelection.h"
 #include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -31,6 +32,17 @@
 #include <exception>
 #include <functional>
 #include <utility>
+
+namespace
+{
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> ToIntegers(vtkDoubleArray* values)
+{
+  auto integers = vtkSmartPointer<vtkIdTypeArray>::New();
+  integers->DeepCopy(values);
+  return integers;
+}
+}
 
 vtkStandardNewMacro(vtkElementQuality);
 
@@ -321,7 +333,7 @@ void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leave
     for (const camaron::Criterion* criterion : criteria)
     {
       vtkDoubleArray* const array = arrays.at(criterion->Name)[leaf];
-      data->AddArray(array);
+      data->AddArray(criterion->IsNeverNull() ? ToIntegers(array) : array);
       if (this->WriteNullMask)
       {
         data->AddArray(camaron::MakeNullMask(array, leaves[leaf].Data));

@@ -7,7 +7,7 @@
  * Input: any vtkDataSet or composite of them. Output: the same type with one double cell array per
  * criterion, named like it, whose vtkDataArray::UNITS_LABEL() is "deg", "rad" or "sr", or not there (units of
  * the mesh); the worst one, see WorstCriterion.h, becomes the active cell scalars, by which the mesh is coloured at
- * first, unless none has a value. Where a criterion has no meaning or is undefined
+ * first, unless none has a value. CellStatus and CellTypeId, which every cell has, are vtkIdType arrays. Where a criterion has no meaning or is undefined
  * the value is NaN; where it grows without bound, +infinity. With WriteNullMask an unsigned char array
  * `<Name>_Null` tells why: 0 value, 1 not applicable to this shape, 2 degenerate, 3 invalid topology,
  * 4 no neighbour, 5 neighbour's piece unknown, 6 value of the corners of a higher-order cell.

@@ -31,8 +31,9 @@ double GetDistance(const Vector& p, const Vector& u, const Vector& q, const Vect
 }
 
 //------------------------------------------------------------------------------
-// Whether the segment from p to q crosses or touches the triangle.
-bool Crosses(const Vector& p, const Vector& q, const Vector& a, const Vector& b, const Vector& c)
+// Whether the segment from p to q crosses or touches the triangle, and where.
+bool Crosses(
+  const Vector& p, const Vector& q, const Vector& a, const Vector& b, const Vector& c, Vector& hit)
 {
   const Vector normal = Cross(b - a, c - a);
   const double height = Dot(normal, p - a), depth = Dot(normal, q - a);
@@ -40,7 +41,7 @@ bool Crosses(const Vector& p, const Vector& q, const Vector& a, const Vector& b,
   {
     return false;
   }
-  const Vector hit = p + (height / (height - depth)) * (q - p);
+  hit = p + (height / (height - depth)) * (q - p);
   return Dot(normal, Cross(b - a, hit - a)) >= 0 && Dot(normal, Cross(c - b, hit - b)) >= 0 &&
     Dot(normal, Cross(a - c, hit - c)) >= 0;
 }
@@ -51,6 +52,24 @@ bool HasPoint(const CellTopology& topology, int face, int point)
   const int* points = topology.GetFace(face);
   return std::find(points, points + topology.GetFaceSize(face), point) !=
     points + topology.GetFaceSize(face);
+}
+
+//------------------------------------------------------------------------------
+// Whether a place lies on an edge of a face.
+bool IsOnEdge(const CellGeometry& cell, int face, const Vector& place)
+{
+  const int* ring = cell.GetTopology().GetFace(face);
+  const int size = cell.GetTopology().GetFaceSize(face);
+  for (int i = 0; i < size; ++i)
+  {
+    const Vector& p = cell.GetPoint(ring[i]);
+    const Vector side = cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - p;
+    if (cell.IsZeroLength(GetDistance(p, side, place, Vector())))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 }
 
@@ -91,9 +110,12 @@ bool HasIntersectingEdges(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
+// An open cell may be so because its faces do not share the points at which they meet: what touches at their edges does
+// not intersect there.
 bool HasIntersectingFaces(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
+  const bool isOpen = std::isnan(cell.GetVolume());
   for (const CellTopology::Edge& edge : topology.Edges)
   {
     const Vector &p = cell.GetPoint(edge.Points[0]), &q = cell.GetPoint(edge.Points[1]);
@@ -107,8 +129,10 @@ bool HasIntersectingFaces(const CellGeometry& cell)
       const int size = topology.GetFaceSize(f);
       for (int i = 0; i < size; ++i)
       {
+        Vector hit;
         if (Crosses(p, q, cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]),
-              cell.GetFaceCenter(f)))
+              cell.GetFaceCenter(f), hit) &&
+          !(isOpen && IsOnEdge(cell, f, hit)))
         {
           return true;
         }

@@ -13,7 +13,10 @@ class CellGeometry;
 
 /// Whether two edges of a face meet that are not next to each other.
 bool HasIntersectingEdges(const CellGeometry& cell);
-/// Whether an edge goes through a face with which it has no point in common. With NeedsFaces.
+/**
+ * Whether an edge goes through a face with which it has no point in common, or touches it: where that one has no volume
+ * only within its edges. With NeedsFaces and NeedsVolume.
+ */
 bool HasIntersectingFaces(const CellGeometry& cell);
 }
 

@@ -155,6 +155,8 @@ struct Criterion
   CriterionNotes Notes;
   const char* Family = ""; ///< heading under which it is listed, from the list of families
 
+  /// So that its values can be integers.
+  bool IsNeverNull() const { return this->IsInteger && (this->AppliesTo & AnyCell) != 0; }
   bool HasAcceptableRange() const { return this->AcceptableSource[0] != '\0'; }
   /// See GetUnitLabel.
   std::string UnitLabel(AngleUnit angles = AngleUnit::Degrees) const;

@@ -59,26 +59,23 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
 }
 
 //------------------------------------------------------------------------------
-// The smallest measure(a, b, area) of the triangles of a polygon with an area, a and b relative to the centroid. Those
-// without one are left to the measure.
-template <typename Measure>
-double GetMinOfTriangles(const CellGeometry& cell, Measure&& measure)
+// Calls visit(a, b, area) for the triangles of a polygon with an area, a and b relative to the centroid.
+template <typename Visit>
+void ForEachTriangle(const CellGeometry& cell, Visit&& visit)
 {
   const int* ring = cell.GetTopology().GetFace(0);
   const int size = cell.GetTopology().GetFaceSize(0);
   const Vector normal = Unit(cell.GetFaceVector(0));
-  double smallest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < size; ++i)
   {
     const Vector a = cell.GetPoint(ring[i]) - cell.GetCentroid();
     const Vector b = cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetCentroid();
-    smallest = std::min(smallest, measure(a, b, 0.5 * Dot(normal, Cross(a, b))));
+    visit(a, b, 0.5 * Dot(normal, Cross(a, b)));
   }
-  return smallest;
 }
 
 //------------------------------------------------------------------------------
-// The same of any polygon, where flat triangles have 0.
+// The smallest measure(a, b, area) of them, where flat ones and those of a polygon without an area have 0.
 template <typename Measure>
 double MinOfTriangles(const CellGeometry& cell, Measure&& measure)
 {
@@ -86,13 +83,16 @@ double MinOfTriangles(const CellGeometry& cell, Measure&& measure)
   {
     return 0;
   }
-  return GetMinOfTriangles(cell,
+  double smallest = std::numeric_limits<double>::infinity();
+  ForEachTriangle(cell,
     [&](const Vector& a, const Vector& b, double area)
     {
       constexpr double tolerance = 1e-12;
-      const bool isFlat = 4 * area * area <= tolerance * tolerance * Norm2(a) * Norm2(b);
-      return isFlat || cell.IsZeroLength(Norm(b - a)) ? 0 : measure(a, b, area);
+      const bool isFlat = 4 * area * area <= tolerance * tolerance * Norm2(a) * Norm2(b) ||
+        cell.IsZeroLength(Norm(b - a));
+      smallest = std::min(smallest, isFlat ? 0 : measure(a, b, area));
     });
+  return smallest;
 }
 
 //------------------------------------------------------------------------------
@@ -102,29 +102,56 @@ bool IsPolygon(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-double GetMinPyramidVolume(const CellGeometry& cell)
+// The smallest and the largest volume of the pyramids over the faces; of a polygon with an area the areas of its
+// triangles.
+struct PyramidVolumes
+{
+  double Min = std::numeric_limits<double>::infinity();
+  double Max = -std::numeric_limits<double>::infinity();
+
+  explicit PyramidVolumes(const CellGeometry& cell)
+  {
+    if (IsPolygon(cell))
+    {
+      ForEachTriangle(cell, [this](const Vector&, const Vector&, double area) { this->Add(area); });
+      return;
+    }
+    for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+    {
+      this->Add(Dot(cell.GetFaceVector(f), cell.GetFaceCenter(f) - cell.GetCentroid()) / 3);
+    }
+  }
+
+private:
+  void Add(double volume)
+  {
+    this->Min = std::min(this->Min, volume);
+    this->Max = std::max(this->Max, volume);
+  }
+};
+
+//------------------------------------------------------------------------------
+// One of them, 0 of a polygon without an area.
+double GetPyramidVolume(const CellGeometry& cell, double PyramidVolumes::*which)
 {
   if (IsPolygon(cell))
   {
-    return cell.IsZeroArea(cell.GetPolygonArea())
-      ? 0
-      : GetMinOfTriangles(cell, [](const Vector&, const Vector&, double area) { return area; });
+    return cell.IsZeroArea(cell.GetPolygonArea()) ? 0 : PyramidVolumes(cell).*which;
   }
-  double smallest = std::numeric_limits<double>::infinity();
-  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
-  {
-    smallest = std::min(
-      smallest, Dot(cell.GetFaceVector(f), cell.GetFaceCenter(f) - cell.GetCentroid()) / 3);
-  }
-  return smallest;
+  return std::isnan(cell.GetVolume()) ? cell.GetVolume() : PyramidVolumes(cell).*which;
 }
 }
 
 //------------------------------------------------------------------------------
 double MinFacePyramidVolume(const CellGeometry& cell)
 {
-  const bool isOpen = !IsPolygon(cell) && std::isnan(cell.GetVolume());
-  return isOpen ? cell.GetVolume() : GetMinPyramidVolume(cell);
+  return GetPyramidVolume(cell, &PyramidVolumes::Min);
+}
+
+//------------------------------------------------------------------------------
+double MaxFacePyramidVolume(const CellGeometry& cell)
+{
+  return GetPyramidVolume(cell, &PyramidVolumes::Max);
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +161,7 @@ double MinFacePyramidRatio(const CellGeometry& cell)
   {
     const double area = cell.GetPolygonArea();
     return cell.IsZeroArea(area) ? Null(NullReason::Degenerate)
-                                 : GetMinPyramidVolume(cell) * cell.GetTopology().GetFaceSize(0) / area;
+                                 : PyramidVolumes(cell).Min * cell.GetTopology().GetFaceSize(0) / area;
   }
   const double volume = cell.GetVolume();
   if (std::isnan(volume))
@@ -143,7 +170,7 @@ double MinFacePyramidRatio(const CellGeometry& cell)
   }
   return cell.IsZeroVolume(volume)
     ? Null(NullReason::Degenerate)
-    : GetMinPyramidVolume(cell) * cell.GetTopology().GetNumberOfFaces() / std::abs(volume);
+    : PyramidVolumes(cell).Min * cell.GetTopology().GetNumberOfFaces() / std::abs(volume);
 }
 
 //------------------------------------------------------------------------------
@@ -219,6 +246,14 @@ std::vector<Criterion> DecompositionCriteria()
         "0 for a flat cell, negative for an inverted one or where C lies outside a face; null "
         "(invalid topology) for an open one.",
         "checkMesh counts the faces whose pyramid, of either cell, is not positive." } },
+    { "MaxFacePyramidVolume", "Largest face pyramid",
+      "Volume of the largest pyramid of a face and the centroid of the cell; of a polygon the area of the largest "
+      "triangle of an edge and the centroid.",
+      PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Edges, NeedsCentroid, CAMARON_CELLS(MaxFacePyramidVolume),
+      { "as `MinFacePyramidVolume`, the largest of the faces or edges", "As `MinFacePyramidVolume`.",
+        "No other program here reports it." } },
     { "MinFacePyramidRatio", "Smallest face pyramid, relative",
       "Volume of the smallest pyramid of a face and the centroid, times the number of faces, divided by "
       "the volume of the cell (of a polygon triangles, edges and area); 1 if all are equal.",

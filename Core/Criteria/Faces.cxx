@@ -13,7 +13,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The worst measure of the faces that have an area.
+// The smallest or largest measure of the faces that have an area.
 template <typename Measure, typename Choose>
 double ChooseOfRealFaces(const CellGeometry& cell, Measure&& measure, Choose&& choose)
 {
@@ -28,18 +28,42 @@ double ChooseOfRealFaces(const CellGeometry& cell, Measure&& measure, Choose&& c
   }
   return chosen;
 }
+
+//------------------------------------------------------------------------------
+double Smaller(double a, double b)
+{
+  return std::min(a, b);
+}
+
+//------------------------------------------------------------------------------
+double Larger(double a, double b)
+{
+  return std::max(a, b);
+}
 }
 
 //------------------------------------------------------------------------------
 double MinFaceFlatness(const CellGeometry& cell)
 {
-  return ChooseOfRealFaces(cell, GetFaceFlatness, [](double a, double b) { return std::min(a, b); });
+  return ChooseOfRealFaces(cell, GetFaceFlatness, Smaller);
+}
+
+//------------------------------------------------------------------------------
+double MaxFaceFlatness(const CellGeometry& cell)
+{
+  return ChooseOfRealFaces(cell, GetFaceFlatness, Larger);
+}
+
+//------------------------------------------------------------------------------
+double MinWarpage(const CellGeometry& cell)
+{
+  return ChooseOfRealFaces(cell, GetFaceWarpage, Smaller);
 }
 
 //------------------------------------------------------------------------------
 double MaxWarpage(const CellGeometry& cell)
 {
-  return ChooseOfRealFaces(cell, GetFaceWarpage, [](double a, double b) { return std::max(a, b); });
+  return ChooseOfRealFaces(cell, GetFaceWarpage, Larger);
 }
 
 //------------------------------------------------------------------------------
@@ -47,6 +71,18 @@ double MaxFaceConcavity(const CellGeometry& cell)
 {
   const double largest = cell.GetMaxFaceAngle();
   return std::isnan(largest) ? largest : cell.ToAngleUnit(std::max(0.0, largest - Pi));
+}
+
+//------------------------------------------------------------------------------
+double MinFaceConcavity(const CellGeometry& cell)
+{
+  double smallest = Null(NullReason::Degenerate);
+  for (int f = 0; f < cell.GetTopology().GetNumberOfFaces(); ++f)
+  {
+    const double concavity = GetFaceConcavity(cell, f);
+    smallest = std::isnan(smallest) ? concavity : Smaller(smallest, concavity);
+  }
+  return std::isnan(smallest) ? smallest : cell.ToAngleUnit(smallest);
 }
 
 //------------------------------------------------------------------------------
@@ -169,6 +205,12 @@ std::vector<Criterion> FaceCriteria()
         "are passed over; null (degenerate) when no face has an area.",
         "checkMesh's face flatness, except of planar faces that are not convex, which OpenFOAM calls "
         "warped." } },
+    { "MaxFaceFlatness", "Largest face flatness",
+      "Flatness, as of `MinFaceFlatness`, of the flattest face.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxFaceFlatness),
+      { "as `MinFaceFlatness`, the largest of the faces", "As `MinFaceFlatness`.",
+        "No other program here reports it per cell." } },
     { "MaxWarpage", "Largest warpage",
       "Largest distance of a vertex from the mean plane of its face divided by the largest distance from "
       "the centre of that face.",
@@ -180,6 +222,12 @@ std::vector<Criterion> FaceCriteria()
         "area.",
         "The measure by which VTK's Validate Cells (from 9.6) calls faces non-planar. Verdict's "
         "warpage is about normals of opposite corners and another thing." } },
+    { "MinWarpage", "Smallest warpage", "Warpage, as of `MaxWarpage`, of the least warped face.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Faces, NeedsFaces, CAMARON_CELLS(MinWarpage),
+      { "as `MaxWarpage`, the smallest of the faces", "As `MaxWarpage`.",
+        "No other program here reports it per cell." } },
     { "MaxFaceConcavity", "Largest face concavity",
       "How far the largest interior angle of a face exceeds 180 degrees; 0 for convex faces.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
@@ -189,6 +237,13 @@ std::vector<Criterion> FaceCriteria()
         "0 for a collinear triangle. Faces without an angle are passed over; null (degenerate) when "
         "none has one.",
         "The angle that OpenFOAM's maxConcave bounds." } },
+    { "MinFaceConcavity", "Smallest face concavity",
+      "Concavity, as of `MaxFaceConcavity`, of the least concave face; 0 if one is convex.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceConcavity),
+      { "as `MaxFaceConcavity`, the smallest of the faces", "As `MaxFaceConcavity`.",
+        "No other program here reports it per cell." } },
     { "CellConcavity", "Cell concavity",
       "Largest distance of the centre of a face outside the plane of a neighbouring face (of a polygon of the middle of "
       "an edge beyond a neighbouring edge), divided by the diameter; not above 0 where the cell is convex.",

@@ -16,13 +16,20 @@ using Facet = CellNeighborhood::Facet;
 using Side = CellNeighborhood::Side;
 
 //------------------------------------------------------------------------------
-// The worst of what facets have, or why there is none. A neighbour in another piece, of which nothing is
-// known, might be worse than all others.
-class Worst
+enum class End
+{
+  Smallest,
+  Largest
+};
+
+//------------------------------------------------------------------------------
+// The smallest or largest of what facets have, or why there is none. A neighbour in another piece, of which nothing is
+// known, might be beyond all others.
+class Extreme
 {
 public:
-  explicit Worst(bool largest)
-    : Sign(largest ? 1 : -1)
+  explicit Extreme(End end)
+    : Sign(end == End::Largest ? 1 : -1)
   {
   }
   void Add(double value)
@@ -58,127 +65,133 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The worst measure(facet) of the facets with a cell on the other side.
+// The smallest or largest measure(facet) of the facets with a cell on the other side.
 template <typename Measure>
-double WorstOfInnerFacets(const CellNeighborhood& cell, bool largest, Measure&& measure)
+double ExtremeOfInnerFacets(const CellNeighborhood& cell, End end, Measure&& measure)
 {
-  Worst worst(largest);
+  Extreme extreme(end);
   for (const Facet& facet : cell.GetFacets())
   {
     if (facet.Other == Side::Cell)
     {
-      worst.Add(measure(facet));
+      extreme.Add(measure(facet));
     }
     else if (facet.Other == Side::Missing)
     {
-      worst.AddMissing();
+      extreme.AddMissing();
     }
     else if (facet.Other == Side::NonManifold)
     {
-      worst.AddNonManifold();
+      extreme.AddNonManifold();
     }
   }
-  return worst.Get();
-}
+  return extreme.Get();
 }
 
 //------------------------------------------------------------------------------
-double MaxNonOrthogonality(const CellNeighborhood& cell)
+template <End end>
+double NonOrthogonality(const CellNeighborhood& cell)
 {
-  AngleRange angles; // of which only the largest costs an arc tangent
-  const double found = WorstOfInnerFacets(cell, true,
+  AngleRange angles; // of which only the one that is asked for costs an arc tangent
+  const double found = ExtremeOfInnerFacets(cell, end,
     [&](const Facet& facet)
     { return AddNonOrthogonality(cell, facet, angles) ? 0 : Null(NullReason::Degenerate); });
-  return std::isnan(found) ? found : cell.GetGeometry().ToAngleUnit(angles.GetMax());
+  return std::isnan(found)
+    ? found
+    : cell.GetGeometry().ToAngleUnit(end == End::Largest ? angles.GetMax() : angles.GetMin());
 }
 
 //------------------------------------------------------------------------------
-double MaxBoundaryNonOrthogonality(const CellNeighborhood& cell)
+template <End end>
+double BoundaryNonOrthogonality(const CellNeighborhood& cell)
 {
-  Worst worst(true);
+  Extreme extreme(end);
   for (const Facet& facet : cell.GetFacets())
   {
     if (facet.Other == Side::Boundary)
     {
-      worst.Add(GetBoundaryNonOrthogonality(cell, facet));
+      extreme.Add(GetBoundaryNonOrthogonality(cell, facet));
     }
     else if (facet.Other == Side::Missing)
     {
-      worst.AddMissing();
+      extreme.AddMissing();
     }
   }
-  const double angle = worst.Get();
+  const double angle = extreme.Get();
   return std::isnan(angle) ? angle : cell.GetGeometry().ToAngleUnit(angle);
 }
 
 //------------------------------------------------------------------------------
-double MaxFaceSkewness(const CellNeighborhood& cell)
+template <End end>
+double FaceSkewness(const CellNeighborhood& cell)
 {
-  Worst worst(true);
+  Extreme extreme(end);
   for (const Facet& facet : cell.GetFacets())
   {
     if (facet.Other == Side::Cell || facet.Other == Side::Boundary)
     {
-      worst.Add(GetFaceSkewness(cell, facet));
+      extreme.Add(GetFaceSkewness(cell, facet));
     }
     else if (facet.Other == Side::Missing)
     {
-      worst.AddMissing();
+      extreme.AddMissing();
     }
     else
     {
-      worst.AddNonManifold();
+      extreme.AddNonManifold();
     }
   }
-  return worst.Get();
+  return extreme.Get();
 }
 
 //------------------------------------------------------------------------------
-double MinFaceWeight(const CellNeighborhood& cell)
+template <End end>
+double FaceWeight(const CellNeighborhood& cell)
 {
-  return WorstOfInnerFacets(
-    cell, false, [&](const Facet& facet) { return GetFaceWeight(cell, facet); });
+  return ExtremeOfInnerFacets(
+    cell, end, [&](const Facet& facet) { return GetFaceWeight(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
-double MinVolumeRatio(const CellNeighborhood& cell)
+template <End end>
+double VolumeRatio(const CellNeighborhood& cell)
 {
   if (std::isnan(cell.GetSize()))
   {
     return cell.GetSize();
   }
-  return WorstOfInnerFacets(
-    cell, false, [&](const Facet& facet) { return GetVolumeRatio(cell, facet); });
+  return ExtremeOfInnerFacets(
+    cell, end, [&](const Facet& facet) { return GetVolumeRatio(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
 double CellVolumeRatio(const CellNeighborhood& cell)
 {
-  const double ratio = MinVolumeRatio(cell);
+  const double ratio = VolumeRatio<End::Smallest>(cell);
   return std::isnan(ratio) ? ratio : ratio > 0 ? 1 / ratio : Infinity;
 }
 
 //------------------------------------------------------------------------------
 double OrthogonalQuality(const CellNeighborhood& cell)
 {
-  Worst worst(false);
+  Extreme extreme(End::Smallest);
   // A vector of no length makes the quality 0.
   const auto unit = [&](const Vector& vector)
   { return cell.GetGeometry().IsZeroLength(Norm(vector)) ? Vector() : Unit(vector); };
   for (const Facet& facet : cell.GetFacets())
   {
     const Vector normal = facet.IsZero ? Vector() : (1 / facet.Size) * facet.Area;
-    worst.Add(Dot(normal, unit(facet.Way)));
+    extreme.Add(Dot(normal, unit(facet.Way)));
     if (facet.Other == Side::Cell)
     {
-      worst.Add(Dot(normal, unit(facet.Line)));
+      extreme.Add(Dot(normal, unit(facet.Line)));
     }
     else if (facet.Other == Side::Missing)
     {
-      worst.AddMissing();
+      extreme.AddMissing();
     }
   }
-  return worst.Get();
+  return extreme.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -218,6 +231,8 @@ double CellDeterminant(const CellNeighborhood& cell)
   return isPolygon ? moments.GetSumOfMinors() / ofSquare : moments.GetDeterminant() / ofCube;
 }
 
+}
+
 //------------------------------------------------------------------------------
 std::vector<Criterion> FiniteVolumeCriteria()
 {
@@ -228,7 +243,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       "above 90 the centroids are on the wrong sides.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, 65 }, "OpenFOAM's maxNonOrtho; checkMesh reports from 70", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxNonOrthogonality),
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Largest>),
       { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbour N; the "
         "largest of the inner faces",
         "Null (no neighbour) for a cell without neighbours. Collapsed faces, centroids in the same "
@@ -236,21 +251,37 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "when nothing is left.",
         "checkMesh's for planar convex faces, to the digits it prints. Fluent reports the cosine: see "
         "`OrthogonalQuality`." } },
+    { "MinNonOrthogonality", "Smallest non-orthogonality",
+      "Smallest angle between the line to the centroid of a neighbour and the normal of the face between: "
+      "how good the best face is.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Smallest>),
+      { "as `MaxNonOrthogonality`, the smallest of the inner faces", "As `MaxNonOrthogonality`.",
+        "No other program here reports it per cell." } },
     { "MaxBoundaryNonOrthogonality", "Largest non-orthogonality at the boundary",
       "Largest angle between the line to the centre of a boundary face and the normal of that face.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxBoundaryNonOrthogonality),
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Largest>),
       { "∠(c_f − P, S); the largest of the boundary faces",
         "90 for a flat tetrahedron, 180 for an inverted cell. Null (no neighbour) for a cell without "
         "boundary faces, null (degenerate) when all are collapsed.",
         "checkMesh does not look at boundary faces." } },
+    { "MinBoundaryNonOrthogonality", "Smallest non-orthogonality at the boundary",
+      "Smallest angle between the line to the centre of a boundary face and the normal of that face: how good "
+      "the best one is.",
+      PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Smallest>),
+      { "as `MaxBoundaryNonOrthogonality`, the smallest of the boundary faces",
+        "As `MaxBoundaryNonOrthogonality`.", "No other program here reports it per cell." } },
     { "MaxFaceSkewness", "Largest face skewness",
       "Largest distance of the centre of a face from where the line to the neighbour crosses it, relative "
       "to the size of the face in that direction; at the boundary as if the cell were mirrored.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 4 }, "OpenFOAM checkMesh for inner faces; 20 at the boundary", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MaxFaceSkewness),
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Largest>),
       { "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| over "
         "the points of the face); at the boundary d = n (n · w) and 0.4 instead of 0.2; the largest "
         "of the faces",
@@ -258,24 +289,46 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "passed over, null (degenerate) when all are. Inverted or not makes no difference.",
         "checkMesh's for planar convex faces, to the digits it prints. Fluent, Gmsh and Verdict mean other "
         "things by skewness." } },
+    { "MinFaceSkewness", "Smallest face skewness",
+      "Smallest skewness, as of `MaxFaceSkewness`, of the faces of the cell: how good the best one is.",
+      PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Smallest>),
+      { "as `MaxFaceSkewness`, the smallest of the faces",
+        "Infinite where d lies in the plane of every face; else as `MaxFaceSkewness`.",
+        "No other program here reports it per cell." } },
     { "MinFaceWeight", "Smallest face weight",
       "Smaller distance of a face from the two centroids, along its normal, divided by the sum of both.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
       { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinFaceWeight),
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Smallest>),
       { "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the smallest of the inner "
         "faces",
         "As `MaxNonOrthogonality`; 0 where a centroid lies in the plane of the face.",
         "checkMesh's \"face interpolation weight\" for planar convex faces, to the digits it prints." } },
+    { "MaxFaceWeight", "Largest face weight",
+      "Largest weight, as of `MinFaceWeight`, of the inner faces of the cell: how good the best one is.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Largest>),
+      { "as `MinFaceWeight`, the largest of the inner faces", "As `MinFaceWeight`.",
+        "No other program here reports it per cell." } },
     { "MinVolumeRatio", "Smallest volume ratio",
       "Smaller divided by larger volume (area) of the cell and a neighbour, the worst of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Real,
-      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(MinVolumeRatio),
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Smallest>),
       { "min(V_P, V_N) / max(V_P, V_N); the smallest of the neighbours",
         "0 where one of the two is flat or inverted; null (no neighbour) without neighbours, null "
         "(invalid topology) for an open cell.",
         "checkMesh's \"face volume ratio\", to the digits it prints." } },
+    { "MaxVolumeRatio", "Largest volume ratio",
+      "Smaller divided by larger volume (area) of the cell and a neighbour, the best of all neighbours.",
+      PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
+      { -Infinity, Infinity }, NoRange, Cited, Real,
+      Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Largest>),
+      { "min(V_P, V_N) / max(V_P, V_N); the largest of the neighbours", "As `MinVolumeRatio`.",
+        "No other program here reports it per cell." } },
     { "CellVolumeRatio", "Size growth",
       "Larger divided by smaller volume (area) of the cell and a neighbour, the worst of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,

@@ -3,6 +3,7 @@
 #include "Criteria/CellIntersections.h"
 #include "Criteria/CellStatusBits.h"
 #include "Criteria/CriterionRows.h"
+#include "Mesh/PinchedPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,7 +88,9 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
   status |= Flag(hasVolume && (volume < 0 || cell.IsZeroVolume(volume)), InvertedOrZeroVolume);
   status |= Flag(FaceOrientationStatus(cell) > 0, FacesAreOrientedIncorrectly);
   status |= Flag(Openness(cell) > OpennessLimit, OpenCell);
-  status |= Flag(hasVolume && GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology,
+  // Without a volume no angles tell of edges with several faces, whose ends are not manifold either.
+  status |= Flag(hasVolume ? GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology
+                           : (status & NonManifoldEdge) || HasPinchedPoints(topology),
     NonManifoldVertex);
   status |= Flag(cell.GetMaxDihedralAngle() > HalfTurn + tolerance || CellConcavity(cell) > tolerance ||
       (hasVolume && topology.GetNumberOfShells() > 1),
@@ -159,8 +162,9 @@ unsigned FindStatus(const CellGeometry& cell)
   else
   {
     status |= CheckPolyhedron(cell);
-    // The faces of a convex cell do not meet; looking is expensive.
-    status |= Flag((status & Nonconvex) && HasIntersectingFaces(cell), IntersectingFaces);
+    // The faces of a closed convex cell do not meet; looking is expensive.
+    const bool mayIntersect = (status & Nonconvex) || std::isnan(cell.GetVolume());
+    status |= Flag(mayIntersect && HasIntersectingFaces(cell), IntersectingFaces);
   }
   return status;
 }
@@ -210,11 +214,12 @@ std::vector<Criterion> ValidityCriteria()
       "32768 inverted or no volume, 65536 edge of no length, 131072 not star-shaped (only where IsStarShaped is "
       "evaluated, too), 262144 coordinates that are not finite, 524288 face vectors that do not cancel. The first "
       "nine as in VTK's Validate Cells.",
-      PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
+      AnyCell, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
       { -Infinity, 0 }, "nothing wrong", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
       { "sum of bits, each of one test of the cell",
-        "Has a value for every polygon and polyhedron; of one with coordinates that are not finite "
-        "only that bit.",
+        "Has a value for every cell, 0 of points and lines, so that it is an array of integers; of a cell with "
+        "coordinates that are not finite only that bit. Faces of an open cell that touch each other's edges, as where "
+        "their points are not merged, do not intersect.",
         "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For cells with planar "
         "faces the answers are the same, except that VTK calls cells with inward faces not convex, and the "
         "faces of a cell that has a face not convex wrongly oriented; does not look how the faces of "

@@ -139,6 +139,7 @@ TEST(CellShells, Void)
       // Seen from the centroid, at x = (27 3/2 - 1) / 26, the wall of the void at x = 1/2 faces
       // away.
       EXPECT_NEAR(values.at("MinFacePyramidVolume")[0], (0.5 - 79.0 / 52) / 3, 1e-12);
+      EXPECT_NEAR(values.at("MaxFacePyramidVolume")[0], 9 * 79.0 / 52 / 3, 1e-12);
     });
 }
 

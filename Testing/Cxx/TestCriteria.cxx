@@ -160,7 +160,7 @@ TEST(Criteria, ValuesByHand)
         { "EdgeDiameterRatio", 1 / std::sqrt(21.0) }, { "MeanEdgeLength", 7.0 / 3 } } },
     { "sheared hex", { { "CornerScaledJacobian", std::sqrt(0.5) } } },
     { "L-prism",
-      { { "CornerScaledJacobian", -1 }, { "MaxFaceConcavity", 90 }, { "CellConcavity", 1.0 / 6 },
+      { { "CornerScaledJacobian", -1 }, { "MinFaceConcavity", 0 }, { "MaxFaceConcavity", 90 }, { "CellConcavity", 1.0 / 6 },
         { "MinFaceVertexCount", 4 }, { "MaxFaceVertexCount", 6 } } },
   };
   for (const auto& shape : expected)
@@ -602,8 +602,8 @@ TEST(Criteria, ExtremeSizes)
   meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
   meshes.emplace_back("polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
   // Those that compare sizes of cells are null where these are no numbers; Verdict's have only 11 digits of 1/3.
-  const std::set<std::string> comparing = { "RelativeSize", "MinVolumeRatio", "CellVolumeRatio",
-    "VerdictRelativeSizeSquared", "VerdictShapeAndSize", "VerdictShearAndSize" };
+  const std::set<std::string> comparing = { "RelativeSize", "MinVolumeRatio", "MaxVolumeRatio",
+    "CellVolumeRatio", "VerdictRelativeSizeSquared", "VerdictShapeAndSize", "VerdictShearAndSize" };
   for (const auto& mesh : meshes)
   {
     const auto scaled = [&mesh](int exponent)

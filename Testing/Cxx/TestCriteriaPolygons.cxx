@@ -87,6 +87,7 @@ TEST(CriteriaPolygons, CutAtTheCentroid)
   const Values corner =
     EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } }));
   EXPECT_NEAR(Get(corner, "MinFacePyramidVolume"), 1.0 / 12, 1e-15);
+  EXPECT_NEAR(Get(corner, "MaxFacePyramidVolume"), 5.0 / 6, 1e-15);
   EXPECT_NEAR(Get(corner, "MinFacePyramidRatio"), 6.0 / 12 / 3, 1e-15);
   EXPECT_NEAR(Get(corner, "MinTetVolume"), 1.0 / 12, 1e-15);
   EXPECT_NEAR(Get(corner, "CellConcavity"), 0.5 / std::sqrt(8.0), 1e-15);

@@ -104,6 +104,36 @@ TEST(CriteriaValidity, Validity)
   points = corners;
   points[6][2] = -0.5;
   EXPECT_NE(status(MakePolyhedron(points, outward)) & IntersectingFaces, 0u);
+  // Open ones: with a corner pushed down through the middle of the bottom, unless that is the face that is not there.
+  points[6] = { 0.5, 0.5, -0.5 };
+  for (const auto& missing : outward)
+  {
+    Faces open = outward;
+    open.erase(std::find(open.begin(), open.end(), missing));
+    const bool isBottom = *std::max_element(missing.begin(), missing.end()) < 4;
+    EXPECT_EQ((status(MakePolyhedron(points, open)) & IntersectingFaces) != 0, !isBottom);
+    EXPECT_EQ(status(MakePolyhedron(corners, open)) & IntersectingFaces, 0u);
+  }
+  // Faces that meet everywhere but share no points, as a cube of loose squares, or of one and two rectangles at a side.
+  Points loose;
+  Faces looseFaces;
+  for (const auto& face : outward)
+  {
+    looseFaces.emplace_back();
+    for (const vtkIdType id : face)
+    {
+      looseFaces.back().push_back(static_cast<vtkIdType>(loose.size()));
+      loose.push_back(corners[id]);
+    }
+  }
+  EXPECT_EQ(status(MakePolyhedron(loose, looseFaces)) & (IntersectingFaces | NotWatertight), NotWatertight);
+  points = corners;
+  points.insert(points.end(), { { 0.5, 0, 0 }, { 0.5, 0, 1 } });
+  EXPECT_EQ(status(MakePolyhedron(points,
+              { { 0, 8, 9, 4 }, { 8, 1, 5, 9 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 4, 7, 3 }, { 1, 2, 6, 5 },
+                { 2, 3, 7, 6 } })) &
+      (IntersectingFaces | NotWatertight),
+    NotWatertight);
 
   // Two tetrahedra that meet in one point, as one cell.
   const Points pair = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
@@ -113,6 +143,16 @@ TEST(CriteriaValidity, Validity)
                 { 4, 6, 5 } })) &
       (NonManifoldVertex | NotWatertight),
     NonManifoldVertex);
+
+  // The same with one of them open, or both; and one with an edge of three faces and open ones.
+  const Faces ofPair = { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 0, 4, 5 }, { 0, 5, 6 }, { 0, 6, 4 }, { 4, 6, 5 } };
+  const unsigned ofTopology = NonManifoldVertex | NotWatertight | NonManifoldEdge | IntersectingFaces;
+  EXPECT_EQ(status(MakePolyhedron(pair, ofPair)) & ofTopology, NonManifoldVertex | NotWatertight);
+  EXPECT_EQ(status(MakePolyhedron(pair, Faces(ofPair.begin(), ofPair.end() - 1))) & ofTopology,
+    NonManifoldVertex | NotWatertight);
+  EXPECT_EQ(status(MakePolyhedron(pair, { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 0, 1, 4 } })) & ofTopology,
+    NonManifoldVertex | NotWatertight | NonManifoldEdge);
+  EXPECT_EQ(status(MakePolyhedron(pair, Faces(ofPair.begin(), ofPair.begin() + 3))) & ofTopology, NotWatertight);
 
   // Two that meet in an edge, which then has four faces.
   const Grid hinge = MakePolyhedron(pair,
@@ -318,14 +358,14 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
     EXPECT_EQ(GetNullReason(values["TetRadiusRatio"][0]), NullReason::NotApplicable);
   }
 
-  // Points, lines and empty cells are null for everything but their type.
+  // Points, lines and empty cells are null for everything that can be: their type is not, and nothing is wrong with them.
   const Grid others =
     MakeGrid(points, { { VTK_VERTEX, { 0 } }, { VTK_LINE, { 0, 1 } }, { VTK_EMPTY_CELL, {} } });
   for (const auto& row : EvaluateAll(others))
   {
     for (int i = 0; i < 3; ++i)
     {
-      EXPECT_EQ(std::isnan(row.second[i]), row.first != "CellTypeId") << row.first;
+      EXPECT_EQ(std::isnan(row.second[i]), !FindCriterion(row.first)->IsNeverNull()) << row.first;
     }
   }
 }

@@ -235,6 +235,20 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertEqual(int(found[2][0]) - int(found[0][0]), 0x20000)
         self.assertEqual(found[3], found[0])
 
+    def test_values_of_every_cell(self):
+        """What every cell has comes as integers, so that scripts can look at its bits; nothing else does."""
+        points = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 0.5, 0)]  # the quadrilateral is not convex
+        cells = [(9, [0, 1, 2, 3]), (5, [0, 1, 2]), (3, [0, 1]), (1, [0])]
+        path = camaron_testing.write_vtk(self.folder / "kinds.vtk", points, cells)
+        source = simple.LegacyVTKReader(FileNames=[str(path)])
+        names = ["CellStatus", "CellTypeId", "VertexCount"]
+        data = self.fetch(simple.ElementQuality(Input=source, Criteria=names)).GetCellData()
+        status, types, counts = (vtk_to_numpy(data.GetArray(name)) for name in names)
+        self.assertEqual((status & 0x10).tolist(), [0x10, 0, 0, 0])
+        self.assertEqual((status[1:].tolist(), types.tolist()), ([0, 0, 0], [9, 5, 3, 1]))
+        self.assertEqual((types.dtype, counts.dtype), (numpy.int64, numpy.float64))
+        self.assertEqual(numpy.isnan(counts).tolist(), [False, False, True, True])
+
     def test_defaults_of_proxy(self):
         """What the XML ticks is the preset Overview."""
         filter_ = simple.ElementQuality(Input=simple.Wavelet())
