@@ -154,7 +154,10 @@ public:
     return this->LengthExponent == 0 ? value : this->Rescale(value, dimension);
   }
   Vector ToMesh(const Vector& place) const;
-  Vector ToCell(const Vector& place) const;
+  Vector ToCell(const Vector& place) const
+  {
+    return this->LengthExponent == 0 ? place - this->Origin : this->Rescale(place - this->Origin);
+  }
   ///@}
 
   ///@{
@@ -272,7 +275,11 @@ private:
   void LoadPolygon(const MeshView& mesh, const CellShape& shape, const IndexRange& points);
   void LoadPolyhedron(const MeshView& mesh, vtkIdType cell);
   template <typename Id>
+  void LoadCorners(const MeshView& mesh, const Id* ids, int size);
+  template <typename Id>
   void NumberPoints(const MeshView& mesh, const Id* ids, int size, int* numbers);
+  template <typename Id>
+  void TakePoints(const MeshView& mesh, const Id* ids, const int* corners, int count);
   /// Edges may wait until Compute is asked for something that needs them; simple shapes are told by them.
   void FindOwnTopology(bool edgesCanWait = false);
 
@@ -284,6 +291,7 @@ private:
   void CheckCoordinates();
   void ChooseUnit();
   double Rescale(double value, int dimension) const;
+  Vector Rescale(const Vector& offset) const;
   Scale GetScale(double diameter) const;
   const Scale& GetBoxScale() const
   {
@@ -296,16 +304,27 @@ private:
   void ComputeBoxScale() const;
   void ComputeEdges();
   void ComputeFaces(bool withMoments);
-  void ComputeTriangles(const CellTopology::FacePair& pair, bool withMoments);
-  void ComputeQuadrilaterals(const CellTopology::FacePair& pair, bool withMoments);
-  void ComputePolygons(const CellTopology::FacePair& pair, bool withMoments);
-  template <typename Weigh>
-  void ComputeCenters(const CellTopology::FacePair& pair, bool withMoments, const VectorPair& mean,
-    const VectorPair& sum, Weigh&& weigh);
-  void KeepFaces(const CellTopology::FacePair& pair, const VectorPair& areas,
-    const VectorPair& centers, const Pair& sizes);
-  void KeepMoments(const CellTopology::FacePair& pair, const VectorPair& moments);
+  void ComputeFacesInQuads(bool withMoments);
+  template <typename Group>
+  void ComputeFacesIn(bool withMoments);
+  template <typename Group>
+  void ComputeTriangles(const Group& group, bool withMoments);
+  template <typename Group>
+  void ComputeQuadrilaterals(const Group& group, bool withMoments);
+  template <typename Group>
+  void ComputePolygons(const Group& group, bool withMoments);
+  template <typename Group, typename Weigh>
+  void ComputeCenters(const Group& group, bool withMoments, const typename Group::Vectors& mean,
+    const typename Group::Vectors& sum, Weigh&& weigh);
+  template <typename Group>
+  void KeepFaces(const Group& group, const typename Group::Vectors& areas,
+    const typename Group::Vectors& centers, const typename Group::Lanes& sizes);
+  template <typename Group>
+  void KeepMoments(const Group& group, const typename Group::Vectors& moments);
   void ComputeFanAreas() const;
+  void ComputeFanAreasInQuads() const;
+  template <typename Group>
+  void ComputeFanAreasIn() const;
   void ComputeVolume();
   double SumVolume() const;
   /// Not one that another type collapses to, whose points are in any order.

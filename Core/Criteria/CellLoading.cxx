@@ -160,10 +160,9 @@ Vector CellGeometry::ToMesh(const Vector& place) const
 }
 
 //------------------------------------------------------------------------------
-Vector CellGeometry::ToCell(const Vector& place) const
+Vector CellGeometry::Rescale(const Vector& offset) const
 {
-  const Vector offset = place - this->Origin;
-  return this->LengthExponent == 0 ? offset : TimesPowerOfTwo(offset, -this->LengthExponent);
+  return TimesPowerOfTwo(offset, -this->LengthExponent);
 }
 
 //------------------------------------------------------------------------------
@@ -263,15 +262,13 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
     offsets[f + 1] = static_cast<int>(corners.Size);
   }
   const int size = offsets[faces.Size];
-  this->OwnTopologies.FacePoints.resize(size);
-  int* numbers = this->OwnTopologies.FacePoints.data();
   if (isOneRun && corners.Values.Values32)
   {
-    this->NumberPoints(mesh, corners.Values.Values32 + corners.Begin, size, numbers);
+    this->LoadCorners(mesh, corners.Values.Values32 + corners.Begin, size);
   }
   else if (isOneRun && corners.Values.Values64)
   {
-    this->NumberPoints(mesh, corners.Values.Values64 + corners.Begin, size, numbers);
+    this->LoadCorners(mesh, corners.Values.Values64 + corners.Begin, size);
   }
   else
   {
@@ -285,10 +282,26 @@ void CellGeometry::LoadPolyhedron(const MeshView& mesh, vtkIdType cell)
         *to++ = points[i];
       }
     }
-    this->NumberPoints(mesh, this->CornerIds.data(), size, numbers);
+    this->LoadCorners(mesh, this->CornerIds.data(), size);
   }
-  this->FindOwnTopology(this->NumberOfPoints > MaxSimpleNodes);
   this->Shapes = Polyhedra | FindSimpleShape(*this->Topology);
+}
+
+//------------------------------------------------------------------------------
+// Takes the points of faces whose sizes are known, and the topology that they make.
+template <typename Id>
+void CellGeometry::LoadCorners(const MeshView& mesh, const Id* ids, int size)
+{
+  if (RecentTopologies::Recent* const recent = this->OwnTopologies.Recognize(ids))
+  {
+    this->TakePoints(mesh, ids, recent->PointCorners.data(), recent->Topology.NumberOfPoints);
+    this->OwnTopology = &recent->Topology;
+    this->Topology = this->OwnTopology;
+    return;
+  }
+  this->OwnTopologies.FacePoints.resize(size);
+  this->NumberPoints(mesh, ids, size, this->OwnTopologies.FacePoints.data());
+  this->FindOwnTopology(this->NumberOfPoints > MaxSimpleNodes);
 }
 
 //------------------------------------------------------------------------------
@@ -298,6 +311,13 @@ void CellGeometry::NumberPoints(const MeshView& mesh, const Id* ids, int size, i
 {
   thread_local LocalNumbers numbering; // one for all cells of a thread stays in the nearest cache
   const int count = numbering.Number(size, [ids](int i) { return ids[i]; }, numbers);
+  this->TakePoints(mesh, ids, numbering.GetFirsts(), count);
+}
+
+//------------------------------------------------------------------------------
+template <typename Id>
+void CellGeometry::TakePoints(const MeshView& mesh, const Id* ids, const int* corners, int count)
+{
   this->NumberOfPoints = count;
   this->PointIds.resize(count);
   if (this->Points.size() < static_cast<std::size_t>(count))
@@ -307,7 +327,7 @@ void CellGeometry::NumberPoints(const MeshView& mesh, const Id* ids, int size, i
   double x[3];
   for (int point = 0; point < count; ++point)
   {
-    const vtkIdType id = ids[numbering.GetFirst(point)];
+    const vtkIdType id = ids[corners[point]];
     this->PointIds[point] = id;
     mesh.GetPoint(id, x);
     if (point == 0)

@@ -171,7 +171,7 @@ void CellNeighborhood::FindOther(
     facet.Other = isGhost || this->IsPieceWithoutGhosts ? Side::Missing : Side::Boundary;
     return;
   }
-  if (cells.First == cells.Second || table.GetNumberOfCells(use.Facet()) > 2)
+  if (cells.First == cells.Second || table.HasMoreThanTwoCells(use.Facet()))
   {
     facet.Other = Side::NonManifold;
     return;
@@ -184,13 +184,16 @@ void CellNeighborhood::FindOther(
 
 //------------------------------------------------------------------------------
 // What several criteria make of a facet.
-void CellNeighborhood::AddFacet(Facet& facet)
+void CellNeighborhood::Finish(Facet& facet) const
 {
   facet.IsZero =
     this->IsPolygon ? this->Geometry->IsZeroLength(facet.Size) : this->Geometry->IsZeroArea(facet.Size);
   facet.Way = facet.Center - this->GetCentroid();
-  facet.Line = facet.OtherCentroid - this->GetCentroid();
-  this->Facets.push_back(facet);
+  facet.WayLength = Norm(facet.Way);
+  facet.AreaByWay = Dot(facet.Area, facet.Way);
+  facet.Line = facet.Other == Side::Cell ? facet.OtherCentroid - this->GetCentroid() : Vector();
+  facet.LineLength = Norm(facet.Line);
+  facet.AreaByLine = Dot(facet.Area, facet.Line);
 }
 
 //------------------------------------------------------------------------------
@@ -219,7 +222,6 @@ void CellNeighborhood::FindUsesOfRing()
 bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
 {
   this->Geometry = &geometry;
-  this->Facets.clear();
   this->IsPolygon = (geometry.GetShapes() & Polygons) != 0;
   this->Size = this->Centers.Sizes[cell];
   const CellTopology& topology = geometry.GetTopology();
@@ -230,17 +232,19 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     this->FindUsesOfRing();
     if (size == 0 || size != static_cast<int>(this->UsesOfRing.size()))
     {
+      this->Facets.clear();
       return false;
     }
     // A polygon without an area has no plane: its edges are as if they were collapsed.
     const Vector normal =
       geometry.IsZeroArea(geometry.GetFaceArea(0)) ? Vector() : Unit(geometry.GetFaceVector(0));
     const int* ring = topology.GetFace(0);
+    this->Facets.resize(size);
     for (int i = 0; i < size; ++i)
     {
       const Vector &a = geometry.GetPoint(ring[i]),
                    &b = geometry.GetPoint(ring[i + 1 < size ? i + 1 : 0]);
-      Facet facet;
+      Facet& facet = this->Facets[i];
       facet.Area = Cross(b - a, normal);
       facet.Size = Norm(facet.Area);
       facet.Center = 0.5 * (a + b);
@@ -248,14 +252,16 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
       facet.Use = this->UsesOfRing[i];
       this->FindOther(
         cell, uses[facet.Use], *this->Edges, this->Links ? &this->Links->Edges : nullptr, facet);
-      this->AddFacet(facet);
+      this->Finish(facet);
     }
     return true;
   }
   const FacetTable::Range uses = this->Faces->GetCellFacets(cell);
-  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  const int numberOfFaces = topology.GetNumberOfFaces();
+  this->Facets.resize(numberOfFaces);
+  for (int f = 0; f < numberOfFaces; ++f)
   {
-    Facet facet;
+    Facet& facet = this->Facets[f];
     facet.Area = geometry.GetFaceVector(f);
     facet.Size = geometry.GetFaceArea(f);
     facet.Center = geometry.GetFaceCenter(f);
@@ -263,7 +269,7 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     facet.Use = topology.FaceNumbers[f];
     this->FindOther(cell, uses[facet.Use], *this->Faces,
       this->Links ? &this->Links->Faces : nullptr, facet);
-    this->AddFacet(facet);
+    this->Finish(facet);
   }
   return true;
 }

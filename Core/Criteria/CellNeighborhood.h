@@ -66,9 +66,13 @@ public:
     bool IsZero = false; ///< collapsed
     Vector Center;
     Vector Way;    ///< from the centroid of the cell to Center
+    double WayLength = 0;
+    double AreaByWay = 0; ///< scalar product
     Side Other = Side::Boundary;
     Vector OtherCentroid;
-    Vector Line;   ///< from the centroid of the cell to OtherCentroid
+    Vector Line;   ///< from the centroid of the cell to OtherCentroid; zero if there is none
+    double LineLength = 0;
+    double AreaByLine = 0; ///< scalar product
     double OtherSize = 0;
     int Number = 0; ///< of the face or edge in the topology of the cell
     int Use = 0;    ///< its place among the facets of the cell in the table
@@ -109,7 +113,7 @@ public:
   }
 
 private:
-  void AddFacet(Facet& facet);
+  void Finish(Facet& facet) const;
   void FindUsesOfRing();
   void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links,
     Facet& facet);

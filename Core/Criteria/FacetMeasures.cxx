@@ -23,31 +23,33 @@ double GetAngle(const Vector& a, const Vector& b)
 }
 
 //------------------------------------------------------------------------------
-bool AddNonOrthogonality(const CellNeighborhood& cell, const Facet& facet, AngleRange& angles)
+double GetLean(const CellNeighborhood& cell, const Facet& facet)
 {
-  const Vector& line = facet.Line;
-  const double length = Norm(line); // NaN where the other cell has no centroid
-  if (facet.IsZero || std::isnan(length) || cell.GetGeometry().IsZeroLength(length))
+  // The length is no number where the other cell has no centroid.
+  if (facet.IsZero || std::isnan(facet.LineLength) || cell.GetGeometry().IsZeroLength(facet.LineLength))
   {
-    return false;
+    return Null(NullReason::Degenerate);
   }
-  angles.Add(Norm(Cross(line, facet.Area)), Dot(line, facet.Area));
-  return true;
+  return -facet.AreaByLine * std::abs(facet.AreaByLine) / Norm2(Cross(facet.Line, facet.Area));
+}
+
+//------------------------------------------------------------------------------
+double GetAngleOfLean(double lean)
+{
+  return std::isnan(lean) ? lean : std::atan2(1, std::copysign(std::sqrt(std::abs(lean)), -lean));
 }
 
 //------------------------------------------------------------------------------
 double GetNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
 {
-  AngleRange angle;
-  AddNonOrthogonality(cell, facet, angle);
-  return angle.GetMax();
+  return GetAngleOfLean(GetLean(cell, facet));
 }
 
 //------------------------------------------------------------------------------
 double GetBoundaryNonOrthogonality(const CellNeighborhood& cell, const Facet& facet)
 {
   const Vector& way = facet.Way;
-  return facet.IsZero || cell.GetGeometry().IsZeroLength(Norm(way))
+  return facet.IsZero || cell.GetGeometry().IsZeroLength(facet.WayLength)
     ? Null(NullReason::Degenerate)
     : GetAngle(way, facet.Area);
 }
@@ -59,34 +61,33 @@ double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
   {
     return Null(NullReason::Degenerate);
   }
+  // At the boundary as if a mirrored cell lay beyond.
   const bool isBoundary = facet.Other == Side::Boundary;
-  const Vector& way = facet.Way;
-  Vector line = facet.Line;
-  if (isBoundary)
-  {
-    // As if a mirrored cell lay beyond.
-    const Vector normal = Unit(facet.Area);
-    line = Dot(normal, way) * normal;
-  }
-  const double across = Dot(facet.Area, line);
-  if (cell.GetGeometry().IsZeroLength(std::abs(across) / facet.Size))
+  const double across = isBoundary ? facet.AreaByWay : facet.AreaByLine;
+  const double height = std::abs(across) / facet.Size;
+  if (cell.GetGeometry().IsZeroLength(height))
   {
     return Infinity;
   }
-  const Vector offset = way - (Dot(facet.Area, way) / across) * line;
-  const double distance = Norm(offset);
-  const Vector direction = Unit(offset);
-  double reach = (isBoundary ? 0.4 : 0.2) * Norm(line);
+  const Vector offset = isBoundary ? facet.Way - (across / (facet.Size * facet.Size)) * facet.Area
+                                   : facet.Way - (facet.AreaByWay / across) * facet.Line;
+  const double square = Norm2(offset);
+  if (square == 0)
+  {
+    return 0;
+  }
+  // All lengths times that of the offset.
+  double reach = (isBoundary ? 0.4 * height : 0.2 * facet.LineLength) * std::sqrt(square);
   cell.ForEachPoint(facet,
     [&](const Vector& point)
-    { reach = std::max(reach, std::abs(Dot(direction, point - facet.Center))); });
-  return distance / reach;
+    { reach = std::max(reach, std::abs(Dot(offset, point - facet.Center))); });
+  return square / reach;
 }
 
 //------------------------------------------------------------------------------
 double GetFaceWeight(const CellNeighborhood& cell, const Facet& facet)
 {
-  const double own = std::abs(Dot(facet.Area, facet.Way));
+  const double own = std::abs(facet.AreaByWay);
   const double other = std::abs(Dot(facet.Area, facet.OtherCentroid - facet.Center));
   const double distance = own + other;
   return facet.IsZero || cell.GetGeometry().IsZeroLength(distance / facet.Size)
@@ -110,9 +111,9 @@ double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
 {
   if (cell.GetGeometry().GetShapes() & Polygons)
   {
-    return Dot(facet.Area, facet.Way) / 2; // that of the other one lies in another plane
+    return facet.AreaByWay / 2; // that of the other one lies in another plane
   }
-  const double own = Dot(facet.Area, facet.Way) / 3;
+  const double own = facet.AreaByWay / 3;
   return facet.Other == Side::Cell
     ? std::min(own, Dot(facet.Area, facet.OtherCentroid - facet.Center) / 3)
     : own;
@@ -121,8 +122,7 @@ double GetFacePyramidVolume(const CellNeighborhood& cell, const Facet& facet)
 //------------------------------------------------------------------------------
 double GetFaceTwist(const CellNeighborhood& cell, const Facet& facet)
 {
-  const Vector end = facet.Other == Side::Cell ? facet.OtherCentroid : facet.Center;
-  const Vector line = end - cell.GetCentroid();
+  const Vector& line = facet.Other == Side::Cell ? facet.Line : facet.Way;
   const CellGeometry& geometry = cell.GetGeometry();
   double smallest = Null(NullReason::Degenerate);
   if (geometry.IsZeroLength(Norm(line)))

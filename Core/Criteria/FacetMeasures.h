@@ -15,9 +15,11 @@ namespace camaron
 {
 /// Angle between the line to the other centroid and the vector area.
 double GetNonOrthogonality(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
-/// The same into a range; false where it is null.
-bool AddNonOrthogonality(
-  const CellNeighborhood& cell, const CellNeighborhood::Facet& facet, AngleRange& angles);
+///@{
+/// A number that grows with that angle and takes no roots: minus its cotangent times the size of that. And back again.
+double GetLean(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
+double GetAngleOfLean(double lean);
+///@}
 /// Angle between the line to the centre of the facet and the vector area.
 double GetBoundaryNonOrthogonality(
   const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);

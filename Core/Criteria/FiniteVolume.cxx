@@ -92,13 +92,9 @@ double ExtremeOfInnerFacets(const CellNeighborhood& cell, End end, Measure&& mea
 template <End end>
 double NonOrthogonality(const CellNeighborhood& cell)
 {
-  AngleRange angles; // of which only the one that is asked for costs an arc tangent
-  const double found = ExtremeOfInnerFacets(cell, end,
-    [&](const Facet& facet)
-    { return AddNonOrthogonality(cell, facet, angles) ? 0 : Null(NullReason::Degenerate); });
-  return std::isnan(found)
-    ? found
-    : cell.GetGeometry().ToAngleUnit(end == End::Largest ? angles.GetMax() : angles.GetMin());
+  const double lean =
+    ExtremeOfInnerFacets(cell, end, [&](const Facet& facet) { return GetLean(cell, facet); });
+  return std::isnan(lean) ? lean : cell.GetGeometry().ToAngleUnit(GetAngleOfLean(lean));
 }
 
 //------------------------------------------------------------------------------
@@ -175,16 +171,18 @@ double CellVolumeRatio(const CellNeighborhood& cell)
 double OrthogonalQuality(const CellNeighborhood& cell)
 {
   Extreme extreme(End::Smallest);
-  // A vector of no length makes the quality 0.
-  const auto unit = [&](const Vector& vector)
-  { return cell.GetGeometry().IsZeroLength(Norm(vector)) ? Vector() : Unit(vector); };
   for (const Facet& facet : cell.GetFacets())
   {
-    const Vector normal = facet.IsZero ? Vector() : (1 / facet.Size) * facet.Area;
-    extreme.Add(Dot(normal, unit(facet.Way)));
+    // A vector of no length makes the quality 0.
+    const auto getCosine = [&](double product, double length)
+    {
+      const bool isZero = facet.IsZero || cell.GetGeometry().IsZeroLength(length);
+      return isZero ? 0 : product / (facet.Size * length);
+    };
+    extreme.Add(getCosine(facet.AreaByWay, facet.WayLength));
     if (facet.Other == Side::Cell)
     {
-      extreme.Add(Dot(normal, unit(facet.Line)));
+      extreme.Add(getCosine(facet.AreaByLine, facet.LineLength));
     }
     else if (facet.Other == Side::Missing)
     {

@@ -49,8 +49,14 @@ void CellTopology::Take(int numberOfPoints, std::vector<int>& faceOffsets, std::
 bool CellTopology::Knows(
   int numberOfPoints, const std::vector<int>& faceOffsets, const std::vector<int>& facePoints) const
 {
-  return this->IsAsAdded && this->NumberOfPoints == numberOfPoints && this->FaceOffsets == faceOffsets &&
+  return this->KnowsSizes(faceOffsets) && this->NumberOfPoints == numberOfPoints &&
     this->FacePoints == facePoints;
+}
+
+//------------------------------------------------------------------------------
+bool CellTopology::KnowsSizes(const std::vector<int>& faceOffsets) const
+{
+  return this->IsAsAdded && this->FaceOffsets == faceOffsets;
 }
 
 //------------------------------------------------------------------------------

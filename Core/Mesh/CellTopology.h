@@ -73,9 +73,10 @@ public:
   ///@{
   /// In place of Clear and AddFace: takes the lists, and gives those of another cell for them, which can be overwritten.
   void Take(int numberOfPoints, std::vector<int>& faceOffsets, std::vector<int>& facePoints);
-  /// Whether it is finished with these faces and still has them.
+  /// Whether it is finished with these faces and still has them, or with faces of so many points.
   bool Knows(
     int numberOfPoints, const std::vector<int>& faceOffsets, const std::vector<int>& facePoints) const;
+  bool KnowsSizes(const std::vector<int>& faceOffsets) const;
   ///@}
   /**
    * Ends a cell. In its faces a point that follows itself counts once, and less than three points are no face.

@@ -79,6 +79,10 @@ public:
   void GetCells(Index facet, std::vector<Index>& cells) const;
   /// 1 on the boundary and of collapsed ones, 2 inside, more where the mesh is non-manifold.
   Index GetNumberOfCells(Index facet) const;
+  bool HasMoreThanTwoCells(Index facet) const
+  {
+    return !this->ExtraCells.empty() && this->GetNumberOfCells(facet) > 2;
+  }
   bool IsBoundary(Index facet) const { return this->FacetCells[facet].Second == NoCell; }
   bool IsCollapsed(Index facet) const { return this->FacetCells[facet].Second == Nothing; }
   /// Local number of the facet in its owner, the first cell of GetCells.

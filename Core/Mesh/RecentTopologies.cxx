@@ -9,7 +9,7 @@ CellTopology& RecentTopologies::Find(int numberOfPoints, bool edgesCanWait, bool
 {
   for (const int i : { this->Last, 1 - this->Last })
   {
-    CellTopology& topology = this->Topologies[i];
+    CellTopology& topology = this->Recents[i].Topology;
     if (topology.Knows(numberOfPoints, this->FaceOffsets, this->FacePoints))
     {
       this->Last = i;
@@ -22,9 +22,38 @@ CellTopology& RecentTopologies::Find(int numberOfPoints, bool edgesCanWait, bool
     }
   }
   this->Last = 1 - this->Last;
-  CellTopology& topology = this->Topologies[this->Last];
+  CellTopology& topology = this->Recents[this->Last].Topology;
+  this->Recents[this->Last].HasCorners = false;
   topology.Take(numberOfPoints, this->FaceOffsets, this->FacePoints);
   wasRepeated = topology.Finish(edgesCanWait);
   return topology;
+}
+
+//------------------------------------------------------------------------------
+// In order are numbers that are given as they first occur, which those of standard cells that are collapsed are not.
+void RecentTopologies::FindCorners(Recent& recent)
+{
+  const std::vector<int>& numbers = recent.Topology.FacePoints;
+  recent.HasCorners = true;
+  recent.PointCorners.clear();
+  recent.Repetitions.clear();
+  for (int corner = 0; corner < static_cast<int>(numbers.size()); ++corner)
+  {
+    const int next = static_cast<int>(recent.PointCorners.size());
+    recent.IsInOrder = numbers[corner] <= next;
+    if (!recent.IsInOrder)
+    {
+      return;
+    }
+    if (numbers[corner] == next)
+    {
+      recent.PointCorners.push_back(corner);
+    }
+    else
+    {
+      recent.Repetitions.push_back({ corner, recent.PointCorners[numbers[corner]] });
+    }
+  }
+  recent.IsInOrder = static_cast<int>(recent.PointCorners.size()) == recent.Topology.NumberOfPoints;
 }
 }

@@ -27,6 +27,7 @@ struct Pair
 {
   double Values[2];
   double operator[](int i) const { return this->Values[i]; }
+  double& operator[](int i) { return this->Values[i]; }
 };
 inline Pair operator+(Pair a, Pair b)
 {
@@ -177,58 +178,76 @@ inline double TurnSign(double a, double sign)
 }
 ///@}
 
-struct VectorPair
+/// Vectors side by side; Lanes are as many numbers.
+template <typename Lanes>
+struct VectorLanes
 {
-  Pair X, Y, Z;
+  Lanes X{}, Y{}, Z{};
 
-  VectorPair(Pair x, Pair y, Pair z)
+  VectorLanes() = default;
+  VectorLanes(const Lanes& x, const Lanes& y, const Lanes& z)
     : X(x)
     , Y(y)
     , Z(z)
   {
   }
-  VectorPair(const Vector& a, const Vector& b)
-    : X(MakePair(a.X, b.X))
-    , Y(MakePair(a.Y, b.Y))
-    , Z(MakePair(a.Z, b.Z))
+  ///@{
+  /// As many as there are lanes.
+  VectorLanes(const Vector& a, const Vector& b)
+    : X(Lanes{ a.X, b.X })
+    , Y(Lanes{ a.Y, b.Y })
+    , Z(Lanes{ a.Z, b.Z })
   {
   }
-  VectorPair()
-    : VectorPair(Vector(), Vector())
+  VectorLanes(const Vector& a, const Vector& b, const Vector& c, const Vector& d)
+    : X(Lanes{ a.X, b.X, c.X, d.X })
+    , Y(Lanes{ a.Y, b.Y, c.Y, d.Y })
+    , Z(Lanes{ a.Z, b.Z, c.Z, d.Z })
   {
   }
+  ///@}
   Vector operator[](int i) const { return { this->X[i], this->Y[i], this->Z[i] }; }
 };
 
-inline VectorPair operator+(const VectorPair& a, const VectorPair& b)
+using VectorPair = VectorLanes<Pair>;
+
+template <typename Lanes>
+VectorLanes<Lanes> operator+(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
 {
   return { a.X + b.X, a.Y + b.Y, a.Z + b.Z };
 }
-inline VectorPair operator-(const VectorPair& a, const VectorPair& b)
+template <typename Lanes>
+VectorLanes<Lanes> operator-(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
 {
   return { a.X - b.X, a.Y - b.Y, a.Z - b.Z };
 }
-inline VectorPair operator*(Pair s, const VectorPair& a)
+template <typename Lanes>
+VectorLanes<Lanes> operator*(const Lanes& s, const VectorLanes<Lanes>& a)
 {
   return { s * a.X, s * a.Y, s * a.Z };
 }
-inline VectorPair operator*(double s, const VectorPair& a)
+template <typename Lanes>
+VectorLanes<Lanes> operator*(double s, const VectorLanes<Lanes>& a)
 {
-  return MakePair(s, s) * a;
+  return { s * a.X, s * a.Y, s * a.Z };
 }
-inline Pair Dot(const VectorPair& a, const VectorPair& b)
+template <typename Lanes>
+Lanes Dot(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
 {
   return a.X * b.X + a.Y * b.Y + a.Z * b.Z;
 }
-inline Pair Norm2(const VectorPair& a)
+template <typename Lanes>
+Lanes Norm2(const VectorLanes<Lanes>& a)
 {
   return Dot(a, a);
 }
-inline Pair Norm(const VectorPair& a)
+template <typename Lanes>
+Lanes Norm(const VectorLanes<Lanes>& a)
 {
   return Sqrt(Norm2(a));
 }
-inline VectorPair Cross(const VectorPair& a, const VectorPair& b)
+template <typename Lanes>
+VectorLanes<Lanes> Cross(const VectorLanes<Lanes>& a, const VectorLanes<Lanes>& b)
 {
   return { a.Y * b.Z - a.Z * b.Y, a.Z * b.X - a.X * b.Z, a.X * b.Y - a.Y * b.X };
 }

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What makes cells fast to evaluate changes none of their values: topologies that cells share, and faces side by side.
+#include "Mesh/RecentTopologies.h"
+#include "Mesh/VectorQuad.h"
+
+#include "CriteriaTesting.h"
+#include "MeshElementsTesting.h"
+#include "ReferenceShapes.h"
+
+#include <cstring>
+#include <random>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+// Also the reasons of null values.
+void ExpectSameBits(const Values& expected, const Values& values, const std::string& what)
+{
+  for (const auto& row : expected)
+  {
+    const std::vector<double>& found = values.at(row.first);
+    ASSERT_EQ(row.second.size(), found.size());
+    EXPECT_EQ(std::memcmp(row.second.data(), found.data(), found.size() * sizeof(double)), 0)
+      << what << ' ' << row.first;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<std::string, Grid>> GetMeshes()
+{
+  std::vector<std::pair<std::string, Grid>> meshes;
+  for (const ReferenceShape& shape : GetReferenceShapes())
+  {
+    meshes.emplace_back(shape.Name, shape.Polyhedron);
+  }
+  meshes.emplace_back("warped hexahedra", Warp(MakeHexahedra(3, 3, 3, true), 3));
+  meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
+  return meshes;
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, values depend on the processor.
+TEST(CellLoading, FacesInQuadsAsInPairs)
+{
+  if (!UsesVectorQuads)
+  {
+    GTEST_SKIP() << "this processor has no quads";
+  }
+  for (const auto& mesh : GetMeshes())
+  {
+    const Values inQuads = EvaluateAll(mesh.second);
+    UsesVectorQuads = false;
+    const Values inPairs = EvaluateAll(mesh.second);
+    UsesVectorQuads = true;
+    ExpectSameBits(inPairs, inQuads, mesh.first);
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a cell whose points repeat in its faces as those of the cell before do is taken for one like it, although
+// two of the points are the same.
+TEST(CellLoading, PointsThatAreTheSame)
+{
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+    { 1, 1, 1 }, { 0, 1, 1 } };
+  const Faces cube = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
+  const auto replace = [&](vtkIdType id, vtkIdType by)
+  {
+    Faces faces = cube;
+    for (auto& face : faces)
+    {
+      std::replace(face.begin(), face.end(), id, by);
+    }
+    return faces;
+  };
+  const auto makeMesh = [&](const std::vector<Faces>& cells)
+  { return MakePolyhedra(MakePolyhedron(points, cube)->GetPoints(), cells); };
+  std::vector<Faces> cells;
+  for (const auto& pair : { std::make_pair(6, 7), std::make_pair(0, 6), std::make_pair(5, 2) })
+  {
+    cells.insert(cells.end(), { cube, cube, replace(pair.first, pair.second), cube });
+  }
+  const Values together = EvaluateAll(makeMesh(cells));
+  for (const char* name : { "VertexCount", "Volume", "SurfaceArea", "CellStatus", "EdgeCount" })
+  {
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      ExpectSame(EvaluateAll(makeMesh({ cells[i] })).at(name)[0], together.at(name)[i], 0,
+        name + std::to_string(i));
+    }
+  }
+  EXPECT_EQ(together.at("VertexCount")[2], 7);
+}
+
+//------------------------------------------------------------------------------
+// Ids whose hashes meet are told apart; numbers that are not given as they first occur are not recognized.
+TEST(CellLoading, Recognize)
+{
+  RecentTopologies topologies;
+  bool wasRepeated = false;
+  const auto setFaces = [&](std::vector<int> numbers)
+  {
+    topologies.FaceOffsets = { 0, 3, 6, 9, 12 };
+    topologies.FacePoints = std::move(numbers);
+  };
+  const std::vector<int> tetrahedron = { 0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0 };
+  setFaces(tetrahedron);
+  topologies.Find(4, false, wasRepeated);
+  const auto isKnown = [&](std::vector<std::int64_t> ofNumbers)
+  {
+    setFaces({});
+    std::vector<std::int64_t> ids;
+    for (const int number : tetrahedron)
+    {
+      ids.push_back(ofNumbers[number]);
+    }
+    return topologies.Recognize(ids.data()) != nullptr;
+  };
+  std::mt19937 generator(1);
+  std::uniform_int_distribution<std::int64_t> id(0, std::int64_t(1) << 40);
+  for (int i = 0; i < 100000; ++i) // some of which meet
+  {
+    std::vector<std::int64_t> ids = { id(generator), id(generator), id(generator), id(generator) };
+    ASSERT_TRUE(isKnown(ids));
+    ids[i % 4] = ids[(i + 1 + i % 3) % 4];
+    ASSERT_FALSE(isKnown(ids));
+  }
+  topologies = RecentTopologies();
+  setFaces({ 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 });
+  topologies.Find(4, false, wasRepeated);
+  setFaces({});
+  const std::int64_t ids[] = { 5, 7, 6, 5, 6, 8, 6, 7, 8, 7, 5, 8 };
+  EXPECT_EQ(topologies.Recognize(ids), nullptr);
+}
