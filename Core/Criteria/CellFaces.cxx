@@ -6,7 +6,7 @@
 #include "Criteria/FaceGroup.h"
 #include "Mesh/VectorQuad.h"
 
-#if defined(__GNUC__) && !defined(__clang__)
+#if defined(CAMARON_HAS_QUADS)
 #pragma GCC diagnostic ignored "-Wpsabi" // as in VectorQuad.h
 #endif
 

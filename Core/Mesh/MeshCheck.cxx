@@ -5,14 +5,58 @@
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
 
+#include <algorithm>
 #include <atomic>
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace camaron
 {
 namespace
 {
+constexpr vtkIdType Grain = 1 << 18; // ids
+
+//------------------------------------------------------------------------------
+// Whether there is an id below 0 or from the limit on: then either it or its distance from the last one is below 0.
+template <typename Id>
+bool HasIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
+{
+  using Bits = std::make_unsigned_t<Id>;
+  const Bits last = static_cast<Bits>(std::min<vtkIdType>(limit - 1, std::numeric_limits<Id>::max()));
+  Bits bits = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    const Bits id = static_cast<Bits>(ids[i]);
+    bits |= id | (last - id);
+  }
+  return bits >> (std::numeric_limits<Bits>::digits - 1) != 0;
+}
+
+//------------------------------------------------------------------------------
+// Whether there is such an id in any list, also of faces of no cell.
+bool HasIdBeyond(const MeshView& mesh)
+{
+  const vtkIdType limit = mesh.GetNumberOfPoints();
+  std::atomic<bool> isFound(false);
+  mesh.VisitPointIds(
+    [&](const IndexRange& ids)
+    {
+      ParallelFor(ids.Size, Grain,
+        [&](vtkIdType begin, vtkIdType end)
+        {
+          const vtkIdType first = ids.Begin + begin, size = end - begin;
+          if (ids.Values.Values32 ? HasIdBeyond(ids.Values.Values32 + first, size, limit)
+                                  : HasIdBeyond(ids.Values.Values64 + first, size, limit))
+          {
+            isFound = true;
+          }
+        });
+    });
+  return isFound;
+}
+
 //------------------------------------------------------------------------------
 /// Whether there is an id that is no point; then @a bad is the first of them.
 bool FindBadId(const IndexRange& ids, vtkIdType numberOfPoints, vtkIdType& bad)
@@ -55,6 +99,10 @@ bool FindBadId(const MeshView& mesh, vtkIdType cell, vtkIdType& bad)
 void CheckPointIds(vtkDataSet* data)
 {
   const MeshView mesh(data);
+  if (!HasIdBeyond(mesh))
+  {
+    return;
+  }
   const vtkIdType numberOfCells = mesh.GetNumberOfCells();
   std::atomic<vtkIdType> first(numberOfCells);
   ParallelFor(numberOfCells, 1 << 14,

@@ -62,6 +62,12 @@ struct IndexLists
     const vtkIdType begin = this->Offsets[list];
     return { this->Values, begin, this->Offsets[list + 1] - begin };
   }
+  /// All of them as one.
+  IndexRange GetAll() const
+  {
+    const vtkIdType begin = this->NumberOfLists > 0 ? this->Offsets[0] : 0;
+    return { this->Values, begin, this->NumberOfLists > 0 ? this->Offsets[this->NumberOfLists] - begin : 0 };
+  }
 };
 
 class MeshView
@@ -139,6 +145,17 @@ public:
   IndexRange GetPolyhedronFacePoints(vtkIdType face) const { return this->Faces[face]; }
   bool HasPolyhedra() const { return this->Faces.NumberOfLists > 0; }
   ///@}
+
+  /// Calls @a visit(const IndexRange&) with the points of all cells and faces, some after others.
+  template <typename Visit>
+  void VisitPointIds(Visit&& visit) const
+  {
+    for (const IndexLists& cells : this->Blocks)
+    {
+      visit(cells.GetAll());
+    }
+    visit(this->Faces.GetAll());
+  }
 
 private:
   unsigned char GetPolyDataCellType(vtkIdType cell) const;

@@ -18,15 +18,14 @@ namespace camaron
 extern bool UsesVectorQuads;
 }
 
-#if defined(__GNUC__) && defined(__x86_64__)
+// Clang refuses such vectors as arguments of functions that it compiles for any processor, inlined or not.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define CAMARON_HAS_QUADS 1
 /// With all that they call within them, as that would be compiled for any processor otherwise.
 #define CAMARON_WITH_QUADS __attribute__((target("avx2"), flatten))
 
 #pragma GCC diagnostic push
-#if !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi" // how quads are passed does not matter, as they are not
-#endif
 namespace camaron
 {
 using Quad = double __attribute__((vector_size(4 * sizeof(double))));
