@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshKernel.h"
 
+#include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Elements/KernelCells.h"
@@ -69,6 +70,8 @@ void vtkMeshKernel::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "KernelOf: " << this->KernelOf << '\n';
   os << indent << "ChosenBy: " << this->ChosenBy << '\n';
+  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
+  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
 }
 
 //------------------------------------------------------------------------------
@@ -93,6 +96,7 @@ int vtkMeshKernel::RequestData(
   vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputVector);
   try
   {
+    camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
     camaron::RunTogether(reducer,
@@ -178,6 +182,9 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
   const double numberOfBlocks = static_cast<double>(blocks.Get().size());
   double blocksDone = 0;
   bool isStopped = false;
+  camaron::EvaluationOptions options;
+  options.TrustFaceOrientation = this->TrustFaceOrientation;
+  options.DegeneracyTolerance = this->DegeneracyTolerance;
   vtkNew<vtkUnstructuredGrid> kernels;
   for (const camaron::ElementBlock& block : blocks.Get())
   {
@@ -190,7 +197,7 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
     {
       vtkNew<vtkUnstructuredGrid> part;
       isStopped = !camaron::MakeKernelCells(
-        mesh, {}, chosen,
+        mesh, options, chosen,
         [&](double done) { return this->GoesOn((blocksDone + done) / numberOfBlocks); }, part);
       if (auto* ids = vtkIdTypeArray::SafeDownCast(
             part->GetFieldData()->GetAbstractArray(without->GetName())))

@@ -62,6 +62,15 @@ public:
   vtkGetCharFromStdStringMacro(ChosenBy);
   ///@}
 
+  ///@{
+  /// As of vtkElementQuality, whose KernelRatio is the same with the same of these; not for the whole surface.
+  vtkSetMacro(TrustFaceOrientation, bool);
+  vtkGetMacro(TrustFaceOrientation, bool);
+  vtkBooleanMacro(TrustFaceOrientation, bool);
+  vtkSetMacro(DegeneracyTolerance, double);
+  vtkGetMacro(DegeneracyTolerance, double);
+  ///@}
+
 protected:
   vtkMeshKernel() = default;
   ~vtkMeshKernel() override = default;
@@ -79,6 +88,8 @@ private:
 
   int KernelOf = AUTOMATIC;
   std::string ChosenBy = "All cells";
+  bool TrustFaceOrientation = false;
+  double DegeneracyTolerance = 0;
 };
 
 #endif

@@ -190,6 +190,27 @@ class TestMeshKernel(camaron_testing.TestCase):
         kernel.ChosenBy = "Nothing"
         self.assertIn("no cell array Nothing", " ".join(self.update(kernel).errors))
 
+    @camaron_testing.unittest.skipIf(RANKS > 1, "what concerns two cells concerns no ranks")
+    def test_options(self):
+        """Cells without a kernel are those without a KernelRatio above 0 in Element Quality, with the same options."""
+        points = [(x, y, z) for z in (0, 0.01) for y in (0, 1) for x in (0, 1)]
+        faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+        turned = [faces[0][::-1], *faces[1:]]
+        stream = lambda cell: (42, [6, *(number for face in cell for number in (4, *face))])
+        path = camaron_testing.write_vtk(self.folder / "thin.vtk", points, [stream(faces), stream(turned)])
+        source = simple.LegacyVTKReader(FileNames=[str(path)])
+        for options, without in (
+            ({}, []),
+            ({"TrustFaceOrientation": 1}, [1]),
+            ({"DegeneracyTolerance": 0.1}, [0, 1]),
+        ):
+            kernels = self.fetch(simple.MeshKernel(Input=source, **options))
+            found = kernels.GetFieldData().GetArray("CellsWithoutKernel")
+            self.assertEqual(vtk_to_numpy(found).tolist() if found.GetNumberOfTuples() else [], without)
+            quality = self.fetch(simple.ElementQuality(Input=source, Criteria=["KernelRatio"], **options))
+            ratios = vtk_to_numpy(quality.GetCellData().GetArray("KernelRatio"))
+            self.assertEqual(numpy.flatnonzero(~(ratios > 0)).tolist(), without)
+
     @camaron_testing.unittest.skipIf(RANKS > 1, "the filter is stopped by the process that it is in")
     def test_stopped(self):
         """Stopped before the end, nothing comes out; asked again, all of it."""
