@@ -49,17 +49,24 @@ AcceptableRanges::AcceptableRanges(
 }
 
 //------------------------------------------------------------------------------
+const Preset::Rule* AcceptableRanges::FindRule(const std::string& name) const
+{
+  const auto rule = std::find_if(this->Rules.begin(), this->Rules.end(),
+    [&](const Preset::Rule& candidate) { return name == candidate.Criterion; });
+  return rule == this->Rules.end() ? nullptr : &*rule;
+}
+
+//------------------------------------------------------------------------------
 bool AcceptableRanges::HasRule(const std::string& name) const
 {
-  return this->IsDefault ? FindCriterion(name) != nullptr
-                         : std::any_of(this->Rules.begin(), this->Rules.end(),
-                             [&](const Preset::Rule& rule) { return name == rule.Criterion; });
+  return this->IsDefault ? FindCriterion(name) != nullptr : this->FindRule(name) != nullptr;
 }
 
 //------------------------------------------------------------------------------
 bool AcceptableRanges::IsHint(const Criterion& criterion) const
 {
-  return criterion.AcceptableIsHint && (this->IsDefault || !this->HasRule(criterion.Name));
+  const Preset::Rule* const rule = this->FindRule(criterion.Name);
+  return rule ? rule->IsHint : criterion.AcceptableIsHint;
 }
 
 //------------------------------------------------------------------------------
@@ -76,9 +83,7 @@ std::optional<ValueRange> AcceptableRanges::Find(
   {
     range = { criterion->Acceptable[0], criterion->Acceptable[1] };
   }
-  const auto rule = std::find_if(this->Rules.begin(), this->Rules.end(),
-    [&](const Preset::Rule& candidate) { return name == candidate.Criterion; });
-  if (rule != this->Rules.end())
+  if (const Preset::Rule* const rule = this->FindRule(name))
   {
     range = { rule->Acceptable[0], rule->Acceptable[1] };
   }

@@ -41,10 +41,12 @@ public:
   /// Whether the file or the preset says something of a criterion; without both, whether there is one of that name.
   bool HasRule(const std::string& criterion) const;
 
-  /// Whether its range is common practice only: a hint of the table of criteria that the file or the preset does not replace.
+  /// Whether its range is common practice only; what a file of the user says is not.
   bool IsHint(const Criterion& criterion) const;
 
 private:
+  const Preset::Rule* FindRule(const std::string& name) const;
+
   bool IsDefault;
   std::vector<Preset::Rule> Rules; // in the order in which they count
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ElementBlocks.h"
 
+#include "Criteria/Criterion.h"
+#include "Mesh/CellShape.h"
 #include "MeshPieces.h"
 #include "SharedCopies.h"
 #include "Selection/SharedElements.h"
@@ -374,6 +376,29 @@ ValueBlock ElementBlocks::GetValueBlock(const ElementBlock& block) const
   return values;
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// Of criteria whose arrays are integers, which have no null.
+void SetNulls(const ElementBlock& block, vtkDoubleArray* values)
+{
+  const Criterion* const criterion = FindCriterion(values->GetName() ? values->GetName() : "");
+  if (block.Kind != ElementKind::Cells || !criterion || criterion->Kind != ValueKind::Code ||
+    (criterion->AppliesTo & AnyCell))
+  {
+    return;
+  }
+  double* const to = values->GetPointer(0);
+  for (vtkIdType cell = 0; cell < values->GetNumberOfValues(); ++cell)
+  {
+    if (GetCellShape(static_cast<unsigned char>(block.Data->GetCellType(cell))).Dimension < 2)
+    {
+      to[cell] = Null(NullReason::NotApplicable);
+    }
+  }
+}
+}
+
 //------------------------------------------------------------------------------
 BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayName)
 {
@@ -389,6 +414,7 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     {
       auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
       doubles->DeepCopy(array);
+      SetNulls(block, doubles);
       array = doubles;
     }
     this->Owners.push_back(array);

@@ -39,7 +39,7 @@ std::vector<std::string> GetMeasuresOfElements()
 bool IsOfIntegers(vtkDataArray* array)
 {
   const Criterion* criterion = array->GetName() ? FindCriterion(array->GetName()) : nullptr;
-  return criterion ? criterion->IsInteger : array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+  return criterion ? criterion->IsInteger() : array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
 }
 
 //------------------------------------------------------------------------------

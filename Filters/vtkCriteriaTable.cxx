@@ -155,6 +155,7 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
   auto* criterion = AddColumn<vtkStringArray>(table, "Criterion");
   auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
   auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
+  auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
   for (const camaron::Preset& preset : presets)
   {
     for (const camaron::Preset::Rule& rule : preset.Rules)
@@ -164,6 +165,7 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
       criterion->InsertNextValue(rule.Criterion);
       low->InsertNextValue(rule.Acceptable[0]);
       high->InsertNextValue(rule.Acceptable[1]);
+      isHint->InsertNextValue(rule.IsHint ? 1 : 0);
     }
   }
 }

@@ -29,6 +29,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <utility>
@@ -36,10 +37,14 @@
 namespace
 {
 //------------------------------------------------------------------------------
+// 0 for cells that have none.
 vtkSmartPointer<vtkDataArray> ToIntegers(vtkDoubleArray* values)
 {
-  auto integers = vtkSmartPointer<vtkIdTypeArray>::New();
-  integers->DeepCopy(values);
+  const auto integers = camaron::MakeLargeArray<vtkIdTypeArray>(values->GetNumberOfValues());
+  integers->SetName(values->GetName());
+  const double* const from = values->GetPointer(0);
+  std::transform(from, from + values->GetNumberOfValues(), integers->GetPointer(0),
+    [](double value) { return std::isnan(value) ? 0 : static_cast<vtkIdType>(value); });
   return integers;
 }
 }
@@ -250,6 +255,16 @@ camaron::EvaluationOptions vtkElementQuality::GetOptions(
 }
 
 //------------------------------------------------------------------------------
+// What follows is done by all processes or none.
+bool vtkElementQuality::GoOn(double progress, camaron::Reducer& reducer, bool isFinished)
+{
+  this->UpdateProgress(progress);
+  std::int64_t goOn = isFinished && !this->CheckAbort();
+  reducer.Min(&goOn, 1);
+  return goOn != 0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
   const camaron::EvaluationOptions& options, const std::vector<const camaron::Criterion*>& criteria,
   int numberOfPieces, ArraysOfCriteria& arrays)
@@ -266,25 +281,23 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   }
   const auto any = [&](auto&& predicate)
   { return std::any_of(criteria.begin(), criteria.end(), predicate); };
-  if (any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }))
+  const auto need = [&](unsigned needs)
+  { return any([needs](auto* criterion) { return (criterion->Needs & needs) != 0; }); };
+  const std::pair<bool, void (camaron::MeshPieces::*)()> ofMesh[] = {
+    { any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }),
+      &camaron::MeshPieces::Link },
+    { need(camaron::NeedsMeanSizes), &camaron::MeshPieces::FindMeanSizes },
+    { need(camaron::NeedsSurfaceSides), &camaron::MeshPieces::FindSurfaceSides },
+    { need(camaron::NeedsRegions), &camaron::MeshPieces::FindRegions },
+    { need(camaron::NeedsPointRegions), &camaron::MeshPieces::FindPointRegions },
+  };
+  for (const auto& [isNeeded, find] : ofMesh)
   {
-    pieces.Link();
-  }
-  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsMeanSizes) != 0; }))
-  {
-    pieces.FindMeanSizes();
-  }
-  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsSurfaceSides) != 0; }))
-  {
-    pieces.FindSurfaceSides();
-  }
-  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsRegions) != 0; }))
-  {
-    pieces.FindRegions();
-  }
-  if (any([](auto* criterion) { return (criterion->Needs & camaron::NeedsPointRegions) != 0; }))
-  {
-    pieces.FindPointRegions();
+    if (isNeeded && !this->GoOn(0, reducer))
+    {
+      return false;
+    }
+    isNeeded ? (pieces.*find)() : void();
   }
   bool isFinished = true;
   camaron::RunTogether(reducer,
@@ -312,9 +325,7 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
           });
       }
     });
-  std::int64_t areFinished = isFinished;
-  reducer.Min(&areFinished, 1); // as what follows is done by all or none
-  return areFinished != 0;
+  return this->GoOn(1, reducer, isFinished);
 }
 
 //------------------------------------------------------------------------------
@@ -333,7 +344,7 @@ void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leave
     for (const camaron::Criterion* criterion : criteria)
     {
       vtkDoubleArray* const array = arrays.at(criterion->Name)[leaf];
-      data->AddArray(criterion->IsNeverNull() ? ToIntegers(array) : array);
+      data->AddArray(criterion->Kind == camaron::ValueKind::Code ? ToIntegers(array) : array);
       if (this->WriteNullMask)
       {
         data->AddArray(camaron::MakeNullMask(array, leaves[leaf].Data));

@@ -4,10 +4,11 @@
  * @class vtkElementQuality
  * @brief Evaluates quality criteria for every cell of a mesh.
  *
- * Input: any vtkDataSet or composite of them. Output: the same type with one double cell array per
+ * Input: any vtkDataSet or composite of them. Output: the same type with one cell array per
  * criterion, named like it, whose vtkDataArray::UNITS_LABEL() is "deg", "rad" or "sr", or not there (units of
  * the mesh); the worst one, see WorstCriterion.h, becomes the active cell scalars, by which the mesh is coloured at
- * first, unless none has a value. CellStatus and CellTypeId, which every cell has, are vtkIdType arrays. Where a criterion has no meaning or is undefined
+ * first, unless none has a value. The arrays are of double, but those of
+ * CellStatus and CellTypeId of vtkIdType, with CellStatus 0 for points and lines. Where a criterion has no meaning or is undefined
  * the value is NaN; where it grows without bound, +infinity. With WriteNullMask an unsigned char array
  * `<Name>_Null` tells why: 0 value, 1 not applicable to this shape, 2 degenerate, 3 invalid topology,
  * 4 no neighbour, 5 neighbour's piece unknown, 6 value of the corners of a higher-order cell.
@@ -44,6 +45,7 @@ class vtkDoubleArray;
 namespace camaron
 {
 class EvaluatedArrays;
+class Reducer;
 struct Criterion;
 struct DataSetLeaf;
 struct EvaluationOptions;
@@ -172,6 +174,8 @@ private:
   bool NeedsNeighbors();
   bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
   camaron::EvaluationOptions GetOptions(const std::vector<const camaron::Criterion*>& criteria) const;
+  /// Collective. False where some process was stopped, or is not finished.
+  bool GoOn(double progress, camaron::Reducer& reducer, bool isFinished = true);
   /// Of each criterion by its name those of all data sets.
   using ArraysOfCriteria = std::map<std::string, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
   /// False if it was stopped.

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Areas and centres of the faces of CellGeometry: the innermost loops of all criteria. Faces with equally many
 // points are taken two or four at a time.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi" // as in VectorQuad.h
+#endif
+
 #include "Criteria/CellGeometry.h"
 #include "Criteria/FaceGroup.h"
 #include "Mesh/VectorQuad.h"
-
-#if defined(CAMARON_HAS_QUADS)
-#pragma GCC diagnostic ignored "-Wpsabi" // as in VectorQuad.h
-#endif
 
 namespace camaron
 {

@@ -156,7 +156,7 @@ public:
   Vector ToMesh(const Vector& place) const;
   Vector ToCell(const Vector& place) const
   {
-    return this->LengthExponent == 0 ? place - this->Origin : this->Rescale(place - this->Origin);
+    return this->LengthExponent == 0 ? place - this->Origin : this->ToUnit(place - this->Origin);
   }
   ///@}
 
@@ -291,7 +291,7 @@ private:
   void CheckCoordinates();
   void ChooseUnit();
   double Rescale(double value, int dimension) const;
-  Vector Rescale(const Vector& offset) const;
+  Vector ToUnit(const Vector& offset) const;
   Scale GetScale(double diameter) const;
   const Scale& GetBoxScale() const
   {

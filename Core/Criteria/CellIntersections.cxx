@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace camaron
 {
@@ -109,19 +110,69 @@ bool HasIntersectingEdges(const CellGeometry& cell)
   return false;
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
-// An open cell may be so because its faces do not share the points at which they meet: what touches at their edges does
-// not intersect there.
+// Whether an edge that comes to a place on a face ends there at an edge of the face, or passes a point of it. Faces of an
+// open cell may do so because they do not share the points at which they meet.
+bool Touches(const CellGeometry& cell, const CellTopology::Edge& edge, int face, const Vector& place)
+{
+  const auto isAt = [&](int point) { return cell.IsZeroLength(Norm(cell.GetPoint(point) - place)); };
+  const int* ring = cell.GetTopology().GetFace(face);
+  return std::any_of(ring, ring + cell.GetTopology().GetFaceSize(face), isAt) ||
+    ((isAt(edge.Points[0]) || isAt(edge.Points[1])) && IsOnEdge(cell, face, place));
+}
+
+//------------------------------------------------------------------------------
+struct Box
+{
+  Vector Low, High;
+
+  void Add(const Vector& p)
+  {
+    this->Low = { std::min(this->Low.X, p.X), std::min(this->Low.Y, p.Y), std::min(this->Low.Z, p.Z) };
+    this->High = { std::max(this->High.X, p.X), std::max(this->High.Y, p.Y), std::max(this->High.Z, p.Z) };
+  }
+  bool Meets(const Box& other) const
+  {
+    return this->Low.X <= other.High.X && other.Low.X <= this->High.X && this->Low.Y <= other.High.Y &&
+      other.Low.Y <= this->High.Y && this->Low.Z <= other.High.Z && other.Low.Z <= this->High.Z;
+  }
+};
+
+//------------------------------------------------------------------------------
+// Around the triangles about their centres.
+std::vector<Box> GetBoxesOfFaces(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  std::vector<Box> boxes;
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    boxes.push_back({ cell.GetFaceCenter(f), cell.GetFaceCenter(f) });
+    for (int i = 0; i < topology.GetFaceSize(f); ++i)
+    {
+      boxes.back().Add(cell.GetPoint(topology.GetFace(f)[i]));
+    }
+  }
+  return boxes;
+}
+}
+
+//------------------------------------------------------------------------------
 bool HasIntersectingFaces(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
-  const bool isOpen = std::isnan(cell.GetVolume());
+  const bool isOpen = std::any_of(topology.Edges.begin(), topology.Edges.end(),
+    [](const CellTopology::Edge& edge) { return edge.Uses == 1; });
+  const std::vector<Box> boxes = GetBoxesOfFaces(cell);
   for (const CellTopology::Edge& edge : topology.Edges)
   {
     const Vector &p = cell.GetPoint(edge.Points[0]), &q = cell.GetPoint(edge.Points[1]);
+    Box box = { p, p };
+    box.Add(q);
     for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
     {
-      if (HasPoint(topology, f, edge.Points[0]) || HasPoint(topology, f, edge.Points[1]))
+      if (!box.Meets(boxes[f]) || HasPoint(topology, f, edge.Points[0]) || HasPoint(topology, f, edge.Points[1]))
       {
         continue;
       }
@@ -132,7 +183,7 @@ bool HasIntersectingFaces(const CellGeometry& cell)
         Vector hit;
         if (Crosses(p, q, cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]),
               cell.GetFaceCenter(f), hit) &&
-          !(isOpen && IsOnEdge(cell, f, hit)))
+          !(isOpen && Touches(cell, edge, f, hit)))
         {
           return true;
         }

@@ -160,7 +160,7 @@ Vector CellGeometry::ToMesh(const Vector& place) const
 }
 
 //------------------------------------------------------------------------------
-Vector CellGeometry::Rescale(const Vector& offset) const
+Vector CellGeometry::ToUnit(const Vector& offset) const
 {
   return TimesPowerOfTwo(offset, -this->LengthExponent);
 }

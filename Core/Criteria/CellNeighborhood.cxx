@@ -3,7 +3,6 @@
 #include "Criteria/CellNeighborhood.h"
 
 #include "Mesh/FacetLinks.h"
-#include "Parallel.h"
 
 #include "vtkDataSetAttributes.h"
 
@@ -13,8 +12,6 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType Grain = 1024;
-
 //------------------------------------------------------------------------------
 bool HasCenter(const CellGeometry& geometry)
 {
@@ -87,21 +84,6 @@ CellCenters::CellCenters(vtkIdType numberOfCells)
   : Centroids(numberOfCells)
   , Sizes(numberOfCells)
 {
-}
-
-//------------------------------------------------------------------------------
-CellCenters::CellCenters(const MeshView& mesh, const EvaluationOptions& options)
-  : CellCenters(mesh.GetNumberOfCells())
-{
-  ParallelFor(mesh.GetNumberOfCells(), Grain,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      CellGeometry cell;
-      for (vtkIdType id = begin; id < end; ++id)
-      {
-        GetCellCenter(mesh, id, options, cell, this->Centroids[id], this->Sizes[id]);
-      }
-    });
 }
 
 //------------------------------------------------------------------------------

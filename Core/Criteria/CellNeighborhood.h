@@ -30,7 +30,6 @@ struct CellCenters
 
   /// None yet.
   explicit CellCenters(vtkIdType numberOfCells);
-  CellCenters(const MeshView& mesh, const EvaluationOptions& options);
   /// Takes them from the geometry of a cell with CellNeighborhood::BaseNeeds.
   void Set(vtkIdType cell, const CellGeometry& geometry);
 };
@@ -69,7 +68,7 @@ public:
     double WayLength = 0;
     double AreaByWay = 0; ///< scalar product
     Side Other = Side::Boundary;
-    Vector OtherCentroid;
+    Vector OtherCentroid; ///< and OtherSize: of an earlier facet unless there is another cell
     Vector Line;   ///< from the centroid of the cell to OtherCentroid; zero if there is none
     double LineLength = 0;
     double AreaByLine = 0; ///< scalar product

@@ -7,8 +7,11 @@
 #include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 
+#include "vtkDataSetAttributes.h"
+
 #include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace camaron
 {
@@ -147,6 +150,43 @@ void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, d
 }
 
 //------------------------------------------------------------------------------
+void MaxFaceCellCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+{
+  const EvaluationOptions& options = mesh.Options;
+  const auto isCopy = [&](vtkIdType cell)
+  { return options.Ghosts && (options.Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL); };
+  std::vector<Index> cells;
+  // Where other pieces have the facet, too, what they say of it counts, not copies of their cells.
+  const auto countLinked = [&](const FacetTable& table, const FacetLinks& links, Index facet)
+  {
+    table.GetCells(facet, cells);
+    auto count = std::count_if(cells.begin(), cells.end(), std::not_fn(isCopy));
+    links.ForEach(facet, [&](const LinkedCell&, bool) { ++count; });
+    return static_cast<Index>(count);
+  };
+  ForFacetCells(mesh, begin, end, values,
+    [&](vtkIdType cell, int dimension)
+    {
+      const FacetTable& table = mesh.Topology.GetFacets(dimension);
+      const FacetLinks* links = options.Links ? &options.Links->GetFacets(dimension) : nullptr;
+      const bool mayHaveMore =
+        options.IsPieceWithoutGhosts || (options.Ghosts && options.Ghosts[cell]);
+      Index largest = 0;
+      for (const CellFacet use : table.GetCellFacets(cell))
+      {
+        const bool isLinked = links && links->Has(use.Facet()) && !isCopy(cell);
+        if (mayHaveMore && !isLinked && table.IsBoundary(use.Facet()))
+        {
+          return Null(NullReason::MissingGhosts);
+        }
+        largest = std::max(
+          largest, isLinked ? countLinked(table, *links, use.Facet()) : table.GetNumberOfCells(use.Facet()));
+      }
+      return largest > 0 ? double(largest) : Null(NullReason::InvalidTopology);
+    });
+}
+
+//------------------------------------------------------------------------------
 std::vector<Criterion> ConnectivityCriteria()
 {
   // clang-format off
@@ -179,6 +219,16 @@ std::vector<Criterion> ConnectivityCriteria()
         "Cells are compared by ids of points: those between points that coincide are not found, see DuplicatePoint "
         "of Mesh Elements.",
         "ParaView's Clean to Grid merges points, not cells." } },
+    { "MaxFaceCellCount", "Most cells at a face",
+      "Largest number of cells that have a face of the cell (polygons: an edge), itself included; more than 2 where cells "
+      "overlap or surfaces meet.",
+      PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, None, Better::Smaller,
+      { -Infinity, 2 }, "the cell and one neighbour", Cited, Integer,
+      Cost::Neighbors, NeedsPoints, CAMARON_MESH(MaxFaceCellCount),
+      { "max over the faces of the number of cells with the same points",
+        "1 for a cell alone. Cells that are there twice count twice, and a cell that has a face twice does, too; null "
+        "(invalid topology) for a cell without faces.",
+        "checkMesh refuses meshes with such faces; `FaceCellCount` of Mesh Elements tells which they are." } },
     { "IsBoundary", "At the boundary",
       "1 if a face (of polygons an edge) of the cell has no other cell, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Neither,

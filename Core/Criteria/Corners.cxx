@@ -37,10 +37,6 @@ double CornerScaledJacobian(const CellGeometry& cell)
   {
     return cell.GetVolume();
   }
-  if (cell.IsZeroLength(cell.GetMinEdgeLength()))
-  {
-    return cell.IsZeroLength(cell.GetMaxEdgeLength()) ? Null(NullReason::Degenerate) : 0;
-  }
   if (!topology.HasVertexFigures)
   {
     return Null(NullReason::InvalidTopology);
@@ -66,6 +62,10 @@ double CornerScaledJacobian(const CellGeometry& cell)
     const Vector next = GetDirection(cell, *edges[isNext ? 0 : 1], point);
     const Vector previous = GetDirection(cell, *edges[isNext ? 1 : 0], point);
     smallest = std::min(smallest, -Dot(Cross(next, previous), GetDirection(cell, *edges[2], point)));
+  }
+  if (cell.IsZeroLength(cell.GetMinEdgeLength()))
+  {
+    return cell.IsZeroLength(cell.GetMaxEdgeLength()) ? Null(NullReason::Degenerate) : 0;
   }
   return smallest;
 }

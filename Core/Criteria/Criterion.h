@@ -28,6 +28,13 @@ enum class Better
   Bigger
 };
 
+enum class ValueKind
+{
+  Real,
+  Integer, ///< counts and ids: one histogram bin per value
+  Code     ///< integers that no cell lacks to which they apply: arrays of integers, 0 for other cells
+};
+
 enum class Unit
 {
   None,
@@ -135,7 +142,7 @@ struct Criterion
   double Acceptable[2];         ///< infinite where there is no limit on that side
   const char* AcceptableSource; ///< who says so; empty when no range is given
   bool AcceptableIsHint;        ///< common practice, not read in a document
-  bool IsInteger;               ///< counts and ids: one histogram bin per value
+  ValueKind Kind;
   camaron::Cost Cost;
   unsigned Needs;
 
@@ -155,8 +162,7 @@ struct Criterion
   CriterionNotes Notes;
   const char* Family = ""; ///< heading under which it is listed, from the list of families
 
-  /// So that its values can be integers.
-  bool IsNeverNull() const { return this->IsInteger && (this->AppliesTo & AnyCell) != 0; }
+  bool IsInteger() const { return this->Kind != ValueKind::Real; }
   bool HasAcceptableRange() const { return this->AcceptableSource[0] != '\0'; }
   /// See GetUnitLabel.
   std::string UnitLabel(AngleUnit angles = AngleUnit::Degrees) const;
@@ -174,6 +180,7 @@ struct Preset
   {
     const char* Criterion;
     double Acceptable[2];
+    bool IsHint = false; ///< common practice, not read in a document
   };
   const char* Name;
   const char* Description; ///< what for, and whose limits these are

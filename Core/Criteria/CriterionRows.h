@@ -27,11 +27,12 @@ constexpr const char* CheckMesh = "OpenFOAM checkMesh";
 constexpr const char* NoRange = "";
 constexpr bool Hint = true;
 constexpr bool Cited = false;
-constexpr bool Integer = true;
-constexpr bool Real = false;
+constexpr ValueKind Real = ValueKind::Real;
+constexpr ValueKind Integer = ValueKind::Integer;
+constexpr ValueKind Code = ValueKind::Code;
 
 // Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range, its
-// source, hint or cited, integer or real; cost, needs, function; notes for the documentation.
+// source, hint or cited, kind of values; cost, needs, function; notes for the documentation.
 
 // `double Function(const CellGeometry&)`, called directly for every cell of a block.
 #define CAMARON_BLOCK(Function)                                                                    \

@@ -252,7 +252,8 @@ std::vector<Criterion> DecompositionCriteria()
       PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Real,
       Cost::Edges, NeedsCentroid, CAMARON_CELLS(MaxFacePyramidVolume),
-      { "as `MinFacePyramidVolume`, the largest of the faces or edges", "As `MinFacePyramidVolume`.",
+      { "as `MinFacePyramidVolume`, the largest of the faces or edges",
+        "0 for a flat cell; null (invalid topology) for an open one.",
         "No other program here reports it." } },
     { "MinFacePyramidRatio", "Smallest face pyramid, relative",
       "Volume of the smallest pyramid of a face and the centroid, times the number of faces, divided by "

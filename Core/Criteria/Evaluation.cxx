@@ -169,7 +169,7 @@ private:
             {
               values[i] = Null(NullReason::NotApplicable);
             }
-            else if (!block[i].IsFinite() && !row.Criterion->IsInteger)
+            else if (!block[i].IsFinite() && !row.Criterion->IsInteger())
             {
               values[i] = Null(NullReason::Degenerate);
             }
@@ -285,7 +285,9 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   }
   const vtkIdType numberOfCells = mesh.GetNumberOfCells();
   const vtkIdType slab = std::max(SlabSize, numberOfCells / NumberOfReports + 1);
-  const int passes = !ofCells.empty() + !ofMesh.empty() + !ofNeighbors.empty();
+  // Those with neighbours need the centres of all cells, which come along with what else is evaluated of cells.
+  const bool hasCellPass = !ofCells.empty() || !ofNeighbors.empty();
+  const int passes = hasCellPass + !ofMesh.empty() + !ofNeighbors.empty();
   const double total = static_cast<double>(numberOfCells) * passes;
   double done = 0;
   const auto inSlabs = [&](auto&& evaluate)
@@ -307,16 +309,15 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   std::unique_ptr<CellCenters> centers;
   if (!ofNeighbors.empty())
   {
-    // With other criteria they come along, as the geometry of every cell is there then.
-    centers = ofCells.empty() ? std::make_unique<CellCenters>(mesh, options)
-                              : std::make_unique<CellCenters>(numberOfCells);
+    centers = std::make_unique<CellCenters>(numberOfCells);
   }
-  if (!ofCells.empty() && !inSlabs(CellEvaluation(mesh, options, ofCells, centers.get())))
+  if (hasCellPass && !inSlabs(CellEvaluation(mesh, options, ofCells, centers.get())))
   {
     return false;
   }
+  // The table of facets takes a while, and is asked for after the question whether to go on.
   if (!ofNeighbors.empty() &&
-    !inSlabs(NeighborEvaluation(topology, options, ofNeighbors, *centers)))
+    (!progress(done / total) || !inSlabs(NeighborEvaluation(topology, options, ofNeighbors, *centers))))
   {
     return false;
   }
@@ -326,6 +327,10 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
     const MeshContext context(topology, options);
     for (const CriterionValues& row : ofMesh)
     {
+      if (!progress(done / total))
+      {
+        return false;
+      }
       row.Criterion->MeshFunction(context, 0, 0, row.Values);
     }
     return inSlabs(

@@ -30,13 +30,13 @@ double GetLean(const CellNeighborhood& cell, const Facet& facet)
   {
     return Null(NullReason::Degenerate);
   }
-  return -facet.AreaByLine * std::abs(facet.AreaByLine) / Norm2(Cross(facet.Line, facet.Area));
+  return -facet.AreaByLine / Norm(Cross(facet.Line, facet.Area));
 }
 
 //------------------------------------------------------------------------------
 double GetAngleOfLean(double lean)
 {
-  return std::isnan(lean) ? lean : std::atan2(1, std::copysign(std::sqrt(std::abs(lean)), -lean));
+  return std::isnan(lean) ? lean : std::atan2(1, -lean);
 }
 
 //------------------------------------------------------------------------------
@@ -125,7 +125,7 @@ double GetFaceTwist(const CellNeighborhood& cell, const Facet& facet)
   const Vector& line = facet.Other == Side::Cell ? facet.Line : facet.Way;
   const CellGeometry& geometry = cell.GetGeometry();
   double smallest = Null(NullReason::Degenerate);
-  if (geometry.IsZeroLength(Norm(line)))
+  if (geometry.IsZeroLength(facet.Other == Side::Cell ? facet.LineLength : facet.WayLength))
   {
     return smallest;
   }

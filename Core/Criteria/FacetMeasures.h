@@ -16,7 +16,7 @@ namespace camaron
 /// Angle between the line to the other centroid and the vector area.
 double GetNonOrthogonality(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 ///@{
-/// A number that grows with that angle and takes no roots: minus its cotangent times the size of that. And back again.
+/// Minus the cotangent of that angle, which grows with it and takes less time. And back again.
 double GetLean(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 double GetAngleOfLean(double lean);
 ///@}

@@ -10,6 +10,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Positive = std::numeric_limits<double>::min();
+constexpr bool Hint = true;
 
 //------------------------------------------------------------------------------
 // With the acceptable ranges of the table of criteria.
@@ -19,7 +20,8 @@ std::vector<Preset::Rule> AsInTable(const std::vector<const char*>& names)
   for (const char* name : names)
   {
     const Criterion& criterion = *FindCriterion(name);
-    rules.push_back({ name, { criterion.Acceptable[0], criterion.Acceptable[1] } });
+    rules.push_back(
+      { name, { criterion.Acceptable[0], criterion.Acceptable[1] }, criterion.AcceptableIsHint });
   }
   return rules;
 }
@@ -32,7 +34,7 @@ const std::vector<Preset>& GetPresets()
   static const std::vector<Preset> presets = {
     { "Overview", "Shape at a glance, for any polygon or polyhedron; ranges as in the table of criteria.",
       { { "EdgeLengthRatio", { 1.0 / 3, Infinity } },
-        { "EquiangleSkewness", { -Infinity, 0.9 } },
+        { "EquiangleSkewness", { -Infinity, 0.9 }, Hint },
         { "IsoperimetricQuotient", { -Infinity, Infinity } } } },
     { "General", "What a report shows unless asked otherwise; ranges as in the table of criteria.",
       AsInTable({ "Area", "Perimeter", "SurfaceArea", "Volume", "VertexCount", "EdgeCount", "FaceCount",
@@ -47,7 +49,7 @@ const std::vector<Preset>& GetPresets()
       "tetrahedra; TetGen's default bound of the radius-edge ratio; 165 degrees are common practice.",
       { { "Volume", { Positive, Infinity } },
         { "MinDihedralAngle", { 40, Infinity } },
-        { "MaxDihedralAngle", { -Infinity, 165 } },
+        { "MaxDihedralAngle", { -Infinity, 165 }, Hint },
         { "TetRadiusEdgeRatio", { -Infinity, 2 } },
         { "TetRadiusRatio", { 1.0 / 3, Infinity } },
         { "TetMeanRatio", { 0.3, Infinity } },
@@ -61,7 +63,7 @@ const std::vector<Preset>& GetPresets()
         { "EquiangleSkewness", { -Infinity, 0.5 } },
         { "CornerScaledJacobian", { 0.5, Infinity } } } },
     { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh (non-orthogonality "
-      "from 70 degrees, aspect ratio, flatness, openness) and of its meshQualityDict (the others).",
+      "from 70 degrees, skewness, aspect ratio, flatness, openness) and of its meshQualityDict (the others).",
       { { "Volume", { Positive, Infinity } },
         { "MaxNonOrthogonality", { -Infinity, 70 } },
         { "MaxFaceSkewness", { -Infinity, 4 } },
@@ -86,8 +88,8 @@ const std::vector<Preset>& GetPresets()
       "no agreed limits.",
       { { "EdgeLengthRatio", { -Infinity, Infinity } },
         { "IsoperimetricQuotient", { -Infinity, Infinity } },
-        { "EquiangleSkewness", { -Infinity, 0.9 } },
-        { "MaxDihedralAngle", { -Infinity, 180 } },
+        { "EquiangleSkewness", { -Infinity, 0.9 }, Hint },
+        { "MaxDihedralAngle", { -Infinity, 180 }, Hint },
         { "KernelRatio", { Positive, Infinity } },
         { "ShapeRegularity", { -Infinity, Infinity } },
         { "VemQuality", { -Infinity, Infinity } },

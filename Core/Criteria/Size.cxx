@@ -322,7 +322,7 @@ std::vector<Criterion> SizeCriteria()
         "No other program here reports it." } },
     { "CellTypeId", "Cell type", "VTK's number of the cell type, for grouping.",
       AnyCell, Unit::None, { 0, 255 }, None, Better::Neither,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Faces, NeedsPoints, CAMARON_CELLS(CellTypeId),
+      { -Infinity, Infinity }, NoRange, Cited, Code, Cost::Faces, NeedsPoints, CAMARON_CELLS(CellTypeId),
       { "the number of vtkCellType.h",
         "Has a value for every cell, vertices and lines included.",
         "VTK's own numbers." } },

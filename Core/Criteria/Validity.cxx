@@ -214,12 +214,12 @@ std::vector<Criterion> ValidityCriteria()
       "32768 inverted or no volume, 65536 edge of no length, 131072 not star-shaped (only where IsStarShaped is "
       "evaluated, too), 262144 coordinates that are not finite, 524288 face vectors that do not cancel. The first "
       "nine as in VTK's Validate Cells.",
-      AnyCell, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
-      { -Infinity, 0 }, "nothing wrong", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
+      PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
+      { -Infinity, 0 }, "nothing wrong", Cited, Code, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
       { "sum of bits, each of one test of the cell",
-        "Has a value for every cell, 0 of points and lines, so that it is an array of integers; of a cell with "
-        "coordinates that are not finite only that bit. Faces of an open cell that touch each other's edges, as where "
-        "their points are not merged, do not intersect.",
+        "Has a value for every polygon and polyhedron; of one with coordinates that are not finite only that bit. An "
+        "array of integers, which have no null: 0 for points and lines, which nobody has looked at. Faces of an open "
+        "cell that touch in points or edges, as where these are not merged, do not intersect.",
         "Bits 1 to 32 are those of VTK's Validate Cells, 64 to 256 those of VTK 9.6. For cells with planar "
         "faces the answers are the same, except that VTK calls cells with inward faces not convex, and the "
         "faces of a cell that has a face not convex wrongly oriented; does not look how the faces of "

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace camaron
@@ -63,6 +65,10 @@ struct Measure
   CriterionNotes Notes;
   SizeFunction SizeFunctions[NumberOfShapes] = {}; // or of a cell and the mean size of its shape
 };
+
+/// Those that the manual does not have.
+constexpr std::string_view YoungerThanManual[] = { "VerdictEquiangleSkew", "VerdictEquivolumeSkew",
+  "VerdictMeanRatio", "VerdictNodalJacobianRatio", "VerdictNormalizedInradius", "VerdictSquishIndex" };
 
 constexpr Measure Measures[] = {
   // clang-format off
@@ -584,10 +590,14 @@ Criterion MakeCriterion(
     meanSizes = measure.SizeFunctions[i] ? NeedsMeanSizes : meanSizes;
   }
   const bool hasRange = std::isfinite(measure.Acceptable[0]) || std::isfinite(measure.Acceptable[1]);
+  const auto* const end = std::end(YoungerThanManual);
+  const char* const source = std::find(YoungerThanManual, end, measure.Name) != end
+    ? "common practice"
+    : "Verdict manual, rev. A, of the most lenient shape";
   Criterion criterion = { measure.Name, measure.Label, measure.Description, shapes, measure.Unit,
     { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
     { measure.Acceptable[0], measure.Acceptable[1] },
-    hasRange ? "Verdict manual, rev. A, of the most lenient shape" : "", true, false, Cost::Edges,
+    hasRange ? source : NoRange, Hint, Real, Cost::Edges,
     NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function, nullptr, nullptr, nullptr, measure.Notes };
   return criterion;
 }

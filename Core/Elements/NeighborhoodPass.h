@@ -26,7 +26,20 @@ void ForEachNeighborhood(
   const MeshView& mesh = context.GetMesh();
   EvaluationOptions options = context.GetOptions();
   options.Ghosts = context.IsComplete() ? nullptr : options.Ghosts;
-  const CellCenters centers(mesh, options);
+  CellCenters centers(mesh.GetNumberOfCells());
+  {
+    const ElementContext::Step step(context, 0, 0.4);
+    context.ForCells(
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        CellGeometry cell;
+        for (vtkIdType id = begin; id < end; ++id)
+        {
+          GetCellCenter(mesh, id, options, cell, centers.Centroids[id], centers.Sizes[id]);
+        }
+      });
+  }
+  const ElementContext::Step step(context, 0.4, 1);
   const CellNeighborhood prototype(context.GetTopology(), centers, options);
   context.ForCells(
     [&](vtkIdType begin, vtkIdType end)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -24,7 +25,7 @@ template <typename Id>
 bool HasIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
 {
   using Bits = std::make_unsigned_t<Id>;
-  const Bits last = static_cast<Bits>(std::min<vtkIdType>(limit - 1, std::numeric_limits<Id>::max()));
+  const Bits last = static_cast<Bits>(std::min<std::int64_t>(limit - 1, std::numeric_limits<Id>::max()));
   Bits bits = 0;
   for (vtkIdType i = 0; i < size; ++i)
   {

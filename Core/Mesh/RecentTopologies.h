@@ -81,7 +81,8 @@ private:
     return recent.IsInOrder && difference == 0 && this->AreDistinct(ids, recent.PointCorners);
   }
 
-  // Every id writes its number into a table, where it finds another one only if their hashes are the same.
+  // Every id writes its number into a table, where it finds another one only if their hashes are the same: then it is
+  // compared with all.
   template <typename Id>
   bool AreDistinct(const Id* ids, const std::vector<int>& corners)
   {
@@ -102,15 +103,17 @@ private:
     {
       isTaken |= this->Table[places[i]] ^ i;
     }
-    bool areDistinct = true;
     for (int i = 0; isTaken && i < size; ++i)
     {
-      for (int j = 0; j < i; ++j)
+      for (int j = 0; this->Table[places[i]] != i && j < size; ++j)
       {
-        areDistinct &= ids[corners[i]] != ids[corners[j]];
+        if (j != i && ids[corners[j]] == ids[corners[i]])
+        {
+          return false;
+        }
       }
     }
-    return areDistinct;
+    return true;
   }
 
   static void FindCorners(Recent& recent);

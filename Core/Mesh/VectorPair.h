@@ -198,12 +198,14 @@ struct VectorLanes
     , Y(Lanes{ a.Y, b.Y })
     , Z(Lanes{ a.Z, b.Z })
   {
+    static_assert(sizeof(Lanes) == 2 * sizeof(double), "one vector for each lane");
   }
   VectorLanes(const Vector& a, const Vector& b, const Vector& c, const Vector& d)
     : X(Lanes{ a.X, b.X, c.X, d.X })
     , Y(Lanes{ a.Y, b.Y, c.Y, d.Y })
     , Z(Lanes{ a.Z, b.Z, c.Z, d.Z })
   {
+    static_assert(sizeof(Lanes) == 4 * sizeof(double), "one vector for each lane");
   }
   ///@}
   Vector operator[](int i) const { return { this->X[i], this->Y[i], this->Z[i] }; }

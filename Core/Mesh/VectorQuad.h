@@ -21,7 +21,7 @@ extern bool UsesVectorQuads;
 // Clang refuses such vectors as arguments of functions that it compiles for any processor, inlined or not.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define CAMARON_HAS_QUADS 1
-/// With all that they call within them, as that would be compiled for any processor otherwise.
+/// What they call becomes part of them, as far as it is inline, and so uses AVX2, too.
 #define CAMARON_WITH_QUADS __attribute__((target("avx2"), flatten))
 
 #pragma GCC diagnostic push
@@ -29,7 +29,6 @@ extern bool UsesVectorQuads;
 namespace camaron
 {
 using Quad = double __attribute__((vector_size(4 * sizeof(double))));
-using VectorQuad = VectorLanes<Quad>;
 
 inline Quad Sqrt(const Quad& a)
 {

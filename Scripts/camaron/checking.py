@@ -16,7 +16,7 @@ from . import rules as language
 from .evaluation import Evaluation
 from .rules import Parser, Rule
 
-PASS, FAIL, EMPTY, ERROR = "pass", "fail", "empty", "error"
+PASS, WARN, FAIL, EMPTY, ERROR = "pass", "warn", "fail", "empty", "error"
 
 #: A file of rules, or their lines, or what `read_rules` returns.
 Rules = Union[os.PathLike, str, Iterable[str], Sequence[Rule]]
@@ -67,7 +67,7 @@ def check(
             raise RuntimeError(f"{mesh}: none of the rules has a cell to check")
         return {
             "mesh": str(mesh),
-            "verdict": FAIL if FAIL in verdicts else PASS,
+            "verdict": next((v for v in (FAIL, WARN) if v in verdicts), PASS),
             "time": evaluated.opened.time,
             "cells": max(found.total for found in counts),
             "checks": checks,
@@ -92,7 +92,7 @@ def failed_to_check(mesh: os.PathLike | str, reason: str) -> dict[str, Any]:
 
 def worst_verdict(results: Iterable[dict[str, Any]]) -> str:
     """The verdict on several meshes."""
-    order = (PASS, FAIL, ERROR)
+    order = (PASS, WARN, FAIL, ERROR)
     return max((result["verdict"] for result in results), key=order.index, default=PASS)
 
 
@@ -146,6 +146,7 @@ def _judge(rule: Rule, found: counting.Counts) -> dict[str, Any]:
     """The verdict on one rule, as documented."""
     failing = found.below + found.above + (found.null if rule.null_fails else 0)
     passed = failing <= rule.tolerance.cells(found.checked)
+    verdict = PASS if passed else WARN if rule.hint else FAIL
     scope = rule.scope
     return {
         "rule": str(rule),
@@ -158,6 +159,7 @@ def _judge(rule: Rule, found: counting.Counts) -> dict[str, Any]:
         "line": rule.line,
         "preset": rule.preset,
         "null_fails": rule.null_fails,
+        "hint": rule.hint,
         "cells": found.cells,
         "checked": found.checked,
         "failing": failing,
@@ -168,7 +170,7 @@ def _judge(rule: Rule, found: counting.Counts) -> dict[str, Any]:
         "infinite": found.infinite,
         "tolerance": str(rule.tolerance),
         "tolerated": rule.tolerance.cells(found.checked),
-        "verdict": EMPTY if not found.checked else PASS if passed else FAIL,
+        "verdict": verdict if found.checked else EMPTY,
         "worst_value": _worst_value(rule, found),
         "worst": found.offenders,
     }

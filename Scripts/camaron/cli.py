@@ -15,7 +15,7 @@ from . import ranking, text
 
 ERROR = 2
 #: Of `check`, by the verdict on all meshes.
-EXIT_STATUS = {"pass": 0, "fail": 1, "error": ERROR}
+EXIT_STATUS = {"pass": 0, "warn": 0, "fail": 1, "error": ERROR}
 
 INSPECT_HELP = """\
 Reads meshes, evaluates their quality and writes a report for each: report.html (one file, with

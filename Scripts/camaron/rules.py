@@ -103,6 +103,8 @@ class Rule:
     scope: Optional[Scope] = None
     tolerance: Tolerance = NONE
     null_fails: bool = True
+    #: Of common practice only, so that it warns.
+    hint: bool = False
     #: Where it comes from: its line in the file, and the preset if it is that of one.
     line: Optional[int] = None
     preset: Optional[str] = None
@@ -264,8 +266,10 @@ class Parser:
     def preset(self, name: str, line: Optional[int] = None) -> list[Rule]:
         """The rules of a preset, whatever the case of its name. ValueError if there is none."""
         name = text.lookup(name, list(self.presets), "preset")
+        rule = Rule("", tolerance=self.tolerance, line=line, preset=name)
+        hints = self.presets[name]["hints"]
         return [
-            Rule(criterion, low, high, tolerance=self.tolerance, line=line, preset=name)
+            replace(rule, criterion=criterion, low=low, high=high, hint=criterion in hints)
             for criterion, (low, high) in self.presets[name]["rules"].items()
             if (low, high) != (None, None)
         ]

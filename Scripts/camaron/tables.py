@@ -62,16 +62,19 @@ def known_notes() -> dict[str, dict[str, str]]:
 
 
 def known_presets() -> dict[str, dict[str, Any]]:
-    """Description of every preset and its rules: acceptable [low, high] by the criterion's name."""
+    """Description of every preset, its rules: acceptable [low, high] by the criterion's name, and its
+    hints: names of criteria whose range is common practice only."""
     table = simple.CriteriaTable()
     try:
         presets: dict[str, dict[str, Any]] = {}
         for row in fetch(table, 1):
             preset = presets.setdefault(
-                row["Preset"], {"description": row["Description"], "rules": {}}
+                row["Preset"], {"description": row["Description"], "rules": {}, "hints": []}
             )
             limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
             preset["rules"][row["Criterion"]] = limits
+            if row["AcceptableIsHint"]:
+                preset["hints"].append(row["Criterion"])
         return presets
     finally:
         simple.Delete(table)
@@ -96,14 +99,15 @@ def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
         simple.Delete(table)
 
 
-def range_sources(preset: Optional[str], ranges: Any) -> dict[str, str]:
-    """Who says so, by criterion, of the ranges that do not come from the table of criteria."""
+def range_sources(preset: Optional[str], ranges: Any) -> dict[str, tuple[str, bool]]:
+    """Who says so, and whether it is a hint, of the ranges that are not those of the table of criteria."""
     sources = {}
     if preset:
         described = known_presets()[preset]
-        sources.update(dict.fromkeys(described["rules"], described["description"]))
+        for name in described["rules"]:
+            sources[name] = (described["description"], name in described["hints"])
     if ranges:
-        sources.update(dict.fromkeys(known_ranges(ranges), os.path.basename(ranges)))
+        sources.update(dict.fromkeys(known_ranges(ranges), (os.path.basename(ranges), False)))
     return sources
 
 
@@ -181,17 +185,18 @@ def _group(row: dict[str, Any]) -> dict[str, Any]:
 
 
 def _criterion(
-    row: dict[str, Any], known: dict[str, Any], sources: dict[str, str]
+    row: dict[str, Any], known: dict[str, Any], sources: dict[str, tuple[str, bool]]
 ) -> dict[str, Any]:
     """One row of the statistics, joined with what the registry knows."""
-    source = sources.get(known["name"], known["acceptable_source"])
+    of_table = known["acceptable_source"], known["acceptable_is_hint"]
+    source, is_hint = sources.get(known["name"], of_table)
     limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
     return {
         **known,
         "unit": row["Unit"],
         "acceptable": limits,
         "acceptable_source": source if limits != [None, None] else "",
-        "acceptable_is_hint": known["acceptable_is_hint"] and known["name"] not in sources,
+        "acceptable_is_hint": is_hint,
         "count": row["Count"],
         "applicable": row["ApplicableCount"],
         "null": row["NullCount"],

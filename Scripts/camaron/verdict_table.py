@@ -8,22 +8,27 @@ from typing import Any
 
 from . import text
 
-WORDS = {"pass": "pass", "fail": "FAIL", "empty": "none"}
+WORDS = {"pass": "pass", "warn": "WARN", "fail": "FAIL", "empty": "none"}
+COLORS = {"warn": "1;33", "fail": "1;31"}
 
 
 def describe(result: dict[str, Any], color: bool = False) -> str:
-    """The verdicts on a mesh: a table of the rules, then the worst cells of those that fail."""
+    """The verdicts on a mesh: a table of the rules, then the worst cells of those that fail or warn."""
     checks = result["checks"]
-    failed = [entry for entry in checks if entry["verdict"] == "fail"]
     lines = [f"{result['mesh']}: {text.plural(result['cells'], 'cell')}"]
-    for line, entry in zip(_table(checks), [None, *checks]):
-        marked = color and entry in failed
-        lines.append(f"\x1b[1;31m{line}\x1b[0m" if marked else line)
-    for entry in failed:
-        lines += ["", sentence(entry), *offenders(entry)]
+    header, *rows = _table(checks)
+    lines.append(header)
+    for line, entry in zip(rows, checks):
+        code = COLORS.get(entry["verdict"]) if color else None
+        lines.append(f"\x1b[{code}m{line}\x1b[0m" if code else line)
+    for entry in checks:
+        if entry["verdict"] in COLORS:
+            lines += ["", sentence(entry), *offenders(entry)]
     lines += ["", *(f"Note: {note}" for note in notes(result))]
     number = text.plural(len(checks), "rule")
-    lines.append(f"FAIL: {len(failed)} of {number}" if failed else f"pass: {number}")
+    verdict = result["verdict"]
+    count = sum(entry["verdict"] == verdict for entry in checks)
+    lines.append(f"{WORDS[verdict]}: {count} of {number}" if verdict in COLORS else f"pass: {number}")
     return "\n".join(lines)
 
 
@@ -91,6 +96,10 @@ def notes(result: dict[str, Any]) -> list[str]:
     empty = [entry["rule"] for entry in result["checks"] if entry["verdict"] == "empty"]
     if empty:
         found.append(f"There are no cells to check for {', '.join(empty)}.")
+    if any(entry["verdict"] == "warn" for entry in result["checks"]):
+        found.append(
+            "Ranges that are common practice only, not read in a document, warn where they are those of a preset."
+        )
     for entry in result["checks"]:
         if entry["null"] and not entry["null_fails"]:
             cells = text.plural(entry["null"], "cell")

@@ -39,6 +39,27 @@ std::vector<std::pair<std::string, Grid>> GetMeshes()
   }
   meshes.emplace_back("warped hexahedra", Warp(MakeHexahedra(3, 3, 3, true), 3));
   meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
+  meshes.emplace_back("large", Scale(Warp(MakeHexahedra(3, 3, 3, true), 3), 83));
+  meshes.emplace_back("polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
+  // A pyramid over many corners, one over a line, and one with a place that is none.
+  Points points;
+  Faces faces = { {} };
+  const int corners = 70;
+  for (int i = 0; i < corners; ++i)
+  {
+    points.push_back({ std::cos(2 * Pi * i / corners), std::sin(2 * Pi * i / corners), 0.01 * (i % 3) });
+    faces[0].push_back(i);
+    faces.push_back({ corners, (i + 1) % corners, i });
+  }
+  points.push_back({ 0, 0, 1 });
+  meshes.emplace_back("many corners", MakePolyhedron(points, faces));
+  for (Point& point : points)
+  {
+    point[1] = point[2];
+  }
+  meshes.emplace_back("flat", MakePolyhedron(points, faces));
+  points[3][0] = std::numeric_limits<double>::quiet_NaN();
+  meshes.emplace_back("not finite", MakePolyhedron(points, faces));
   return meshes;
 }
 }
@@ -129,6 +150,24 @@ TEST(CellLoading, Recognize)
     ASSERT_TRUE(isKnown(ids));
     ids[i % 4] = ids[(i + 1 + i % 3) % 4];
     ASSERT_FALSE(isKnown(ids));
+  }
+  // Of a cell of many points.
+  for (const int size : { 255, 256, 257, 1000 })
+  {
+    std::vector<std::int32_t> ids;
+    std::vector<int> numbers;
+    for (int i = 0; i < size; ++i)
+    {
+      ids.push_back(3 * i);
+      numbers.push_back(i);
+    }
+    topologies.FaceOffsets = { 0, size };
+    topologies.FacePoints = numbers;
+    topologies.Find(size, false, wasRepeated);
+    topologies.FaceOffsets = { 0, size };
+    EXPECT_EQ(topologies.Recognize(ids.data()) != nullptr, size <= 256);
+    ids[0] = ids[size - 1];
+    EXPECT_EQ(topologies.Recognize(ids.data()), nullptr);
   }
   topologies = RecentTopologies();
   setFaces({ 0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3 });

@@ -52,6 +52,26 @@ Grid MakeSquares(int size, const std::vector<std::array<int, 2>>& places)
 }
 
 //------------------------------------------------------------------------------
+// A cell that lies upon another one is seen in both, and in the neighbour of both.
+TEST(CriteriaConnectivity, CellsAtAFace)
+{
+  for (const bool asPolyhedra : { false, true })
+  {
+    const Grid cubes =
+      MakeCubes(4, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 0, 0 }, { 3, 3, 3 } }, asPolyhedra);
+    EXPECT_EQ(EvaluateAll(cubes).at("MaxFaceCellCount"), std::vector<double>({ 3, 3, 2, 3, 1 }));
+  }
+  // Three squares with an edge in common, and a line.
+  const Grid fan = MakeGrid({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 1 }, { 0, 1, 0 }, { 0, 1, 1 },
+                              { -1, 0, 0 }, { -1, 0, 1 } },
+    { { VTK_QUAD, { 0, 1, 3, 2 } }, { VTK_QUAD, { 0, 1, 5, 4 } }, { VTK_QUAD, { 0, 1, 7, 6 } },
+      { VTK_TRIANGLE, { 2, 3, 5 } }, { VTK_LINE, { 0, 1 } } });
+  const auto counts = EvaluateAll(fan).at("MaxFaceCellCount");
+  EXPECT_EQ(std::vector<double>(counts.begin(), counts.end() - 1), std::vector<double>({ 3, 3, 3, 2 }));
+  EXPECT_EQ(GetNullReason(counts[4]), NullReason::NotApplicable);
+}
+
+//------------------------------------------------------------------------------
 // Over faces the mesh hangs together; over an edge or a point it does not.
 TEST(CriteriaConnectivity, Regions)
 {

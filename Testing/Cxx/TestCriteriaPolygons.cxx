@@ -86,6 +86,7 @@ TEST(CriteriaPolygons, CutAtTheCentroid)
 
   const Values corner =
     EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } }));
+  EXPECT_NEAR(Get(corner, "MinFaceConcavity"), 90, 1e-12);
   EXPECT_NEAR(Get(corner, "MinFacePyramidVolume"), 1.0 / 12, 1e-15);
   EXPECT_NEAR(Get(corner, "MaxFacePyramidVolume"), 5.0 / 6, 1e-15);
   EXPECT_NEAR(Get(corner, "MinFacePyramidRatio"), 6.0 / 12 / 3, 1e-15);

@@ -7,6 +7,7 @@
 #include "Elements/KernelCells.h"
 
 #include "HalfSpaceTesting.h"
+#include "CriteriaTesting.h"
 #include "ReferenceShapes.h"
 #include "TestMeshes.h"
 
@@ -29,14 +30,11 @@ using namespace camaron::testing;
 namespace
 {
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
-const double Pi = std::acos(-1.0);
 
 const std::vector<std::string> Names = { "KernelRatio", "IsStarShaped", "KernelInradiusRatio",
   "ShapeRegularity", "InradiusCircumradiusRatio", "NormalizedRadiusRatio", "VemRho1", "VemRho2",
   "VemRho3", "VemQuality", "PolyhedronRho1", "PolyhedronRho2", "PolyhedronRho3",
   "PolyhedronQuality" };
-
-using Values = std::map<std::string, std::vector<double>>;
 
 //------------------------------------------------------------------------------
 Values EvaluateNames(vtkDataSet* mesh, const std::vector<std::string>& names = Names)
@@ -56,17 +54,6 @@ Values EvaluateNames(vtkDataSet* mesh, const std::vector<std::string>& names = N
 double Get(vtkDataSet* mesh, const std::string& name)
 {
   return EvaluateNames(mesh, { name })[name][0];
-}
-
-//------------------------------------------------------------------------------
-Grid MakePolygon(const Points& points)
-{
-  std::vector<vtkIdType> ids(points.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    ids[i] = static_cast<vtkIdType>(i);
-  }
-  return MakeGrid(points, { { VTK_POLYGON, ids } });
 }
 
 //------------------------------------------------------------------------------
@@ -277,7 +264,8 @@ TEST(Kernel, ReferencePolyhedra)
         Values values = EvaluateNames(grid);
         for (int i = 0; i < 6; ++i)
         {
-          EXPECT_NEAR(values[names[i]][0], row.second[i], 1e-9) << row.first << ' ' << names[i];
+          // The table has ten digits.
+          ExpectNear(row.second[i], values[names[i]][0], 5e-10, row.first + std::string(" ") + names[i]);
         }
         EXPECT_EQ(values["IsStarShaped"][0], 1) << row.first;
         if (row.second[1] == 1)
@@ -323,8 +311,8 @@ TEST(Kernel, ReferencePolygons)
   for (const auto& row : rows)
   {
     const Grid grid = MakePolygon(row.Polygon);
-    EXPECT_NEAR(Get(grid, "InradiusCircumradiusRatio"), row.RadiusRatio, 1e-9) << row.Name;
-    EXPECT_NEAR(Get(grid, "KernelRatio"), row.KernelRatio, 1e-9) << row.Name;
+    ExpectNear(row.RadiusRatio, Get(grid, "InradiusCircumradiusRatio"), 5e-10, row.Name);
+    ExpectNear(row.KernelRatio, Get(grid, "KernelRatio"), 1e-10, row.Name);
     EXPECT_EQ(Get(grid, "VemRho1"), Get(grid, "KernelRatio")) << row.Name;
   }
   for (int n = 3; n < 12; ++n)

@@ -289,6 +289,15 @@ TEST(MeshElements, BothEndsOfTheFacesOfCells)
     EXPECT_GT(different, name == "FaceConcavity" ? -1 : 20) << name; // these are convex
   }
 
+  // Of a face the smaller one of two.
+  double smallest = std::numeric_limits<double>::infinity();
+  for (vtkIdType i = 0; i < elements.Faces->GetNumberOfCells(); ++i)
+  {
+    smallest = std::min(smallest, Get(elements.Faces, "FacePyramidVolume", i));
+  }
+  const std::vector<double> pyramids = ofCells("MinFacePyramidVolume");
+  EXPECT_NEAR(smallest, *std::min_element(pyramids.begin(), pyramids.end()), 1e-12);
+
   const Elements straight(MakeRow(3));
   EXPECT_NEAR(Sum(straight.Faces, "FaceTwist"), 16, 1e-12);
   EXPECT_NEAR(Sum(straight.Faces, "FaceFlatness"), 16, 1e-12);

@@ -15,7 +15,7 @@ import openfoam_case
 from camaron import tables
 from camaron_testing import EXAMPLES
 from paraview import simple
-from vtkmodules.vtkCommonDataModel import VTK_WEDGE
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, VTK_WEDGE
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 CRITERIA = [
@@ -100,6 +100,34 @@ class TestCheckMesh(camaron_testing.TestCase):
     def test_voronoi(self):
         """Faces are planar as far as single precision goes, which moves centroids by 1e-8."""
         self.compare(simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf")), 1e-7)
+
+    def test_openness(self):
+        """Of a Voronoi cell that lacks a face at the boundary checkMesh prints how open it is."""
+        points, faces, cells = camaron_testing.read_visf(EXAMPLES / "voronoi-ball.visf")
+        uses = numpy.bincount([face for cell in cells for face in cell], minlength=len(faces))
+        opened = next(n for n, cell in enumerate(cells) if any(uses[face] == 1 for face in cell))
+        cells[opened].remove(next(face for face in cells[opened] if uses[face] == 1))
+        streams = []
+        for cell in cells:
+            lists = [number for face in cell for number in (len(faces[face]), *faces[face])]
+            streams.append((VTK_POLYHEDRON, [len(cell), *lists]))
+        path = camaron_testing.write_vtk(self.folder / "open.vtk", points, streams)
+        source = simple.LegacyVTKReader(FileNames=[str(path)])
+        case = self.folder / "case"
+        openfoam_case.write(case, source)
+        run = subprocess.run(
+            openfoam_case.check_mesh(case),
+            capture_output=True,
+            text=True,
+            timeout=120,
+            env=openfoam_case.environment(),
+        )
+        theirs = re.search(r"max cell openness: ([-+.0-9e]+)", run.stdout)
+        self.assertIsNotNone(theirs, run.stdout)
+        quality = simple.ElementQuality(Input=source, Criteria=["Openness"])
+        ours = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Openness"))
+        self.assertEqual(int(ours.argmax()), opened)
+        self.assertAlmostEqual(ours.max() / float(theirs.group(1)), 1.0, delta=1e-7)
 
     def test_mixed(self):
         """Hexahedra, wedges and tetrahedra with planar faces; checkMesh treats warped ones otherwise."""

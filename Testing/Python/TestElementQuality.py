@@ -235,8 +235,23 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertEqual(int(found[2][0]) - int(found[0][0]), 0x20000)
         self.assertEqual(found[3], found[0])
 
+    def test_stopped(self):
+        """Stopped while it evaluates or prepares to, it adds nothing; asked again, everything."""
+        source = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        for criteria in (["Volume"], ["MaxNonOrthogonality", "RegionId", "MinSurfaceDihedralAngle"]):
+            quality = simple.ElementQuality(Input=source, Criteria=criteria)
+            filter_ = quality.GetClientSideObject()
+            observer = filter_.AddObserver("ProgressEvent", lambda *_: filter_.AbortExecuteOn())
+            quality.UpdatePipeline()
+            self.assertEqual(filter_.GetOutput().GetCellData().GetNumberOfArrays(), 0)
+            filter_.RemoveObserver(observer)
+            filter_.AbortExecuteOff()
+            filter_.Modified()
+            filter_.Update()
+            self.assertEqual(sorted(arrays(filter_.GetOutput())), sorted(criteria))
+
     def test_values_of_every_cell(self):
-        """What every cell has comes as integers, so that scripts can look at its bits; nothing else does."""
+        """Codes come as integers, so that scripts can look at their bits; what may be null does not."""
         points = [(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 0.5, 0)]  # the quadrilateral is not convex
         cells = [(9, [0, 1, 2, 3]), (5, [0, 1, 2]), (3, [0, 1]), (1, [0])]
         path = camaron_testing.write_vtk(self.folder / "kinds.vtk", points, cells)

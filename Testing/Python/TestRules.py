@@ -13,8 +13,11 @@ from camaron.rules import Parser, RulesError, Scope, Tolerance
 
 CRITERIA = ["Volume", "MinDihedralAngle", "EdgeLengthRatio", "FaceCount"]
 PRESETS = {
-    "Finite volume": {"rules": {"Volume": [2e-308, None], "EdgeLengthRatio": [None, None]}},
-    "Shape": {"rules": {"EdgeLengthRatio": [0.25, None], "Volume": [0.5, None]}},
+    "Finite volume": {"rules": {"Volume": [2e-308, None], "EdgeLengthRatio": [None, None]}, "hints": []},
+    "Shape": {
+        "rules": {"EdgeLengthRatio": [0.25, None], "Volume": [0.5, None]},
+        "hints": ["EdgeLengthRatio"],
+    },
 }
 SHAPES = ", ".join(rules.FAMILIES)
 CLAUSES = "expected of, in, where, tolerate, null or end of line"
@@ -149,6 +152,9 @@ class TestRules(camaron_testing.TestCase):
             [ratio, ("Volume", 0.5, "Shape"), ("Volume", 7, None)],
         )
         self.assertEqual(names("preset Shape", "Volume * *"), [ratio])
+        hints = lambda *lines: [rule.criterion for rule in parse(*lines) if rule.hint]
+        self.assertEqual(hints("preset Shape of wedges", 'preset "Finite volume"'), ["EdgeLengthRatio"])
+        self.assertEqual(hints("preset Shape", "EdgeLengthRatio >= 0.25"), [])
         (rule, _) = parse("preset Shape of wedges tolerate 3 null passes")
         self.assertEqual(
             (rule.scope.value, rule.tolerance.count, rule.null_fails), ("wedges", 3, False)
