@@ -62,6 +62,15 @@ vtkSmartPointer<vtkDataSet> GetMesh(const camaron::ElementBlock& block)
 {
   return camaron::AsMesh(camaron::WithoutStrips(block.Data));
 }
+
+//------------------------------------------------------------------------------
+void AddCopies(vtkIdType value, vtkIdType count, vtkIdTypeArray* array)
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    array->InsertNextValue(value);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -176,8 +185,9 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
 {
   const bool isChosen = !this->ChosenBy.empty() && this->ChosenBy != AllCells;
   vtkNew<vtkAppendFilter> append;
-  vtkNew<vtkIdTypeArray> without;
+  vtkNew<vtkIdTypeArray> without, blocksWithout;
   without->SetName("CellsWithoutKernel");
+  blocksWithout->SetName("BlocksWithoutKernel");
   std::int64_t arrays = 0, cells = 0;
   const double numberOfBlocks = static_cast<double>(blocks.Get().size());
   double blocksDone = 0;
@@ -203,6 +213,14 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
             part->GetFieldData()->GetAbstractArray(without->GetName())))
       {
         without->InsertTuples(without->GetNumberOfTuples(), ids->GetNumberOfTuples(), 0, ids);
+        AddCopies(block.FlatIndex, ids->GetNumberOfTuples(), blocksWithout);
+      }
+      if (blocks.IsComposite())
+      {
+        vtkNew<vtkIdTypeArray> sources;
+        sources->SetName("SourceBlock");
+        AddCopies(block.FlatIndex, part->GetNumberOfCells(), sources);
+        part->GetCellData()->AddArray(sources);
       }
       append->AddInputData(part);
       kernels->ShallowCopy(part);
@@ -227,6 +245,10 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
   }
   output->ShallowCopy(kernels);
   output->GetFieldData()->AddArray(without);
+  if (blocks.IsComposite())
+  {
+    output->GetFieldData()->AddArray(blocksWithout);
+  }
   if (sums[2] > 0 && reducer.GetProcess() == 0)
   {
     vtkWarningMacro(

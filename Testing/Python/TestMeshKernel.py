@@ -210,6 +210,16 @@ class TestMeshKernel(camaron_testing.TestCase):
             quality = self.fetch(simple.ElementQuality(Input=source, Criteria=["KernelRatio"], **options))
             ratios = vtk_to_numpy(quality.GetCellData().GetArray("KernelRatio"))
             self.assertEqual(numpy.flatnonzero(~(ratios > 0)).tolist(), without)
+            self.assertFalse(kernels.GetCellData().HasArray("SourceBlock"))
+        # In two blocks cells of the same number are told apart.
+        blocks = simple.GroupDatasets(Input=[source, source])
+        kernels = self.fetch(simple.MeshKernel(Input=blocks, TrustFaceOrientation=1))
+        values = lambda data, name: vtk_to_numpy(data.GetArray(name)).tolist()
+        cells, fields = kernels.GetCellData(), kernels.GetFieldData()
+        self.assertEqual(values(cells, "SourceCell"), [0, 0])
+        self.assertEqual(values(fields, "CellsWithoutKernel"), [1, 1])
+        self.assertEqual(values(cells, "SourceBlock"), values(fields, "BlocksWithoutKernel"))
+        self.assertEqual(len(set(values(cells, "SourceBlock"))), 2)
 
     @camaron_testing.unittest.skipIf(RANKS > 1, "the filter is stopped by the process that it is in")
     def test_stopped(self):
