@@ -41,7 +41,7 @@ public:
   /// Whether the file or the preset says something of a criterion; without both, whether there is one of that name.
   bool HasRule(const std::string& criterion) const;
 
-  /// Whether its range is common practice only; what a file of the user says is not.
+  /// Whether its range is a hint only; what a file of the user says is not.
   bool IsHint(const Criterion& criterion) const;
 
 private:

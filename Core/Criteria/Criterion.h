@@ -141,7 +141,7 @@ struct Criterion
   camaron::Better Better;
   double Acceptable[2];         ///< infinite where there is no limit on that side
   const char* AcceptableSource; ///< who says so; empty when no range is given
-  bool AcceptableIsHint;        ///< common practice, not read in a document
+  bool AcceptableIsHint;        ///< common practice, not read in a document, or read of one of several shapes only
   ValueKind Kind;
   camaron::Cost Cost;
   unsigned Needs;
@@ -180,7 +180,7 @@ struct Preset
   {
     const char* Criterion;
     double Acceptable[2];
-    bool IsHint = false; ///< common practice, not read in a document
+    bool IsHint = false; ///< as AcceptableIsHint
   };
   const char* Name;
   const char* Description; ///< what for, and whose limits these are

@@ -33,7 +33,7 @@ const std::vector<Preset>& GetPresets()
   // clang-format off
   static const std::vector<Preset> presets = {
     { "Overview", "Shape at a glance, for any polygon or polyhedron; ranges as in the table of criteria.",
-      { { "EdgeLengthRatio", { 1.0 / 3, Infinity } },
+      { { "EdgeLengthRatio", { 1.0 / 3, Infinity }, Hint },
         { "EquiangleSkewness", { -Infinity, 0.9 }, Hint },
         { "IsoperimetricQuotient", { -Infinity, Infinity } } } },
     { "General", "What a report shows unless asked otherwise; ranges as in the table of criteria.",

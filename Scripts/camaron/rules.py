@@ -103,7 +103,7 @@ class Rule:
     scope: Optional[Scope] = None
     tolerance: Tolerance = NONE
     null_fails: bool = True
-    #: Of common practice only, so that it warns.
+    #: Of a preset, and a hint only: it warns.
     hint: bool = False
     #: Where it comes from: its line in the file, and the preset if it is that of one.
     line: Optional[int] = None

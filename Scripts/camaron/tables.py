@@ -63,7 +63,7 @@ def known_notes() -> dict[str, dict[str, str]]:
 
 def known_presets() -> dict[str, dict[str, Any]]:
     """Description of every preset, its rules: acceptable [low, high] by the criterion's name, and its
-    hints: names of criteria whose range is common practice only."""
+    hints: names of criteria whose range is a hint only."""
     table = simple.CriteriaTable()
     try:
         presets: dict[str, dict[str, Any]] = {}

@@ -98,7 +98,7 @@ def notes(result: dict[str, Any]) -> list[str]:
         found.append(f"There are no cells to check for {', '.join(empty)}.")
     if any(entry["verdict"] == "warn" for entry in result["checks"]):
         found.append(
-            "Ranges that are common practice only, not read in a document, warn where they are those of a preset."
+            "Ranges of a preset that are hints warn: common practice, or what a document has for some shapes only."
         )
     for entry in result["checks"]:
         if entry["null"] and not entry["null_fails"]:
