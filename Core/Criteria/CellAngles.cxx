@@ -226,13 +226,13 @@ double CellGeometry::GetDihedralAngle(int edge) const
 void CellGeometry::ComputeSolidAngles()
 {
   const bool collapsed = this->HasCollapsedEdge;
+  if (this->OwnTopology)
+  {
+    this->OwnTopology->MakeVertexFigures();
+  }
   if (collapsed)
   {
     this->MergeCollapsedEdges();
-  }
-  else if (this->OwnTopology)
-  {
-    this->OwnTopology->MakeVertexFigures();
   }
   const CellTopology& topology = collapsed ? this->MergedTopology : *this->Topology;
   if (!this->Topology->IsClosed || !topology.HasVertexFigures)

@@ -115,12 +115,12 @@ namespace
 //------------------------------------------------------------------------------
 // Whether an edge that comes to a place on a face ends there at an edge of the face, or passes a point of it. Faces of an
 // open cell may do so because they do not share the points at which they meet.
-bool Touches(const CellGeometry& cell, const CellTopology::Edge& edge, int face, const Vector& place)
+bool Touches(const CellGeometry& cell, const int ends[2], int face, const Vector& place)
 {
   const auto isAt = [&](int point) { return cell.IsZeroLength(Norm(cell.GetPoint(point) - place)); };
   const int* ring = cell.GetTopology().GetFace(face);
   return std::any_of(ring, ring + cell.GetTopology().GetFaceSize(face), isAt) ||
-    ((isAt(edge.Points[0]) || isAt(edge.Points[1])) && IsOnEdge(cell, face, place));
+    ((isAt(ends[0]) || isAt(ends[1])) && IsOnEdge(cell, face, place));
 }
 
 //------------------------------------------------------------------------------
@@ -158,6 +158,48 @@ std::vector<Box> GetBoxesOfFaces(const CellGeometry& cell)
 }
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// A line on a face: an edge, or one from a corner to the centre, where Points are the corner twice.
+struct Line
+{
+  int Points[2];
+  Vector End;
+};
+
+//------------------------------------------------------------------------------
+// Those from corners to centres find faces that cut each other between points that they share. They lie on their face if
+// all triangles about the centre look to the same side.
+std::vector<Line> GetLines(const CellGeometry& cell)
+{
+  const CellTopology& topology = cell.GetTopology();
+  std::vector<Line> lines;
+  for (const CellTopology::Edge& edge : topology.Edges)
+  {
+    lines.push_back({ { edge.Points[0], edge.Points[1] }, cell.GetPoint(edge.Points[1]) });
+  }
+  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  {
+    const int* ring = topology.GetFace(f);
+    const int size = topology.GetFaceSize(f);
+    const Vector& center = cell.GetFaceCenter(f);
+    bool isStar = size > 3; // the lines of a triangle meet nothing that its edges do not
+    for (int i = 0; i < size; ++i)
+    {
+      const Vector triangle = Cross(
+        cell.GetPoint(ring[i]) - center, cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - center);
+      isStar = isStar && Dot(triangle, cell.GetFaceVector(f)) > 0;
+    }
+    for (int i = 0; isStar && i < size; ++i)
+    {
+      lines.push_back({ { ring[i], ring[i] }, center });
+    }
+  }
+  return lines;
+}
+}
+
 //------------------------------------------------------------------------------
 bool HasIntersectingFaces(const CellGeometry& cell)
 {
@@ -165,14 +207,14 @@ bool HasIntersectingFaces(const CellGeometry& cell)
   const bool isOpen = std::any_of(topology.Edges.begin(), topology.Edges.end(),
     [](const CellTopology::Edge& edge) { return edge.Uses == 1; });
   const std::vector<Box> boxes = GetBoxesOfFaces(cell);
-  for (const CellTopology::Edge& edge : topology.Edges)
+  for (const Line& line : GetLines(cell))
   {
-    const Vector &p = cell.GetPoint(edge.Points[0]), &q = cell.GetPoint(edge.Points[1]);
+    const Vector &p = cell.GetPoint(line.Points[0]), &q = line.End;
     Box box = { p, p };
     box.Add(q);
     for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
     {
-      if (!box.Meets(boxes[f]) || HasPoint(topology, f, edge.Points[0]) || HasPoint(topology, f, edge.Points[1]))
+      if (!box.Meets(boxes[f]) || HasPoint(topology, f, line.Points[0]) || HasPoint(topology, f, line.Points[1]))
       {
         continue;
       }
@@ -183,7 +225,7 @@ bool HasIntersectingFaces(const CellGeometry& cell)
         Vector hit;
         if (Crosses(p, q, cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]),
               cell.GetFaceCenter(f), hit) &&
-          !(isOpen && Touches(cell, edge, f, hit)))
+          !(isOpen && Touches(cell, line.Points, f, hit)))
         {
           return true;
         }

@@ -14,7 +14,8 @@ class CellGeometry;
 /// Whether two edges of a face meet that are not next to each other.
 bool HasIntersectingEdges(const CellGeometry& cell);
 /**
- * Whether an edge goes through a face with which it has no point in common, or touches it. Of an open cell an end that
+ * Whether a face goes through another one: whether an edge, or a line from a corner to the centre of a face, goes through a
+ * face of which its ends are no points, or touches it. Of an open cell an end that
  * lies on an edge of the face does not count, nor a point of the face that lies on the edge. With NeedsFaces.
  */
 bool HasIntersectingFaces(const CellGeometry& cell);

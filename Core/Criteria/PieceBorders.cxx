@@ -5,6 +5,7 @@
 #include "Parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace camaron
@@ -195,7 +196,9 @@ std::vector<unsigned char> PieceBorders::FindNearPoints(std::size_t piece) const
       {
         double x[3];
         this->GetPoint(mesh, point, x);
-        isNear[point] = std::any_of(
+        // A place that is none tells nothing, but an id does.
+        const bool isNowhere = this->HasIds && std::isnan(x[0] + x[1] + x[2]);
+        isNear[point] = isNowhere || std::any_of(
           others.begin(), others.end(), [&](const Box& box) { return box.Contains(x); });
       }
     });

@@ -23,6 +23,19 @@ bool HasThreeEdgesPerPoint(const CellTopology& topology)
 }
 
 //------------------------------------------------------------------------------
+bool AreDistinct(const int* points, int size)
+{
+  for (int i = 1; i < size; ++i)
+  {
+    if (std::find(points, points + i, points[i]) != points + i)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 int FindFace(const CellTopology& topology, int size)
 {
   int face = 0;
@@ -51,12 +64,13 @@ unsigned FindSimpleShape(const CellTopology& topology)
   int triangles = 0, quads = 0;
   for (int f = 0; f < faces; ++f)
   {
-    triangles += topology.GetFaceSize(f) == 3;
-    quads += topology.GetFaceSize(f) == 4;
-  }
-  if (triangles + quads != faces)
-  {
-    return 0;
+    const int size = topology.GetFaceSize(f);
+    triangles += size == 3;
+    quads += size == 4;
+    if (size > 4 || !AreDistinct(topology.GetFace(f), size))
+    {
+      return 0;
+    }
   }
   if (points == 4 && triangles == 4 && quads == 0)
   {
@@ -67,13 +81,16 @@ unsigned FindSimpleShape(const CellTopology& topology)
     return Pyramids;
   }
   const auto edges = static_cast<int>(topology.Edges.size());
-  if (points == 6 && triangles == 2 && quads == 3 && edges == 9 && HasThreeEdgesPerPoint(topology))
+  const unsigned shape = points == 6 && triangles == 2 && quads == 3 && edges == 9 ? Wedges
+    : points == 8 && triangles == 0 && quads == 6 && edges == 12                   ? Hexahedra
+                                                                                   : 0u;
+  if (shape == 0 || !HasThreeEdgesPerPoint(topology))
   {
-    return Wedges;
+    return 0;
   }
-  return points == 8 && quads == 6 && triangles == 0 && edges == 12 && HasThreeEdgesPerPoint(topology)
-    ? Hexahedra
-    : 0;
+  // Two shells, or faces that are there twice, can have as many of everything.
+  int nodes[MaxSimpleNodes];
+  return GetSimpleNodes(topology, shape, nodes) == points && AreDistinct(nodes, points) ? shape : 0u;
 }
 
 //------------------------------------------------------------------------------

@@ -138,6 +138,15 @@ double FaceOrientationStatus(const CellGeometry& cell)
 namespace
 {
 //------------------------------------------------------------------------------
+// Less than three points are no face, which is as if a point followed itself.
+bool HasRepeatedIds(const CellGeometry& cell)
+{
+  return (cell.GetShapes() & Polygons)
+    ? static_cast<int>(cell.GetCornerIds().size()) > cell.GetNumberOfPoints()
+    : cell.HasRepeatedPoints();
+}
+
+//------------------------------------------------------------------------------
 // Bits of everything that is wrong.
 unsigned FindStatus(const CellGeometry& cell)
 {
@@ -152,8 +161,8 @@ unsigned FindStatus(const CellGeometry& cell)
   unsigned status = CheckFaces(cell) |
     // Null where all points are in one place.
     Flag(cell.GetNumberOfPoints() > 1 && !(MinPointDistanceRatio(cell) > 0), CoincidentPoints) |
-    Flag(cell.HasRepeatedPoints(), CoincidentPoints) |
-    Flag(cell.IsZeroLength(cell.GetMinEdgeLength()), ZeroLengthEdge) |
+    Flag(HasRepeatedIds(cell), CoincidentPoints) |
+    Flag(!cell.GetTopology().Edges.empty() && cell.IsZeroLength(cell.GetMinEdgeLength()), ZeroLengthEdge) |
     Flag(cell.GetOptions().ChecksStarShape && IsStarShaped(cell) == 0, NotStarShaped);
   if (cell.GetShapes() & Polygons)
   {
@@ -184,8 +193,13 @@ double CellStatus(const CellGeometry& cell)
 double IsConvex(const CellGeometry& cell)
 {
   // Faces that are warped too much for a mean plane bend inward between their triangles.
-  const unsigned bent = (cell.GetShapes() & Polyhedra) ? NonPlanarFaces : 0u;
+  const bool isPolyhedron = (cell.GetShapes() & Polyhedra) != 0;
+  const unsigned bent = isPolyhedron ? NonPlanarFaces : 0u;
   const auto status = static_cast<unsigned>(CellStatus(cell));
+  if (isPolyhedron && cell.IsFinite() && std::isnan(cell.GetVolume()))
+  {
+    return 0; // nothing is inside of it
+  }
   return (status & (Nonconvex | bent | NotWatertight | NonManifoldEdge | NonFinitePoint)) == 0;
 }
 
@@ -238,7 +252,7 @@ std::vector<Criterion> ValidityCriteria()
       "(within PlanarityTolerance) and the cell has one surface, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
-      { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and of a polyhedron neither 64",
+      { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and neither 64",
         "1 for flat cells. Faces count by their mean planes as long as they are planar within PlanarityTolerance; where "
         "one is warped more, the triangles about its centre bend inward, and the cell is not convex: a hexahedron is not "
         "when its top is twisted by a quarter turn, although the mean planes enclose a box. 0 for open cells, those that cut through themselves, and those of several "
@@ -251,10 +265,10 @@ std::vector<Criterion> ValidityCriteria()
         "1 for flat cells; 0 where an edge has one face, and for cells of which no face is left.",
         "No other program here reports it per cell." } },
     { "IsValid", "Valid",
-      "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex, else 0.",
+      "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex or star-shaped, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 1, Infinity }, "valid", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid),
-      { "1 if CellStatus has at most 16, 32 and 64",
+      { "1 if CellStatus has at most 16, 32, 64 and 131072",
         "0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces all point "
         "inward, as it can be turned.",
         "No other program here reports it per cell." } },

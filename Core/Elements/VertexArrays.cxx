@@ -173,7 +173,7 @@ const std::vector<ElementArray>& GetVertexArrays()
       OfAnyCells, Unit::None, true, CAMARON_FLAGS(UnusedPoint) },
     { "PointRegionCount",
       "Number of groups of cells around the point that are connected over faces (of polygons: edges) with it; more "
-      "than 1 where the mesh is pinched.",
+      "than 1 where the mesh is pinched. Of polygons or polyhedra, whichever are more.",
       OfAnyCells, Unit::None, false, CAMARON_IDS(PointRegionCount) },
     { "DuplicatePoint",
       "Lowest id of all points within MergeTolerance of the point, if there is another one; else -1. The id is the "

@@ -85,10 +85,13 @@ std::vector<Index> CountPointRegions(const MeshTopology& topology)
   std::vector<Index> counts(static_cast<std::size_t>(mesh.GetNumberOfPoints()), 0);
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {
+    Index ofPolygons = 0, ofPolyhedra = 0;
     for (vtkIdType use = around.Offsets[point]; use < around.Offsets[point + 1]; ++use)
     {
-      counts[point] += sets.Contains(use) && sets.Find(use) == use;
+      const bool isGroup = sets.Contains(use) && sets.Find(use) == use;
+      (facets.GetDimension(around.Cells[use]) == 2 ? ofPolygons : ofPolyhedra) += isGroup;
     }
+    counts[point] = std::max(ofPolygons, ofPolyhedra);
   }
   return counts;
 }

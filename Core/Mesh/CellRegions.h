@@ -21,7 +21,8 @@ std::vector<Index> FindCellRegions(const MeshTopology& topology);
 
 /**
  * For every point the number of groups of cells around it that are connected over facets with that point; more
- * than 1 where the mesh is pinched. 0 for points that are no corner of a 2D or 3D cell.
+ * than 1 where the mesh is pinched. Of 2D or 3D cells, whichever are more: a solid may bring its boundary along. 0 for
+ * points that are no corner of either.
  */
 std::vector<Index> CountPointRegions(const MeshTopology& topology);
 }

@@ -46,6 +46,18 @@ Vector GetPoint(vtkPoints* points, vtkIdType id)
 }
 
 //------------------------------------------------------------------------------
+bool AreFinite(vtkPoints* points, vtkIdList* ids)
+{
+  bool areFinite = true;
+  for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+  {
+    const Vector point = GetPoint(points, ids->GetId(i));
+    areFinite = areFinite && std::isfinite(point.X) && std::isfinite(point.Y) && std::isfinite(point.Z);
+  }
+  return areFinite;
+}
+
+//------------------------------------------------------------------------------
 Vector GetMean(vtkPoints* points)
 {
   Vector sum;
@@ -133,7 +145,8 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
     if (type == VTK_CONVEX_POINT_SET)
     {
       constexpr vtkIdType least = 4; // points of a hull with a volume
-      const bool hasHull = points->GetNumberOfIds() >= least;
+      const bool isFinite = AreFinite(grid->GetPoints(), points);
+      const bool hasHull = points->GetNumberOfIds() >= least && isFinite;
       Vector mean;
       if (hasHull)
       {
@@ -143,12 +156,18 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
         MakeRound(cell->GetPoints(), mean);
         cell->Initialize();
       }
-      const int numberOfFaces = hasHull ? cell->GetNumberOfFaces() : 0;
+      int numberOfFaces = hasHull ? cell->GetNumberOfFaces() : 0;
       for (int f = 0; f < numberOfFaces; ++f)
       {
         vtkIdList* const triangle = cell->GetFace(f)->GetPointIds();
         TurnOutward(triangle, grid->GetPoints(), mean);
         locations->InsertCellPoint(faces->InsertNextCell(triangle));
+      }
+      if (!isFinite)
+      {
+        // A face with all its points, so that nobody takes it for the hull of the others.
+        locations->InsertCellPoint(faces->InsertNextCell(points));
+        numberOfFaces = 1;
       }
       locations->UpdateCellCount(numberOfFaces);
     }

@@ -119,6 +119,52 @@ TEST(CellLoading, PointsThatAreTheSame)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, a value is of something that only some of the cells before were asked for.
+TEST(CellLoading, CollapsedAfterSound)
+{
+  const auto makeCubes = [](int number)
+  {
+    Points points;
+    std::vector<Faces> cells;
+    const Faces cube = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
+    const Grid standard = MakeStandardCell(VTK_HEXAHEDRON);
+    for (int i = 0; i < number; ++i)
+    {
+      cells.push_back(cube);
+      for (auto& face : cells.back())
+      {
+        std::for_each(face.begin(), face.end(), [i](vtkIdType& id) { id += 8 * i; });
+      }
+      for (vtkIdType corner = 0; corner < 8; ++corner)
+      {
+        double x[3];
+        // The last one has an edge without a length.
+        standard->GetPoint(i + 1 == number && corner == 6 ? 5 : corner, x);
+        points.push_back({ x[0], x[1], x[2] });
+      }
+    }
+    vtkNew<vtkPoints> all;
+    all->SetDataTypeToDouble();
+    for (const Point& point : points)
+    {
+      all->InsertNextPoint(point.data());
+    }
+    return MakePolyhedra(all, cells);
+  };
+  const Values alone = EvaluateAll(makeCubes(1)), together = EvaluateAll(makeCubes(40));
+  for (const auto& row : alone)
+  {
+    const Criterion& criterion = *FindCriterion(row.first);
+    if (criterion.CellFunction && !(criterion.Needs & NeedsMeanSizes))
+    {
+      ExpectSame(row.second[0], together.at(row.first).back(), 0, row.first);
+      EXPECT_EQ(GetNullReason(row.second[0]), GetNullReason(together.at(row.first).back())) << row.first;
+    }
+  }
+  EXPECT_EQ(alone.at("CornerScaledJacobian")[0], 0);
+}
+
+//------------------------------------------------------------------------------
 // Ids whose hashes meet are told apart; numbers that are not given as they first occur are not recognized.
 TEST(CellLoading, Recognize)
 {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What cells have to do with each other: parts of a mesh, pinched points, cells that are there twice.
+#include "Criteria/LinkedPieces.h"
 #include "Criteria/PointRegions.h"
 #include "CriteriaTesting.h"
 
@@ -49,6 +50,67 @@ Grid MakeSquares(int size, const std::vector<std::array<int, 2>>& places)
   }
   return MakeGrid(points, cells);
 }
+}
+
+//------------------------------------------------------------------------------
+// Cells of two pieces that share a face find each other by global ids where a point of it is nowhere.
+TEST(CriteriaConnectivity, PiecesWithAPointNowhere)
+{
+  const Grid block = MakeHexahedra(2, 1, 1, false);
+  std::vector<Grid> grids;
+  std::vector<std::vector<vtkIdType>> ids;
+  std::vector<std::unique_ptr<MeshTopology>> topologies;
+  std::vector<LinkedPiece> pieces(2);
+  for (vtkIdType cell = 0; cell < 2; ++cell)
+  {
+    vtkIdList* const corners = block->GetCell(cell)->GetPointIds();
+    ids.emplace_back(corners->begin(), corners->end());
+    Points points;
+    for (const vtkIdType id : ids.back())
+    {
+      double x[3];
+      block->GetPoint(id, x);
+      const bool isNowhere = x[0] == 1 && x[1] == 0 && x[2] == 0;
+      points.push_back({ x[0], isNowhere ? std::numeric_limits<double>::quiet_NaN() : x[1], x[2] });
+    }
+    grids.push_back(MakeGrid(points, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } } }));
+  }
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    topologies.push_back(std::make_unique<MeshTopology>(grids[i]));
+    pieces[i].Data = grids[i];
+    pieces[i].Topology = topologies[i].get();
+    pieces[i].PointIds = ids[i].data();
+  }
+  Reducer alone;
+  const std::vector<PieceLinks> links = LinkPieces(pieces, alone);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    EvaluationOptions options;
+    options.Links = &links[i];
+    double count = 0;
+    EXPECT_TRUE(Evaluate(*topologies[i], options, { { FindCriterion("MaxFaceCellCount"), &count } },
+      [](double) { return true; }));
+    EXPECT_EQ(count, 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Polygons at the boundary of a solid do not pinch it, nor it them.
+TEST(CriteriaConnectivity, SolidWithItsBoundary)
+{
+  const Grid cubes = MakeCubes(2, { { 0, 0, 0 }, { 1, 0, 0 } }, false);
+  Cells cells;
+  for (vtkIdType cell = 0; cell < 2; ++cell)
+  {
+    vtkNew<vtkIdList> ids;
+    cubes->GetCellPoints(cell, ids);
+    cells.push_back({ VTK_HEXAHEDRON, { ids->begin(), ids->end() } });
+    cells.push_back({ VTK_QUAD, { ids->GetId(0), ids->GetId(1), ids->GetId(2), ids->GetId(3) } });
+  }
+  const Grid both = MakeGrid({}, cells);
+  both->SetPoints(cubes->GetPoints());
+  EXPECT_EQ(EvaluateAll(both).at("PointRegionCount"), std::vector<double>(4, 1));
 }
 
 //------------------------------------------------------------------------------

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is wrong with cells, and the criteria of cells that are degenerate, broken or without finite coordinates.
 #include "Criteria/CellStatusBits.h"
+#include "Mesh/PointSetHulls.h"
 
 #include "CriteriaTesting.h"
 #include "ReferenceShapes.h"
@@ -57,6 +58,8 @@ TEST(CriteriaValidity, Validity)
   for (const EvaluationOptions& options : { EvaluationOptions(), trust })
   {
     EXPECT_EQ(EvaluateAll(oneSided, options).at("FaceOrientationStatus")[0], 3);
+    EXPECT_EQ(EvaluateAll(oneSided, options).at("IsConvex")[0], 0);
+    EXPECT_NE(static_cast<unsigned>(EvaluateAll(oneSided, options).at("CellStatus")[0]) & IntersectingFaces, 0u);
   }
   EXPECT_EQ(GetNullReason(EvaluateAll(oneSided).at("Volume")[0]), NullReason::InvalidTopology);
   EXPECT_EQ(status(oneSided) & (FacesAreOrientedIncorrectly | NotWatertight | NonManifoldEdge),
@@ -127,6 +130,11 @@ TEST(CriteriaValidity, Validity)
     }
   }
   EXPECT_EQ(status(MakePolyhedron(loose, looseFaces)) & (IntersectingFaces | NotWatertight), NotWatertight);
+  // Squares with two opposite corners in common, which cross between them.
+  EXPECT_NE(status(MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0.7 }, { 0.5, 0.5, -0.7 } },
+              { { 0, 2, 1, 3 }, { 0, 4, 1, 5 } })) &
+      IntersectingFaces,
+    0u);
   // Walls that cross from their lower edges to their upper ones, without a floor and a ceiling.
   EXPECT_NE(status(MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 },
                                     { 1, 0, 1 }, { 0, 1, 1 } },
@@ -140,6 +148,9 @@ TEST(CriteriaValidity, Validity)
                 { 2, 3, 7, 6 } })) &
       (IntersectingFaces | NotWatertight),
     NotWatertight);
+
+  EXPECT_EQ(status(MakePolyhedron(loose, { { 0, 1 } })) & (ZeroLengthEdge | WrongNumberOfPoints), WrongNumberOfPoints);
+  EXPECT_EQ(polygon({ 0, 1 }), WrongNumberOfPoints);
 
   // Two tetrahedra that meet in one point, as one cell.
   const Points pair = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
@@ -166,6 +177,107 @@ TEST(CriteriaValidity, Validity)
   EXPECT_EQ(status(hinge) & (NonManifoldEdge | NotWatertight), NonManifoldEdge);
   EXPECT_EQ(EvaluateAll(hinge).at("IsConvex")[0], 0);
   EXPECT_EQ(EvaluateAll(hinge).at("IsValid")[0], 0);
+}
+
+//------------------------------------------------------------------------------
+// An octahemioctahedron: the triangles of a cuboctahedron and the four hexagons through its centre, which cross between
+// points that they share, also when these are moved.
+TEST(CriteriaValidity, FacesThatCrossBetweenTheirPoints)
+{
+  Points points;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const double a : { -1.0, 1.0 })
+    {
+      for (const double b : { -1.0, 1.0 })
+      {
+        Point point = { 0, 0, 0 };
+        point[(axis + 1) % 3] = a;
+        point[(axis + 2) % 3] = b;
+        points.push_back(point);
+      }
+    }
+  }
+  // Those of a plane through signs * (1, 1, 1) at a distance, in the order in which they lie around it.
+  const auto getFace = [&](const Point& signs, double distance)
+  {
+    const Vector normal = { signs[0], signs[1], signs[2] };
+    const Vector right = Unit(Cross(normal, { 0, 0, 1 })), up = Cross(Unit(normal), right);
+    std::map<double, vtkIdType> byAngle;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const Vector point = { points[i][0], points[i][1], points[i][2] };
+      if (Dot(normal, point) == distance)
+      {
+        byAngle[std::atan2(Dot(point, up), Dot(point, right))] = static_cast<vtkIdType>(i);
+      }
+    }
+    std::vector<vtkIdType> face;
+    for (const auto& point : byAngle)
+    {
+      face.push_back(point.second);
+    }
+    return face;
+  };
+  Faces faces;
+  for (const double x : { -1.0, 1.0 })
+  {
+    for (const double y : { -1.0, 1.0 })
+    {
+      faces.push_back(getFace({ x, y, 1 }, 0));
+      faces.push_back(getFace({ x, y, 1 }, 2));
+      faces.push_back(getFace({ x, y, -1 }, 2));
+    }
+  }
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> noise(-0.01, 0.01);
+  const Grid exact = MakePolyhedron(points, faces);
+  const Grid moved = Transform(exact,
+    [&](const Point& p) { return Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) }; });
+  for (const Grid& mesh : { exact, moved })
+  {
+    const Values values = EvaluateAll(mesh);
+    EXPECT_EQ(values.at("FaceCount")[0], 12);
+    EXPECT_EQ(values.at("IsWatertight")[0], 1);
+    EXPECT_NE(static_cast<unsigned>(values.at("CellStatus")[0]) & IntersectingFaces, 0u);
+    EXPECT_EQ(values.at("IsValid")[0], 0);
+    EXPECT_EQ(values.at("IsConvex")[0], 0);
+  }
+}
+
+//------------------------------------------------------------------------------
+// What has as many points, edges and faces as a hexahedron is none if a face comes to a point twice, or if there are two
+// pieces: quadrilaterals over all points of a tetrahedron.
+TEST(CriteriaValidity, NoHexahedra)
+{
+  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
+    { 0, 1, 1 } };
+  Faces twice = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
+  for (std::size_t face = 0; face < twice.size(); ++face)
+  {
+    Faces faces = twice;
+    faces[face][3] = faces[face][1];
+    std::swap(faces[0], faces[face]);
+    EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("CellFamilyId")[0], VTK_POLYHEDRON);
+  }
+  const Grid two = MakePolyhedron(corners, { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 0, 1, 3, 2 }, { 4, 5, 6, 7 },
+                                             { 4, 6, 5, 7 }, { 4, 5, 7, 6 } });
+  EXPECT_EQ(EvaluateAll(two).at("CellFamilyId")[0], VTK_POLYHEDRON);
+}
+
+//------------------------------------------------------------------------------
+// A set of points one of which is nowhere is not the hull of the others.
+TEST(CriteriaValidity, PointSetsThatAreNotFinite)
+{
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), Infinity })
+  {
+    const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, bad } },
+      { { VTK_CONVEX_POINT_SET, { 0, 1, 2, 3, 4 } } });
+    const Values values = EvaluateAll(WithHulls(grid, VTK_CONVEX_POINT_SET));
+    EXPECT_EQ(values.at("CellStatus")[0], NonFinitePoint);
+    EXPECT_TRUE(std::isnan(values.at("Volume")[0]));
+    EXPECT_EQ(values.at("VertexCount")[0], 5);
+  }
 }
 
 //------------------------------------------------------------------------------
