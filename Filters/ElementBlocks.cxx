@@ -391,7 +391,9 @@ void SetNulls(const ElementBlock& block, vtkDoubleArray* values)
   double* const to = values->GetPointer(0);
   for (vtkIdType cell = 0; cell < values->GetNumberOfValues(); ++cell)
   {
-    if (GetCellShape(static_cast<unsigned char>(block.Data->GetCellType(cell))).Dimension < 2)
+    const int dimension = GetCellShape(static_cast<unsigned char>(block.Data->GetCellType(cell))).Dimension;
+    const unsigned shapes = dimension == 2 ? Polygons : dimension == 3 ? Polyhedra : 0u;
+    if (!(criterion->AppliesTo & shapes))
     {
       to[cell] = Null(NullReason::NotApplicable);
     }

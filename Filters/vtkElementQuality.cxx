@@ -261,6 +261,10 @@ bool vtkElementQuality::GoOn(double progress, camaron::Reducer& reducer, bool is
   this->UpdateProgress(progress);
   std::int64_t goOn = isFinished && !this->CheckAbort();
   reducer.Min(&goOn, 1);
+  if (!goOn)
+  {
+    this->SetAbortOutput(true); // also where another process was stopped
+  }
   return goOn != 0;
 }
 
@@ -293,11 +297,14 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   };
   for (const auto& [isNeeded, find] : ofMesh)
   {
-    if (isNeeded && !this->GoOn(0, reducer))
+    if (isNeeded)
     {
-      return false;
+      if (!this->GoOn(0, reducer))
+      {
+        return false;
+      }
+      (pieces.*find)();
     }
-    isNeeded ? (pieces.*find)() : void();
   }
   bool isFinished = true;
   camaron::RunTogether(reducer,

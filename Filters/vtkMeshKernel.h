@@ -12,8 +12,8 @@
  *
  * - Of each cell: cell arrays "SourceCell" and "KernelRatio" and those of the mesh (of blocks those that
  *   all blocks have), field array "CellsWithoutKernel"; see camaron::MakeKernelCells. Of a composite input "SourceBlock"
- *   and "BlocksWithoutKernel" tell the blocks of these cells by VTK's flat index. On every process the kernels of its own
- *   cells.
+ *   and "BlocksWithoutKernel" tell the blocks of these cells by VTK's flat index on the process. On every process the kernels of
+ *   its own cells.
  * - Of the whole surface: what all polygons of all blocks and processes enclose is one shape. Its
  *   polygons are gathered on the first process, which has the result: the same for any number of
  *   processes, to the last bit. Polygons may run either way round if they hang together.

@@ -32,19 +32,22 @@ double GetDistance(const Vector& p, const Vector& u, const Vector& q, const Vect
 }
 
 //------------------------------------------------------------------------------
-// Whether the segment from p to q crosses or touches the triangle, and where.
-bool Crosses(
-  const Vector& p, const Vector& q, const Vector& a, const Vector& b, const Vector& c, Vector& hit)
+// Whether the segment from p to q crosses or touches the triangle, and where. One that lies in its plane does not.
+bool Crosses(const CellGeometry& cell, const Vector& p, const Vector& q, const Vector& a, const Vector& b,
+  const Vector& c, Vector& hit)
 {
   const Vector normal = Cross(b - a, c - a);
   const double height = Dot(normal, p - a), depth = Dot(normal, q - a);
-  if (height * depth > 0 || height == depth)
+  const double zero = cell.GetZeroLength() * Norm(normal);
+  if (height * depth > 0 || height == depth || (std::abs(height) <= zero && std::abs(depth) <= zero))
   {
     return false;
   }
   hit = p + (height / (height - depth)) * (q - p);
-  return Dot(normal, Cross(b - a, hit - a)) >= 0 && Dot(normal, Cross(c - b, hit - b)) >= 0 &&
-    Dot(normal, Cross(a - c, hit - c)) >= 0;
+  constexpr double tolerance = 1e-12; // so that nothing passes between two triangles
+  const double least = -tolerance * Norm2(normal);
+  return Dot(normal, Cross(b - a, hit - a)) >= least && Dot(normal, Cross(c - b, hit - b)) >= least &&
+    Dot(normal, Cross(a - c, hit - c)) >= least;
 }
 
 //------------------------------------------------------------------------------
@@ -146,6 +149,7 @@ std::vector<Box> GetBoxesOfFaces(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
   std::vector<Box> boxes;
+  boxes.reserve(topology.GetNumberOfFaces());
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
     boxes.push_back({ cell.GetFaceCenter(f), cell.GetFaceCenter(f) });
@@ -156,10 +160,7 @@ std::vector<Box> GetBoxesOfFaces(const CellGeometry& cell)
   }
   return boxes;
 }
-}
 
-namespace
-{
 //------------------------------------------------------------------------------
 // A line on a face: an edge, or one from a corner to the centre, where Points are the corner twice.
 struct Line
@@ -175,6 +176,7 @@ std::vector<Line> GetLines(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
   std::vector<Line> lines;
+  lines.reserve(topology.Edges.size() + topology.FacePoints.size());
   for (const CellTopology::Edge& edge : topology.Edges)
   {
     lines.push_back({ { edge.Points[0], edge.Points[1] }, cell.GetPoint(edge.Points[1]) });
@@ -193,7 +195,10 @@ std::vector<Line> GetLines(const CellGeometry& cell)
     }
     for (int i = 0; isStar && i < size; ++i)
     {
-      lines.push_back({ { ring[i], ring[i] }, center });
+      // A little further, as where faces cross their centres may lie on the others.
+      constexpr double further = 1e-6;
+      const Vector& corner = cell.GetPoint(ring[i]);
+      lines.push_back({ { ring[i], ring[i] }, center + further * (center - corner) });
     }
   }
   return lines;
@@ -223,7 +228,7 @@ bool HasIntersectingFaces(const CellGeometry& cell)
       for (int i = 0; i < size; ++i)
       {
         Vector hit;
-        if (Crosses(p, q, cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]),
+        if (Crosses(cell, p, q, cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]),
               cell.GetFaceCenter(f), hit) &&
           !(isOpen && Touches(cell, line.Points, f, hit)))
         {

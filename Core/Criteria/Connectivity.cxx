@@ -208,7 +208,7 @@ std::vector<Criterion> ConnectivityCriteria()
       { -Infinity, 1 }, "no pinched points", Cited, Integer, Cost::Neighbors, NeedsPointRegions, CAMARON_MESH(PointRegionCount),
       { "max over the points of the cell of the components of the graph of the cells around the point and "
         "their common facets with that point",
-        "0 for a polyhedron without faces.",
+        "0 for a polyhedron without faces. At a point of polygons and polyhedra the groups of whichever have more.",
         "OpenFOAM's checkMesh calls such points multiply connected, at the boundary only." } },
     { "DuplicateCell", "Cell with the same points",
       "Lowest id of all cells that have exactly the points of this cell, if there is another one; else -1. The id "
@@ -226,8 +226,8 @@ std::vector<Criterion> ConnectivityCriteria()
       { -Infinity, 2 }, "the cell and one neighbour", Cited, Integer,
       Cost::Neighbors, NeedsPoints, CAMARON_MESH(MaxFaceCellCount),
       { "max over the faces of the number of cells with the same points",
-        "1 for a cell alone. Cells that are there twice count twice, and a cell that has a face twice does, too; null "
-        "(invalid topology) for a cell without faces.",
+        "1 for a cell alone. A cell that is there twice counts twice, and one that has the face twice does, too. Null (piece "
+        "not known) as `IsBoundary`, null (invalid topology) for a cell without faces.",
         "checkMesh refuses meshes with such faces; `FaceCellCount` of Mesh Elements tells which they are." } },
     { "IsBoundary", "At the boundary",
       "1 if a face (of polygons an edge) of the cell has no other cell, else 0.",

@@ -290,11 +290,12 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   const int passes = hasCellPass + !ofMesh.empty() + !ofNeighbors.empty();
   const double total = static_cast<double>(numberOfCells) * passes;
   double done = 0;
+  const auto goesOn = [&] { return progress(total > 0 ? done / total : 0); };
   const auto inSlabs = [&](auto&& evaluate)
   {
     for (vtkIdType first = 0; first < numberOfCells; first += slab)
     {
-      if (!progress(done / total))
+      if (!goesOn())
       {
         return false;
       }
@@ -317,7 +318,7 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   }
   // The table of facets takes a while, and is asked for after the question whether to go on.
   if (!ofNeighbors.empty() &&
-    (!progress(done / total) || !inSlabs(NeighborEvaluation(topology, options, ofNeighbors, *centers))))
+    (!goesOn() || !inSlabs(NeighborEvaluation(topology, options, ofNeighbors, *centers))))
   {
     return false;
   }
@@ -327,7 +328,7 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
     const MeshContext context(topology, options);
     for (const CriterionValues& row : ofMesh)
     {
-      if (!progress(done / total))
+      if (!goesOn())
       {
         return false;
       }

@@ -79,8 +79,8 @@ const std::vector<Preset>& GetPresets()
     { "Surface", "Polygonal surfaces; ranges of the Verdict manual, rev. A, for triangles, and that of the largest angle for "
       "quadrilaterals.",
       { { "Area", { Positive, Infinity } },
-        { "MinInteriorAngle", { 30, Infinity } },
-        { "MaxInteriorAngle", { -Infinity, 135 } },
+        { "MinInteriorAngle", { 30, Infinity }, Hint },
+        { "MaxInteriorAngle", { -Infinity, 135 }, Hint },
         { "EdgeLengthRatio", { 1 / 1.3, Infinity } },
         { "TriangleRadiusRatio", { 1.0 / 3, Infinity } },
         { "MaxNeighborNormalAngle", { -Infinity, Infinity } } } },

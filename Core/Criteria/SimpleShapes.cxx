@@ -57,7 +57,7 @@ bool Contains(const int* points, int size, int point)
 unsigned FindSimpleShape(const CellTopology& topology)
 {
   const int points = topology.NumberOfPoints, faces = topology.GetNumberOfFaces();
-  if (points > MaxSimpleNodes)
+  if (points > MaxSimpleNodes || !topology.IsManifold)
   {
     return 0;
   }
@@ -88,7 +88,7 @@ unsigned FindSimpleShape(const CellTopology& topology)
   {
     return 0;
   }
-  // Two shells, or faces that are there twice, can have as many of everything.
+  // Two shells can have as many of everything.
   int nodes[MaxSimpleNodes];
   return GetSimpleNodes(topology, shape, nodes) == points && AreDistinct(nodes, points) ? shape : 0u;
 }

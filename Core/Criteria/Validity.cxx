@@ -138,12 +138,12 @@ double FaceOrientationStatus(const CellGeometry& cell)
 namespace
 {
 //------------------------------------------------------------------------------
-// Less than three points are no face, which is as if a point followed itself.
+// A point that follows itself in a face, or that a cell of a fixed type lists twice.
 bool HasRepeatedIds(const CellGeometry& cell)
 {
-  return (cell.GetShapes() & Polygons)
-    ? static_cast<int>(cell.GetCornerIds().size()) > cell.GetNumberOfPoints()
-    : cell.HasRepeatedPoints();
+  const bool isCollapsed =
+    (cell.GetShapes() & Polyhedra) && cell.IsOfStandardType() && !cell.HasNodesInOrder();
+  return isCollapsed || cell.HasRepeatedPoints();
 }
 
 //------------------------------------------------------------------------------

@@ -26,9 +26,10 @@ void ForEachNeighborhood(
   const MeshView& mesh = context.GetMesh();
   EvaluationOptions options = context.GetOptions();
   options.Ghosts = context.IsComplete() ? nullptr : options.Ghosts;
+  constexpr double centerTime = 0.4; // part of the time, about
   CellCenters centers(mesh.GetNumberOfCells());
   {
-    const ElementContext::Step step(context, 0, 0.4);
+    const ElementContext::Step step(context, 0, centerTime);
     context.ForCells(
       [&](vtkIdType begin, vtkIdType end)
       {
@@ -39,7 +40,7 @@ void ForEachNeighborhood(
         }
       });
   }
-  const ElementContext::Step step(context, 0.4, 1);
+  const ElementContext::Step step(context, centerTime, 1);
   const CellNeighborhood prototype(context.GetTopology(), centers, options);
   context.ForCells(
     [&](vtkIdType begin, vtkIdType end)

@@ -78,11 +78,12 @@ bool CellTopology::Finish(bool edgesCanWait)
     isRepeated |= this->GetFaceSize(f) < 3;
   }
   const bool wasRepeated = isRepeated && this->DropRepeatedPoints();
+  const bool isAsAdded = !wasRepeated && this->GetNumberOfFaces() == numberOfFaces;
   this->Reversed.assign(this->GetNumberOfFaces(), 0);
   this->Edges.clear();
   this->HasEdges = this->IsOneShell = this->HasShells = this->HasFacePairs = false;
   this->KnowsVertexFigures = this->HasVertexFigures = false;
-  this->IsAsAdded = !wasRepeated;
+  this->IsAsAdded = isAsAdded;
   if (!edgesCanWait)
   {
     this->FindEdges();
@@ -202,7 +203,7 @@ bool CellTopology::DropRepeatedPoints()
         this->FacePoints[end++] = points[i];
       }
     }
-    isRepeated = isRepeated || end - begin < 3 || end - begin < offsets[f + 1] - offsets[f];
+    isRepeated = isRepeated || end - begin < offsets[f + 1] - offsets[f];
     if (end - begin < 3)
     {
       end = begin;

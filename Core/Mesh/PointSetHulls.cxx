@@ -163,9 +163,9 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
         TurnOutward(triangle, grid->GetPoints(), mean);
         locations->InsertCellPoint(faces->InsertNextCell(triangle));
       }
-      if (!isFinite)
+      if (!isFinite && hullType == VTK_CONVEX_POINT_SET)
       {
-        // A face with all its points, so that nobody takes it for the hull of the others.
+        // A face with all its points tells those who evaluate the cell.
         locations->InsertCellPoint(faces->InsertNextCell(points));
         numberOfFaces = 1;
       }

@@ -29,8 +29,8 @@ cell array for each criterion.
 
 CHECK_HELP = """\
 Holds meshes to rules and says which of them fail, and where: for the scripts that make meshes. The
-exit status is 0 if all meshes keep to all rules, 1 if not, 2 if a mesh cannot be read or a rule is
-wrong.
+exit status is 0 if all meshes keep to all rules but those that only warn, 1 if not, 2 if a mesh
+cannot be read or a rule is wrong.
 
   camaron check part.visf --rules fem.rules
   camaron check part.visf --preset 'Finite volume' --tolerate 0.1%

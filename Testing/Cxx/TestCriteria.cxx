@@ -481,6 +481,15 @@ TEST(Criteria, TetrahedraWithoutTopology)
 // Stopping leaves at once; progress runs from 0 upwards.
 TEST(Criteria, ProgressAndAbort)
 {
+  for (const Criterion& criterion : GetCriteria())
+  {
+    EXPECT_TRUE(Evaluate(MeshTopology(MakeGrid({}, {})), {}, { { &criterion, nullptr } },
+      [](double done)
+      {
+        EXPECT_EQ(done, 0);
+        return true;
+      }));
+  }
   const Grid grid = MakeHexahedra(60, 60, 60, false);
   std::vector<double> values(grid->GetNumberOfCells());
   for (const char* name : { "Volume", "MaxNonOrthogonality", "RegionId" })

@@ -148,9 +148,36 @@ TEST(CriteriaValidity, Validity)
                 { 2, 3, 7, 6 } })) &
       (IntersectingFaces | NotWatertight),
     NotWatertight);
+  // The top in three strips, which the walls in front and behind do not know of, in any direction.
+  points = corners;
+  points.insert(points.end(), { { 1. / 3, 0, 1 }, { 2. / 3, 0, 1 }, { 1. / 3, 1, 1 }, { 2. / 3, 1, 1 } });
+  const Grid strips = MakePolyhedron(points,
+    { { 0, 3, 2, 1 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 }, { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 4, 8, 10, 7 },
+      { 8, 9, 11, 10 }, { 9, 5, 6, 11 } });
+  const Grid squares = MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0.7 },
+                                        { 0.5, 0.5, -0.7 } },
+    { { 0, 2, 1, 3 }, { 0, 4, 1, 5 } });
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> angle(0, 2 * Pi);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double a = angle(random), b = angle(random);
+    const auto turn = [&](const Point& p)
+    {
+      const double x = std::cos(a) * p[0] - std::sin(a) * p[1], y = std::sin(a) * p[0] + std::cos(a) * p[1];
+      return Point{ x, std::cos(b) * y - std::sin(b) * p[2], std::sin(b) * y + std::cos(b) * p[2] };
+    };
+    ASSERT_EQ(status(Transform(strips, turn)) & (IntersectingFaces | NotWatertight), NotWatertight) << a << ' ' << b;
+    ASSERT_NE(status(Transform(squares, turn)) & IntersectingFaces, 0u) << a << ' ' << b;
+  }
 
-  EXPECT_EQ(status(MakePolyhedron(loose, { { 0, 1 } })) & (ZeroLengthEdge | WrongNumberOfPoints), WrongNumberOfPoints);
+  // What is no face of less than three points has not, therefore, a point twice.
+  EXPECT_EQ(status(MakePolyhedron(loose, { { 0, 1 } })), WrongNumberOfPoints | NotWatertight);
   EXPECT_EQ(polygon({ 0, 1 }), WrongNumberOfPoints);
+  Faces withLine = outward;
+  withLine.push_back({ 0, 1 });
+  EXPECT_EQ(status(MakePolyhedron(corners, withLine)), 0u);
+  EXPECT_NE(status(MakeGrid(corners, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 0, 7 } } })) & CoincidentPoints, 0u);
 
   // Two tetrahedra that meet in one point, as one cell.
   const Points pair = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
@@ -258,6 +285,13 @@ TEST(CriteriaValidity, NoHexahedra)
     Faces faces = twice;
     faces[face][3] = faces[face][1];
     std::swap(faces[0], faces[face]);
+    EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("CellFamilyId")[0], VTK_POLYHEDRON);
+  }
+  // Faces that are there twice, for others that are not.
+  for (const Faces& faces : { Faces{ { 0, 2, 1 }, { 0, 1, 2 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } },
+         Faces{ { 0, 3, 2, 1 }, { 0, 1, 4 }, { 0, 1, 4 }, { 2, 3, 4 }, { 2, 3, 4 } },
+         Faces{ { 0, 1, 2 }, { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 3 } } })
+  {
     EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("CellFamilyId")[0], VTK_POLYHEDRON);
   }
   const Grid two = MakePolyhedron(corners, { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 0, 1, 3, 2 }, { 4, 5, 6, 7 },
