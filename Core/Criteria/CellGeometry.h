@@ -24,6 +24,8 @@
 #include "Mesh/Vector.h"
 #include "Mesh/VectorPair.h"
 
+#include "vtkDataSetAttributes.h" // for the kinds of ghosts
+
 #include <algorithm> // for tolerances
 #include <cstdint>   // for numbers of cells
 #include <limits>    // for tolerances
@@ -72,6 +74,17 @@ struct EvaluationOptions
   const MeshRegions* Regions = nullptr;
   /// The groups of cells at points over all pieces; if none, those of the mesh that is evaluated.
   const PointRegions* PointGroups = nullptr;
+
+  /// Whether a cell is a copy of one that belongs to another piece.
+  bool IsCopy(vtkIdType cell) const
+  {
+    return this->Ghosts && (this->Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
+  }
+  /// Whether a cell without a neighbour may have one in another piece.
+  bool MayHaveMore(vtkIdType cell) const
+  {
+    return this->IsPieceWithoutGhosts || (this->Ghosts && this->Ghosts[cell]);
+  }
 };
 
 ///@{

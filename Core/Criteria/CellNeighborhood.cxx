@@ -4,8 +4,6 @@
 
 #include "Mesh/FacetLinks.h"
 
-#include "vtkDataSetAttributes.h"
-
 #include <algorithm>
 
 namespace camaron
@@ -96,8 +94,7 @@ void CellCenters::Set(vtkIdType cell, const CellGeometry& geometry)
 CellNeighborhood::CellNeighborhood(
   const MeshTopology& topology, const CellCenters& centers, const EvaluationOptions& options)
   : Centers(centers)
-  , Ghosts(options.Ghosts)
-  , IsPieceWithoutGhosts(options.IsPieceWithoutGhosts)
+  , Options(options)
   , Links(options.Links)
 {
   if (HasCellsOfDimension(topology.GetMesh(), 3))
@@ -111,29 +108,33 @@ CellNeighborhood::CellNeighborhood(
 }
 
 //------------------------------------------------------------------------------
+Index CountCellsOfAllPieces(Index facet, const FacetTable& table, const FacetLinks& links,
+  const EvaluationOptions& options, std::vector<Index>& scratch)
+{
+  table.GetCells(facet, scratch);
+  auto count = std::count_if(
+    scratch.begin(), scratch.end(), [&](Index cell) { return !options.IsCopy(cell); });
+  links.ForEach(facet, [&](const LinkedCell&, bool) { ++count; });
+  return static_cast<Index>(count);
+}
+
+//------------------------------------------------------------------------------
 // Where other pieces have the facet, too: what their processes say counts, not copies of their cells.
 bool CellNeighborhood::FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table,
   const FacetLinks& links, Facet& facet)
 {
-  const auto isCopy = [this](vtkIdType id)
-  { return this->Ghosts && (this->Ghosts[id] & vtkDataSetAttributes::DUPLICATECELL); };
-  if (!links.Has(use.Facet()) || isCopy(cell))
+  if (!links.Has(use.Facet()) || this->Options.IsCopy(cell))
   {
     return false;
   }
-  int count = 0;
   links.ForEach(use.Facet(),
     [&](const LinkedCell& linked, bool)
     {
-      ++count;
       facet.OtherCentroid = this->Geometry->ToCell(linked.Centroid);
       facet.OtherSize = linked.Size;
     });
-  table.GetCells(use.Facet(), this->FacetCells);
-  count += static_cast<int>(std::count_if(this->FacetCells.begin(), this->FacetCells.end(),
-             [&](Index id) { return !isCopy(id); }) -
-    1);
-  facet.Other = count == 1 ? Side::Cell : Side::NonManifold;
+  const Index count = CountCellsOfAllPieces(use.Facet(), table, links, this->Options, this->FacetCells);
+  facet.Other = count == 2 ? Side::Cell : Side::NonManifold;
   return true;
 }
 
@@ -148,9 +149,7 @@ void CellNeighborhood::FindOther(
   const FacetTable::CellPair cells = table.GetCells(use.Facet());
   if (cells.Second < 0)
   {
-    // What lies beyond a ghost is not known.
-    const bool isGhost = this->Ghosts && this->Ghosts[cell];
-    facet.Other = isGhost || this->IsPieceWithoutGhosts ? Side::Missing : Side::Boundary;
+    facet.Other = this->Options.MayHaveMore(cell) ? Side::Missing : Side::Boundary;
     return;
   }
   if (cells.First == cells.Second || table.HasMoreThanTwoCells(use.Facet()))

@@ -48,6 +48,10 @@ Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptio
   CellGeometry& scratch);
 ///@}
 
+/// Of a facet that cells of other pieces have, too, see FacetLinks, how many cells have it, copies not counted.
+Index CountCellsOfAllPieces(Index facet, const FacetTable& table, const FacetLinks& links,
+  const EvaluationOptions& options, std::vector<Index>& scratch);
+
 class CellNeighborhood
 {
 public:
@@ -120,8 +124,7 @@ private:
     Facet& facet);
 
   const CellCenters& Centers;
-  const unsigned char* Ghosts;
-  bool IsPieceWithoutGhosts;
+  const EvaluationOptions& Options;
   const PieceLinks* Links;
   const FacetTable* Faces = nullptr; ///< of 3D cells, if there are any
   const FacetTable* Edges = nullptr; ///< of 2D cells, if there are any

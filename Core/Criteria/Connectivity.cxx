@@ -7,8 +7,6 @@
 #include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 
-#include "vtkDataSetAttributes.h"
-
 #include <algorithm>
 #include <functional>
 #include <vector>
@@ -100,9 +98,7 @@ void IsBoundary(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double*
       const bool isAlone = std::any_of(uses.begin(), uses.end(),
         [&](CellFacet use)
         { return table.IsBoundary(use.Facet()) && !(links && links->Has(use.Facet())); });
-      const bool mayHaveMore =
-        options.IsPieceWithoutGhosts || (options.Ghosts && options.Ghosts[cell]);
-      return isAlone && mayHaveMore ? Null(NullReason::MissingGhosts) : double(isAlone);
+      return isAlone && options.MayHaveMore(cell) ? Null(NullReason::MissingGhosts) : double(isAlone);
     });
 }
 
@@ -153,34 +149,24 @@ void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, d
 void MaxFaceCellCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
   const EvaluationOptions& options = mesh.Options;
-  const auto isCopy = [&](vtkIdType cell)
-  { return options.Ghosts && (options.Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL); };
-  std::vector<Index> cells;
-  // Where other pieces have the facet, too, what they say of it counts, not copies of their cells.
-  const auto countLinked = [&](const FacetTable& table, const FacetLinks& links, Index facet)
-  {
-    table.GetCells(facet, cells);
-    auto count = std::count_if(cells.begin(), cells.end(), std::not_fn(isCopy));
-    links.ForEach(facet, [&](const LinkedCell&, bool) { ++count; });
-    return static_cast<Index>(count);
-  };
+  std::vector<Index> scratch;
   ForFacetCells(mesh, begin, end, values,
     [&](vtkIdType cell, int dimension)
     {
       const FacetTable& table = mesh.Topology.GetFacets(dimension);
       const FacetLinks* links = options.Links ? &options.Links->GetFacets(dimension) : nullptr;
-      const bool mayHaveMore =
-        options.IsPieceWithoutGhosts || (options.Ghosts && options.Ghosts[cell]);
       Index largest = 0;
       for (const CellFacet use : table.GetCellFacets(cell))
       {
-        const bool isLinked = links && links->Has(use.Facet()) && !isCopy(cell);
-        if (mayHaveMore && !isLinked && table.IsBoundary(use.Facet()))
+        const Index facet = use.Facet();
+        const bool isLinked = links && links->Has(facet) && !options.IsCopy(cell);
+        if (!isLinked && table.IsBoundary(facet) && options.MayHaveMore(cell))
         {
           return Null(NullReason::MissingGhosts);
         }
-        largest = std::max(
-          largest, isLinked ? countLinked(table, *links, use.Facet()) : table.GetNumberOfCells(use.Facet()));
+        largest = std::max(largest,
+          isLinked ? CountCellsOfAllPieces(facet, table, *links, options, scratch)
+                   : table.GetNumberOfCells(facet));
       }
       return largest > 0 ? double(largest) : Null(NullReason::InvalidTopology);
     });

@@ -29,11 +29,7 @@ struct LinkedPiece
   vtkDataSet* Data = nullptr;          ///< what Topology is of, or none where it is not asked for
 
   /// Whether a cell is a copy of one that belongs to another piece.
-  bool IsCopy(vtkIdType cell) const
-  {
-    return this->Options.Ghosts &&
-      (this->Options.Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
-  }
+  bool IsCopy(vtkIdType cell) const { return this->Options.IsCopy(cell); }
 };
 }
 

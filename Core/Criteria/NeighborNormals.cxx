@@ -30,15 +30,13 @@ void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors, c
   vtkIdType cell, CellFacet edge, std::vector<Index>& cells, Findings& findings, Visitor&& visit)
 {
   const EvaluationOptions& options = mesh.Options;
-  const auto isCopy = [&](vtkIdType id)
-  { return options.Ghosts && (options.Ghosts[id] & vtkDataSetAttributes::DUPLICATECELL); };
   const bool isLinked =
-    options.Links && options.Links->Edges.Has(edge.Facet()) && !isCopy(cell);
+    options.Links && options.Links->Edges.Has(edge.Facet()) && !options.IsCopy(cell);
   bool any = false;
   edges.GetCells(edge.Facet(), cells);
   for (const Index other : cells)
   {
-    if (other == cell || (isLinked && isCopy(other)))
+    if (other == cell || (isLinked && options.IsCopy(other)))
     {
       continue;
     }
@@ -64,8 +62,7 @@ void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors, c
   }
   findings.HasNeighbor = findings.HasNeighbor || any;
   findings.IsMissing = findings.IsMissing ||
-    (!any && edges.IsBoundary(edge.Facet()) &&
-      (options.IsPieceWithoutGhosts || (options.Ghosts && options.Ghosts[cell])));
+    (!any && edges.IsBoundary(edge.Facet()) && options.MayHaveMore(cell));
 }
 
 //------------------------------------------------------------------------------

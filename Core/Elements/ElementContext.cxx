@@ -234,8 +234,7 @@ bool ElementContext::GoesOn(double done) const
 //------------------------------------------------------------------------------
 bool ElementContext::IsCopy(vtkIdType cell) const
 {
-  return this->Options.Ghosts &&
-    (this->Options.Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
+  return this->Options.IsCopy(cell);
 }
 
 //------------------------------------------------------------------------------
