@@ -216,7 +216,6 @@ void CellGeometry::ComputeFanAreasIn() const
     });
 }
 
-#if defined(CAMARON_HAS_QUADS)
 //------------------------------------------------------------------------------
 CAMARON_WITH_QUADS void CellGeometry::ComputeFacesInQuads(bool withMoments)
 {
@@ -228,17 +227,4 @@ CAMARON_WITH_QUADS void CellGeometry::ComputeFanAreasInQuads() const
 {
   this->ComputeFanAreasIn<FaceGroup<Quad>>();
 }
-#else
-//------------------------------------------------------------------------------
-void CellGeometry::ComputeFacesInQuads(bool withMoments)
-{
-  this->ComputeFacesIn<FaceGroup<Pair>>(withMoments);
-}
-
-//------------------------------------------------------------------------------
-void CellGeometry::ComputeFanAreasInQuads() const
-{
-  this->ComputeFanAreasIn<FaceGroup<Pair>>();
-}
-#endif
 }

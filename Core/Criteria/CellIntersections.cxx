@@ -4,6 +4,8 @@
 
 #include "Criteria/CellGeometry.h"
 
+#include "vtkBoundingBox.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -127,35 +129,23 @@ bool Touches(const CellGeometry& cell, const int ends[2], int face, const Vector
 }
 
 //------------------------------------------------------------------------------
-struct Box
+void Add(const Vector& point, vtkBoundingBox& box)
 {
-  Vector Low, High;
-
-  void Add(const Vector& p)
-  {
-    this->Low = { std::min(this->Low.X, p.X), std::min(this->Low.Y, p.Y), std::min(this->Low.Z, p.Z) };
-    this->High = { std::max(this->High.X, p.X), std::max(this->High.Y, p.Y), std::max(this->High.Z, p.Z) };
-  }
-  bool Meets(const Box& other) const
-  {
-    return this->Low.X <= other.High.X && other.Low.X <= this->High.X && this->Low.Y <= other.High.Y &&
-      other.Low.Y <= this->High.Y && this->Low.Z <= other.High.Z && other.Low.Z <= this->High.Z;
-  }
-};
+  box.AddPoint(point.X, point.Y, point.Z);
+}
 
 //------------------------------------------------------------------------------
 // Around the triangles about their centres.
-std::vector<Box> GetBoxesOfFaces(const CellGeometry& cell)
+std::vector<vtkBoundingBox> GetBoxesOfFaces(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
-  std::vector<Box> boxes;
-  boxes.reserve(topology.GetNumberOfFaces());
+  std::vector<vtkBoundingBox> boxes(topology.GetNumberOfFaces());
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
-    boxes.push_back({ cell.GetFaceCenter(f), cell.GetFaceCenter(f) });
+    Add(cell.GetFaceCenter(f), boxes[f]);
     for (int i = 0; i < topology.GetFaceSize(f); ++i)
     {
-      boxes.back().Add(cell.GetPoint(topology.GetFace(f)[i]));
+      Add(cell.GetPoint(topology.GetFace(f)[i]), boxes[f]);
     }
   }
   return boxes;
@@ -211,15 +201,16 @@ bool HasIntersectingFaces(const CellGeometry& cell)
   const CellTopology& topology = cell.GetTopology();
   const bool isOpen = std::any_of(topology.Edges.begin(), topology.Edges.end(),
     [](const CellTopology::Edge& edge) { return edge.Uses == 1; });
-  const std::vector<Box> boxes = GetBoxesOfFaces(cell);
+  const std::vector<vtkBoundingBox> boxes = GetBoxesOfFaces(cell);
   for (const Line& line : GetLines(cell))
   {
     const Vector &p = cell.GetPoint(line.Points[0]), &q = line.End;
-    Box box = { p, p };
-    box.Add(q);
+    vtkBoundingBox box;
+    Add(p, box);
+    Add(q, box);
     for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
     {
-      if (!box.Meets(boxes[f]) || HasPoint(topology, f, line.Points[0]) || HasPoint(topology, f, line.Points[1]))
+      if (!box.Intersects(boxes[f]) || HasPoint(topology, f, line.Points[0]) || HasPoint(topology, f, line.Points[1]))
       {
         continue;
       }

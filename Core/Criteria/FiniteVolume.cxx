@@ -65,14 +65,21 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// The smallest or largest measure(facet) of the facets with a cell on the other side.
+enum Sides : unsigned
+{
+  Inner = 1u,   ///< facets with a cell on the other side
+  AtBoundary = 2u
+};
+
+//------------------------------------------------------------------------------
+// The smallest or largest measure(facet) of the facets on some Sides.
 template <typename Measure>
-double ExtremeOfInnerFacets(const CellNeighborhood& cell, End end, Measure&& measure)
+double ExtremeOfFacets(const CellNeighborhood& cell, End end, unsigned sides, Measure&& measure)
 {
   Extreme extreme(end);
   for (const Facet& facet : cell.GetFacets())
   {
-    if (facet.Other == Side::Cell)
+    if ((facet.Other == Side::Cell && (sides & Inner)) || (facet.Other == Side::Boundary && (sides & AtBoundary)))
     {
       extreme.Add(measure(facet));
     }
@@ -80,7 +87,7 @@ double ExtremeOfInnerFacets(const CellNeighborhood& cell, End end, Measure&& mea
     {
       extreme.AddMissing();
     }
-    else if (facet.Other == Side::NonManifold)
+    else if (facet.Other == Side::NonManifold && (sides & Inner))
     {
       extreme.AddNonManifold();
     }
@@ -93,7 +100,7 @@ template <End end>
 double NonOrthogonality(const CellNeighborhood& cell)
 {
   const double lean =
-    ExtremeOfInnerFacets(cell, end, [&](const Facet& facet) { return GetLean(cell, facet); });
+    ExtremeOfFacets(cell, end, Inner, [&](const Facet& facet) { return GetLean(cell, facet); });
   return std::isnan(lean) ? lean : cell.GetGeometry().ToAngleUnit(GetAngleOfLean(lean));
 }
 
@@ -101,19 +108,8 @@ double NonOrthogonality(const CellNeighborhood& cell)
 template <End end>
 double BoundaryNonOrthogonality(const CellNeighborhood& cell)
 {
-  Extreme extreme(end);
-  for (const Facet& facet : cell.GetFacets())
-  {
-    if (facet.Other == Side::Boundary)
-    {
-      extreme.Add(GetBoundaryNonOrthogonality(cell, facet));
-    }
-    else if (facet.Other == Side::Missing)
-    {
-      extreme.AddMissing();
-    }
-  }
-  const double angle = extreme.Get();
+  const double angle = ExtremeOfFacets(cell, end, AtBoundary,
+    [&](const Facet& facet) { return GetBoundaryNonOrthogonality(cell, facet); });
   return std::isnan(angle) ? angle : cell.GetGeometry().ToAngleUnit(angle);
 }
 
@@ -121,31 +117,16 @@ double BoundaryNonOrthogonality(const CellNeighborhood& cell)
 template <End end>
 double FaceSkewness(const CellNeighborhood& cell)
 {
-  Extreme extreme(end);
-  for (const Facet& facet : cell.GetFacets())
-  {
-    if (facet.Other == Side::Cell || facet.Other == Side::Boundary)
-    {
-      extreme.Add(GetFaceSkewness(cell, facet));
-    }
-    else if (facet.Other == Side::Missing)
-    {
-      extreme.AddMissing();
-    }
-    else
-    {
-      extreme.AddNonManifold();
-    }
-  }
-  return extreme.Get();
+  return ExtremeOfFacets(cell, end, Inner | AtBoundary,
+    [&](const Facet& facet) { return GetFaceSkewness(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
 template <End end>
 double FaceWeight(const CellNeighborhood& cell)
 {
-  return ExtremeOfInnerFacets(
-    cell, end, [&](const Facet& facet) { return GetFaceWeight(cell, facet); });
+  return ExtremeOfFacets(
+    cell, end, Inner, [&](const Facet& facet) { return GetFaceWeight(cell, facet); });
 }
 
 //------------------------------------------------------------------------------
@@ -156,8 +137,8 @@ double VolumeRatio(const CellNeighborhood& cell)
   {
     return cell.GetSize();
   }
-  return ExtremeOfInnerFacets(
-    cell, end, [&](const Facet& facet) { return GetVolumeRatio(cell, facet); });
+  return ExtremeOfFacets(
+    cell, end, Inner, [&](const Facet& facet) { return GetVolumeRatio(cell, facet); });
 }
 
 //------------------------------------------------------------------------------

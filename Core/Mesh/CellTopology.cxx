@@ -262,10 +262,7 @@ int CellTopology::NumberEdges()
         return std::min(a, b) << 32 | std::max(a, b);
       },
       edgeOf);
-    for (int e = 0; e < numberOfEdges; ++e)
-    {
-      firsts[e] = this->EdgeNumbers.GetFirst(e);
-    }
+    std::copy_n(this->EdgeNumbers.GetFirsts(), numberOfEdges, firsts);
     return numberOfEdges;
   }
   this->EdgeTable.resize(MaxBits * MaxBits);

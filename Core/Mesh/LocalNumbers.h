@@ -52,11 +52,8 @@ public:
     return isOpen ? this->NumberAgain(size, numbers) : count;
   }
 
-  ///@{
-  /// Where in the list a number occurs first, or all do.
-  int GetFirst(int number) const { return this->Firsts[number]; }
+  /// Of every number where in the list it occurs first.
   const int* GetFirsts() const { return this->Firsts.data(); }
-  ///@}
 
 private:
   static constexpr std::uint64_t FirstFactor = 0x9e3779b97f4a7c15u; // odd, without a pattern

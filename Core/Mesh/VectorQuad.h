@@ -44,6 +44,12 @@ inline Quad TurnSign(const Quad& a, const Quad& sign)
 }
 }
 #pragma GCC diagnostic pop
+#else
+#define CAMARON_WITH_QUADS
+namespace camaron
+{
+using Quad = Pair; // UsesVectorQuads is not set
+}
 #endif
 
 #endif

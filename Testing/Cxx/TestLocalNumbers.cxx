@@ -42,7 +42,7 @@ TEST(LocalNumbers, OrderOfFirstOccurrence)
       }
       for (int number = 0; number < count; ++number)
       {
-        ASSERT_EQ(numbering.GetFirst(number), firsts[number]);
+        ASSERT_EQ(numbering.GetFirsts()[number], firsts[number]);
       }
     }
   }
