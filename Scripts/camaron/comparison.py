@@ -185,7 +185,7 @@ def _read(comparison: Any, preset: Optional[str], ranges: Any) -> list[dict[str,
             **{key: about[key] for key in ("name", "label", "description", "better", "ideal")},
             "unit": row["Unit"],
             "acceptable": limits,
-            "acceptable_source": sources.get(about["name"], (about["acceptable_source"],))[0]
+            "acceptable_source": tables.range_source(about, sources)[0]
             if limits != [None, None]
             else "",
             **_numbers(row),

@@ -266,10 +266,10 @@ class Parser:
     def preset(self, name: str, line: Optional[int] = None) -> list[Rule]:
         """The rules of a preset, whatever the case of its name. ValueError if there is none."""
         name = text.lookup(name, list(self.presets), "preset")
-        rule = Rule("", tolerance=self.tolerance, line=line, preset=name)
         hints = self.presets[name]["hints"]
+        common = {"tolerance": self.tolerance, "line": line, "preset": name}
         return [
-            replace(rule, criterion=criterion, low=low, high=high, hint=criterion in hints)
+            Rule(criterion, low, high, hint=criterion in hints, **common)
             for criterion, (low, high) in self.presets[name]["rules"].items()
             if (low, high) != (None, None)
         ]

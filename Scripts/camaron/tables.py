@@ -111,6 +111,11 @@ def range_sources(preset: Optional[str], ranges: Any) -> dict[str, tuple[str, bo
     return sources
 
 
+def range_source(known: dict[str, Any], sources: dict[str, tuple[str, bool]]) -> tuple[str, bool]:
+    """The same of one criterion as `known_criteria` has it, those of the table of criteria included."""
+    return sources.get(known["name"], (known["acceptable_source"], known["acceptable_is_hint"]))
+
+
 def _finite(value: float) -> Optional[float]:
     """None for NaN and infinite numbers: unknown, or no limit."""
     return float(value) if math.isfinite(value) else None
@@ -188,8 +193,7 @@ def _criterion(
     row: dict[str, Any], known: dict[str, Any], sources: dict[str, tuple[str, bool]]
 ) -> dict[str, Any]:
     """One row of the statistics, joined with what the registry knows."""
-    of_table = known["acceptable_source"], known["acceptable_is_hint"]
-    source, is_hint = sources.get(known["name"], of_table)
+    source, is_hint = range_source(known, sources)
     limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
     return {
         **known,
