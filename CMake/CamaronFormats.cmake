@@ -6,6 +6,7 @@
 #     DESCRIPTION "Camarón Visf mesh"          # as shown to people
 #     READS       "every dialect"              # what of it is read and written, for the table of formats;
 #     WRITES      "ASCII and binary"           #   no semicolons
+#     READER_PROXY FooReader                   # the proxy of its reader, unless that is NAME and "Reader"
 #     READER                                   # there is Formats/Visf/vtkVisfReader.{h,cxx} + VisfReader.xml
 #     WRITER)                                  # there is Formats/Visf/vtkVisfWriter.{h,cxx} + VisfWriter.xml
 #
@@ -17,7 +18,7 @@ set(CAMARON_READERS)
 set(CAMARON_WRITERS)
 set(CAMARON_FORMATS_JSON)
 function (camaron_format)
-  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;DESCRIPTION;READS;WRITES" "EXTENSIONS")
+  cmake_parse_arguments(PARSE_ARGV 0 format "READER;WRITER" "NAME;DESCRIPTION;READS;WRITES;READER_PROXY" "EXTENSIONS")
   if (format_UNPARSED_ARGUMENTS OR NOT format_NAME OR NOT format_EXTENSIONS OR NOT format_DESCRIPTION)
     message(FATAL_ERROR "camaron_format needs NAME, EXTENSIONS and DESCRIPTION; "
       "not understood: ${format_UNPARSED_ARGUMENTS}")
@@ -47,7 +48,9 @@ function (camaron_format)
   string(APPEND fields ", \"extensions\": [\"${extensions}\"]")
   set(reader null)
   set(writer null)
-  if (format_READER)
+  if (format_READER_PROXY)
+    set(reader "\"${format_READER_PROXY}\"")
+  elseif (format_READER)
     set(reader "\"${format_NAME}Reader\"")
   endif ()
   if (format_WRITER)

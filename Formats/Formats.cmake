@@ -43,6 +43,7 @@ camaron_format(
   DESCRIPTION "Ansys Mechanical APDL deck"
   READS       "blocks and commands of nodes, elements, types and components, linear and quadratic"
   WRITES      "blocks of nodes, elements and components, linear and quadratic"
+  READER_PROXY ANSYSMAPDLReader
   READER
   WRITER)
 
@@ -52,6 +53,7 @@ camaron_format(
   DESCRIPTION "PLY mesh with all its arrays"
   READS       "ASCII, binary of both byte orders, polygons, strips, edges, polyhedra, all properties"
   WRITES      "ASCII and binary of both byte orders, surfaces or polyhedra, with all arrays"
+  READER_PROXY CamaronPolygonPLYReader
   READER
   WRITER)
 
@@ -79,5 +81,6 @@ camaron_format(
   DESCRIPTION "Ansys Fluent mesh"
   READS       "ASCII and binary, 2D and 3D, all cells, hanging nodes, zones, also compressed"
   WRITES      "ASCII and binary of both precisions, 2D and 3D, all cells, zones"
+  READER_PROXY ANSYSFluentMeshReader
   READER
   WRITER)

@@ -101,7 +101,8 @@ def _hints(group: str, tag: str) -> Iterator[tuple[str, str, list[str]]]:
                 extensions = (hint.GetAttribute("extensions") or "").split()
                 patterns = (hint.GetAttribute("filename_patterns") or "").split()
                 kinds = ["." + e for e in extensions if not e.endswith(SERIES)] + patterns
-                yield iterator.GetProxyName(), hint.GetAttribute("file_description") or "", kinds
+                if kinds:  # former names of readers have none
+                    yield iterator.GetProxyName(), hint.GetAttribute("file_description") or "", kinds
         iterator.GoToNextItem()
 
 

@@ -221,7 +221,7 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
                 path.write_text(TEXT)
             source = opening.make_reader(path, [])  # ParaView's own would take these names, too
             source.UpdatePipeline()
-            self.assertEqual(source.GetXMLName(), "FluentMeshReader", name)
+            self.assertEqual(source.GetXMLName(), "ANSYSFluentMeshReader", name)
             self.assertEqual(source.GetDataInformation().GetNumberOfCells(), 2, name)
         other = self.folder / "gmsh.msh"
         other.write_text("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n")

@@ -172,21 +172,22 @@ class TestPolygonPLY(camaron_testing.FormatTestCase):
             self.assertEqual(self.information(source)[0], 4 + i)
 
     def test_both_readers(self):
-        """ParaView has a reader of its own, which a file opens with that nobody chose for."""
+        """ParaView has a reader of its own, which comes second."""
         path = self.write("strip.ply", surface(3))
         source = simple.OpenDataFile(str(path))
         source.UpdatePipeline()
-        self.assertEqual(source.GetDataInformation().GetNumberOfPoints(), 8)
-        self.assertIn(source.GetXMLName(), ("PLYReader", "PolygonPLYReader"))
+        if camaron_testing.rank_count() == 1:
+            self.assertEqual(source.GetDataInformation().GetNumberOfPoints(), 8)
+        self.assertEqual(source.GetXMLName(), "CamaronPolygonPLYReader")
         readers = simple.servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
         session = simple.servermanager.ActiveConnection.Session
         found = readers.GetReaders(str(path), session)
         names = [found.GetString(i) for i in range(1, found.GetNumberOfStrings(), 3)]
-        self.assertEqual(sorted(names), ["PLYReader", "PolygonPLYReader"])
+        self.assertEqual(names, ["CamaronPolygonPLYReader", "PLYReader"])
         other = self.write("other.ply", b"plywood\n")
         found = readers.GetReaders(str(other), session)
         names = [found.GetString(i) for i in range(1, found.GetNumberOfStrings(), 3)]
-        self.assertNotIn("PolygonPLYReader", names)
+        self.assertNotIn("CamaronPolygonPLYReader", names)
 
     def test_errors(self):
         """One message, and nothing to show."""

@@ -1,0 +1,162 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where ParaView has a reader of the same extension, a file that ours reads goes to ours, any other where it went."""
+
+import json
+
+import camaron_testing
+import gallery
+import TestClientServer
+from camaron import formats
+from paraview import servermanager, simple
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+from window_testing import WINDOW, WindowTestCase, event, save_state
+
+#: Files of every format, each with the mesh that it is written of and what to set.
+OURS = [
+    *TestClientServer.FILES,
+    *((f"m.{kind}", gallery.tetrahedra, {}) for kind in ("cas", "inp", "dat")),
+]
+#: Beginnings of files of other programs, and who read them before there was this plugin.
+OTHERS = {
+    "gmsh.msh": ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "FLUENTReader"),
+    "abaqus.inp": ("*HEADING\n*NODE\n1, 0., 0., 0.\n*ELEMENT, TYPE=C3D4\n", "AVSucdSeriesReader"),
+    "tecplot.dat": ('TITLE = "t"\nVARIABLES = "X", "Y"\nZONE I=2, F=POINT\n0 0\n1 1\n', "TecplotReader"),
+    "hdf5.cas": ("\x89HDF\r\n\x1a\n", "FLUENTReader"),
+}
+#: Names of readers before they had to come first.
+FORMER = {"cas": "FluentMeshReader", "inp": "MAPDLReader", "ply": "PolygonPLYReader"}
+
+
+def readers(path):
+    """Names of those that can read a file, in the order in which ParaView lists them."""
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
+    factory.UpdateAvailableReaders()
+    found = factory.GetReaders(str(path), servermanager.ActiveConnection.Session)
+    return [found.GetString(i) for i in range(1, found.GetNumberOfStrings(), 3)]
+
+
+class TestReaderChoice(camaron_testing.TestCase):
+    serve = TestClientServer.TestClientServer.serve
+
+    def write(self, name, make, options):
+        """A file of ours."""
+        grid = self.folder / "grid.vtu"
+        writer = vtkXMLUnstructuredGridWriter()
+        writer.SetFileName(str(grid))
+        writer.SetInputData(make())
+        writer.Write()
+        path = self.folder / name
+        deck = path.suffix in (".inp", ".dat")  # extensions that nobody writes
+        writer = formats.make_writer(formats.own_writer("m.cdb" if deck else path))
+        source = writer.Input = simple.OpenDataFile(str(grid))
+        writer.FileName = str(path)
+        for key, value in options.items():
+            setattr(writer, key, value)
+        writer.UpdatePipeline()
+        del writer
+        simple.Delete(source)
+        return path
+
+    def check(self):
+        for name, make, options in OURS:
+            with self.subTest(name):
+                path = self.write(name, make, options)
+                (own,) = formats.own_readers(path)
+                self.assertEqual(readers(path)[0], own)
+                source = simple.OpenDataFile(str(path))
+                self.assertEqual(source.GetXMLName(), own)
+                cells, _ = TestClientServer.measure(source)
+                self.assertEqual(cells, make().GetNumberOfCells())
+        for name, (text, reader) in OTHERS.items():
+            with self.subTest(name):
+                path = self.folder / name
+                path.write_text(text, encoding="latin-1", newline="")
+                self.assertEqual(readers(path)[0], reader)
+                self.assertFalse(set(readers(path)) & set(formats.own_readers(path)))
+
+    def test_without_server(self):
+        self.check()
+
+    def test_server(self):
+        self.addCleanup(simple.Connect)  # for the tests after it
+        self.serve(2)
+        self.check()
+
+    def test_order(self):
+        """No reader of ParaView's that has an extension of ours comes first by name."""
+        try:
+            simple.LoadDistributedPlugin("GmshIO", remote=False, ns=vars(simple))
+        except RuntimeError:
+            pass  # this ParaView was built without it
+        known = formats.known_formats()
+        own = {kind.lower(): f.reader for f in known if f.own for kind in f.extensions}
+        rivals = 0
+        for f in known:
+            for kind in {kind.lower() for kind in f.extensions} & set(own):
+                if f.reader and not f.own:
+                    self.assertLess(own[kind] + "sources", f.reader + "sources", kind)
+                    rivals += 1
+        self.assertGreater(rivals, 4)
+
+    def test_series(self):
+        """A list of files and a file that lists them."""
+        for name, make in (("m.ply", gallery.triangles), ("m.msh", gallery.tetrahedra)):
+            path = self.write(name, make, {})
+            (own,) = formats.own_readers(path)
+            series = path.with_name(f"{name}.series")
+            files = [{"name": name, "time": time} for time in (2, 3)]
+            series.write_text(json.dumps({"file-series-version": "1.0", "files": files}))
+            for files, times in (([str(path)] * 2, [0, 1]), (str(series), [2, 3])):
+                source = simple.OpenDataFile(files)
+                source.UpdatePipeline()
+                self.assertEqual((source.GetXMLName(), list(source.TimestepValues)), (own, times))
+
+    def test_former_names(self):
+        """States that have one open; the names are in no list of readers and in no menu."""
+        for kind, former in FORMER.items():
+            path = self.write(f"m.{kind}", gallery.triangles if kind == "ply" else gallery.tetrahedra, {})
+            (own,) = formats.own_readers(path)
+            source = simple.OpenDataFile(str(path))
+            source.UpdatePipeline()
+            cells = source.GetDataInformation().GetNumberOfCells()
+            state = self.folder / "old.pvsm"
+            simple.SaveState(str(state))
+            text = state.read_text()
+            self.assertIn(f'type="{own}"', text)
+            state.write_text(text.replace(f'type="{own}"', f'type="{former}"'))
+            simple.Delete(source)
+            simple.LoadState(str(state))
+            (source,) = simple.GetSources().values()
+            source.UpdatePipeline()
+            self.assertEqual(source.GetXMLName(), former)
+            self.assertEqual(source.GetDataInformation().GetNumberOfCells(), cells)
+            self.assertTrue(servermanager.vtkSMReaderReloadHelper().SupportsReload(source.SMProxy))
+            self.assertNotIn(former, readers(path))
+            label = servermanager.ProxyManager().GetPrototypeProxy("sources", own).GetXMLLabel()
+            self.assertEqual(source.GetXMLLabel(), label)
+            simple.Delete(source)
+
+
+class TestInWindow(WindowTestCase, TestReaderChoice):
+    """The window asks which of several readers to take, and has ours as the answer."""
+
+    test_without_server = test_server = None
+    test_order = test_series = test_former_names = None
+
+    def test_dialog(self):
+        path = self.write("m.msh", gallery.tetrahedra, {})
+        state = self.folder / "state.pvsm"
+        dialog = f"{WINDOW}/pqSelectReaderDialog"
+        self.play(
+            event(f"{WINDOW}/MainControlsToolbar/actionOpenData", "activate"),
+            event(f"{WINDOW}/FileOpenDialog", "filesSelected", str(path)),
+            event(f"{dialog}/okButton", "activate"),
+            *save_state(state),
+        )
+        (own,) = formats.own_readers(path)
+        self.assertIn(f'type="{own}"', state.read_text())
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
