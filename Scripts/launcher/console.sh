@@ -27,11 +27,10 @@ logged() {
   return 1
 }
 
-# progress LABEL: copies its input; shows how far apt, dpkg, ninja or make are, on a terminal in one
-# line that changes, elsewhere in a line every ten seconds.
+# progress LABEL: copies its input; shows how far apt, dpkg, ninja or make are.
 progress() {
   local label=$1 line state total=0 fetched=0 unpacked=0 done=0 next=$((SECONDS + 2))
-  [[ ! -t 2 ]] || printf '\r\033[Kcamaron: %s ...' "$label" >&2
+  [[ ! -t 2 ]] || show ...
   while IFS= read -r line; do
     printf '%s\n' "$line"
     if [[ $line =~ ([0-9]+)\ newly\ installed ]]; then
@@ -50,13 +49,43 @@ progress() {
     else
       continue
     fi
-    if [[ -t 2 ]]; then
-      printf '\r\033[Kcamaron: %s: %s' "$label" "$state" >&2
-    elif ((SECONDS >= next)); then
-      say "$label: $state"
-      next=$((SECONDS + 10))
+    show "$state"
+  done
+  hide
+}
+
+# test_progress: shows how far ctest is; copies of its output what is not about a test that begins or passes.
+test_progress() {
+  local label=testing line failed=0 next=$((SECONDS + 2))
+  while IFS= read -r line; do
+    if [[ $line =~ ^\ *([0-9]+)/([0-9]+)\ Test\ +\# ]]; then
+      local state="${BASH_REMATCH[1]} of ${BASH_REMATCH[2]}"
+      if [[ ! $line =~ \ Passed\ |\*Skipped\  ]]; then
+        hide
+        printf '%s\n' "$line"
+        failed=$((failed + 1))
+      fi
+      show "$state$( ((failed == 0)) || echo ", $failed failed")"
+    elif [[ ! $line =~ ^\ +Start\ +[0-9]+: ]]; then
+      hide
+      printf '%s\n' "$line"
     fi
   done
+  hide
+}
+
+# show STATE: of what `label` names; on a terminal in one line that changes, elsewhere in a line every ten
+# seconds, from the second `next` on.
+show() {
+  if [[ -t 2 ]]; then
+    printf '\r\033[Kcamaron: %s: %s' "$label" "$1" >&2
+  elif ((SECONDS >= next)); then
+    say "$label: $1"
+    next=$((SECONDS + 10))
+  fi
+}
+
+hide() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The zones of Fluent files that we write: of cells, boundaries and faces inside, by id, name and type.
 #include "FluentMeshWriting.h"
+#include "SharedData.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -418,13 +419,8 @@ TEST(FluentMeshOutputZones, OtherPlanesAndNames)
 // outputs of the reader are written, or gets lost without a word where only the cells are.
 TEST(FluentMeshOutputZones, CollectedFilesKeepTheirZones)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/ansys_fluent"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_fluent";
-  }
-  for (const auto& entry :
-    std::filesystem::directory_iterator(std::string(folder) + "/ansys_fluent"))
+  CAMARON_NEEDS_SHARED_DATA("ansys_fluent");
+  for (const auto& entry : std::filesystem::directory_iterator(GetSharedData("ansys_fluent")))
   {
     const auto reader = Open(entry.path().string());
     std::set<std::string> zones = DescribeZones(reader);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fluent files that we write: exact bytes, and the same cells when they are read again.
 #include "FluentMeshWriting.h"
+#include "SharedData.h"
 
 #include "vtkSMPTools.h"
 
@@ -237,13 +238,8 @@ TEST(FluentMeshWriter, RoundedPlanes)
 //------------------------------------------------------------------------------
 TEST(FluentMeshWriter, CollectedFilesRoundTrip)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/ansys_fluent"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_fluent";
-  }
-  for (const auto& entry :
-    std::filesystem::directory_iterator(std::string(folder) + "/ansys_fluent"))
+  CAMARON_NEEDS_SHARED_DATA("ansys_fluent");
+  for (const auto& entry : std::filesystem::directory_iterator(GetSharedData("ansys_fluent")))
   {
     const Result first = ReadWith<vtkFluentMeshReader>(entry.path().string());
     ASSERT_TRUE(first.Errors.empty()) << entry.path();

@@ -3,6 +3,7 @@
 // M3D, M2D and MVM files: what becomes of them, and what is refused.
 #include "Criteria/Evaluation.h"
 #include "FormatTesting.h"
+#include "SharedData.h"
 #include "M3DReading.h"
 #include "vtkM3DReader.h"
 
@@ -71,14 +72,6 @@ std::vector<double> GetVolumes(vtkUnstructuredGrid* grid)
   return volumes;
 }
 
-//------------------------------------------------------------------------------
-/// A folder of collected files, or nothing.
-std::string GetCollected()
-{
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  const std::string path = folder ? std::string(folder) + "/m3d/" : "";
-  return folder && std::filesystem::exists(path) ? path : "";
-}
 }
 
 //------------------------------------------------------------------------------
@@ -397,11 +390,8 @@ TEST(M3DReader, KnowsItsFiles)
 //------------------------------------------------------------------------------
 TEST(M3DReader, CollectedFiles)
 {
-  const std::string folder = GetCollected();
-  if (folder.empty())
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder m3d";
-  }
+  CAMARON_NEEDS_SHARED_DATA("m3d");
+  const std::string folder = GetSharedData("m3d").string() + "/";
   const struct
   {
     const char* Name;

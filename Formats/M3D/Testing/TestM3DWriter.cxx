@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // M3D, M2D and MVM files that we write: exact bytes, and the same mesh when they are read again.
 #include "FormatTesting.h"
+#include "SharedData.h"
 #include "TestMeshes.h"
 #include "vtkM3DReader.h"
 #include "vtkM3DWriter.h"
@@ -276,14 +277,11 @@ TEST(M3DWriter, ThreadsChangeNothing)
 // If this fails, files of mesh generators are not the same after reading and writing.
 TEST(M3DWriter, CollectedFilesStayAsTheyAre)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/m3d"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder m3d";
-  }
+  CAMARON_NEEDS_SHARED_DATA("m3d");
+  const std::string folder = GetSharedData("m3d").string();
   for (const char* name : { "mesher_roi_cortex", "mesher_roi_cyl50" })
   {
-    const std::string path = std::string(folder) + "/m3d/" + name + ".m3d";
+    const std::string path = folder + "/" + name + ".m3d";
     const Result result = ReadWith<vtkM3DReader>(path);
     EXPECT_TRUE(Write(result.Grid, "test.m3d").Bytes == GetBytes(path)) << name;
   }

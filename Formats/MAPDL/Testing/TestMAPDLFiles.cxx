@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Decks of programs: what is in them; which files are decks; what is refused, and how.
 #include "MAPDLSamples.h"
+#include "SharedData.h"
 
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -40,12 +41,8 @@ vtkIdType CountNames(vtkUnstructuredGrid* grid)
 // files.
 TEST(MAPDLFiles, CollectedFiles)
 {
-  const char* const data = std::getenv("CAMARON_SHARED_DATA");
-  const std::string folder = data ? std::string(data) + "/ansys_cdb/" : "";
-  if (!data || !std::filesystem::exists(folder))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_cdb";
-  }
+  CAMARON_NEEDS_SHARED_DATA("ansys_cdb");
+  const std::string folder = GetSharedData("ansys_cdb").string() + "/";
   const struct
   {
     const char* Name;
@@ -218,12 +215,8 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
 // If this fails, damaged files are read as if nothing were wrong, or nobody learns where it is.
 TEST(MAPDLFiles, CollectedDamagedFile)
 {
-  const char* const data = std::getenv("CAMARON_SHARED_DATA");
-  const std::string path = data ? std::string(data) + "/malformed/cdb_corrupt_a.cdb" : "";
-  if (!data || !std::filesystem::exists(path))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no malformed/cdb_corrupt_a.cdb";
-  }
+  CAMARON_NEEDS_SHARED_DATA("malformed/cdb_corrupt_a.cdb");
+  const std::string path = GetSharedData("malformed/cdb_corrupt_a.cdb").string();
   const Result result = ReadWith<vtkMAPDLReader>(path);
   ASSERT_TRUE(result.IsProperError());
   EXPECT_EQ(result.ErrorCode, static_cast<unsigned long>(vtkErrorCode::FileFormatError));

@@ -3,6 +3,7 @@
 // Decks that we write: exact bytes, and the same mesh with the same arrays when they are read
 // again.
 #include "MAPDLSamples.h"
+#include "SharedData.h"
 #include "TestMeshes.h"
 #include "vtkMAPDLWriter.h"
 
@@ -380,13 +381,8 @@ TEST(MAPDLWriter, ThreadsChangeNothing)
 // If this fails, decks of other programs do not survive.
 TEST(MAPDLWriter, CollectedFilesComeBack)
 {
-  const char* const data = std::getenv("CAMARON_SHARED_DATA");
-  const std::string folder = data ? std::string(data) + "/ansys_cdb" : "";
-  if (!data || !std::filesystem::exists(folder))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ansys_cdb";
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  CAMARON_NEEDS_SHARED_DATA("ansys_cdb");
+  for (const auto& entry : std::filesystem::directory_iterator(GetSharedData("ansys_cdb")))
   {
     const Result original = ReadWith<vtkMAPDLReader>(entry.path().string());
     const Written written = WriteAll(original.Grid);

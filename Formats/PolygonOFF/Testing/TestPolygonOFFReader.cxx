@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OFF files: what becomes of them.
 #include "PolygonOFFSamples.h"
+#include "SharedData.h"
 
 #include <cmath>
 
@@ -387,11 +388,8 @@ TEST(PolygonOFFReader, KnowsItsFiles)
 // Counts are those of README.md there, which an independent program took.
 TEST(PolygonOFFReader, CollectedFiles)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/off"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder off";
-  }
+  CAMARON_NEEDS_SHARED_DATA("off");
+  const std::string folder = GetSharedData("off").string();
   const struct
   {
     const char* Name;
@@ -417,7 +415,7 @@ TEST(PolygonOFFReader, CollectedFiles)
   vtkNew<vtkPolygonOFFReader> reader;
   for (const auto& file : files)
   {
-    const std::string path = std::string(folder) + "/off/" + file.Name + ".off";
+    const std::string path = folder + "/" + file.Name + ".off";
     EXPECT_EQ(reader->CanReadFile(path.c_str()), 1) << file.Name;
     const Result result = ReadWith<vtkPolygonOFFReader>(path);
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
@@ -435,7 +433,7 @@ TEST(PolygonOFFReader, CollectedFiles)
   const auto get = [&](const char* name, const char* array, bool ofCells, vtkIdType i)
   {
     const auto grid =
-      ReadWith<vtkPolygonOFFReader>(std::string(folder) + "/off/" + name + ".off").Grid;
+      ReadWith<vtkPolygonOFFReader>(folder + "/" + name + ".off").Grid;
     return ofCells ? GetTuple(grid->GetCellData(), array, i)
                    : GetTuple(grid->GetPointData(), array, i);
   };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PLY files of all encodings: what becomes of them, and what is refused.
 #include "FormatTesting.h"
+#include "SharedData.h"
 #include "PLYSamples.h"
 #include "PolygonPLYReading.h"
 #include "vtkPolygonPLYReader.h"
@@ -546,11 +547,8 @@ TEST(PolygonPLYReader, KnowsItsFiles)
 //------------------------------------------------------------------------------
 TEST(PolygonPLYReader, CollectedFiles)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/ply"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ply";
-  }
+  CAMARON_NEEDS_SHARED_DATA("ply");
+  const std::string folder = GetSharedData("ply").string();
   using Types = std::map<int, vtkIdType>;
   const struct
   {
@@ -592,7 +590,7 @@ TEST(PolygonPLYReader, CollectedFiles)
   {
     SCOPED_TRACE(file.Name);
     const Result result =
-      ReadWith<vtkPolygonPLYReader>(std::string(folder) + "/ply/" + file.Name + ".ply");
+      ReadWith<vtkPolygonPLYReader>(folder + "/" + file.Name + ".ply");
     EXPECT_TRUE(result.Errors.empty());
     EXPECT_EQ(result.Warnings.size(), file.Warnings);
     EXPECT_EQ(result.Grid->GetNumberOfPoints(), file.Points);

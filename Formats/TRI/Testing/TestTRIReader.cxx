@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // TRI files of Camarón and Cart3D: what becomes of them, and what is refused.
 #include "FormatTesting.h"
+#include "SharedData.h"
 #include "TRIReading.h"
 #include "vtkTRIReader.h"
 
@@ -193,11 +194,8 @@ TEST(TRIReader, KnowsItsFiles)
 //------------------------------------------------------------------------------
 TEST(TRIReader, CollectedFiles)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/tri"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder tri";
-  }
+  CAMARON_NEEDS_SHARED_DATA("tri");
+  const std::string folder = GetSharedData("tri").string();
   const struct
   {
     const char* Name;
@@ -205,7 +203,7 @@ TEST(TRIReader, CollectedFiles)
   } files[] = { { "camaron_polygon_mesh", 8, 18 }, { "dev_surface", 231, 466 } };
   for (const auto& file : files)
   {
-    const Result result = ReadWith<vtkTRIReader>(std::string(folder) + "/tri/" + file.Name + ".tri");
+    const Result result = ReadWith<vtkTRIReader>(folder + "/" + file.Name + ".tri");
     EXPECT_TRUE(result.Errors.empty() && result.Warnings.empty());
     EXPECT_EQ(result.Grid->GetNumberOfPoints(), file.Points);
     EXPECT_EQ(Count(result.Grid, VTK_TRIANGLE), file.Triangles);

@@ -3,6 +3,7 @@
 // TS files, tetrahedra of Camarón and surfaces of GOCAD: what becomes of them, and what is refused.
 #include "Criteria/Evaluation.h"
 #include "FormatTesting.h"
+#include "SharedData.h"
 #include "TSReading.h"
 #include "vtkTSReader.h"
 
@@ -450,12 +451,8 @@ TEST(TSReader, KnowsItsFiles)
 //------------------------------------------------------------------------------
 TEST(TSReader, CollectedFiles)
 {
-  const char* shared = std::getenv("CAMARON_SHARED_DATA");
-  const std::string folder = shared ? std::string(shared) + "/ts/" : "";
-  if (!shared || !std::filesystem::exists(folder))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ts";
-  }
+  CAMARON_NEEDS_SHARED_DATA("ts");
+  const std::string folder = GetSharedData("ts").string() + "/";
   const Result tetrahedra = ReadWith<vtkTSReader>(folder + "dev_tets_camaron.ts");
   EXPECT_TRUE(tetrahedra.Errors.empty() && tetrahedra.Warnings.empty());
   EXPECT_EQ(tetrahedra.Grid->GetNumberOfPoints(), 296);

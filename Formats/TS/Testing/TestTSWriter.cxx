@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // TS files that we write: exact bytes, and the same mesh when they are read again.
 #include "FormatTesting.h"
+#include "SharedData.h"
 #include "TestMeshes.h"
 #include "vtkTSReader.h"
 #include "vtkTSWriter.h"
@@ -248,13 +249,10 @@ TEST(TSWriter, WhatItCannotHold)
 //------------------------------------------------------------------------------
 TEST(TSWriter, CollectedFilesStayAsTheyAre)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/ts"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder ts";
-  }
-  const Result tetrahedra = ReadWith<vtkTSReader>(std::string(folder) + "/ts/dev_tets_camaron.ts");
+  CAMARON_NEEDS_SHARED_DATA("ts");
+  const std::string folder = GetSharedData("ts").string();
+  const Result tetrahedra = ReadWith<vtkTSReader>(folder + "/dev_tets_camaron.ts");
   ExpectSameGrid(tetrahedra.Grid, Read(Write(tetrahedra.Grid, vtkTSWriter::CAMARON).Bytes).Grid);
-  const Result surface = ReadWith<vtkTSReader>(std::string(folder) + "/ts/dev_gocad_tsurf.ts");
+  const Result surface = ReadWith<vtkTSReader>(folder + "/dev_gocad_tsurf.ts");
   ExpectSameGrid(surface.Grid, Read(Write(surface.Grid, vtkTSWriter::GOCAD).Bytes).Grid);
 }

@@ -3,6 +3,7 @@
 // Points and elements of TetGen and Triangle: what becomes of them, with any ids, threads and
 // pieces.
 #include "TetGenReading.h"
+#include "SharedData.h"
 #include "TetGenSamples.h"
 
 #include "Scan/Progress.h"
@@ -330,11 +331,8 @@ TEST(TetGenReader, StopsWhenAsked)
 // Counts are those of independent programs, see the README of the collected files.
 TEST(TetGenReader, CollectedFiles)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::string(folder) + "/tetgen"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA has no folder tetgen";
-  }
+  CAMARON_NEEDS_SHARED_DATA("tetgen");
+  const std::string folder = GetSharedData("tetgen").string();
   const struct
   {
     const char* Name;
@@ -358,7 +356,7 @@ TEST(TetGenReader, CollectedFiles)
     { "tetgen_o2_zero.1.neigh", VTK_QUADRATIC_TETRA, 1508, 795 } };
   for (const auto& file : files)
   {
-    const std::string path = std::string(folder) + "/tetgen/" + file.Name;
+    const std::string path = folder + "/" + file.Name;
     const Result result = ReadWith<vtkTetGenReader>(path);
     EXPECT_TRUE(result.Errors.empty()) << result.Errors[0];
     EXPECT_EQ(result.Warnings.size(), std::string(file.Name) == "tetgen_example.poly" ? 1u : 0u)
@@ -391,12 +389,12 @@ TEST(TetGenReader, CollectedFiles)
     }
   }
   const Result slit =
-    ReadWith<vtkTetGenReader>(std::string(folder) + "/tetgen/tetgen_slit-1.smesh");
+    ReadWith<vtkTetGenReader>(folder + "/tetgen_slit-1.smesh");
   EXPECT_TRUE(slit.Errors.empty() && slit.Warnings.empty());
   EXPECT_EQ(slit.Grid->GetNumberOfPoints(), 14);
   EXPECT_EQ(slit.Grid->GetNumberOfCells(), 13);
   const Result poly =
-    ReadWith<vtkTetGenReader>(std::string(folder) + "/tetgen/tetgen_example.poly");
+    ReadWith<vtkTetGenReader>(folder + "/tetgen_example.poly");
   EXPECT_EQ(GetValues(poly.Grid->GetFieldData(), "Holes").size(), 3u * 2);
   EXPECT_EQ(GetValues(poly.Grid->GetFieldData(), "Regions").size(), 5u * 2);
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What a good Visf file becomes.
+#include "SharedData.h"
 #include "TestMeshes.h"
 #include "VisfSamples.h"
 
@@ -311,11 +312,8 @@ TEST(VisfReader, StopsWhenAsked)
 // If this fails, files of other programs do not open. Numbers from an independent counter.
 TEST(VisfReader, CollectedFiles)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::filesystem::path(folder) / "visf"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA names no folder with visf files";
-  }
+  CAMARON_NEEDS_SHARED_DATA("visf");
+  const std::string folder = GetSharedData("visf").string();
   using Counts = std::map<int, vtkIdType>;
   const Counts mixed = { { VTK_TETRA, 60 }, { VTK_PYRAMID, 60 }, { VTK_WEDGE, 60 },
     { VTK_HEXAHEDRON, 60 } };
@@ -349,7 +347,7 @@ TEST(VisfReader, CollectedFiles)
   };
   for (const auto& file : files)
   {
-    const auto path = std::filesystem::path(folder) / "visf" / (std::string(file.Name) + ".visf");
+    const auto path = std::filesystem::path(folder) / (std::string(file.Name) + ".visf");
     vtkNew<vtkVisfReader> reader;
     EXPECT_EQ(reader->CanReadFile(path.string().c_str()), 1) << file.Name;
     const Result result = ReadFile(path.string());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the writer makes of meshes, and that nothing gets lost on the way there and back.
+#include "SharedData.h"
 #include "TestMeshes.h"
 #include "VisfSamples.h"
 
@@ -516,12 +517,8 @@ TEST(VisfWriter, FailureLeavesNoTrace)
 // If this fails, files of other programs change when they are read and written again.
 TEST(VisfWriter, CollectedFilesRoundTrip)
 {
-  const char* folder = std::getenv("CAMARON_SHARED_DATA");
-  if (!folder || !std::filesystem::exists(std::filesystem::path(folder) / "visf"))
-  {
-    GTEST_SKIP() << "CAMARON_SHARED_DATA names no folder with visf files";
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(folder) / "visf"))
+  CAMARON_NEEDS_SHARED_DATA("visf");
+  for (const auto& entry : std::filesystem::directory_iterator(GetSharedData("visf")))
   {
     const Result first = ReadFile(entry.path().string());
     const Result second = ReadBytes(WriteBytes(first.Grid, vtkVisfWriter::BINARY_LITTLE_ENDIAN));
