@@ -186,6 +186,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
     this->ArrayName = FindArrayName(arrayName, blocks, reducer);
   }
   std::set<std::pair<int, std::string>> labels;
+  std::int64_t numberWithoutGroup = 0;
   for (const ElementBlock& block : blocks.Get())
   {
     std::vector<int> keys;
@@ -200,8 +201,10 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
         labels.emplace(keys[cell], way.GetLabel(block, keys[cell]));
       }
     }
+    numberWithoutGroup += std::count(keys.begin(), keys.end(), NoKey);
     this->BlockKeys.push_back(keys);
   }
+  reducer.Sum(&numberWithoutGroup, 1);
   for (const auto& label : GatherLabels(labels, reducer))
   {
     this->Groups.push_back({ false, label.first, label.second });
@@ -211,6 +214,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
     throw std::invalid_argument("the array '" + this->ArrayName + "' has more than " +
       std::to_string(way.MaxNumberOfGroups) + " different values, too many to group by");
   }
+  this->OneGroup = this->Groups.size() == 2 && numberWithoutGroup == 0;
 }
 
 //------------------------------------------------------------------------------

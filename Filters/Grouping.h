@@ -46,6 +46,9 @@ public:
   /// That of all elements, then the others by their keys; the same on every process.
   const std::vector<Group>& GetGroups() const { return this->Groups; }
 
+  /// True if there is one group besides that of all elements and all are in it, which then has the same numbers.
+  bool IsOneGroup() const { return this->OneGroup; }
+
   /// Of the array to group by; the same on every process.
   const std::string& GetArrayName() const { return this->ArrayName; }
 
@@ -55,6 +58,7 @@ public:
 private:
   const ElementBlocks& Blocks;
   std::string ArrayName;
+  bool OneGroup = false;
   std::vector<Group> Groups;
   std::vector<std::vector<int>> BlockKeys; ///< of the cells of each block, or one for all of them
   std::vector<std::vector<unsigned char>> Masks;

@@ -29,9 +29,11 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -61,6 +63,20 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
   }
   return name == "Acceptable" && acceptable ? *acceptable : camaron::ValueRange();
 }
+
+//------------------------------------------------------------------------------
+// Of one array for one group of elements.
+struct GroupNumbers
+{
+  camaron::Summary Totals;
+  std::optional<camaron::WeightedSummary> Weighted;
+  std::vector<double> Quantiles;
+  camaron::Histogram Counts;
+  camaron::CumulativeCurve Curve;
+  std::vector<std::array<double, 3>> Places; // of the smallest and the largest value
+  std::vector<camaron::WorstElement> Worst;
+  std::vector<std::string> VerticesOfWorst;
+};
 
 //------------------------------------------------------------------------------
 camaron::ElementKind ToElementKind(const std::string& name)
@@ -273,46 +289,50 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
     binSettings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
     const camaron::BlockValues values(blocks, array.Name);
     camaron::Bins bins;
+    GroupNumbers numbers;
     for (const camaron::Group& group : groups.GetGroups())
     {
-      const camaron::Population population = groups.GetPopulation(group, values);
-      const camaron::Summary summary = camaron::Summarize(population, limits, reducer);
-      const auto places =
-        camaron::FindPlaces({ summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
-      std::optional<camaron::WeightedSummary> weighted;
-      camaron::Population weightsOfValues;
-      if (weights)
+      if (group.IsAll || !groups.IsOneGroup())
       {
-        weightsOfValues = weights->GetPopulation(values);
-        weighted =
-          camaron::SummarizeWeighted(population, summary, weightsOfValues, limits, reducer);
+        const camaron::Population population = groups.GetPopulation(group, values);
+        numbers.Totals = camaron::Summarize(population, limits, reducer);
+        const camaron::Summary& summary = numbers.Totals;
+        numbers.Places =
+          camaron::FindPlaces({ summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
+        camaron::Population weightsOfValues;
+        if (weights)
+        {
+          weightsOfValues = weights->GetPopulation(values);
+          numbers.Weighted =
+            camaron::SummarizeWeighted(population, summary, weightsOfValues, limits, reducer);
+        }
+        numbers.Quantiles = camaron::GetQuantiles(population, summary, settings.Fractions, reducer);
+        if (group.IsAll)
+        {
+          bins = camaron::MakeBins(summary, binSettings); // all groups share those of all cells
+        }
+        numbers.Counts = camaron::CountBins(population, bins, reducer);
+        assert(numbers.Counts.GetTotal() == summary.Count);
+        numbers.Curve = camaron::MakeCumulativeCurve(
+          population, summary, this->CurvePoints, weights ? &weightsOfValues : nullptr, reducer);
+        if (worstEnd)
+        {
+          numbers.Worst = FindWorstElements(
+            population, settings.ListsNull, this->NumberOfWorst, *worstEnd, blocks, values, reducer);
+        }
+        numbers.VerticesOfWorst = vertices.Find(numbers.Worst, values);
       }
-      const std::vector<double> quantiles =
-        camaron::GetQuantiles(population, summary, settings.Fractions, reducer);
-      if (group.IsAll)
-      {
-        bins = camaron::MakeBins(summary, binSettings); // all groups share those of all cells
-      }
-      const camaron::Histogram histogram = camaron::CountBins(population, bins, reducer);
-      assert(histogram.GetTotal() == summary.Count);
-      const camaron::CumulativeCurve curve = camaron::MakeCumulativeCurve(
-        population, summary, this->CurvePoints, weights ? &weightsOfValues : nullptr, reducer);
-      std::vector<camaron::WorstElement> worst;
-      if (worstEnd)
-      {
-        worst = FindWorstElements(
-          population, settings.ListsNull, this->NumberOfWorst, *worstEnd, blocks, values, reducer);
-      }
-      const std::vector<std::string> verticesOfWorst = vertices.Find(worst, values);
       if (isRoot)
       {
         const camaron::RowLabels labels{ array.Name, array.Unit, group.Label,
           blocks.GetIdSpace(), this->Steps->GetTime() };
-        camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, summary, { places[0], places[1] },
-          quantiles, acceptable, weighted);
-        camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, histogram);
-        camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels, worst, verticesOfWorst, blockNames);
-        camaron::AddCurveRows(vtkTable::GetData(outputVector, 3), labels, curve, summary, weighted);
+        camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, numbers.Totals,
+          { numbers.Places[0], numbers.Places[1] }, numbers.Quantiles, acceptable, numbers.Weighted);
+        camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, numbers.Counts);
+        camaron::AddWorstRows(
+          vtkTable::GetData(outputVector, 2), labels, numbers.Worst, numbers.VerticesOfWorst, blockNames);
+        camaron::AddCurveRows(
+          vtkTable::GetData(outputVector, 3), labels, numbers.Curve, numbers.Totals, numbers.Weighted);
       }
     }
     this->UpdateProgress(

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace camaron
 {
@@ -40,6 +41,37 @@ std::vector<double> ChooseValues(
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
   return chosen;
 }
+
+//------------------------------------------------------------------------------
+// What std::lower_bound does, for many values: without branches, which no processor could foresee.
+class PointFinder
+{
+public:
+  PointFinder(const std::vector<double>& ascending)
+    : Points(ascending)
+  {
+    while (this->Size <= ascending.size())
+    {
+      this->Size *= 2;
+    }
+    this->Points.resize(this->Size, std::numeric_limits<double>::infinity());
+  }
+
+  // Place of the first point that is not less than the value; of those there are, or one after the last.
+  std::size_t Find(double value) const
+  {
+    const double* first = this->Points.data();
+    for (std::size_t step = this->Size / 2; step > 0; step /= 2)
+    {
+      first += first[step - 1] < value ? step : 0;
+    }
+    return static_cast<std::size_t>(first - this->Points.data());
+  }
+
+private:
+  std::vector<double> Points; // as many as a power of two, with infinity at the end
+  std::size_t Size = 1;
+};
 
 //------------------------------------------------------------------------------
 std::vector<std::int64_t> CountUpTo(const std::vector<Steps>& parts, std::size_t size, Reducer& reducer)
@@ -98,6 +130,7 @@ CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& sum
   CumulativeCurve curve;
   curve.Values = ChooseValues(values, summary, numberOfPoints, reducer);
   const std::size_t size = curve.Values.size();
+  const PointFinder finder(curve.Values);
   const double unit = weights ? GetUnit(FindLargestWeight(*weights, reducer)) : 1;
   std::vector<Steps> parts = ForEachChunk<Steps>(values,
     [&](Steps& steps, const ValueBlock& block, vtkIdType begin, vtkIdType end)
@@ -116,8 +149,7 @@ CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& sum
         {
           continue;
         }
-        const auto point = static_cast<std::size_t>(
-          std::lower_bound(curve.Values.begin(), curve.Values.end(), value) - curve.Values.begin());
+        const std::size_t point = finder.Find(value);
         if (point < size)
         {
           ++steps.Counts[point];

@@ -38,10 +38,12 @@ inline double FindLargestWeight(const Population& weights, Reducer& reducer)
   for (const double part : ForEachChunk<double>(weights,
          [](double& maximum, const ValueBlock& block, vtkIdType begin, vtkIdType end)
          {
+           double chunkMaximum = maximum; // threads' own lie side by side
            for (vtkIdType i = begin; i < end; ++i)
            {
-             maximum = block.Contains(i) ? std::max(maximum, GetWeight(block, i)) : maximum;
+             chunkMaximum = block.Contains(i) ? std::max(chunkMaximum, GetWeight(block, i)) : chunkMaximum;
            }
+           maximum = chunkMaximum;
          }))
   {
     largest = std::max(largest, part);

@@ -8,15 +8,20 @@ import sys
 if not __package__:  # run by path
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from camaron import cli  # noqa: E402
-
 # pvpython sends what Python prints through VTK's output window, which is no terminal.
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
 try:
+    from camaron import cli
+
     status = cli.main(sys.argv[1:])
+    sys.stdout.flush()
 except SystemExit as end:  # argparse's
     status = end.code or 0
-sys.stdout.flush()
+except BaseException as error:
+    # Whatever it is: 1 is for meshes that fail.
+    reason = " ".join(str(error).split())
+    print(f"camaron: {type(error).__name__}: {reason}" if reason else repr(error), file=sys.stderr)
+    status = 2
 if status:
     # HDF5 complains once more, when the program ends, of a file that it could not write.
     sys.stderr.flush()

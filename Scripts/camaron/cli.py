@@ -273,6 +273,9 @@ def main(arguments: Sequence[str]) -> int:
     except BrokenPipeError:  # of `camaron ... | head`
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
         return 0
+    except MemoryError:
+        _complain("out of memory")
+        return ERROR
     except (ValueError, RuntimeError, OSError) as error:
         # Readers and writers name their options as the window does.
         _complain(_reason(error).replace("Unsupported Cells", "--unsupported-cells"))

@@ -11,9 +11,11 @@ built=$build/built # as old as the sources the plugin was built from; holds the 
 environment() {
   local threads
   threads=$(nproc)
+  user_folder
+  [[ -d ${HOME:-} ]] || export HOME=$own # Open MPI, as part of ParaView, does not start without
   export CAMARON_HOME
-  export CCACHE_DIR=${CCACHE_DIR:-$CAMARON_HOME/ccache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$top}
-  export MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-$CAMARON_HOME/mesa}
+  export CCACHE_DIR=${CCACHE_DIR:-$own/ccache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$top}
+  export MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-$own/mesa}
   export VTK_SMP_BACKEND_IN_USE=${VTK_SMP_BACKEND_IN_USE:-STDThread}
   export VTK_SMP_MAX_THREADS=${VTK_SMP_MAX_THREADS:-$threads}
   export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$threads}
@@ -22,8 +24,8 @@ environment() {
   export HWLOC_COMPONENTS=${HWLOC_COMPONENTS:--gl} # which looks for displays that are not ours
   [[ $EUID != 0 ]] || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   if [[ ! -d ${XDG_RUNTIME_DIR:-} ]]; then
-    export XDG_RUNTIME_DIR=$CAMARON_HOME/run
-    (umask 077 && mkdir -p "$XDG_RUNTIME_DIR") 2>/dev/null || unset XDG_RUNTIME_DIR
+    export XDG_RUNTIME_DIR=$own/run
+    (umask 077 && mkdir -p "$XDG_RUNTIME_DIR") 2>/dev/null || die "$XDG_RUNTIME_DIR: cannot make this folder"
   fi
   enter=()
   if [[ $paraview == root ]]; then
@@ -40,6 +42,20 @@ environment() {
   export PYTHONPATH=$top/Scripts${PYTHONPATH:+:$PYTHONPATH}
 }
 
+# Sets `own`, a folder for what is left behind by running: CAMARON_HOME, which may be somebody else's, or
+# the first other one that is, or can be made, the user's alone.
+user_folder() {
+  local folder
+  for folder in "$CAMARON_HOME" "${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/camaron" "${TMPDIR:-/tmp}/camaron-$EUID"; do
+    mkdir -p "$folder" 2>/dev/null || continue
+    if [[ -O $folder && -w $folder && ! -L $folder ]]; then
+      own=$folder
+      return
+    fi
+  done
+  die "$folder: cannot make this folder of yours"
+}
+
 # Whether ParaView's side has a program.
 has() {
   [[ $paraview == root ]] || type "$1" >/dev/null 2>&1
@@ -50,6 +66,7 @@ plugin_ready() {
   local plugin=''
   [[ ! -r $built ]] || plugin=$(<"$built")
   if [[ ! -e $plugin/Camaron.so || -n $(changed) ]]; then
+    may_build
     build_plugin --target Camaron
     plugin=$(<"$built")
   fi
@@ -65,6 +82,12 @@ changed() {
     [[ ! -e ${folder}vtk.module && ! -e ${folder}paraview.plugin ]] || sources+=("$folder")
   done
   find "${sources[@]}" -newer "$built" -print -quit
+}
+
+may_build() {
+  mkdir -p "$build" 2>/dev/null && [[ -w $build ]] ||
+    die "the plugin is not built, or older than its sources, and $build may not be written: let its owner" \
+      "run $top/camaron build"
 }
 
 # build_plugin OPTION...: options of cmake --build.

@@ -92,7 +92,8 @@ hide() {
 # lock FILE ... unlock: one camaron at a time. Programs started meanwhile hold the lock too, so it is
 # free only when the last one an interrupted call left behind is gone.
 lock() {
-  mkdir -p "${1%/*}" && exec 9>"$1" || exit 2
+  mkdir -p "${1%/*}" 2>/dev/null && : 2>/dev/null >>"$1" || die "$1 has to be written for that, and may not be"
+  exec 9>"$1"
   flock -n 9 || { say "waiting for another camaron, which holds $1"; flock 9; }
 }
 

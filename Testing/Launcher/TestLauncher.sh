@@ -62,6 +62,50 @@ touch -- -empty.off
 message=$(timeout 100 "$camaron" convert -- -empty.off x.visf 2>&1)
 expect "message of convert on an empty file" "camaron: -empty.off: the file is empty" "$message"
 
+# 1 says that a mesh fails; whatever ends ParaView before is an error that says so, on ranks as well.
+mesh=$1/Examples/voronoi-ball.visf
+mkdir "$folder/ends"
+while read -r end words; do
+  printf '#!/bin/bash\n%s\n' "${end/_/ }" >"$folder/ends/pvpython"
+  chmod +x "$folder/ends/pvpython"
+  cp "$folder/ends/pvpython" "$folder/ends/pvbatch"
+  for ranks in "" "--ranks 2"; do
+    # shellcheck disable=SC2086
+    message=$(PATH=$folder/ends:$PATH timeout 100 "$camaron" check "$mesh" --rules my.rules $ranks 2>&1)
+    expect "status of check $ranks after $end" 2 $?
+    [[ $message == "camaron: "*"$words"* && $message != *$'\n'* ]]
+    expect "one line about $words of $ranks: $message" 0 $?
+  done
+done <<'END'
+exit_1 ended early (status 1)
+kill_-KILL$IFS$$ where memory runs out
+kill_-SEGV$IFS$$ crashed (signal 11)
+END
+for command in "inspect MESH" "check MESH --rules my.rules" "compare MESH MESH" "convert MESH x.vtu" \
+  "select MESH --by All"; do
+  # shellcheck disable=SC2086
+  message=$("$camaron" ${command//MESH/$'bad\xff.visf'} 2>&1)
+  expect "status of camaron $command with other bytes than UTF-8" 2 $?
+  expect "message of that" "camaron: expected an argument in UTF-8, found \$'bad\\377.visf'" "$message"
+  (ulimit -v 300000; exec timeout 100 "$camaron" ${command//MESH/$mesh} >"$folder/small" 2>&1)
+  expect "status of camaron $command with little memory" 2 $?
+done
+
+# Of a shared installation: somebody else's, for a user who has no folders.
+if [[ $EUID == 0 ]] && stranger=(setpriv --reuid 65534 --regid 65534 --clear-groups) &&
+  "${stranger[@]}" test -r "$mesh" 2>/dev/null; then
+  mkdir "$folder/shared" "$folder/own" && chmod 755 "$folder" && chown 65534 "$folder/own"
+  (
+    cd "$folder/own" || exit 1
+    unset HOME XDG_RUNTIME_DIR XDG_CACHE_HOME MESA_SHADER_CACHE_DIR CCACHE_DIR
+    export TMPDIR=$folder/own CAMARON_HOME=$folder/shared
+    echo 'Volume > 0' >my.rules
+    timeout 100 "${stranger[@]}" "$1/camaron" check "$mesh" --rules my.rules
+  ) >"$folder/stranger" 2>&1
+  expect "status of check for a stranger: $(tail -n 3 "$folder/stranger")" 0 $?
+  expect "files in the shared folder" "" "$(ls -A "$folder/shared")"
+fi
+
 # Displays of their own, gone afterwards.
 if type Xvfb xauth >/dev/null 2>&1; then
   # shellcheck disable=SC2016
