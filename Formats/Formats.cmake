@@ -12,9 +12,9 @@ camaron_format(
 
 camaron_format(
   NAME        TRI
-  EXTENSIONS  tri
+  EXTENSIONS  tri triq
   DESCRIPTION "Camarón or Cart3D triangle mesh"
-  READS       "ASCII"
+  READS       "Camarón: ASCII; Cart3D: ASCII and binary of both byte orders, components, scalars"
   WRITES      "ASCII"
   READER
   WRITER)

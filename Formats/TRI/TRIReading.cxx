@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TRIReading.h"
 
-#include "CellMesh/CellGrid.h"
 #include "CellMesh/PieceRows.h"
 #include "CellMesh/PointRows.h"
 #include "Scan/ReadMappedFile.h"
+#include "TRIBinary.h"
+#include "TRIMesh.h"
 
-#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -21,13 +22,15 @@ constexpr char Coordinate[] = "a coordinate of a vertex";
 constexpr char Vertex[] = "a vertex of a triangle";
 constexpr int VertexBytes = 6; // "0 0 0" and a line end
 constexpr int TriangleBytes = 6;
+constexpr int NumberBytes = 2; // a digit and a blank
 
 //------------------------------------------------------------------------------
-// The first line: the number of vertices, or, in files of Cart3D, of vertices and triangles.
+// The first line: the number of vertices, or, in files of Cart3D, of vertices and triangles, and of scalars of vertices.
 struct Header
 {
   std::int64_t Vertices = 0;
   std::int64_t Triangles = -1;
+  std::int64_t Scalars = 0;
   bool IsCart3D() const { return this->Triangles >= 0; }
 };
 
@@ -42,24 +45,26 @@ bool ReadHeader(TextScanner& scanner, Header& header)
   }
   const char* const begin = scanner.GetPosition();
   TextScanner counts = scanner; // how many there can be is asked when it is known what they count
-  std::int64_t count;
+  std::int64_t count = 0; // the last
   int numbers = 0;
-  for (TextRow row(counts); row.HasMore() && numbers <= 2; ++numbers)
+  for (TextRow row(counts); row.HasMore() && numbers <= 3; ++numbers)
   {
     if (!counts.ReadInteger(count, Expected))
     {
       break;
     }
   }
-  if (numbers > 2 || counts.HasFailed())
+  // A polygon file without its keyword has three numbers, too, of which the last one is mostly 0.
+  if (numbers > 3 || counts.HasFailed() || (numbers == 3 && count < 1))
   {
     scanner.FailAt(begin, ErrorKind::NotThisFormat,
-      "a TRI file, whose first line is one number, or two in files of Cart3D");
+      "a TRI file, whose first line is one number, or in files of Cart3D two, or three with scalars");
     return false;
   }
   if (!scanner.ReadCount(header.Vertices, VertexBytes, "the number of vertices") ||
-    (numbers == 2 &&
-      !scanner.ReadCount(header.Triangles, TriangleBytes, "the number of triangles")))
+    (numbers >= 2 &&
+      !scanner.ReadCount(header.Triangles, TriangleBytes, "the number of triangles")) ||
+    (numbers == 3 && !scanner.ReadCount(header.Scalars, NumberBytes, "the number of scalars")))
   {
     return false;
   }
@@ -84,15 +89,13 @@ public:
 private:
   bool ReadTriangles(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   bool ReadComponents(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool ReadScalars(TextScanner& scanner, const Progress& progress);
   bool LooksOneBased(TextScanner scanner) const;
 
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
   Header Counts;
-  CellPiece Piece;
-  CellMesh Mesh;
-  bool HasComponents = false;
-  Buffer<int> Components; // of triangles of the piece, in files of Cart3D that have them
+  TRIMesh Mesh;
 };
 
 //------------------------------------------------------------------------------
@@ -131,7 +134,7 @@ bool TRIReading::ReadTriangles(
   }
   if (triangles <= 0)
   {
-    this->Mesh = MakeCloud(this->Counts.Vertices, this->Request, this->Piece);
+    this->Mesh.Cells = MakeCloud(this->Counts.Vertices, this->Request, this->Mesh.Piece);
     return true;
   }
   const TextScanner start = scanner;
@@ -147,8 +150,8 @@ bool TRIReading::ReadTriangles(
   shape.CommonType = VTK_TRIANGLE;
   shape.CommonSize = 3;
   const PieceRows rows(scanner, lines, shape);
-  if (rows.Find(scanner, this->Request, this->Piece, progress.Part(0, 0.5), read) &&
-    rows.Read(scanner, this->Piece, this->Mesh, progress.Part(0.5, 1), read))
+  if (rows.Find(scanner, this->Request, this->Mesh.Piece, progress.Part(0, 0.5), read) &&
+    rows.Read(scanner, this->Mesh.Piece, this->Mesh.Cells, progress.Part(0.5, 1), read))
   {
     return true;
   }
@@ -165,18 +168,18 @@ bool TRIReading::ReadComponents(
   TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
   constexpr char Component[] = "the component of a triangle";
-  if (!scanner.SkipSpace())
+  const vtkIdType count = this->Counts.Triangles;
+  if (count == 0 || (!scanner.SkipSpace() && this->Counts.Scalars == 0))
   {
     return true;
   }
-  const vtkIdType count = this->Counts.Triangles;
-  this->HasComponents = count > 0;
-  this->Components = Buffer<int>(this->Mesh.NumberOfCells);
+  const auto components = MakeLargeArray<vtkIntArray>(this->Mesh.Cells.NumberOfCells);
+  this->Mesh.Components = components;
   const auto set = [&](vtkIdType i, std::int64_t component)
   {
-    if (const vtkIdType cell = this->Piece.FindCell(i); cell >= 0)
+    if (const vtkIdType cell = this->Mesh.Piece.FindCell(i); cell >= 0)
     {
-      this->Components[cell] = static_cast<int>(component);
+      components->SetValue(cell, static_cast<int>(component));
     }
     return component >= INT32_MIN && component <= INT32_MAX;
   };
@@ -206,12 +209,60 @@ bool TRIReading::ReadComponents(
 }
 
 //------------------------------------------------------------------------------
+// So many per vertex, over any number of lines. Programs count them with or without the pressure coefficient.
+bool TRIReading::ReadScalars(TextScanner& scanner, const Progress& progress)
+{
+  constexpr char Scalar[] = "a scalar of a vertex";
+  const vtkIdType vertices = this->Counts.Vertices;
+  if (vertices == 0 || this->Counts.Scalars == 0)
+  {
+    return true;
+  }
+  scanner.SkipSpace();
+  const char* const begin = scanner.GetPosition();
+  std::int64_t found = 0;
+  std::string_view word;
+  for (TextScanner words = scanner; words.SkipSpace(); ++found)
+  {
+    words.ReadWord(word, Scalar);
+  }
+  const std::int64_t size = FindScalarSize(this->Counts.Scalars, vertices, found);
+  if (size == 0)
+  {
+    scanner.FailAt(begin, found < vertices * this->Counts.Scalars ? ErrorKind::Truncated : ErrorKind::Count,
+      "the " + std::to_string(this->Counts.Scalars) + " scalars of each of the " + std::to_string(vertices) +
+        " vertices",
+      std::to_string(found) + " numbers");
+    return false;
+  }
+  Buffer<double> scalars(size * this->Mesh.Piece.GetNumberOfPoints());
+  for (vtkIdType i = 0; i < vertices && progress.Report(static_cast<double>(i) / vertices); ++i)
+  {
+    const vtkIdType point = this->Mesh.Piece.FindPoint(i);
+    for (std::int64_t k = 0; k < size; ++k)
+    {
+      double value;
+      if (!scanner.ReadReal(value, Scalar))
+      {
+        return false;
+      }
+      if (point >= 0)
+      {
+        scalars[point * size + k] = value;
+      }
+    }
+  }
+  this->Mesh.Scalars = scalars.TakeArray<vtkDoubleArray>(static_cast<int>(size));
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
 bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
   this->Grid->Initialize();
   this->Messages = Warnings();
   this->Counts = Header();
-  this->HasComponents = false;
+  this->Mesh.Components = this->Mesh.Scalars = nullptr;
   if (!ReadHeader(scanner, this->Counts))
   {
     return false;
@@ -221,33 +272,18 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
   if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
     !this->ReadTriangles(scanner, lines, progress.Part(0.1, 0.4)) ||
-    (isCart3D && !this->ReadComponents(scanner, lines, progress.Part(0.4, 0.5))))
+    (isCart3D && !this->ReadComponents(scanner, lines, progress.Part(0.4, 0.5))) ||
+    !this->ReadScalars(scanner, progress.Part(0.5, 0.6)))
   {
     return false;
   }
 
-  const auto points = vertices.Read(this->Piece, progress.Part(0.5, 0.95));
-  if (!points)
+  this->Mesh.Points = vertices.Read(this->Mesh.Piece, progress.Part(0.6, 0.95));
+  if (!this->Mesh.Points)
   {
     return false;
   }
-
-  if (this->Request.Piece == 0)
-  {
-    this->Piece.WarnOfRepeatedPoints(
-      this->Mesh, this->Messages, progress.Part(0.95, 1), "triangle", "triangles");
-    if (scanner.SkipSpace())
-    {
-      this->Messages.Add("there is more data after the end of the mesh");
-    }
-  }
-  FillGrid(this->Mesh, this->Piece, points, this->Grid);
-  if (this->HasComponents)
-  {
-    const auto array = this->Components.TakeArray<vtkIntArray>();
-    array->SetName("Component");
-    this->Grid->GetCellData()->AddArray(array);
-  }
+  this->Mesh.Finish(this->Request, scanner.SkipSpace(), this->Grid, this->Messages, progress.Part(0.95, 1));
   return !progress.IsStopped();
 }
 }
@@ -260,6 +296,10 @@ bool IsTRI(const std::string& path)
   if (!file.Open(path, error))
   {
     return false;
+  }
+  if (IsBinaryTRI(file))
+  {
+    return true;
   }
   TextScanner scanner("", file.begin(), file.end(), '#');
   Header header;
@@ -276,6 +316,10 @@ bool ReadTRI(const std::string& path, const PieceRequest& request, vtkUnstructur
   const bool good = ReadMappedFile(path, error,
     [&](const MappedFile& file)
     {
+      if (IsBinaryTRI(file))
+      {
+        return ReadBinaryTRI(file, request, grid, reading.Messages, error, progress);
+      }
       return ReadText(file, '#', chunk, error, progress,
         [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
         { return reading.Read(scanner, lines, part); });

@@ -119,7 +119,7 @@ TEST(TRIReader, RefusesWhatIsWrong)
   } cases[] = {
     { "", vtkErrorCode::UnrecognizedFileTypeError, "test.tri:1: expected a TRI file" },
     { "GOCAD TSurf 1\n", vtkErrorCode::UnrecognizedFileTypeError, "test.tri:1: expected a TRI file" },
-    { "1 2 3\n", vtkErrorCode::UnrecognizedFileTypeError, "whose first line is one number" },
+    { "1 2 3 4\n", vtkErrorCode::UnrecognizedFileTypeError, "whose first line is one number" },
     { "999999999\n0 0 0\n", vtkErrorCode::PrematureEndOfFileError, "test.tri:1: expected at least" },
     { "-3\n0 0 0\n", vtkErrorCode::FileFormatError, "found -3" },
     { "3\n0 0 0\n1 0 0\n0 x 0\n1\n0 1 2\n", vtkErrorCode::FileFormatError,

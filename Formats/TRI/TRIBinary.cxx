@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TRIBinary.h"
+
+#include "Scan/BinaryScanner.h"
+#include "TRIMesh.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <mutex>
+#include <optional>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::int64_t Word = 4; // bytes of an integer, and of the length of a record
+
+//------------------------------------------------------------------------------
+// The order of bytes that makes the first record one of two or three counts.
+std::optional<ByteOrder> FindByteOrder(const MappedFile& file)
+{
+  for (const ByteOrder order : { ByteOrder::Little, ByteOrder::Big })
+  {
+    const bool swap = order != GetByteOrder();
+    for (const std::int32_t length : { 8, 12 })
+    {
+      if (static_cast<std::int64_t>(file.size()) >= length + 2 * Word &&
+        Load<std::int32_t>(file.begin(), swap) == length &&
+        Load<std::int32_t>(file.begin() + Word + length, swap) == length)
+      {
+        return order;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+//------------------------------------------------------------------------------
+// What is between the two lengths of a record.
+struct Record
+{
+  const char* Begin = nullptr;
+  std::int64_t Size = 0;
+};
+
+//------------------------------------------------------------------------------
+class BinaryReading
+{
+public:
+  BinaryReading(const MappedFile& file, ByteOrder order, const PieceRequest& request)
+    : Scanner(file.GetName(), file.begin(), file.end(), order)
+    , Request(request)
+  {
+  }
+
+  bool Read(vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress);
+  BinaryScanner Scanner;
+
+private:
+  bool ReadRecord(Record& record, const char* what);
+  bool ReadCounts();
+  bool FindRecords();
+  bool ReadCells(const Progress& progress);
+  template <typename Visit>
+  bool VisitTriangles(const Progress& progress, Visit&& visit);
+  template <typename Array, typename Find>
+  vtkSmartPointer<Array> ReadArray(const Record& record, vtkIdType count, std::int64_t size, vtkIdType kept,
+    const Progress& progress, Find&& find) const;
+  vtkSmartPointer<vtkDataArray> ReadReals(
+    const Record& record, std::int64_t size, const Progress& progress) const;
+
+  PieceRequest Request;
+  std::int32_t Vertices = 0;
+  std::int32_t Triangles = 0;
+  std::int32_t Scalars = 0;
+  std::int64_t ScalarSize = 0; // numbers per vertex
+  std::int64_t RealBytes = 4;
+  Record Coordinates, Corners, Components, Values;
+  TRIMesh Mesh;
+};
+
+//------------------------------------------------------------------------------
+bool BinaryReading::ReadRecord(Record& record, const char* what)
+{
+  std::int32_t length = 0, last = 0;
+  const char* const place = this->Scanner.GetPosition();
+  if (!this->Scanner.ReadInteger(length, what))
+  {
+    return false;
+  }
+  if (length < 0)
+  {
+    this->Scanner.FailAt(place, ErrorKind::Unsupported, std::string("a record of at most 2147483647 bytes with ") + what,
+      "the length " + std::to_string(length));
+    return false;
+  }
+  record.Size = length;
+  record.Begin = this->Scanner.Skip(length, what);
+  const char* const end = this->Scanner.GetPosition();
+  if (!record.Begin || !this->Scanner.ReadInteger(last, "the length of a record at its end"))
+  {
+    return false;
+  }
+  if (last != length)
+  {
+    this->Scanner.FailAt(end, ErrorKind::Syntax,
+      "the length " + std::to_string(length) + " again at the end of the record with " + what, std::to_string(last));
+  }
+  return !this->Scanner.HasFailed();
+}
+
+//------------------------------------------------------------------------------
+bool BinaryReading::ReadCounts()
+{
+  Record record;
+  if (!this->ReadRecord(record, "the numbers of vertices and triangles"))
+  {
+    return false;
+  }
+  std::int32_t counts[3] = { 0, 0, 0 };
+  for (std::int64_t i = 0; i < std::min<std::int64_t>(record.Size / Word, 3); ++i)
+  {
+    const char* const place = record.Begin + Word * i;
+    counts[i] = Load<std::int32_t>(place, this->Scanner.IsSwapped());
+    if (counts[i] < 0)
+    {
+      this->Scanner.FailAt(place, ErrorKind::Count, "the numbers of vertices, triangles and scalars",
+        std::to_string(counts[i]));
+      return false;
+    }
+  }
+  this->Vertices = counts[0];
+  this->Triangles = counts[1];
+  this->Scalars = counts[2];
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool BinaryReading::FindRecords()
+{
+  const auto wants = [this](const Record& record, std::int64_t size, const char* what)
+  {
+    if (record.Size != size)
+    {
+      this->Scanner.FailAt(record.Begin - Word, record.Size < size ? ErrorKind::Truncated : ErrorKind::Count,
+        "a record of " + std::to_string(size) + " bytes with " + what, std::to_string(record.Size));
+    }
+    return !this->Scanner.HasFailed();
+  };
+  const std::int64_t vertices = this->Vertices, triangles = this->Triangles;
+  if (!this->ReadRecord(this->Coordinates, "the coordinates of the vertices"))
+  {
+    return false;
+  }
+  this->RealBytes = vertices > 0 && this->Coordinates.Size == 3 * 8 * vertices ? 8 : 4;
+  if (!wants(this->Coordinates, 3 * this->RealBytes * vertices, "the coordinates of the vertices") ||
+    !this->ReadRecord(this->Corners, "the vertices of the triangles") ||
+    !wants(this->Corners, 3 * Word * triangles, "the vertices of the triangles"))
+  {
+    return false;
+  }
+  if (this->Scalars == 0 && this->Scanner.GetBytesLeft() == 0)
+  {
+    return true;
+  }
+  if (!this->ReadRecord(this->Components, "the components of the triangles") ||
+    !wants(this->Components, Word * triangles, "the components of the triangles"))
+  {
+    return false;
+  }
+  if (this->Scalars > 0)
+  {
+    if (!this->ReadRecord(this->Values, "the scalars of the vertices"))
+    {
+      return false;
+    }
+    const std::int64_t found = this->Values.Size % this->RealBytes == 0 ? this->Values.Size / this->RealBytes : -1;
+    this->ScalarSize = FindScalarSize(this->Scalars, vertices, found);
+    return (this->ScalarSize > 0) ||
+      wants(this->Values, this->RealBytes * vertices * this->Scalars, "the scalars of the vertices");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(triangle, points), in any order and by any thread; false with the error, or if stopped.
+template <typename Visit>
+bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
+{
+  Tally wrong;
+  std::mutex mutex;
+  const bool swap = this->Scanner.IsSwapped();
+  const bool isDone = progress.For(this->Triangles,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType triangle = begin; triangle < end; ++triangle)
+      {
+        const char* const place = this->Corners.Begin + 3 * Word * triangle;
+        std::int32_t points[3];
+        bool isGood = true;
+        for (int i = 0; i < 3; ++i)
+        {
+          const auto id = Load<std::int32_t>(place + Word * i, swap);
+          isGood = isGood && id >= 1 && id <= this->Vertices;
+          points[i] = id - 1;
+        }
+        if (isGood)
+        {
+          visit(triangle, points);
+        }
+        else
+        {
+          const std::lock_guard<std::mutex> lock(mutex);
+          wrong.Add(triangle);
+        }
+      }
+    });
+  if (isDone && wrong.Count > 0)
+  {
+    const char* const place = this->Corners.Begin + 3 * Word * wrong.First;
+    for (const char* corner = place; corner < place + 3 * Word; corner += Word)
+    {
+      const auto id = Load<std::int32_t>(corner, swap);
+      if (id < 1 || id > this->Vertices)
+      {
+        this->Scanner.FailAt(corner, ErrorKind::Index,
+          "a vertex of a triangle from 1 to " + std::to_string(this->Vertices), std::to_string(id));
+      }
+    }
+  }
+  return isDone && wrong.Count == 0;
+}
+
+//------------------------------------------------------------------------------
+bool BinaryReading::ReadCells(const Progress& progress)
+{
+  CellPiece& piece = this->Mesh.Piece;
+  CellMesh& cells = this->Mesh.Cells;
+  if (this->Triangles == 0)
+  {
+    cells = MakeCloud(this->Vertices, this->Request, piece);
+    return true;
+  }
+  piece.Start(this->Vertices, this->Triangles, this->Request);
+  if (!piece.IsWhole())
+  {
+    do
+    {
+      if (!this->VisitTriangles(progress.Part(0, 0.5),
+            [&](vtkIdType triangle, const std::int32_t* points) { piece.Show(triangle, points, 3); }))
+      {
+        return false;
+      }
+    } while (piece.Continue());
+  }
+  cells = CellMesh(piece.GetNumberOfPoints(), piece.GetNumberOfCells(), VTK_TRIANGLE, 3);
+  return this->VisitTriangles(progress.Part(0.5, 1),
+    [&](vtkIdType triangle, const std::int32_t* points)
+    {
+      const vtkIdType cell = piece.FindCell(triangle);
+      for (int i = 0; i < 3 && cell >= 0; ++i)
+      {
+        cells.Connectivity[3 * cell + i] = static_cast<std::int32_t>(piece.FindPoint(points[i]));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Of @a count rows of a record those that the piece keeps, each where find(row) says.
+template <typename Array, typename Find>
+vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType count, std::int64_t size,
+  vtkIdType kept, const Progress& progress, Find&& find) const
+{
+  using Value = typename Array::ValueType;
+  Buffer<Value> values(kept * size);
+  const bool swap = this->Scanner.IsSwapped();
+  const auto valueBytes = static_cast<std::int64_t>(sizeof(Value));
+  progress.For(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const vtkIdType place = find(row);
+        for (std::int64_t k = 0; k < size && place >= 0; ++k)
+        {
+          values[place * size + k] = Load<Value>(record.Begin + (row * size + k) * valueBytes, swap);
+        }
+      }
+    });
+  return values.template TakeArray<Array>(static_cast<int>(size));
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataArray> BinaryReading::ReadReals(
+  const Record& record, std::int64_t size, const Progress& progress) const
+{
+  const CellPiece& piece = this->Mesh.Piece;
+  const auto find = [&](vtkIdType vertex) { return piece.FindPoint(vertex); };
+  if (this->RealBytes == 8)
+  {
+    return this->ReadArray<vtkDoubleArray>(record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
+  }
+  return this->ReadArray<vtkFloatArray>(record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
+}
+
+//------------------------------------------------------------------------------
+bool BinaryReading::Read(vtkUnstructuredGrid* grid, Warnings& warnings, const Progress& progress)
+{
+  if (!this->ReadCounts() || !this->FindRecords() || !this->ReadCells(progress.Part(0, 0.5)))
+  {
+    return false;
+  }
+  this->Mesh.Points = this->ReadReals(this->Coordinates, 3, progress.Part(0.5, 0.7));
+  if (this->Triangles > 0 && this->Components.Begin)
+  {
+    this->Mesh.Components = this->ReadArray<vtkIntArray>(this->Components, this->Triangles, 1,
+      this->Mesh.Piece.GetNumberOfCells(), progress.Part(0.7, 0.8),
+      [&](vtkIdType triangle) { return this->Mesh.Piece.FindCell(triangle); });
+  }
+  if (this->ScalarSize > 0)
+  {
+    this->Mesh.Scalars = this->ReadReals(this->Values, this->ScalarSize, progress.Part(0.8, 0.9));
+  }
+  if (progress.IsStopped())
+  {
+    return false;
+  }
+  this->Mesh.Finish(
+    this->Request, this->Scanner.GetBytesLeft() > 0, grid, warnings, progress.Part(0.9, 1));
+  return !progress.IsStopped();
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsBinaryTRI(const MappedFile& file)
+{
+  return FindByteOrder(file).has_value();
+}
+
+//------------------------------------------------------------------------------
+bool ReadBinaryTRI(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  grid->Initialize();
+  BinaryReading reading(file, FindByteOrder(file).value_or(ByteOrder::Little), request);
+  const bool good = reading.Read(grid, warnings, progress);
+  error = progress.IsStopped() ? ScanError() : reading.Scanner.GetError();
+  return good;
+}
+}
