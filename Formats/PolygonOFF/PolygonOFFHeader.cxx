@@ -59,6 +59,49 @@ bool IsInteger(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
+// Takes off the keyword of a polytope, 3OFF or 5OFF. 4OFF is Geomview's, too, and 3OFF is a surface as OFF is.
+bool TakePolytopeKeyword(std::string_view& word, OFFHeader& header)
+{
+  const std::size_t digits = std::min(word.find("OFF"), word.size());
+  if (digits + 3 != word.size() || !IsInteger(word.substr(0, digits)) || word == "4OFF")
+  {
+    return false;
+  }
+  if (word != "3OFF")
+  {
+    ParseInteger(word.data(), word.data() + digits, header.PolytopeDimension);
+  }
+  header.HasKeyword = true;
+  word = std::string_view();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Whether four counts are on the line, those of vertices, faces, edges and cells of a polytope.
+bool HasFourCounts(TextScanner scanner)
+{
+  std::string_view word;
+  int counts = 0;
+  for (TextRow row(scanner); counts < 4 && row.HasMore(); ++counts)
+  {
+    if (!row.ReadWord(word, "") || !IsInteger(word))
+    {
+      return false;
+    }
+  }
+  return counts == 4;
+}
+
+//------------------------------------------------------------------------------
+bool RefusePolytope(TextScanner& scanner, const char* place, std::int64_t dimension)
+{
+  scanner.FailAt(place, ErrorKind::Unsupported, "a surface",
+    "a polytope of " + std::to_string(dimension) +
+      " dimensions in the dialect of Stella4D and Miratope, which is not supported");
+  return false;
+}
+
+//------------------------------------------------------------------------------
 // Geomview's files may say first, in braces, how the mesh is drawn.
 bool SkipAppearance(TextScanner& scanner)
 {
@@ -119,7 +162,8 @@ bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header
     scanner.SetPosition(begin);
     return true;
   }
-  if (!TakeKeyword(word, header) || (!word.empty() && !IsDigit(word[0])))
+  if (!(TakePolytopeKeyword(word, header) || TakeKeyword(word, header)) ||
+    (!word.empty() && !IsDigit(word[0])))
   {
     scanner.FailAt(begin, ErrorKind::NotThisFormat, Expected);
     return false;
@@ -146,6 +190,16 @@ bool ReadOFFKeyword(TextScanner& scanner, bool mayLackKeyword, OFFHeader& header
 //------------------------------------------------------------------------------
 bool ReadOFFCounts(TextScanner& scanner, OFFHeader& header)
 {
+  scanner.SkipSpace();
+  const char* const begin = scanner.GetPosition();
+  if (header.IsHomogeneous && !header.HasDimension && HasFourCounts(scanner))
+  {
+    header.PolytopeDimension = 4;
+  }
+  if (header.PolytopeDimension != 0)
+  {
+    return RefusePolytope(scanner, begin, header.PolytopeDimension);
+  }
   if (header.HasDimension &&
     (!scanner.ReadInteger(
       header.Dimension, 1, INT32_MAX, ErrorKind::Count, "the number of dimensions")))

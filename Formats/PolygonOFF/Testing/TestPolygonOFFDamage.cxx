@@ -92,6 +92,15 @@ TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
       "test.off:6: expected the number of vertices of a face, found -3" },
     { points + "1000 0 1 2\n", premature, "after the number of vertices of a face (1000)" },
     { "OFF\n0 1 0\n1 0\n", format, "found 0" },
+    { "4OFF\n5 10 10 5\n0 0 0 1\n", format,
+      "test.off:2: expected a surface, found a polytope of 4 dimensions in the dialect of Stella4D" },
+    { "4OFF 5 10 10 5\n0 0 0 1\n", format, "test.off:1: expected a surface, found a polytope of 4" },
+    { "4OFF\n# Vertices, Faces, Edges, Cells\n5 10 10 5 # x\n", format, "test.off:3: expected a surface" },
+    { "5OFF\n6 20 15 15 6\n", format, "a polytope of 5 dimensions" },
+    { "2OFF\n5 1\n0 1\n", format, "a polytope of 2 dimensions" },
+    { "12OFF\n", format, "a polytope of 12 dimensions" },
+    { "4nOFF 3\n1 0 0 0\n0 0 0\n", format,
+      "test.off:4: expected a coordinate of a vertex" },
   };
   WithBothChunks(
     [&]
