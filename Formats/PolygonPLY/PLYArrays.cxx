@@ -29,6 +29,7 @@ public:
   void AddTextureCoordinates();
   void AddVectors(const std::map<std::string, int>& components);
   void AddScalars();
+  void AddLists(const std::vector<PLYListShape>& lists);
   std::vector<PLYArrayPlan> Plans;
 
 private:
@@ -199,6 +200,29 @@ void Planner::AddScalars()
     }
   }
 }
+
+//------------------------------------------------------------------------------
+void Planner::AddLists(const std::vector<PLYListShape>& lists)
+{
+  for (std::size_t i = 0; i < lists.size(); ++i)
+  {
+    const PLYProperty& property = this->Element.Properties[i];
+    const PLYListShape& shape = lists[i];
+    if (shape.Components == 0 || this->Used[i])
+    {
+      continue;
+    }
+    const auto number = static_cast<int>(i);
+    this->Add(PLYArrayPlan::Role::Scalars, property.Name, property.Type,
+      std::vector<int>(static_cast<std::size_t>(shape.Components), number));
+    this->Plans.back().AreItems = true;
+    this->Plans.back().IsPadded = shape.Varies;
+    if (shape.Varies)
+    {
+      this->Add(PLYArrayPlan::Role::Scalars, property.Name + "_length", PLYType::Int32, { number });
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
@@ -217,7 +241,7 @@ vtkSmartPointer<vtkDataArray> MakeArray(PLYType type, int components, vtkIdType 
 
 //------------------------------------------------------------------------------
 std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subject,
-  const std::map<std::string, int>& components, std::vector<bool> used)
+  const std::map<std::string, int>& components, std::vector<bool> used, const std::vector<PLYListShape>& lists)
 {
   used.resize(element.Properties.size(), false);
   Planner planner(element, used);
@@ -233,6 +257,7 @@ std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subje
   }
   planner.AddVectors(components);
   planner.AddScalars();
+  planner.AddLists(lists);
   return planner.Plans;
 }
 
@@ -258,9 +283,13 @@ void PLYArrays::Add(std::vector<PLYArrayPlan>& plans)
     {
       this->Arrays.push_back({ plan, nullptr });
     }
-    else if (known->Plan.Type != plan.Type)
+    else
     {
-      known->Plan.Type = GetRealType(known->Plan.Type, plan.Type);
+      known->Plan.IsPadded = known->Plan.IsPadded || plan.IsPadded;
+      if (known->Plan.Type != plan.Type)
+      {
+        known->Plan.Type = GetRealType(known->Plan.Type, plan.Type);
+      }
     }
   }
 }
@@ -274,7 +303,7 @@ void PLYArrays::Allocate(vtkIdType tuples, bool isCovered)
     const auto components = static_cast<int>(plan.Properties.size());
     entry.Array = MakeArray(plan.Type, components, tuples);
     entry.Array->SetName(plan.Name.c_str());
-    const bool isFull = isCovered &&
+    const bool isFull = isCovered && !plan.IsPadded &&
       std::find(plan.Properties.begin(), plan.Properties.end(), -1) == plan.Properties.end();
     if (!isFull)
     {
@@ -315,7 +344,7 @@ std::vector<PLYColumn> PLYArrays::GetColumns(const std::vector<PLYArrayPlan>& pl
     {
       if (plan.Properties[c] >= 0)
       {
-        columns.push_back({ plan.Properties[c], plan.Conversion, type,
+        columns.push_back({ plan.Properties[c], plan.AreItems ? c : -1, plan.Conversion, type,
           static_cast<char*>(array->GetVoidPointer(0)) + c * GetSize(type), components });
       }
     }

@@ -38,6 +38,8 @@ struct PLYArrayPlan
   PLYType Type = PLYType::Float;
   PLYConversion Conversion = PLYConversion::Value;
   std::vector<int> Properties; ///< one per component, -1 for none
+  bool AreItems = false;       ///< the components are the items of a list
+  bool IsPadded = false;       ///< of which some have fewer
 };
 
 /// What elements are about.
@@ -49,11 +51,12 @@ enum class PLYSubject
 };
 
 /**
- * The arrays that an element has, except lists and the properties marked in @a used. Coordinates
- * come first and are of points only.
+ * The arrays that an element has, except of the properties marked in @a used. Coordinates come first and are of points
+ * only.
+ * @param lists shapes of the properties that are lists
  */
 std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subject,
-  const std::map<std::string, int>& components, std::vector<bool> used);
+  const std::map<std::string, int>& components, std::vector<bool> used, const std::vector<PLYListShape>& lists);
 
 /**
  * @class camaron::PLYArrays

@@ -558,6 +558,55 @@ bool PLYBinaryRows::ReadIds(
 }
 
 //------------------------------------------------------------------------------
+// Lists without the item leave its value.
+void PLYBinaryRows::ReadListColumn(
+  const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first) const
+{
+  const PLYProperty& property = this->Element.Properties[column.Property];
+  const Places places = this->GetPlaces(rows, column.Property);
+  const vtkIdType stride = column.Stride;
+  const auto forEach = [&](auto out, auto&& read)
+  {
+    auto* const values = static_cast<decltype(out)*>(column.Values);
+    places.ForEach(rows.Count,
+      [&](int i, const char* place)
+      {
+        const vtkIdType tuple = tuples ? tuples[i] : first + rows.First + i;
+        if (tuple >= 0)
+        {
+          read(place, values[tuple * stride]);
+        }
+      });
+  };
+  if (column.Item < 0)
+  {
+    WithType(column.Type,
+      [&](auto out)
+      {
+        forEach(out,
+          [&](const char* place, auto& value)
+          { value = static_cast<decltype(out)>(this->LoadLengthOf(property.CountType, place)); });
+      });
+    return;
+  }
+  const std::ptrdiff_t header = GetSize(property.CountType);
+  WithConversion(property.Type, column, this->OddColours,
+    [&](auto in, auto out, auto convert)
+    {
+      using In = decltype(in);
+      forEach(out,
+        [&](const char* place, auto& value)
+        {
+          if (column.Item < this->LoadLengthOf(property.CountType, place))
+          {
+            value = convert(camaron::Load<In>(
+              place + header + column.Item * static_cast<std::ptrdiff_t>(sizeof(In)), this->Scanner.IsSwapped()));
+          }
+        });
+    });
+}
+
+//------------------------------------------------------------------------------
 bool PLYBinaryRows::ReadColumns(
   const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
 {
@@ -573,6 +622,11 @@ bool PLYBinaryRows::ReadColumns(
         }
         for (const PLYColumn& column : columns)
         {
+          if (this->Element.Properties[column.Property].IsList)
+          {
+            this->ReadListColumn(rows, column, targets.AreRows() ? nullptr : tuples, targets.First);
+            continue;
+          }
           WithConversion(this->Element.Properties[column.Property].Type, column, this->OddColours,
             [&](auto in, auto out, auto convert)
             {

@@ -107,6 +107,9 @@ private:
   template <typename Visit>
   bool ForEachBlock(const Progress& progress, Visit&& visit, bool loads = true) const;
   Places GetPlaces(const Block& rows, int property) const;
+  /// @param tuples of the rows, -1 for none; or nullptr if they follow that of row 0, @a first
+  void ReadListColumn(
+    const Block& rows, const PLYColumn& column, const std::int32_t* tuples, vtkIdType first) const;
   /// The length of the list, or the value, of a property.
   const char* GetPlace(vtkIdType row, int property) const;
   template <typename In>

@@ -171,9 +171,9 @@ bool PLYCells::ReadEdges(PLYPart& part, std::int32_t* ids, const Progress& progr
 {
   const vtkIdType count = part.Rows->GetCount();
   Buffer<double> ends(2 * count);
-  const std::vector<PLYColumn> columns = { { part.Ends[0], PLYConversion::Value, PLYType::Double,
+  const std::vector<PLYColumn> columns = { { part.Ends[0], -1, PLYConversion::Value, PLYType::Double,
                                              ends.data(), 2 },
-    { part.Ends[1], PLYConversion::Value, PLYType::Double, ends.data() + 1, 2 } };
+    { part.Ends[1], -1, PLYConversion::Value, PLYType::Double, ends.data() + 1, 2 } };
   if (!part.Rows->ReadColumns(columns, PLYTargets(), progress))
   {
     return false;

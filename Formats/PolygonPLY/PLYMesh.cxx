@@ -18,6 +18,8 @@ namespace camaron
 namespace
 {
 constexpr char Vertex[] = "vertex";
+constexpr std::int32_t MostItems = 1024; ///< of lists that become components
+constexpr std::int64_t MostPadding = 2;  ///< values of an array for each of a list
 
 //------------------------------------------------------------------------------
 std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
@@ -25,7 +27,7 @@ std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
   const PLYSubject subject = part.Role == PLYRole::Points ? PLYSubject::Points
     : part.Role == PLYRole::None                          ? PLYSubject::Other
                                                           : PLYSubject::Cells;
-  return PlanArrays(part.Rows->GetElement(), subject, header.Components, part.Used);
+  return PlanArrays(part.Rows->GetElement(), subject, header.Components, part.Used, part.Lists);
 }
 
 //------------------------------------------------------------------------------
@@ -57,20 +59,45 @@ PLYPart* PLYMesh::FindPart(PLYRole role)
 }
 
 //------------------------------------------------------------------------------
-void PLYMesh::WarnOfLists()
+// Finds out what the lists become that are no points or faces, and warns of what they lose.
+bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
 {
-  for (const PLYPart& part : this->Parts)
+  const PLYElement& element = part.Rows->GetElement();
+  part.Lists.assign(element.Properties.size(), PLYListShape());
+  for (std::size_t i = 0; i < element.Properties.size() && element.Count > 0; ++i)
   {
-    const PLYElement& element = part.Rows->GetElement();
-    for (std::size_t i = 0; i < element.Properties.size() && element.Count > 0; ++i)
+    if (!element.Properties[i].IsList || part.Used[i])
     {
-      if (element.Properties[i].IsList && !part.Used[i])
-      {
-        this->Messages.Add("the lists " + Quote(element.Properties[i].Name) + " of " +
-          CountOf(element.Count, "element ", "elements ") + Quote(element.Name) + " are left out");
-      }
+      continue;
+    }
+    PLYSizes sizes;
+    if (!part.Rows->ReadSizes(static_cast<int>(i), sizes, progress))
+    {
+      return false;
+    }
+    std::int32_t least = sizes.Common, most = sizes.Common;
+    for (vtkIdType row = 0; sizes.Common < 0 && row < element.Count; ++row)
+    {
+      const auto size = static_cast<std::int32_t>(sizes.GetSize(row));
+      least = row == 0 ? size : std::min(least, size);
+      most = std::max(most, size);
+    }
+    const std::string what = "the lists " + Quote(element.Properties[i].Name) + " of " +
+      CountOf(element.Count, "element ", "elements ") + Quote(element.Name);
+    if (most > MostItems || std::int64_t(most) * element.Count > MostPadding * sizes.Total)
+    {
+      this->Messages.Add(what + ", of " + std::to_string(least) + " to " + std::to_string(most) +
+        " values, are left out, as arrays have as many values for all");
+      continue;
+    }
+    part.Lists[i] = { most, least < most };
+    if (least < most)
+    {
+      this->Messages.Add(what + " become an array with " + std::to_string(most) +
+        " components, of which shorter lists leave the last ones nan (0 if integers); another array has their lengths");
     }
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -336,7 +363,7 @@ bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Pr
     char* const first = values + c * GetSize(plan.Type);
     if (plan.Properties[c] >= 0)
     {
-      columns.push_back({ plan.Properties[c], PLYConversion::Value, plan.Type, first, 3 });
+      columns.push_back({ plan.Properties[c], -1, PLYConversion::Value, plan.Type, first, 3 });
       continue;
     }
     for (vtkIdType i = 0; i < rows.GetCount(); ++i)
@@ -426,12 +453,12 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
     CompleteElement(element);
     this->Parts.push_back(MakePart(element, this->FindPart(PLYRole::Points) != nullptr));
     this->Parts.back().Rows = makeRows(element);
-    if (!this->Parts.back().Rows->Locate(progress.Part(0, 0.2)))
+    if (!this->Parts.back().Rows->Locate(progress.Part(0, 0.2)) ||
+      !this->ShapeLists(this->Parts.back(), progress.Part(0, 0.2)))
     {
       return false;
     }
   }
-  this->WarnOfLists();
 
   PLYPart* const vertices = this->FindPart(PLYRole::Points);
   bool good = true;

@@ -57,7 +57,7 @@ private:
   bool ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans, const PLYTargets& targets,
     PLYArrays& arrays, const Progress& progress);
   bool ReadOthers(const Progress& progress);
-  void WarnOfLists();
+  bool ShapeLists(PLYPart& part, const Progress& progress);
   void WarnOfCells(const PLYCells& cells);
 
   std::string Name;

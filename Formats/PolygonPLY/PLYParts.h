@@ -28,6 +28,7 @@ struct PLYPart
   PLYRole Role = PLYRole::None;
   std::unique_ptr<PLYRows> Rows;
   std::vector<bool> Used;   ///< properties that tell what the element is
+  std::vector<PLYListShape> Lists; ///< of properties
   int List = -1;            ///< of vertices or faces
   int Ends[2] = { -1, -1 }; ///< of edges
 

@@ -30,14 +30,22 @@ enum class PLYConversion : unsigned char
   Colour ///< it becomes one of 0 ... 255: integers as they are, real numbers from 0 ... 1
 };
 
-/// Where the values of a property, no list, go.
+/// Where the values of a property go; of a list, those of one of its items, or its length.
 struct PLYColumn
 {
   int Property;
+  int Item; ///< of a list; -1 for its length
   PLYConversion Conversion;
   PLYType Type; ///< of the array: that of the property, a real type, or UInt8 for colours
   void* Values; ///< of the component of the first tuple
   int Stride;   ///< values from tuple to tuple
+};
+
+/// What lists that are no points or faces become: an array with as many components as the longest one has items.
+struct PLYListShape
+{
+  std::int32_t Components = 0; ///< 0 for no array
+  bool Varies = false;         ///< some are shorter
 };
 
 /// Which tuple a row becomes: position in a mesh, and of that in a piece of the mesh.

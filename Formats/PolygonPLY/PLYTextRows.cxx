@@ -384,6 +384,31 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
 }
 
 //------------------------------------------------------------------------------
+// Items that no column wants are skipped.
+bool PLYTextRows::ReadList(
+  TextRow& row, int property, const std::vector<const PLYColumn*>& columns, vtkIdType tuple) const
+{
+  std::int64_t length = 0;
+  bool good = this->ReadLength(row, property, length);
+  std::int64_t item = 0;
+  for (const PLYColumn* column : columns)
+  {
+    if (good && column->Item < 0 && tuple >= 0)
+    {
+      WithType(column->Type,
+        [&](auto out)
+        { static_cast<decltype(out)*>(column->Values)[tuple * column->Stride] = static_cast<decltype(out)>(length); });
+    }
+    else if (good && column->Item == item && item < length)
+    {
+      good = this->ReadValue(row, *column, tuple);
+      ++item;
+    }
+  }
+  return good && this->SkipValues(row, property, length - item);
+}
+
+//------------------------------------------------------------------------------
 bool PLYTextRows::ReadColumns(
   const std::vector<PLYColumn>& columns, const PLYTargets& targets, const Progress& progress)
 {
@@ -391,11 +416,11 @@ bool PLYTextRows::ReadColumns(
   {
     return true;
   }
-  std::vector<const PLYColumn*> wanted(this->Element.Properties.size(), nullptr);
+  std::vector<std::vector<const PLYColumn*>> wanted(this->Element.Properties.size());
   int end = 0;
   for (const PLYColumn& column : columns)
   {
-    wanted[column.Property] = &column;
+    wanted[column.Property].push_back(&column);
     end = std::max(end, column.Property + 1);
   }
   const bool good = this->ForEachRow(progress,
@@ -405,7 +430,9 @@ bool PLYTextRows::ReadColumns(
       bool rowIsGood = true;
       for (int i = 0; i < end && rowIsGood; ++i)
       {
-        rowIsGood = wanted[i] ? this->ReadValue(text, *wanted[i], tuple) : this->Skip(text, i);
+        rowIsGood = wanted[i].empty()           ? this->Skip(text, i)
+          : this->Element.Properties[i].IsList ? this->ReadList(text, i, wanted[i], tuple)
+                                               : this->ReadValue(text, *wanted[i][0], tuple);
       }
       rowIsGood = rowIsGood && this->SkipRest(text, end);
       this->Finish(row, text);
