@@ -39,7 +39,7 @@ environment() {
   # In Open MPI 5; a later one warns of this name.
   [[ $("${enter[@]}" mpiexec --version 2>&1) != *'(Open MPI) 5.'* ]] ||
     export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
-  export PYTHONPATH=$top/Scripts${PYTHONPATH:+:$PYTHONPATH}
+  export PYTHONPATH=$scripts${PYTHONPATH:+:$PYTHONPATH}
 }
 
 # Sets `own`, a folder for what is left behind by running: CAMARON_HOME, which may be somebody else's, or

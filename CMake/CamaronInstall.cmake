@@ -1,0 +1,32 @@
+# What `cmake --install` installs: the plugin and the Python package where a ParaView of the same prefix looks for them,
+# and the command `camaron`. Included by the top CMakeLists.txt.
+get_filename_component(libdir "${ParaView_DIR}/../.." REALPATH)
+get_filename_component(prefix "${ParaView_PREFIX_PATH}" REALPATH)
+file(RELATIVE_PATH libdir "${prefix}" "${libdir}")
+if (libdir MATCHES "^(\\.\\.|$)")
+  set(libdir "${CMAKE_INSTALL_LIBDIR}")
+endif ()
+set(CAMARON_PLUGINS_DIR "${libdir}/${PARAVIEW_PLUGIN_SUBDIR}")
+set(CAMARON_DATA_DIR "${CMAKE_INSTALL_DATADIR}/camaron")
+set(CAMARON_PYTHON_DIR "${CAMARON_DATA_DIR}/python")
+if (PARAVIEW_PYTHONPATH)
+  set(CAMARON_PYTHON_DIR "${PARAVIEW_PYTHONPATH}")
+endif ()
+
+install(TARGETS Camaron DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
+install(FILES "$<TARGET_FILE_DIR:Camaron>/formats.json" DESTINATION "${CAMARON_PLUGINS_DIR}/Camaron")
+install(FILES "$<TARGET_FILE_DIR:Camaron>/../camaron.plugins.xml" DESTINATION "${CAMARON_PLUGINS_DIR}")
+install(DIRECTORY Scripts/camaron DESTINATION "${CAMARON_PYTHON_DIR}" PATTERN "__pycache__" EXCLUDE)
+
+set(installed "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/installed")
+configure_file(Scripts/launcher/installed.sh.in "${installed}/installed.sh" @ONLY)
+configure_file(CMake/ListPlugin.cmake.in "${installed}/ListPlugin.cmake" @ONLY)
+install(SCRIPT "${installed}/ListPlugin.cmake")
+install(PROGRAMS camaron DESTINATION "${CAMARON_DATA_DIR}")
+install(FILES Scripts/launcher/console.sh Scripts/launcher/build.sh "${installed}/installed.sh"
+  DESTINATION "${CAMARON_DATA_DIR}/Scripts/launcher")
+install(PROGRAMS Scripts/launcher/in-own-folder Scripts/launcher/with-display Scripts/launcher/with-ranks
+  DESTINATION "${CAMARON_DATA_DIR}/Scripts/launcher")
+file(RELATIVE_PATH link "/${CMAKE_INSTALL_BINDIR}" "/${CAMARON_DATA_DIR}/camaron")
+file(CREATE_LINK "${link}" "${installed}/camaron" SYMBOLIC)
+install(FILES "${installed}/camaron" DESTINATION "${CMAKE_INSTALL_BINDIR}")
