@@ -4,8 +4,8 @@
 #     NAME        Visf                         # its folder, and stem of its classes and XML files
 #     EXTENSIONS  visf                         # without the dot; several allowed
 #     DESCRIPTION "Camarón Visf mesh"          # as shown to people
-#     READS       "every dialect"              # what of it is read and written, for the table of formats;
-#     WRITES      "ASCII and binary"           #   no semicolons
+#     READS       "every dialect"              # what of it is read and written, for the table of formats
+#     WRITES      "ASCII and binary"
 #     READER_PROXY FooReader                   # the proxy of its reader, unless that is NAME and "Reader"
 #     READER                                   # there is Formats/Visf/vtkVisfReader.{h,cxx} + VisfReader.xml
 #     WRITER)                                  # there is Formats/Visf/vtkVisfWriter.{h,cxx} + VisfWriter.xml
@@ -57,6 +57,9 @@ function (camaron_format)
     set(writer "\"${format_NAME}Writer\"")
   endif ()
   string(APPEND fields ", \"reader\": ${reader}, \"writer\": ${writer}")
-  list(APPEND CAMARON_FORMATS_JSON "{${fields}}")
+  if (CAMARON_FORMATS_JSON)
+    string(APPEND CAMARON_FORMATS_JSON ",\n") # no list: texts may have semicolons
+  endif ()
+  string(APPEND CAMARON_FORMATS_JSON "{${fields}}")
   set(CAMARON_FORMATS_JSON "${CAMARON_FORMATS_JSON}" PARENT_SCOPE)
 endfunction ()
