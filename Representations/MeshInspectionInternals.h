@@ -7,6 +7,7 @@
 #ifndef camaron_MeshInspectionInternals_h
 #define camaron_MeshInspectionInternals_h
 
+#include "CoarseMeshDemand.h"
 #include "InspectionBlocks.h"
 #include "InspectionStyle.h"
 #include "LabelStyle.h"
@@ -28,7 +29,9 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <utility>
 
 class vtkDataObject;
 class vtkRenderer;
@@ -46,6 +49,11 @@ enum CutMoves
 class vtkMeshInspectionRepresentation::Internals
 {
 public:
+  explicit Internals(std::function<bool()> isCoarseWanted)
+    : DemandForCoarse(std::move(isCoarseWanted))
+  {
+  }
+
   /// What has come to be drawn, whole or coarse.
   struct Delivered
   {
@@ -121,6 +129,8 @@ public:
   ///@}
   unsigned long StartTag = 0; ///< of the observer of the renderer
   vtkNew<vtkCoarseInspectionMesh> MakeCoarse;
+  vtkMTimeType TimeOfCoarse = 0; ///< of the whole mesh that it was made of
+  camaron::CoarseMeshDemand DemandForCoarse;
   bool ColorMissingArraysWithNanColor = false;
   bool GlassShell = false;
   int CutMoves = camaron::WithMesh;

@@ -163,7 +163,8 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
 
 //==============================================================================
 vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
-  : Internal(std::make_unique<Internals>())
+  : Internal(std::make_unique<Internals>([this]
+      { return this->GetVisibility() && this->IsTooMuchToMove(this->Internal->Mesh); }))
 {
   // Instead of a surface and its mapper, the mesh and ours.
   this->GeometryFilter->Delete();
@@ -253,6 +254,7 @@ bool vtkMeshInspectionRepresentation::RemoveFromView(vtkView* view)
   if (renderView)
   {
     renderView->GetRenderer()->RemoveObserver(this->Internal->StartTag);
+    this->Internal->DemandForCoarse.Forget();
     renderView->GetRenderer()->RemoveActor(this->Internal->IdLabels);
     this->Internal->IdLabels->SetRenderer(nullptr);
     for (vtkActor* actor : this->Internal->GetActors())
@@ -350,7 +352,9 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
 {
   if (request == vtkPVView::REQUEST_UPDATE_LOD())
   {
-    if (this->GetVisibility())
+    vtkDataObject* whole = vtkPVView::GetPiece(inInfo, this);
+    const bool isMade = whole && this->Internal->TimeOfCoarse == whole->GetMTime();
+    if (this->GetVisibility() && this->Internal->DemandForCoarse.IsDue(isMade))
     {
       this->MakeCoarseMesh(inInfo);
     }
@@ -363,6 +367,7 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
+    this->Internal->DemandForCoarse.Update(vtkPVRenderView::SafeDownCast(this->GetView()));
     this->UpdateReach();
     // Cells stay whole: those on the border between two processes go to one of them.
     vtkPVRenderView::SetRedistributionModeToUniquelyAssignBoundaryCells(inInfo, this);
@@ -462,6 +467,7 @@ void vtkMeshInspectionRepresentation::MakeCoarseMesh(vtkInformation* inInfo)
     coarse->SetResolution(inInfo->Get(vtkPVRenderView::LOD_RESOLUTION()));
   }
   coarse->Update();
+  this->Internal->TimeOfCoarse = whole->GetMTime();
   vtkPVView::SetPieceLOD(inInfo, this, coarse->GetOutputDataObject(0));
   this->GiveSamples(inInfo, true);
 }
@@ -476,9 +482,15 @@ bool vtkMeshInspectionRepresentation::DrawsCoarseMesh(vtkInformation* inInfo)
   {
     return false;
   }
+  return this->IsTooMuchToMove(vtkPVView::GetDeliveredPiece(inInfo, this));
+}
+
+//------------------------------------------------------------------------------
+// @a whole: as far as it is here, or null.
+bool vtkMeshInspectionRepresentation::IsTooMuchToMove(vtkDataObject* whole)
+{
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   const bool isAlone = !controller || controller->GetNumberOfProcesses() == 1;
-  vtkDataObject* whole = vtkPVView::GetDeliveredPiece(inInfo, this);
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
   if (!isAlone || !view || !whole || whole->GetNumberOfElements(vtkDataObject::CELL) == 0)
   {

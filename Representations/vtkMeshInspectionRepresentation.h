@@ -110,6 +110,7 @@ private:
   void GiveSamples(vtkInformation* inInfo, bool withCoarseMesh);
   void MakeCoarseMesh(vtkInformation* inInfo);
   bool DrawsCoarseMesh(vtkInformation* inInfo);
+  bool IsTooMuchToMove(vtkDataObject* whole);
   vtkUnstructuredGrid* UpdateMesh(vtkInformation* inInfo, bool isCoarse);
   void FollowCamera(vtkObject* renderer, unsigned long event, void*);
   void UpdateStyles(vtkRenderer* ofPicture);

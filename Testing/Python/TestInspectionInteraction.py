@@ -114,6 +114,25 @@ class TestInspectionInteraction(PictureTestCase):
         display.ShrinkFactor = 0.8
         self.assertGreater(difference(self.take(), interactive_picture(self.view)), 0)
 
+    def test_made_when_it_moves(self):
+        """The coarse mesh takes longer than the first picture, which does not show it."""
+        wavelet = simple.Wavelet(WholeExtent=[-10, 10, -10, 10, -10, 10])
+        self.show(simple.Tetrahedralize(Input=wavelet))
+        manager = self.view.GetClientSideObject().GetDeliveryManager()
+
+        def has_coarse_mesh():
+            """Else the whole mesh counts for it."""
+            return manager.GetVisibleDataSize(True) < manager.GetVisibleDataSize(False)
+
+        # Of 6 MB, less than 2 are outside.
+        for size, threshold, is_made in ((10, 0, True), (14, 2, False), (14, 0, True)):
+            wavelet.WholeExtent = [-size, size] * 3
+            self.view.LODThreshold = threshold
+            self.take()
+            self.assertFalse(has_coarse_mesh(), (size, threshold))
+            interactive_picture(self.view)
+            self.assertEqual(has_coarse_mesh(), is_made, (size, threshold))
+
     def test_outline(self):
         """Nothing but the box, if ParaView's settings say so."""
         self.show(tetrahedra(6), DiffuseColor=[1, 0, 0], AmbientColor=[1, 0, 0])
