@@ -3,10 +3,7 @@
 #include "CellMesh/CellCutter.h"
 
 #include "FaceMesh/PrimitiveMatcher.h"
-
-#include "vtkIdList.h"
-#include "vtkPoints.h"
-#include "vtkPolygon.h"
+#include "Mesh/FirstPoint.h"
 
 #include <algorithm>
 
@@ -20,87 +17,19 @@ CellCutter::CellCutter(const MeshView& mesh)
 }
 
 //------------------------------------------------------------------------------
-CellCutter::~CellCutter() = default;
-
-//------------------------------------------------------------------------------
-void CellCutter::Fan(const vtkIdType* points, vtkIdType size, vtkIdType first)
-{
-  for (vtkIdType i = 1; i + 1 < size; ++i)
-  {
-    this->Triangles.push_back(
-      { points[first], points[(first + i) % size], points[(first + i + 1) % size] });
-  }
-}
-
-//------------------------------------------------------------------------------
-// Whether all triangles around a point look to the same side as the polygon does as a whole.
-bool CellCutter::CanFan(const vtkIdType* points, vtkIdType size, vtkIdType first)
-{
-  const Vector origin = this->GetPlace(points[first]);
-  this->Normals.clear();
-  Vector sum;
-  Vector edge = this->GetPlace(points[(first + 1) % size]) - origin;
-  for (vtkIdType i = 2; i < size; ++i)
-  {
-    const Vector next = this->GetPlace(points[(first + i) % size]) - origin;
-    this->Normals.push_back(Cross(edge, next));
-    sum += this->Normals.back();
-    edge = next;
-  }
-  return std::all_of(this->Normals.begin(), this->Normals.end(),
-    [&sum](const Vector& normal) { return Dot(normal, sum) > 0; });
-}
-
-//------------------------------------------------------------------------------
 bool CellCutter::CutPolygon(const vtkIdType* points, vtkIdType size)
 {
   this->Triangles.clear();
-  if (size == 3)
+  this->Corners.resize(size);
+  std::transform(points, points + size, this->Corners.begin(), [this](vtkIdType id) { return this->GetPlace(id); });
+  this->Triangulator.Cut(this->Corners.data(), static_cast<int>(size));
+  for (const PolygonTriangulator::Triangle& t : this->Triangulator.GetTriangles())
   {
-    this->Triangles.push_back({ points[0], points[1], points[2] });
-    return true;
+    this->Triangles.push_back({ points[t[0]], points[t[1]], points[t[2]] });
   }
-  const vtkIdType smallest = std::min_element(points, points + size) - points;
-  if (this->CanFan(points, size, smallest))
-  {
-    this->Fan(points, size, smallest);
-    return true;
-  }
-  if (size == 4)
-  {
-    const vtkIdType other = (smallest + 1) % size;
-    const bool good = this->CanFan(points, size, other);
-    this->Fan(points, size, good ? other : smallest);
-    return good;
-  }
-  if (!this->Polygon)
-  {
-    this->Polygon = vtkSmartPointer<vtkPolygon>::New();
-    this->Polygon->GetPoints()->SetDataTypeToDouble();
-  }
-  this->Polygon->GetPoints()->SetNumberOfPoints(size);
-  this->Polygon->GetPointIds()->SetNumberOfIds(size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    // VTK's tolerances are relative to the size of the polygon, not to its place.
-    const Vector x = this->GetPlace(points[i]) - this->GetPlace(points[0]);
-    this->Polygon->GetPoints()->SetPoint(i, x.X, x.Y, x.Z);
-    this->Polygon->GetPointIds()->SetId(i, i);
-  }
-  this->Ears->Reset();
-  const bool good = this->Polygon->EarCutTriangulation(this->Ears, vtkPolygon::BEST_QUALITY) != 0 &&
-    this->Ears->GetNumberOfIds() == 3 * (size - 2);
-  if (!good)
-  {
-    this->Fan(points, size, smallest);
-    return false;
-  }
-  for (vtkIdType i = 0; i < this->Ears->GetNumberOfIds(); i += 3)
-  {
-    this->Triangles.push_back({ points[this->Ears->GetId(i)], points[this->Ears->GetId(i + 1)],
-      points[this->Ears->GetId(i + 2)] });
-  }
-  return true;
+  constexpr double rounding = 1e-5; // of a polygon that touches itself, in single precision
+  return size == 3 ||
+    (this->Triangulator.GetArea() > 0 && this->Triangulator.GetOverlap() <= rounding * this->Triangulator.GetArea());
 }
 
 //------------------------------------------------------------------------------
@@ -133,19 +62,18 @@ bool CellCutter::IsConsistent()
 void CellCutter::CutCell(vtkIdType cell)
 {
   this->Tetrahedra.clear();
+  this->Triangulator.SetKeepsFans(true);
   vtkIdType apex = -1;
   const bool listsFaces = GetCellShape(this->Mesh.GetCellType(cell)).ListsFaces;
   this->Edges.clear();
   this->Facets.ForEach(cell,
     [&](const vtkIdType* points, vtkIdType size, vtkIdType)
     {
-      for (vtkIdType i = 0; i < size; ++i)
+      const vtkIdType first = points[FindFirstPoint(this->Mesh, points, size)];
+      apex = apex < 0 || IsBefore(this->Mesh, first, apex) ? first : apex;
+      for (vtkIdType i = 0; listsFaces && i < size; ++i)
       {
-        apex = apex < 0 ? points[i] : std::min(apex, points[i]);
-        if (listsFaces)
-        {
-          this->Edges.emplace_back(points[i], points[i + 1 < size ? i + 1 : 0]);
-        }
+        this->Edges.emplace_back(points[i], points[i + 1 < size ? i + 1 : 0]);
       }
     });
   const bool consistent = this->IsConsistent();
@@ -160,9 +88,7 @@ void CellCutter::CutCell(vtkIdType cell)
       {
         return;
       }
-      this->Triangles.clear();
-      this->Fan(ids.data(), static_cast<vtkIdType>(ids.size()),
-        std::min_element(ids.begin(), ids.end()) - ids.begin());
+      this->CutPolygon(ids.data(), static_cast<vtkIdType>(ids.size()));
       for (const Triangle& t : this->Triangles)
       {
         if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
@@ -171,6 +97,7 @@ void CellCutter::CutCell(vtkIdType cell)
         }
       }
     });
+  this->Triangulator.SetKeepsFans(false);
   for (Tetrahedron& t : this->Tetrahedra)
   {
     if (!consistent && this->GetVolume(t) < 0)

@@ -9,18 +9,13 @@
 #ifndef camaron_CellCutter_h
 #define camaron_CellCutter_h
 
+#include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/Vector.h"
-
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
 
 #include <array>   // for simplices
 #include <utility> // for edges
 #include <vector>  // for scratch
-
-class vtkIdList;
-class vtkPolygon;
 
 namespace camaron
 {
@@ -31,19 +26,14 @@ public:
   using Tetrahedron = std::array<vtkIdType, 4>;
 
   explicit CellCutter(const MeshView& mesh);
-  ~CellCutter();
 
-  /**
-   * Triangles of a polygon that run as it does: around the smallest point id if that is right, else
-   * ears are cut (O(n^2)). False if it crosses itself or has no area, so that
-   * any choice is as good: they then fan out from the smallest point id.
-   */
+  /// Triangles of a polygon that run as it does. False if it crosses itself or has no area, so that any choice is as good.
   bool CutPolygon(const vtkIdType* points, vtkIdType size);
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 
   /**
-   * Tetrahedra between the smallest point id of a 3D cell and the triangles of the faces around
-   * other points, each of which fans out from its own smallest id. Of a cell whose faces run
+   * Tetrahedra between the first point of a 3D cell (FirstPoint.h) and the triangles of the faces that do not have
+   * it, fans where these are convex. Of a cell whose faces run
    * outward they are positive where the cell is convex. If the faces do not run consistently, all
    * are made positive.
    */
@@ -66,19 +56,16 @@ private:
     this->Mesh.GetPoint(point, x);
     return { x[0], x[1], x[2] };
   }
-  void Fan(const vtkIdType* points, vtkIdType size, vtkIdType first);
   bool IsConsistent();
-  bool CanFan(const vtkIdType* points, vtkIdType size, vtkIdType first);
 
   const MeshView& Mesh;
   CellFacets Facets;
   std::vector<Triangle> Triangles;
   std::vector<Tetrahedron> Tetrahedra;
   std::vector<vtkIdType> Points;
-  std::vector<Vector> Normals;
+  std::vector<Vector> Corners;
   std::vector<std::pair<vtkIdType, vtkIdType>> Edges; ///< of all faces, as these run
-  vtkSmartPointer<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Ears;
+  PolygonTriangulator Triangulator;
 };
 }
 

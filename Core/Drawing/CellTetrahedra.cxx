@@ -3,6 +3,8 @@
 #include "Drawing/CellTetrahedra.h"
 
 #include "Drawing/CurvedFacets.h"
+#include "Drawing/PolygonTriangles.h"
+#include "Mesh/FirstPoint.h"
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
 
@@ -26,22 +28,6 @@ vtkIdType GetNumberOfBlocks(const MeshView& mesh)
 }
 
 //------------------------------------------------------------------------------
-bool IsBefore(const MeshView& mesh, vtkIdType a, vtkIdType b)
-{
-  double p[3], q[3];
-  mesh.GetPoint(a, p);
-  mesh.GetPoint(b, q);
-  for (int i = 0; i < 3; ++i)
-  {
-    if (p[i] != q[i])
-    {
-      return p[i] < q[i];
-    }
-  }
-  return a < b;
-}
-
-//------------------------------------------------------------------------------
 // Calls visit(a, b, c, d, walls, findEdges) for the tetrahedra of a cell.
 class TetrahedraOfCell
 {
@@ -49,7 +35,23 @@ public:
   explicit TetrahedraOfCell(const MeshView& mesh)
     : Mesh(mesh)
     , Facets(mesh)
+    , Triangles(mesh)
   {
+    this->Triangles.SetKeepsFans(true);
+  }
+
+  vtkIdType Count(vtkIdType cell)
+  {
+    if (GetCellShape(this->Mesh.GetCellType(cell)).Dimension != 3 || this->Mesh.GetCellType(cell) == VTK_TETRA)
+    {
+      return this->Mesh.GetCellType(cell) == VTK_TETRA ? 1 : 0;
+    }
+    const vtkIdType apex = this->FindApex(cell);
+    vtkIdType count = 0;
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType size)
+      { count += Has(points, size, apex) ? 0 : std::max<vtkIdType>(size - 2, 0); });
+    return count;
   }
 
   template <typename Visitor>
@@ -65,38 +67,49 @@ public:
       visit(points[0], points[1], points[2], points[3], AllWalls, [] { return AllEdges; });
       return;
     }
-    vtkIdType apex = -1;
-    this->Facets.ForEachPart(cell,
-      [&](const vtkIdType* points, vtkIdType size)
-      {
-        const vtkIdType first = points[FindFirstPoint(this->Mesh, points, size)];
-        apex = apex < 0 || IsBefore(this->Mesh, first, apex) ? first : apex;
-      });
+    const vtkIdType apex = this->FindApex(cell);
     this->FindEdgesAround(cell, apex);
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
       {
-        if (size < 3 || std::find(points, points + size, apex) != points + size)
+        if (Has(points, size, apex))
         {
           return;
         }
-        const vtkIdType first = FindFirstPoint(this->Mesh, points, size);
-        const auto corner = [&](vtkIdType i) { return points[(first + i) % size]; };
-        for (vtkIdType i = 1; i + 1 < size; ++i)
-        {
-          const std::uint32_t walls = 1 | this->IsAround(corner(i), corner(i + 1)) << 1 |
-            (i + 2 == size && this->IsAround(corner(i + 1), corner(0))) << 2 |
-            (i == 1 && this->IsAround(corner(0), corner(1))) << 3;
-          const vtkIdType tetrahedron[4] = { apex, points[first], corner(i), corner(i + 1) };
-          visit(apex, points[first], corner(i), corner(i + 1), walls,
-            [&] { return this->FindEdges(cell, tetrahedron, i == 1, i + 2 == size); });
-        }
+        this->Triangles.ForEach({ points, size, PolygonTriangles::Form::Straight },
+          [&](const PolygonTriangles::Triangle& triangle)
+          {
+            const vtkIdType a = points[triangle.Corners[0]], b = points[triangle.Corners[1]],
+                            c = points[triangle.Corners[2]];
+            const unsigned int edges = triangle.Edges;
+            const std::uint32_t walls = 1 | ((edges & 2) && this->IsAround(b, c)) << 1 |
+              ((edges & 4) && this->IsAround(c, a)) << 2 | ((edges & 1) && this->IsAround(a, b)) << 3;
+            const vtkIdType tetrahedron[4] = { apex, a, b, c };
+            visit(apex, a, b, c, walls, [&] { return this->FindEdges(cell, tetrahedron, edges); });
+          });
       });
   }
 
 private:
   static constexpr std::uint32_t AllWalls = 15;
   static constexpr std::uint32_t AllEdges = 63;
+
+  static bool Has(const vtkIdType* points, vtkIdType size, vtkIdType point)
+  {
+    return std::find(points, points + size, point) != points + size;
+  }
+
+  vtkIdType FindApex(vtkIdType cell)
+  {
+    vtkIdType apex = -1;
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType size)
+      {
+        const vtkIdType first = size > 0 ? points[FindFirstPoint(this->Mesh, points, size)] : apex;
+        apex = apex < 0 || IsBefore(this->Mesh, first, apex) ? first : apex;
+      });
+    return apex;
+  }
 
   // A triangle from the apex to an edge lies in a face of the cell if that face has both.
   void FindEdgesAround(vtkIdType cell, vtkIdType apex)
@@ -106,23 +119,23 @@ private:
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
       {
-        const vtkIdType at = std::find(points, points + size, apex) - points;
-        if (at < size)
+        for (vtkIdType at = 0; Has(points, size, apex) && at < size; ++at)
         {
-          for (vtkIdType i = 0; i < size; ++i)
+          const vtkIdType next = points[at + 1 < size ? at + 1 : 0];
+          this->Around.emplace_back(std::minmax(points[at], next));
+          if (points[at] == apex || next == apex)
           {
-            this->Around.emplace_back(std::minmax(points[i], points[(i + 1) % size]));
+            this->Spokes.push_back(points[at] == apex ? next : points[at]);
           }
-          this->Spokes.push_back(points[(at + 1) % size]);
-          this->Spokes.push_back(points[(at + size - 1) % size]);
         }
       });
+    std::sort(this->Around.begin(), this->Around.end());
     this->FindCurvedEdges(cell);
   }
   bool IsAround(vtkIdType a, vtkIdType b) const
   {
     const std::pair<vtkIdType, vtkIdType> edge = std::minmax(a, b);
-    return std::find(this->Around.begin(), this->Around.end(), edge) != this->Around.end();
+    return std::binary_search(this->Around.begin(), this->Around.end(), edge);
   }
 
   // Of a curved cell not all sides of the parts of facets are edges.
@@ -144,13 +157,13 @@ private:
     }
   }
 
-  // The apex, and three corners of a facet of which the first two or the last and the first may be neighbors there.
-  std::uint32_t FindEdges(vtkIdType cell, const vtkIdType points[4], bool isFirst, bool isLast) const
+  // The apex, and three corners of a facet, between which are these edges of it.
+  std::uint32_t FindEdges(vtkIdType cell, const vtkIdType points[4], unsigned int ofFacet) const
   {
     const auto isSpoke = [&](vtkIdType point)
     { return std::find(this->Spokes.begin(), this->Spokes.end(), point) != this->Spokes.end(); };
     std::uint32_t edges = isSpoke(points[1]) | isSpoke(points[2]) << 1 | isSpoke(points[3]) << 2 |
-      isFirst << 3 | isLast << 4 | 1 << 5;
+      (ofFacet & 1) << 3 | (ofFacet & 4) << 2 | (ofFacet & 2) << 4;
     if (this->Facets.IsCurved(cell))
     {
       int bit = 0;
@@ -170,6 +183,7 @@ private:
 
   const MeshView& Mesh;
   CurvedFacets Facets;
+  PolygonTriangles Triangles;
   std::vector<std::pair<vtkIdType, vtkIdType>> Around;
   std::vector<std::pair<vtkIdType, vtkIdType>> CurvedEdges;
   std::vector<vtkIdType> Spokes; ///< where edges from the apex end
@@ -195,17 +209,6 @@ void ForEachBlock(const MeshView& mesh, Function&& perBlock)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType FindFirstPoint(const MeshView& mesh, const vtkIdType* points, vtkIdType size)
-{
-  vtkIdType first = 0;
-  for (vtkIdType i = 1; i < size; ++i)
-  {
-    first = IsBefore(mesh, points[i], points[first]) ? i : first;
-  }
-  return first;
-}
-
-//------------------------------------------------------------------------------
 CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
 {
   if (mesh.GetNumberOfCells() >= vtkIdType(1) << (32 - CellTetrahedra::WallBits))
@@ -218,9 +221,7 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        tetrahedra.ForEach(cell,
-          [&](vtkIdType, vtkIdType, vtkIdType, vtkIdType, std::uint32_t, const auto&)
-          { ++counts[block]; });
+        counts[block] += tetrahedra.Count(cell);
       }
     });
   CellTetrahedra made;

@@ -20,9 +20,9 @@ namespace camaron
 class MeshView;
 
 /**
- * Tetrahedra of the 3D cells, in the order of these. A cell is a fan from its first point over the faces
- * that do not have it, and a face a fan from its own first point; first is the smallest by coordinates,
- * then by id. Two cells therefore cut the face between them in the same way, also on two processes.
+ * Tetrahedra of the 3D cells, in the order of these. A cell is a fan from its first point (FirstPoint.h) over the
+ * triangles of the faces that do not have it: of a convex face a fan from its own first point, of others those of
+ * PolygonTriangulator. Two cells therefore cut the face between them in the same way, also on two processes.
  * Right for cells that are convex, or at least seen entirely from their first point.
  */
 struct CellTetrahedra
@@ -42,9 +42,6 @@ struct CellTetrahedra
   /// Where the tetrahedra of each block of cells begin, and the end.
   std::vector<std::uint32_t> Blocks;
 };
-
-/// Where in a list of points the first by coordinates, then by id, is.
-vtkIdType FindFirstPoint(const MeshView& mesh, const vtkIdType* points, vtkIdType size);
 
 /// @throw std::length_error for 2^32 tetrahedra or 2^28 cells, or more
 CellTetrahedra MakeCellTetrahedra(const MeshView& mesh);

@@ -78,6 +78,8 @@ private:
   {
     const FacetTable& table = this->Topology.GetFaces();
     CurvedFacets curved(this->Mesh);
+    PolygonTriangles triangles(this->Mesh);
+    triangles.SetKeepsFans(true);
     std::vector<vtkIdType> corners;
     for (Index face = 0; face < table.GetNumberOfFacets(); ++face)
     {
@@ -91,12 +93,12 @@ private:
       }
       const auto add = [&](const vtkIdType* points, vtkIdType size)
       {
-        const vtkIdType first = FindFirstPoint(this->Mesh, points, size);
-        for (vtkIdType i = 1; i + 1 < size; ++i)
-        {
-          this->Add(this->Faces,
-            { { points[first], points[(first + i) % size], points[(first + i + 1) % size] }, 3, cell });
-        }
+        triangles.ForEach({ points, size, PolygonTriangles::Form::Straight },
+          [&](const PolygonTriangles::Triangle& t)
+          {
+            this->Add(this->Faces,
+              { { points[t.Corners[0]], points[t.Corners[1]], points[t.Corners[2]] }, 3, cell });
+          });
       };
       this->Topology.GetFacePoints(face, corners);
       const auto size = static_cast<vtkIdType>(corners.size());

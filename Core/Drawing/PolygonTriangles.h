@@ -4,17 +4,14 @@
  * @class camaron::PolygonTriangles
  * @brief Cuts a polygon into triangles to draw, and knows which of their edges are the polygon's.
  *
- * A convex polygon becomes a fan; any other is cut by VTK's ear clipping. With curved edges, corners are cut off first.
+ * PolygonTriangulator cuts it; with curved edges, corners are cut off first.
  * The triangles of a strip are as they are. Holds scratch memory: use one per thread.
  */
 #ifndef camaron_PolygonTriangles_h
 #define camaron_PolygonTriangles_h
 
+#include "Geometry/PolygonTriangulator.h"
 #include "Mesh/MeshView.h"
-
-#include "vtkIdList.h"  // for scratch
-#include "vtkNew.h"     // for scratch
-#include "vtkPolygon.h" // for scratch
 
 #include <vector> // for scratch
 
@@ -49,6 +46,9 @@ public:
   {
   }
 
+  /// As in PolygonTriangulator.
+  void SetKeepsFans(bool keeps) { this->Triangulator.SetKeepsFans(keeps); }
+
   /// Calls @a visit(triangle) max(size - 2, 0) times, whatever the polygon looks like.
   template <typename Visitor>
   void ForEach(const Outline& outline, Visitor&& visit)
@@ -79,26 +79,14 @@ public:
         visit(Triangle{ { 1, i, i + 2 }, 0u });
       }
     }
-    else if (size > 3 && this->IsConvex(points, size))
-    {
-      for (int i = 1; i < last; ++i)
-      {
-        visit(Triangle{ { 0, i, i + 1 }, (i == 1 ? 1u : 0u) | 2u | (i + 1 == last ? 4u : 0u) });
-      }
-    }
     else if (size > 3)
     {
-      this->ClipEars(points, size);
-      for (int t = 0; t + 2 <= last; ++t)
+      for (const PolygonTriangulator::Triangle& corners : this->Cut(points, size))
       {
-        Triangle triangle{ {}, 0 };
+        Triangle triangle{ { corners[0], corners[1], corners[2] }, 0 };
         for (int i = 0; i < 3; ++i)
         {
-          triangle.Corners[i] = static_cast<int>(this->Ears->GetId(3 * t + i));
-        }
-        for (int i = 0; i < 3; ++i)
-        {
-          const int step = triangle.Corners[(i + 1) % 3] - triangle.Corners[i];
+          const int step = corners[(i + 1) % 3] - corners[i];
           if (step == 1 || step == -1 || step == last || step == -last)
           {
             triangle.Edges |= 1u << i;
@@ -110,13 +98,11 @@ public:
   }
 
 private:
-  bool IsConvex(const vtkIdType* points, vtkIdType size);
-  void ClipEars(const vtkIdType* points, vtkIdType size);
+  const std::vector<PolygonTriangulator::Triangle>& Cut(const vtkIdType* points, vtkIdType size);
 
   const MeshView& Mesh;
-  std::vector<double> Coordinates;
-  vtkNew<vtkPolygon> Polygon;
-  vtkNew<vtkIdList> Ears;
+  std::vector<Vector> Corners;
+  PolygonTriangulator Triangulator;
 };
 }
 

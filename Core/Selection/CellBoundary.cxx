@@ -32,18 +32,15 @@ void CellBoundary::AddPolygon(const vtkIdType* points, vtkIdType size)
     this->AddSimplex(simplex);
     return;
   }
-  // Relative to the first point, for the sake of precision far from the origin.
-  const Vector origin = this->GetPoint(points[0]);
-  Vector sum;
-  for (vtkIdType i = 1; i < size; ++i)
-  {
-    sum += this->GetPoint(points[i]) - origin;
-  }
-  const Vector mean = origin + (1.0 / static_cast<double>(size)) * sum;
+  this->Corners.resize(size);
   for (vtkIdType i = 0; i < size; ++i)
   {
-    const vtkIdType next = points[i + 1 < size ? i + 1 : 0];
-    this->AddSimplex({ { mean, this->GetPoint(points[i]), this->GetPoint(next) }, 3 });
+    this->Corners[i] = this->GetPoint(points[i]);
+  }
+  this->Triangulator.Cut(this->Corners.data(), static_cast<int>(size));
+  for (const PolygonTriangulator::Triangle& t : this->Triangulator.GetTriangles())
+  {
+    this->AddSimplex({ { this->Corners[t[0]], this->Corners[t[1]], this->Corners[t[2]] }, 3 });
   }
 }
 

@@ -4,12 +4,13 @@
  * @class camaron::CellBoundary
  * @brief A cell as the triangles of its faces, with which it is compared with solids.
  *
- * Faces and polygons of more than three points are triangles about the mean of their points. A 1D cell is
+ * PolygonTriangulator cuts faces and polygons. A 1D cell is
  * its segments, a 0D cell its points. Holds its memory for the next cell: use one per thread.
  */
 #ifndef camaron_CellBoundary_h
 #define camaron_CellBoundary_h
 
+#include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshView.h"
 #include "Selection/Simplex.h"
@@ -44,6 +45,8 @@ private:
   const MeshView& Mesh;
   CellFacets Facets;
   std::vector<vtkIdType> Polygon;
+  std::vector<Vector> Corners;
+  PolygonTriangulator Triangulator;
   std::vector<Simplex> Simplices;
   Bounds Box;
   bool IsSolid = false;

@@ -8,7 +8,7 @@
 #define camaron_Simplex_h
 
 #include "Mesh/Vector.h"
-#include "Selection/Bounds.h"
+#include "Geometry/Bounds.h"
 
 namespace camaron
 {

@@ -4,84 +4,33 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace camaron
 {
-namespace
-{
-constexpr std::size_t TrianglesPerLeaf = 4;
-}
-
 //------------------------------------------------------------------------------
 SurfaceSolid::SurfaceSolid(std::vector<Simplex>&& triangles, double tolerance)
-  : Triangles(std::move(triangles))
-  , Tolerance(tolerance)
+  : Tolerance(tolerance)
 {
-  if (!this->Triangles.empty())
+  std::vector<Bounds> boxes;
+  boxes.reserve(triangles.size());
+  for (const Simplex& triangle : triangles)
   {
-    this->AddNodes(0, this->Triangles.size());
+    boxes.push_back(triangle.GetBounds());
   }
-}
-
-//------------------------------------------------------------------------------
-// Halves the triangles along the longest side of their box.
-void SurfaceSolid::AddNodes(std::size_t first, std::size_t last)
-{
-  const std::size_t node = this->Nodes.size();
-  this->Nodes.push_back({ Bounds(), 0, first, first });
-  Bounds box;
-  for (std::size_t i = first; i < last; ++i)
+  this->Tree.Build(boxes);
+  this->Triangles.reserve(triangles.size());
+  for (const std::size_t triangle : this->Tree.GetOrder())
   {
-    box.Add(this->Triangles[i].GetBounds());
+    this->Triangles.push_back(triangles[triangle]);
   }
-  if (last - first <= TrianglesPerLeaf)
-  {
-    this->Nodes[node].Last = last;
-  }
-  else
-  {
-    const Vector size = box.High - box.Low;
-    const auto side = size.X >= size.Y && size.X >= size.Z ? &Vector::X
-      : size.Y >= size.Z                                   ? &Vector::Y
-                                                           : &Vector::Z;
-    const std::size_t middle = first + (last - first) / 2;
-    const auto begin = this->Triangles.begin();
-    std::nth_element(begin + first, begin + middle, begin + last,
-      [side](const Simplex& a, const Simplex& b)
-      {
-        return a.Points[0].*side + a.Points[1].*side + a.Points[2].*side <
-          b.Points[0].*side + b.Points[1].*side + b.Points[2].*side;
-      });
-    this->AddNodes(first, middle);
-    this->AddNodes(middle, last);
-  }
-  this->Nodes[node].Box = box;
-  this->Nodes[node].Next = this->Nodes.size();
 }
 
 //------------------------------------------------------------------------------
 template <typename Visit>
 bool SurfaceSolid::FindAny(const Bounds& box, Visit&& visit) const
 {
-  for (std::size_t n = 0; n < this->Nodes.size();)
-  {
-    const Node& node = this->Nodes[n];
-    if (!node.Box.Meets(box))
-    {
-      n = node.Next;
-      continue;
-    }
-    for (std::size_t i = node.First; i < node.Last; ++i)
-    {
-      if (visit(this->Triangles[i]))
-      {
-        return true;
-      }
-    }
-    ++n;
-  }
-  return false;
+  return this->Tree.FindAny([&](const Bounds& around) { return around.Meets(box); },
+    [&](std::size_t place) { return visit(this->Triangles[place]); });
 }
 
 //------------------------------------------------------------------------------
@@ -152,7 +101,7 @@ bool SurfaceSolid::MayMeet(const Bounds& box) const
 {
   Bounds larger = box;
   larger.Grow(this->Tolerance);
-  return !this->Nodes.empty() && this->Nodes.front().Box.Meets(larger);
+  return !this->Tree.IsEmpty() && this->Tree.GetBounds().Meets(larger);
 }
 
 //------------------------------------------------------------------------------

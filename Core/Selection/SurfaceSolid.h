@@ -10,6 +10,7 @@
 #ifndef camaron_SurfaceSolid_h
 #define camaron_SurfaceSolid_h
 
+#include "Geometry/BoxTree.h"
 #include "Selection/CellBoundary.h"
 
 #include <vector> // for triangles
@@ -32,20 +33,12 @@ public:
   bool Crosses(const CellBoundary& cell) const;
 
 private:
-  /// A box around some triangles, and where to go on in the list if nothing in it is wanted.
-  struct Node
-  {
-    Bounds Box;
-    std::size_t Next;
-    std::size_t First, Last; ///< triangles of a leaf; none for others
-  };
-  void AddNodes(std::size_t first, std::size_t last);
   /// Calls visit(triangle) for the triangles whose boxes meet a box until it returns true.
   template <typename Visit>
   bool FindAny(const Bounds& box, Visit&& visit) const;
 
-  std::vector<Simplex> Triangles;
-  std::vector<Node> Nodes; ///< of a tree, parents before children
+  std::vector<Simplex> Triangles; ///< in the order of the tree
+  BoxTree Tree;
   double Tolerance;
 };
 }

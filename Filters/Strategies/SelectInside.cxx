@@ -3,6 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "CheckNumber.h"
+#include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/LengthUnit.h"
 #include "Mesh/MeshCheck.h"
@@ -325,27 +326,23 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
 }
 
 //------------------------------------------------------------------------------
-// Of polygons as rows of points: triangles about the mean of their points, as those of cells.
+// Of polygons as rows of points.
 std::vector<Simplex> MakeTriangles(const std::vector<std::vector<double>>& rows)
 {
   std::vector<Simplex> triangles;
+  std::vector<Vector> corners;
+  PolygonTriangulator triangulator;
   for (const std::vector<double>& row : rows)
   {
-    const std::size_t size = row.size() / 3;
-    const auto point = [&](std::size_t i) { return GetVector(&row[3 * (i % size)]); };
-    if (size == 3)
+    corners.clear();
+    for (std::size_t i = 0; i + 2 < row.size(); i += 3)
     {
-      triangles.push_back({ { point(0), point(1), point(2) }, 3 });
-      continue;
+      corners.push_back(GetVector(&row[i]));
     }
-    Vector mean = {};
-    for (std::size_t i = 0; i < size; ++i)
+    triangulator.Cut(corners.data(), static_cast<int>(corners.size()));
+    for (const PolygonTriangulator::Triangle& t : triangulator.GetTriangles())
     {
-      mean = mean + (1.0 / static_cast<double>(size)) * point(i);
-    }
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      triangles.push_back({ { point(i), point(i + 1), mean }, 3 });
+      triangles.push_back({ { corners[t[0]], corners[t[1]], corners[t[2]] }, 3 });
     }
   }
   return triangles;

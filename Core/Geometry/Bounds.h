@@ -43,6 +43,13 @@ struct Bounds
     return this->Low.X <= box.High.X && box.Low.X <= this->High.X && this->Low.Y <= box.High.Y &&
       box.Low.Y <= this->High.Y && this->Low.Z <= box.High.Z && box.Low.Z <= this->High.Z;
   }
+  /// Of a point; 0 inside.
+  double GetSquaredDistance(const Vector& x) const
+  {
+    const auto beyond = [](double low, double high, double at) { return std::max({ low - at, at - high, 0.0 }); };
+    return Norm2({ beyond(this->Low.X, this->High.X, x.X), beyond(this->Low.Y, this->High.Y, x.Y),
+      beyond(this->Low.Z, this->High.Z, x.Z) });
+  }
   Vector GetCenter() const { return 0.5 * (this->Low + this->High); }
   double GetDiagonal() const { return this->IsEmpty() ? 0 : Norm(this->High - this->Low); }
 };

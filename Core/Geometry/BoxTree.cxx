@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/BoxTree.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::size_t BoxesPerLeaf = 4;
+
+// Boxes of nothing and without end have no middle, and come first.
+double GetTwiceTheMiddle(const Bounds& box, double Vector::* side)
+{
+  const double sum = box.Low.*side + box.High.*side;
+  return sum == sum ? sum : -Bounds::Infinity;
+}
+}
+
+//------------------------------------------------------------------------------
+void BoxTree::Build(const std::vector<Bounds>& boxes)
+{
+  this->Nodes.clear();
+  this->Order.resize(boxes.size());
+  std::iota(this->Order.begin(), this->Order.end(), std::size_t(0));
+  if (!boxes.empty())
+  {
+    this->AddNodes(boxes, 0, boxes.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+// Halves the boxes along the longest side of the box around them.
+void BoxTree::AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last)
+{
+  const std::size_t node = this->Nodes.size();
+  this->Nodes.push_back({ Bounds(), 0, first, last, last - first });
+  Bounds around;
+  for (std::size_t i = first; i < last; ++i)
+  {
+    around.Add(boxes[this->Order[i]]);
+  }
+  if (last - first > BoxesPerLeaf)
+  {
+    const Vector size = around.High - around.Low;
+    const auto side = size.X >= size.Y && size.X >= size.Z ? &Vector::X
+      : size.Y >= size.Z                                   ? &Vector::Y
+                                                           : &Vector::Z;
+    const std::size_t middle = first + (last - first) / 2;
+    const auto begin = this->Order.begin();
+    std::nth_element(begin + first, begin + middle, begin + last,
+      [&](std::size_t a, std::size_t b)
+      { return GetTwiceTheMiddle(boxes[a], side) < GetTwiceTheMiddle(boxes[b], side); });
+    this->AddNodes(boxes, first, middle);
+    this->AddNodes(boxes, middle, last);
+  }
+  this->Nodes[node].Box = around;
+  this->Nodes[node].Next = this->Nodes.size();
+}
+
+//------------------------------------------------------------------------------
+void BoxTree::LeaveOut(std::size_t place)
+{
+  for (std::size_t n = 0;;)
+  {
+    --this->Nodes[n].Count;
+    if (this->Nodes[n].Next == n + 1)
+    {
+      return;
+    }
+    const Node& left = this->Nodes[n + 1];
+    n = place < left.Last ? n + 1 : left.Next;
+  }
+}
+}

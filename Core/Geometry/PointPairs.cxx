@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/PointPairs.h"
+
+#include "Geometry/BoxTree.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+/// Up to as many points all pairs are looked at.
+constexpr std::size_t FewPoints = 64;
+
+//------------------------------------------------------------------------------
+template <typename Visit>
+void ForEachPair(const Vector* points, std::size_t size, Visit&& visit)
+{
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      visit(Norm2(points[i] - points[j]));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void BuildTree(const Vector* points, std::size_t size, BoxTree& tree)
+{
+  std::vector<Bounds> boxes(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    boxes[i].Add(points[i]);
+  }
+  tree.Build(boxes);
+}
+
+//------------------------------------------------------------------------------
+double GetSquaredReach(const Bounds& box, const Vector& point)
+{
+  const auto reach = [](double low, double high, double x) { return std::max(x - low, high - x); };
+  return Norm2({ reach(box.Low.X, box.High.X, point.X), reach(box.Low.Y, box.High.Y, point.Y),
+    reach(box.Low.Z, box.High.Z, point.Z) });
+}
+}
+
+//------------------------------------------------------------------------------
+double FindLargestSquaredDistance(const Vector* points, std::size_t size)
+{
+  double largest = 0;
+  if (size <= FewPoints)
+  {
+    ForEachPair(points, size, [&](double square) { largest = std::max(largest, square); });
+    return largest;
+  }
+  BoxTree tree;
+  BuildTree(points, size, tree);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Vector& point = points[i];
+    tree.FindAny([&](const Bounds& box) { return GetSquaredReach(box, point) > largest; },
+      [&](std::size_t place)
+      {
+        largest = std::max(largest, Norm2(points[tree.GetOrder()[place]] - point));
+        return false;
+      });
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+double FindSmallestSquaredDistance(const Vector* points, std::size_t size)
+{
+  double smallest = Bounds::Infinity;
+  if (size <= FewPoints)
+  {
+    ForEachPair(points, size, [&](double square) { smallest = std::min(smallest, square); });
+    return smallest;
+  }
+  BoxTree tree;
+  BuildTree(points, size, tree);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Vector& point = points[i];
+    tree.FindAny([&](const Bounds& box) { return box.GetSquaredDistance(point) < smallest; },
+      [&](std::size_t place)
+      {
+        const std::size_t other = tree.GetOrder()[place];
+        smallest = other == i ? smallest : std::min(smallest, Norm2(points[other] - point));
+        return false;
+      });
+  }
+  return smallest;
+}
+}

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file PointPairs.h
+ * @brief The closest and the farthest two of many points.
+ */
+#ifndef camaron_PointPairs_h
+#define camaron_PointPairs_h
+
+#include "Mesh/Vector.h"
+
+#include <cstddef> // for std::size_t
+
+namespace camaron
+{
+/// Largest squared distance; 0 of less than two points. O(n log n) in practice.
+double FindLargestSquaredDistance(const Vector* points, std::size_t size);
+/// Smallest squared distance; infinity of less than two points. O(n log n) in practice.
+double FindSmallestSquaredDistance(const Vector* points, std::size_t size);
+}
+
+#endif
