@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CellGeometry.h"
 
+#include "Geometry/PointPairs.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -96,15 +98,7 @@ double CellGeometry::GetDiameter() const
 {
   if (this->Diameter < 0)
   {
-    double largest = 0;
-    for (int i = 0; i < this->NumberOfPoints; ++i)
-    {
-      for (int j = 0; j < i; ++j)
-      {
-        largest = std::max(largest, Norm2(this->Points[i] - this->Points[j]));
-      }
-    }
-    this->Diameter = std::sqrt(largest);
+    this->Diameter = std::sqrt(FindLargestSquaredDistance(this->Points.data(), this->NumberOfPoints));
   }
   return this->Diameter;
 }

@@ -3,6 +3,8 @@
 #include "Criteria/CellIntersections.h"
 
 #include "Criteria/CellGeometry.h"
+#include "Geometry/BoxTree.h"
+#include "Geometry/PolygonTriangulator.h"
 
 #include "vtkBoundingBox.h"
 
@@ -79,37 +81,108 @@ bool IsOnEdge(const CellGeometry& cell, int face, const Vector& place)
 }
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
-// Edges that share a point are next to each other, also if edges of no length lie between them.
+// The edges of a face.
+class Ring
+{
+public:
+  Ring(const CellGeometry& cell, int face)
+    : Cell(cell)
+    , Points(cell.GetTopology().GetFace(face))
+    , Size(cell.GetTopology().GetFaceSize(face))
+  {
+  }
+  int GetSize() const { return this->Size; }
+  const Vector& GetBegin(int edge) const { return this->Cell.GetPoint(this->Points[edge]); }
+  const Vector& GetEnd(int edge) const { return this->GetBegin(edge + 1 < this->Size ? edge + 1 : 0); }
+
+  /// Whether two edges meet other than at their ends.
+  bool Meet(int i, int j) const
+  {
+    const Vector &p = this->GetBegin(i), &pEnd = this->GetEnd(i), &q = this->GetBegin(j), &qEnd = this->GetEnd(j);
+    const auto isAt = [&](const Vector& a, const Vector& b) { return this->Cell.IsZeroLength(Norm(a - b)); };
+    return !isAt(p, q) && !isAt(p, qEnd) && !isAt(pEnd, q) && !isAt(pEnd, qEnd) &&
+      this->Cell.IsZeroLength(GetDistance(p, pEnd - p, q, qEnd - q));
+  }
+
+private:
+  const CellGeometry& Cell;
+  const int* Points;
+  int Size;
+};
+
+//------------------------------------------------------------------------------
+// All in one plane: then what overlaps crosses, be it in a corner.
+bool IsFlat(const CellGeometry& cell, int face)
+{
+  const Vector normal = Unit(cell.GetFaceVector(face));
+  const Ring ring(cell, face);
+  for (int i = 0; i < ring.GetSize(); ++i)
+  {
+    if (!cell.IsZeroLength(std::abs(Dot(normal, ring.GetBegin(i) - cell.GetFaceCenter(face)))))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool HasMeetingEdges(const CellGeometry& cell, int face)
+{
+  const Ring ring(cell, face);
+  const int size = ring.GetSize();
+  std::vector<Bounds> boxes(size);
+  for (int i = 0; i < size; ++i)
+  {
+    boxes[i].Add(ring.GetBegin(i));
+    boxes[i].Add(ring.GetEnd(i));
+    boxes[i].Grow(cell.GetZeroLength());
+  }
+  BoxTree tree;
+  tree.Build(boxes);
+  for (int i = 0; i < size; ++i)
+  {
+    const bool meets = tree.FindAny([&](const Bounds& box) { return box.Meets(boxes[i]); },
+      [&](std::size_t place)
+      {
+        const auto j = static_cast<int>(tree.GetOrder()[place]);
+        return j < i && ring.Meet(j, i);
+      });
+    if (meets)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+//------------------------------------------------------------------------------
+// Triangles that all run as their face do not overlap. Others may lie above each other where the face is warped.
 bool HasIntersectingEdges(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
+  thread_local std::vector<Vector> corners;
+  thread_local PolygonTriangulator triangulator;
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
-    const int* ring = topology.GetFace(f);
     const int size = topology.GetFaceSize(f);
-    for (int i = 0; i + 2 < size; ++i)
+    if (size <= 3)
     {
-      const Vector &p = cell.GetPoint(ring[i]), &pEnd = cell.GetPoint(ring[i + 1]);
-      const auto isAt = [&](const Vector& place, int from, int to)
-      {
-        return std::all_of(ring + from, ring + to,
-          [&](int point) { return cell.IsZeroLength(Norm(cell.GetPoint(point) - place)); });
-      };
-      for (int j = i + 2; j < size; ++j)
-      {
-        const int a = ring[j], b = ring[j + 1 < size ? j + 1 : 0];
-        if (a == ring[i] || a == ring[i + 1] || b == ring[i] || b == ring[i + 1])
-        {
-          continue;
-        }
-        const Vector& q = cell.GetPoint(a);
-        const bool meet = cell.IsZeroLength(GetDistance(p, pEnd - p, q, cell.GetPoint(b) - q));
-        if (meet && !isAt(pEnd, i + 2, j + 1) && !(isAt(p, j + 1, size) && isAt(p, 0, i)))
-        {
-          return true;
-        }
-      }
+      continue;
+    }
+    corners.resize(size);
+    for (int i = 0; i < size; ++i)
+    {
+      corners[i] = cell.GetPoint(topology.GetFace(f)[i]);
+    }
+    triangulator.Cut(corners.data(), size);
+    if (!cell.IsZeroArea(triangulator.GetOverlap()) && (HasMeetingEdges(cell, f) || IsFlat(cell, f)))
+    {
+      return true;
     }
   }
   return false;

@@ -3,6 +3,7 @@
 #include "Criteria/CellKernel.h"
 
 #include "Criteria/CellGeometry.h"
+#include "Geometry/BoxTree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@ namespace
 /// Half-spaces times points above which it is not worthwhile to find out first that a cell is
 /// convex.
 constexpr double MaxConvexityChecks = 1e6;
+/// Up to as many, all points of a polygon are held against all half-planes.
+constexpr std::size_t FewPoints = 64;
 
 //------------------------------------------------------------------------------
 bool ContainAll(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
@@ -30,6 +33,32 @@ bool ContainAll(const std::vector<HalfSpace>& halfSpaces, const Vector* points, 
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+// The same of many points that lie apart.
+bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const std::vector<Vector>& points, double tolerance)
+{
+  std::vector<Bounds> boxes(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    boxes[i].Add(points[i]);
+  }
+  BoxTree tree;
+  tree.Build(boxes);
+  return std::none_of(halfSpaces.begin(), halfSpaces.end(),
+    [&](const HalfSpace& halfSpace)
+    {
+      const Vector& normal = halfSpace.Normal;
+      return tree.FindAny(
+        [&](const Bounds& box)
+        {
+          const Vector outermost = { normal.X > 0 ? box.High.X : box.Low.X,
+            normal.Y > 0 ? box.High.Y : box.Low.Y, normal.Z > 0 ? box.High.Z : box.Low.Z };
+          return halfSpace.GetDistance(outermost) > tolerance;
+        },
+        [&](std::size_t place) { return halfSpace.GetDistance(points[tree.GetOrder()[place]]) > tolerance; });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -98,8 +127,9 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
     previous = corner;
   }
   AddBox(sheet.Low, sheet.High, 2, sheet.HalfPlanes);
-  sheet.IsConvex =
-    ContainAll(sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
+  sheet.IsConvex = sheet.Corners.size() > FewPoints
+    ? ContainMany(sheet.HalfPlanes, sheet.Corners, cell.GetZeroLength())
+    : ContainAll(sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
 }
 
 //------------------------------------------------------------------------------

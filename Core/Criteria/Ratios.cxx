@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
+#include "Geometry/PointPairs.h"
 #include "Criteria/MeanSizes.h"
 
 #include <algorithm>
@@ -62,15 +63,8 @@ double MinPointDistanceRatio(const CellGeometry& cell)
   {
     return Null(NullReason::Degenerate);
   }
-  double smallest = diameter * diameter;
-  for (int i = 1; i < cell.GetNumberOfPoints(); ++i)
-  {
-    for (int j = 0; j < i; ++j)
-    {
-      smallest = std::min(smallest, Norm2(cell.GetPoint(i) - cell.GetPoint(j)));
-    }
-  }
-  const double distance = std::sqrt(smallest);
+  const double distance =
+    std::min(diameter, std::sqrt(FindSmallestSquaredDistance(&cell.GetPoint(0), cell.GetNumberOfPoints())));
   return cell.IsZeroLength(distance) ? 0 : distance / diameter;
 }
 

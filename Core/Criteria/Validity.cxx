@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace camaron
 {
@@ -40,15 +41,15 @@ unsigned Flag(bool isSet, unsigned bit)
 //------------------------------------------------------------------------------
 bool HasPointTwiceInFace(const CellTopology& topology)
 {
+  thread_local std::vector<int> points;
   for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
   {
     const int* face = topology.GetFace(f);
-    for (int i = 1; i < topology.GetFaceSize(f); ++i)
+    points.assign(face, face + topology.GetFaceSize(f));
+    std::sort(points.begin(), points.end());
+    if (std::adjacent_find(points.begin(), points.end()) != points.end())
     {
-      if (std::find(face, face + i, face[i]) != face + i)
-      {
-        return true;
-      }
+      return true;
     }
   }
   return false;

@@ -3,6 +3,7 @@
 // How far a cell is from violating what virtual element methods assume of meshes.
 #include "Criteria/CellKernel.h"
 #include "Criteria/CriterionRows.h"
+#include "Geometry/PointPairs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,16 +25,15 @@ FaceLengths GetFaceLengths(const CellGeometry& cell, int face)
 {
   const int* points = cell.GetTopology().GetFace(face);
   const int size = cell.GetTopology().GetFaceSize(face);
-  double shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  double shortest = std::numeric_limits<double>::infinity();
+  thread_local std::vector<Vector> corners;
+  corners.resize(size);
   for (int i = 0; i < size; ++i)
   {
-    const Vector& point = cell.GetPoint(points[i]);
-    shortest = std::min(shortest, Norm2(cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - point));
-    for (int j = 0; j < i; ++j)
-    {
-      longest = std::max(longest, Norm2(cell.GetPoint(points[j]) - point));
-    }
+    corners[i] = cell.GetPoint(points[i]);
+    shortest = std::min(shortest, Norm2(cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - corners[i]));
   }
+  const double longest = FindLargestSquaredDistance(corners.data(), corners.size());
   return { std::sqrt(shortest), std::sqrt(longest) };
 }
 
