@@ -3,7 +3,9 @@
 #include "vtkMeshSurface.h"
 
 #include "ControllerReducer.h"
+#include "Drawing/SurfaceTriangles.h"
 #include "Mesh/BoundarySurface.h"
+#include "MeshInput.h"
 #include "MeshPieces.h"
 #include "PolyDataOutput.h"
 
@@ -11,9 +13,11 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <exception>
+#include <vector>
 
 vtkStandardNewMacro(vtkMeshSurface);
 
@@ -44,7 +48,17 @@ int vtkMeshSurface::RequestData(
     camaron::ControllerReducer reducer;
     const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
       vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-    camaron::MeshPieces pieces(camaron::GetLeaves(input), {}, numberOfPieces, reducer);
+    std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
+    std::vector<vtkSmartPointer<vtkDataSet>> withoutStrips;
+    for (camaron::DataSetLeaf& leaf : leaves)
+    {
+      if (this->Triangulate)
+      {
+        withoutStrips.push_back(camaron::WithoutStrips(leaf.Data));
+        leaf.Data = withoutStrips.back();
+      }
+    }
+    camaron::MeshPieces pieces(leaves, {}, numberOfPieces, reducer);
     pieces.Link();
     const std::vector<vtkPolyData*> surfaces = camaron::MakePolyDataLeaves(input, output);
     for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
@@ -52,6 +66,10 @@ int vtkMeshSurface::RequestData(
       const camaron::PieceLinks* links = pieces.GetOptions(piece).Links;
       camaron::MakeBoundarySurface(
         pieces.GetMesh(piece), surfaces[piece], links ? &links->Faces : nullptr);
+      if (this->Triangulate)
+      {
+        camaron::CutIntoTriangles(surfaces[piece]);
+      }
     }
   }
   catch (const std::exception& error)

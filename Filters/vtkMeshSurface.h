@@ -6,7 +6,7 @@
  *
  * Input: any vtkDataSet or composite of them. Output: vtkPolyData (of blocks: the same blocks of them) with one
  * polygon per face that has one 3D cell, plus the 2D cells, lines and vertices; faces keep all their points
- * (they are not triangulated) and run outward. Cell data are those of the cell behind the face, point data those
+ * (unless Triangulate is on) and run outward. Cell data are those of the cell behind the face, point data those
  * of the point; `vtkOriginalCellIds` and `vtkOriginalPointIds` say which. Ghost cells are left out, and a face
  * towards a ghost cell is not outside. Nor is one that a cell of another process or of another partition of the
  * block has, too (see vtkElementQuality); no ghost cells are needed for that.
@@ -25,6 +25,13 @@ public:
   static vtkMeshSurface* New();
   vtkTypeMacro(vtkMeshSurface, vtkDataObjectAlgorithm);
 
+  ///@{
+  /// Whether polygons are cut into triangles, also ones that touch themselves, which VTK cannot draw. Default: false.
+  vtkSetMacro(Triangulate, bool);
+  vtkGetMacro(Triangulate, bool);
+  vtkBooleanMacro(Triangulate, bool);
+  ///@}
+
 protected:
   vtkMeshSurface() = default;
   ~vtkMeshSurface() override = default;
@@ -34,6 +41,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  bool Triangulate = false;
+
   vtkMeshSurface(const vtkMeshSurface&) = delete;
   void operator=(const vtkMeshSurface&) = delete;
 };

@@ -198,16 +198,17 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         notes += _without_triangles(proxy)
     if fits(proxy) and not (suffix == ".stl" and _is_volume(proxy)):
         proxy = without_ghosts(proxy)
-        return append(simple.Triangulate(Input=proxy)) if suffix == ".stl" else proxy
+        return append(simple.MeshSurface(Input=proxy, Triangulate=1)) if suffix == ".stl" else proxy
     grid = append(simple.AppendDatasets(Input=proxy))
     if fits(grid) and suffix != ".stl":
         return without_ghosts(grid)
-    surface = append(simple.MeshSurface(Input=proxy))  # for which faces to ghosts are no boundary
+    triangles = suffix == ".stl"
+    # For this filter, faces to ghosts are no boundary.
+    surface = append(simple.MeshSurface(Input=proxy, Triangulate=int(triangles)))
     if fits(surface):
-        triangles = suffix == ".stl"
         if _has_volumes(grid):
             notes.append(f"The boundary surface was written{', as triangles' if triangles else ''}.")
-        return append(simple.Triangulate(Input=surface)) if triangles else surface
+        return surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
     if suffix in formats.written_extensions():
         raise ValueError(f"{target}: files named *{suffix} cannot hold a mesh like this")
