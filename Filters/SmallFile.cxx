@@ -4,7 +4,9 @@
 
 #include "Scan/MappedFile.h"
 
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
 #include <vector>
 
 namespace camaron
@@ -19,7 +21,14 @@ std::vector<char> ReadHere(const std::string& path, const std::string& what)
 {
   MappedFile file;
   ScanError error;
-  if (file.Open(path, error) && file.size() > MaxFileSize)
+  std::error_code failure; // of a file that is not there: opening it says so
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  if (std::filesystem::is_other(status))
+  {
+    error = { ErrorKind::NotThisFormat,
+      GetFileName(path) + ": expected " + what + ", found a pipe or a device" };
+  }
+  else if (file.Open(path, error) && file.size() > MaxFileSize)
   {
     error = { ErrorKind::NotThisFormat, file.GetName() + ": too large for " + what };
   }

@@ -161,6 +161,7 @@ void vtkQualityStatistics::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OnlySelected: " << this->OnlySelected << '\n';
   os << indent << "SelectionArray: " << this->SelectionArray << '\n';
   os << indent << "CurvePoints: " << this->CurvePoints << '\n';
+  os << indent << "CurveValues: " << this->CurveValues.size() << '\n';
   os << indent << "WeightArray: " << this->WeightArray << '\n';
   os << indent << "Quantiles (%):";
   for (const double percent : this->Quantiles)
@@ -195,6 +196,25 @@ void vtkQualityStatistics::AddQuantile(double percent)
 void vtkQualityStatistics::ClearQuantiles()
 {
   this->Quantiles.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityStatistics::AddCurveValue(double value)
+{
+  if (std::isnan(value))
+  {
+    vtkErrorMacro("A curve has no point at a value that is not a number.");
+    return;
+  }
+  this->CurveValues.push_back(value);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityStatistics::ClearCurveValues()
+{
+  this->CurveValues.clear();
   this->Modified();
 }
 
@@ -314,7 +334,8 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
         numbers.Counts = camaron::CountBins(population, bins, reducer);
         assert(numbers.Counts.GetTotal() == summary.Count);
         numbers.Curve = camaron::MakeCumulativeCurve(
-          population, summary, this->CurvePoints, weights ? &weightsOfValues : nullptr, reducer);
+          population, summary, this->CurvePoints, weights ? &weightsOfValues : nullptr, reducer,
+          this->CurveValues);
         if (worstEnd)
         {
           numbers.Worst = FindWorstElements(

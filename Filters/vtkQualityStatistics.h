@@ -81,6 +81,13 @@ public:
   ///@}
 
   ///@{
+  /// Further points of the curve, at these values of any array; not NaN. Default: none.
+  void AddCurveValue(double value);
+  void ClearCurveValues();
+  const std::vector<double>& GetCurveValues() const { return this->CurveValues; }
+  ///@}
+
+  ///@{
   /// Quantiles in percent, 0 to 100. Default: 0, 1, 5, 25, 50, 75, 95, 99, 100.
   void AddQuantile(double percent);
   void ClearQuantiles();
@@ -151,6 +158,7 @@ private:
   bool OnlySelected = false;
   std::string SelectionArray = "Selected";
   int CurvePoints = 0;
+  std::vector<double> CurveValues;
   std::string WeightArray;
   std::vector<double> Quantiles = { 0, 1, 5, 25, 50, 75, 95, 99, 100 };
   int NumberOfBins = 50;

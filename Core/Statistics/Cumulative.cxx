@@ -37,9 +37,7 @@ std::vector<double> ChooseValues(
   {
     return {};
   }
-  std::vector<double> chosen = GetOrderStatistics(values, summary, positions, reducer);
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  return chosen;
+  return GetOrderStatistics(values, summary, positions, reducer);
 }
 
 //------------------------------------------------------------------------------
@@ -125,10 +123,13 @@ std::vector<double> WeighUpTo(std::vector<Steps>& parts, std::size_t size, doubl
 
 //------------------------------------------------------------------------------
 CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, int numberOfPoints,
-  const Population* weights, Reducer& reducer)
+  const Population* weights, Reducer& reducer, const std::vector<double>& alsoAt)
 {
   CumulativeCurve curve;
   curve.Values = ChooseValues(values, summary, numberOfPoints, reducer);
+  curve.Values.insert(curve.Values.end(), alsoAt.begin(), alsoAt.end());
+  std::sort(curve.Values.begin(), curve.Values.end());
+  curve.Values.erase(std::unique(curve.Values.begin(), curve.Values.end()), curve.Values.end());
   const std::size_t size = curve.Values.size();
   const PointFinder finder(curve.Values);
   const double unit = weights ? GetUnit(FindLargestWeight(*weights, reducer)) : 1;

@@ -28,9 +28,10 @@ struct CumulativeCurve
  * and weights are exact (see Weights.h) and include -Inf. Collective; cost: of as many quantiles, and a bisection in
  * the points for each element.
  * @param weights the same blocks as @a values, or nullptr
+ * @param alsoAt further values of points, of elements or not, infinite ones included
  */
 CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, int numberOfPoints,
-  const Population* weights, Reducer& reducer);
+  const Population* weights, Reducer& reducer, const std::vector<double>& alsoAt = {});
 }
 
 #endif

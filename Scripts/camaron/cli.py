@@ -104,6 +104,18 @@ def _parser() -> argparse.ArgumentParser:
         "--json", action="store_true", help="print the summary as JSON instead of the table"
     )
     inspect.add_argument("--no-pictures", action="store_true", help="leave out the pictures")
+    inspect.add_argument(
+        "--pictures",
+        type=int,
+        choices=range(4),
+        default=3,
+        metavar="N",
+        help="only the first N of the three pictures: the mesh, its worst cells, the worst cell",
+    )
+    inspect.add_argument(
+        "--no-mesh", action="store_true", help="leave out the mesh with the arrays of the criteria"
+    )
+    inspect.add_argument("--verbose", action="store_true", help="say what each stage takes")
 
     check = commands.add_parser(
         "check",
@@ -309,9 +321,11 @@ def _check_ranks(wanted: int | None) -> None:
 def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
     from .inspection import inspect
     from .json_text import to_json
+    from .stages import Stages
 
     _check_ranks(options.ranks)
     folders = _report_folders(options.meshes, options.output)
+    Stages(_complain, options.verbose).started()
     status = 0
     for number, (mesh, folder) in enumerate(zip(options.meshes, folders)):
         try:
@@ -326,6 +340,9 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
                 group_by=options.group_by,
                 time=options.time,
                 with_pictures=not options.no_pictures,
+                most_pictures=options.pictures,
+                with_mesh=not options.no_mesh,
+                verbose=options.verbose,
                 say=lambda words: print(f"camaron: {mesh}: {words}", file=sys.stderr, flush=True),
             )
         except (RuntimeError, OSError) as error:

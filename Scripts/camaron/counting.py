@@ -2,26 +2,27 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """How many cells fail each of some rules, and the worst of them: all from Quality Statistics.
 
-Quality Statistics has one range for each criterion and one way to group, and its numbers are exact
-on any number of ranks. So rules are dealt out to rounds, each with one way to group and one range
-for a criterion.
+Its numbers are exact on any number of ranks. It has one way to group, so that rules are dealt out to
+rounds, each with one; the cumulative curve at the limits of all rules of a round counts what is below
+and above.
 """
 
 from __future__ import annotations
 
 import math
-import tempfile
 from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any, Optional, Sequence
+from typing import Any, Iterator, Optional, Sequence
 
-from paraview import simple
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import tables, text
 from .evaluation import CELL_FAMILY, Evaluation
 from .rules import FAMILIES, Rule, Scope
 
 ALL_CELLS = "All"
+#: Of a round, criteria times rules: the rows of its curve for each group are twice that.
+MOST_PRODUCTS = 4096
 
 #: GroupBy and GroupArray of Quality Statistics.
 Grouping = tuple[str, str]
@@ -68,29 +69,28 @@ def count(evaluated: Evaluation, rules: Sequence[Rule], worst: int) -> list[Coun
     """
     _check_arrays(evaluated, rules)
     counts = [Counts() for _ in rules]
-    with tempfile.TemporaryDirectory(prefix="camaron-") as folder:
-        counter = _Counter(evaluated, Path(folder), worst)
-        for (grouping, _), members in _rounds(rules).items():
-            found = counter.count(grouping, [rules[i] for i in members])
-            for i, each in zip(members, found):
-                counts[i] = each
+    counter = _Counter(evaluated, worst)
+    for grouping, members in _rounds(rules):
+        found = counter.count(grouping, [rules[i] for i in members])
+        for i, each in zip(members, found):
+            counts[i] = each
     return counts
 
 
-def _rounds(rules: Sequence[Rule]) -> dict[tuple[Grouping, int], list[int]]:
-    """Places of the rules that Quality Statistics can count at a time.
-
-    Of several ranges for a criterion the first one is in the first round of its grouping, the second
-    one in the second, and so on.
-    """
-    ranges: dict[tuple[Grouping, str], dict[tuple[float, float], int]] = {}
-    rounds: dict[tuple[Grouping, int], list[int]] = {}
+def _rounds(rules: Sequence[Rule]) -> Iterator[tuple[Grouping, list[int]]]:
+    """Places of the rules that Quality Statistics counts at a time: with one way to group, and few enough
+    criteria times limits."""
+    by_criterion: dict[Grouping, dict[str, list[int]]] = {}
     for i, rule in enumerate(rules):
-        grouping = _grouping(rule.scope)
-        known = ranges.setdefault((grouping, rule.criterion), {})
-        number = known.setdefault(rule.limits(), len(known))
-        rounds.setdefault((grouping, number), []).append(i)
-    return rounds
+        by_criterion.setdefault(_grouping(rule.scope), {}).setdefault(rule.criterion, []).append(i)
+    for grouping, criteria in by_criterion.items():
+        members: list[int] = []
+        for number, places in enumerate(criteria.values(), 1):
+            if members and number * (len(members) + len(places)) > MOST_PRODUCTS:
+                yield grouping, members
+                members = []
+            members = members + places
+        yield grouping, members
 
 
 def _group_array(scope: Optional[Scope]) -> str:
@@ -140,10 +140,9 @@ class _Counter:
     a source has, the longer ParaView takes to make, update and delete another one.
     """
 
-    def __init__(self, evaluated: Evaluation, folder: Path, worst: int):
-        self.folder, self.worst = folder, worst
+    def __init__(self, evaluated: Evaluation, worst: int):
+        self.worst = worst
         self.statistics = evaluated.make(simple.QualityStatistics, Quantiles=[50], NumberOfBins=1)
-        self.files = 0
         #: Rows of worst cells by grouping, WorstValues and criterion, then by group. They do not
         #: depend on ranges, so that rounds share them.
         self.lists: dict[tuple[Grouping, str, str], dict[str, list[dict[str, Any]]]] = {}
@@ -151,15 +150,18 @@ class _Counter:
     def count(self, grouping: Grouping, rules: Sequence[Rule]) -> list[Counts]:
         """Counts of the rules of a round."""
         by, array = grouping
-        limits = {rule.criterion: rule.limits() for rule in rules}
+        limits = sorted({limit for rule in rules for limit in _limits(rule)})
         self._set(
-            Arrays=[*limits],
-            RangesFile=self._write_ranges(limits),
+            Arrays=[*dict.fromkeys(rule.criterion for rule in rules)],
+            CurveValues=limits,
             GroupBy=by,
             GroupArray=array,
             NumberOfWorst=0,
         )
         rows = {(row["Criterion"], row["Group"]): row for row in tables.fetch(self.statistics)}
+        curves = vtk_to_numpy(servermanager.Fetch(self.statistics, idx=3).GetColumnByName("Count"))
+        for row, curve in zip(rows.values(), curves.reshape(len(rows), len(limits))):
+            row["CountUpTo"] = dict(zip(limits, curve.tolist()))
         if by == "Block":
             _check_blocks(rules, [*dict.fromkeys(group for _, group in rows if group != ALL_CELLS)])
         counts = [_counts(rule, rows) for rule in rules]
@@ -179,21 +181,13 @@ class _Counter:
         for name, value in properties.items():
             setattr(self.statistics, name, value)
 
-    def _write_ranges(self, limits: dict[str, tuple[float, float]]) -> str:
-        """A file of a new name, as a name that stays is no reason to read it again."""
-        self.files += 1
-        path = self.folder / f"{self.files}.ranges"
-        lines = [f"{name} {low!r} {high!r}\n" for name, (low, high) in limits.items()]
-        path.write_text("".join(lines), encoding="ascii")
-        return str(path)
-
     def _list_worst(self, grouping: Grouping, end: str, criteria: Sequence[str]) -> None:
         """Lists what is worst for the criteria, unless an earlier round did."""
         names = dict.fromkeys(criteria)
         lacking = [name for name in names if (grouping, end, name) not in self.lists]
         if not lacking:
             return
-        self._set(Arrays=lacking, WorstValues=end, NumberOfWorst=self.worst)
+        self._set(Arrays=lacking, WorstValues=end, NumberOfWorst=self.worst, CurveValues=[])
         self.lists.update(((grouping, end, name), {}) for name in lacking)
         for row in tables.fetch(self.statistics, 2):
             self.lists[grouping, end, row["Criterion"]].setdefault(row["Group"], []).append(row)
@@ -206,20 +200,27 @@ def _check_blocks(rules: Sequence[Rule], blocks: Sequence[str]) -> None:
             raise ScopeError(_unknown(f"block {name} with cells", name, blocks))
 
 
+def _limits(rule: Rule) -> tuple[float, float]:
+    """Up to which values are below the range, and up to which not above."""
+    low, high = rule.limits()
+    return math.nextafter(low, -math.inf), high
+
+
 def _counts(rule: Rule, rows: dict[tuple[str, str], dict[str, Any]]) -> Counts:
     """What the statistics say, by criterion and group, but for the offenders."""
     whole = rows.get((rule.criterion, ALL_CELLS))
     row = rows.get((rule.criterion, _group(rule.scope)))
     if row is None:  # no such cells
         return Counts(total=whole["Count"] if whole else 0)
+    below, not_above = (row["CountUpTo"][limit] for limit in _limits(rule))
     return Counts(
         total=whole["Count"],
         cells=row["Count"],
         checked=row["ApplicableCount"],
         null=row["NullCount"] - (row["Count"] - row["ApplicableCount"]),
         infinite=row["InfCount"],
-        below=row["BelowCount"],
-        above=row["AboveCount"],
+        below=below,
+        above=row["Count"] - row["NullCount"] - not_above,
         min=None if math.isnan(row["Min"]) else row["Min"],
         max=None if math.isnan(row["Max"]) else row["Max"],
     )

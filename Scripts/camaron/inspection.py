@@ -18,10 +18,13 @@ from . import conversion, facts, pictures, pipeline, ranking, report, tables, te
 from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, list_names, set_groups
 from .files import Staging, same_file
 from .json_text import to_json
+from .stages import Stages
 
 #: Points of the cumulative curves, and what they weigh cells by.
 CURVE_POINTS = 51
 VOLUME = "Volume"
+
+
 def inspect(
     mesh: os.PathLike | str,
     directory: Optional[os.PathLike | str] = None,
@@ -34,6 +37,9 @@ def inspect(
     group_by: str = "type",
     time: str = "last",
     with_pictures: bool = True,
+    most_pictures: int = 3,
+    with_mesh: bool = True,
+    verbose: bool = False,
     say: Callable[[str], None] = lambda words: None,
 ) -> dict[str, Any]:
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
@@ -45,7 +51,8 @@ def inspect(
     besides those of a preset. `worst` is the length of the lists of worst cells,
     `bins` the number of bins of the histograms, `group_by` what divides the cells into groups with
     statistics of their own: "type", "block", "none" or the name of a cell array, `time` the step of a series: "first", "last" or its
-    number. `say` is called with a sentence about how long it will take when that is long.
+    number. `most_pictures` of the three are taken; without `with_mesh`
+    the mesh with all arrays is not written. With `verbose` each stage says what it took. `say` is called with a sentence about how long it will take when that is long.
 
     Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that
     does not exist and RuntimeError for a file that cannot be read or written.
@@ -59,9 +66,13 @@ def inspect(
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
     criteria = list_names(criteria)
-    pipeline.load_plugin()
+    stage = Stages(say, verbose)
+    with stage("loading the plugin"):
+        pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
-    with Evaluation(mesh, time) as evaluated:
+    with stage("reading"):
+        evaluated = Evaluation(mesh, time)
+    with evaluated:
         opened, quality = evaluated.opened, evaluated.quality
         surface = evaluated.make(simple.MeshSurface)
         statistics = evaluated.make(
@@ -79,8 +90,12 @@ def inspect(
             statistics.RangesFile = str(ranges)
         evaluated.announce(say)
         with pipeline.Messages() as messages:
-            rows = tables.read(statistics, preset)
-            described = facts.describe(mesh, opened, surface)
+            with stage("evaluating"):
+                quality.UpdatePipeline()
+            with stage("statistics"):
+                rows = tables.read(statistics, preset)
+            with stage("boundary and totals"):
+                described = facts.describe(mesh, opened, surface)
         if messages.errors:
             raise RuntimeError(f"{mesh}: {messages.errors[0]}")
         if preset is None and (criteria is None or criteria == [ALL]):
@@ -104,11 +119,13 @@ def inspect(
             "notes": opened.warnings + messages.warnings + facts.notes(opened),
             "files": {},
         }
-        if with_pictures and not pictures.can_render():
-            with_pictures = False
+        if not with_pictures:
+            most_pictures = 0
+        if most_pictures and not pictures.can_render():
+            most_pictures = 0
             summary["notes"].append("There are no pictures, for want of a display.")
         with Staging(directory) as staging, pipeline.Messages():
-            _write(summary, quality, surface, staging.path, with_pictures)
+            _write(summary, quality, surface, staging.path, most_pictures, with_mesh, stage)
             for name in staging.names():
                 if same_file(directory / name, mesh):
                     raise ValueError(
@@ -135,24 +152,31 @@ def _earlier_mesh(directory: Path) -> list[Path]:
     return [path for path in (directory / name, directory / "mesh") if path.exists()]
 
 
-def _write(summary, quality, surface, folder, with_pictures) -> None:
-    """All files of the report into one folder."""
-    shown = [c["name"] for c in summary["criteria"]]
-    mesh_name = "mesh" + facts.extension(quality)
+def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -> None:
+    """All files of the report into one folder; what takes long and few look at comes last."""
+    summary["files"] = {"report": "report.html", "summary": "summary.json", "worst": "worst.csv"}
+    if with_mesh:
+        summary["files"]["mesh"] = "mesh" + facts.extension(quality)
+    taken = pictures.take(summary, quality, surface, folder, most_pictures, stage) if most_pictures else []
+    with stage("writing the report"):
+        _write_report(summary, taken, folder)
+    if with_mesh:
+        with stage("writing the mesh"):
+            _write_mesh(summary, quality, folder)
+
+
+def _write_mesh(summary, quality, folder) -> None:
     # Every rank writes its own cells, without the layer of its neighbours' around them.
     whole = pipeline.without_ghosts(quality) if pipeline.rank_count() > 1 else quality
     whole.UpdatePipeline()
     known = set(quality.GetProperty("Criteria").Available)
-    conversion.write(whole, folder / mesh_name, _arrays_to_write(whole, known, shown))
+    shown = [c["name"] for c in summary["criteria"]]
+    conversion.write(whole, folder / summary["files"]["mesh"], _arrays_to_write(whole, known, shown))
     if whole is not quality:
         simple.Delete(whole)
-    summary["files"] = {
-        "report": "report.html",
-        "summary": "summary.json",
-        "worst": "worst.csv",
-        "mesh": mesh_name,
-    }
-    taken = pictures.take(summary, quality, surface, folder) if with_pictures else []
+
+
+def _write_report(summary, taken, folder) -> None:
     (folder / "report.html").write_text(report.render(summary, taken), encoding="utf-8")
     for picture in taken:
         picture.path.unlink()

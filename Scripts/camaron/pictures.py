@@ -20,6 +20,7 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from . import pipeline, text
 from .ranking import undefined_count
 from .report import Picture
+from .stages import Stages
 from .svg import ticks
 
 SIZE = (1200, 900)
@@ -216,8 +217,11 @@ def _dot(a: Sequence[float], b: Sequence[float]) -> float:
     return sum(x * y for x, y in zip(a, b))
 
 
-def take(summary: dict[str, Any], quality: Any, surface: Any, folder: Path) -> list[Picture]:
-    """The mesh, and its worst cells, coloured by the worst criterion; files go to the folder."""
+def take(
+    summary: dict[str, Any], quality: Any, surface: Any, folder: Path, most: int, stage: Stages
+) -> list[Picture]:
+    """The mesh, its worst cells and the worst cell, coloured by the worst criterion: `most` of these; files go to
+    the folder."""
     mesh = summary["mesh"]
     if not mesh["bounds"]:
         return []
@@ -229,7 +233,8 @@ def take(summary: dict[str, Any], quality: Any, surface: Any, folder: Path) -> l
     cells = pipeline.data_information(surface).GetNumberOfCells()
     has_polygons = mesh["volume"] is not None or mesh["area"] is not None
     made = [] if cells else [simple.ConvertToPointCloud(Input=quality)]
-    _take_mesh(made[0] if made else surface, camera, has_polygons, cells, criterion, path)
+    with stage("picture of the mesh"):
+        _take_mesh(made[0] if made else surface, camera, has_polygons, cells, criterion, path)
     for proxy in made:
         simple.Delete(proxy)
     if not criterion:
@@ -240,12 +245,26 @@ def take(summary: dict[str, Any], quality: Any, surface: Any, folder: Path) -> l
     if criterion["null"]:
         caption += " Violet cells have no value."
     taken = [Picture(path, f"{criterion['label']}.", caption)]
-    if criterion["worst"] or criterion["out_of_range"]:
+    colored = _with_one_criterion(quality, criterion["name"])
+    if most > 1 and (criterion["worst"] or criterion["out_of_range"]):
         path = folder / "worst.png"
-        taken.append(_take_worst(summary, quality, surface, camera, criterion, path))
-    if criterion["worst"]:
-        taken.append(_take_the_worst(quality, criterion, folder / "close.png"))
+        with stage("picture of the worst cells"):
+            taken.append(_take_worst(summary, colored, surface, camera, criterion, path))
+    if most > 2 and criterion["worst"]:
+        with stage("picture of the worst cell"):
+            taken.append(_take_the_worst(colored, criterion, folder / "close.png"))
+    simple.Delete(colored)
     return taken
+
+
+def _with_one_criterion(quality: Any, name: str) -> Any:
+    """The mesh without the other criteria: ParaView asks of every filter for the ranges of all arrays."""
+    others = {*quality.GetProperty("Criteria").Available} - {name}
+    return simple.PassArrays(
+        Input=quality,
+        CellDataArrays=[array for array in quality.CellData.keys() if array not in others],
+        PointDataArrays=quality.PointData.keys(),
+    )
 
 
 def _take_mesh(

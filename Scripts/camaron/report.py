@@ -336,6 +336,8 @@ def _worst(c) -> str:
 
 
 def _footer(summary) -> str:
+    mesh = summary["files"].get("mesh")
+    beside = f", <code>{escape(mesh)}</code> (the mesh with one cell array for each criterion)" if mesh else ""
     return (
         "<footer><p><b>Acceptable</b> ranges are those of the sources named with each criterion; "
         "they are no verdict, what a mesh must satisfy depends on its use. "
@@ -344,6 +346,5 @@ def _footer(summary) -> str:
         "Null and infinite values are in no mean, quantile or bin; infinite ones are outside a "
         "range. Cell numbers start at 0. Lengths, areas and volumes are in the units of the mesh."
         "</p><p>Beside this page: <code>summary.json</code> (all numbers), <code>worst.csv</code> "
-        f"(worst cells), <code>{escape(summary['files']['mesh'])}</code> (the mesh with one cell "
-        "array for each criterion).</p></footer>"
+        f"(worst cells){beside}.</p></footer>"
     )

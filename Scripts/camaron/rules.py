@@ -7,6 +7,7 @@ from __future__ import annotations
 import math
 import os
 import re
+import stat
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -223,7 +224,11 @@ class Parser:
         """The rules of a file; RulesError tells all that is wrong in it, or why it is not read."""
         path = Path(path)
         try:
-            data = path.read_bytes()
+            mode = path.stat().st_mode
+            if not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):  # a directory says what it is
+                raise RulesError([f"{path}: expected a file of rules, found a pipe or a device"])
+            with open(path, "rb") as file:
+                data = file.read(MAX_SIZE + 1)
         except OSError as error:
             raise RulesError([f"{path}: {error.strerror}"]) from None
         if len(data) > MAX_SIZE:
@@ -232,6 +237,8 @@ class Parser:
             content = data.decode("utf-8-sig")
         except UnicodeDecodeError:
             raise RulesError([f"{path}: expected text in UTF-8, found other bytes"]) from None
+        if "\0" in content:
+            raise RulesError([f"{path}: expected text, found a zero byte"])
         return self.parse(re.split(r"\r\n|\r|\n", content), str(path))
 
     def parse(self, lines: Iterable[str], name: str = "rules") -> list[Rule]:

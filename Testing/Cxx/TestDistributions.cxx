@@ -134,6 +134,9 @@ TEST(Statistics, CumulativeCurve)
   EXPECT_EQ(curve.CountsUpTo, (std::vector<std::int64_t>{ 2, 6, 7 }));
   EXPECT_TRUE(curve.WeightsUpTo.empty());
   EXPECT_TRUE(MakeCumulativeCurve(population, summary, 0, nullptr, serial).Values.empty());
+  curve = MakeCumulativeCurve(population, summary, 3, nullptr, serial, { Infinity, 3, 2.5, -Infinity, 0 });
+  EXPECT_EQ(curve.Values, (std::vector<double>{ -Infinity, 0, 1, 2.5, 3, 4, Infinity }));
+  EXPECT_EQ(curve.CountsUpTo, (std::vector<std::int64_t>{ 1, 1, 2, 3, 6, 7, 8 }));
 
   for (const std::vector<double>& list : DifficultLists(3000))
   {

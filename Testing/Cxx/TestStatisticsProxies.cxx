@@ -77,6 +77,7 @@ TEST(QualityStatisticsProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "SelectionArray"), filter->GetSelectionArray());
   EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
   EXPECT_EQ(ReadDefault(proxy, "CurvePoints"), std::to_string(filter->GetCurvePoints()));
+  EXPECT_TRUE(filter->GetCurveValues().empty());
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
   EXPECT_EQ(ReadDefault(proxy, "WeightArray"), filter->GetWeightArray());
   EXPECT_EQ(ReadDefault(proxy, "NumberOfBins"), std::to_string(filter->GetNumberOfBins()));

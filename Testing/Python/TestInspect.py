@@ -5,6 +5,7 @@
 import base64
 import csv
 import json
+import os
 import re
 import unittest.mock
 from html.parser import HTMLParser
@@ -371,6 +372,11 @@ class TestInspect(camaron_testing.TestCase):
         self.assertFalse(folder.exists())
         with self.assertRaisesRegex(RuntimeError, "nowhere"):
             self.inspect(BALL, ranges=self.folder / "nowhere")
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        for special in (pipe, "/dev/zero"):
+            with self.assertRaisesRegex(RuntimeError, "expected a file of ranges, found a pipe or a device"):
+                self.inspect(BALL, ranges=special)
 
     def test_errors(self):
         with self.assertRaisesRegex(ValueError, "MinDihedral: did you mean MinDihedralAngle"):
@@ -416,6 +422,24 @@ class TestInspect(camaron_testing.TestCase):
             sorted(path.name for path in (self.folder / "report").iterdir()),
             ["mesh.vtp", "mine.txt", "report.html", "summary.json", "worst.csv"],
         )
+
+    def test_stages(self):
+        """Each says what it took, and what is left out takes nothing."""
+        said = []
+        summary = self.inspect(BALL, verbose=True, with_mesh=False, say=said.append)
+        names = [re.fullmatch(r"(.+) took \d+\.\d\d s \(\d+\.\d\d s of processor time\)", line)[1] for line in said]
+        self.assertEqual(
+            names,
+            "loading the plugin,reading,evaluating,statistics,boundary and totals,writing the report".split(","),
+        )
+        self.assertNotIn("mesh", summary["files"])
+        self.assertFalse((self.folder / "report" / "mesh.vtu").exists())
+        said.clear()
+        self.inspect(BALL, verbose=True, say=said.append)
+        self.assertIn("writing the mesh", said[-1])
+        said.clear()
+        self.inspect(BALL, say=said.append)
+        self.assertEqual(said, [])
 
     def test_without_display(self):
         """The report is written all the same, and says why there are no pictures."""
@@ -497,6 +521,16 @@ class TestPictures(camaron_testing.TestCase):
             ]
             self.assertGreater(min(red), 0.001, mesh)
             self.assertLess(max(red[1:]), 0.2, mesh)
+
+    def test_fewer_pictures(self):
+        """The first ones are those of before, whatever else is taken."""
+        every = self.pictures(FLANGE)
+        self.assertEqual(len(every), 3)
+        for most in (1, 2):
+            fewer = self.pictures(FLANGE, most_pictures=most)
+            self.assertEqual(len(fewer), most)
+            for a, b in zip(fewer, every):
+                numpy.testing.assert_array_equal(a, b)
 
     def test_without_values(self):
         """A mesh without a criterion that applies is shown plainly."""

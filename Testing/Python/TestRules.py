@@ -4,6 +4,7 @@
 
 import doctest
 import math
+import os
 import random
 from fractions import Fraction
 
@@ -120,6 +121,16 @@ class TestRules(camaron_testing.TestCase):
         path.write_bytes(b"#" * (rules.MAX_SIZE + 1))
         with self.assertRaisesRegex(RulesError, "my.rules: too large"):
             parser().read(path)
+        path.write_bytes(b"Volume > 0\0\n")
+        with self.assertRaisesRegex(RulesError, "my.rules: expected text, found a zero byte"):
+            parser().read(path)
+        pipe = self.folder / "pipe"
+        os.mkfifo(pipe)
+        for special in (pipe, "/dev/zero"):
+            with self.assertRaisesRegex(RulesError, "expected a file of rules, found a pipe or a device"):
+                parser().read(special)
+        with self.assertRaisesRegex(RulesError, "Is a directory"):
+            parser().read(self.folder)
         with self.assertRaisesRegex(RulesError, "none.rules: No such file"):
             parser().read(self.folder / "none.rules")
 
