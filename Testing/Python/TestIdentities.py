@@ -24,6 +24,12 @@ from vtkmodules.vtkCommonDataModel import (
     VTK_WEDGE,
 )
 
+#: Of 3D cells only, the same kinds as below.
+OWN_MESHES = (
+    "Examples/voronoi-ball.visf",
+    "Formats/FluentMesh/Testing/Seeds/polyhedra.msh",
+    "Formats/M3D/Testing/Seeds/cells.m3d",
+)
 #: Of 3D cells only; warped hexahedra, polyhedra, hanging nodes, cells that do not meet in whole faces.
 REAL_MESHES = (
     "ansys_fluent/fluent_mixer_poly_bin.cas",
@@ -199,10 +205,11 @@ class TestIdentities(camaron_testing.TestCase):
                 shown = enclosed_volume(surface_rings(source_of(mesh)))
                 self.assertAlmostEqual(shown / expected, 1, delta=1e-13, msg=make.__name__)
 
-    def test_volumes_of_real_meshes(self):
+    def test_volumes_of_files(self):
         """The same where cells hang together badly, and faces are warped as programs warp them."""
-        for name in REAL_MESHES:
-            source = pipeline.open_mesh(self.data(name)).source
+        for path in [camaron_testing.ROOT / name for name in OWN_MESHES] + self.real(*REAL_MESHES):
+            name = path.name
+            source = pipeline.open_mesh(path).source
             found = evaluate(source, ["Volume", "MaxWarpage"])
             volumes, reasons = found["Volume"]
             self.assertEqual(set(reasons), {0}, name)

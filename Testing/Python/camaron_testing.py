@@ -30,6 +30,7 @@ import numpy
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
 from camaron import pipeline
 
@@ -97,6 +98,17 @@ class FormatTestCase(TestCase):
         path = self.folder / name
         path.write_text(text)
         return path
+
+    def save(self, name, grid, **options):
+        """A file of a grid, by the writer that its name tells; for readers, other tests look at what is in it."""
+        writer = vtkXMLUnstructuredGridWriter()  # a file, as all ranks have to know the mesh
+        writer.SetFileName(str(self.folder / "grid.vtu"))
+        writer.SetInputData(grid)
+        writer.Write()
+        source = simple.XMLUnstructuredGridReader(FileName=[writer.GetFileName()])
+        simple.SaveData(str(self.folder / name), source, **options)
+        simple.Delete(source)
+        return self.folder / name
 
     def cells(self, source):
         """Number of cells; ParaView asks for ghost cells, which do not count."""

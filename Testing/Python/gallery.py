@@ -175,20 +175,23 @@ def inverted():
     return grid
 
 
-def mixed():
-    points, cubes = lattice(4, 1, 1)
-    cells = [(VTK_HEXAHEDRON, cubes[0])]
-    c = cubes[1]
-    cells += [(VTK_WEDGE, [c[i] for i in ids]) for ids in ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))]
-    c = cubes[2]
-    points.append(tuple(numpy.mean([points[i] for i in c], axis=0)))
+def mixed(size=1):
+    """Rows of a cube, wedges, pyramids and a cube, `size` times `size` of them, with a tetrahedron on one."""
+    points, cubes = lattice(4, size, size)
     sides = [(i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i in range(4)]
-    for quad in ((0, 3, 2, 1), (4, 5, 6, 7), *sides):
-        cells.append((VTK_PYRAMID, [c[i] for i in quad] + [len(points) - 1]))
-    c = cubes[1]
-    points.append(warp(1.6, 0.4, 2.1))
+    cells = []
+    for row in range(size * size):
+        first, c, last = cubes[4 * row], cubes[4 * row + 1], cubes[4 * row + 3]
+        cells.append((VTK_HEXAHEDRON, first))
+        cells += [(VTK_WEDGE, [c[i] for i in ids]) for ids in ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))]
+        c = cubes[4 * row + 2]
+        points.append(tuple(numpy.mean([points[i] for i in c], axis=0)))
+        for quad in ((0, 3, 2, 1), (4, 5, 6, 7), *sides):
+            cells.append((VTK_PYRAMID, [c[i] for i in quad] + [len(points) - 1]))
+        cells.append((VTK_HEXAHEDRON, last))
+    c = cubes[4 * size * (size - 1) + 1]
+    points.append(warp(1.6, 0.4, size + 1.1))
     cells.append((VTK_TETRA, [c[4], c[5], c[6], len(points) - 1]))
-    cells.append((VTK_HEXAHEDRON, cubes[3]))
     return make_grid(points, cells)
 
 

@@ -6,6 +6,7 @@
 import unittest
 
 import camaron_testing
+import gallery
 import numpy
 from camaron import pipeline
 from paraview import simple
@@ -44,10 +45,14 @@ def parse(path):
 
 
 class TestM3D(camaron_testing.FormatTestCase):
+    def meshes(self):
+        """Files of all elements, none of them inside out."""
+        return [self.save("mixed.m3d", gallery.mixed(4))] + self.real(*(f"m3d/{name}.m3d" for name in COLLECTED))
+
     def test_counts(self):
-        """Points and cells of collected files are those of the file, on any number of ranks."""
-        for name in COLLECTED:
-            path = self.data(f"m3d/{name}.m3d")
+        """Points and cells are those of the file, on any number of ranks."""
+        for path in self.meshes():
+            name = path.name
             points, elements = parse(path)
             owned = simple.RemoveGhostInformation(Input=self.open(path))
             owned.UpdatePipeline()
@@ -59,8 +64,8 @@ class TestM3D(camaron_testing.FormatTestCase):
     @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
     def test_elements(self):
         """Types, nodes and places of elements are those of the file."""
-        for name in COLLECTED:
-            path = self.data(f"m3d/{name}.m3d")
+        for path in self.meshes():
+            name = path.name
             points, elements = parse(path)
             grid = self.fetch(self.open(path))
             types = vtk_to_numpy(grid.GetCellTypesArray()).tolist()
@@ -72,11 +77,11 @@ class TestM3D(camaron_testing.FormatTestCase):
 
     def test_no_inverted_elements(self):
         """If this fails, nodes are in the wrong order: the generators' elements are all positive."""
-        for name in COLLECTED:
-            source = self.open(self.data(f"m3d/{name}.m3d"))
+        for path in self.meshes():
+            source = self.open(path)
             quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
             volumes = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Volume"))
-            self.assertGreater(volumes.min(), 0, name)
+            self.assertGreater(volumes.min(), 0, path.name)
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
     def test_reference(self):

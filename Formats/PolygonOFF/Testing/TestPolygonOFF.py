@@ -86,21 +86,30 @@ class TestPolygonOFF(camaron_testing.FormatTestCase):
         self.assertEqual(self.cells(self.open(binary)), 2)
 
     def test_saved_file_does_not_depend_on_ranks(self):
-        whole = self.data("off/dev_stcnoff.off")
         options = dict(VertexColors="RGBA", FaceColors="ColorIndex", WriteNormals=1)
-        first, second = self.folder / "first.off", self.folder / "second.off"
-        simple.SaveData(str(first), self.open(whole), **options)
-        lines = self.lines(first)
-        self.assertEqual(lines[:2], ["CNOFF", "231 220 0"])
-        # Ids of the first faces of the file itself, which says that nothing was sorted anew.
-        self.assertEqual([line.split()[1:5] for line in lines[-220:-217]], self.faces(whole)[:3])
-        simple.SaveData(str(second), self.open(first), **options)
-        self.assertEqual(first.read_bytes(), second.read_bytes())
+        meshes = [(self.sheet(), 108, 88)]
+        for whole, points, faces in meshes + [(path, 231, 220) for path in self.real("off/dev_stcnoff.off")]:
+            first, second = self.folder / "first.off", self.folder / "second.off"
+            simple.SaveData(str(first), self.open(whole), **options)
+            lines = self.lines(first)
+            self.assertEqual(lines[:2], ["CNOFF", f"{points} {faces} 0"])
+            # Ids of the first faces of the file itself, which says that nothing was sorted anew.
+            found = [line.split()[1:5] for line in lines[-faces : 3 - faces]]
+            self.assertEqual(found, self.faces(whole, faces)[:3])
+            simple.SaveData(str(second), self.open(first), **options)
+            self.assertEqual(first.read_bytes(), second.read_bytes())
 
-    def faces(self, path):
-        """The first four ids of the faces of the sample, whose faces are the last 220 lines."""
+    def sheet(self):
+        """A file of 11 times 8 squares over 12 times 9 points, with colors and normals."""
+        points = [f"{x} {y} {x * y % 5} 0 0 1 {9 * x} {8 * y} 7 255" for y in range(9) for x in range(12)]
+        corners = [x + 12 * y for y in range(8) for x in range(11)]
+        faces = [f"4 {i} {i + 1} {i + 13} {i + 12} {i % 7}" for i in corners]
+        return self.make("sheet.off", "\n".join(["CNOFF", "108 88 0", *points, *faces]) + "\n")
+
+    def faces(self, path, number):
+        """The first four ids of each of the faces, which are the last lines."""
         lines = [line for line in path.read_text().splitlines() if line and line[0] != "#"]
-        return [line.split()[1:5] for line in lines[-220:]]
+        return [line.split()[1:5] for line in lines[-number:]]
 
     def test_save_surfaces(self):
         if camaron_testing.rank_count() > 1:

@@ -55,12 +55,19 @@ class TestTRI(camaron_testing.FormatTestCase):
         self.assertEqual(path.read_text(), CART3D)
 
     def test_saved_file_does_not_depend_on_ranks(self):
-        whole = self.data("tri/dev_surface.tri")
-        first, second = self.folder / "first.tri", self.folder / "second.tri"
-        simple.SaveData(str(first), self.open(whole), Dialect="Cart3D")
-        self.assertEqual(self.numbers(first)[0], [231, 466])
-        simple.SaveData(str(second), self.open(first))
-        self.assertEqual(self.numbers(second), self.numbers(whole))
+        for whole, size in [(self.sheet(), [108, 176]), *((p, [231, 466]) for p in self.real("tri/dev_surface.tri"))]:
+            first, second = self.folder / "first.tri", self.folder / "second.tri"
+            simple.SaveData(str(first), self.open(whole), Dialect="Cart3D")
+            self.assertEqual(self.numbers(first)[0], size)
+            simple.SaveData(str(second), self.open(first))
+            self.assertEqual(self.numbers(second), self.numbers(whole))
+
+    def sheet(self):
+        """A file of 11 times 8 squares, each of two triangles, over 12 times 9 points."""
+        points = [f"{x} {y} {x * y % 5}" for y in range(9) for x in range(12)]
+        corners = [x + 12 * y for y in range(8) for x in range(11)]
+        triangles = [f"{i} {i + 1} {i + 13}\n{i} {i + 13} {i + 12}" for i in corners]
+        return self.make("sheet.tri", "\n".join(["108", *points, "176", *triangles]) + "\n")
 
     def test_save_surfaces(self):
         text = "5 2\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n1 1 1 1\n0 1 2 3\n1 2 3 4\n"

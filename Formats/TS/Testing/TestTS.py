@@ -6,6 +6,7 @@
 import unittest
 
 import camaron_testing
+import gallery
 import numpy
 from camaron import pipeline
 from paraview import simple
@@ -39,10 +40,18 @@ FILES = {"dev_tets_camaron": parse_tetrahedra, "dev_gocad_tsurf": parse_surface}
 
 
 class TestTS(camaron_testing.FormatTestCase):
+    def meshes(self):
+        """Files of both kinds with the parser for each."""
+        tetrahedra = self.save("tetrahedra.ts", gallery.tetrahedra())
+        surface = self.save("surface.ts", gallery.triangles(), Dialect="GOCAD")
+        real = [self.real(f"ts/{name}.ts") for name in FILES]
+        pairs = [(tetrahedra, parse_tetrahedra), (surface, parse_surface)]
+        return pairs + [(path, parse) for paths, parse in zip(real, FILES.values()) for path in paths]
+
     def test_counts(self):
-        """Points and cells of collected files are those of the file, on any number of ranks."""
-        for name, parse in FILES.items():
-            path = self.data(f"ts/{name}.ts")
+        """Points and cells are those of the file, on any number of ranks."""
+        for path, parse in self.meshes():
+            name = path.name
             points, cells = parse(path)
             owned = simple.RemoveGhostInformation(Input=self.open(path))
             owned.UpdatePipeline()
@@ -54,8 +63,8 @@ class TestTS(camaron_testing.FormatTestCase):
     @unittest.skipIf(camaron_testing.rank_count() > 1, "compares whole meshes")
     def test_cells(self):
         """Places and corners of all cells are those of the file."""
-        for name, parse in FILES.items():
-            path = self.data(f"ts/{name}.ts")
+        for path, parse in self.meshes():
+            name = path.name
             points, cells = parse(path)
             grid = self.fetch(self.open(path))
             numpy.testing.assert_array_equal(vtk_to_numpy(grid.GetPoints().GetData()), points)
@@ -64,10 +73,11 @@ class TestTS(camaron_testing.FormatTestCase):
 
     def test_no_inverted_tetrahedra(self):
         """If this fails, corners are in the wrong order: the file's tetrahedra are all positive."""
-        source = self.open(self.data("ts/dev_tets_camaron.ts"))
-        quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
-        volumes = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Volume"))
-        self.assertGreater(volumes.min(), 0)
+        for path, parse in self.meshes():
+            if parse == parse_tetrahedra:
+                quality = simple.ElementQuality(Input=self.open(path), Criteria=["Volume"])
+                volumes = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Volume"))
+                self.assertGreater(volumes.min(), 0, path.name)
 
     def test_other_files(self):
         """Programs of the extension are refused."""
