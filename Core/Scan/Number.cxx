@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/Number.h"
 
+#include <algorithm>
+#include <string_view>
+
 namespace camaron
 {
 namespace
@@ -29,6 +32,49 @@ const char* FindEnd(const char* p, const char* end, const char*& fortranExponent
     }
   }
   return p;
+}
+
+//------------------------------------------------------------------------------
+bool IsLetter(char c)
+{
+  return static_cast<unsigned char>((c | 0x20) - 'a') < 26;
+}
+
+//------------------------------------------------------------------------------
+// Reads 1.#INF and the like; returns the end, or nullptr.
+template <typename Real>
+const char* ParseMicrosoft(const char* text, const char* hash, const char* end, Real& value)
+{
+  static constexpr struct
+  {
+    std::string_view Name;
+    Real Value;
+  } spellings[] = { { "inf", std::numeric_limits<Real>::infinity() },
+    { "qnan", std::numeric_limits<Real>::quiet_NaN() },
+    { "snan", std::numeric_limits<Real>::quiet_NaN() },
+    { "ind", std::numeric_limits<Real>::quiet_NaN() } };
+  if (hash - text != 2 || *text != '1')
+  {
+    return nullptr;
+  }
+  const char* const name = hash + 1;
+  const char* last = name;
+  while (last < end && IsLetter(*last) && last - name < 4)
+  {
+    ++last;
+  }
+  const auto isSame = [](char a, char b) { return (a | 0x20) == b; };
+  for (const auto& spelling : spellings)
+  {
+    if (std::equal(name, last, spelling.Name.begin(), spelling.Name.end(), isSame))
+    {
+      value = spelling.Value;
+      const char* unused = nullptr;
+      last = FindEnd(last, end, unused); // digits, as many as were asked for, and an exponent
+      return last < end && (IsLetter(*last) || *last == '#') ? nullptr : last;
+    }
+  }
+  return nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -75,6 +121,12 @@ const char* Parse(const char* text, const char* end, Real& value)
   {
     const char* fortranExponent = nullptr;
     const char* last = FindEnd(p, end, fortranExponent);
+    if (IsPartOfNumber(p, last, end))
+    {
+      last = ParseMicrosoft(p, last, end, magnitude);
+      value = last ? negative ? -magnitude : magnitude : value;
+      return last;
+    }
     std::from_chars_result result;
     const char* parsed = p;
     std::string copy;
@@ -107,6 +159,17 @@ const char* Parse(const char* text, const char* end, Real& value)
   value = negative ? -magnitude : magnitude;
   return p;
 }
+}
+
+//------------------------------------------------------------------------------
+bool IsPartOfNumber(const char* word, const char* hash, const char* end)
+{
+  if (end - hash < 2 || hash[0] != '#' || !IsLetter(hash[1]) || hash - word < 2 || hash[-1] != '.')
+  {
+    return false;
+  }
+  word += *word == '-' || *word == '+';
+  return word < hash - 1 && std::all_of(word, hash - 1, IsDigit);
 }
 
 namespace detail

@@ -8,6 +8,11 @@
  * follow a number is for the caller to judge. Accepted are a leading `+`, exponents written e, E, d or
  * D (as Fortran does), and nan, inf and infinity in any case. A real number too large for its type is
  * infinite, one too small is zero.
+ *
+ * What old run-time libraries of Microsoft print is accepted as well: 1.#INF is infinity, 1.#QNAN, 1.#SNAN
+ * and 1.#IND are not a number, all with a sign and with digits or an exponent behind, in any case. Any other
+ * number whose point is followed by # and a letter is none, though # may start a comment: it may be one of
+ * these cut short (1.#J), and is never the number before the #.
  */
 #ifndef camaron_Number_h
 #define camaron_Number_h
@@ -31,6 +36,9 @@ inline bool IsSpace(char c)
 {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
+
+/// Whether the # in a word starts no comment, as it is part of a number such as 1.#INF, or of what may be one.
+bool IsPartOfNumber(const char* word, const char* hash, const char* end);
 
 /// Integers outside the 64 bit range are no numbers.
 inline const char* ParseInteger(const char* text, const char* end, std::int64_t& value)
@@ -156,6 +164,10 @@ inline const char* ParseRealFast(const char* text, const char* end, double& valu
     for (; p < end && IsDigit(*p); ++p)
     {
       mantissa = mantissa * 10 + static_cast<unsigned char>(*p - '0');
+    }
+    if (p == first && p < end && *p == '#')
+    {
+      return nullptr; // 1.#INF
     }
     digits += p - first;
     exponent = -static_cast<int>(p - first);

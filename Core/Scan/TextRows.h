@@ -77,7 +77,8 @@ public:
     }
     this->SkipBlanks();
     const char* const begin = this->Text;
-    while (this->Text < this->End && !IsSpace(*this->Text) && *this->Text != this->Comment)
+    while (this->Text < this->End && !IsSpace(*this->Text) &&
+      (*this->Text != this->Comment || IsPartOfNumber(begin, this->Text, this->End)))
     {
       ++this->Text;
     }
@@ -302,7 +303,8 @@ template <typename Read>
 bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& error,
   const Progress& progress, Read&& read)
 {
-  TextScanner scanner(file.GetName(), file.begin(), file.end(), comment);
+  TextScanner scanner(
+    file.GetName(), file.begin(), FindTextEnd(file.begin(), file.end()), comment);
   if (scanner.GetBytesLeft() >= 2 * chunk)
   {
     const TextLines lines(scanner, progress.Part(0, 0.1), chunk);

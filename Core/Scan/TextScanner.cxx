@@ -5,6 +5,7 @@
 #include "Scan/Number.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 
 namespace camaron
@@ -34,6 +35,22 @@ const char* FindLineEnd(const char* text, const char* end)
     ++text;
   }
   return text;
+}
+
+//------------------------------------------------------------------------------
+const char* FindTextEnd(const char* begin, const char* end)
+{
+  constexpr char EndOfFile = 0x1a; // in files of CP/M and MS-DOS
+  const char* padding = end;
+  const char* text = end;
+  for (; text > begin && (text[-1] == '\0' || text[-1] == EndOfFile || IsSpace(text[-1])); --text)
+  {
+    padding = IsSpace(text[-1]) ? padding : text - 1;
+  }
+  const bool isBehindWord = text > begin && text == padding &&
+    (std::isalnum(static_cast<unsigned char>(text[-1])) || std::strchr(".+-", text[-1]));
+  const bool isLost = isBehindWord && end - padding > 1 && padding[0] == '\0' && padding[1] == '\0';
+  return isLost ? end : padding;
 }
 
 //------------------------------------------------------------------------------
@@ -162,7 +179,8 @@ bool TextScanner::ReadWord(std::string_view& word, const char* what)
   }
   const char* const begin = this->Position;
   while (this->Position < this->End && !IsSpace(*this->Position) &&
-    (this->Comment == '\0' || *this->Position != this->Comment))
+    (this->Comment == '\0' || *this->Position != this->Comment ||
+      IsPartOfNumber(begin, this->Position, this->End)))
   {
     ++this->Position;
   }

@@ -85,6 +85,13 @@ private:
 
 /// First line end in [text, end), or end.
 const char* FindLineEnd(const char* text, const char* end);
+
+/**
+ * Where the text of a file ends: before the bytes 0 and 0x1A, if any, that old editors and tapes put behind
+ * it, with blanks and line ends between them. Several zeros right behind a number or a name are no end: there
+ * a part of the file was lost.
+ */
+const char* FindTextEnd(const char* begin, const char* end);
 }
 
 #endif

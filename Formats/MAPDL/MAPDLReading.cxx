@@ -23,12 +23,12 @@ class DeckText
 public:
   DeckText(const char* begin, const char* end)
     : Begin(TextScanner("", begin, end).GetPosition()) // after a byte order mark
-    , End(end)
+    , End(FindTextEnd(this->Begin, end))
   {
-    const auto size = static_cast<std::size_t>(end - this->Begin);
+    const auto size = static_cast<std::size_t>(this->End - this->Begin);
     if (size > 0 && !std::memchr(this->Begin, '\n', size) && std::memchr(this->Begin, '\r', size))
     {
-      this->Copy.assign(this->Begin, end);
+      this->Copy.assign(this->Begin, this->End);
       std::replace(this->Copy.begin(), this->Copy.end(), '\r', '\n');
       this->Begin = this->Copy.data();
       this->End = this->Begin + size;

@@ -162,7 +162,8 @@ bool ReadTSurf(const MappedFile& file, const PieceRequest& request, vtkUnstructu
   std::string copy;
   const bool isCopy = ReplaceLoneReturns(file, copy);
   const char* const begin = isCopy ? copy.data() : file.begin();
-  TextScanner scanner(file.GetName(), begin, begin + (file.end() - file.begin()), '#');
+  const char* const end = FindTextEnd(begin, begin + (file.end() - file.begin()));
+  TextScanner scanner(file.GetName(), begin, end, '#');
   const bool good = Read(scanner, request, grid, warnings, progress, chunk);
   error = progress.IsStopped() ? ScanError() : scanner.GetError();
   return good && !error && !progress.IsStopped();

@@ -305,7 +305,8 @@ bool VisfReading::ReadTextPoints(
 //------------------------------------------------------------------------------
 bool VisfReading::ReadText(Content& content, const Progress& progress) const
 {
-  TextScanner scanner(this->File.GetName(), this->File.begin(), this->File.end(), '#');
+  const char* const end = FindTextEnd(this->File.begin(), this->File.end());
+  TextScanner scanner(this->File.GetName(), this->File.begin(), end, '#');
   FaceMesh& mesh = content.Mesh;
   const auto read = [&]
   {

@@ -128,6 +128,60 @@ TEST(ScanNumbers, Notations)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, what old Microsoft run-time libraries print for infinity and no number is read as 1 with
+// a comment behind it.
+TEST(ScanNumbers, SpellingsOfMicrosoft)
+{
+  const auto check = [](auto value, const std::string& text, double expected, std::size_t size)
+  {
+    for (const std::string rest : { "", " 2", "\t#", ",1" })
+    {
+      const std::string whole = text + rest;
+      const char* const end = ParseReal(whole.data(), whole.data() + whole.size(), value);
+      ASSERT_NE(end, nullptr) << whole;
+      EXPECT_EQ(static_cast<std::size_t>(end - whole.data()), size) << whole;
+      EXPECT_EQ(std::isnan(value), std::isnan(expected)) << whole;
+      EXPECT_EQ(std::signbit(value), std::signbit(expected)) << whole;
+      EXPECT_TRUE(std::isnan(expected) || value == expected) << whole;
+    }
+  };
+  for (const char* name : { "INF", "QNAN", "SNAN", "IND" })
+  {
+    const double number = std::string(name) == "INF" ? INFINITY : NAN;
+    for (const std::string end : { "", "0", "00", "000000000000000", "0e+000", "00E+000" })
+    {
+      const std::string text = std::string("1.#") + name + end;
+      for (const auto& [sign, factor] :
+        { std::pair<const char*, double>{ "", 1 }, { "-", -1 }, { "+", 1 } })
+      {
+        const std::string whole = sign + text;
+        check(double(), whole, std::copysign(number, factor), whole.size());
+        check(float(), whole, std::copysign(number, factor), whole.size());
+      }
+    }
+  }
+  check(double(), "1.#qnan", NAN, 7);
+  // What is cut short is one of them, but not known which; what looks like one is no number.
+  for (const char* text : { "1.#J", "1.#IO", "1.#R", "1.#QO", "1.#QNB", "1.#INFO", "1.#comment",
+         "0.#INF", "2.#IND", "-11.#INF", "1.#INF#" })
+  {
+    double value = 5;
+    const char* const end = ParseReal(text, text + std::strlen(text), value);
+    EXPECT_EQ(end, nullptr) << text;
+    EXPECT_EQ(value, 5) << text;
+  }
+  // Nothing of the kind.
+  const std::pair<const char*, int> others[] = { { "1.# a comment", 2 }, { "1.#", 2 }, { "1.#5", 2 },
+    { "1.5#INF", 3 }, { "1#INF", 1 }, { "1.0#QNAN", 3 }, { "1.##INF", 2 } };
+  for (const auto& [text, size] : others)
+  {
+    double value = 0;
+    EXPECT_EQ(ParseReal(text, text + std::strlen(text), value), text + size) << text;
+    EXPECT_EQ(std::floor(value), 1) << text;
+  }
+}
+
+//------------------------------------------------------------------------------
 // If this fails, ids or counts wrap around or are cut.
 TEST(ScanNumbers, Integers)
 {

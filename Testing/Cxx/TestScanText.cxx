@@ -23,6 +23,64 @@ TextScanner MakeScanner(const std::string& text)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, padding behind a text is taken for text, or text for padding.
+TEST(ScanText, EndsBeforePadding)
+{
+  using namespace std::string_literals;
+  for (const std::string& padding : { ""s, "\x1a"s, "\0"s, "\x1a\x1a\x1a"s, std::string(5000, '\0'),
+         "\x1a\r\n"s, "\0\n \0\x1a\t\0"s })
+  {
+    for (const std::string& text : { ""s, ")"s, "a\n"s, "a\0b\n\n"s, "\x1a" "1 \r\n"s })
+    {
+      const std::string whole = text + padding;
+      const char* const end = FindTextEnd(whole.data(), whole.data() + whole.size());
+      EXPECT_EQ(end - whole.data(), static_cast<std::ptrdiff_t>(text.size())) << text << '|' << padding;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, what is left of a number is read as a number where the rest of the file was lost.
+TEST(ScanText, ZerosBehindWordsAreDamage)
+{
+  using namespace std::string_literals;
+  for (const std::string& text : { "1 8.0\0\0\0"s, "1.\0\0\n"s, "TRGL\0\0"s })
+  {
+    EXPECT_EQ(FindTextEnd(text.data(), text.data() + text.size()), text.data() + text.size());
+  }
+  for (const std::string& text : { "1 8.0\0"s, "1 8.0\x1a\0\0"s, "1 8.0\x1a\x1a"s, "1 8.0 \0\0"s })
+  {
+    EXPECT_EQ(FindTextEnd(text.data(), text.data() + text.size()),
+      text.data() + text.find_first_of("\x1a\0"s));
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a word ends within a number as old Microsoft run-time libraries print it.
+TEST(ScanText, CommentsBeginBehindNumbers)
+{
+  const std::string text = "1.#QNAN -1.#IND00#c\n1.#J a1.#INF\n1.5#INF\n2.# 3\nx#INF\n#IND\n7";
+  const char* const words[] = { "1.#QNAN", "-1.#IND00", "1.#J", "a1.", "1.5", "2.", "x", "7" };
+  TextScanner scanner = MakeScanner(text);
+  TextScanner rows = MakeScanner(text);
+  TextRow row(rows);
+  std::string_view word;
+  for (const char* expected : words)
+  {
+    EXPECT_TRUE(scanner.ReadWord(word, ""));
+    EXPECT_EQ(word, expected);
+    EXPECT_TRUE(row.ReadWord(word, ""));
+    EXPECT_EQ(word, expected);
+  }
+  TextRow line(text.data(), text.data() + text.find('\n'), '#');
+  EXPECT_TRUE(line.ReadWord(word, ""));
+  EXPECT_EQ(word, words[0]);
+  EXPECT_TRUE(line.ReadWord(word, ""));
+  EXPECT_EQ(word, words[1]);
+  EXPECT_FALSE(line.HasMore());
+}
+
+//------------------------------------------------------------------------------
 // If this fails, messages name the wrong line for some kind of line end.
 TEST(ScanText, LineNumbers)
 {

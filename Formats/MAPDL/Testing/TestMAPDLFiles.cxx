@@ -259,7 +259,7 @@ TEST(MAPDLFiles, CanReadFile)
       std::string("1.0 2.0 3.0\n4.0 5.0 6.0\n"), std::string("TITLE = \"x\"\nVARIABLES = X, Y\n"),
       std::string("GRID,1,,0.,0.,0.\nCQUAD4,1,1,1,2,3,4\n"), std::string("/PREP7\nK,1,0,0\n"),
       std::string("8 1 0 0 0\n1 0 0 0\n"), std::string("name,x,y\nn,a,b\n"),
-      std::string("NBLOCK,6,SOLID\n\0\0\0\0", 19) })
+      std::string("NBLOCK,6,SOLID\n\0\0\0\0x", 20) })
   {
     EXPECT_EQ(canRead(other), 0) << other;
   }
