@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentFile.h"
 
+#include "FluentLists.h"
 #include "FluentText.h"
 #include "Scan/Bytes.h"
 #include "Scan/TextScanner.h"
@@ -61,10 +62,27 @@ const char* ParseIndex(const char* text, const char* end, int& index)
 }
 
 //------------------------------------------------------------------------------
+FluentFile::FluentFile(std::string name, const char* begin, const char* end)
+  : Name(std::move(name))
+  , Begin(begin)
+  , End(FindTextEnd(begin, end))
+{
+}
+
+//------------------------------------------------------------------------------
 bool FluentFile::IsFluent(const char* begin, const char* end)
 {
+  const char* text = SkipSpaceFrom(begin, end);
+  while (IsNamedFluentList(text, end))
+  {
+    if (!SkipFluentLists(text, end, 0, true))
+    {
+      return false;
+    }
+    text = SkipSpaceFrom(text, end);
+  }
   int index;
-  const char* text = ParseIndex(SkipSpaceFrom(begin, end), end, index);
+  text = ParseIndex(text, end, index);
   if (!text)
   {
     return false;
@@ -131,54 +149,21 @@ void FluentFile::SkipSpace()
 }
 
 //------------------------------------------------------------------------------
-// Moves behind the parenthesis that closes as many as are open; false at the end of the file.
-bool FluentFile::SkipGroups(int depth, bool quotes)
-{
-  std::int64_t open = depth;
-  bool quoted = false;
-  for (const char* text = this->Position; text < this->End; ++text)
-  {
-    const char c = *text;
-    if (quoted)
-    {
-      text += c == '\\';
-      quoted = c != '"';
-    }
-    else if (c == '(')
-    {
-      ++open;
-    }
-    else if (c == ')')
-    {
-      if (--open == 0)
-      {
-        this->Position = text + 1;
-        return true;
-      }
-    }
-    else
-    {
-      quoted = quotes && c == '"';
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
 bool FluentFile::SkipRest(int depth, const FluentSection& section)
 {
   // In the words of a comment, a quotation mark may be an inch.
   constexpr int Comments = 1;
   const char* const text = SkipSpaceFrom(this->Position, this->End);
   const bool isProse =
-    section.Index <= Comments && !(text < this->End && (*text == '"' || *text == '('));
-  if (this->TrustsQuotes && !isProse && this->SkipGroups(depth, true))
+    section.Index >= 0 && section.Index <= Comments &&
+    !(text < this->End && (*text == '"' || *text == '('));
+  if (this->TrustsQuotes && !isProse && SkipFluentLists(this->Position, this->End, depth, true))
   {
     return true;
   }
   // Elsewhere, a lone one hides all that follows.
   this->TrustsQuotes = this->TrustsQuotes && isProse;
-  if (this->SkipGroups(depth, false))
+  if (SkipFluentLists(this->Position, this->End, depth, false))
   {
     return true;
   }
@@ -386,11 +371,13 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
   }
   if (!section.IsText() && isRange)
   {
-    if (section.Header[0] != 0 || section.Index == 12)
-    {
-      return this->ReadBinaryBody(section, index) && this->Keep(std::move(section));
-    }
-    return this->SkipBinary(section, index) && this->Keep(std::move(section));
+    // Cells that are all alike need no data; what some writers put there does not matter, as in text.
+    const bool areAlike = section.Index == 12 && section.HeaderSize > 4 && section.Header[4] != 0;
+    this->SkipSpace();
+    const bool hasBody = this->Position < this->End && *this->Position == '(';
+    const bool reads = (section.Header[0] != 0 || section.Index == 12) && !(areAlike && hasBody);
+    return (reads ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index)) &&
+      this->Keep(std::move(section));
   }
   if (!section.IsText())
   {
@@ -426,13 +413,19 @@ bool FluentFile::ReadSection()
 {
   FluentSection section;
   section.Place = this->Position;
+  if (IsNamedFluentList(this->Position, this->End))
+  {
+    constexpr int NoIndex = -1;
+    section.Index = NoIndex;
+    return this->SkipRest(0, section);
+  }
   int index = 0;
   const char* const next = ParseIndex(this->Position, this->End, index);
   if (!next)
   {
     this->FailAt(this->Position,
       this->HasMeshSection || this->Dimension > 0 ? ErrorKind::Syntax : ErrorKind::NotThisFormat,
-      "a section of a Fluent mesh, which begins with '(' and a number");
+      "a section of a Fluent mesh, which begins with '(' and a number or a name");
     return false;
   }
   this->Position = next;

@@ -5,8 +5,9 @@
  * @brief The sections of a Fluent mesh or case file: where they are and what their headers say.
  *
  * A file is a sequence of sections `(index ...)`. Those that describe the mesh are collected, all
- * others skipped: text by its parentheses, outside of quotes; binary sections (index 2000 to 3999)
- * up to their end mark, as parentheses mean nothing in them.
+ * others skipped: text by its parentheses, outside of quotes, such as lists of settings that begin with a
+ * name instead of an index; binary sections (index 2000 to 3999) up to their end mark, as parentheses mean
+ * nothing in them.
  */
 #ifndef camaron_FluentFile_h
 #define camaron_FluentFile_h
@@ -25,7 +26,7 @@ struct FluentSection
 {
   static constexpr int MaxHeader = 8;
   const char* Place = nullptr; ///< of its opening parenthesis
-  int Index = 0;               ///< without the encoding, e.g. 13 for 3013
+  int Index = 0;               ///< without the encoding, e.g. 13 for 3013; -1 for a name
   int RealSize = 0;            ///< of binary reals, 4 or 8; 0 for text
   std::int64_t Header[MaxHeader] = {};
   int HeaderSize = 0;
@@ -57,14 +58,10 @@ class FluentFile
 public:
   static constexpr std::int64_t BlockSize = 1024; ///< lists per entry of FluentSection::Blocks
 
-  FluentFile(std::string name, const char* begin, const char* end)
-    : Name(std::move(name))
-    , Begin(begin)
-    , End(end)
-  {
-  }
+  FluentFile(std::string name, const char* begin, const char* end);
 
-  /// Whether these are the first bytes of such a file: a section with an index that is used.
+  /// Whether these are the first bytes of such a file: a section with an index that is used, other than
+  /// which there are only lists that begin with a name.
   static bool IsFluent(const char* begin, const char* end);
 
   /**
@@ -104,7 +101,6 @@ public:
 
 private:
   void SkipSpace();
-  bool SkipGroups(int depth, bool quotes);
   bool SkipRest(int depth, const FluentSection& section);
   bool SkipBinary(const FluentSection& section, int index);
   bool ReadHeader(FluentSection& section);

@@ -221,6 +221,88 @@ TEST(FluentMeshReader, SkipsOtherSections)
 }
 
 //------------------------------------------------------------------------------
+// If this fails, the mesh is hidden by a list of settings with a name, as Fluent Meshing writes them.
+TEST(FluentMeshReader, SkipsListsWithNames)
+{
+  vtkNew<vtkFluentMeshReader> reader;
+  const FluentSample mesh = MakeMixed(1);
+  for (const int realSize : { 0, 4, 8 })
+  {
+    FluentEncoding how;
+    how.RealSize = realSize;
+    const std::string text = Encode(mesh, how);
+    const Result expected = ReadBytes(text);
+    ASSERT_TRUE(expected.Errors.empty());
+    for (const char* list : { "(cad/options (merge #t))", "(x)", "( %version \"23.1\")",
+           "(*settings*)\n(a (b (c \"d\")) ())", "(name \"strings with ) and \\\\\")",
+           "(name \"(((\" \"\\\")((\\\"\")", "(a\n\t\"two\nlines ) \")", "(p \"C:\\\\mesh\\\\\")",
+           "(rp/10 (10 (0 1 5 1)) (13 (0 1 3 0)))" })
+    {
+      const std::string named = list;
+      std::vector<std::string> files = { named + text, text + "\n" + named, named + "\n" + text + named };
+      for (const char* before : { "(10 (", "(13 (3", "(12 (2" })
+      {
+        const std::size_t at = realSize == 0 ? text.find(before) : std::string::npos;
+        if (at != std::string::npos)
+        {
+          files.push_back(text.substr(0, at) + named + "\n" + text.substr(at));
+        }
+      }
+      for (const std::string& bytes : files)
+      {
+        const Result result = ReadBytes(bytes);
+        ASSERT_TRUE(result.Errors.empty()) << named << ": " << result.Errors[0];
+        ExpectSameGrid(expected.Grid, result.Grid);
+        EXPECT_TRUE(reader->CanReadFile(File(bytes, "test.msh").Path.c_str())) << named;
+      }
+    }
+    // One that does not end hides what follows.
+    const Result open = ReadBytes(text + "\n(cad/options (merge");
+    ASSERT_TRUE(open.IsProperError());
+    EXPECT_NE(open.Errors[0].find("a parenthesis that closes the section that begins here"),
+      std::string::npos);
+    // A list that begins neither with a number nor with a name is none.
+    for (const char* other : { "((a))", "(\"a\")", "()", "(#t)", "(-1 2)", "(13x (1 2))", "name" })
+    {
+      const Result refused = ReadBytes(text + "\n" + other);
+      ASSERT_TRUE(refused.IsProperError()) << other;
+      EXPECT_NE(refused.Errors[0].find("begins with '(' and a number or a name"), std::string::npos)
+        << refused.Errors[0];
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, binary files without faces are refused for what does not matter.
+TEST(FluentMeshReader, FilesWithoutFaces)
+{
+  const std::string start = "(2 3)\n(10 (0 1 4 0 3))\n(12 (0 1 1 0))\n";
+  const std::string words(16, '\1'), doubles(4 * 3 * 8, '\0');
+  const std::string nodes = "(3010 (1 1 4 1 3)(" + doubles + ")\nEnd of Binary Section   3010)\n";
+  const std::string files[] = {
+    start + "(10 (1 1 4 1 3)(0 0 0 1 0 0 0 1 0 0 0 1))\n(12 (1 1 1 1 2)(1 2 3 4))\n",
+    start + nodes + "(2012 (1 1 1 1 2)(" + words + ")\nEnd of Binary Section   2012)\n",
+    start + nodes + "(2012 (1 1 1 1 2)(\n" + words + "\n)\nEnd of Binary Section 2012)\n",
+    start + nodes + "(3012 (1 1 1 1 2)\nEnd of Binary Section   3012)\n",
+    start + nodes + "(3012 (1 1 1 1 2)()\nEnd of Binary Section   3012)\n",
+    start + nodes + "(12 (1 1 1 1 2))\n",
+    start + nodes + "(12 (1 1 1 1 2))\n(13 (0 1 4 0))\n",
+  };
+  for (const std::string& bytes : files)
+  {
+    const Result result = ReadBytes(bytes);
+    ASSERT_TRUE(result.IsProperError()) << bytes;
+    EXPECT_NE(result.Errors[0].find("expected a mesh with nodes and faces, found no faces"),
+      std::string::npos)
+      << result.Errors[0];
+  }
+  // What is not needed may not end either.
+  const Result open = ReadBytes(start + nodes + "(2012 (1 1 1 1 2)(" + words);
+  ASSERT_TRUE(open.IsProperError());
+  EXPECT_NE(open.Errors[0].find("'End of Binary Section 2012'"), std::string::npos) << open.Errors[0];
+}
+
+//------------------------------------------------------------------------------
 // If this fails, meshes of old programs, which do not declare types of cells, are refused.
 TEST(FluentMeshReader, CellsNeedNotBeDeclared)
 {
