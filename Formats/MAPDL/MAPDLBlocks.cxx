@@ -142,7 +142,7 @@ bool MeasureMAPDLElements(const MAPDLElementFormat& format, const char* begin, c
         {
           nodes = format.PeekNumberOfNodes(line);
           furtherLines = format.GetNumberOfFurtherLines(nodes, format.PeekType(line));
-          nodes += !format.IsSolid && furtherLines > 0 ? format.FieldsPerLine : 0;
+          nodes += format.IsSolid() ? 0 : furtherLines * format.FieldsPerLine;
         }
         const bool isBlank = !isRow && SkipBlanks(line.Begin, line.End) == line.End;
         for (Count::State& state : count.States)

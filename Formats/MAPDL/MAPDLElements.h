@@ -34,6 +34,8 @@ constexpr int MaxMAPDLNodes = 20;
 MAPDLClass GetMAPDLClass(int element, int shape = 0);
 /// Whether an element is on the surface of others for contact or loads.
 bool IsMAPDLSurfaceEffect(int element);
+/// Nodes that every element of a number has, 0 if they have several or it is not known how many.
+int GetMAPDLNodes(int element, int shape = 0);
 /// Most nodes an element of a class has, 0 if that is not known.
 int GetMaxMAPDLNodes(MAPDLClass elementClass);
 

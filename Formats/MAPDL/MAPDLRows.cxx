@@ -169,6 +169,10 @@ bool MAPDLNodeFormat::ReadCoordinates(const Line& line, double x[3], MAPDLFault&
 //------------------------------------------------------------------------------
 std::int64_t MAPDLElementFormat::PeekType(const Line& line) const
 {
+  if (this->IsCompact())
+  {
+    return this->Attributes.Type;
+  }
   std::int64_t type = 0;
   const char* place;
   return this->Fields.Read(line, 1, type, place) ? type : 0;
@@ -177,7 +181,7 @@ std::int64_t MAPDLElementFormat::PeekType(const Line& line) const
 //------------------------------------------------------------------------------
 int MAPDLElementFormat::PeekNumberOfNodes(const Line& line) const
 {
-  if (this->IsSolid)
+  if (this->IsSolid())
   {
     std::int64_t count = 0;
     const char* place;
@@ -200,11 +204,14 @@ int MAPDLElementFormat::GetMostNodes(std::int64_t type) const
 int MAPDLElementFormat::GetNumberOfFurtherLines(int nodes, std::int64_t type) const
 {
   const int first = this->GetNodesOnFirstLine();
-  if (this->IsSolid)
+  if (this->IsSolid())
   {
     return nodes > first ? (nodes - first + this->FieldsPerLine - 1) / this->FieldsPerLine : 0;
   }
-  return nodes >= first && this->GetMostNodes(type) > first ? 1 : 0;
+  return nodes < first          ? 0
+    : this->IsCompact()         ? this->FurtherLines
+    : this->GetMostNodes(type) > first ? 1
+                                : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -214,7 +221,7 @@ bool MAPDLElementFormat::CheckEnd(
   const Line& line, const char* end, std::int64_t type, MAPDLFault& fault) const
 {
   const int first = this->GetNodesOnFirstLine();
-  if (this->IsSolid || this->PeekNumberOfNodes(line) < first)
+  if (this->IsSolid() || this->IsCompact() || this->PeekNumberOfNodes(line) < first)
   {
     return true;
   }
@@ -262,13 +269,18 @@ bool MAPDLElementFormat::ReadHeader(
   const Line& line, MAPDLElement& element, MAPDLFault& fault) const
 {
   bool good;
-  if (this->IsSolid)
+  if (this->IsSolid())
   {
     good = this->ReadInteger(line, 0, "the material of an element", element.Material, fault) &&
       this->ReadInteger(line, 1, "the type of an element", element.Type, fault) &&
       this->ReadInteger(line, 2, "the real constants of an element", element.Real, fault) &&
       this->ReadInteger(line, 3, "the section of an element", element.Section, fault) &&
       this->ReadInteger(line, SolidIdField, "the number of an element", element.Id, fault);
+  }
+  else if (this->IsCompact())
+  {
+    element = this->Attributes;
+    good = this->ReadInteger(line, 0, "the number of an element", element.Id, fault);
   }
   else
   {
@@ -291,7 +303,7 @@ const char* MAPDLElementFormat::ReadNodes(const Line& first, const char* end, in
   MAPDLElement& element, MAPDLFault& fault) const
 {
   std::int32_t count = this->PeekNumberOfNodes(first);
-  if (this->IsSolid)
+  if (this->IsSolid())
   {
     std::int32_t written = 0;
     if (!this->ReadInteger(first, CountField, "the number of nodes of an element", written, fault))
@@ -343,10 +355,16 @@ const char* MAPDLElementFormat::ReadNodes(const Line& first, const char* end, in
       continue;
     }
     int fields = this->FieldsPerLine;
-    if (!this->IsSolid)
+    if (!this->IsSolid())
     {
       fields = this->Fields.CountFields(line, fields);
       count += fields;
+    }
+    if (this->IsCompact() && furtherLines > 1 && fields < this->FieldsPerLine)
+    {
+      fault.Set(line.Begin, ErrorKind::Count, "a full line, as the element goes on in the next one",
+        std::to_string(fields) + " nodes");
+      return nullptr;
     }
     if (!read(line, 0, fields))
     {

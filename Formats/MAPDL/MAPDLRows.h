@@ -119,17 +119,28 @@ struct MAPDLElement
   std::int32_t Nodes[MaxMAPDLNodes];
 };
 
+/// What rows of EBLOCK have before the nodes, as its key tells.
+enum class MAPDLElementKey
+{
+  None,   ///< 5 numbers
+  Solid,  ///< 11 numbers, of which the ninth tells how many nodes there are
+  Compact ///< the number of the element; attributes are those of commands before the block
+};
+
 /// Rows of EBLOCK, of which each may go on over several lines.
 struct MAPDLElementFormat
 {
   MAPDLRowFormat Fields;
-  /// With 11 numbers before the nodes, the ninth telling how many there are; else with 5.
-  bool IsSolid = true;
+  MAPDLElementKey Key = MAPDLElementKey::Solid;
   int FieldsPerLine = 19;
   /// Most nodes of elements of the types that the deck has defined before the block.
   std::map<std::int64_t, int> MostNodes;
+  MAPDLElement Attributes; ///< of compact rows
+  int FurtherLines = 0;    ///< on which compact rows go on that fill the first
 
-  int GetNumberOfHeaderFields() const { return this->IsSolid ? 11 : 5; }
+  bool IsSolid() const { return this->Key == MAPDLElementKey::Solid; }
+  bool IsCompact() const { return this->Key == MAPDLElementKey::Compact; }
+  int GetNumberOfHeaderFields() const { return this->IsSolid() ? 11 : this->IsCompact() ? 1 : 5; }
   int GetNodesOnFirstLine() const { return this->FieldsPerLine - this->GetNumberOfHeaderFields(); }
   /// Type of the element that begins on a line; any number if there is none.
   std::int64_t PeekType(const Line& line) const;
@@ -155,9 +166,10 @@ struct MAPDLElementFormat
   const char* ReadNodes(const Line& line, const char* end, int furtherLines, MAPDLElement& element,
     MAPDLFault& fault) const;
 
-private:
   /// Most nodes that an element of a type has, 0 if that is not known.
   int GetMostNodes(std::int64_t type) const;
+
+private:
   bool ReadInteger(
     const Line& line, int field, const char* what, std::int32_t& value, MAPDLFault& fault) const;
 };

@@ -10,6 +10,8 @@
 #include "MAPDLCommands.h"
 #include "MAPDLDeck.h"
 
+#include <initializer_list> // for the keys of a block
+
 namespace camaron
 {
 class MAPDLWalker
@@ -41,6 +43,12 @@ private:
   void Clear();
   bool ReadNodeBlock();
   bool ReadElementBlock();
+  /// Takes the key of a block, one of @a keys, from 1, or none, 0; false with a fault if it is another.
+  bool TakeKey(const char* command, std::initializer_list<std::string_view> keys, int& key);
+  /// Number of fields of the next row of a block.
+  int CountFieldsOfRow() const;
+  /// Finds out on how many lines elements of a compact block are; false with a fault if that is not known.
+  bool FindFurtherLines(MAPDLElementFormat& format);
   void ReadComponent();
   void ReadTypeBlock();
   bool DefineNode();

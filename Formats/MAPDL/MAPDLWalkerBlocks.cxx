@@ -31,6 +31,30 @@ MAPDLRowFormat MAPDLWalker::TakeFormat(int integers, int columns)
 }
 
 //------------------------------------------------------------------------------
+bool MAPDLWalker::TakeKey(
+  const char* command, std::initializer_list<std::string_view> keys, int& key)
+{
+  constexpr std::size_t KeyField = 2, Enough = 4; // letters
+  const std::string_view field = TrimMAPDL(this->Command.GetField(KeyField));
+  const std::string word = ToUpperMAPDL(field);
+  key = 0;
+  std::string expected;
+  for (const std::string_view name : keys)
+  {
+    ++key;
+    if (word.size() >= Enough && name.substr(0, word.size()) == word)
+    {
+      return true;
+    }
+    expected += std::string(name) + " or ";
+  }
+  key = 0;
+  expected += "nothing as the key of " + std::string(command);
+  return word.empty() ||
+    this->Fault.Set(field.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(field));
+}
+
+//------------------------------------------------------------------------------
 std::int32_t MAPDLWalker::GetPromisedRows() const
 {
   constexpr std::size_t CountField = 4;
@@ -65,10 +89,19 @@ bool MAPDLWalker::CheckEnd(const MAPDLExtent& extent, const char* expected, Chec
 bool MAPDLWalker::ReadNodeBlock()
 {
   MAPDLNodeBlock block;
+  int hasSolidModel = 0;
+  if (!this->TakeKey("NBLOCK", { "SOLID" }, hasSolidModel))
+  {
+    return false;
+  }
   constexpr int LeastColumns = 3; // id, x, y
   block.Format.Fields = this->TakeFormat(1, LeastColumns);
   const ColumnFormat* columns = block.Format.Fields.GetColumns();
-  const bool hasSolidModel = !TrimMAPDL(this->Command.GetField(2)).empty();
+  if (columns && columns->GetNumberOfLeadingIntegers() == columns->GetNumberOfColumns())
+  {
+    return this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
+      "a format with columns of coordinates, such as (3i9,6e21.13e3)", "none");
+  }
   block.Format.FirstCoordinate = columns ? columns->GetNumberOfLeadingIntegers()
     : hasSolidModel                      ? 3
                                          : 1;
@@ -102,22 +135,105 @@ bool MAPDLWalker::ReadNodeBlock()
 }
 
 //------------------------------------------------------------------------------
+int MAPDLWalker::CountFieldsOfRow() const
+{
+  constexpr int Least = 2, Most = 100; // number of the element, nodes
+  const char* text = this->Text;
+  while (text < this->End && ClassifyMAPDLLine(Line(text, this->End)) == MAPDLLine::Blank)
+  {
+    text = Line(text, this->End).Next;
+  }
+  return std::max(Least, MAPDLRowFormat().CountFields(Line(text, this->End), Most));
+}
+
+//------------------------------------------------------------------------------
+// Rows do not tell how many nodes they have. Their type does, or else their number.
+bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
+{
+  const int first = format.GetNodesOnFirstLine(), perLine = format.FieldsPerLine;
+  const auto getFurtherLines = [&](int nodes)
+  { return nodes > first ? (nodes - first + perLine - 1) / perLine : 0; };
+  const std::int32_t id = format.Attributes.Type;
+  const auto type = this->Deck.Types.find(id);
+  const int most = format.GetMostNodes(id);
+  const bool isKnown = type != this->Deck.Types.end() &&
+    GetMAPDLNodes(type->second.Element, type->second.Shape) > 0;
+  format.FurtherLines = isKnown ? getFurtherLines(most) : 0;
+  MAPDLExtent lines;
+  if (most > 0 && most <= first)
+  {
+    return true;
+  }
+  if (!MeasureMAPDLNodes(this->Text, this->End, this->Chunk, this->GetRest(), lines))
+  {
+    return false;
+  }
+  const std::int32_t promised = this->GetPromisedRows();
+  const vtkIdType counted = promised > 0 ? lines.NumberOfRows / promised - 1 : 0;
+  const bool isCounted = promised > 0 && lines.NumberOfRows == (counted + 1) * promised &&
+    counted >= 0 && counted <= getFurtherLines(MaxMAPDLNodes);
+  if (!isKnown && isCounted)
+  {
+    format.FurtherLines = static_cast<int>(counted);
+    return true;
+  }
+  bool isFull = false;
+  for (std::size_t chunk = 0; chunk < lines.Chunks.size() && !isFull; ++chunk)
+  {
+    ForEachMAPDLNode(lines, chunk,
+      [&](const Line& line, vtkIdType)
+      {
+        isFull = format.PeekNumberOfNodes(line) >= first;
+        return !isFull;
+      });
+  }
+  if (isKnown)
+  {
+    return !isFull || !isCounted || counted == format.FurtherLines ||
+      this->Fault.Set(this->LineBegin, ErrorKind::Count,
+        ("elements of " + std::to_string(most) + " nodes, as the type has, on " +
+          std::to_string(format.FurtherLines + 1) + " lines each")
+          .c_str(),
+        std::to_string(promised) + " elements on " + std::to_string(lines.NumberOfRows) + " lines");
+  }
+  return !isFull ||
+    this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
+      "a type that the deck defines (ET) before the block, or the number of its elements, as an element may "
+      "go on in the next line",
+      "type " + std::to_string(id));
+}
+
+//------------------------------------------------------------------------------
 bool MAPDLWalker::ReadElementBlock()
 {
   MAPDLElementBlock block;
   MAPDLElementFormat& format = block.Format;
-  const std::string key = ToUpperMAPDL(this->Command.GetField(2)).substr(0, 4);
-  format.IsSolid = key == "SOLI";
+  int key = 0;
+  if (!this->TakeKey("EBLOCK", { "SOLID", "COMPACT" }, key))
+  {
+    return false;
+  }
+  constexpr MAPDLElementKey Keys[] = { MAPDLElementKey::None, MAPDLElementKey::Solid,
+    MAPDLElementKey::Compact };
+  format.Key = Keys[key];
+  format.Attributes = this->Current;
   const int least = format.GetNumberOfHeaderFields() + 1;
   format.Fields = this->TakeFormat(least, least);
   constexpr int FreeSolidFields = 19, FreeFields = 15; // as the program writes
   const ColumnFormat* columns = format.Fields.GetColumns();
   format.FieldsPerLine = columns ? columns->GetNumberOfLeadingIntegers()
-    : format.IsSolid             ? FreeSolidFields
+    : format.IsSolid()           ? FreeSolidFields
+    : format.IsCompact()         ? this->CountFieldsOfRow()
                                  : FreeFields;
   for (const auto& [type, element] : this->Deck.Types)
   {
-    format.MostNodes[type] = GetMaxMAPDLNodes(GetMAPDLClass(element.Element, element.Shape));
+    const int nodes = GetMAPDLNodes(element.Element, element.Shape);
+    format.MostNodes[type] =
+      nodes > 0 ? nodes : GetMaxMAPDLNodes(GetMAPDLClass(element.Element, element.Shape));
+  }
+  if (format.IsCompact() && !this->FindFurtherLines(format))
+  {
+    return false;
   }
   if (!MeasureMAPDLElements(
         format, this->Text, this->End, this->Chunk, this->GetRest(), block.Extent))
