@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// What old programs put into text files, in every format that has text: bytes behind the end, and
+// numbers as run-time libraries of Microsoft print them. One program per format; the files are its
+// seeds.
+#include "MeshChecks.h"
+#include "ReaderTrial.h"
+
+#include "Scan/Number.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace camaron;
+using namespace camaron::testing;
+
+namespace
+{
+//------------------------------------------------------------------------------
+struct Sample
+{
+  std::string Name;
+  MeshFiles Files;
+};
+
+//------------------------------------------------------------------------------
+// The seeds that are good and text; Fluent's may have binary sections in between.
+std::vector<Sample> GetTextSamples(ReaderTrial& trial)
+{
+  std::vector<Sample> samples;
+  for (const auto& path : FindMeshFiles(GetFormat().SeedFolder, GetFormat()))
+  {
+    MeshFiles files = LoadMeshFiles(path, GetFormat());
+    const bool isText = std::all_of(files.begin(), files.end(),
+      [](const MeshFile& file)
+      {
+        return std::all_of(file.Bytes.begin(), file.Bytes.end(),
+          [](char c) { return static_cast<unsigned char>(c) >= ' ' || IsSpace(c); });
+      });
+    if (isText && trial.Try(files).Errors.empty())
+    {
+      samples.push_back({ path.filename().string(), std::move(files) });
+    }
+  }
+  return samples;
+}
+
+//------------------------------------------------------------------------------
+bool IsDivider(char c)
+{
+  return IsSpace(c) || c == '(' || c == ')' || c == ',' || c == '{' || c == '}';
+}
+
+//------------------------------------------------------------------------------
+// The words that are real numbers, by where they begin and end.
+std::vector<std::pair<std::size_t, std::size_t>> FindReals(const std::string& bytes)
+{
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (std::size_t begin = 0; begin < bytes.size();)
+  {
+    std::size_t end = begin;
+    while (end < bytes.size() && !IsDivider(bytes[end]))
+    {
+      ++end;
+    }
+    double value = 0;
+    const char* const text = bytes.data();
+    if (end > begin && ParseReal(text + begin, text + end, value) == text + end)
+    {
+      found.emplace_back(begin, end);
+    }
+    begin = end + 1;
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+// Bytes with another word in the place of one, at least as wide as that, so that columns stay.
+std::string Replace(
+  const std::string& bytes, std::pair<std::size_t, std::size_t> place, const std::string& word)
+{
+  const std::size_t size = place.second - place.first;
+  const std::string fill(word.size() < size ? size - word.size() : 0, ' ');
+  return bytes.substr(0, place.first) + fill + word + bytes.substr(place.second);
+}
+}
+
+//------------------------------------------------------------------------------
+// If this fails, a file from an old editor or tape is refused, or read as something else.
+TEST(Spelling, PaddingBehindText)
+{
+  using namespace std::string_literals;
+  ReaderTrial trial;
+  const std::vector<Sample> samples = GetTextSamples(trial);
+  ASSERT_FALSE(samples.empty());
+  for (const Sample& sample : samples)
+  {
+    const Reading expected = trial.Try(sample.Files);
+    for (const std::string& padding :
+      { "\x1a"s, "\0"s, std::string(700, '\x1a'), std::string(700, '\0'), "\x1a\r\n\0\0"s })
+    {
+      MeshFiles files = sample.Files;
+      for (MeshFile& file : files)
+      {
+        // Behind a word, several zeros are what is left where a part of the file was lost.
+        const bool endsLine = file.Bytes.empty() || IsSpace(file.Bytes.back());
+        file.Bytes += (endsLine || padding.size() == 1 ? "" : "\n") + padding;
+      }
+      const Reading reading = trial.Try(files, Parallel);
+      EXPECT_EQ(reading.Fault, "") << sample.Name;
+      EXPECT_EQ(reading.Errors, std::vector<std::string>()) << sample.Name;
+      EXPECT_EQ(reading.Warnings, expected.Warnings) << sample.Name;
+      EXPECT_EQ(FindDifference(reading.Grid, expected.Grid), "") << sample.Name;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// If this fails, 1.#QNAN and the like are read as something else than nan and inf in some place.
+TEST(Spelling, NumbersOfMicrosoft)
+{
+  const std::pair<const char*, const char*> spellings[] = { { "1.#QNAN", "nan" },
+    { "-1.#IND00", "-nan" }, { "1.#INF", "inf" }, { "-1.#INF000", "-inf" } };
+  constexpr std::size_t MaxPlaces = 60; // of a file
+  ReaderTrial trial;
+  int places = 0, read = 0;
+  for (const Sample& sample : GetTextSamples(trial))
+  {
+    for (std::size_t f = 0; f < sample.Files.size(); ++f)
+    {
+      const std::string& bytes = sample.Files[f].Bytes;
+      const auto reals = FindReals(bytes);
+      const std::size_t step = reals.size() / MaxPlaces + 1;
+      for (std::size_t i = 0; i < reals.size(); i += step)
+      {
+        const auto& [theirs, plain] = spellings[(i / step) % std::size(spellings)];
+        MeshFiles files = sample.Files;
+        // Both as wide, for formats with columns.
+        const std::string wide =
+          std::string(std::string(theirs).size() - std::string(plain).size(), ' ');
+        files[f].Bytes = Replace(bytes, reals[i], wide + plain);
+        const Reading expected = trial.Try(files);
+        files[f].Bytes = Replace(bytes, reals[i], theirs);
+        const Reading reading = trial.Try(files, Parallel);
+        const std::string place = sample.Name + ", byte " + std::to_string(reals[i].first) +
+          " of ." + files[f].Extension + " is " + theirs;
+        EXPECT_EQ(reading.Fault, "") << place;
+        // In the place of an integer nan may be a name, and a zone or a component with a name of its own.
+        if (bytes.find('.', reals[i].first) >= reals[i].second)
+        {
+          continue;
+        }
+        ASSERT_EQ(reading.Errors.empty(), expected.Errors.empty())
+          << place << ": " << (reading.Errors.empty() ? expected.Errors[0] : reading.Errors[0]);
+        EXPECT_EQ(reading.Warnings.size(), expected.Warnings.size()) << place;
+        EXPECT_EQ(FindDifference(reading.Grid, expected.Grid), "") << place;
+        ++places;
+        read += reading.Errors.empty();
+      }
+    }
+  }
+  EXPECT_GT(places, 0);
+  EXPECT_GT(read, 0) << "no place of a seed may be no number";
+}
