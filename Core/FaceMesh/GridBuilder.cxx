@@ -595,7 +595,10 @@ bool GridBuilder::FillAs(const Progress& progress)
       Tally open;
       for (const auto& cell : this->OpenCells)
       {
-        open.Add(cell[0]);
+        if (cell[1] < this->Piece.GetNumberOfOwnedItems()) // ghosts are told of by their owner
+        {
+          open.Add(cell[0]);
+        }
       }
       this->Messages.Add(
         open, "cell", "cells", "not closed (with an edge of one face or of more than two)");

@@ -5,8 +5,10 @@
 #include "FaceMesh/FaceMesh.h"
 #include "Scan/FileStates.h"
 #include "Scan/MappedFile.h"
+#include "Scan/MergedWarnings.h"
 #include "Scan/NotFinitePoints.h"
 #include "Scan/PointRanges.h"
+#include "Scan/Printable.h"
 
 #include "vtkCommunicator.h"
 #include "vtkErrorCode.h"
@@ -54,6 +56,37 @@ void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron
     int kind;
     stream >> kind >> error.Message;
     error.Kind = static_cast<camaron::ErrorKind>(kind);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Collects on process 0 what any process warns of; the others have nothing to tell then.
+void ShareWarnings(vtkMultiProcessController* processes, camaron::Warnings& warnings)
+{
+  const std::vector<std::string>& mine = warnings.GetSentences();
+  vtkMultiProcessStream stream;
+  stream << static_cast<int>(mine.size());
+  for (const std::string& sentence : mine)
+  {
+    stream << sentence;
+  }
+  std::vector<vtkMultiProcessStream> all;
+  processes->Gather(stream, all, 0);
+  std::vector<std::vector<std::string>> ofProcesses;
+  for (vtkMultiProcessStream& one : all)
+  {
+    int size = 0;
+    one >> size;
+    ofProcesses.emplace_back(static_cast<std::size_t>(size));
+    for (std::string& sentence : ofProcesses.back())
+    {
+      one >> sentence;
+    }
+  }
+  warnings = camaron::Warnings();
+  for (const std::string& sentence : camaron::MergeWarnings(ofProcesses))
+  {
+    warnings.Add(sentence);
   }
 }
 
@@ -176,11 +209,15 @@ int vtkMeshFileReader::RequestData(
   }
   if (!hasFailed)
   {
+    if (processes)
+    {
+      ShareWarnings(processes, warnings);
+    }
     WarnOfPoints(output, camaron::FindPointRanges(output), processes, warnings);
     const std::string name = camaron::GetFileName(this->FileName);
     for (const std::string& sentence : warnings.GetSentences())
     {
-      vtkWarningMacro(<< name << ": " << sentence);
+      vtkWarningMacro(<< camaron::MakePrintable(name + ": " + sentence));
     }
     return 1;
   }
@@ -190,7 +227,7 @@ int vtkMeshFileReader::RequestData(
   }
   if (error && (!processes || request.Piece == 0))
   {
-    vtkErrorMacro(<< error.Message);
+    vtkErrorMacro(<< camaron::MakePrintable(error.Message));
   }
   this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
   return 1;

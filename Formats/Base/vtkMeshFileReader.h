@@ -11,7 +11,7 @@
  * the file again before something changes.
  *
  * Where every process of the global controller reads the piece of its number, all fail if one does, and
- * process 0 gives the message of the first.
+ * process 0 gives the message of the first; it also gives the warnings of all, each once.
  */
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h

@@ -4,6 +4,7 @@
 
 #include "PieceGathering.h"
 #include "Scan/MappedFile.h"
+#include "Scan/Printable.h"
 #include "Scan/Progress.h"
 #include "Scan/ScanError.h"
 
@@ -212,7 +213,7 @@ void vtkMeshFileWriter::WriteTo(
   {
     if (const unsigned long code = FindErrorUpstream(this))
     {
-      vtkErrorMacro(<< name << " is not written: there is no mesh, as its source has failed.");
+      vtkErrorMacro(<< camaron::MakePrintable(name) << " is not written: there is no mesh, as its source has failed.");
       this->SetErrorCode(code);
       return;
     }
@@ -223,13 +224,13 @@ void vtkMeshFileWriter::WriteTo(
   }
   if (error)
   {
-    vtkErrorMacro(<< error.Message);
+    vtkErrorMacro(<< camaron::MakePrintable(error.Message));
     this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
     return;
   }
   for (const std::string& sentence : warnings.GetSentences())
   {
-    vtkWarningMacro(<< name << ": " << sentence);
+    vtkWarningMacro(<< camaron::MakePrintable(name + ": " + sentence));
   }
 }
 

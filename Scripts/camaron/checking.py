@@ -71,7 +71,7 @@ def check(
             "time": evaluated.opened.time,
             "cells": max(found.total for found in counts),
             "checks": checks,
-            "notes": evaluated.opened.warnings + messages.warnings + facts.notes(evaluated.opened),
+            "notes": pipeline.once(evaluated.opened.warnings, messages.warnings, facts.notes(evaluated.opened)),
             "seconds": round(clock.monotonic() - started, 3),
         }
 

@@ -277,33 +277,48 @@ def main(arguments: Sequence[str]) -> int:
     rest: list[str] = []
     if list(arguments[:1]) == ["convert"]:
         arguments, rest = _split_writer_options(arguments)
+    options = argparse.Namespace()
     try:
         options = parser.parse_args(arguments)
-        return COMMANDS[options.command](options, rest)
+        status = COMMANDS[options.command](options, rest)
+        sys.stdout.flush()
+        return status
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:  # of `camaron ... | head`
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
+        _close_output()
         return 0
-    except MemoryError:
-        _complain("out of memory")
-        return ERROR
-    except (ValueError, RuntimeError, OSError) as error:
+    except (ValueError, RuntimeError, OSError, MemoryError) as error:
+        if isinstance(error, OSError) and error.strerror and not error.filename:
+            _close_output()  # which is where the disk is full
         # Readers and writers name their options as the window does.
-        _complain(_reason(error).replace("Unsupported Cells", "--unsupported-cells"))
+        _complain(_reason(error, *_meshes(options)).replace("Unsupported Cells", "--unsupported-cells"))
         return ERROR
+
+
+def _close_output() -> None:
+    """Nobody reads on, or takes more: what is still to be printed goes nowhere."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
+
+
+def _meshes(options: argparse.Namespace) -> list[str]:
+    """The meshes that a command is about."""
+    found = [getattr(options, name) for name in ("mesh", "a", "b", "source") if hasattr(options, name)]
+    return found + getattr(options, "meshes", [])
 
 
 def _complain(reason: str) -> None:
     """Each line of an error on the standard error."""
     for line in reason.splitlines():
-        print(f"camaron: {line}", file=sys.stderr, flush=True)
+        print(f"camaron: {text.printable(line)}", file=sys.stderr, flush=True)
 
 
-def _reason(error: Exception) -> str:
-    """What went wrong, of a file with its name first."""
-    if isinstance(error, OSError) and error.filename and error.strerror:
-        return f"{error.filename}: {error.strerror}"
+def _reason(error: Exception, *meshes: str) -> str:
+    """What went wrong, of a file with its name first; `meshes` are those that memory may not suffice for."""
+    if isinstance(error, MemoryError):
+        return f"{', '.join(meshes) or 'camaron'}: out of memory"
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename or 'standard output'}: {error.strerror}"
     return str(error)
 
 
@@ -343,17 +358,17 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
                 most_pictures=options.pictures,
                 with_mesh=not options.no_mesh,
                 verbose=options.verbose,
-                say=lambda words: print(f"camaron: {mesh}: {words}", file=sys.stderr, flush=True),
+                say=lambda words: _complain(f"{mesh}: {words}"),
             )
-        except (RuntimeError, OSError) as error:
-            print(f"camaron: {_reason(error)}", file=sys.stderr)
+        except (RuntimeError, OSError, MemoryError) as error:
+            _complain(_reason(error, mesh))
             status = ERROR  # the other meshes still get their reports
             continue
         if options.json:
             print(to_json(summary))
         else:
             print(("\n" if number else "") + describe(summary, _wants_color()))
-            print(f"\nReport: {Path(folder) / 'report.html'}")
+            print(text.printable(f"\nReport: {Path(folder) / 'report.html'}"))
         sys.stdout.flush()
     return status
 
@@ -375,9 +390,9 @@ def _check(options: argparse.Namespace, _rest: list[str]) -> int:
                 time=options.time,
                 say=lambda words: _complain(f"{mesh}: {words}"),
             )
-        except (ValueError, RuntimeError, OSError) as error:
-            _complain(_reason(error))
-            result = checking.failed_to_check(mesh, _reason(error))
+        except (ValueError, RuntimeError, OSError, MemoryError) as error:
+            _complain(_reason(error, mesh))
+            result = checking.failed_to_check(mesh, _reason(error, mesh))
         else:
             if not options.json:
                 print(("\n" if results else "") + verdict_table.describe(result, _wants_color()))
@@ -415,7 +430,7 @@ def _compare(options: argparse.Namespace, _rest: list[str]) -> int:
         print(to_json(summary))
     else:
         print(comparison_table.describe(summary, _wants_color()))
-        print(f"\nReport: {folder / 'report.html'}")
+        print(text.printable(f"\nReport: {folder / 'report.html'}"))
     return 1 if options.fail_if_worse and summary["worse"] else 0
 
 
@@ -440,6 +455,7 @@ def _report_folders(meshes: Sequence[str], output: str | None) -> list[Path]:
 
 def describe(summary: dict[str, Any], color: bool = False) -> str:
     """The summary as text: facts, one line for each criterion, what stands out."""
+    summary = text.all_printable(summary)
     mesh, criteria = summary["mesh"], summary["criteria"]
     types = ", ".join(f"{t['count']} {t['name']}" for t in mesh["cell_types"])
     lines = [f"{mesh['path']}"]
@@ -524,7 +540,7 @@ def _convert(options: argparse.Namespace, rest: list[str]) -> int:
 
     _check_ranks(options.ranks)
     for note in convert(options.source, options.target, time=options.time, **_writer_options(rest)):
-        print(note)
+        print(text.printable(note))
     return 0
 
 
@@ -612,7 +628,7 @@ def _select(options: argparse.Namespace, _rest: list[str]) -> int:
         options.by,
         options.output,
         time=options.time,
-        say=lambda words: print(f"camaron: {words}", file=sys.stderr, flush=True),
+        say=_complain,
     )
     if options.json:
         print(to_json(result))
@@ -621,7 +637,7 @@ def _select(options: argparse.Namespace, _rest: list[str]) -> int:
     for step in result["steps"]:
         print(f"{step['strategy']}: {step['selected']} {noun}")
     for line in result["notes"]:
-        print(_ascii(line))
+        print(_ascii(text.printable(line)))
     return 0
 
 

@@ -11,6 +11,7 @@ from . import text
 
 def describe(summary: dict[str, Any], color: bool = False) -> str:
     """Both meshes, one line for each criterion, and what stands out."""
+    summary = text.all_printable(summary)
     lines = []
     for name in "ab":
         mesh = summary[name]

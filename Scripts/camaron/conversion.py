@@ -11,7 +11,7 @@ from typing import Any, Optional
 
 from paraview import servermanager, simple
 
-from . import formats, pipeline, proofs, tables, text
+from . import formats, naming, pipeline, proofs, tables, text
 from .files import Staging, same_file
 
 #: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
@@ -318,6 +318,7 @@ def write(
     with Staging(target.parent) as staging, pipeline.Messages() as messages:
         path = staging.path / target.name
         own = formats.own_writer(target)
+        renamed, changes = proxy, []
         writer = _make_writer(proxy, path)
         try:
             for name, value in options.items():
@@ -326,11 +327,16 @@ def write(
             if own:
                 writer.UpdatePipeline()
             else:
+                renamed, names_of_arrays = naming.writable(proxy, target, changes)
+                writer.Input = renamed
+                naming.choose_renamed(writer, names_of_arrays)
                 _write_as_paraview(writer, proxy, path, _writes_all_steps(options))
         except RuntimeError as error:
             messages.errors.append(str(error))
         finally:
             simple.Delete(writer)
+            if renamed is not proxy:
+                simple.Delete(renamed)
         names = staging.names()
         if messages.errors or (not names and pipeline.is_first_rank()):
             reason = messages.errors[0] if messages.errors else "nothing was written"
@@ -338,7 +344,7 @@ def write(
         _check_companions(target, names, source)
         staging.publish()
         if notes is not None:
-            notes += messages.warnings
+            notes += [note for note in changes + messages.warnings if note not in notes]
             notes += _companions_that_stay(target, names)
             notes += _lost_in_surfaces(proxy, target)
             if table:

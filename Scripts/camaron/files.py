@@ -78,11 +78,22 @@ class Staging:
             os.replace(source, target)
 
     def __exit__(self, kind, error, trace) -> None:
+        if isinstance(error, OSError):
+            self._name_place(error)
         shutil.rmtree(self.path, ignore_errors=True)
         if kind is not None:
             self._remove_created()
         if self._cleaner:
             self._cleaner.communicate(b"done\n")
+
+    def _name_place(self, error: OSError) -> None:
+        """Errors of the disk name the file as it will be called, or the folder where they name none."""
+        if not error.strerror:
+            return  # it has a sentence of its own
+        if error.filename is None:
+            error.filename = str(self.destination)
+        elif str(error.filename).startswith(f"{self.path}{os.sep}"):
+            error.filename = str(self.destination / Path(error.filename).relative_to(self.path))
 
     def _remove_created(self) -> None:
         for folder in self.created:

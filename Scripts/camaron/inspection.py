@@ -116,7 +116,7 @@ def inspect(
             "group_by": group_by,
             "criteria": rows,
             "worst_criterion": first and first["name"],
-            "notes": opened.warnings + messages.warnings + facts.notes(opened),
+            "notes": pipeline.once(opened.warnings, messages.warnings, facts.notes(opened)),
             "files": {},
         }
         if not with_pictures:
@@ -153,16 +153,16 @@ def _earlier_mesh(directory: Path) -> list[Path]:
 
 
 def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -> None:
-    """All files of the report into one folder; what takes long and few look at comes last."""
+    """All files of the report into one folder."""
     summary["files"] = {"report": "report.html", "summary": "summary.json", "worst": "worst.csv"}
     if with_mesh:
         summary["files"]["mesh"] = "mesh" + facts.extension(quality)
     taken = pictures.take(summary, quality, surface, folder, most_pictures, stage) if most_pictures else []
-    with stage("writing the report"):
-        _write_report(summary, taken, folder)
-    if with_mesh:
+    if with_mesh:  # before the report, which notes what the file cannot hold
         with stage("writing the mesh"):
             _write_mesh(summary, quality, folder)
+    with stage("writing the report"):
+        _write_report(summary, taken, folder)
 
 
 def _write_mesh(summary, quality, folder) -> None:
@@ -171,7 +171,8 @@ def _write_mesh(summary, quality, folder) -> None:
     whole.UpdatePipeline()
     known = set(quality.GetProperty("Criteria").Available)
     shown = [c["name"] for c in summary["criteria"]]
-    conversion.write(whole, folder / summary["files"]["mesh"], _arrays_to_write(whole, known, shown))
+    options = _arrays_to_write(whole, known, shown)
+    conversion.write(whole, folder / summary["files"]["mesh"], options, summary["notes"])
     if whole is not quality:
         simple.Delete(whole)
 

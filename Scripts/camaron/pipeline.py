@@ -12,7 +12,7 @@ from typing import Any, Optional
 from paraview import servermanager, simple
 from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
-from . import opening
+from . import opening, text
 
 #: The name of the array of ghost marks.
 GHOSTS = "vtkGhostType"
@@ -38,7 +38,7 @@ def load_plugin() -> None:
 
 
 class Messages:
-    """Keeps what VTK reports as errors and warnings from the terminal and in two lists.
+    """Keeps what VTK reports as errors and warnings, on any rank, from the terminal and in two lists.
 
     >>> with Messages() as messages:
     ...     source.UpdatePipeline()
@@ -47,42 +47,79 @@ class Messages:
     """
 
     def __init__(self):
-        self.errors: list[str] = []
-        self.warnings: list[str] = []
+        self._errors: list[str] = []
+        self._warnings: list[str] = []
+        self._others: Optional[Any] = None
+
+    @property
+    def errors(self) -> list[str]:
+        self._gather()
+        return self._errors
+
+    @property
+    def warnings(self) -> list[str]:
+        self._gather()
+        return self._warnings
 
     def __enter__(self) -> "Messages":
-        def note(texts):
+        def observer(texts):
             def callback(_window, _event, text=""):
-                message = _plain(text)
-                if message and message not in texts:
-                    texts.append(message)
+                _note(texts, text or "a message that is no UTF-8")  # of which VTK gives nothing
 
             callback.CallDataType = "string0"
             return callback
 
         self._window = vtkOutputWindow.GetInstance()
         self._observers = [
-            self._window.AddObserver("ErrorEvent", note(self.errors)),
-            self._window.AddObserver("WarningEvent", note(self.warnings)),
+            self._window.AddObserver("ErrorEvent", observer(self._errors)),
+            self._window.AddObserver("WarningEvent", observer(self._warnings)),
         ]
         self._mode = self._window.GetDisplayMode()
         self._window.SetDisplayModeToNever()
         self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        if rank_count() > 1:
+            self._others = servermanager.ProxyManager().NewProxy("misc", "ProcessMessages")
+            if self._others:  # which comes with the plugin
+                self._others.UpdateVTKObjects()
         return self
 
     def __exit__(self, kind, error, trace) -> None:
+        self._gather()
+        self._others = None
         for observer in self._observers:
             self._window.RemoveObserver(observer)
         self._window.SetDisplayMode(self._mode)
         vtkLogger.SetStderrVerbosity(self._verbosity)
+
+    def _gather(self) -> None:
+        """Adds what other ranks have reported."""
+        if not self._others:
+            return
+        self._others.InvokeCommand("Gather")
+        self._others.UpdatePropertyInformation()
+        for name, texts in (("Errors", self._errors), ("Warnings", self._warnings)):
+            for message in self._others.GetProperty(name).GetElement(0).split("\x1f"):
+                _note(texts, message)
+
+
+def once(*lists: list[str]) -> list[str]:
+    """The sentences of several lists, each once: who reads a mesh again is told of the same again."""
+    return list(dict.fromkeys(sentence for sentences in lists for sentence in sentences))
+
+
+def _note(texts: list[str], message: str) -> None:
+    """Adds a message to a list, unless it is there."""
+    message = _plain(message)
+    if message and message not in texts:
+        texts.append(message)
 
 
 def _plain(message: str) -> str:
     """The message without the place in the source and the address of the object."""
     message = re.sub(r"^(ERROR|Warning|Generic Warning): In .*?, line \d+\s*", "", message.strip())
     message = re.sub(r"^[\w:<>]+ \((0x)?[0-9a-fA-F]+\): ", "", message)
-    return " ".join(message.split())
+    return text.printable(" ".join(message.split()))
 
 
 class Opened:

@@ -7,8 +7,11 @@ from __future__ import annotations
 import difflib
 import math
 import re
-from typing import Iterable, Optional, Sequence
+import unicodedata
+from typing import Any, Iterable, Optional, Sequence
 
+#: Categories of characters that terminals obey instead of showing them.
+OBEYED = ("Cc", "Cf", "Cs", "Zl", "Zp")
 #: Limits below stand for "above zero".
 SMALLEST = 1e-300
 #: Space between groups of three digits.
@@ -40,6 +43,26 @@ def number(value: Optional[float], digits: int = 4) -> str:
     if value == int(value) and abs(value) < 1e6:
         return str(int(value))
     return f"{value:.{digits}g}"
+
+
+def printable(words: str) -> str:
+    """The text with ? for what terminals obey, like control characters and marks of direction, but for ends of lines.
+
+    >>> printable("a\x1b[31mb\tc")
+    'a?[31mb?c'
+    """
+    return "".join("?" if unicodedata.category(c) in OBEYED and c != "\n" else c for c in words)
+
+
+def all_printable(found: Any) -> Any:
+    """Lists and dictionaries with all the texts in them printable."""
+    if isinstance(found, str):
+        return printable(found)
+    if isinstance(found, dict):
+        return {key: all_printable(value) for key, value in found.items()}
+    if isinstance(found, (list, tuple)):
+        return type(found)(map(all_printable, found))
+    return found
 
 
 def count(value: Optional[int], separator: str = "") -> str:

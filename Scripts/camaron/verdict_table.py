@@ -14,6 +14,7 @@ COLORS = {"warn": "1;33", "fail": "1;31"}
 
 def describe(result: dict[str, Any], color: bool = False) -> str:
     """The verdicts on a mesh: a table of the rules, then the worst cells of those that fail or warn."""
+    result = text.all_printable(result)
     checks = result["checks"]
     lines = [f"{result['mesh']}: {text.plural(result['cells'], 'cell')}"]
     header, *rows = _table(checks)

@@ -185,9 +185,8 @@ def run_command(*arguments, without=(), **options):
     script = ROOT / "Scripts" / "camaron" / "__main__.py"
     command = [shutil.which("pvpython") or "pvpython", str(script), *map(str, arguments)]
     environment = environment_alone(without)
-    return subprocess.run(
-        command, capture_output=True, text=True, timeout=240, env=environment, **options
-    )
+    options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
+    return subprocess.run(command, text=True, timeout=240, env=environment, **options)
 
 
 @contextlib.contextmanager

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRenameData.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataObjectTreeIterator.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkRenameData);
+
+//------------------------------------------------------------------------------
+void vtkRenameData::AddArrayName(const char* from, const char* to)
+{
+  this->ArrayNames[from] = to;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::RemoveArrayNames()
+{
+  this->ArrayNames.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::AddBlockName(const char* from, const char* to)
+{
+  this->BlockNames[from] = to;
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::RemoveBlockNames()
+{
+  this->BlockNames.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+int vtkRenameData::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+// The array under its new names, a copy as the input has it, too; itself if it keeps all.
+vtkSmartPointer<vtkAbstractArray> vtkRenameData::Rename(vtkAbstractArray* array) const
+{
+  const auto find = [this](const char* name)
+  { return name ? this->ArrayNames.find(name) : this->ArrayNames.end(); };
+  vtkSmartPointer<vtkAbstractArray> renamed = array;
+  const auto getCopy = [&]
+  {
+    if (renamed == array)
+    {
+      renamed.TakeReference(array->NewInstance());
+      auto* const numbers = vtkDataArray::SafeDownCast(renamed);
+      numbers ? numbers->ShallowCopy(vtkDataArray::SafeDownCast(array)) : renamed->DeepCopy(array);
+    }
+    return renamed;
+  };
+  for (int c = 0; c < array->GetNumberOfComponents() && array->HasAComponentName(); ++c)
+  {
+    const auto name = find(array->GetComponentName(c));
+    if (name != this->ArrayNames.end())
+    {
+      getCopy()->SetComponentName(c, name->second.c_str());
+    }
+  }
+  const auto name = find(array->GetName());
+  if (name != this->ArrayNames.end())
+  {
+    getCopy()->SetName(name->second.c_str());
+  }
+  return renamed;
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::RenameFields(vtkFieldData* fields) const
+{
+  auto* const attributes = vtkDataSetAttributes::SafeDownCast(fields);
+  std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, int>> arrays; // with what they are active as
+  bool isRenamed = false;
+  for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* const array = fields->GetAbstractArray(i);
+    arrays.emplace_back(this->Rename(array), attributes ? attributes->IsArrayAnAttribute(i) : -1);
+    isRenamed = isRenamed || arrays.back().first != array;
+  }
+  if (!isRenamed)
+  {
+    return;
+  }
+  fields->Initialize();
+  for (const auto& [array, active] : arrays)
+  {
+    const int i = fields->AddArray(array);
+    if (active >= 0)
+    {
+      attributes->SetActiveAttribute(i, active);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::RenameArrays(vtkDataObject* object) const
+{
+  for (int type = 0; type < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++type)
+  {
+    this->RenameFields(object->GetAttributesAsFieldData(type));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::RenameBlocks(vtkDataObject* object) const
+{
+  auto* const tree = vtkDataObjectTree::SafeDownCast(object);
+  if (!tree)
+  {
+    return;
+  }
+  const auto it = vtkSmartPointer<vtkDataObjectTreeIterator>::Take(tree->NewTreeIterator());
+  it->VisitOnlyLeavesOff();
+  it->SkipEmptyNodesOff();
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    vtkInformation* const data = it->HasCurrentMetaData() ? it->GetCurrentMetaData() : nullptr;
+    const char* const name = data ? data->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    const auto known = name ? this->BlockNames.find(name) : this->BlockNames.end();
+    if (known != this->BlockNames.end())
+    {
+      data->Set(vtkCompositeDataSet::NAME(), known->second.c_str());
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+int vtkRenameData::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* const input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* const output = vtkDataObject::GetData(outputVector);
+  auto* const inputs = vtkCompositeDataSet::SafeDownCast(input);
+  auto* const outputs = vtkCompositeDataSet::SafeDownCast(output);
+  if (!inputs || !outputs)
+  {
+    output->ShallowCopy(input);
+    this->RenameArrays(output);
+    return 1;
+  }
+  outputs->CopyStructure(inputs);
+  outputs->GetFieldData()->ShallowCopy(inputs->GetFieldData());
+  this->RenameFields(outputs->GetFieldData());
+  const auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(inputs->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    vtkDataObject* const block = it->GetCurrentDataObject();
+    const auto copy = vtkSmartPointer<vtkDataObject>::Take(block->NewInstance());
+    copy->ShallowCopy(block);
+    this->RenameArrays(copy);
+    outputs->SetDataSet(it, copy);
+  }
+  this->RenameBlocks(outputs);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ArrayNames: " << this->ArrayNames.size() << "\n";
+  os << indent << "BlockNames: " << this->BlockNames.size() << "\n";
+}

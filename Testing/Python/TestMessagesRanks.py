@@ -1,0 +1,88 @@
+# ranks: 1 2 3
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What readers and filters report on any rank reaches the notes, once, as one rank would say it."""
+
+import camaron_testing
+from camaron import check, compare, convert, formats, inspect, opening, pipeline
+from paraview import simple
+
+BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+OPEN = "7 cells not closed (with an edge of one face or of more than two), the first is cell 793"
+
+PIECE = """<VTKFile type="UnstructuredGrid" version="0.1">
+<UnstructuredGrid><Piece NumberOfPoints="0" NumberOfCells="0"><Points><DataArray type="Float32"
+NumberOfComponents="3" format="ascii"></DataArray></Points><Cells><DataArray type="Int32" Name="connectivity"
+format="ascii"></DataArray><DataArray type="Int32" Name="offsets" format="ascii"></DataArray><DataArray
+type="UInt8" Name="types" format="ascii"></DataArray></Cells></Piece></UnstructuredGrid></VTKFile>
+"""
+PIECES = """<VTKFile type="PUnstructuredGrid" version="0.1"><PUnstructuredGrid GhostLevel="0"><PPoints>
+<PDataArray type="Float32" NumberOfComponents="3"/></PPoints>
+<Piece Source="there.vtu"/><Piece Source="{}.vtu"/></PUnstructuredGrid></VTKFile>
+"""
+
+
+class TestMessagesRanks(camaron_testing.TestCase):
+    def make_open_ball(self):
+        """The last seven cells, which the last rank reads, lack a face each."""
+        points, faces, cells = camaron_testing.read_visf(BALL)
+        cells = cells[:-7] + [cell[1:] for cell in cells[-7:]]
+        rows = lambda lists: [" ".join(map(str, [len(row), *row])) for row in lists]
+        lines = ["2 2", len(points), *(" ".join(map(repr, map(float, p))) for p in points)]
+        lines += [len(faces), *rows(faces), 0, len(cells), *rows(cells)]
+        path = self.folder / "open.visf"
+        path.write_text("\n".join(map(str, lines)) + "\n")
+        return path
+
+    def find(self, notes):
+        return [note for note in notes if "not closed" in note]
+
+    def test_warnings_of_the_last_rank(self):
+        """Seven cells are seven, however many ranks have some of them."""
+        path = self.make_open_ball()
+        expected = [f"open.visf: {OPEN}"]
+        self.assertEqual(self.find(pipeline.open_mesh(path).warnings), expected)
+        summary = inspect(path, self.folder / "report", criteria=["Volume"], with_pictures=False)
+        self.assertEqual(self.find(summary["notes"]), expected)
+        result = check(path, ["Volume > 0"])
+        self.assertEqual(self.find(result["notes"]), expected)
+        notes = compare(BALL, path, self.folder / "comparison", criteria=["Volume"])["notes"]
+        self.assertEqual(self.find(notes), [f"open.visf: {expected[0]}"])
+        self.assertEqual(self.find(convert(path, self.folder / "target.visf")), expected)
+
+    def test_seeds(self):
+        """Readers of all formats say on several ranks what they say on one."""
+        tried = 0
+        for own in formats.own_formats():
+            folder = camaron_testing.ROOT / "Formats" / own["name"] / "Testing" / "Seeds"
+            for path in sorted(folder.iterdir()):
+                if path.name.startswith("bad-") or own["reader"] not in formats.own_readers(path):
+                    continue
+                with pipeline.Messages() as together:
+                    source = opening._make(own["reader"], path)
+                    source.UpdatePipeline()
+                reader = source.GetClientSideObject().GetReader()
+                with pipeline.Messages() as alone:
+                    reader.Modified()
+                    reader.UpdatePiece(0, 1, 0)
+                self.assertEqual(together.errors, alone.errors, path.name)
+                self.assertEqual(together.warnings, alone.warnings, path.name)
+                tried += 1
+                simple.Delete(source)
+        self.assertGreater(tried, 30)
+
+    def test_readers_of_paraview(self):
+        """An error of another rank than the first is one."""
+        (self.folder / "there.vtu").write_text(PIECE)
+        path = self.folder / "whole.pvtu"
+        path.write_text(PIECES.format("missing"))
+        with self.assertRaisesRegex(RuntimeError, "piece 1 cannot be read"):
+            pipeline.open_mesh(path)
+        path.write_text(PIECES.format("there"))
+        with pipeline.Messages() as messages:
+            simple.OpenDataFile(str(path)).UpdatePipeline()
+        self.assertEqual(messages.errors, [])
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
