@@ -8,6 +8,7 @@ import re
 import unittest
 
 import camaron_testing
+import gallery
 import numpy
 from camaron import convert, opening, pipeline
 from paraview import simple
@@ -55,6 +56,8 @@ TEXT = """(0 "two tetrahedra")
 
 def collected():
     """Name, points, cells by type of the collected files, from the table that describes them."""
+    if camaron_testing.DATA is None:
+        return
     text = (camaron_testing.DATA / "README.md").read_text()
     section = text.split("## ansys_fluent")[1].split("\n## ")[0]
     for line in section.splitlines():
@@ -87,17 +90,22 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
         path.write_text(text)
         return path
 
-    def require_data(self):
-        if camaron_testing.DATA is None or not (camaron_testing.DATA / "ansys_fluent").exists():
-            self.skipTest("CAMARON_SHARED_DATA has no folder ansys_fluent")
+    def meshes(self):
+        """Path, points, cells by type of files of our own and of the collected ones."""
+        found = []
+        for make in (lambda: gallery.mixed(4), gallery.polyhedra, gallery.tetrahedra, gallery.plane):
+            grid = make()
+            types, numbers = numpy.unique(vtk_to_numpy(grid.GetCellTypesArray()), return_counts=True)
+            path = self.save(f"mesh{len(found)}.msh", grid)
+            found.append((path, grid.GetNumberOfPoints(), dict(zip(types.tolist(), numbers.tolist()))))
+        real = [(self.data(f"ansys_fluent/{name}"), points, counts) for name, points, counts, _ in collected()]
+        self.assertTrue(camaron_testing.DATA is None or len(real) > 15)
+        return found + real
 
     def test_counts(self):
-        """Cells of collected files by type are those of their description, on any number of ranks."""
-        self.require_data()
-        files = list(collected())
-        self.assertGreater(len(files), 15)
-        for name, points, counts, _ in files:
-            source = self.read(self.data(f"ansys_fluent/{name}"))
+        """Cells by type are those of the mesh or its description, on any number of ranks."""
+        for path, points, counts in self.meshes():
+            name, source = path.name, self.read(path)
             owned = pipeline.without_ghosts(source)
             owned.UpdatePipeline()
             information = owned.GetDataInformation()
@@ -113,11 +121,10 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
             simple.Delete(source)
 
     def test_no_inverted_cells(self):
-        """If this fails, faces are turned the wrong way: all cells of the collected files are good."""
-        self.require_data()
-        for name, _, counts, _ in collected():
-            source = self.read(self.data(f"ansys_fluent/{name}"))
-            flat = set(counts) <= {TYPES["tri"], TYPES["quad"]}
+        """If this fails, faces are turned the wrong way: all cells are good."""
+        for path, _, counts in self.meshes():
+            name, source = path.name, self.read(path)
+            flat = set(counts) <= {TYPES["tri"], TYPES["quad"], 7}
             quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
             if flat:
                 grid = self.fetch(source)
@@ -176,7 +183,6 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
 
         It gives every cell once per zone of the faces that it has, so sets are compared.
         """
-        self.require_data()
         version = vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()
 
         def describe(grid):
@@ -188,18 +194,20 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
                 for i, cell_type in enumerate(types)
             }
 
-        for name in (
+        names = (
             "dev_mixed_ascii.msh",
             "dev_mixed_bin_single.msh",
             "foam_rotateSphere_3d_hex_ascii.msh",
             "prime_hex_bin.msh",
             "pyfluent_flap_2d_triquad_ascii.msh",
             "tgrid_axial_comp_3d_hex_ascii.msh",
-        ):
+        )
+        own = [self.sample()]
+        for path in own + self.real(*(f"ansys_fluent/{name}" for name in names)):
+            name = path.name
             if version == (9, 6) and name in ABORTING:
                 print(f"{name} is left out: the reader of VTK 9.6 aborts on it")
                 continue
-            path = self.data(f"ansys_fluent/{name}")
             grid = self.fetch(self.read(path))
             case = self.folder / "mesh.cas"
             case.write_bytes(path.read_bytes())
