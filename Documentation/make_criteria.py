@@ -44,7 +44,8 @@ the corners of a higher-order cell. A cell with coordinates that are not finite 
 
 Every cell is taken as the polygon or polyhedron that it is: a hexahedron has the same values as the
 polyhedron with its faces. An edge is collapsed when it is shorter than *Degeneracy Tolerance* times
-the diameter, faces and cells accordingly.
+the diameter, faces and cells accordingly; by default 1e-12, and never less than 8 rounding units of
+double precision: it depends on the mesh, not on the type that holds its coordinates.
 
 **Symbols.** pᵢ the corners of a face in order, pᵢ₊₁ the next one; l the lengths of edges; P
 perimeter, A area, V volume, h diameter, r inradius, R circumradius; S_f the vector area of a face

@@ -109,7 +109,7 @@ public:
   ///@{
   /**
    * An edge shorter than this share of the cell's diameter counts as collapsed, faces and cells
-   * accordingly. 0 (default): the larger of 1e-12 and 8 rounding units of the coordinates.
+   * accordingly. 0 (default): the larger of 1e-12 and 8 rounding units of double precision.
    */
   vtkSetMacro(DegeneracyTolerance, double);
   vtkGetMacro(DegeneracyTolerance, double);

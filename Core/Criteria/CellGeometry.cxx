@@ -89,7 +89,7 @@ void CellGeometry::ComputeBoxScale() const
   const Vector a = low + origin, b = high + origin;
   const double largest = std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X),
     std::abs(b.Y), std::abs(b.Z) });
-  this->AbsoluteTolerance = GetAbsoluteTolerance(largest, this->HasFloatPoints);
+  this->AbsoluteTolerance = GetAbsoluteTolerance(largest);
   this->BoxScale = this->GetScale(Norm(high - low));
 }
 

@@ -92,11 +92,10 @@ struct EvaluationOptions
  * What counts as zero: no length for coordinates up to @a largest, and no length in a cell of a diameter. See the
  * methods of CellGeometry for areas and volumes.
  */
-inline double GetAbsoluteTolerance(double largest, bool areFloats)
+inline double GetAbsoluteTolerance(double largest)
 {
-  constexpr double roundingUnits = 8; // quality criteria, section 1
-  return roundingUnits * largest *
-    (areFloats ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
+  constexpr double roundingUnits = 8; // quality criteria, section 1, but the same for float points: the mesh decides
+  return roundingUnits * largest * std::numeric_limits<double>::epsilon();
 }
 inline double GetZeroLength(
   const EvaluationOptions& options, double diameter, double absoluteTolerance)
@@ -382,7 +381,6 @@ private:
   bool HasUsualSize = true;
   int LengthExponent = 0;
   bool HasRepeatedPoint = false;
-  bool HasFloatPoints = false;
   bool TrustFaceOrientation = false;
   double AngleFactor = 1;
   mutable double AbsoluteTolerance = 0; // with BoxScale

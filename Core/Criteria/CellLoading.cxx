@@ -75,7 +75,6 @@ CellGeometry::CellGeometry()
 void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options)
 {
   this->CellType = mesh.GetCellType(cell);
-  this->HasFloatPoints = mesh.HasFloatPoints();
   this->Options = &options;
   this->TrustFaceOrientation = options.TrustFaceOrientation;
   this->AngleFactor = GetAngleFactor(options.Angles);

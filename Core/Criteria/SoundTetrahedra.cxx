@@ -26,7 +26,7 @@ int SoundTetrahedra::Load(
   {
     return 0;
   }
-  this->FindSound(mesh, options);
+  this->FindSound(options);
   if (needs & NeedsAngles)
   {
     this->Block.AngleFactor = GetAngleFactor(options.Angles);
@@ -107,13 +107,12 @@ void SoundTetrahedra::LoadCells(const Coordinate* points, const Id* corners)
 
 //------------------------------------------------------------------------------
 // A volume well above zero leaves no room for an edge or a face that is zero.
-void SoundTetrahedra::FindSound(const MeshView& mesh, const EvaluationOptions& options)
+void SoundTetrahedra::FindSound(const EvaluationOptions& options)
 {
   // The zero length is the larger of two that grow with the diameter, and with it and the place; here they are squared,
   // and (a + b)^2 <= 2 (a^2 + b^2).
   const double tolerance = camaron::GetZeroLength(options, 1, 0);
-  const double precision =
-    options.DegeneracyTolerance > 0 ? 0 : GetAbsoluteTolerance(1, mesh.HasFloatPoints());
+  const double precision = options.DegeneracyTolerance > 0 ? 0 : GetAbsoluteTolerance(1);
   const auto both = [](double value) { return MakePair(value, value); };
   const Pair relative = both(Margin * tolerance * tolerance), absolute = both(2 * Margin * precision * precision);
   const Pair none = both(0), six = both(6);

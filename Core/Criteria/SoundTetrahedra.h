@@ -47,7 +47,7 @@ private:
   /// Loads all cells from the ids of their corners, four of each cell.
   template <typename Coordinate, typename Id>
   void LoadCells(const Coordinate* points, const Id* corners);
-  void FindSound(const MeshView& mesh, const EvaluationOptions& options);
+  void FindSound(const EvaluationOptions& options);
   void ComputeAngles(unsigned needs);
 
   TetrahedronBlock Block = {}; // what was not loaded has to be numbers, too
