@@ -35,7 +35,7 @@ void ConvexPolyhedron::SetBox(const Vector& low, const Vector& high)
   }
   for (int face = 0; face < 6; ++face)
   {
-    this->Faces.push_back({ 4 * face, 4, -1, 0 });
+    this->Faces.push_back({ 4 * face, 4, -1, 0, -1 });
   }
   this->Corners = { 0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4, 2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6 };
   this->Neighbors = { 2, 5, 3, 4, 4, 3, 5, 2, 4, 1, 5, 0, 0, 5, 1, 4, 0, 3, 1, 2, 2, 1, 3, 0 };
@@ -87,6 +87,7 @@ void ConvexPolyhedron::StartConflicts()
   {
     face.FirstConflict = -1;
     face.Step = 0;
+    face.HalfSpace = -1;
   }
   const std::size_t size = this->HalfSpaces->size();
   this->Conflicts.assign(size, -1);
@@ -137,7 +138,7 @@ void ConvexPolyhedron::CutOff(int halfSpace)
     this->ClipFace(face);
   }
   const int firstNewFace = this->GetNumberOfFaces();
-  this->CloseHole();
+  this->CloseHole(halfSpace);
   this->MoveConflicts(halfSpace, firstNewFace);
 }
 
@@ -256,7 +257,7 @@ int ConvexPolyhedron::AddCut(int inside, int outside)
 // The faces that were kept end along the rim, but for those of its edges that two of them share.
 // What is left of the rim is closed, since the surface was: every point has as many edges out of it
 // as into it.
-void ConvexPolyhedron::CloseHole()
+void ConvexPolyhedron::CloseHole(int halfSpace)
 {
   std::sort(this->Rim.begin(), this->Rim.end());
   std::vector<RimEdge>& open = this->OpenRim;
@@ -305,7 +306,7 @@ void ConvexPolyhedron::CloseHole()
         break;
       }
     }
-    this->Faces.push_back({ begin, static_cast<int>(this->Corners.size()) - begin, -1, this->Step });
+    this->Faces.push_back({ begin, static_cast<int>(this->Corners.size()) - begin, -1, this->Step, halfSpace });
   }
 }
 

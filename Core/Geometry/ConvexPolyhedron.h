@@ -43,6 +43,10 @@ public:
   int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
   int GetFaceSize(int face) const { return this->Faces[face].Size; }
   const int* GetFace(int face) const { return this->Corners.data() + this->Faces[face].Begin; }
+  /// Of every corner of a face, the face across the edge to the next corner.
+  const int* GetNeighbors(int face) const { return this->Neighbors.data() + this->Faces[face].Begin; }
+  /// The half-space of the last Clip that the face bounds, or -1 if the face was there before.
+  int GetHalfSpace(int face) const { return this->Faces[face].HalfSpace; }
   double GetVolume() const;
 
 private:
@@ -51,6 +55,7 @@ private:
     int Begin, Size;   ///< of its corners; Size 0 for one that was cut off
     int FirstConflict; ///< of the half-spaces in its list, or -1
     int Step;          ///< that has cut it last
+    int HalfSpace;     ///< see GetHalfSpace
   };
   /// What a cut needs to know of a point.
   struct Mark
@@ -81,7 +86,7 @@ private:
   bool FindFacesToCut(int halfSpace);
   void ClipFace(int face);
   int AddCut(int inside, int outside);
-  void CloseHole();
+  void CloseHole(int halfSpace);
   void MoveConflicts(int halfSpace, int firstNewFace);
   void DropUnused();
   template <typename Visit>

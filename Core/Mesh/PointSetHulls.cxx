@@ -2,22 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/PointSetHulls.h"
 
+#include "Geometry/ConvexHull.h"
 #include "Mesh/MeshView.h"
-#include "Mesh/Vector.h"
 
-#include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkConvexPointSet.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace camaron
 {
@@ -38,87 +37,23 @@ bool HasPointSets(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-Vector GetPoint(vtkPoints* points, vtkIdType id)
+std::vector<Vector> GetPoints(vtkPoints* points, vtkIdList* ids)
 {
-  double x[3];
-  points->GetPoint(id, x);
-  return { x[0], x[1], x[2] };
-}
-
-//------------------------------------------------------------------------------
-bool AreFinite(vtkPoints* points, vtkIdList* ids)
-{
-  bool areFinite = true;
+  std::vector<Vector> result;
   for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
   {
-    const Vector point = GetPoint(points, ids->GetId(i));
-    areFinite = areFinite && std::isfinite(point.X) && std::isfinite(point.Y) && std::isfinite(point.Z);
-  }
-  return areFinite;
-}
-
-//------------------------------------------------------------------------------
-Vector GetMean(vtkPoints* points)
-{
-  Vector sum;
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    sum += GetPoint(points, i);
-  }
-  return (1.0 / static_cast<double>(points->GetNumberOfPoints())) * sum;
-}
-
-//------------------------------------------------------------------------------
-// Gives flat or slender sets about the same size in all directions, which changes nothing about their hull: VTK loses
-// points of those.
-void MakeRound(vtkPoints* points, const Vector& mean)
-{
-  constexpr double slender = 0.01; // of squared sizes
-  double covariance[3][3] = {}, axes[3][3], squares[3];
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    const Vector point = GetPoint(points, i) - mean;
-    const double x[3] = { point.X, point.Y, point.Z };
-    for (int row = 0; row < 3; ++row)
-    {
-      for (int column = 0; column < 3; ++column)
-      {
-        covariance[row][column] += x[row] * x[column];
-      }
-    }
-  }
-  double* rows[3] = { covariance[0], covariance[1], covariance[2] };
-  double* vectors[3] = { axes[0], axes[1], axes[2] };
-  vtkMath::Jacobi(rows, squares, vectors); // largest first, vectors in columns
-  if (!(squares[2] > 0) || squares[2] > slender * squares[0])
-  {
-    return;
-  }
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    const Vector point = GetPoint(points, i) - mean;
     double x[3];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const Vector along = { axes[0][axis], axes[1][axis], axes[2][axis] };
-      x[axis] = Dot(point, along) / std::sqrt(squares[axis]);
-    }
-    points->SetPoint(i, x);
+    points->GetPoint(ids->GetId(i), x);
+    result.push_back({ x[0], x[1], x[2] });
   }
+  return result;
 }
 
 //------------------------------------------------------------------------------
-// Makes a triangle of a hull around @a inside face outward, which VTK's need not.
-void TurnOutward(vtkIdList* triangle, vtkPoints* points, const Vector& inside)
+bool AreFinite(const std::vector<Vector>& points)
 {
-  const auto get = [&](vtkIdType corner)
-  { return GetPoint(points, triangle->GetId(corner)) - inside; };
-  if (Dot(get(0), Cross(get(1), get(2))) < 0)
-  {
-    const vtkIdType second = triangle->GetId(1);
-    triangle->SetId(1, triangle->GetId(2));
-    triangle->SetId(2, second);
-  }
+  return std::all_of(points.begin(), points.end(),
+    [](const Vector& p) { return std::isfinite(p.X) && std::isfinite(p.Y) && std::isfinite(p.Z); });
 }
 }
 
@@ -132,8 +67,7 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
   }
   vtkNew<vtkCellArray> connectivity, faces, locations;
   vtkNew<vtkUnsignedCharArray> types;
-  vtkNew<vtkConvexPointSet> cell;
-  cell->GetPoints()->SetDataTypeToDouble();
+  ConvexHull hull;
   vtkNew<vtkIdList> points;
   vtkNew<vtkCellArray> cellFaces;
   for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
@@ -144,26 +78,22 @@ vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int hu
     locations->InsertNextCell(0);
     if (type == VTK_CONVEX_POINT_SET)
     {
-      constexpr vtkIdType least = 4; // points of a hull with a volume
-      const bool isFinite = AreFinite(grid->GetPoints(), points);
-      const bool hasHull = points->GetNumberOfIds() >= least && isFinite;
-      Vector mean;
-      if (hasHull)
+      int numberOfFaces = 0;
+      const std::vector<Vector> corners = GetPoints(grid->GetPoints(), points);
+      if (AreFinite(corners))
       {
-        grid->GetPoints()->GetPoints(points, cell->GetPoints());
-        cell->GetPointIds()->DeepCopy(points);
-        mean = GetMean(cell->GetPoints());
-        MakeRound(cell->GetPoints(), mean);
-        cell->Initialize();
+        hull.Compute(corners);
+        for (const std::vector<int>& face : hull.GetFaces())
+        {
+          locations->InsertCellPoint(faces->InsertNextCell(static_cast<int>(face.size())));
+          for (const int corner : face)
+          {
+            faces->InsertCellPoint(points->GetId(corner));
+          }
+        }
+        numberOfFaces = static_cast<int>(hull.GetFaces().size());
       }
-      int numberOfFaces = hasHull ? cell->GetNumberOfFaces() : 0;
-      for (int f = 0; f < numberOfFaces; ++f)
-      {
-        vtkIdList* const triangle = cell->GetFace(f)->GetPointIds();
-        TurnOutward(triangle, grid->GetPoints(), mean);
-        locations->InsertCellPoint(faces->InsertNextCell(triangle));
-      }
-      if (!isFinite && hullType == VTK_CONVEX_POINT_SET)
+      else if (hullType == VTK_CONVEX_POINT_SET)
       {
         // A face with all its points tells those who evaluate the cell.
         locations->InsertCellPoint(faces->InsertNextCell(points));

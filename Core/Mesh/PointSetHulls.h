@@ -15,8 +15,8 @@ namespace camaron
 {
 /**
  * The grid itself, or if it has cells of type VTK_CONVEX_POINT_SET one in which these list the faces of their
- * hull, as VTK finds them but all outward, and are of the given type: the same, or VTK_POLYHEDRON. One with coordinates
- * that are not finite has no hull, but as VTK_CONVEX_POINT_SET a face of all its points.
+ * hull (ConvexHull) and are of the given type: the same, or VTK_POLYHEDRON. One with coordinates that are not finite has
+ * no hull, but as VTK_CONVEX_POINT_SET a face of all its points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> WithHulls(vtkUnstructuredGrid* grid, int type);
 }
