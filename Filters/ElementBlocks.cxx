@@ -431,6 +431,7 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
   }
 }
 
+    this->Rests.push_back(GetRests(array));
 //------------------------------------------------------------------------------
 BlockWeights::BlockWeights(
   const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer)
@@ -441,6 +442,7 @@ BlockWeights::BlockWeights(
   vtkIdType largest = 0;
   for (const ElementBlock& block : blocks.Get())
   {
+    values.Rests = this->Rests.back().empty() ? nullptr : this->Rests.back().data();
     largest = std::max(largest, block.GetSize());
   }
   if (counts[0] < counts[1])

@@ -132,6 +132,7 @@ public:
   /// Number in ElementBlocks::Get() of each block of the population.
   const std::vector<std::size_t>& GetBlockNumbers() const { return this->Numbers; }
 
+  BlockValues(BlockValues&&) = default; // copies would borrow from the first one
 private:
   Population Values;
   std::vector<std::size_t> Numbers;
@@ -139,6 +140,7 @@ private:
 };
 
 /// The values of an array by which elements count.
+  std::vector<std::vector<std::int16_t>> Rests;
 class BlockWeights
 {
 public:

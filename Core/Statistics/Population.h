@@ -9,10 +9,12 @@
 
 #include "Criteria/Criterion.h"
 #include "Parallel.h"
+#include "Statistics/ExactValue.h"
 
 #include "vtkType.h" // for vtkIdType
 
 #include <algorithm> // for std::min
+#include <cstdint>   // for rests
 #include <vector>    // for lists of blocks
 
 namespace camaron
@@ -21,6 +23,8 @@ namespace camaron
 struct ValueBlock
 {
   const double* Values = nullptr;
+  /// What integers have beyond their doubles; where absent they are exact.
+  const std::int16_t* Rests = nullptr;
   vtkIdType Size = 0;
   /// Elements with a nonzero entry do not belong to the population (ghosts, other groups).
   const unsigned char* Skip = nullptr;
@@ -31,6 +35,8 @@ struct ValueBlock
   vtkIdType FirstId = 0;
 
   bool Contains(vtkIdType i) const { return !this->Skip || !this->Skip[i]; }
+  int GetRest(vtkIdType i) const { return this->Rests ? this->Rests[i] : 0; }
+  ExactValue GetExact(vtkIdType i) const { return { this->Values[i], this->GetRest(i) }; }
   vtkIdType GetId(vtkIdType i) const { return this->Ids ? this->Ids[i] : this->FirstId + i; }
   /// Of an element whose value is NaN.
   NullReason GetNullReason(vtkIdType i) const

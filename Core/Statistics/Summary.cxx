@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace camaron
 {
@@ -56,7 +57,7 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
   double min = totals.Min, max = totals.Max, minPositive = totals.MinPositive;
   std::int64_t count = 0, below = 0, above = 0;
   bool integers = totals.Counts.NonIntegerCount == 0;
-  totals.Sum.Reserve(end - begin);
+  totals.Sum.Reserve((block.Rests ? 2 : 1) * (end - begin));
   for (vtkIdType i = begin; i < end; ++i)
   {
     if (!block.Contains(i))
@@ -77,6 +78,10 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
     above += value > acceptable.High;
     integers = integers && IsInteger(value);
     totals.Sum.Add(value);
+    if (block.Rests)
+    {
+      totals.Sum.Add(block.Rests[i]);
+    }
   }
   totals.Min = min;
   totals.Max = max;
@@ -108,17 +113,18 @@ ExactSum::Limbs GetLimbs(const std::int64_t* sums)
   return limbs;
 }
 
-// The element with the smallest identity among some.
+// The element with the smallest identity among those of some with the smallest rest.
 struct FirstElement
 {
+  std::int64_t Rest = std::numeric_limits<std::int64_t>::max();
   vtkIdType Id = std::numeric_limits<vtkIdType>::max();
   ElementPlace Place;
 
-  void Add(vtkIdType id, const ElementPlace& place)
+  void Add(const FirstElement& other)
   {
-    if (id < this->Id)
+    if (std::tie(other.Rest, other.Id) < std::tie(this->Rest, this->Id))
     {
-      *this = { id, place };
+      *this = other;
     }
   }
 };
@@ -168,11 +174,11 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNum
     }
     if (value == summary.Min)
     {
-      deviations.ArgMin.Add(block.GetId(i), { blockNumber, i });
+      deviations.ArgMin.Add({ block.GetRest(i), block.GetId(i), { blockNumber, i } });
     }
     if (value == summary.Max)
     {
-      deviations.ArgMax.Add(block.GetId(i), { blockNumber, i });
+      deviations.ArgMax.Add({ -block.GetRest(i), block.GetId(i), { blockNumber, i } });
     }
   }
 }
@@ -301,19 +307,23 @@ Summary Summarize(const Population& population, const ValueRange& acceptable, Re
   FirstElement argMin, argMax;
   for (const Deviations& part : parts)
   {
-    argMin.Add(part.ArgMin.Id, part.ArgMin.Place);
-    argMax.Add(part.ArgMax.Id, part.ArgMax.Place);
+    argMin.Add(part.ArgMin);
+    argMax.Add(part.ArgMax);
   }
   const DeviationSums sums(parts, reducer);
-  std::int64_t ids[2] = { argMin.Id, argMax.Id };
+  std::int64_t rests[2] = { argMin.Rest, argMax.Rest };
+  reducer.Min(rests, 2);
+  constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
+  std::int64_t ids[2] = { argMin.Rest == rests[0] ? argMin.Id : none, argMax.Rest == rests[1] ? argMax.Id : none };
+  const std::int64_t own[2] = { ids[0], ids[1] };
   reducer.Min(ids, 2);
 
   if (summary.GetFiniteCount() > 0)
   {
     summary.ArgMin = static_cast<vtkIdType>(ids[0]);
     summary.ArgMax = static_cast<vtkIdType>(ids[1]);
-    summary.ArgMinPlace = argMin.Id == summary.ArgMin ? argMin.Place : ElementPlace();
-    summary.ArgMaxPlace = argMax.Id == summary.ArgMax ? argMax.Place : ElementPlace();
+    summary.ArgMinPlace = own[0] == summary.ArgMin ? argMin.Place : ElementPlace();
+    summary.ArgMaxPlace = own[1] == summary.ArgMax ? argMax.Place : ElementPlace();
     SetMoments(sums, exponent, summary);
   }
   return summary;

@@ -23,6 +23,10 @@ struct IsWorse
     {
       return (a.Value > b.Value) == (this->End == WorstEnd::Largest);
     }
+    if (a.Rest != b.Rest)
+    {
+      return (a.Rest > b.Rest) == (this->End == WorstEnd::Largest);
+    }
     return a.Id < b.Id;
   }
 };
@@ -87,6 +91,7 @@ public:
       }
       WorstElement element;
       element.Value = block.Values[i] + 0.0; // -0 becomes 0
+      element.Rest = block.GetRest(i);
       element.Id = block.GetId(i);
       element.Index = i;
       element.Block = static_cast<int>(&block - population.data());
@@ -153,12 +158,42 @@ bool WorstLimit::Contains(const ValueBlock& block, vtkIdType i) const
   {
     return false;
   }
-  const std::int64_t key = ToKey(value);
-  if (key == this->Key)
+  const std::int64_t key = ToKey(value), rest = block.GetRest(i);
+  if (key == this->Key && rest == this->Rest)
   {
     return block.GetId(i) <= this->LastId;
   }
-  return (key > this->Key) == (this->End == WorstEnd::Largest);
+  return (key != this->Key ? key > this->Key : rest > this->Rest) == (this->End == WorstEnd::Largest);
+}
+
+namespace
+{
+struct Choice
+{
+  std::int64_t Key;
+  std::int64_t Remaining; // of the count, to be chosen from those with that very key
+};
+
+// The key at which so many elements, those with the largest or smallest keys, are reached.
+template <typename GetKey>
+Choice Choose(const Population& population, const GetKey& getKey, std::int64_t count, bool largest, Reducer& reducer)
+{
+  const KeyRange range = FindKeyRange(population, getKey, reducer);
+  const std::int64_t position = largest ? range.Count - count : count - 1;
+  const std::int64_t last = SelectKeys(population, getKey, range.Low, range.High, { position }, reducer).front();
+  const auto isBeyond = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
+  { return getKey(block, i, key) && key != last && (key > last) == largest; };
+  return { last, count - FindKeyRange(population, isBeyond, reducer).Count };
+}
+
+// Collective.
+bool HasRests(const Population& population, Reducer& reducer)
+{
+  std::int64_t hasRests =
+    std::any_of(population.begin(), population.end(), [](const ValueBlock& block) { return block.Rests; });
+  reducer.Max(&hasRests, 1);
+  return hasRests != 0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -171,32 +206,39 @@ WorstLimit FindWorstLimit(
     key = ToKey(value);
     return !std::isnan(value) && block.Contains(i);
   };
-  const KeyRange range = FindKeyRange(population, getKey, reducer);
   const bool largest = end == WorstEnd::Largest;
   WorstLimit limit;
   limit.End = end;
-  limit.Count = std::min(std::max<std::int64_t>(count, 0), range.Count);
+  limit.Count =
+    std::min(std::max<std::int64_t>(count, 0), FindKeyRange(population, getKey, reducer).Count);
   if (limit.Count == 0)
   {
     return limit;
   }
-  const std::int64_t position = largest ? range.Count - limit.Count : limit.Count - 1;
-  limit.Key = SelectKeys(population, getKey, range.Low, range.High, { position }, reducer).front();
-
-  // Of the elements with that very value the ones with the smallest identities fill the list.
-  const auto isWorse = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
-  { return getKey(block, i, key) && key != limit.Key && (key > limit.Key) == largest; };
-  const std::int64_t numberOfWorse = FindKeyRange(population, isWorse, reducer).Count;
-  const auto getTiedId = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
+  Choice choice = Choose(population, getKey, limit.Count, largest, reducer);
+  limit.Key = choice.Key;
+  const auto isTied = [&](const ValueBlock& block, vtkIdType i)
   {
-    const bool tied = getKey(block, i, key) && key == limit.Key;
-    key = tied ? block.GetId(i) : 0;
-    return tied;
+    std::int64_t key;
+    return getKey(block, i, key) && key == limit.Key;
   };
-  const KeyRange ids = FindKeyRange(population, getTiedId, reducer);
-  limit.LastId = static_cast<vtkIdType>(SelectKeys(
-    population, getTiedId, ids.Low, ids.High, { limit.Count - numberOfWorse - 1 }, reducer)
-                                          .front());
+  if (HasRests(population, reducer))
+  {
+    const auto getRest = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
+    {
+      key = block.GetRest(i);
+      return isTied(block, i);
+    };
+    choice = Choose(population, getRest, choice.Remaining, largest, reducer);
+    limit.Rest = choice.Key;
+  }
+  // Of the elements with that very value the ones with the smallest identities fill the list.
+  const auto getId = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
+  {
+    key = block.GetId(i);
+    return isTied(block, i) && block.GetRest(i) == limit.Rest;
+  };
+  limit.LastId = static_cast<vtkIdType>(Choose(population, getId, choice.Remaining, false, reducer).Key);
   return limit;
 }
 }

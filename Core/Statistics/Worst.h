@@ -30,6 +30,7 @@ enum class WorstEnd
 struct WorstElement
 {
   double Value = 0;
+  int Rest = 0; ///< see ExactValue
   vtkIdType Id = -1;
   ///@{
   /// Where the process that owns the element has it: block of the population and place in the block.
@@ -58,6 +59,7 @@ struct WorstLimit
   std::int64_t Count = 0; ///< elements in the list
   WorstEnd End = WorstEnd::Largest;
   std::int64_t Key = 0;  ///< of the last one's value, see OrderedKey.h
+  std::int64_t Rest = 0; ///< of the last one
   vtkIdType LastId = -1; ///< of the last one
 
   bool Contains(const ValueBlock& block, vtkIdType i) const;

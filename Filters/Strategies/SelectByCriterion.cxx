@@ -14,14 +14,19 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-double ParseLimit(const std::string& text, const char* property, double open)
+ExactValue ParseLimit(const std::string& text, const char* property, double open)
 {
+  ExactValue integer;
+  if (ParseInteger(text, integer))
+  {
+    return integer;
+  }
   std::istringstream stream(text);
   stream.imbue(std::locale::classic());
   std::string rest;
   if (!(stream >> std::ws) || stream.eof())
   {
-    return open;
+    return { open };
   }
   double limit;
   if (!(stream >> limit) || stream >> rest)
@@ -29,19 +34,25 @@ double ParseLimit(const std::string& text, const char* property, double open)
     throw std::invalid_argument(
       std::string(property) + ": expected a number, found '" + text + "'");
   }
-  return limit;
+  return { limit };
 }
 
 //------------------------------------------------------------------------------
-ValueRange FindRange(const SelectionTask& task)
+struct ExactRange
+{
+  ExactValue Low, High;
+};
+
+//------------------------------------------------------------------------------
+ExactRange FindRange(const SelectionTask& task)
 {
   const SelectionParameters& parameters = task.Parameters;
   if (parameters.Range == "Custom")
   {
     const ValueRange open;
-    const ValueRange range{ ParseLimit(parameters.LowerLimit, "Lower Limit", open.Low),
+    const ExactRange range{ ParseLimit(parameters.LowerLimit, "Lower Limit", open.Low),
       ParseLimit(parameters.UpperLimit, "Upper Limit", open.High) };
-    if (range.Low > range.High)
+    if (range.High < range.Low)
     {
       throw std::invalid_argument("Lower Limit is above Upper Limit");
     }
@@ -58,7 +69,7 @@ ValueRange FindRange(const SelectionTask& task)
     throw std::invalid_argument("no acceptable range is known for '" + task.GetArrayName() +
       "'; choose another Preset, or Custom for Range and give the limits");
   }
-  return *range;
+  return { { range->Low }, { range->High } };
 }
 }
 
@@ -67,7 +78,7 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
 {
   const SelectionParameters& parameters = task.Parameters;
   const BlockValues values = FindValues(task);
-  const ValueRange range = FindRange(task);
+  const ExactRange range = FindRange(task);
   if (parameters.Side != "Inside" && parameters.Side != "Outside")
   {
     throw std::invalid_argument("Side is Inside or Outside, not '" + parameters.Side + "'");
@@ -77,9 +88,9 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)
     {
-      const double value = block.Values[i];
-      return inside ? value >= range.Low && value <= range.High
-                    : value < range.Low || value > range.High;
+      const ExactValue value = block.GetExact(i);
+      const bool isOutside = value < range.Low || range.High < value;
+      return isOutside != inside && !std::isnan(value.Value);
     });
   return "";
 }

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Statistics/ExactValue.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
+
+#include <algorithm>
+#include <charconv>
+#include <type_traits>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// In arithmetic modulo 2^64: the nearest double may be 2^63 or 2^64, which are no integers of these types.
+template <typename Integer>
+int GetRest(Integer value)
+{
+  const auto nearest = static_cast<double>(value);
+  constexpr double modulus = 18446744073709551616.0; // 2^64
+  const std::uint64_t bits = nearest < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(nearest))
+    : nearest < modulus                  ? static_cast<std::uint64_t>(nearest)
+                                         : 0;
+  return static_cast<int>(static_cast<std::int64_t>(static_cast<std::uint64_t>(value) - bits));
+}
+
+//------------------------------------------------------------------------------
+struct TakeRests
+{
+  std::vector<std::int16_t> Rests;
+
+  template <typename Array>
+  void operator()(Array* array)
+  {
+    const auto values = vtk::DataArrayValueRange(array);
+    using Value = typename decltype(values)::ValueType;
+    if constexpr (std::is_integral_v<Value> && sizeof(Value) == sizeof(std::int64_t))
+    {
+      this->Rests.reserve(values.size());
+      std::transform(values.begin(), values.end(), std::back_inserter(this->Rests),
+        [](Value value) { return static_cast<std::int16_t>(GetRest(value)); });
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+template <typename Integer>
+bool Parse(const char* begin, const char* end, ExactValue& value)
+{
+  Integer integer;
+  const auto [at, error] = std::from_chars(begin, end, integer);
+  if (error != std::errc() || at != end)
+  {
+    return false;
+  }
+  value = { static_cast<double>(integer), GetRest(integer) };
+  return true;
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::int16_t> GetRests(vtkDataArray* array)
+{
+  TakeRests rests;
+  const bool isLong = array->IsIntegral() && array->GetDataTypeSize() == sizeof(std::int64_t);
+  if (!isLong || !vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(array, rests) ||
+    std::all_of(rests.Rests.begin(), rests.Rests.end(), [](std::int16_t rest) { return rest == 0; }))
+  {
+    return {};
+  }
+  return std::move(rests.Rests);
+}
+
+//------------------------------------------------------------------------------
+bool ParseInteger(const std::string& text, ExactValue& value)
+{
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  if (first == std::string::npos)
+  {
+    return false;
+  }
+  const char *const begin = text.data() + first, *const end = text.data() + last + 1;
+  return Parse<std::int64_t>(begin, end, value) || Parse<std::uint64_t>(begin, end, value);
+}
+}
