@@ -181,7 +181,7 @@ class TestMeshElements(camaron_testing.TestCase):
 
     def assert_angles_around(self, mesh):
         """Around every inner edge there are 360 degrees, around every inner point 4 pi."""
-        self.assertLess(abs(self.inner_sums(mesh, 1, "EdgeAngleSum") / 360 - 1).max(), 1e-8)
+        self.assertLess(abs(self.inner_sums(mesh, 1, "EdgeAngleSum") / 360 - 1).max(), 1e-6)
         sums = self.inner_sums(mesh, 2, "VertexAngleSum")
         self.assertLess(abs(sums / (4 * math.pi) - 1).max(), 1e-10)
 
