@@ -4,7 +4,9 @@
 
 #include "Criteria/Criterion.h"
 #include "Mesh/CellShape.h"
+#include "Mesh/GhostArrays.h"
 #include "MeshPieces.h"
+#include "RunTogether.h"
 #include "SharedCopies.h"
 #include "Selection/SharedElements.h"
 #include "vtkCamaronCompat.h"
@@ -98,7 +100,7 @@ void AddTree(vtkDataObject* node, unsigned int& flatIndex, int number, const std
 }
 
 //------------------------------------------------------------------------------
-std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
+std::vector<DataSetLeaf> GetOutputLeaves(vtkDataObject* input)
 {
   std::vector<DataSetLeaf> leaves;
   auto* composite = vtkCompositeDataSet::SafeDownCast(input);
@@ -130,6 +132,17 @@ std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
 }
 
 //------------------------------------------------------------------------------
+std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input)
+{
+  std::vector<DataSetLeaf> leaves = GetOutputLeaves(input);
+  for (DataSetLeaf& leaf : leaves)
+  {
+    leaf.Data = WithGhostBytes(leaf.Data);
+  }
+  return leaves;
+}
+
+//------------------------------------------------------------------------------
 vtkIdType ElementBlock::GetSize() const
 {
   return this->Data->GetNumberOfElements(static_cast<int>(this->Kind));
@@ -153,10 +166,16 @@ ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind
   : Kind(kind)
 {
   this->Composite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
-  for (const DataSetLeaf& leaf : GetLeaves(input))
-  {
-    this->AddBlock(leaf);
-  }
+  const std::vector<DataSetLeaf> leaves = GetLeaves(input);
+  RunTogether(reducer,
+    [&]
+    {
+      for (const DataSetLeaf& leaf : leaves)
+      {
+        CheckGhosts(leaf.Data);
+        this->AddBlock(leaf);
+      }
+    });
   if (kind == ElementKind::Points)
   {
     this->FindCopiesOfPoints(reducer);
@@ -412,6 +431,7 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     {
       continue;
     }
+    this->Rests.push_back(GetRests(array));
     if (!vtkDoubleArray::FastDownCast(array))
     {
       auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
@@ -422,6 +442,7 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     this->Owners.push_back(array);
     ValueBlock values = blocks.GetValueBlock(block);
     values.Values = vtkDoubleArray::FastDownCast(array)->GetPointer(0);
+    values.Rests = this->Rests.back().empty() ? nullptr : this->Rests.back().data();
     if (auto* mask = vtkUnsignedCharArray::SafeDownCast(block.GetArray(arrayName + "_Null")))
     {
       values.NullReasons = mask->GetPointer(0);
@@ -431,7 +452,6 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
   }
 }
 
-    this->Rests.push_back(GetRests(array));
 //------------------------------------------------------------------------------
 BlockWeights::BlockWeights(
   const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer)
@@ -442,7 +462,6 @@ BlockWeights::BlockWeights(
   vtkIdType largest = 0;
   for (const ElementBlock& block : blocks.Get())
   {
-    values.Rests = this->Rests.back().empty() ? nullptr : this->Rests.back().data();
     largest = std::max(largest, block.GetSize());
   }
   if (counts[0] < counts[1])

@@ -23,13 +23,13 @@
 #include "Statistics/Reducer.h"
 
 #include "vtkDataObject.h"   // for kinds of elements
-#include "vtkSmartPointer.h" // for arrays
+#include "vtkDataSet.h"      // for leaves
+#include "vtkSmartPointer.h" // for data sets and arrays
 
 #include <string> // for names
 #include <vector> // for lists
 
 class vtkDataArray;
-class vtkDataSet;
 class vtkDataSetAttributes;
 class vtkDoubleArray;
 
@@ -40,14 +40,19 @@ struct LinkedPiece;
 /// A data set of any input.
 struct DataSetLeaf
 {
-  vtkDataSet* Data = nullptr;
+  vtkSmartPointer<vtkDataSet> Data;
   unsigned int FlatIndex = 0; ///< VTK's composite index, 0 if the input is not composite
   int Number = 0;             ///< of the block among the blocks, the same on all processes
   std::string Name;           ///< of the block, empty if the input is not composite
 };
 
-/// The data sets of the input on this process in the order of their flat indices, empty ones included.
+/**
+ * The data sets of the input on this process in the order of their flat indices, empty ones included; with ghosts in the
+ * form that VTK knows (WithGhostBytes).
+ */
 std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input);
+/// The same of an output, which the data sets themselves are in whatever their ghosts are.
+std::vector<DataSetLeaf> GetOutputLeaves(vtkDataObject* output);
 
 /// What an ElementBlock counts.
 enum class ElementKind
@@ -83,7 +88,7 @@ unsigned char GetGhostMask(ElementKind kind);
 class ElementBlocks
 {
 public:
-  /// Collective. Borrows @a input.
+  /// Collective. Throws std::runtime_error if "vtkGhostType" is none that VTK knows.
   ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind kind = ElementKind::Cells);
 
   const std::vector<ElementBlock>& Get() const { return this->Blocks; }
@@ -127,20 +132,20 @@ class BlockValues
 {
 public:
   BlockValues(const ElementBlocks& blocks, const std::string& arrayName);
+  BlockValues(BlockValues&&) = default; // copies would borrow from the first one
 
   const Population& Get() const { return this->Values; }
   /// Number in ElementBlocks::Get() of each block of the population.
   const std::vector<std::size_t>& GetBlockNumbers() const { return this->Numbers; }
 
-  BlockValues(BlockValues&&) = default; // copies would borrow from the first one
 private:
   Population Values;
+  std::vector<std::vector<std::int16_t>> Rests;
   std::vector<std::size_t> Numbers;
   std::vector<vtkSmartPointer<vtkDataArray>> Owners;
 };
 
 /// The values of an array by which elements count.
-  std::vector<std::vector<std::int16_t>> Rests;
 class BlockWeights
 {
 public:

@@ -8,7 +8,7 @@
 #include "Elements/CoincidentPoints.h"
 #include "Elements/ElementContext.h"
 #include "Elements/MismatchedFaces.h"
-#include "Mesh/MeshCheck.h"
+#include "MeshInputCheck.h"
 #include "MeshInput.h"
 #include "RepeatedGhosts.h"
 #include "RunTogether.h"
@@ -29,12 +29,12 @@ MeshPieces::MeshPieces(const std::vector<DataSetLeaf>& leaves, const EvaluationO
   : Reducer(reducer)
   , OthersAreUnknown(numberOfRequestedPieces > reducer.GetNumberOfProcesses())
 {
+  CheckMeshes(leaves, reducer);
   RunTogether(reducer,
     [&]
     {
       for (const DataSetLeaf& leaf : leaves)
       {
-        CheckPointIds(leaf.Data);
         this->FirstCopies.push_back(FindFirstCopies(leaf.Data));
         this->Meshes.push_back(AsMesh(
           HideRepeatedGhosts(ShareCopiesOfPoints(leaf.Data, this->FirstCopies.back()))));

@@ -8,6 +8,7 @@
 #include "Criteria/Evaluation.h"
 #include "Criteria/UnitLabel.h"
 #include "EvaluatedArrays.h"
+#include "Mesh/GhostArrays.h"
 #include "MeshInput.h"
 #include "MeshPieces.h"
 #include "NullMask.h"
@@ -385,13 +386,13 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
       missing.push_back(criterion);
     }
   }
-  const std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(output);
+  const std::vector<camaron::DataSetLeaf> leaves = camaron::GetOutputLeaves(output);
   for (const camaron::DataSetLeaf& leaf : leaves)
   {
-    const vtkSmartPointer<vtkDataSet> triangulated = camaron::WithoutStrips(leaf.Data);
-    if (triangulated != leaf.Data)
+    const vtkSmartPointer<vtkDataSet> mesh = camaron::WithoutStrips(camaron::WithGhostBytes(leaf.Data));
+    if (mesh != leaf.Data)
     {
-      leaf.Data->ShallowCopy(triangulated);
+      leaf.Data->ShallowCopy(mesh);
     }
   }
   if (!missing.empty() && !this->Evaluate(leaves, options, missing, numberOfPieces, arrays))

@@ -232,11 +232,9 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
   std::vector<camaron::DataSetLeaf> leaves = camaron::GetLeaves(input);
-  std::vector<vtkSmartPointer<vtkDataSet>> triangulated;
   for (camaron::DataSetLeaf& leaf : leaves)
   {
-    triangulated.push_back(camaron::WithoutStrips(leaf.Data));
-    leaf.Data = triangulated.back();
+    leaf.Data = camaron::WithoutStrips(leaf.Data);
   }
   camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
   if (this->ConnectBlocks)

@@ -6,9 +6,8 @@
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Elements/KernelCells.h"
-#include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
-#include "RunTogether.h"
+#include "MeshInputCheck.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"
@@ -108,14 +107,7 @@ int vtkMeshKernel::RequestData(
     camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
     camaron::ControllerReducer reducer;
     const camaron::ElementBlocks blocks(vtkDataObject::GetData(inputVector[0]), reducer);
-    camaron::RunTogether(reducer,
-      [&]
-      {
-        for (const camaron::ElementBlock& block : blocks.Get())
-        {
-          camaron::CheckPointIds(block.Data);
-        }
-      });
+    camaron::CheckMeshes({ blocks.Get().begin(), blocks.Get().end() }, reducer);
     std::int64_t hasOthers = std::any_of(blocks.Get().begin(), blocks.Get().end(),
       [](const camaron::ElementBlock& block) { return !vtkPolyData::SafeDownCast(block.Data); });
     reducer.Max(&hasOthers, 1);

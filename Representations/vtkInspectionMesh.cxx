@@ -8,6 +8,8 @@
 #include "Drawing/OuterFacets.h"
 #include "ElementBlocks.h"
 #include "Mesh/FacetLinks.h"
+#include "Mesh/GhostArrays.h"
+#include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
 #include "MeshPieces.h"
 #include "vtkCamaronCompat.h"
@@ -280,6 +282,7 @@ int vtkInspectionMesh::RequestData(
   vtkDataObject* output = vtkDataObject::GetData(outputVector);
   const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   const std::vector<DataSetLeaf> leaves = GetLeaves(input);
+  this->ReportFaults(leaves);
   const std::vector<vtkSmartPointer<vtkDataArray>> outerFacets = this->FindOuterFacets(leaves);
   const std::map<unsigned int, int> numbers = NumberBlocks(input);
   std::map<unsigned int, vtkSmartPointer<vtkUnstructuredGrid>> blocks;
@@ -309,6 +312,26 @@ int vtkInspectionMesh::RequestData(
     FillTree(input, blocks, vtkDataObjectTree::SafeDownCast(output));
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+// What can be drawn is drawn: other processes go on, too.
+void vtkInspectionMesh::ReportFaults(const std::vector<DataSetLeaf>& leaves)
+{
+  try
+  {
+    PolyhedronFaces faces;
+    for (const DataSetLeaf& leaf : leaves)
+    {
+      CheckGhosts(leaf.Data);
+      faces.Add(leaf.Data);
+    }
+    faces.Check();
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("The mesh is not drawn as a whole: " << error.what() << '.');
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,7 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> FindOuterFacets(
     const std::vector<camaron::DataSetLeaf>& leaves);
 
+  void ReportFaults(const std::vector<camaron::DataSetLeaf>& leaves);
   void MarkBlock(vtkUnstructuredGrid* grid, unsigned int flatIndex, int number);
 
   int BlockColorsDistinctValues = 7;

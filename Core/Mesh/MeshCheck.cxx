@@ -4,6 +4,7 @@
 
 #include "Mesh/MeshView.h"
 #include "Parallel.h"
+#include "vtkCamaronCompat.h"
 
 #include <algorithm>
 #include <atomic>
@@ -128,6 +129,27 @@ void CheckPointIds(vtkDataSet* data)
     throw std::runtime_error("cell " + std::to_string(first) + " has the point " +
       std::to_string(bad) + ", and the mesh has " + std::to_string(mesh.GetNumberOfPoints()) +
       " points");
+  }
+}
+
+//------------------------------------------------------------------------------
+void PolyhedronFaces::Add(vtkDataSet* data)
+{
+  const MeshView mesh(data);
+  this->NumberWithFaces += mesh.HasPolyhedra();
+  for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells() && !mesh.HasPolyhedra(); ++cell)
+  {
+    this->NumberOfPolyhedra += mesh.GetCellType(cell) == VTK_POLYHEDRON;
+  }
+}
+
+//------------------------------------------------------------------------------
+void PolyhedronFaces::Check() const
+{
+  if (this->NumberOfPolyhedra > 0 && this->NumberWithFaces == 0)
+  {
+    throw std::runtime_error(std::to_string(this->NumberOfPolyhedra) +
+      " cells are polyhedra, and none of them has a face" + GetReasonForLostFaces());
   }
 }
 }

@@ -6,8 +6,8 @@
 #include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/LengthUnit.h"
-#include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
+#include "MeshInputCheck.h"
 #include "RunTogether.h"
 #include "Selection/SelectBySolid.h"
 #include "Scan/MappedFile.h"
@@ -297,12 +297,13 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
 std::vector<Simplex> GatherTriangles(const SelectionTask& task)
 {
   std::vector<Simplex> triangles;
+  const std::vector<DataSetLeaf> leaves = GetLeaves(task.Inputs.Surface);
+  CheckMeshes(leaves, task.Reducer);
   RunTogether(task.Reducer,
     [&]
     {
-      for (const DataSetLeaf& leaf : GetLeaves(task.Inputs.Surface))
+      for (const DataSetLeaf& leaf : leaves)
       {
-        CheckPointIds(leaf.Data);
         const vtkSmartPointer<vtkDataSet> data = AsMesh(leaf.Data);
         const MeshView mesh(data);
         CellFacets facets(mesh);

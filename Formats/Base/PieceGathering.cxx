@@ -3,12 +3,15 @@
 #include "PieceGathering.h"
 
 #include "GatheredMesh.h"
+#include "Mesh/GhostArrays.h"
+#include "Mesh/MeshCheck.h"
 #include "Mesh/PointSetHulls.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -25,6 +28,9 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <exception>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -173,6 +179,21 @@ class PartList
 public:
   explicit PartList(vtkDataObject* data) { this->Add(data); }
   std::vector<MeshPart>& GetParts() { return this->Parts; }
+  /// Throws what is wrong with the leaves of all processes.
+  void Check(vtkMultiProcessController* controller) const
+  {
+    const std::int64_t own[3] = { this->Faces.NumberWithFaces, this->Faces.NumberOfPolyhedra, !this->Error.empty() };
+    std::int64_t all[3] = { own[0], own[1], own[2] };
+    if (controller && controller->GetNumberOfProcesses() > 1)
+    {
+      controller->AllReduce(own, all, 3, vtkCommunicator::SUM_OP);
+    }
+    if (all[2] > 0)
+    {
+      throw std::runtime_error(this->Error.empty() ? "another process failed" : this->Error);
+    }
+    PolyhedronFaces{ all[0], all[1] }.Check();
+  }
 
 private:
   void Add(vtkDataObject* data)
@@ -216,17 +237,31 @@ private:
     }
   }
 
-  void AddLeaf(vtkDataSet* leaf)
+  void AddLeaf(vtkDataSet* data)
   {
+    if (!data)
+    {
+      return;
+    }
+    const vtkSmartPointer<vtkDataSet> leaf = WithGhostBytes(data);
+    this->Faces.Add(leaf);
+    try
+    {
+      CheckGhosts(leaf);
+    }
+    catch (const std::exception& error)
+    {
+      this->Error = error.what();
+    }
     if (auto* const grid = vtkUnstructuredGrid::SafeDownCast(leaf))
     {
       this->Parts.push_back({ WithHulls(grid, VTK_POLYHEDRON), this->Block });
     }
-    else if (leaf && leaf->IsA("vtkPolyData"))
+    else if (leaf->IsA("vtkPolyData"))
     {
       this->Parts.push_back({ leaf, this->Block });
     }
-    else if (leaf)
+    else
     {
       vtkNew<vtkAppendFilter> convert;
       convert->AddInputData(leaf);
@@ -241,6 +276,8 @@ private:
 
   std::vector<MeshPart> Parts;
   int Block = 0;
+  PolyhedronFaces Faces;
+  std::string Error;
 };
 }
 
@@ -249,6 +286,7 @@ vtkSmartPointer<vtkDataSet> Gather(
   vtkDataObject* data, vtkMultiProcessController* controller, Warnings& warnings)
 {
   PartList list(data);
+  list.Check(controller);
   std::vector<MeshPart>& parts = list.GetParts();
   const int processes = controller ? controller->GetNumberOfProcesses() : 1;
   if (processes > 1 && controller->GetLocalProcessId() != 0)

@@ -26,6 +26,8 @@ class Warnings;
  * or vtkPolyData without seams stays as it is; else all leaves of composite data, whatever their types, are
  * merged to a vtkUnstructuredGrid as MergeParts does, block by block. All processes must call it.
  * @param controller none for what this process has
+ * @throw std::runtime_error on all processes, for polyhedra none of which has a face, and for "vtkGhostType" that VTK
+ *   does not know
  */
 vtkSmartPointer<vtkDataSet> Gather(
   vtkDataObject* data, vtkMultiProcessController* controller, Warnings& warnings);

@@ -20,6 +20,7 @@
 #include "vtkXMLPUnstructuredDataReader.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 using vtkSDDP = vtkStreamingDemandDrivenPipeline;
 
@@ -166,11 +167,19 @@ int vtkMeshFileWriter::RequestData(
 
   this->InvokeEvent(vtkCommand::StartEvent, nullptr);
   const bool isSeries = this->WriteTimeSteps && this->NumberOfTimeSteps > 0;
+  const std::string path = isSeries ? AddNumber(this->FileName, this->TimeStep) : this->FileName;
   camaron::Warnings warnings;
-  if (const auto mesh = camaron::Gather(input, this->Controller, warnings))
+  try
   {
-    this->WriteTo(
-      isSeries ? AddNumber(this->FileName, this->TimeStep) : this->FileName, mesh, warnings);
+    if (const auto mesh = camaron::Gather(input, this->Controller, warnings))
+    {
+      this->WriteTo(path, mesh, warnings);
+    }
+  }
+  catch (const std::runtime_error& error)
+  {
+    vtkErrorMacro(<< camaron::GetFileName(path) << " is not written: " << error.what() << '.');
+    this->SetErrorCode(vtkErrorCode::FileFormatError);
   }
   if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
   {

@@ -42,9 +42,12 @@ def describe(path: Path, opened: pipeline.Opened, surface: Any) -> dict[str, Any
     statistics = simple.QualityStatistics(
         Input=quality, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1
     )
-    rows = tables.fetch(statistics)
+    with pipeline.Messages() as messages:
+        rows = tables.fetch(statistics)
     for proxy in (statistics, quality):
         simple.Delete(proxy)
+    if messages.errors:
+        raise RuntimeError(f"{path}: {messages.errors[0]}")
     total = {row["Criterion"]: row for row in rows if row["Group"] == "All"}
     types = {
         row["Group"]: row["Count"]
