@@ -8,7 +8,7 @@ import os
 from pathlib import Path
 from typing import Any, Callable, Iterable, Optional
 
-from paraview import simple
+from paraview import servermanager, simple
 
 from . import pipeline, tables, text
 
@@ -34,7 +34,12 @@ class Evaluation:
         """Reads the mesh; raises what `pipeline.open_mesh` does."""
         pipeline.load_plugin()
         self.mesh = Path(mesh)
-        self.opened = pipeline.open_mesh(mesh, time)
+        request_ghosts(0)  # until the end; nothing here needs any
+        try:
+            self.opened = pipeline.open_mesh(mesh, time)
+        except BaseException:
+            request_ghosts(1)
+            raise
         self.quality = simple.ElementQuality(Input=self.opened.source)
         self._made = [self.opened.source, self.quality]
 
@@ -53,6 +58,7 @@ class Evaluation:
     def __exit__(self, kind, error, trace) -> None:
         for proxy in reversed(self._made):
             simple.Delete(proxy)
+        request_ghosts(1)
 
     def announce(self, say: Callable[[str], None]) -> None:
         """Says how long the evaluation will take, if that is long."""
@@ -64,6 +70,14 @@ class Evaluation:
                 f"the criteria take about {text.duration(seconds)}"
                 f" for {text.plural(cells, 'cell', ',')}"
             )
+
+
+def request_ghosts(layers: int) -> None:
+    """How many layers of ghost cells ParaView asks for on all ranks; 1 is its own choice."""
+    if pipeline.rank_count() > 1:
+        requests = servermanager.ProxyManager().NewProxy("misc", "GhostRequests")
+        requests.GetProperty("Layers").SetElement(0, layers)
+        requests.UpdateVTKObjects()
 
 
 def list_names(criteria: Iterable[str] | str | None) -> Optional[list[str]]:
