@@ -14,7 +14,7 @@ camaron_format(
   NAME        TRI
   EXTENSIONS  tri triq
   DESCRIPTION "Camarón or Cart3D triangle mesh"
-  READS       "Camarón: ASCII, Cart3D: ASCII and binary of both byte orders, components and scalars"
+  READS       "Camarón: ASCII; Cart3D: ASCII and binary of both byte orders, components and scalars"
   WRITES      "ASCII"
   READER
   WRITER)
