@@ -34,7 +34,8 @@ Made from the registry by `Documentation/make_criteria.py`; do not edit.
 
 Lengths, areas and volumes are in the units of the mesh, angles in degrees unless chosen otherwise,
 solid angles in steradian. *Better* says which end is good. An acceptable range marked *hint* is
-common practice, not a verdict. Ranges of your own come from a [file](inspect.md#ranges).
+common practice, or missed on purpose as by stretched cells; it is no verdict. A range is for the shapes that its source
+is about: other cells are neither inside nor outside. Ranges of your own are for all cells and come from a [file](inspect.md#ranges).
 
 A value is **null** (NaN) where the criterion has no meaning for the shape or is undefined, and
 **infinite** where it grows without bound: an infinite value is bad, not absent. *Write Null Mask*
@@ -165,7 +166,8 @@ def acceptable(c):
     if c["acceptable"] == [None, None]:
         return ""
     source = ("hint: " if c["acceptable_is_hint"] else "") + c["acceptable_source"]
-    return f"{text.interval(*c['acceptable'], '')} ({source})"
+    shapes = "" if c["acceptable_for"] == c["applies_to"] else f"; for {c['acceptable_for']} only"
+    return f"{text.interval(*c['acceptable'], '')} ({source}{shapes})"
 
 
 def better(c):
@@ -208,7 +210,10 @@ def overview(families, presets):
         lines = []
         for criterion, limits in preset["rules"].items():
             limited = list(limits) != [None, None]
-            lines.append(f"- `{criterion}`" + (f" {text.interval(*limits, '')}" if limited else ""))
+            shapes = preset["shapes"][criterion]
+            hint = ", a hint" if criterion in preset["hints"] else ""
+            limited = f" {text.interval(*limits, '')} of {shapes}{hint}" if limited else ""
+            lines.append(f"- `{criterion}`{limited}")
         parts.append("\n".join(lines) + "\n")
     return "\n".join(parts)
 
@@ -224,6 +229,7 @@ def section(c, pictures):
         ("Ideal", number(c["ideal"])),
         ("Better", better(c)),
         ("Acceptable", acceptable(c)),
+        ("Cells outside", c["consequence"]),
         ("Degenerate cells", c["degenerate"].replace("_", "\\_")),
         ("Other programs", c["agreement"]),
     ]

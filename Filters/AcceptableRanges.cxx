@@ -69,8 +69,20 @@ bool AcceptableRanges::IsHint(const Criterion& criterion) const
   return rule ? rule->IsHint : criterion.AcceptableIsHint;
 }
 
+namespace
+{
 //------------------------------------------------------------------------------
-std::optional<ValueRange> AcceptableRanges::Find(
+// Whether a range for some shapes is for every cell to which a criterion applies.
+bool IsForAll(unsigned shapes, unsigned appliesTo)
+{
+  shapes |= shapes & Polygons ? SimplePolygons : NoShapes;
+  shapes |= shapes & Polyhedra ? SimplePolyhedra : NoShapes;
+  return (shapes & AnyCell) || (appliesTo & ~shapes) == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+std::optional<AcceptableRange> AcceptableRanges::Find(
   const std::string& name, const std::string& unit) const
 {
   const Criterion* criterion = FindCriterion(name);
@@ -78,14 +90,18 @@ std::optional<ValueRange> AcceptableRanges::Find(
   {
     return std::nullopt;
   }
-  ValueRange range;
-  if (criterion->HasAcceptableRange())
+  AcceptableRange range;
+  const Preset::Rule* const rule = this->FindRule(name);
+  if (rule || criterion->HasAcceptableRange())
   {
-    range = { criterion->Acceptable[0], criterion->Acceptable[1] };
+    const double* const limits = rule ? rule->Acceptable : criterion->Acceptable;
+    range.Low = limits[0];
+    range.High = limits[1];
+    range.Shapes = rule ? rule->AcceptableFor : criterion->AcceptableFor;
   }
-  if (const Preset::Rule* const rule = this->FindRule(name))
+  if (IsForAll(range.Shapes, criterion->AppliesTo))
   {
-    range = { rule->Acceptable[0], rule->Acceptable[1] };
+    range.Shapes = AnyCell;
   }
   if (std::isinf(range.Low) && std::isinf(range.High))
   {
@@ -97,6 +113,12 @@ std::optional<ValueRange> AcceptableRanges::Find(
     range.High = vtkMath::RadiansFromDegrees(range.High);
   }
   return range;
+}
+
+//------------------------------------------------------------------------------
+unsigned GetJudgedShapes(const Criterion& criterion)
+{
+  return IsForAll(criterion.AcceptableFor, criterion.AppliesTo) ? AnyCell : criterion.AcceptableFor;
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,12 @@ inline const char* GetDefaultRangesName()
   return "Default ranges";
 }
 
+/// A range, and the Shapes of the cells that it is for; AnyCell where it is for all that have values.
+struct AcceptableRange : ValueRange
+{
+  unsigned Shapes = AnyCell;
+};
+
 /// Ranges in which values of criteria are acceptable.
 class AcceptableRanges
 {
@@ -35,8 +41,9 @@ public:
    */
   AcceptableRanges(const std::string& preset, const std::string& file, Reducer& reducer);
 
-  /// The range of a criterion, if there is one. @a unit is that of the values: angles may be in "rad".
-  std::optional<ValueRange> Find(const std::string& criterion, const std::string& unit) const;
+  /// The range of a criterion, if there is one. @a unit is that of the values: angles may be in "rad". Those of a file
+  /// are for all cells.
+  std::optional<AcceptableRange> Find(const std::string& criterion, const std::string& unit) const;
 
   /// Whether the file or the preset says something of a criterion; without both, whether there is one of that name.
   bool HasRule(const std::string& criterion) const;
@@ -50,6 +57,9 @@ private:
   bool IsDefault;
   std::vector<Preset::Rule> Rules; // in the order in which they count
 };
+
+/// Shapes of the cells that the range of the table of criteria is for; AnyCell if it is for all that have values.
+unsigned GetJudgedShapes(const Criterion& criterion);
 
 /// The rules of a file of ranges; collective, throws std::runtime_error as above.
 std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer);

@@ -61,7 +61,7 @@ double GetOutOfRangePercent(const ArrayComparison& comparison, int mesh)
 {
   const Summary& summary = comparison.Summaries[mesh];
   return comparison.Acceptable
-    ? Percent(summary.BelowCount + summary.AboveCount, summary.GetApplicableCount())
+    ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount)
     : Unknown;
 }
 
@@ -99,7 +99,7 @@ void AddComparisonColumns(vtkTable* table, bool hasTime)
     AddTriples<vtkDoubleArray>(table, { "P" + std::to_string(static_cast<int>(percent)) });
   }
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
-  AddTriples<vtkIdTypeArray>(table, { "OutOfRangeCount" });
+  AddTriples<vtkIdTypeArray>(table, { "JudgedCount", "OutOfRangeCount" });
   AddTriples<vtkDoubleArray>(table, { "OutOfRangePercent" });
   AddColumns<vtkDoubleArray>(table, { "Distance", "DistanceValue" });
   AddColumns<vtkIdTypeArray>(
@@ -127,6 +127,7 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
   }
   row.Add(comparison.Acceptable ? comparison.Acceptable->Low : Unknown);
   row.Add(comparison.Acceptable ? comparison.Acceptable->High : Unknown);
+  AddTriple(row, a.JudgedCount, b.JudgedCount);
   AddTriple(row, a.BelowCount + a.AboveCount, b.BelowCount + b.AboveCount);
   AddTriple(row, GetOutOfRangePercent(comparison, 0), GetOutOfRangePercent(comparison, 1));
   row.Add(comparison.Distance.Distance);

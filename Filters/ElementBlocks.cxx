@@ -453,6 +453,16 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
 }
 
 //------------------------------------------------------------------------------
+void BlockValues::SetShapes(const std::vector<std::vector<std::uint16_t>>& shapes, unsigned judged)
+{
+  for (std::size_t i = 0; i < this->Values.size(); ++i)
+  {
+    this->Values[i].Shapes = shapes[this->Numbers[i]].data();
+    this->Values[i].JudgedShapes = judged;
+  }
+}
+
+//------------------------------------------------------------------------------
 BlockWeights::BlockWeights(
   const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer)
   : Values(blocks, arrayName)

@@ -66,7 +66,7 @@ void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std:
     AddColumns<vtkDoubleArray>(table, { name });
   }
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
-  AddColumns<vtkIdTypeArray>(table, { "BelowCount", "AboveCount" });
+  AddColumns<vtkIdTypeArray>(table, { "JudgedCount", "BelowCount", "AboveCount" });
   AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
   if (!layout.WeightArray.empty())
   {
@@ -107,10 +107,11 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   }
   row.Add(acceptable ? acceptable->Low : unknown);
   row.Add(acceptable ? acceptable->High : unknown);
+  row.Add(summary.JudgedCount);
   row.Add(summary.BelowCount);
   row.Add(summary.AboveCount);
   row.Add(acceptable
-      ? Percent(summary.BelowCount + summary.AboveCount, summary.GetApplicableCount())
+      ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount)
       : unknown);
   if (weighted)
   {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WorstCriterion.h"
 
+#include "CellShapes.h"
+
 #include "Parallel.h"
 
 #include "vtkDataSet.h"
@@ -30,6 +32,7 @@ struct Counts
 {
   static constexpr int NumberOfBins = 256; // of distances from the ideal, 0 to 1
   std::int64_t Finite = 0;
+  std::int64_t Judged = 0;
   std::int64_t Outside = 0;
   std::array<std::int64_t, NumberOfBins> Distances{};
 
@@ -85,24 +88,26 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void Add(const double* values, vtkIdType size, const unsigned char* ghosts, const ValueRange& range,
+void Add(const ValueBlock& block, const unsigned char* ghosts, const ValueRange& range,
   const IdealDistance& distance, Counts& counts)
 {
   const unsigned char ghostMask = GetGhostMask(ElementKind::Cells);
   std::mutex mutex;
-  ParallelFor(size, Grain,
+  ParallelFor(block.Size, Grain,
     [&](vtkIdType begin, vtkIdType end)
     {
       Counts own;
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        const double value = values[cell];
+        const double value = block.Values[cell];
         if (std::isnan(value) || (ghosts && (ghosts[cell] & ghostMask)))
         {
           continue;
         }
         own.Finite += std::isfinite(value);
-        own.Outside += value < range.Low || value > range.High;
+        const bool isJudged = block.IsJudged(cell);
+        own.Judged += isJudged;
+        own.Outside += isJudged && (value < range.Low || value > range.High);
         if (distance.GetIsKnown())
         {
           ++own.Distances[distance.GetBin(value)];
@@ -110,6 +115,7 @@ void Add(const double* values, vtkIdType size, const unsigned char* ghosts, cons
       }
       const std::lock_guard<std::mutex> lock(mutex);
       counts.Finite += own.Finite;
+      counts.Judged += own.Judged;
       counts.Outside += own.Outside;
       std::transform(own.Distances.begin(), own.Distances.end(), counts.Distances.begin(),
         counts.Distances.begin(), std::plus<>());
@@ -122,7 +128,7 @@ void SumUp(std::vector<Counts>& counts, Reducer& reducer)
   std::vector<std::int64_t> sums;
   for (const Counts& of : counts)
   {
-    sums.insert(sums.end(), { of.Finite, of.Outside });
+    sums.insert(sums.end(), { of.Finite, of.Judged, of.Outside });
     sums.insert(sums.end(), of.Distances.begin(), of.Distances.end());
   }
   reducer.Sum(sums.data(), sums.size());
@@ -130,6 +136,7 @@ void SumUp(std::vector<Counts>& counts, Reducer& reducer)
   for (Counts& of : counts)
   {
     of.Finite = *from++;
+    of.Judged = *from++;
     of.Outside = *from++;
     std::copy_n(from, Counts::NumberOfBins, of.Distances.begin());
     from += Counts::NumberOfBins;
@@ -144,7 +151,8 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
   Reducer& reducer)
 {
   std::vector<Counts> counts(criteria.size());
-  std::vector<std::optional<ValueRange>> acceptable;
+  std::vector<std::optional<AcceptableRange>> acceptable;
+  std::vector<std::vector<std::uint16_t>> shapes(leaves.size());
   for (std::size_t i = 0; i < criteria.size(); ++i)
   {
     const IdealDistance distance(*criteria[i], angles);
@@ -153,9 +161,20 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
     for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
     {
       vtkUnsignedCharArray* const ghosts = leaves[leaf].Data->GetCellGhostArray();
-      Add(values[leaf]->GetPointer(0), values[leaf]->GetNumberOfValues(),
-        ghosts ? ghosts->GetPointer(0) : nullptr, acceptable[i].value_or(ValueRange()), distance,
-        counts[i]);
+      ValueBlock block;
+      block.Values = values[leaf]->GetPointer(0);
+      block.Size = values[leaf]->GetNumberOfValues();
+      if (acceptable[i] && !(acceptable[i]->Shapes & AnyCell))
+      {
+        if (shapes[leaf].empty())
+        {
+          shapes[leaf] = FindCellShapes(leaves[leaf].Data);
+        }
+        block.Shapes = shapes[leaf].data();
+        block.JudgedShapes = acceptable[i]->Shapes;
+      }
+      Add(block, ghosts ? ghosts->GetPointer(0) : nullptr,
+        acceptable[i].value_or(AcceptableRange()), distance, counts[i]);
     }
   }
   SumUp(counts, reducer);
@@ -170,7 +189,7 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
     const Criterion& criterion = *criteria[i];
     const bool hasDistance = IdealDistance(criterion, angles).GetIsKnown();
     return std::make_tuple(ranges.IsHint(criterion) ? 0 : counts[i].Outside, counts[i].Outside,
-      hasDistance && acceptable[i], hasDistance, hasDistance ? counts[i].GetMedianBin() : 0,
+      hasDistance && acceptable[i] && counts[i].Judged > 0 && counts[i].GetMedianBin() > 0, hasDistance, hasDistance ? counts[i].GetMedianBin() : 0,
       criterion.Better != Better::Neither);
   };
   const std::size_t none = criteria.size();

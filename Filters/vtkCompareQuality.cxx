@@ -3,6 +3,7 @@
 #include "vtkCompareQuality.h"
 
 #include "AcceptableRanges.h"
+#include "CellShapes.h"
 #include "ArraysOfSteps.h"
 #include "CheckNumber.h"
 #include "ComparisonTables.h"
@@ -195,17 +196,21 @@ void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformati
   this->WarnOfNoGroups(groupings[0].GetArrayName(), groups.size(), isRoot);
 
   camaron::NewCellArrays deltas;
+  camaron::BlockShapes shapes[2] = { camaron::BlockShapes(blocks[0]), camaron::BlockShapes(blocks[1]) };
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
     const camaron::Criterion* criterion = camaron::FindCriterion(arrays[i].Name);
-    const camaron::BlockValues values[2] = { { blocks[0], arrays[i].Name }, { blocks[1], arrays[i].Name } };
+    camaron::BlockValues values[2] = { { blocks[0], arrays[i].Name }, { blocks[1], arrays[i].Name } };
     camaron::ArrayComparison comparison;
     comparison.Name = arrays[i].Name;
     comparison.Unit = arrays[i].Unit;
     comparison.Time = this->Steps->GetTime();
     comparison.Better = criterion ? criterion->Better : camaron::Better::Neither;
-    comparison.Acceptable = ranges.Find(arrays[i].Name, arrays[i].Unit);
-    const camaron::ValueRange limits = comparison.Acceptable ? *comparison.Acceptable : camaron::ValueRange();
+    const auto acceptable = ranges.Find(arrays[i].Name, arrays[i].Unit);
+    const camaron::ValueRange limits = acceptable.value_or(camaron::AcceptableRange());
+    comparison.Acceptable = acceptable;
+    shapes[0].Judge(values[0], acceptable);
+    shapes[1].Judge(values[1], acceptable);
     settings.OfIntegers = arrays[i].OfIntegers;
     for (const camaron::Group& group : groups)
     {

@@ -3,6 +3,7 @@
 #include "vtkCorrelateQuality.h"
 
 #include "AcceptableRanges.h"
+#include "CellShapes.h"
 #include "AgreedName.h"
 #include "ArraysOfSteps.h"
 #include "CellField.h"
@@ -139,7 +140,7 @@ OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ran
     }
     for (vtkIdType i = 0; i < block.Size; ++i)
     {
-      if (block.Contains(i))
+      if (block.Contains(i) && block.IsJudged(i))
       {
         const bool isOutside = block.Values[i] < acceptable.Low || block.Values[i] > acceptable.High;
         ++counts[isOutside];
@@ -377,14 +378,16 @@ void vtkCorrelateQuality::AddRows(vtkInformationVector** inputVector, vtkInforma
   // Group by group, so that the ranks of the field in it are found once for all arrays.
   std::vector<std::vector<camaron::TableRow>> rows(arrays.size());
   double done = 0;
+  camaron::BlockShapes shapes(blocks);
   for (const camaron::Group& group : groups.GetGroups())
   {
     FieldRanks fieldRanks;
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {
-      const camaron::BlockValues values(blocks, arrays[a].Name);
-      const Pairs pairs(groups.GetPopulation(group, values), values, field);
+      camaron::BlockValues values(blocks, arrays[a].Name);
       const auto acceptable = ranges.Find(arrays[a].Name, arrays[a].Unit);
+      shapes.Judge(values, acceptable);
+      const Pairs pairs(groups.GetPopulation(group, values), values, field);
       const Correlation correlation = FindCorrelation(pairs, fieldRanks.Get(pairs, reducer), acceptable, reducer);
       camaron::TableRow row;
       if (const auto time = this->Steps->GetTime())

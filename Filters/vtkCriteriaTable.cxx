@@ -106,10 +106,12 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
   auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
   auto* source = AddColumn<vtkStringArray>(table, "AcceptableSource");
   auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
+  auto* acceptableFor = AddColumn<vtkStringArray>(table, "AcceptableFor");
   auto* family = AddColumn<vtkStringArray>(table, "Family");
   auto* formula = AddColumn<vtkStringArray>(table, "Formula");
   auto* degenerate = AddColumn<vtkStringArray>(table, "Degenerate");
   auto* agreement = AddColumn<vtkStringArray>(table, "Agreement");
+  auto* consequence = AddColumn<vtkStringArray>(table, "Consequence");
   for (const camaron::Criterion& criterion : criteria)
   {
     name->InsertNextValue(criterion.Name);
@@ -126,10 +128,12 @@ void ListCriteria(vtkTable* table, const std::vector<camaron::Criterion>& criter
     high->InsertNextValue(criterion.Acceptable[1]);
     source->InsertNextValue(criterion.AcceptableSource);
     isHint->InsertNextValue(criterion.AcceptableIsHint ? 1 : 0);
+    acceptableFor->InsertNextValue(GetShapes(criterion.AcceptableFor));
     family->InsertNextValue(criterion.Family);
     formula->InsertNextValue(criterion.Notes.Formula);
     degenerate->InsertNextValue(criterion.Notes.Degenerate);
     agreement->InsertNextValue(criterion.Notes.Agreement);
+    consequence->InsertNextValue(criterion.Notes.Consequence);
   }
 }
 
@@ -156,6 +160,7 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
   auto* low = AddColumn<vtkDoubleArray>(table, "AcceptableLow");
   auto* high = AddColumn<vtkDoubleArray>(table, "AcceptableHigh");
   auto* isHint = AddColumn<vtkIntArray>(table, "AcceptableIsHint");
+  auto* acceptableFor = AddColumn<vtkStringArray>(table, "AcceptableFor");
   for (const camaron::Preset& preset : presets)
   {
     for (const camaron::Preset::Rule& rule : preset.Rules)
@@ -166,6 +171,7 @@ void ListRules(vtkTable* table, const std::vector<camaron::Preset>& presets)
       low->InsertNextValue(rule.Acceptable[0]);
       high->InsertNextValue(rule.Acceptable[1]);
       isHint->InsertNextValue(rule.IsHint ? 1 : 0);
+      acceptableFor->InsertNextValue(GetShapes(rule.AcceptableFor));
     }
   }
 }

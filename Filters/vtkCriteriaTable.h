@@ -8,9 +8,10 @@
  * 0. criteria, in the order in which people see them: "Name", "Label", "Description", "Unit" ("deg",
  *    "sr" or empty), "Dimension" ("Length", "Area", "Volume" or empty), "AppliesTo", "RangeLow",
  *    "RangeHigh", "Ideal" (NaN if none), "Better" ("Smaller", "Neither" or "Bigger"), "AcceptableLow",
- *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint", "Family", and for
- *    the documentation "Formula", "Degenerate" and "Agreement";
- * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh";
+ *    "AcceptableHigh" (infinite at an open end), "AcceptableSource", "AcceptableIsHint", "AcceptableFor" (shapes), "Family", and for
+ *    the documentation "Formula", "Degenerate" and "Agreement", and "Consequence": what cells outside the range do;
+ * 1. rules of the presets: "Preset", "Description", "Criterion", "AcceptableLow", "AcceptableHigh",
+ *    "AcceptableIsHint", "AcceptableFor";
  * 2. ranges of a file: "Criterion", "AcceptableLow", "AcceptableHigh";
  * 3. arrays of vtkMeshElements: "Element" ("Face", "Edge" or "Vertex"), "Name", "Description", "Unit", "Cells" ("2D",
  *    "3D" or both: of which dimension the mesh must have cells), "IsDefault".

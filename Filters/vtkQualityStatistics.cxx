@@ -3,6 +3,7 @@
 #include "vtkQualityStatistics.h"
 
 #include "AcceptableRanges.h"
+#include "CellShapes.h"
 #include "ArraysOfSteps.h"
 #include "CheckNumber.h"
 #include "ControllerReducer.h"
@@ -298,16 +299,18 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
     : std::make_optional<camaron::BlockWeights>(blocks, this->WeightArray, reducer);
   const camaron::ElementVertices vertices(blocks, reducer);
   camaron::BinSettings binSettings = settings.Bins;
+  camaron::BlockShapes shapes(blocks);
 
   for (std::size_t a = 0; a < arrays.size(); ++a)
   {
     const camaron::StatisticsArray& array = arrays[a];
     const auto acceptable = ranges.Find(array.Name, array.Unit);
-    const camaron::ValueRange limits = acceptable ? *acceptable : camaron::ValueRange();
+    const camaron::ValueRange limits = acceptable.value_or(camaron::AcceptableRange());
     const auto worstEnd = camaron::FindWorstEnd(array.Name, settings.WorstValues);
     binSettings.OfIntegers = array.OfIntegers;
     binSettings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
-    const camaron::BlockValues values(blocks, array.Name);
+    camaron::BlockValues values(blocks, array.Name);
+    shapes.Judge(values, acceptable);
     camaron::Bins bins;
     GroupNumbers numbers;
     for (const camaron::Group& group : groups.GetGroups())

@@ -15,6 +15,7 @@
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
 #include "InspectionValues.h"
+#include "JudgedValues.h"
 #include "Isosurfaces.h"
 #include "PointNormals.h"
 #include "TextureBuffer.h"
@@ -51,6 +52,7 @@ public:
   InspectionColors Colors;
   PointNormals Normals;
   InspectionValues Values; ///< of the array that colours
+  JudgedValues Judged;
   bool HasCellValues = false;
   InspectionValues Levels; ///< of isolines
   TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< of blocks

@@ -296,6 +296,10 @@ void vtkMeshInspectionMapper::UpdateValues()
   {
     array = nullptr; // of the whole mesh
   }
+  if (self.HasCellValues && style.ValuesToEmphasize == Emphasis::Unacceptable)
+  {
+    array = self.Judged.Update(array, self.Grid);
+  }
   vtkScalarsToColors* table = this->GetLookupTable();
   self.Values.Update(array,
     table->GetVectorMode() == vtkScalarsToColors::COMPONENT ? table->GetVectorComponent()

@@ -106,10 +106,10 @@ std::vector<Criterion> AngleCriteria()
 {
   // clang-format off
   return {
-    { "MinInteriorAngle", "Smallest interior angle",
-      "Smallest interior angle of the polygon; ideal is 180 (k - 2) / k for k corners.",
+    { "MinInteriorAngle", "Minimum interior angle",
+      "Minimum interior angle of the polygon; ideal is 180 (k - 2) / k for k corners.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, Real,
+      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, SimplePolygons, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MinFaceAngle),
       { "θᵢ = ∠(pᵢ₊₁ − pᵢ, pᵢ₋₁ − pᵢ), and 360° − θᵢ where the corner is reflex: ((pᵢ₊₁ − pᵢ) × (pᵢ₋₁ "
         "− pᵢ)) · S < 0; the value is min θᵢ",
@@ -117,39 +117,43 @@ std::vector<Criterion> AngleCriteria()
         "has 0; null (degenerate) for fewer than three places and for larger polygons without an "
         "area.",
         "Verdict's for triangles and convex quadrilaterals (`VerdictMinAngle`). Camarón and "
-        "camaron-web do not see reflex corners, or only in large meshes." } },
-    { "MaxInteriorAngle", "Largest interior angle",
-      "Largest interior angle of the polygon, above 180 at a reflex corner.",
+        "camaron-web do not see reflex corners, or only in large meshes.",
+        "pointed corners, meant so where a surface is stretched on purpose" } },
+    { "MaxInteriorAngle", "Maximum interior angle",
+      "Maximum interior angle of the polygon, above 180 at a reflex corner.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, Real,
+      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Cited, SimplePolygons, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS(MaxFaceAngle),
       { "max θᵢ, with θᵢ as for `MinInteriorAngle`",
         "A collinear triangle has 180; null (degenerate) for fewer than three places and for larger "
         "polygons without an area.",
         "Verdict's for triangles and convex quadrilaterals (`VerdictMaxAngle`). Camarón answers 360 "
-        "for a degenerate polygon, although its unit is the radian." } },
-    { "MinFaceAngle", "Smallest face angle", "Smallest interior angle of all faces of the cell.",
+        "for a degenerate polygon, although its unit is the radian.",
+        "nearly flat corners: gradients and normals lose accuracy" } },
+    { "MinFaceAngle", "Minimum face angle", "Minimum interior angle of all faces of the cell.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, Real,
+      { 30, Infinity }, "Verdict manual, rev. A, for triangles; 45 for quadrilaterals", Hint, SimplePolyhedra, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MinFaceAngle, MinFaceAngle),
       { "min over all faces of θᵢ, as for `MinInteriorAngle`",
         "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
         "has a value.",
-        "Gmsh, Verdict and Fluent look at standard cells only." } },
-    { "MaxFaceAngle", "Largest face angle",
-      "Largest interior angle of all faces of the cell, above 180 at a reflex corner.",
+        "Gmsh, Verdict and Fluent look at standard cells only.",
+        "pointed faces, meant so where cells are stretched on purpose" } },
+    { "MaxFaceAngle", "Maximum face angle",
+      "Maximum interior angle of all faces of the cell, above 180 at a reflex corner.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, Real,
+      { -Infinity, 135 }, "Verdict manual, rev. A, for quadrilaterals; 90 for triangles", Hint, SimplePolyhedra, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(MaxFaceAngle, MaxFaceAngle),
       { "max over all faces of θᵢ, as for `MinInteriorAngle`",
         "Collapsed faces are passed over; null (degenerate) when no face has an angle. An open cell "
         "has a value.",
-        "Gmsh, Verdict and Fluent look at standard cells only." } },
-    { "MinDihedralAngle", "Smallest dihedral angle",
-      "Smallest interior angle between two faces of the cell at their common edge; regular tetrahedron "
+        "Gmsh, Verdict and Fluent look at standard cells only.",
+        "faces with a nearly flat corner: gradients lose accuracy" } },
+    { "MinDihedralAngle", "Minimum dihedral angle",
+      "Minimum interior angle between two faces of the cell at their common edge; regular tetrahedron "
       "70.53, hexahedron 90.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { 20, Infinity }, "common practice; 40 for tetrahedra in the Verdict manual", Hint, Real,
+      { 20, Infinity }, "common practice for tetrahedra; 40 in the Verdict manual", Hint, Tetrahedra, Real,
       Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MinDihedralAngle, MinDihedralAngle),
       { "at an edge with direction e and its faces' outward normals n₁, n₂: θ = 180° − atan2(e · (n₁ "
         "× n₂), n₁ · n₂); the value is min θ",
@@ -159,20 +163,22 @@ std::vector<Criterion> AngleCriteria()
         "TetGen's dihedral angles. Verdict's smallest angle of a tetrahedron takes some angles for "
         "their supplements, depending on the order of the nodes (`VerdictMinAngle`, 24° off in a "
         "healthy cell). Camarón calls the angle between the normals of two polygons dihedral: see "
-        "`MaxNeighborNormalAngle`." } },
-    { "MaxDihedralAngle", "Largest dihedral angle",
-      "Largest interior angle between two faces of the cell at their common edge; above 180 the cell is "
+        "`MaxNeighborNormalAngle`.",
+        "sharp tetrahedra: matrices of finite elements are badly conditioned; meant so in layers" } },
+    { "MaxDihedralAngle", "Maximum dihedral angle",
+      "Maximum interior angle between two faces of the cell at their common edge; above 180 the cell is "
       "not convex.",
       Polyhedra, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, 165 }, "common practice", Hint, Real,
+      { -Infinity, 165 }, "TetGen's default target, for tetrahedra", Cited, Tetrahedra, Real,
       Cost::Edges, NeedsDihedral, CAMARON_CELLS_AND_TETRAHEDRA(MaxDihedralAngle, MaxDihedralAngle),
       { "max θ, with θ as for `MinDihedralAngle`",
         "A flat tetrahedron has 180. Null as `MinDihedralAngle`.",
-        "TetGen's dihedral angles. Above 180° where a cell is not convex, which Camarón's cannot be." } },
-    { "MinSolidAngle", "Smallest solid angle",
-      "Smallest solid angle of the cell at one of its vertices; cube 1.5708, regular tetrahedron 0.5513.",
+        "TetGen's dihedral angles. Above 180° where a cell is not convex, which Camarón's cannot be.",
+        "nearly flat tetrahedra (slivers, caps): gradients of finite elements lose accuracy" } },
+    { "MinSolidAngle", "Minimum solid angle",
+      "Minimum solid angle of the cell at one of its vertices; cube 1.5708, regular tetrahedron 0.5513.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Bigger,
-      { 0.1, Infinity }, "common practice for tetrahedra", Hint, Real,
+      { 0.1, Infinity }, "common practice for tetrahedra", Hint, Tetrahedra, Real,
       Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MinSolidAngle, MinSolidAngle),
       { "area of the unit sphere that the cell covers as seen from a vertex; the spherical polygon of "
         "its edges is cut into triangles a, b, c with tan(Ω/2) = a · (b × c) / (1 + a · b + b · c + c "
@@ -183,27 +189,29 @@ std::vector<Criterion> AngleCriteria()
         "in more than one group.",
         "Of a tetrahedron Σ Ω = 2 Σ θ − 4π, with TetGen's dihedral angles. Camarón gives the share of "
         "the sphere and is wrong beyond 90°; camaron-web has no answer where more than three edges "
-        "meet." } },
-    { "MaxSolidAngle", "Largest solid angle",
-      "Largest solid angle of the cell at one of its vertices; a full sphere is 12.566.",
+        "meet.",
+        "sharp tetrahedra, meant so in layers" } },
+    { "MaxSolidAngle", "Maximum solid angle",
+      "Maximum solid angle of the cell at one of its vertices; a full sphere is 12.566.",
       Polyhedra, Unit::SolidAngle, { 0, 4 * Pi }, None, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsSolidAngle, CAMARON_CELLS_AND_TETRAHEDRA(MaxSolidAngle, MaxSolidAngle),
       { "the largest of the angles Ω of `MinSolidAngle`",
         "As `MinSolidAngle`.",
         "As `MinSolidAngle`." } },
     { "EquiangleSkewness", "Equiangle skewness",
-      "Largest relative deviation of an interior angle from that of the regular polygon, over all faces; "
+      "Maximum relative deviation of an interior angle from that of the regular polygon, over all faces; "
       "above 1 at reflex corners.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, 0.9 }, "common finite-volume practice", Hint, Real,
+      { -Infinity, 0.9 }, "common finite-volume practice", Hint, SimplePolygons | SimplePolyhedra, Real,
       Cost::Faces, NeedsFaces | NeedsCorners, CAMARON_CELLS_AND_TETRAHEDRA(EquiangleSkewness, EquiangleSkewness),
       { "max((θmax − θₑ) / (180° − θₑ), (θₑ − θmin) / θₑ) with θₑ = 180° (k − 2)/k for a face of k "
         "corners; the largest of the faces",
         "1 for a collinear triangle, above 1 at reflex corners. Null (degenerate) when no face has an "
         "angle.",
         "Verdict's for triangles, quadrilaterals, pyramids, wedges and hexahedra; of tetrahedra it "
-        "differs (`VerdictEquiangleSkew`, 0.07 in a healthy cell). Fluent's by definition." } },
+        "differs (`VerdictEquiangleSkew`, 0.07 in a healthy cell). Fluent's by definition.",
+        "skewed cells: fluxes and gradients lose accuracy; meant so where cells are stretched on purpose" } },
   };
   // clang-format on
 }

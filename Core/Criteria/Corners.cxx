@@ -76,10 +76,10 @@ std::vector<Criterion> CornerCriteria()
   // clang-format off
   return {
     { "CornerScaledJacobian", "Corner scaled Jacobian",
-      "Smallest determinant of the unit vectors along the three edges at a vertex; 1 for right angles, "
+      "Minimum determinant of the unit vectors along the three edges at a vertex; 1 for right angles, "
       "negative for an inverted corner. Null for cells with a vertex of more edges.",
       Polyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
-      { Positive, Infinity }, "not inverted; 0.5 for hexahedra in the Verdict manual, rev. A", Cited, Real,
+      { Positive, Infinity }, "not inverted; 0.5 for hexahedra in the Verdict manual, rev. A", Cited, Tetrahedra | Wedges | Hexahedra, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume | NeedsSolidAngle, CAMARON_CELLS(CornerScaledJacobian),
       { "min over the vertices of û₁ · (û₂ × û₃), unit vectors along the three edges of a vertex",
         "0 when an edge is collapsed, negative for an inverted standard cell and at reflex corners. "
@@ -87,7 +87,8 @@ std::vector<Criterion> CornerCriteria()
         "cell in one point, null (invalid topology) for an open one.",
         "Verdict's scaled Jacobian of a hexahedron where that is smallest at a corner; 1/√2 times it "
         "for tetrahedra, √3/2 times for wedges whose smallest corner it is. Scaled Jacobians of Gmsh "
-        "are normalised otherwise again." } },
+        "are normalised otherwise again.",
+        "the map of a finite element turns over at a corner: solvers stop" } },
   };
   // clang-format on
 }

@@ -72,7 +72,10 @@ enum Shapes : unsigned
   Quadrilaterals = 32u,
   Pyramids = 64u,
   Wedges = 128u,
-  Hexahedra = 256u
+  Hexahedra = 256u,
+  SimplePolygons = Triangles | Quadrilaterals,
+  SimplePolyhedra = Tetrahedra | Pyramids | Wedges | Hexahedra,
+  NoShapes = 0u
 };
 
 /// How much work a criterion is per cell.
@@ -126,6 +129,7 @@ struct CriterionNotes
   const char* Formula = "";    ///< definition with its symbols
   const char* Degenerate = ""; ///< answers for collapsed, flat, inverted and open elements
   const char* Agreement = "";  ///< which programs compute the same, and which something else by that name
+  const char* Consequence = ""; ///< what cells outside of the acceptable range are, and do, in half a sentence
 };
 
 /// One row of the table of criteria. Text ends up in tooltips, tables and documentation.
@@ -141,7 +145,8 @@ struct Criterion
   camaron::Better Better;
   double Acceptable[2];         ///< infinite where there is no limit on that side
   const char* AcceptableSource; ///< who says so; empty when no range is given
-  bool AcceptableIsHint;        ///< common practice, not read in a document, or read of one of several shapes only
+  bool AcceptableIsHint;        ///< common practice, not read in a document, or missed on purpose as by stretched cells
+  unsigned AcceptableFor;       ///< Shapes that the source is about; no other cell is inside or outside
   ValueKind Kind;
   camaron::Cost Cost;
   unsigned Needs;
@@ -180,7 +185,8 @@ struct Preset
   {
     const char* Criterion;
     double Acceptable[2];
-    bool IsHint = false; ///< as AcceptableIsHint
+    bool IsHint = false;             ///< as AcceptableIsHint
+    unsigned AcceptableFor = AnyCell; ///< as that of Criterion
   };
   const char* Name;
   const char* Description; ///< what for, and whose limits these are

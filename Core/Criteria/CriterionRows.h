@@ -32,7 +32,7 @@ constexpr ValueKind Integer = ValueKind::Integer;
 constexpr ValueKind Code = ValueKind::Code;
 
 // Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range, its
-// source, hint or cited, kind of values; cost, needs, function; notes for the documentation.
+// source, hint or cited, shapes that it is for, kind of values; cost, needs, function; notes for the documentation.
 
 // `double Function(const CellGeometry&)`, called directly for every cell of a block.
 #define CAMARON_BLOCK(Function)                                                                    \

@@ -217,11 +217,11 @@ std::vector<Criterion> FiniteVolumeCriteria()
 {
   // clang-format off
   return {
-    { "MaxNonOrthogonality", "Largest non-orthogonality",
-      "Largest angle between the line to the centroid of a neighbour and the normal of the face between; "
+    { "MaxNonOrthogonality", "Maximum non-orthogonality",
+      "Maximum angle between the line to the centroid of a neighbour and the normal of the face between; "
       "above 90 the centroids are on the wrong sides.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, 65 }, "OpenFOAM's maxNonOrtho; checkMesh reports from 70", Cited, Real,
+      { -Infinity, 70 }, "OpenFOAM checkMesh; maxNonOrtho of snappyHexMesh is 65", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Largest>),
       { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbour N; the "
         "largest of the inner faces",
@@ -229,37 +229,38 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "place and neighbours with coordinates that are not finite are passed over; null (degenerate) "
         "when nothing is left.",
         "checkMesh's for planar convex faces, to the digits it prints. Fluent reports the cosine: see "
-        "`OrthogonalQuality`." } },
-    { "MinNonOrthogonality", "Smallest non-orthogonality",
-      "Smallest angle between the line to the centroid of a neighbour and the normal of the face between: "
+        "`OrthogonalQuality`.",
+        "finite volumes need correctors, or diverge" } },
+    { "MinNonOrthogonality", "Minimum non-orthogonality",
+      "Minimum angle between the line to the centroid of a neighbour and the normal of the face between: "
       "how good the best face is.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Smallest>),
       { "as `MaxNonOrthogonality`, the smallest of the inner faces", "As `MaxNonOrthogonality`.",
         "No other program here reports it per cell." } },
-    { "MaxBoundaryNonOrthogonality", "Largest non-orthogonality at the boundary",
-      "Largest angle between the line to the centre of a boundary face and the normal of that face.",
+    { "MaxBoundaryNonOrthogonality", "Maximum non-orthogonality at the boundary",
+      "Maximum angle between the line to the centre of a boundary face and the normal of that face.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Largest>),
       { "∠(c_f − P, S); the largest of the boundary faces",
         "90 for a flat tetrahedron, 180 for an inverted cell. Null (no neighbour) for a cell without "
         "boundary faces, null (degenerate) when all are collapsed.",
         "checkMesh does not look at boundary faces." } },
-    { "MinBoundaryNonOrthogonality", "Smallest non-orthogonality at the boundary",
-      "Smallest angle between the line to the centre of a boundary face and the normal of that face: how good "
+    { "MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
+      "Minimum angle between the line to the centre of a boundary face and the normal of that face: how good "
       "the best one is.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Smallest>),
       { "as `MaxBoundaryNonOrthogonality`, the smallest of the boundary faces",
         "Null as `MaxBoundaryNonOrthogonality`.", "No other program here reports it per cell." } },
-    { "MaxFaceSkewness", "Largest face skewness",
-      "Largest distance of the centre of a face from where the line to the neighbour crosses it, relative "
+    { "MaxFaceSkewness", "Maximum face skewness",
+      "Maximum distance of the centre of a face from where the line to the neighbour crosses it, relative "
       "to the size of the face in that direction; at the boundary as if the cell were mirrored.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, 4 }, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary", Cited, Real,
+      { -Infinity, 4 }, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Largest>),
       { "|s|/δ with s = w − (S · w)/(S · d) d, w = c_f − P, δ = max(0.2 |d|, max |ŝ · (p − c_f)| over "
         "the points of the face); at the boundary d = n (n · w) and 0.4 instead of 0.2; the largest "
@@ -267,45 +268,48 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "Infinite where d lies in the plane of the face, as for a flat cell; collapsed faces are "
         "passed over, null (degenerate) when all are. Inverted or not makes no difference.",
         "checkMesh's for planar convex faces, to the digits it prints. Fluent, Gmsh and Verdict mean other "
-        "things by skewness." } },
-    { "MinFaceSkewness", "Smallest face skewness",
-      "Smallest skewness, as of `MaxFaceSkewness`, of the faces of the cell: how good the best one is.",
+        "things by skewness.",
+        "finite volumes interpolate to a wrong point of the face" } },
+    { "MinFaceSkewness", "Minimum face skewness",
+      "Minimum skewness, as of `MaxFaceSkewness`, of the faces of the cell: how good the best one is.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceSkewness<End::Smallest>),
       { "as `MaxFaceSkewness`, the smallest of the faces",
         "Infinite where d lies in the plane of every face; else as `MaxFaceSkewness`.",
         "No other program here reports it per cell." } },
-    { "MinFaceWeight", "Smallest face weight",
+    { "MinFaceWeight", "Minimum face weight",
       "Smaller distance of a face from the two centroids, along its normal, divided by the sum of both.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
-      { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Real,
+      { 0.05, Infinity }, "OpenFOAM's minFaceWeight", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Smallest>),
       { "min(a, b)/(a + b) with a = |S · (c_f − P)|, b = |S · (N − c_f)|; the smallest of the inner "
         "faces",
         "As `MaxNonOrthogonality`; 0 where a centroid lies in the plane of the face.",
-        "checkMesh's \"face interpolation weight\" for planar convex faces, to the digits it prints." } },
-    { "MaxFaceWeight", "Largest face weight",
-      "Largest weight, as of `MinFaceWeight`, of the inner faces of the cell: how good the best one is.",
+        "checkMesh's \"face interpolation weight\" for planar convex faces, to the digits it prints.",
+        "finite volumes interpolate almost from one side" } },
+    { "MaxFaceWeight", "Maximum face weight",
+      "Maximum weight, as of `MinFaceWeight`, of the inner faces of the cell: how good the best one is.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, 0.5, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(FaceWeight<End::Largest>),
       { "as `MinFaceWeight`, the largest of the inner faces",
         "Null as `MinFaceWeight`; 0 where a centroid lies in the plane of every inner face.",
         "No other program here reports it per cell." } },
-    { "MinVolumeRatio", "Smallest volume ratio",
+    { "MinVolumeRatio", "Minimum volume ratio",
       "Smaller divided by larger volume (area) of the cell and a neighbour, the worst of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Real,
+      { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Smallest>),
       { "min(V_P, V_N) / max(V_P, V_N); the smallest of the neighbours",
         "0 where one of the two is flat or inverted; null (no neighbour) without neighbours, null "
         "(invalid topology) for an open cell.",
-        "checkMesh's \"face volume ratio\", to the digits it prints." } },
-    { "MaxVolumeRatio", "Largest volume ratio",
+        "checkMesh's \"face volume ratio\", to the digits it prints.",
+        "abrupt changes of size: gradients of finite volumes lose accuracy" } },
+    { "MaxVolumeRatio", "Maximum volume ratio",
       "Smaller divided by larger volume (area) of the cell and a neighbour, the best of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Largest>),
       { "min(V_P, V_N) / max(V_P, V_N); the largest of the neighbours",
         "Null as `MinVolumeRatio`; 0 where the cell is flat or inverted, or all its neighbours are.",
@@ -313,32 +317,35 @@ std::vector<Criterion> FiniteVolumeCriteria()
     { "CellVolumeRatio", "Size growth",
       "Larger divided by smaller volume (area) of the cell and a neighbour, the worst of all neighbours.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
-      { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, Real,
+      { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, SimplePolyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellVolumeRatio),
       { "1 / MinVolumeRatio",
         "Infinite where a neighbour or the cell is flat or inverted; else null as `MinVolumeRatio`.",
-        "Growth rates of Fluent and others are along layers, and often of lengths." } },
+        "Growth rates of Fluent and others are along layers, and often of lengths.",
+        "abrupt changes of size, meant so where cells are refined by halves" } },
     { "OrthogonalQuality", "Orthogonal quality",
-      "Smallest cosine of the angles between the normal of a face and the lines from the centroid to the "
+      "Minimum cosine of the angles between the normal of a face and the lines from the centroid to the "
       "centre of the face and to the centroid of the neighbour, as in Fluent.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
-      { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Real,
+      { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(OrthogonalQuality),
       { "min over the faces of n · ŵ and, for inner faces, n · d̂, with w = c_f − P and d = N − P",
         "0 where a face is collapsed or a centroid lies on a face, −1 for an inverted cell.",
         "Fluent's definition for polyhedra and hexahedra; of tetrahedra, wedges and pyramids Fluent "
-        "also takes 1 minus the skewness into the minimum." } },
+        "also takes 1 minus the skewness into the minimum.",
+        "diffusive fluxes of finite volumes lose accuracy" } },
     { "CellDeterminant", "Cell determinant",
       "OpenFOAM's determinant of the inner faces, relative to their mean area; 1 for a cube or square within a "
       "grid (8 in some releases of OpenFOAM), 0 for a cell without inner faces.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Bigger,
-      { 0.001, Infinity }, CheckMesh, Cited, Real,
+      { 0.001, Infinity }, CheckMesh, Hint, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellDeterminant),
       { "det Σ (S/ā)(S/ā)ᵀ / 8 over the inner faces, ā being their mean area; of a polygon the same in its "
         "plane, with edges for faces, and 4 for 8",
         "0 for a cell without inner faces, and for a flat one.",
         "checkMesh of OpenFOAM v1912 prints the same smallest value; releases that do not divide by 8 "
-        "score a cube 8, although their dictionaries say 1." } },
+        "score a cube 8, although their dictionaries say 1.",
+        "gradients of finite volumes by least squares are badly conditioned; meant so in layers" } },
   };
   // clang-format on
 }

@@ -97,7 +97,7 @@ std::vector<Criterion> KernelCriteria()
       "Volume (area) of the kernel, which is the set of points that see all of the cell, divided by that of the "
       "cell; 1 for convex cells, 0 where there is no such point.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Clipping, needs, CAMARON_CELLS(KernelRatio),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(KernelRatio),
       { "|K| / |E|, with K what the inner half-spaces of the faces of E have in common; of a warped face those of "
         "the triangles of its edges and its centre. Of a polygon: half-planes of its edges, in its plane. Half-spaces "
         "cut the bounding box of the cell one after the other. Exactly 1 where no point of the cell lies outside of a "
@@ -107,15 +107,16 @@ std::vector<Criterion> KernelCriteria()
         "PEMesh's kernel-area ratio of planar polygons. Camarón has the kernel of a whole model only." } },
     { "IsStarShaped", "Star-shaped", "1 if some point sees all of the cell (KernelRatio above 0), else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "star-shaped", Cited, Integer, Cost::Iterative, needs, CAMARON_CELLS(IsStarShaped),
+      { 1, Infinity }, "star-shaped", Hint, PolygonsAndPolyhedra, Integer, Cost::Iterative, needs, CAMARON_CELLS(IsStarShaped),
       { "1 if there is a ball within the half-spaces of KernelRatio: a linear program with the faces as constraints. "
         "Where it is evaluated, CellStatus has the bit 0x20000 for cells with the value 0.",
         "NaN (2) without volume or area, NaN (3) for open cells; 0 with a coordinate that is not finite.",
-        "Star-shaped about some point; MinTetMeanRatio tells of the centroid." } },
+        "Star-shaped about some point; MinTetMeanRatio tells of the centroid.",
+        "estimates of virtual elements do not hold; of no matter to others" } },
     { "KernelInradiusRatio", "Kernel inradius to diameter",
       "Radius of the largest ball in the kernel divided by the largest distance of two vertices.",
       PolygonsAndPolyhedra, Unit::None, { 0, 0.5 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(KernelInradiusRatio),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(KernelInradiusRatio),
       { "ρ = r(K) / h, with r(K) the radius of the largest ball (of a polygon: circle in its plane) in the kernel, "
         "and h the diameter. Cube 0.5 / √3.",
         "0 for flat cells and an empty kernel; NaN (2) if all points coincide, NaN (3) for open cells.",
@@ -123,7 +124,7 @@ std::vector<Criterion> KernelCriteria()
     { "ShapeRegularity", "Shape regularity",
       "Radius of the largest ball in the kernel divided by that of the smallest ball around the cell.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(ShapeRegularity),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(ShapeRegularity),
       { "r(K) / R, with R the radius of the smallest ball around all vertices.",
         "0 for flat cells and an empty kernel; NaN (2) if all points coincide, NaN (3) for open cells.",
         "PEMesh prints the reciprocal for planar polygons." } },
@@ -132,7 +133,7 @@ std::vector<Criterion> KernelCriteria()
       "regular tetrahedron 1/3, square 0.7071, equilateral triangle 1/2. The ball in a polyhedron is "
       "the one in its kernel.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(InradiusCircumradiusRatio),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(InradiusCircumradiusRatio),
       { "r / R. Convex cells: r by a linear program over the faces. Non-convex polygon: the largest circle inside, found to "
         "1e-6 of the diameter or better by cutting squares into four. Non-convex polyhedron: the largest ball in "
         "the kernel, which may be smaller than the largest ball inside. R: the smallest ball around the vertices.",
@@ -143,7 +144,7 @@ std::vector<Criterion> KernelCriteria()
     { "NormalizedRadiusRatio", "Normalized radius ratio",
       "InradiusCircumradiusRatio of a polygon divided by that of the regular polygon with as many corners.",
       Polygons, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Iterative, needs, CAMARON_CELLS(NormalizedRadiusRatio),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Iterative, needs, CAMARON_CELLS(NormalizedRadiusRatio),
       { "(r / R) / cos(π/k) for k distinct points.",
         "As InradiusCircumradiusRatio.",
         "TriangleRadiusRatio for triangles without an obtuse angle." } },

@@ -88,7 +88,7 @@ std::vector<Criterion> MomentCriteria()
       "Shortest divided by longest principal axis of the vertices (square root of the ratio of the "
       "eigenvalues of their second moments; of a polygon in its plane).",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(PrincipalAspectRatio),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(PrincipalAspectRatio),
       { "√(λmin/λmax) of Σ (pᵢ − p̄)(pᵢ − p̄)ᵀ with p̄ the mean of the vertices; of a polygon in its "
         "plane",
         "0 for a flat cell or a collinear polygon, null (degenerate) for a cell in one point.",
@@ -98,7 +98,7 @@ std::vector<Criterion> MomentCriteria()
       "the cube and all regular polyhedra, 0 for a flat cell. Of a polygon 4 det T / (tr T)^2 with the normals of the "
       "edges, as long as these, in its plane.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(CellIsotropy),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(CellIsotropy),
       { "27 det T / (tr T)³ with T = Σ S_f S_fᵀ over all faces; of a polygon 4 det T / (tr T)² in its plane, with "
         "edges for faces",
         "0 for a flat cell or a collinear polygon, null (degenerate) when no face has an area or all points of a polygon "

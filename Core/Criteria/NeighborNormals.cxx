@@ -198,30 +198,30 @@ std::vector<Criterion> NeighborNormalCriteria()
 {
   // clang-format off
   return {
-    { "MinNeighborNormalAngle", "Smallest angle to a neighbour",
-      "Smallest angle between the normals of the polygon and of those that share an edge with it; 0 is "
+    { "MinNeighborNormalAngle", "Minimum angle to a neighbor",
+      "Minimum angle between the normals of the polygon and of those that share an edge with it; 0 is "
       "flat.",
       Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle),
       { "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S, the sign "
         "making both run along the edge in opposite directions",
         "Null (no neighbour) without neighbours, null (degenerate) when the polygon or all its "
         "neighbours are collapsed. An edge of more than two polygons counts with each.",
         "Camarón's \"dihedral angle\" of polygons, without its dependence on which way the normals "
         "point." } },
-    { "MaxNeighborNormalAngle", "Largest angle to a neighbour",
-      "Largest angle between the normals of the polygon and of those that share an edge with it; 0 is "
+    { "MaxNeighborNormalAngle", "Maximum angle to a neighbor",
+      "Maximum angle between the normals of the polygon and of those that share an edge with it; 0 is "
       "flat.",
       Polygons, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MaxNeighborNormalAngle),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MaxNeighborNormalAngle),
       { "the largest of the angles of `MinNeighborNormalAngle`",
         "As `MinNeighborNormalAngle`.",
         "As `MinNeighborNormalAngle`." } },
-    { "MinSurfaceDihedralAngle", "Smallest dihedral angle of the surface",
-      "Smallest angle between a polygon of a closed surface and its neighbours, measured inside of what the "
+    { "MinSurfaceDihedralAngle", "Minimum dihedral angle of the surface",
+      "Minimum angle between a polygon of a closed surface and its neighbours, measured inside of what the "
       "surface encloses; 180 is flat, less a ridge, more a valley.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
       CAMARON_MESH(MinSurfaceDihedralAngle),
       { "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, n₁ and n₂ the outward normals of the "
         "polygon and its neighbour, e the direction in which the polygon runs along the edge",
@@ -229,11 +229,11 @@ std::vector<Criterion> NeighborNormalCriteria()
         "two of them, or do not run consistently. Edges without length and neighbours without area are left out; "
         "null (degenerate) where nothing is left.",
         "Camarón's dihedral angle is another one: `MaxNeighborNormalAngle`." } },
-    { "MaxSurfaceDihedralAngle", "Largest dihedral angle of the surface",
-      "Largest angle between a polygon of a closed surface and its neighbours, measured inside of what the "
+    { "MaxSurfaceDihedralAngle", "Maximum dihedral angle of the surface",
+      "Maximum angle between a polygon of a closed surface and its neighbours, measured inside of what the "
       "surface encloses; 180 is flat, less a ridge, more a valley.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
-      { -Infinity, Infinity }, NoRange, Cited, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
       CAMARON_MESH(MaxSurfaceDihedralAngle),
       { "the largest of the angles of `MinSurfaceDihedralAngle`",
         "As `MinSurfaceDihedralAngle`.",

@@ -10,7 +10,7 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr double Positive = std::numeric_limits<double>::min();
-constexpr bool Hint = true;
+constexpr bool Hint = true, Cited = false;
 
 //------------------------------------------------------------------------------
 // With the acceptable ranges of the table of criteria.
@@ -21,7 +21,8 @@ std::vector<Preset::Rule> AsInTable(const std::vector<const char*>& names)
   {
     const Criterion& criterion = *FindCriterion(name);
     rules.push_back(
-      { name, { criterion.Acceptable[0], criterion.Acceptable[1] }, criterion.AcceptableIsHint });
+      { name, { criterion.Acceptable[0], criterion.Acceptable[1] }, criterion.AcceptableIsHint,
+        criterion.AcceptableFor });
   }
   return rules;
 }
@@ -33,9 +34,7 @@ const std::vector<Preset>& GetPresets()
   // clang-format off
   static const std::vector<Preset> presets = {
     { "Overview", "Shape at a glance, for any polygon or polyhedron; ranges as in the table of criteria.",
-      { { "EdgeLengthRatio", { 1.0 / 3, Infinity }, Hint },
-        { "EquiangleSkewness", { -Infinity, 0.9 }, Hint },
-        { "IsoperimetricQuotient", { -Infinity, Infinity } } } },
+      AsInTable({ "EdgeLengthRatio", "EquiangleSkewness", "IsoperimetricQuotient" }) },
     { "General", "What a report shows unless asked otherwise; ranges as in the table of criteria.",
       AsInTable({ "Area", "Perimeter", "SurfaceArea", "Volume", "VertexCount", "EdgeCount", "FaceCount",
         "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinInteriorAngle",
@@ -43,54 +42,55 @@ const std::vector<Preset>& GetPresets()
         "MinSolidAngle", "MaxSolidAngle", "EquiangleSkewness", "MaxNeighborNormalAngle",
         "EdgeLengthRatio", "IsoperimetricQuotient", "CellAspectRatio", "TriangleRadiusRatio",
         "BhatiaLawrence", "TetRadiusEdgeRatio", "TetRadiusRatio", "TetMeanRatio", "MinFaceFlatness",
-        "MinTetMeanRatio", "CellStatus", "MaxNonOrthogonality", "MaxFaceSkewness", "MinVolumeRatio",
+        "MinTetMeanRatio", "CornerScaledJacobian", "CellStatus", "IsValid", "MaxNonOrthogonality", "MaxFaceSkewness", "MinVolumeRatio",
         "OrthogonalQuality" }) },
     { "FEM tetrahedra", "Finite elements on tetrahedra; ranges of the Verdict manual, rev. A, for "
-      "tetrahedra; TetGen's default bound of the radius-edge ratio; 165 degrees are common practice.",
-      { { "Volume", { Positive, Infinity } },
-        { "MinDihedralAngle", { 40, Infinity } },
-        { "MaxDihedralAngle", { -Infinity, 165 }, Hint },
-        { "TetRadiusEdgeRatio", { -Infinity, 2 } },
-        { "TetRadiusRatio", { 1.0 / 3, Infinity } },
-        { "TetMeanRatio", { 0.3, Infinity } },
-        { "EdgeLengthRatio", { 1.0 / 3, Infinity } } } },
+      "tetrahedra; TetGen's default bound of the radius-edge ratio and target of the largest dihedral angle.",
+      { { "Volume", { Positive, Infinity }, Cited, Polyhedra },
+        { "MinDihedralAngle", { 40, Infinity }, Cited, Tetrahedra },
+        { "MaxDihedralAngle", { -Infinity, 165 }, Cited, Tetrahedra },
+        { "TetRadiusEdgeRatio", { -Infinity, 2 }, Cited, Tetrahedra },
+        { "TetRadiusRatio", { 1.0 / 3, Infinity }, Cited, Tetrahedra },
+        { "TetMeanRatio", { 0.3, Infinity }, Cited, Tetrahedra },
+        { "EdgeLengthRatio", { 1.0 / 3, Infinity }, Cited, Tetrahedra } } },
     { "FEM hexahedra", "Finite elements on hexahedra; ranges of the Verdict manual, rev. A, for "
-      "hexahedra (scaled Jacobian) and their quadrilaterals (angles, edges).",
-      { { "Volume", { Positive, Infinity } },
-        { "MinFaceAngle", { 45, Infinity } },
-        { "MaxFaceAngle", { -Infinity, 135 } },
-        { "EdgeLengthRatio", { 1 / 1.3, Infinity } },
-        { "EquiangleSkewness", { -Infinity, 0.5 } },
-        { "CornerScaledJacobian", { 0.5, Infinity } } } },
+      "hexahedra (scaled Jacobian) and, as hints, their quadrilaterals (angles, edges).",
+      { { "Volume", { Positive, Infinity }, Cited, Polyhedra },
+        { "MinFaceAngle", { 45, Infinity }, Hint, Hexahedra },
+        { "MaxFaceAngle", { -Infinity, 135 }, Hint, Hexahedra },
+        { "EdgeLengthRatio", { 1 / 1.3, Infinity }, Hint, Hexahedra },
+        { "EquiangleSkewness", { -Infinity, 0.5 }, Hint, Hexahedra },
+        { "CornerScaledJacobian", { 0.5, Infinity }, Cited, Hexahedra } } },
     { "Finite volume", "Finite volumes on any polyhedra; limits of OpenFOAM's checkMesh (non-orthogonality "
-      "from 70 degrees, skewness, aspect ratio, flatness, openness) and of its meshQualityDict (the others).",
-      { { "Volume", { Positive, Infinity } },
-        { "MaxNonOrthogonality", { -Infinity, 70 } },
-        { "MaxFaceSkewness", { -Infinity, 4 } },
-        { "CellAspectRatio", { -Infinity, 1000 } },
-        { "MinFacePyramidVolume", { Positive, Infinity } },
-        { "MinFaceWeight", { 0.05, Infinity } },
-        { "MinVolumeRatio", { 0.01, Infinity } },
-        { "MinFaceFlatness", { 0.8, Infinity } },
-        { "MaxFaceConcavity", { -Infinity, 80 } },
-        { "MinTetQuality", { 1e-15, Infinity } },
-        { "CellDeterminant", { 0.001, Infinity } },
-        { "Openness", { -Infinity, 1e-6 } } } },
-    { "Surface", "Polygonal surfaces; ranges of the Verdict manual, rev. A, for triangles, and that of the largest angle for "
-      "quadrilaterals.",
-      { { "Area", { Positive, Infinity } },
-        { "MinInteriorAngle", { 30, Infinity }, Hint },
-        { "MaxInteriorAngle", { -Infinity, 135 }, Hint },
-        { "EdgeLengthRatio", { 1 / 1.3, Infinity } },
-        { "TriangleRadiusRatio", { 1.0 / 3, Infinity } },
+      "from 70 degrees, skewness, aspect ratio, flatness, openness) and of its meshQualityDict (the others). What layers "
+      "of flat cells and tiny edges of Voronoi cells miss, the aspect ratio, the determinant and MinTetQuality, are hints.",
+      { { "Volume", { Positive, Infinity }, Cited, Polyhedra },
+        { "MaxNonOrthogonality", { -Infinity, 70 }, Cited, Polyhedra },
+        { "MaxFaceSkewness", { -Infinity, 4 }, Cited, Polyhedra },
+        { "CellAspectRatio", { -Infinity, 1000 }, Hint, Polyhedra },
+        { "MinFacePyramidVolume", { Positive, Infinity }, Cited, Polyhedra },
+        { "MinFaceWeight", { 0.05, Infinity }, Cited, Polyhedra },
+        { "MinVolumeRatio", { 0.01, Infinity }, Cited, Polyhedra },
+        { "MinFaceFlatness", { 0.8, Infinity }, Cited, Polyhedra },
+        { "MaxFaceConcavity", { -Infinity, 80 }, Cited, Polyhedra },
+        { "MinTetQuality", { 1e-15, Infinity }, Hint, Polyhedra },
+        { "CellDeterminant", { 0.001, Infinity }, Hint, Polyhedra },
+        { "Openness", { -Infinity, 1e-6 }, Cited, Polyhedra } } },
+    { "Surface", "Surfaces of triangles and quadrilaterals; ranges of the Verdict manual, rev. A, for triangles, and that of "
+      "the largest angle for quadrilaterals. What stretched triangles miss on purpose are hints.",
+      { { "Area", { Positive, Infinity }, Cited, Polygons },
+        { "MinInteriorAngle", { 30, Infinity }, Hint, SimplePolygons },
+        { "MaxInteriorAngle", { -Infinity, 135 }, Cited, SimplePolygons },
+        { "EdgeLengthRatio", { 1 / 1.3, Infinity }, Hint, SimplePolygons },
+        { "TriangleRadiusRatio", { 1.0 / 3, Infinity }, Hint, Triangles },
         { "MaxNeighborNormalAngle", { -Infinity, Infinity } } } },
     { "VEM", "Virtual elements on any polygons and polyhedra: what the shape-regularity assumptions bound; "
       "no agreed limits.",
       { { "EdgeLengthRatio", { -Infinity, Infinity } },
         { "IsoperimetricQuotient", { -Infinity, Infinity } },
-        { "EquiangleSkewness", { -Infinity, 0.9 }, Hint },
-        { "MaxDihedralAngle", { -Infinity, 180 }, Hint },
-        { "KernelRatio", { Positive, Infinity } },
+        { "EquiangleSkewness", { -Infinity, Infinity } },
+        { "MaxDihedralAngle", { -Infinity, Infinity } },
+        { "KernelRatio", { Positive, Infinity }, Cited, PolygonsAndPolyhedra },
         { "ShapeRegularity", { -Infinity, Infinity } },
         { "VemQuality", { -Infinity, Infinity } },
         { "PolyhedronQuality", { -Infinity, Infinity } } } },

@@ -230,7 +230,7 @@ std::vector<Criterion> ValidityCriteria()
       "evaluated, too), 262144 coordinates that are not finite, 524288 face vectors that do not cancel. The first "
       "nine as in VTK's Validate Cells.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1048575 }, 0, Better::Smaller,
-      { -Infinity, 0 }, "nothing wrong", Cited, Code, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Code, Cost::Edges, NeedsAll, CAMARON_CELLS(CellStatus),
       { "sum of bits, each of one test of the cell",
         "Has a value for every polygon and polyhedron; of one with coordinates that are not finite only that bit. An "
         "array of integers, which have no null: 0 for points and lines, which nobody has looked at. Faces of an open "
@@ -243,16 +243,17 @@ std::vector<Criterion> ValidityCriteria()
     { "FaceOrientationStatus", "Orientation of faces",
       "0 if all faces point outward, 1 inward, 2 some of both, 3 they cannot be made to agree.",
       Polyhedra, Unit::None, { 0, 3 }, 0, Better::Smaller,
-      { -Infinity, 0 }, "outward", Cited, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus),
+      { -Infinity, 0 }, "outward", Hint, Polyhedra, Integer, Cost::Edges, NeedsFaces | NeedsVolume, CAMARON_CELLS(FaceOrientationStatus),
       { "0 outward, 1 inward, 2 mixed, 3 not orientable",
         "Null (invalid topology) for an open cell, null (degenerate) if coordinates are not finite. A standard cell in wrong order has 1, a flat one "
         "0. Outward of a void is into the void.",
-        "VTK's Validate Cells has one bit for 1 to 3." } },
+        "VTK's Validate Cells has one bit for 1 to 3.",
+        "faces that point inward, which most programs correct when they read" } },
     { "IsConvex", "Convex",
       "1 if neither faces nor edges bend inward (within ConvexityTolerance), the faces of a polyhedron are planar "
       "(within PlanarityTolerance) and the cell has one surface, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { -Infinity, Infinity }, NoRange, Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
+      { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
       { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and neither 64",
         "1 for flat cells. Faces count by their mean planes as long as they are planar within PlanarityTolerance; where "
         "one is warped more, the triangles about its centre bend inward, and the cell is not convex: a hexahedron is not "
@@ -261,18 +262,20 @@ std::vector<Criterion> ValidityCriteria()
         "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },
     { "IsWatertight", "Watertight", "1 if the cell has faces, and each of its edges at least two of them; else 0.",
       Polyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "closed", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight),
+      { 1, Infinity }, "closed", Cited, Polyhedra, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsWatertight),
       { "1 if CellStatus has none of 4096 and 262144",
         "1 for flat cells; 0 where an edge has one face, and for cells of which no face is left.",
-        "No other program here reports it per cell." } },
+        "No other program here reports it per cell.",
+        "open cells: no volume, and finite volumes do not conserve" } },
     { "IsValid", "Valid",
       "1 if CellStatus has nothing but warped or inward faces or a shape that is not convex or star-shaped, else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "valid", Cited, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid),
+      { 1, Infinity }, "valid", Cited, PolygonsAndPolyhedra, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsValid),
       { "1 if CellStatus has at most 16, 32, 64 and 131072",
         "0 for flat, collapsed, inverted and open cells; 1 for a polyhedron whose faces all point "
         "inward, as it can be turned.",
-        "No other program here reports it per cell." } },
+        "No other program here reports it per cell.",
+        "broken cells (Cell status says how): solvers stop or are wrong" } },
   };
   // clang-format on
 }

@@ -108,7 +108,7 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality. Camarón's aspect ratio is `EdgeLengthRatio`, OpenFOAM's "
         "`CellAspectRatio`." } },
     { "VerdictCollapseRatio", "Verdict collapse ratio",
-      "Smallest height above a face relative to the longest edge of that face; depends on the order of "
+      "Minimum height above a face relative to the longest edge of that face; depends on the order of "
       "the nodes.", Unit::None, { -Infinity, Infinity }, None,
       Better::Bigger, { 0.1, Infinity },
       { nullptr, nullptr, verdict::tet_collapse_ratio,
@@ -146,7 +146,7 @@ constexpr Measure Measures[] = {
         "0 for a flat hexahedron, null (degenerate) for one on a line.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictDistortion", "Verdict distortion",
-      "Smallest Jacobian determinant relative to the area or volume.", Unit::None, { -Infinity, Infinity }, 1,
+      "Minimum Jacobian determinant relative to the area or volume.", Unit::None, { -Infinity, Infinity }, 1,
       Better::Bigger, { 0.5, Infinity },
       { verdict::tri_distortion, verdict::quad_distortion, verdict::tet_distortion,
         nullptr, verdict::wedge_distortion, verdict::hex_distortion },
@@ -164,7 +164,7 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality. `EdgeRatio` is the same, except of hexahedra, of which "
         "Verdict looks at six edges for the largest." } },
     { "VerdictEquiangleSkew", "Verdict equiangle skew",
-      "Largest relative deviation of an angle from that of the regular shape.", Unit::None, { 0, Infinity }, 0,
+      "Maximum relative deviation of an angle from that of the regular shape.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
       { verdict::tri_equiangle_skew, verdict::quad_equiangle_skew, verdict::tet_equiangle_skew,
         verdict::pyramid_equiangle_skew, verdict::wedge_equiangle_skew, verdict::hex_equiangle_skew },
@@ -191,15 +191,15 @@ constexpr Measure Measures[] = {
         "0 for a flat tetrahedron, null (degenerate) for one on a line, negative for an inverted one.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictJacobian", "Verdict Jacobian",
-      "Smallest determinant of the Jacobian.", Unit::Volume, { -Infinity, Infinity }, None,
+      "Minimum determinant of the Jacobian.", Unit::Volume, { -Infinity, Infinity }, None,
       Better::Bigger, { Positive, Infinity },
       { nullptr, verdict::quad_jacobian, verdict::tet_jacobian,
         verdict::pyramid_jacobian, verdict::wedge_jacobian, verdict::hex_jacobian },
       { "min det J over the corners (and the centre of a hexahedron)",
         "0 for a flat cell, negative for an inverted one. Of a tetrahedron six times the volume.",
         "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`." } },
-    { "VerdictMaxAngle", "Verdict largest angle",
-      "Largest interior angle.", Unit::Angle, { 0, 360 }, None,
+    { "VerdictMaxAngle", "Verdict maximum angle",
+      "Maximum interior angle.", Unit::Angle, { 0, 360 }, None,
       Better::Smaller, { -Infinity, 135 },
       { verdict::tri_maximum_angle, verdict::quad_maximum_angle, nullptr,
         nullptr, nullptr, nullptr },
@@ -207,8 +207,8 @@ constexpr Measure Measures[] = {
         "180 for a collinear triangle, 0 for one with two equal points. A reflex corner of a "
         "quadrilateral counts as above 180; null (degenerate) for a quadrilateral with a collapsed edge.",
         "VTK's Mesh Quality and Cell Quality. `MaxInteriorAngle` is the same for healthy cells." } },
-    { "VerdictMaxAspectFrobenius", "Verdict largest aspect Frobenius",
-      "Largest aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
+    { "VerdictMaxAspectFrobenius", "Verdict maximum aspect Frobenius",
+      "Maximum aspect Frobenius of the corners.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 3 },
       { nullptr, verdict::quad_max_aspect_frobenius, nullptr,
         nullptr, OfUprightWedge<verdict::wedge_max_aspect_frobenius>, verdict::hex_max_aspect_frobenius },
@@ -216,16 +216,16 @@ constexpr Measure Measures[] = {
         "Infinite for a collapsed edge, a flat or inverted cell.",
         "VTK's Mesh Quality and Cell Quality, but for inverted wedges, which have the values of their mirror images "
         "there." } },
-    { "VerdictMaxEdgeRatio", "Verdict largest edge ratio",
-      "Largest ratio of the principal axes.", Unit::None, { 1, Infinity }, 1,
+    { "VerdictMaxEdgeRatio", "Verdict maximum edge ratio",
+      "Maximum ratio of the principal axes.", Unit::None, { 1, Infinity }, 1,
       Better::Smaller, { -Infinity, 1.3 },
       { nullptr, verdict::quad_max_edge_ratio, nullptr,
         nullptr, nullptr, verdict::hex_max_edge_ratio },
       { "max |Xᵢ| / |Xⱼ| of the principal axes X",
         "Infinite when a principal axis vanishes.",
         "VTK's Mesh Quality and Cell Quality." } },
-    { "VerdictMaxStretch", "Verdict largest stretch",
-      "Largest stretch of the quadrilateral faces, shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
+    { "VerdictMaxStretch", "Verdict maximum stretch",
+      "Maximum stretch of the quadrilateral faces, shortest edge relative to the longest diagonal.", Unit::None, { 0, Infinity }, 1,
       Better::Neither, { -Infinity, Infinity },
       { nullptr, nullptr, nullptr,
         nullptr, verdict::wedge_max_stretch, nullptr },
@@ -258,8 +258,8 @@ constexpr Measure Measures[] = {
       { "mean of the aspect Frobenius numbers of the corners",
         "Infinite for a collapsed edge, a flat or inverted cell.",
         "VTK's Mesh Quality and Cell Quality. Verdict calls the mean med." } },
-    { "VerdictMinAngle", "Verdict smallest angle",
-      "Smallest interior angle of a polygon, smallest dihedral angle of a tetrahedron, which depends on the order "
+    { "VerdictMinAngle", "Verdict minimum angle",
+      "Minimum interior angle of a polygon, minimum dihedral angle of a tetrahedron, which depends on the order "
       "of its nodes.", Unit::Angle, { 0, 360 }, None,
       Better::Bigger, { 30, Infinity },
       { verdict::tri_minimum_angle, verdict::quad_minimum_angle, verdict::tet_minimum_angle,
@@ -271,7 +271,7 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality. `MinInteriorAngle` is the same for healthy polygons; "
         "`MinDihedralAngle` is what the name promises for tetrahedra." } },
     { "VerdictNodalJacobianRatio", "Verdict nodal Jacobian ratio",
-      "Smallest divided by largest Jacobian of the nodes.", Unit::None, { -Infinity, 1 }, 1,
+      "Minimum divided by maximum Jacobian of the nodes.", Unit::None, { -Infinity, 1 }, 1,
       Better::Bigger, { Positive, Infinity },
       { nullptr, nullptr, nullptr,
         nullptr, nullptr, verdict::hex_nodal_jacobian_ratio },
@@ -279,7 +279,7 @@ constexpr Measure Measures[] = {
         "0 for a flat or inverted hexahedron.",
         "VTK's Mesh Quality and Cell Quality." } },
     { "VerdictNormalizedInradius", "Verdict normalized inradius",
-      "Smallest inradius of the subtriangles or subtetrahedra relative to the regular shape.", Unit::None, { -Infinity, 1 }, 1,
+      "Minimum inradius of the subtriangles or subtetrahedra relative to the regular shape.", Unit::None, { -Infinity, 1 }, 1,
       Better::Bigger, { 0.15, Infinity },
       { verdict::tri_normalized_inradius, nullptr, verdict::tet_normalized_inradius,
         nullptr, nullptr, nullptr },
@@ -290,7 +290,7 @@ constexpr Measure Measures[] = {
         "value of its mirror image.",
         "VTK's Mesh Quality and Cell Quality. Of a triangle `TriangleRadiusRatio` is the same." } },
     { "VerdictOddy", "Verdict Oddy",
-      "Largest deviation of the metric tensor from the isotropic one.", Unit::None, { 0, Infinity }, 0,
+      "Maximum deviation of the metric tensor from the isotropic one.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.5 },
       { nullptr, verdict::quad_oddy, nullptr,
         nullptr, nullptr, verdict::hex_oddy },
@@ -319,7 +319,7 @@ constexpr Measure Measures[] = {
       { verdict::tri_relative_size_squared, verdict::quad_relative_size_squared,
         verdict::tet_relative_size_squared, nullptr, nullptr, verdict::hex_relative_size_squared } },
     { "VerdictScaledJacobian", "Verdict scaled Jacobian",
-      "Smallest Jacobian divided by the lengths of its edges.", Unit::None, { -1.5, 1.5 }, 1,
+      "Minimum Jacobian divided by the lengths of its edges.", Unit::None, { -1.5, 1.5 }, 1,
       Better::Bigger, { 0.3, Infinity },
       { verdict::tri_scaled_jacobian, verdict::quad_scaled_jacobian, verdict::tet_scaled_jacobian,
         verdict::pyramid_scaled_jacobian, verdict::wedge_scaled_jacobian, verdict::hex_scaled_jacobian },
@@ -351,7 +351,7 @@ constexpr Measure Measures[] = {
       { verdict::tri_shape_and_size, verdict::quad_shape_and_size, verdict::tet_shape_and_size,
         nullptr, nullptr, verdict::hex_shape_and_size } },
     { "VerdictShear", "Verdict shear",
-      "Smallest scaled Jacobian that is relevant for the skew.", Unit::None, { 0, 1 }, 1,
+      "Minimum scaled Jacobian that is relevant for the skew.", Unit::None, { 0, 1 }, 1,
       Better::Bigger, { 0.3, Infinity },
       { nullptr, verdict::quad_shear, nullptr,
         nullptr, nullptr, verdict::hex_shear },
@@ -367,7 +367,7 @@ constexpr Measure Measures[] = {
       { nullptr, verdict::quad_shear_and_size, nullptr,
         nullptr, nullptr, verdict::hex_shear_and_size } },
     { "VerdictSkew", "Verdict skew",
-      "Largest cosine of the angles between the principal axes.", Unit::None, { 0, Infinity }, 0,
+      "Maximum cosine of the angles between the principal axes.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.5 },
       { nullptr, SkewOfQuadrilateral, nullptr,
         nullptr, nullptr, verdict::hex_skew },
@@ -376,7 +376,7 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality. The manual prints 0.5 to 1 as acceptable although a "
         "rectangle has 0." } },
     { "VerdictSquishIndex", "Verdict squish index",
-      "Largest sine of the angle between a face and the line to its centre.", Unit::None, { 0, 2 }, 0,
+      "Maximum sine of the angle between a face and the line to its centre.", Unit::None, { 0, 2 }, 0,
       Better::Smaller, { -Infinity, 0.3 },
       { nullptr, nullptr, verdict::tet_squish_index,
         nullptr, nullptr, nullptr },
@@ -392,7 +392,7 @@ constexpr Measure Measures[] = {
         "0 when an edge is collapsed.",
         "VTK's Mesh Quality and Cell Quality. `EdgeDiameterRatio` is what can be said of any cell." } },
     { "VerdictTaper", "Verdict taper",
-      "Largest ratio of the cross derivative to the principal axes.", Unit::None, { 0, Infinity }, 0,
+      "Maximum ratio of the cross derivative to the principal axes.", Unit::None, { 0, Infinity }, 0,
       Better::Smaller, { -Infinity, 0.7 },
       { nullptr, verdict::quad_taper, nullptr,
         nullptr, nullptr, verdict::hex_taper },
@@ -591,13 +591,18 @@ Criterion MakeCriterion(
   }
   const bool hasRange = std::isfinite(measure.Acceptable[0]) || std::isfinite(measure.Acceptable[1]);
   const auto* const end = std::end(YoungerThanManual);
-  const char* const source = std::find(YoungerThanManual, end, measure.Name) != end
-    ? "common practice"
-    : "Verdict manual, rev. A, of the most lenient shape";
+  const bool isOfManual = std::find(YoungerThanManual, end, measure.Name) == end;
+  const char* const source =
+    isOfManual ? "Verdict manual, rev. A, of the most lenient shape" : "common practice";
+  // The manual has no ranges for pyramids and wedges but the sign.
+  const bool isOfSign = measure.Acceptable[0] == Positive;
+  const unsigned shapesOfRange = !hasRange ? NoShapes
+    : isOfManual && !isOfSign               ? shapes & ~(Pyramids | Wedges)
+                                            : shapes;
   Criterion criterion = { measure.Name, measure.Label, measure.Description, shapes, measure.Unit,
     { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
     { measure.Acceptable[0], measure.Acceptable[1] },
-    hasRange ? source : NoRange, Hint, Real, Cost::Edges,
+    hasRange ? source : NoRange, Hint, shapesOfRange, Real, Cost::Edges,
     NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function, nullptr, nullptr, nullptr, measure.Notes };
   return criterion;
 }

@@ -312,9 +312,9 @@ const std::vector<ElementArray>& GetEdgeArrays()
       OfPolygons, Unit::None, true, CAMARON_FLAGS(NonManifoldEdge) },
     { "InconsistentEdge", "1 for an edge along which its two polygons run in the same direction, else 0.",
       OfPolygons, Unit::None, true, CAMARON_FLAGS(InconsistentEdge) },
-    { "EdgeMinDihedralAngle", "Smallest dihedral angle that a cell has at the edge.",
+    { "EdgeMinDihedralAngle", "Minimum dihedral angle that a cell has at the edge.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMinDihedralAngle) },
-    { "EdgeMaxDihedralAngle", "Largest dihedral angle that a cell has at the edge.",
+    { "EdgeMaxDihedralAngle", "Maximum dihedral angle that a cell has at the edge.",
       OfPolyhedra, Unit::Angle, false, CAMARON_REALS(EdgeMaxDihedralAngle) },
     { "EdgeAngleSum",
       "Sum of the dihedral angles of the cells at the edge; 360 degrees inside a mesh with planar faces, else cells "

@@ -189,13 +189,13 @@ const std::vector<ElementArray>& GetFaceArrays()
       "Volume of the pyramid over the face with the centroid of a cell as apex, the smaller one of both sides.",
       OfPolyhedra, Unit::Volume, true, CAMARON_FACETS((PyramidSize<3>)) },
     { "FaceTwist",
-      "Smallest cosine between the triangles about the centre of the face and the line of the centroids, at the "
+      "Minimum cosine between the triangles about the centre of the face and the line of the centroids, at the "
       "boundary the line to the centre of the face.",
       OfPolyhedra, Unit::None, false, CAMARON_FACETS(InsideOrBoundary<GetFaceTwist>) },
     { "FaceFlatness", "Area of the face projected along its normal, divided by that of the triangles about its centre.",
       OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceFlatness>) },
     { "Warpage",
-      "Largest distance of a point of the face from its plane, divided by the largest one from its centre.",
+      "Maximum distance of a point of the face from its plane, divided by the largest one from its centre.",
       OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceWarpage>) },
     { "FaceConcavity", "By how much the largest angle of the face exceeds 180 degrees; 0 for a convex one.",
       OfAnyCells, Unit::Angle, false, CAMARON_SHAPES(OfShape<GetFaceConcavity>) },

@@ -14,7 +14,7 @@
 #include "vtkType.h" // for vtkIdType
 
 #include <algorithm> // for std::min
-#include <cstdint>   // for rests
+#include <cstdint>   // for rests and shapes
 #include <vector>    // for lists of blocks
 
 namespace camaron
@@ -33,10 +33,15 @@ struct ValueBlock
   /// Identity of each element, unique among all processes; where absent FirstId + index.
   const vtkIdType* Ids = nullptr;
   vtkIdType FirstId = 0;
+  /// Shapes (Criterion.h) of each element, and those that the acceptable range is for; without them it is for all.
+  const std::uint16_t* Shapes = nullptr;
+  unsigned JudgedShapes = 0;
 
   bool Contains(vtkIdType i) const { return !this->Skip || !this->Skip[i]; }
   int GetRest(vtkIdType i) const { return this->Rests ? this->Rests[i] : 0; }
   ExactValue GetExact(vtkIdType i) const { return { this->Values[i], this->GetRest(i) }; }
+  /// Whether the acceptable range is for the element: no other one is inside or outside of it.
+  bool IsJudged(vtkIdType i) const { return !this->Shapes || (this->Shapes[i] & this->JudgedShapes); }
   vtkIdType GetId(vtkIdType i) const { return this->Ids ? this->Ids[i] : this->FirstId + i; }
   /// Of an element whose value is NaN.
   NullReason GetNullReason(vtkIdType i) const

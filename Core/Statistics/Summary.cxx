@@ -28,16 +28,20 @@ struct Totals
   void AddNotFinite(const ValueBlock& block, vtkIdType i, const ValueRange& acceptable)
   {
     const double value = block.Values[i];
+    const bool isApplicable =
+      !std::isnan(value) || block.GetNullReason(i) != NullReason::NotApplicable;
+    const bool isJudged = isApplicable && block.IsJudged(i);
+    this->Counts.JudgedCount += isJudged;
     if (std::isnan(value))
     {
       ++this->Counts.NullCount;
-      this->Counts.NotApplicableCount += block.GetNullReason(i) == NullReason::NotApplicable;
+      this->Counts.NotApplicableCount += !isApplicable;
     }
     else
     {
       ++this->Counts.InfCount;
-      this->Counts.BelowCount += value < acceptable.Low;
-      this->Counts.AboveCount += value > acceptable.High;
+      this->Counts.BelowCount += isJudged && value < acceptable.Low;
+      this->Counts.AboveCount += isJudged && value > acceptable.High;
     }
   }
 };
@@ -55,7 +59,7 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
   const ValueRange& acceptable)
 {
   double min = totals.Min, max = totals.Max, minPositive = totals.MinPositive;
-  std::int64_t count = 0, below = 0, above = 0;
+  std::int64_t count = 0, judged = 0, below = 0, above = 0;
   bool integers = totals.Counts.NonIntegerCount == 0;
   totals.Sum.Reserve((block.Rests ? 2 : 1) * (end - begin));
   for (vtkIdType i = begin; i < end; ++i)
@@ -74,8 +78,10 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
     min = value < min ? value : min;
     max = value > max ? value : max;
     minPositive = value > 0 && value < minPositive ? value : minPositive;
-    below += value < acceptable.Low;
-    above += value > acceptable.High;
+    const bool isJudged = block.IsJudged(i);
+    judged += isJudged;
+    below += isJudged && value < acceptable.Low;
+    above += isJudged && value > acceptable.High;
     integers = integers && IsInteger(value);
     totals.Sum.Add(value);
     if (block.Rests)
@@ -87,13 +93,14 @@ void AddChunk(Totals& totals, const ValueBlock& block, vtkIdType begin, vtkIdTyp
   totals.Max = max;
   totals.MinPositive = minPositive;
   totals.Counts.Count += count;
+  totals.Counts.JudgedCount += judged;
   totals.Counts.BelowCount += below;
   totals.Counts.AboveCount += above;
   totals.Counts.NonIntegerCount = !integers;
 }
 
 // Sums counts and limbs of parts and processes at once.
-constexpr std::size_t NumberOfCounts = 7;
+constexpr std::size_t NumberOfCounts = 8;
 constexpr std::size_t NumberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
 using CountsAndLimbs = std::array<std::int64_t, NumberOfCounts + NumberOfLimbs>;
 
@@ -252,7 +259,7 @@ void SumUp(
     const Summary& counts = part.Counts;
     const std::array<std::int64_t, NumberOfCounts> list = { { counts.Count, counts.NullCount,
       counts.NotApplicableCount, counts.InfCount, counts.BelowCount, counts.AboveCount,
-      counts.NonIntegerCount } };
+      counts.NonIntegerCount, counts.JudgedCount } };
     for (std::size_t i = 0; i < NumberOfCounts; ++i)
     {
       sums[i] += list[i];
@@ -273,6 +280,7 @@ void SumUp(
   summary.BelowCount = sums[4];
   summary.AboveCount = sums[5];
   summary.NonIntegerCount = sums[6];
+  summary.JudgedCount = sums[7];
   if (summary.GetFiniteCount() > 0)
   {
     summary.Min = FromKey(keys[0]);

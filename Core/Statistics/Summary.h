@@ -39,7 +39,8 @@ struct Summary
   std::int64_t NullCount = 0;          ///< NaN
   std::int64_t NotApplicableCount = 0; ///< those nulls whose reason is NotApplicable
   std::int64_t InfCount = 0;           ///< +Inf and -Inf
-  std::int64_t BelowCount = 0;         ///< smaller than the acceptable range, -Inf included
+  std::int64_t JudgedCount = 0;        ///< of the applicable ones those of shapes that the acceptable range is for
+  std::int64_t BelowCount = 0;         ///< of the judged ones; smaller than the acceptable range, -Inf included
   std::int64_t AboveCount = 0;         ///< larger than the acceptable range, +Inf included
   std::int64_t NonIntegerCount = 0;    ///< 0 if every finite value is an integer, else positive
 

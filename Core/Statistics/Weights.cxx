@@ -47,7 +47,7 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
         }
         const double weight = weightUnit * GetWeight(weightBlock, i);
         sums.Weight.Add(weight);
-        if (value < acceptable.Low || value > acceptable.High)
+        if (block.IsJudged(i) && (value < acceptable.Low || value > acceptable.High))
         {
           sums.BadWeight.Add(weight);
         }

@@ -3,6 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "AcceptableRanges.h"
+#include "CellShapes.h"
 
 #include <cmath>
 #include <locale>
@@ -41,6 +42,7 @@ ExactValue ParseLimit(const std::string& text, const char* property, double open
 struct ExactRange
 {
   ExactValue Low, High;
+  unsigned Shapes = AnyCell; ///< of the cells that it is for
 };
 
 //------------------------------------------------------------------------------
@@ -69,7 +71,7 @@ ExactRange FindRange(const SelectionTask& task)
     throw std::invalid_argument("no acceptable range is known for '" + task.GetArrayName() +
       "'; choose another Preset, or Custom for Range and give the limits");
   }
-  return { { range->Low }, { range->High } };
+  return { { range->Low }, { range->High }, range->Shapes };
 }
 }
 
@@ -77,20 +79,24 @@ ExactRange FindRange(const SelectionTask& task)
 std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
 {
   const SelectionParameters& parameters = task.Parameters;
-  const BlockValues values = FindValues(task);
+  BlockValues values = FindValues(task);
   const ExactRange range = FindRange(task);
+  BlockShapes shapes(task.Blocks);
+  AcceptableRange judged;
+  judged.Shapes = range.Shapes;
+  shapes.Judge(values, judged);
   if (parameters.Side != "Inside" && parameters.Side != "Outside")
   {
     throw std::invalid_argument("Side is Inside or Outside, not '" + parameters.Side + "'");
   }
   const bool inside = parameters.Side == "Inside";
-  // NaN is on neither side.
+  // NaN is on neither side, nor is a cell of a shape that the range is not for.
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)
     {
       const ExactValue value = block.GetExact(i);
       const bool isOutside = value < range.Low || range.High < value;
-      return isOutside != inside && !std::isnan(value.Value);
+      return block.IsJudged(i) && isOutside != inside && !std::isnan(value.Value);
     });
   return "";
 }

@@ -3,6 +3,7 @@
 #include "Strategies/Strategy.h"
 
 #include "AcceptableRanges.h"
+#include "CellShapes.h"
 #include "CheckNumber.h"
 
 #include "vtkDataArray.h"
@@ -53,10 +54,12 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
   {
     counts.emplace_back(block.size());
   }
+  BlockShapes shapes(task.Blocks);
   for (const std::string& name : names)
   {
-    const ValueRange range = *ranges.Find(name, FindUnit(task, name));
-    const BlockValues values(task.Blocks, name);
+    const AcceptableRange range = *ranges.Find(name, FindUnit(task, name));
+    BlockValues values(task.Blocks, name);
+    shapes.Judge(values, range);
     for (std::size_t v = 0; v < values.Get().size(); ++v)
     {
       const ValueBlock& block = values.Get()[v];
@@ -67,7 +70,7 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
           for (vtkIdType i = begin; i < end; ++i)
           {
             // NaN is on neither side.
-            count[i] += block.Values[i] < range.Low || block.Values[i] > range.High;
+            count[i] += block.IsJudged(i) && (block.Values[i] < range.Low || block.Values[i] > range.High);
           }
         });
     }

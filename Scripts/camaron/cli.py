@@ -484,18 +484,18 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
     for finding in ranking.findings(summary):
         names = ", ".join(c["name"] for c in finding["criteria"])
         sentence = finding["text"].replace("{}", names)
-        lines.append(_ascii(sentence))
+        lines.append(_ascii(("Hint: " if finding["hint"] else "") + sentence))
     lines += [f"Note: {note}" for note in summary["notes"]]
     return "\n".join(lines)
 
 
 def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
-    """Columns of null and infinite values only where there are some."""
+    """Columns of undefined and infinite values only where there are some."""
     columns = [
         ("criterion", lambda c: c["name"]),
         ("unit", lambda c: c["unit"]),
         ("cells", lambda c: str(c["applicable"])),
-        ("null", lambda c: str(ranking.undefined_count(c))),
+        ("undefined", lambda c: str(ranking.undefined_count(c))),
         ("inf", lambda c: str(c["inf"])),
         ("min", lambda c: text.number(c["min"])),
         ("p1", lambda c: text.number(c["quantiles"].get("1"))),
@@ -503,18 +503,21 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
         ("p99", lambda c: text.number(c["quantiles"].get("99"))),
         ("max", lambda c: text.number(c["max"])),
         ("mean", lambda c: text.number(c["mean"])),
-        ("acceptable", lambda c: _ascii(text.interval(*c["acceptable"]))),
+        (
+            "acceptable",
+            lambda c: _ascii(text.interval(*c["acceptable"])) if ranking.is_limited(c) else "",
+        ),
         ("outside", lambda c: str(c["out_of_range"]) if ranking.is_limited(c) else ""),
         (
             "%",
-            lambda c: text.percent(c["out_of_range"], c["applicable"])
+            lambda c: text.percent(c["out_of_range"], c["judged"])
             if ranking.is_limited(c)
             else "",
         ),
     ]
     unneeded = set()
     if not any(ranking.undefined_count(c) for c in criteria):
-        unneeded.add("null")
+        unneeded.add("undefined")
     if not any(c["inf"] for c in criteria):
         unneeded.add("inf")
     columns = [column for column in columns if column[0] not in unneeded]
@@ -522,7 +525,7 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
     lines = text.table([name for name, _ in columns], rows, left=2)
     marked = [lines[0]]
     for line, c in zip(lines[1:], criteria):
-        bad = c["out_of_range"] > 0
+        bad = ranking.is_serious(c)
         mark = "! " if bad else "  "
         marked.append(f"\x1b[1;31m{mark}{line}\x1b[0m" if color and bad else mark + line)
     return ["  " + marked[0], *marked[1:]]
@@ -613,7 +616,8 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
         print(f"{c['name']}: {c['label']}, of {c['applies_to']}\n  {c['description']}")
         if c["acceptable_source"]:
             limits = _ascii(text.interval(*c["acceptable"], c["unit"]))
-            print(f"  acceptable {limits} ({c['acceptable_source']})")
+            shapes = "" if c["acceptable_for"] == c["applies_to"] else f" of {c['acceptable_for']}"
+            print(f"  acceptable {limits}{shapes} ({c['acceptable_source']})")
         print(f"  {notes[c['name']]['formula']}\n  Degenerate cells: {notes[c['name']]['degenerate']}")
     return 0
 

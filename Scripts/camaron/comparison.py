@@ -33,6 +33,7 @@ OF_BOTH = {
     "max": "Max",
     "mean": "Mean",
     "std_dev": "StdDev",
+    "judged": "JudgedCount",
     "out_of_range": "OutOfRangeCount",
     "out_of_range_percent": "OutOfRangePercent",
 }
@@ -179,16 +180,17 @@ def _read(comparison: Any, preset: Optional[str], ranges: Any) -> list[dict[str,
         if row["Group"] != WHOLE:
             criteria[row["Criterion"]]["groups"].append({"group": row["Group"], **_numbers(row)})
             continue
-        about = known[row["Criterion"]]
+        about = {**known[row["Criterion"]], **sources.get(row["Criterion"], {})}
+        numbers = _numbers(row)
         limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
+        if not any(numbers[mesh]["judged"] for mesh in "ab"):
+            limits = [None, None]  # of other shapes
         criteria[row["Criterion"]] = {
             **{key: about[key] for key in ("name", "label", "description", "better", "ideal")},
             "unit": row["Unit"],
             "acceptable": limits,
-            "acceptable_source": tables.range_source(about, sources)[0]
-            if limits != [None, None]
-            else "",
-            **_numbers(row),
+            "acceptable_source": about["acceptable_source"] if limits != [None, None] else "",
+            **numbers,
             "histogram": {"edges": [], "a": [], "b": []},
             "groups": [],
         }

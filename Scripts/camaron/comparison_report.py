@@ -4,52 +4,55 @@
 
 from __future__ import annotations
 
-from html import escape
-from pathlib import Path
-from typing import Any
+from typing import Any, Optional
 
 from . import comparison_table, svg, text
+from .markup import Markup, html
+from .report import link, page, table_of
 from .text import THIN
 
 BETTER = {"bigger": "Larger is better", "smaller": "Smaller is better", "neither": ""}
+#: Headings of columns about each of the meshes.
+A, B = html('<span class="a">A</span>'), html('<span class="b">B</span>')
 
 
 def render(summary: dict[str, Any]) -> str:
     """The report as HTML. `summary` is what summary.json holds (see Documentation/compare.md)."""
-    style = (Path(__file__).parent / "report.css").read_text(encoding="utf-8")
-    names = [escape(summary[mesh]["name"]) for mesh in "ab"]
-    items = "".join(
-        f'<a href="#criterion-{escape(c["name"])}">{escape(c["label"])}'
-        + ('<i title="more cells outside the acceptable range"></i>' if _is_worse(summary, c) else "")
-        + "</a>"
-        for c in summary["criteria"]
+    mark = html('<i title="more cells outside the acceptable range"></i>')
+    navigation = html(
+        '<a class="top" href="#top">Summary</a><a href="#overview">Overview</a><p>Criteria</p>{}',
+        [link(c, mark if _is_worse(summary, c) else None) for c in summary["criteria"]],
     )
-    made = summary["generated"]
-    sentences = [f"<li>{escape(s)}</li>" for s in comparison_table.findings(summary)]
-    sentences += [f'<li class="note">{escape(note)}</li>' for note in summary["notes"]]
+    names = [summary[mesh]["name"] for mesh in "ab"]
+    sentences = [html("<li>{}</li>", s) for s in comparison_table.findings(summary)]
+    sentences += [html('<li class="note">{}</li>', note) for note in summary["notes"]]
+    criteria = [_criterion(summary, c) for c in summary["criteria"]]
     body = [
-        '<header id="top"><p class="eyebrow">Mesh comparison</p>'
-        f'<h1><span class="a">{names[0]}</span> and <span class="b">{names[1]}</span></h1>'
-        + "".join(
-            f'<p class="meta">{mesh.upper()}: {escape(summary[mesh]["path"])}</p>' for mesh in "ab"
-        )
-        + f'<p class="meta">{escape(made["date"][:16])} · {escape(made["by"])}</p></header>',
-        f'<ul class="findings">{"".join(sentences)}</ul>',
-        _meshes(summary),
-        _overview(summary),
-        '<section id="criteria"><h2>Criterion by criterion</h2>' if summary["criteria"] else "",
-        *(_criterion(summary, c) for c in summary["criteria"]),
-        "</section>" if summary["criteria"] else "",
+        _header(summary, names),
+        html('<div class="findings"><ul>{}</ul></div>', sentences),
+        html('<section id="overview">{}{}</section>', _meshes(summary), _overview(summary)),
+        html('<section id="criteria"><h2>Criterion by criterion</h2>{}</section>', criteria)
+        if criteria
+        else None,
         _footer(),
     ]
-    return (
-        '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
-        '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-        f"<title>{names[0]} and {names[1]}: mesh quality</title>\n<style>\n{style}</style>\n"
-        '</head>\n<body>\n<nav aria-label="Contents"><a class="top" href="#top">Summary</a>'
-        f'<a href="#overview">Overview</a><p>Criteria</p>{items}</nav>\n<main>\n'
-        + "\n".join(part for part in body if part)
-        + "\n</main>\n</body>\n</html>\n"
+    title = f"{names[0]} and {names[1]}: mesh quality"
+    return page(title, navigation, html("<main>"), body, html(""))
+
+
+def _header(summary, names) -> Markup:
+    made = summary["generated"]
+    paths = [
+        html('<p class="meta">{}: {}</p>', mesh.upper(), summary[mesh]["path"]) for mesh in "ab"
+    ]
+    return html(
+        '<header id="top"><p class="eyebrow">Mesh comparison</p>'
+        '<h1><span class="a">{}</span> and <span class="b">{}</span></h1>{}'
+        '<p class="meta">{} · {}</p></header>',
+        *names,
+        paths,
+        made["date"][:16],
+        made["by"],
     )
 
 
@@ -57,32 +60,28 @@ def _is_worse(summary, c) -> bool:
     return c["name"] in summary["worse"]
 
 
-def _meshes(summary) -> str:
+def _row(label: str, values) -> Markup:
+    return html("<tr><td>{}</td>{}</tr>", label, [html("<td>{}</td>", value) for value in values])
+
+
+def _meshes(summary) -> Markup:
     rows = []
     for key, label in (("cells", "cells"), ("points", "points"), ("boundary_faces", "boundary faces")):
-        cells = "".join(f"<td>{text.count(summary[mesh][key], THIN)}</td>" for mesh in "ab")
-        rows.append(f"<tr><td>{label}</td>{cells}</tr>")
+        rows.append(_row(label, (text.count(summary[mesh][key], THIN) for mesh in "ab")))
     for key in ("volume", "area"):
         if any(summary[mesh][key] is not None for mesh in "ab"):
-            cells = "".join(f"<td>{text.number(summary[mesh][key], 6)}</td>" for mesh in "ab")
-            rows.append(f"<tr><td>total {key}</td>{cells}</tr>")
-    types = {t["name"]: None for mesh in "ab" for t in summary[mesh]["cell_types"]}
-    for name in types:
-        counts = [
-            {t["name"]: t["count"] for t in summary[mesh]["cell_types"]}.get(name, 0) for mesh in "ab"
-        ]
-        cells = "".join(f"<td>{text.count(n, THIN)}</td>" for n in counts)
-        rows.append(f"<tr><td>{escape(name)}</td>{cells}</tr>")
-    return (
-        '<section id="overview"><h2>Meshes</h2><div class="scroll"><table class="overview"><thead>'
-        '<tr><th></th><th><span class="a">A</span></th><th><span class="b">B</span></th></tr>'
-        f'</thead><tbody>{"".join(rows)}</tbody></table></div>'
-    )
+            rows.append(_row(f"total {key}", (text.number(summary[mesh][key], 6) for mesh in "ab")))
+    counts = {
+        mesh: {t["name"]: t["count"] for t in summary[mesh]["cell_types"]} for mesh in "ab"
+    }
+    for name in {**counts["a"], **counts["b"]}:
+        rows.append(_row(name, (text.count(counts[mesh].get(name, 0), THIN) for mesh in "ab")))
+    return html("<h2>Meshes</h2>{}", table_of("overview", ["", A, B], rows))
 
 
-def _overview(summary) -> str:
+def _overview(summary) -> Optional[Markup]:
     if not summary["criteria"]:
-        return "</section>"
+        return None
     head = ["Criterion"]
     for label in ("Minimum", "Median", "Mean", "Maximum", "Outside, %"):
         head += [f"{label} A", "B"]
@@ -91,28 +90,22 @@ def _overview(summary) -> str:
         head += ["Better", "Worse", "Same"]
     rows = []
     for c in summary["criteria"]:
-        cells = [f'<td><a href="#criterion-{escape(c["name"])}">{escape(c["label"])}</a></td>']
+        cells = [html("<td>{}</td>", link(c))]
         for key in ("min", "median", "mean", "max"):
-            cells += [f"<td>{text.number(c[mesh][key])}</td>" for mesh in "ab"]
+            cells += [html("<td>{}</td>", text.number(c[mesh][key])) for mesh in "ab"]
         for mesh in "ab":
             bad = mesh == "b" and _is_worse(summary, c)
             value = text.number(c[mesh]["out_of_range_percent"], 3)
-            cells.append(f'<td class="{"bad" if bad else ""}">{value}</td>')
-        cells.append(f"<td>{text.number(c['distance'], 3)}</td>")
+            cells.append(html('<td class="{}">{}</td>', "bad" if bad else "", value))
+        cells.append(html("<td>{}</td>", text.number(c["distance"], 3)))
         if summary["same_cells"]:
-            cells += [
-                f"<td>{text.count(c[key], THIN)}</td>" for key in ("improved", "worsened", "unchanged")
-            ]
-        rows.append(f"<tr>{''.join(cells)}</tr>")
-    return (
-        '<h2>Overview</h2><div class="scroll"><table class="overview"><thead><tr>'
-        + "".join(f"<th>{name}</th>" for name in head)
-        + f'</tr></thead><tbody>{"".join(rows)}</tbody></table></div></section>'
-    )
+            keys = ("improved", "worsened", "unchanged")
+            cells += [html("<td>{}</td>", text.count(c[key], THIN)) for key in keys]
+        rows.append(html("<tr>{}</tr>", cells))
+    return html("<h2>Overview</h2>{}", table_of("overview", head, rows))
 
 
-def _criterion(summary, c) -> str:
-    unit = escape(text.UNIT_SYMBOLS.get(c["unit"], c["unit"]))
+def _criterion(summary, c) -> Markup:
     rows = []
     labels = {
         "min": "Minimum",
@@ -123,19 +116,38 @@ def _criterion(summary, c) -> str:
         "mean": "Mean",
         "std_dev": "Standard deviation",
         "out_of_range_percent": "Outside, %",
-        "null": "Null",
+        "null": "Undefined",
         "inf": "Infinite",
     }
     for key, label in labels.items():
         values = [c[mesh][key] for mesh in "ab"]
         if key in ("null", "inf") and not any(values) or values == [None, None]:
             continue
-        cells = "".join(f"<td>{text.number(value)}</td>" for value in values)
-        rows.append(f"<tr><td>{label}</td>{cells}</tr>")
+        rows.append(_row(label, map(text.number, values)))
+    remarks = ". ".join(_remarks(c))
+    head = html("<th></th><th>{}</th><th>{}</th>", A, B)
+    return html(
+        '<article id="criterion-{name}"><div class="title"><h3>{}</h3><code>{name}</code>{}</div>'
+        '<p class="description">{}</p><div class="columns">{}<div class="statistics">'
+        "<table><thead><tr>{}</tr></thead><tbody>{}</tbody></table>{}</div></div>{}</article>",
+        c["label"],
+        html('<span class="badge bad">worse</span>') if _is_worse(summary, c) else None,
+        c["description"],
+        svg.comparison(c),
+        head,
+        rows,
+        html("<p>{}.</p>", remarks) if remarks else None,
+        _groups(c),
+        name=c["name"],
+    )
+
+
+def _remarks(c) -> list[str]:
+    unit = text.UNIT_SYMBOLS.get(c["unit"], c["unit"])
     remarks = [BETTER[c["better"]]] if BETTER[c["better"]] else []
     if c["acceptable"] != [None, None]:
-        source = f" ({escape(c['acceptable_source'])})" if c["acceptable_source"] else ""
-        remarks.append(f"Acceptable {escape(text.interval(*c['acceptable'], c['unit']))}{source}")
+        source = f" ({c['acceptable_source']})" if c["acceptable_source"] else ""
+        remarks.append(f"Acceptable {text.interval(*c['acceptable'], c['unit'])}{source}")
     if c["distance"]:
         remarks.append(
             f"Distance {text.number(c['distance'], 3)}, at {text.number(c['distance_value'])}{unit}"
@@ -145,51 +157,37 @@ def _criterion(summary, c) -> str:
             f"Of {text.plural(c['compared'], 'cell', THIN)} {text.count(c['improved'], THIN)} better, "
             f"{text.count(c['worsened'], THIN)} worse, {text.count(c['unchanged'], THIN)} the same"
         )
-    badge = '<span class="badge bad">worse</span>' if _is_worse(summary, c) else ""
-    return (
-        f'<article id="criterion-{escape(c["name"])}"><div class="title"><h3>{escape(c["label"])}</h3>'
-        f'<code>{escape(c["name"])}</code>{badge}</div>'
-        f'<p class="description">{escape(c["description"])}</p>'
-        f'<div class="columns">{svg.comparison(c)}<div class="statistics"><table><thead><tr><th></th>'
-        '<th><span class="a">A</span></th><th><span class="b">B</span></th></tr></thead>'
-        f'<tbody>{"".join(rows)}</tbody></table>'
-        + (f"<p>{'. '.join(remarks)}.</p>" if remarks else "")
-        + f"</div></div>{_groups(c)}</article>"
-    )
+    return remarks
 
 
-def _groups(c) -> str:
+def _groups(c) -> Optional[Markup]:
     """A table of the groups, where there are any."""
     if not c["groups"]:
-        return ""
+        return None
     head = [""]
     for label in ("Cells", "Minimum", "Median", "Maximum", "Outside"):
         head += [f"{label} A", "B"]
     head.append("Distance")
     rows = []
     for group in c["groups"]:
-        cells = [f"<td>{escape(group['group'])}</td>"]
-        cells += [f"<td>{text.count(group[mesh]['count'], THIN)}</td>" for mesh in "ab"]
+        values = [text.count(group[mesh]["count"], THIN) for mesh in "ab"]
         for key in ("min", "median", "max"):
-            cells += [f"<td>{text.number(group[mesh][key])}</td>" for mesh in "ab"]
+            values += [text.number(group[mesh][key]) for mesh in "ab"]
         for mesh in "ab":
             is_limited = group[mesh]["out_of_range_percent"] is not None
-            cells.append(f"<td>{text.count(group[mesh]['out_of_range'], THIN) if is_limited else ''}</td>")
-        cells.append(f"<td>{text.number(group['distance'], 3)}</td>")
-        rows.append(f"<tr>{''.join(cells)}</tr>")
-    return (
-        '<details><summary>Groups</summary><div class="scroll"><table class="worst groups"><thead><tr>'
-        + "".join(f"<th>{name}</th>" for name in head)
-        + f'</tr></thead><tbody>{"".join(rows)}</tbody></table></div></details>'
+            values.append(text.count(group[mesh]["out_of_range"], THIN) if is_limited else "")
+        rows.append(_row(group["group"], [*values, text.number(group["distance"], 3)]))
+    return html(
+        "<details><summary>Groups</summary>{}</details>", table_of("worst groups", head, rows)
     )
 
 
-def _footer() -> str:
-    return (
+def _footer() -> Markup:
+    return html(
         "<footer><p>Histograms have the same bins for both meshes and show shares of the cells with a "
         "value: B as bars, A as a line. <b>Distance</b>: the largest difference, over all x, of the shares "
         "of cells with values up to x (Kolmogorov and Smirnov); 0 for equal distributions, 1 for separate "
-        "ones. <b>Outside</b>: of the acceptable range, in percent of the cells for which the criterion has "
-        "a meaning. Cells are compared one by one where both meshes have the same cells; a value is "
+        "ones. <b>Outside</b>: of the acceptable range, in percent of the cells that it is for. Cells are "
+        "compared one by one where both meshes have the same cells; a value is "
         "better than none.</p><p>Beside this page: <code>summary.json</code> (all numbers).</p></footer>"
     )

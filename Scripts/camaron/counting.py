@@ -107,11 +107,13 @@ def _grouping(scope: Optional[Scope]) -> Grouping:
     return (ways.get(scope.kind, "Cell array"), _group_array(scope))
 
 
-def _group(scope: Optional[Scope]) -> str:
-    """Label of the group that is a scope."""
+def _groups(scope: Optional[Scope]) -> list[str]:
+    """Labels of the groups that are a scope."""
     if scope is None:
-        return ALL_CELLS
-    return str(FAMILIES[scope.value] if scope.kind == "family" else scope.value)
+        return [ALL_CELLS]
+    if scope.kind == "family":
+        return [str(FAMILIES[family]) for family in scope.families()]
+    return [str(scope.value)]
 
 
 def _check_arrays(evaluated: Evaluation, rules: Sequence[Rule]) -> None:
@@ -170,9 +172,13 @@ class _Counter:
             failing = [rule.criterion for rule, of_rule in zip(rules, ends) if end in of_rule]
             self._list_worst(grouping, end, failing)
         for rule, found, of_rule in zip(rules, counts, ends):
-            group = _group(rule.scope)
             lists = {
-                end: self.lists[grouping, end, rule.criterion].get(group, []) for end in of_rule
+                end: [
+                    row
+                    for group in _groups(rule.scope)
+                    for row in self.lists[grouping, end, rule.criterion].get(group, [])
+                ]
+                for end in of_rule
             }
             found.offenders = _offenders(rule, lists)[: self.worst]
         return counts
@@ -209,20 +215,23 @@ def _limits(rule: Rule) -> tuple[float, float]:
 def _counts(rule: Rule, rows: dict[tuple[str, str], dict[str, Any]]) -> Counts:
     """What the statistics say, by criterion and group, but for the offenders."""
     whole = rows.get((rule.criterion, ALL_CELLS))
-    row = rows.get((rule.criterion, _group(rule.scope)))
-    if row is None:  # no such cells
-        return Counts(total=whole["Count"] if whole else 0)
-    below, not_above = (row["CountUpTo"][limit] for limit in _limits(rule))
+    total = whole["Count"] if whole else 0
+    found = [rows.get((rule.criterion, group)) for group in _groups(rule.scope)]
+    found = [row for row in found if row is not None]  # else there are no such cells
+    add = lambda column: sum(row[column] for row in found)
+    low, high = _limits(rule)
+    up_to = lambda limit: sum(row["CountUpTo"][limit] for row in found)
+    finite = lambda column: [row[column] for row in found if not math.isnan(row[column])]
     return Counts(
-        total=whole["Count"],
-        cells=row["Count"],
-        checked=row["ApplicableCount"],
-        null=row["NullCount"] - (row["Count"] - row["ApplicableCount"]),
-        infinite=row["InfCount"],
-        below=below,
-        above=row["Count"] - row["NullCount"] - not_above,
-        min=None if math.isnan(row["Min"]) else row["Min"],
-        max=None if math.isnan(row["Max"]) else row["Max"],
+        total=total,
+        cells=add("Count"),
+        checked=add("ApplicableCount"),
+        null=add("NullCount") - (add("Count") - add("ApplicableCount")),
+        infinite=add("InfCount"),
+        below=up_to(low),
+        above=add("Count") - add("NullCount") - up_to(high),
+        min=min(finite("Min"), default=None),
+        max=max(finite("Max"), default=None),
     )
 
 
@@ -251,7 +260,8 @@ def _offenders(rule: Rule, lists: dict[str, list[dict[str, Any]]]) -> list[dict[
             outside.append((high - row["Value"], row["Id"], "above", row))
     outside.sort(key=lambda item: item[:2])
     found = [_offender(row, why) for _, _, why, row in outside]
-    return found + [_offender(row, "null") for row in lists.get("Null", [])]
+    null = sorted(lists.get("Null", []), key=lambda row: row["Id"])
+    return found + [_offender(row, "null") for row in null]
 
 
 def _offender(row: dict[str, Any], why: str) -> dict[str, Any]:

@@ -84,7 +84,7 @@ def _check(entry: dict[str, Any], result: dict[str, Any]) -> xml.Element:
 
 
 def _place(cell: dict[str, Any]) -> str:
-    value = "null" if cell["value"] is None else f"{cell['value']:.6g}"
+    value = "undefined" if cell["value"] is None else f"{cell['value']:.6g}"
     block = f" of {cell['block']}" if cell["block"] else ""
     return f"cell {cell['id']}{block} {value}"
 

@@ -18,7 +18,7 @@ from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformat
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 from . import pipeline, text
-from .ranking import undefined_count
+from .ranking import picture_criterion, undefined_count
 from .report import Picture
 from .stages import Stages
 from .svg import ticks
@@ -100,7 +100,7 @@ class Scene:
         bar.LabelFormat = "%-g"
         bar.DrawNanAnnotation = 1 if criterion["null"] else 0
         bar.NanAnnotation = (
-            "null" if undefined_count(criterion) == criterion["null"] else "no value"
+            "undefined" if undefined_count(criterion) == criterion["null"] else "no value"
         )
         bar.Visibility = 1
         display.SetScalarBarVisibility(self.view, True)
@@ -225,8 +225,7 @@ def take(
     mesh = summary["mesh"]
     if not mesh["bounds"]:
         return []
-    by_name = {c["name"]: c for c in summary["criteria"]}
-    criterion = by_name.get(summary["worst_criterion"])
+    criterion = picture_criterion(summary["criteria"])
     camera = Camera(mesh["bounds"])
     path = folder / "mesh.png"
     surface.UpdatePipeline()

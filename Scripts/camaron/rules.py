@@ -28,6 +28,11 @@ FAMILIES = {
     "hexahedra": 12,
     "polyhedra": 42,
 }
+#: Words for several of them.
+FAMILY_SETS = {
+    "2D cells": ("triangles", "quadrangles", "polygons"),
+    "3D cells": ("tetrahedra", "pyramids", "wedges", "hexahedra", "polyhedra"),
+}
 SINGULAR = {"tetrahedron": "tetrahedra", "hexahedron": "hexahedra", "polyhedron": "polyhedra"}
 LARGEST = 1.7976931348623157e308
 
@@ -56,7 +61,10 @@ def _quoted(name: str) -> str:
 
 @dataclass(frozen=True)
 class Scope:
-    """Which cells a rule is for: a family, a cell type, a block, those with a value of an array."""
+    """Which cells a rule is for: families, a cell type, a block, those with a value of an array.
+
+    Several families are one text, such as "tetrahedra, wedges" or "3D cells".
+    """
 
     kind: str
     value: Any
@@ -65,8 +73,27 @@ class Scope:
     def __str__(self) -> str:
         if self.kind == "array":
             return f"where {_quoted(self.array)} = {self.value}"
-        words = {"family": "of", "type": "of type", "block": "in"}
+        if self.kind == "family":
+            return f"of {self.value}"
+        words = {"type": "of type", "block": "in"}
         return f"{words[self.kind]} {_quoted(self.value)}"
+
+    def families(self) -> list[str]:
+        """The names of the families."""
+        return [name for word in self.value.split(", ") for name in FAMILY_SETS.get(word, (word,))]
+
+
+def scope_of_shapes(shapes: str) -> Optional[Scope]:
+    """The cells of shapes as the table of criteria names them; None for any.
+
+    >>> str(scope_of_shapes("triangles and quadrilaterals")), scope_of_shapes("polygons and polyhedra")
+    ('of triangles, quadrangles', None)
+    """
+    names = {"quadrilaterals": "quadrangles", "polygons": "2D cells", "polyhedra": "3D cells"}
+    words = [names.get(word, word) for word in re.split(", | and ", shapes)]
+    if "any cell" in words or words == [""] or {*FAMILY_SETS} <= {*words}:
+        return None
+    return Scope("family", ", ".join(words))
 
 
 @dataclass(frozen=True)
@@ -258,7 +285,7 @@ class Parser:
                             where = f"that of line {other.line}"
                             raise _Wrong(f"expected another rule than {where}, found {rule} again")
                     else:
-                        of_presets[rule.criterion, rule.scope] = rule
+                        of_presets[rule.criterion, self._named_scope(rule)] = rule
             except _Wrong as wrong:
                 problems.append(f"{name}:{number}: {_readable(str(wrong))}")
         if problems:
@@ -273,13 +300,25 @@ class Parser:
     def preset(self, name: str, line: Optional[int] = None) -> list[Rule]:
         """The rules of a preset, whatever the case of its name. ValueError if there is none."""
         name = text.lookup(name, list(self.presets), "preset")
-        hints = self.presets[name]["hints"]
+        hints, shapes = self.presets[name]["hints"], self.presets[name]["shapes"]
         common = {"tolerance": self.tolerance, "line": line, "preset": name}
         return [
-            Rule(criterion, low, high, hint=criterion in hints, **common)
+            Rule(
+                criterion,
+                low,
+                high,
+                scope=scope_of_shapes(shapes.get(criterion, "")),
+                hint=criterion in hints,
+                **common,
+            )
             for criterion, (low, high) in self.presets[name]["rules"].items()
             if (low, high) != (None, None)
         ]
+
+    def _named_scope(self, rule: Rule) -> Optional[Scope]:
+        """The scope of a rule of a preset that a line names; that of its shapes is named by nobody."""
+        shapes = self.presets[rule.preset]["shapes"].get(rule.criterion, "")
+        return None if rule.scope == scope_of_shapes(shapes) else rule.scope
 
     def _parse_line(self, line: _Line, number: int) -> list[Rule]:
         if line.peek()[0] == "end":
@@ -348,12 +387,20 @@ class Parser:
             if line.peek()[1] not in self.cell_types:
                 raise line.wrong("VTK's name of a cell type, such as Tetra", self.cell_types)
             return Scope("type", line.take("a name"))
-        word = line.peek()[1].lower()
-        family = SINGULAR.get(word, word if word in FAMILIES else word + "s")
-        if family not in FAMILIES:
-            raise line.wrong(f"type, or a shape: {', '.join(FAMILIES)}", FAMILIES)
-        line.take("a shape")
-        return Scope("family", family)
+        families = []
+        while not families or word.endswith(","):
+            word = line.peek()[1].lower()
+            name = word.rstrip(",")
+            family = SINGULAR.get(name, name if name in FAMILIES else name + "s")
+            family = {"2d": "2D cells", "3d": "3D cells"}.get(name, family)
+            if family not in FAMILIES and family not in FAMILY_SETS:
+                known = [*FAMILIES, *FAMILY_SETS]
+                raise line.wrong(f"type, or a shape: {', '.join(known)}", FAMILIES)
+            line.take("a shape")
+            if family in FAMILY_SETS:
+                line.take_if("cells")
+            families.append(family)
+        return Scope("family", ", ".join(families))
 
 
 def _parse_limit(line: _Line, expected: str, open_end: float) -> float:

@@ -1,15 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Histograms as inline SVG; colours come from the classes of the page around them."""
+"""Histograms as inline SVG; colors come from the classes of the page around them."""
 
 from __future__ import annotations
 
 import math
-from html import escape
 from typing import Any, Optional
 
 from . import text
-from .ranking import undefined_count
+from .markup import Markup, html
+from .ranking import drawn_limits, undefined_count
 
 WIDTH, HEIGHT = 720, 236
 LEFT, RIGHT, TOP, BOTTOM = 52, 14, 14, 48
@@ -67,7 +67,7 @@ class _Axis:
         return self(lower) - 0.02 * (self.right - self.left), 0.04 * (self.right - self.left)
 
 
-def histogram(criterion: dict[str, Any], identifier: str) -> str:
+def histogram(criterion: dict[str, Any], identifier: str) -> Markup:
     """Bins, acceptable range and quantiles of a criterion, and apart what lies in no bin."""
     data = criterion["histogram"]
     edges, counts = data["edges"], data["counts"]
@@ -77,7 +77,7 @@ def histogram(criterion: dict[str, Any], identifier: str) -> str:
             ("under", data["underflow"]),
             ("over", data["overflow"]),
             ("inf", data["inf"]),
-            ("null", undefined_count(criterion)),
+            ("undefined", undefined_count(criterion)),
         )
         if amount
     ]
@@ -86,52 +86,87 @@ def histogram(criterion: dict[str, Any], identifier: str) -> str:
     # What lies apart may be cut off at the top, its number stands below; the bins set the scale.
     top = max(counts or [amount for _, amount in apart], default=1)
     height = lambda amount: (base - TOP) * min(amount / top, 1.0)
-    name = escape(criterion["label"])
-    parts = [
-        f'<svg class="histogram" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
-        f'aria-label="Histogram of {name}">'
-    ]
+    parts = [_open("Histogram of " + criterion["label"])]
     for tick in ticks(0.0, float(top), 4):
         if tick != int(tick):
             continue
         y = base - height(tick)
-        parts.append(
-            f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>'
-        )
-        parts.append(
-            f'<text class="tick" x="{LEFT - 8}" y="{y + 4:.1f}" text-anchor="end">'
-            f"{text.count(int(tick), text.THIN)}</text>"
-        )
+        parts.append(_grid_line(y, text.count(int(tick), text.THIN)))
     if counts:
         parts += _bins(criterion, _Axis(edges, LEFT, right), base, right, height, identifier)
     else:
-        middle = (LEFT + right) / 2
-        parts.append(
-            f'<text class="tick" x="{middle:.0f}" y="{(TOP + base) / 2:.0f}" text-anchor="middle">'
-            "no finite value</text>"
-        )
-    parts.append(f'<line class="axis" x1="{LEFT}" x2="{right:.1f}" y1="{base}" y2="{base}"/>')
+        parts.append(_label((LEFT + right) / 2, (TOP + base) / 2, "no finite value"))
+    parts.append(_axis_line(LEFT, right, base))
     for k, (label, amount) in enumerate(apart):
         x, h = right + 12 + APART_WIDTH * k, height(amount)
-        left, middle, end = x + 8, x + APART_WIDTH / 2, x + APART_WIDTH
-        parts.append(
-            f'<rect class="{"null" if label == "null" else "apart"}" x="{left:.1f}" '
-            f'width="{APART_WIDTH - 16}" y="{base - h:.1f}" height="{h:.1f}">'
-            f"<title>{label}: {text.plural(amount, 'cell')}</title></rect>"
-            f'<line class="axis" x1="{x + 3:.1f}" x2="{end - 3:.1f}" y1="{base}" y2="{base}"/>'
-            f'<text class="tick" x="{middle:.1f}" y="{base + 16}" text-anchor="middle">{label}</text>'
-            f'<text class="tick strong" x="{middle:.1f}" y="{base + 30}" text-anchor="middle">'
-            f"{text.count(amount, text.THIN)}</text>"
-        )
-    parts.append("</svg>")
-    return "".join(parts)
+        middle = x + APART_WIDTH / 2
+        parts += [
+            html(
+                '<rect class="{}" x="{:.1f}" width="{}" y="{:.1f}" height="{:.1f}">'
+                "<title>{}: {}</title></rect>",
+                "null" if label == "undefined" else "apart",
+                x + 8,
+                APART_WIDTH - 16,
+                base - h,
+                h,
+                label,
+                text.plural(amount, "cell"),
+            ),
+            _axis_line(x + 3, x + APART_WIDTH - 3, base),
+            _label(middle, base + 16, label),
+            _label(middle, base + 30, text.count(amount, text.THIN), "strong"),
+        ]
+    return html("{}</svg>", parts)
 
 
-def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
+def _open(label: str) -> Markup:
+    return html(
+        '<svg class="histogram" viewBox="0 0 {} {}" role="img" aria-label="{}">', WIDTH, HEIGHT, label
+    )
+
+
+def _label(x: float, y: float, words: str, kind: str = "") -> Markup:
+    """Text below or within the axes."""
+    template = '<text class="tick {}" x="{:.1f}" y="{:.0f}" text-anchor="middle">{}</text>'
+    return html(template, kind, x, y, words)
+
+
+def _axis_line(x0: float, x1: float, base: float) -> Markup:
+    return html('<line class="axis" x1="{:.1f}" x2="{:.1f}" y1="{}" y2="{}"/>', x0, x1, base, base)
+
+
+def _grid_line(y: float, label: str) -> Markup:
+    return html(
+        '<line class="grid" x1="{}" x2="{}" y1="{y:.1f}" y2="{y:.1f}"/>'
+        '<text class="tick" x="{}" y="{:.1f}" text-anchor="end">{}</text>',
+        LEFT,
+        WIDTH - RIGHT,
+        LEFT - 8,
+        y + 4,
+        label,
+        y=y,
+    )
+
+
+def _limit_line(x: float, base: float) -> Markup:
+    return html('<line class="limit" x1="{x:.1f}" x2="{x:.1f}" y1="{}" y2="{}"/>', TOP, base, x=x)
+
+
+def _tick(x: float, base: float, label: str) -> Markup:
+    return html(
+        '<line class="axis" x1="{x:.1f}" x2="{x:.1f}" y1="{}" y2="{}"/>{}',
+        base,
+        base + 4,
+        _label(x, base + 16, label),
+        x=x,
+    )
+
+
+def _bins(criterion, axis, base, right, height, identifier) -> list[Markup]:
     """Bars, the acceptable range behind them, ticks and quantiles."""
     data = criterion["histogram"]
     edges, counts = data["edges"], data["counts"]
-    low, high = criterion["acceptable"]
+    low, high = drawn_limits(criterion)
     parts = []
     limited = low is not None or high is not None
     if limited:
@@ -139,24 +174,32 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
         x1 = axis(high) if high is not None else axis.right
         if x1 > x0:
             parts.append(
-                f'<rect class="acceptable" x="{x0:.1f}" width="{x1 - x0:.1f}" y="{TOP}" '
-                f'height="{base - TOP}"><title>acceptable: '
-                f'{text.interval(low, high, criterion["unit"])}</title></rect>'
+                html(
+                    '<rect class="acceptable" x="{:.1f}" width="{:.1f}" y="{}" height="{}">'
+                    "<title>acceptable: {}</title></rect>",
+                    x0,
+                    x1 - x0,
+                    TOP,
+                    base - TOP,
+                    text.interval(low, high, criterion["unit"]),
+                )
             )
         for limit in (low, high):
             if limit is not None and axis.low < limit < axis.high:
-                x = axis(limit)
-                parts.append(
-                    f'<line class="limit" x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{base}"/>'
-                )
+                parts.append(_limit_line(axis(limit), base))
         # Wherever a bin lies across a limit, only the part of its bar inside is drawn as such.
         parts.append(
-            f'<clipPath id="{identifier}"><rect x="{x0:.1f}" width="{max(x1 - x0, 0):.1f}" y="0" '
-            f'height="{base}"/></clipPath>'
+            html(
+                '<clipPath id="{}"><rect x="{:.1f}" width="{:.1f}" y="0" height="{}"/></clipPath>',
+                identifier,
+                x0,
+                max(x1 - x0, 0),
+                base,
+            )
         )
     total = criterion["count"]
     integers = _are_integers(edges)
-    groups: dict[str, list[str]] = {"outside": [], "inside": []}
+    groups: dict[str, list[Markup]] = {"outside": [], "inside": []}
     for k, amount in enumerate(counts):
         if not amount:
             continue
@@ -173,11 +216,18 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
             text.number(lower) if lower == upper else f"{text.number(lower)} – {text.number(upper)}"
         )
         first, last = bin_range(edges, k)
-        shape = (
-            f'<rect data-low="{first!r}" data-high="{last!r}" '
-            f'x="{x:.2f}" width="{width:.2f}" y="{base - h:.2f}" height="{h:.2f}">'
-            f"<title>{span}: {text.plural(amount, 'cell')} ({text.percent(amount, total)} %)"
-            "</title></rect>"
+        shape = html(
+            '<rect data-low="{!r}" data-high="{!r}" x="{:.2f}" width="{:.2f}" y="{:.2f}" height="{:.2f}">'
+            "<title>{}: {} ({} %)</title></rect>",
+            first,
+            last,
+            x,
+            width,
+            base - h,
+            h,
+            span,
+            text.plural(amount, "cell"),
+            text.percent(amount, total),
         )
         out_low = low is not None and lower < low
         out_high = high is not None and upper > high
@@ -186,9 +236,9 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
         if not (out_low and upper < low) and not (out_high and lower > high):
             groups["inside"].append(shape)
     # Of a bin across a limit both are drawn, the part inside over the other.
-    parts.append(f'<g class="outside">{"".join(groups["outside"])}</g>')
-    clip = f' clip-path="url(#{identifier})"' if groups["outside"] and not integers else ""
-    parts.append(f'<g class="inside"{clip}>{"".join(groups["inside"])}</g>')
+    parts.append(html('<g class="outside">{}</g>', groups["outside"]))
+    clip = html(' clip-path="url(#{})"', identifier) if groups["outside"] and not integers else ""
+    parts.append(html('<g class="inside"{}>{}</g>', clip, groups["inside"]))
     parts += _curves(criterion, axis, base)
     if integers:
         marks = sorted({round(tick) for tick in ticks(edges[0], edges[-1], 12)})
@@ -198,10 +248,7 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[str]:
     for tick in marks:
         x = axis(tick)
         label = _axis_label(tick, step) if len(marks) > 1 else text.number(tick, 6)
-        parts.append(
-            f'<line class="axis" x1="{x:.1f}" x2="{x:.1f}" y1="{base}" y2="{base + 4}"/>'
-            f'<text class="tick" x="{x:.1f}" y="{base + 16}" text-anchor="middle">{label}</text>'
-        )
+        parts.append(_tick(x, base, label))
     if edges[-1] > edges[0]:
         parts += _quantile_marks(criterion["quantiles"], axis, base)
     return parts
@@ -218,7 +265,7 @@ def bin_range(edges: list[float], k: int) -> tuple[float, float]:
     return lower, upper if is_last else math.nextafter(upper, -math.inf)
 
 
-def _curves(criterion, axis, base) -> list[str]:
+def _curves(criterion, axis, base) -> list[Markup]:
     """Cumulative curves from 0 % below to 100 % above: of the cells, and dashed of the volume."""
     curve = criterion.get("curve") or {"values": []}
     if len(curve["values"]) < 3:
@@ -232,7 +279,8 @@ def _curves(criterion, axis, base) -> list[str]:
             for x, y in zip(curve["values"], curve[key])
         ]
         path = f"M{axis(curve['values'][0]):.1f} {base}L" + "L".join(points)
-        parts.append(f'<path class="{name}" d="{path}"><title>share of the {what}</title></path>')
+        template = '<path class="{}" d="{}"><title>share of the {}</title></path>'
+        parts.append(html(template, name, path, what))
     return parts
 
 
@@ -245,7 +293,7 @@ def _are_integers(edges: list[float]) -> bool:
     )
 
 
-def _quantile_marks(quantiles, axis, base) -> list[str]:
+def _quantile_marks(quantiles, axis, base) -> list[Markup]:
     """Triangles below the axis; a label gives way where the median's is too close."""
     parts = []
     places: list[float] = []
@@ -256,79 +304,78 @@ def _quantile_marks(quantiles, axis, base) -> list[str]:
         x = axis(value)
         meaning = "median" if quantile == "50" else f"{quantile} % of the cells lie below"
         parts.append(
-            f'<path class="quantile" d="M{x:.1f} {base + 22}l4 7h-8z">'
-            f"<title>{meaning}: {text.number(value)}</title></path>"
+            html(
+                '<path class="quantile" d="M{:.1f} {}l4 7h-8z"><title>{}: {}</title></path>',
+                x,
+                base + 22,
+                meaning,
+                text.number(value),
+            )
         )
         if all(abs(x - place) > 32.0 for place in places):
-            parts.append(
-                f'<text class="tick faint" x="{x:.1f}" y="{base + 40}" text-anchor="middle">'
-                f"{label}</text>"
-            )
+            parts.append(_label(x, base + 40, label, "faint"))
             places.append(x)
     return parts
 
 
-def comparison(criterion: dict[str, Any]) -> str:
+def comparison(criterion: dict[str, Any]) -> Markup:
     """Shares of two meshes in the same bins: B as bars, A as a line over them."""
     data = criterion["histogram"]
-    edges, name = data["edges"], escape(criterion["label"])
+    edges = data["edges"]
     if not data["a"]:
-        return '<p class="description">No finite value.</p>'
+        return html('<p class="description">No finite value.</p>')
     axis, base = _Axis(edges, LEFT, WIDTH - RIGHT), HEIGHT - BOTTOM
     top = max([*data["a"], *data["b"]]) or 1.0
     height = lambda share: (base - TOP) * share / top
-    parts = [
-        f'<svg class="histogram" viewBox="0 0 {WIDTH} {HEIGHT}" role="img" '
-        f'aria-label="Histograms of {name}">'
-    ]
+    parts = [_open("Histograms of " + criterion["label"])]
     for tick in ticks(0.0, 100.0 * top, 4):
         y = base - height(tick / 100.0)
-        parts.append(
-            f'<line class="grid" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{y:.1f}" y2="{y:.1f}"/>'
-            f'<text class="tick" x="{LEFT - 8}" y="{y + 4:.1f}" text-anchor="end">'
-            f"{text.number(tick)}{text.THIN}%</text>"
-        )
+        parts.append(_grid_line(y, f"{text.number(tick)}{text.THIN}%"))
     line = [f"M{axis.bar(edges[0], edges[1])[0]:.2f} {base}"]
     for lower, upper, a, b in zip(edges, edges[1:], data["a"], data["b"]):
         x, width = axis.bar(lower, upper)
         span = f"{text.number(lower)} – {text.number(upper)}"
         shares = f"A {text.number(100 * a, 3)} %, B {text.number(100 * b, 3)} %"
         parts.append(
-            f'<rect class="inside" x="{x:.2f}" width="{max(width - 1.0, 0.6):.2f}" '
-            f'y="{base - height(b):.2f}" height="{height(b):.2f}"/>'
-            f'<rect class="hover" x="{x:.2f}" width="{width:.2f}" y="{TOP}" height="{base - TOP}">'
-            f"<title>{span}: {shares}</title></rect>"
+            html(
+                '<rect class="inside" x="{:.2f}" width="{:.2f}" y="{:.2f}" height="{:.2f}"/>'
+                '<rect class="hover" x="{:.2f}" width="{:.2f}" y="{}" height="{}">'
+                "<title>{}: {}</title></rect>",
+                x,
+                max(width - 1.0, 0.6),
+                base - height(b),
+                height(b),
+                x,
+                width,
+                TOP,
+                base - TOP,
+                span,
+                shares,
+            )
         )
         line.append(f"V{base - height(a):.2f}H{x + width:.2f}")
-    parts.append(f'<path class="before" d="{"".join(line)}V{base}"/>')
+    parts.append(html('<path class="before" d="{}V{}"/>', line, base))
     for limit in criterion["acceptable"]:
         if limit is not None and axis.low < limit < axis.high:
-            x = axis(limit)
-            parts.append(f'<line class="limit" x1="{x:.1f}" x2="{x:.1f}" y1="{TOP}" y2="{base}"/>')
+            parts.append(_limit_line(axis(limit), base))
     marks = ticks(axis.low, axis.high, 8) if edges[-1] > edges[0] else [edges[0]]
     step = marks[1] - marks[0] if len(marks) > 1 else abs(marks[0]) * 1e-3 or 1.0
     for tick in marks:
-        x = axis(tick)
-        parts.append(
-            f'<line class="axis" x1="{x:.1f}" x2="{x:.1f}" y1="{base}" y2="{base + 4}"/>'
-            f'<text class="tick" x="{x:.1f}" y="{base + 16}" text-anchor="middle">'
-            f"{_axis_label(tick, step)}</text>"
-        )
-    parts.append(f'<line class="axis" x1="{LEFT}" x2="{WIDTH - RIGHT}" y1="{base}" y2="{base}"/></svg>')
-    return "".join(parts)
+        parts.append(_tick(axis(tick), base, _axis_label(tick, step)))
+    return html("{}{}</svg>", parts, _axis_line(LEFT, WIDTH - RIGHT, base))
 
 
-def sparkline(criterion: dict[str, Any], width: int = 120, height: int = 26) -> str:
+def sparkline(criterion: dict[str, Any], width: int = 120, height: int = 26) -> Markup:
     """The histogram's outline in a line of a table."""
     data = criterion["histogram"]
     edges, counts = data["edges"], data["counts"]
     if not counts:
-        return ""
+        return html("")
     axis = _Axis(edges, 0.0, float(width))
     top = max([*counts, 1])
-    low, high = criterion["acceptable"]
+    low, high = drawn_limits(criterion)
     integers = _are_integers(edges)
-    parts = [f'<svg class="spark" viewBox="0 0 {width} {height}" aria-hidden="true">']
+    parts = []
     for k, amount in enumerate(counts):
         if not amount:
             continue
@@ -339,8 +386,15 @@ def sparkline(criterion: dict[str, Any], width: int = 120, height: int = 26) -> 
         middle = 0.5 * (edges[k] + edges[k + 1])
         out = (low is not None and middle < low) or (high is not None and middle > high)
         parts.append(
-            f'<rect class="{"outside" if out else "inside"}" x="{x:.1f}" '
-            f'width="{max(w - 0.4, 0.8):.1f}" y="{height - h:.1f}" height="{h:.1f}"/>'
+            html(
+                '<rect class="{}" x="{:.1f}" width="{:.1f}" y="{:.1f}" height="{:.1f}"/>',
+                "outside" if out else "inside",
+                x,
+                max(w - 0.4, 0.8),
+                height - h,
+                h,
+            )
         )
-    parts.append("</svg>")
-    return "".join(parts)
+    return html(
+        '<svg class="spark" viewBox="0 0 {} {}" aria-hidden="true">{}</svg>', width, height, parts
+    )

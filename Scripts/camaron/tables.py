@@ -43,12 +43,20 @@ def known_criteria() -> dict[str, dict[str, Any]]:
                 "acceptable": [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])],
                 "acceptable_source": row["AcceptableSource"],
                 "acceptable_is_hint": bool(row["AcceptableIsHint"]),
+                "acceptable_for": row["AcceptableFor"],
+                "consequence": row["Consequence"],
+                "is_validity": _is_validity(row),
                 "summable": row["Dimension"] in ("Area", "Volume"),
             }
             for row in fetch(table, 0)
         }
     finally:
         simple.Delete(table)
+
+
+def _is_validity(row: dict[str, Any]) -> bool:
+    """Whether cells outside of the acceptable range are of no use to anyone."""
+    return row["Family"] == "Validity" or 0.0 < row["AcceptableLow"] < text.SMALLEST
 
 
 def known_notes() -> dict[str, dict[str, str]]:
@@ -62,17 +70,18 @@ def known_notes() -> dict[str, dict[str, str]]:
 
 
 def known_presets() -> dict[str, dict[str, Any]]:
-    """Description of every preset, its rules: acceptable [low, high] by the criterion's name, and its
-    hints: names of criteria whose range is a hint only."""
+    """Description of every preset, its rules: acceptable [low, high] by the criterion's name, its
+    hints: names of criteria whose range is a hint only, and its shapes: the cells that a range is for."""
     table = simple.CriteriaTable()
     try:
         presets: dict[str, dict[str, Any]] = {}
         for row in fetch(table, 1):
             preset = presets.setdefault(
-                row["Preset"], {"description": row["Description"], "rules": {}, "hints": []}
+                row["Preset"], {"description": row["Description"], "rules": {}, "hints": [], "shapes": {}}
             )
             limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
             preset["rules"][row["Criterion"]] = limits
+            presets[row["Preset"]]["shapes"][row["Criterion"]] = row["AcceptableFor"]
             if row["AcceptableIsHint"]:
                 preset["hints"].append(row["Criterion"])
         return presets
@@ -99,21 +108,21 @@ def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
         simple.Delete(table)
 
 
-def range_sources(preset: Optional[str], ranges: Any) -> dict[str, tuple[str, bool]]:
-    """Who says so, and whether it is a hint, of the ranges that are not those of the table of criteria."""
+def range_sources(preset: Optional[str], ranges: Any) -> dict[str, dict[str, Any]]:
+    """What is known of the ranges that are not those of the table of criteria: entries of `known_criteria`."""
     sources = {}
     if preset:
         described = known_presets()[preset]
         for name in described["rules"]:
-            sources[name] = (described["description"], name in described["hints"])
+            sources[name] = {
+                "acceptable_source": described["description"],
+                "acceptable_is_hint": name in described["hints"],
+                "acceptable_for": described["shapes"][name],
+            }
     if ranges:
-        sources.update(dict.fromkeys(known_ranges(ranges), (os.path.basename(ranges), False)))
+        own = {"acceptable_source": os.path.basename(ranges), "acceptable_is_hint": False}
+        sources.update(dict.fromkeys(known_ranges(ranges), {**own, "acceptable_for": "any cell"}))
     return sources
-
-
-def range_source(known: dict[str, Any], sources: dict[str, tuple[str, bool]]) -> tuple[str, bool]:
-    """The same of one criterion as `known_criteria` has it, those of the table of criteria included."""
-    return sources.get(known["name"], (known["acceptable_source"], known["acceptable_is_hint"]))
 
 
 def _finite(value: float) -> Optional[float]:
@@ -185,22 +194,22 @@ def _group(row: dict[str, Any]) -> dict[str, Any]:
         "median": _number(row["P50"]),
         "mean": _number(row["Mean"]),
         "max": _number(row["Max"]),
+        "judged": row["JudgedCount"],
         "out_of_range": row["BelowCount"] + row["AboveCount"],
     }
 
 
 def _criterion(
-    row: dict[str, Any], known: dict[str, Any], sources: dict[str, tuple[str, bool]]
+    row: dict[str, Any], known: dict[str, Any], sources: dict[str, dict[str, Any]]
 ) -> dict[str, Any]:
     """One row of the statistics, joined with what the registry knows."""
-    source, is_hint = range_source(known, sources)
+    known = {**known, **sources.get(known["name"], {})}
     limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
     return {
         **known,
         "unit": row["Unit"],
         "acceptable": limits,
-        "acceptable_source": source if limits != [None, None] else "",
-        "acceptable_is_hint": is_hint,
+        "acceptable_source": known["acceptable_source"] if limits != [None, None] else "",
         "count": row["Count"],
         "applicable": row["ApplicableCount"],
         "null": row["NullCount"],
@@ -213,6 +222,7 @@ def _criterion(
         "quantiles": {
             f"{q}": value for q in QUANTILES if (value := _number(row[f"P{q}"])) is not None
         },
+        "judged": row["JudgedCount"],
         "below": row["BelowCount"],
         "above": row["AboveCount"],
         "out_of_range": row["BelowCount"] + row["AboveCount"],

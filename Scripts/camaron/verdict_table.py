@@ -47,13 +47,13 @@ def _table(checks: list[dict[str, Any]]) -> list[str]:
         ("failing", lambda c: str(c["failing"])),
         ("%", lambda c: text.percent(c["failing"], c["checked"])),
         ("tolerated", lambda c: c["tolerance"]),
-        ("null", lambda c: str(c["null"])),
+        ("undefined", lambda c: str(c["null"])),
         ("inf", lambda c: str(c["infinite"])),
         ("worst", lambda c: text.number(c["worst_value"])),
     ]
     for name in ("scope_text", "null", "infinite"):
         if not any(entry[name] for entry in checks):
-            header = {"scope_text": "cells", "null": "null", "infinite": "inf"}[name]
+            header = {"scope_text": "cells", "null": "undefined", "infinite": "inf"}[name]
             columns = [column for column in columns if column[0] != header]
     rows = [[value(entry) for _, value in columns] for entry in checks]
     left = 4 if any(entry["scope_text"] for entry in checks) else 3
@@ -86,7 +86,7 @@ def offenders(entry: dict[str, Any]) -> list[str]:
     rows = []
     for cell in worst:
         center = "(" + ", ".join(text.number(x) or "nan" for x in cell["center"]) + ")"
-        value = "null" if cell["value"] is None else text.number(cell["value"])
+        value = "undefined" if cell["value"] is None else text.number(cell["value"])
         block = [cell["block"] or ""] if has_blocks else []
         rows.append([str(cell["id"]), *block, cell["type"], value, center])
     lines = ["  " + line for line in text.table(header, rows, left=len(header) - 2)]
@@ -102,7 +102,7 @@ def notes(result: dict[str, Any]) -> list[str]:
         found.append(f"There are no cells to check for {', '.join(empty)}.")
     if any(entry["verdict"] == "warn" for entry in result["checks"]):
         found.append(
-            "Ranges of a preset that are hints warn: common practice, or what a document has for some shapes only."
+            "Ranges of a preset that are hints warn: common practice, or what some meshes miss on purpose."
         )
     for entry in result["checks"]:
         if entry["null"] and not entry["null_fails"]:

@@ -528,6 +528,15 @@ TEST(Criteria, Registry)
     EXPECT_EQ(criterion.HasAcceptableRange(),
       std::isfinite(criterion.Acceptable[0]) || std::isfinite(criterion.Acceptable[1]))
       << criterion.Name;
+    // A range is for some cells to which the criterion applies, and reports say what those outside of it are.
+    unsigned appliesTo = criterion.AppliesTo;
+    appliesTo |= appliesTo & Polygons ? SimplePolygons : NoShapes;
+    appliesTo |= appliesTo & Polyhedra ? SimplePolyhedra : NoShapes;
+    EXPECT_EQ(criterion.HasAcceptableRange(), (criterion.AcceptableFor & appliesTo) != 0)
+      << criterion.Name;
+    EXPECT_EQ(criterion.HasAcceptableRange() && std::string(criterion.Family) != "Verdict",
+      criterion.Notes.Consequence[0] != '\0')
+      << criterion.Name;
   }
   EXPECT_EQ(FindCriterion("NoSuchCriterion"), nullptr);
   for (const Preset& preset : GetPresets())

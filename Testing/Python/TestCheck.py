@@ -171,7 +171,7 @@ class TestCheck(camaron_testing.TestCase):
                 reported = by_name[entry["criterion"]]
                 self.assertEqual(entry["range"], reported["acceptable"])
                 self.assertEqual(entry["below"] + entry["above"], reported["out_of_range"])
-                self.assertEqual(entry["checked"], reported["applicable"])
+                self.assertEqual(entry["checked"], reported["judged"])
 
     def test_null_and_infinite(self):
         """Tetrahedra of one point have no ratio of edges, and an infinite aspect ratio."""

@@ -69,13 +69,17 @@ class TestCommand(camaron_testing.TestCase):
         )
         warned = self.run_check(sliver, "--preset", "Overview", "--junit", "warned.xml")
         self.assertEqual(warned.returncode, 0, warned.stderr)
-        self.assertRegex(warned.stdout, r"(?m)^WARN +EquiangleSkewness +<= 0\.9 +1 +1 +100")
-        self.assertIn("EquiangleSkewness <= 0.9: 1 of 1 cell (100 %) fails\n", warned.stdout)
+        self.assertRegex(
+            warned.stdout, r"(?m)^WARN +EquiangleSkewness +<= 0\.9 +triangles, [a-z, ]+ 1 +1 +100"
+        )
+        self.assertRegex(
+            warned.stdout, r"EquiangleSkewness <= 0\.9 of triangles, [a-z, ]+: 1 of 1 cell \(100 %\) fails\n"
+        )
         self.assertIn("WARN: 1 of 2 rules\n", warned.stdout)
         self.assertIn('failures="0"', (self.folder / "warned.xml").read_text())
         result = check(sliver, preset="Overview")
         self.assertEqual(result["verdict"], "warn")
-        self.assertEqual([(c["hint"], c["verdict"]) for c in result["checks"]], [(True, "pass"), (True, "warn")])
+        self.assertEqual([(c["hint"], c["verdict"]) for c in result["checks"]], [(True, "empty"), (True, "warn")])
         rules = self.rules("preset Overview", "EquiangleSkewness <= 0.9")
         failed = self.run_check(sliver, "--rules", rules)
         self.assertEqual((failed.returncode, failed.stdout.splitlines()[-1]), (1, "FAIL: 1 of 2 rules"))

@@ -95,7 +95,7 @@ class TestCheckMesh(camaron_testing.TestCase):
             self.assertIn(limit, rules[name], name)
             self.assertIn(limit, known[name]["acceptable"], name)
         limit = float(entries["maxNonOrtho"])
-        self.assertIn(limit, known["MaxNonOrthogonality"]["acceptable"])
+        self.assertIn(f"maxNonOrtho of snappyHexMesh is {limit:g}", known["MaxNonOrthogonality"]["acceptable_source"])
 
     def test_voronoi(self):
         """Faces are planar as far as single precision goes, which moves centroids by 1e-8."""

@@ -42,6 +42,10 @@ def distance(a, b):
 
 class TestCompareQuality(camaron_testing.TestCase):
     def compare(self, a, b, **properties):
+        # Ranges of one's own are for all cells.
+        ranges = self.folder / "ranges.txt"
+        ranges.write_text(f"{RATIO} 0.3333 *\n{SKEWNESS} * 0.9\n")
+        properties.setdefault("RangesFile", str(ranges))
         comparison = simple.CompareQuality(Input=a, Other=b, **properties)
         comparison.UpdatePipeline()
         rows = {row["Criterion"]: row for row in tables.fetch(comparison)}

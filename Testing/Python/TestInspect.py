@@ -106,7 +106,8 @@ class TestInspect(camaron_testing.TestCase):
         outside = (values < (-numpy.inf if low is None else low)) | (
             values > (numpy.inf if high is None else high)
         )
-        self.assertEqual(criterion["out_of_range"], int(outside.sum()))
+        judged = criterion["judged"] == criterion["applicable"]  # else the range is for other shapes
+        self.assertEqual(criterion["out_of_range"], int(outside.sum()) if judged else 0)
         if criterion["better"] != "neither":
             order = numpy.argsort(
                 values if criterion["better"] == "bigger" else -values, kind="stable"
@@ -317,9 +318,10 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(preset["preset"], "Finite volume")
         self.assertTrue(all(c["curve"]["weight_percent"] for c in preset["criteria"]))
         limits = {c["name"]: c["acceptable"] for c in preset["criteria"]}
-        self.assertEqual(
-            limits["MaxNonOrthogonality"], [None, 70.0], "the preset's limit, not the default of 65"
-        )
+        self.assertEqual(limits["MaxNonOrthogonality"], [None, 70.0])
+        of_preset = self.inspect(FLANGE, preset="FEM tetrahedra")["criteria"]
+        angle = next(c for c in of_preset if c["name"] == "MinDihedralAngle")
+        self.assertEqual(angle["acceptable"], [40.0, None], "the preset's limit, not the default of 20")
 
     def test_ranges(self):
         """Ranges of a file come before those of the preset; its criteria are evaluated, too."""
@@ -465,8 +467,12 @@ class TestInspect(camaron_testing.TestCase):
         )
         table = run(BALL, "--criteria", "Volume,EdgeLengthRatio")
         self.assertEqual((table.returncode, table.stderr), (0, ""))
-        self.assertRegex(table.stdout, r"(?m)^! EdgeLengthRatio +800 .* 800 +100$")
+        self.assertRegex(table.stdout, r"(?m)^  EdgeLengthRatio +800 [^>]*$", "no range for polyhedra")
         self.assertRegex(table.stdout, r"(?m)^  Volume +800 ")
+        self.assertIn("No cell is outside the acceptable range.", table.stdout)
+        (self.folder / "own.txt").write_text("EdgeLengthRatio 0.9 *")
+        table = run(BALL, "--criteria", "EdgeLengthRatio", "--ranges", "own.txt", "-o", "there")
+        self.assertRegex(table.stdout, r"(?m)^! EdgeLengthRatio +800 .* 800 +100$")
         self.assertIn(
             "800 of 800 cells (100 %) are outside the acceptable range of EdgeLengthRatio",
             table.stdout,

@@ -136,7 +136,7 @@ class TestInspectInputs(camaron_testing.TestCase):
         )
         json.loads(printed.stdout, parse_constant=self.fail)
         self.assertEqual(
-            summary["worst_criterion"], "CellStatus", "of those that all cells fail"
+            summary["worst_criterion"], "IsValid", "of those that all cells fail"
         )
 
     def test_inverted(self):

@@ -179,6 +179,15 @@ class TestInspectionModes(PictureTestCase):
             self.show(mesh, color=color, Emphasis="Unacceptable", Dimming=1)
             self.assertEqual(difference(plain, self.take()) > 0.1, isChanged, name)
 
+    def test_acceptable_range_of_other_shapes(self):
+        """A range for tetrahedra lets no polyhedron stand out."""
+        ball = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
+        mesh = simple.ElementQuality(Input=ball, Criteria=["EdgeLengthRatio"])
+        for emphasis, colors in (("None", True), ("Unacceptable", False)):
+            self.show(mesh, color=("CELLS", "EdgeLengthRatio"), Emphasis=emphasis, Dimming=1)
+            picture = self.take().astype(int)
+            self.assertEqual(bool((numpy.ptp(picture, axis=2) > 12).any()), colors, emphasis)
+
     def test_smooth_shading(self):
         """A ball of tetrahedra is lit like the sphere around it; a mesh with normals has those."""
         sphere = simple.Sphere(ThetaResolution=24, PhiResolution=24)  # with normals

@@ -32,6 +32,11 @@ def criterion(name, values=(), better="bigger", ideal=1.0, limits=(None, None), 
         "min": values[0] if values else None,
         "max": values[-1] if values else None,
         "quantiles": {"50": values[len(values) // 2]} if values else {},
+        "acceptable_is_hint": False,
+        "acceptable_for": "any cell",
+        "consequence": "",
+        "is_validity": False,
+        "judged": len(values),
         "below": below,
         "above": above,
         "out_of_range": below + above,
@@ -97,11 +102,37 @@ class TestReport(camaron_testing.TestCase):
             ["1 of 4 cells (25 %) is outside the acceptable range of {} (≥ 0.5)."],
         )
         null = criterion("Null", [0.9] * 4, null=2)
-        self.assertIn("2 cells have no value of {}.", say(null))
+        self.assertIn("{}: undefined for 2 cells.", say(null))
+        whole = "No cell is outside the acceptable range."
+        hint = criterion("Hint", [0.1] * 4, limits=(0.5, None), acceptable_is_hint=True)
+        found = ranking.findings({**summary, "criteria": [good, hint]})
+        self.assertEqual([(f["text"] == whole, f["hint"]) for f in found], [(True, False), (False, True)])
+        other = criterion("Other", [0.1] * 4, limits=(0.5, None), judged=0, out_of_range=0)
+        self.assertEqual(say(good, other), [whole], "a range for other shapes")
+        few = criterion("Few", [0.1] + [0.9] * 3, limits=(0.5, None), is_validity=True)
+        few.update(judged=2, acceptable_for="tetrahedra", consequence="flat")
+        most = criterion("Most", [0.1] * 4, limits=(0.5, None))
+        self.assertEqual(
+            [f["criteria"][0]["name"] for f in ranking.findings({**summary, "criteria": [most, few]})],
+            ["Few", "Most"],
+            "what nothing can use comes first",
+        )
+        self.assertEqual(
+            say(few)[0].replace(text.THIN, " "),
+            "1 of 2 tetrahedra (50 %) is outside the acceptable range of {} (≥ 0.5): flat.",
+        )
         self.assertEqual(
             ranking.findings({"mesh": {"cells": 0}, "criteria": []})[0]["text"],
             "The mesh has no cells.",
         )
+
+    def test_picture_criterion(self):
+        """The picture has colors for most cells, if a criterion has values for these."""
+        rare = criterion("Rare", [0.1] * 4, limits=(0.5, None), null=3, count=4)
+        common = criterion("Common", [0.9] * 4, limits=(0.5, None))
+        self.assertEqual(ranking.worst_criterion([rare, common])["name"], "Rare")
+        self.assertEqual(ranking.picture_criterion([rare, common])["name"], "Common")
+        self.assertEqual(ranking.picture_criterion([rare])["name"], "Rare")
 
     def shapes(self, c):
         """Bars of a histogram by colour: list of (x, width, height)."""
@@ -145,7 +176,7 @@ class TestReport(camaron_testing.TestCase):
         root, _ = self.shapes(c)
         labels = [element.text for element in root.iter("text")]
         self.assertEqual(labels[labels.index("inf") + 1], "2")
-        self.assertEqual(labels[labels.index("null") + 1], "3")
+        self.assertEqual(labels[labels.index("undefined") + 1], "3")
         self.assertIn("no finite value", labels)
 
     def test_histogram_of_integers(self):

@@ -14,13 +14,14 @@ from camaron.rules import Parser, RulesError, Scope, Tolerance
 
 CRITERIA = ["Volume", "MinDihedralAngle", "EdgeLengthRatio", "FaceCount"]
 PRESETS = {
-    "Finite volume": {"rules": {"Volume": [2e-308, None], "EdgeLengthRatio": [None, None]}, "hints": []},
+    "Finite volume": {"rules": {"Volume": [2e-308, None], "EdgeLengthRatio": [None, None]}, "hints": [], "shapes": {}},
     "Shape": {
         "rules": {"EdgeLengthRatio": [0.25, None], "Volume": [0.5, None]},
         "hints": ["EdgeLengthRatio"],
+        "shapes": {},
     },
 }
-SHAPES = ", ".join(rules.FAMILIES)
+SHAPES = ", ".join([*rules.FAMILIES, *rules.FAMILY_SETS])
 CLAUSES = "expected of, in, where, tolerate, null or end of line"
 
 
@@ -145,6 +146,24 @@ class TestRules(camaron_testing.TestCase):
         self.assertEqual(ranges.pop("Volume"), [None, None])
         found = Parser(tables.known_criteria(), {}, []).read(path)
         self.assertEqual({rule.criterion: [rule.low, rule.high] for rule in found}, ranges)
+
+    def test_several_shapes(self):
+        """Shapes in a row, sets of them, and those of presets, which rules of one's own replace."""
+        for words, families in (
+            ("tetrahedron, wedges", ["tetrahedra", "wedges"]),
+            ("2D cells", ["triangles", "quadrangles", "polygons"]),
+            ("pyramids, 2d", ["pyramids", "triangles", "quadrangles", "polygons"]),
+        ):
+            (rule,) = parse(f"Volume >= 7 of {words} null passes")
+            self.assertEqual(rule.scope.families(), families)
+            self.assertEqual(parse(str(rule))[0].scope, rule.scope, "what it says is read again")
+        with self.assertRaisesRegex(rules.RulesError, "expected type, or a shape"):
+            parse("Volume >= 7 of wedges,")
+        presets = {"P": {"rules": {"Volume": [1, None]}, "hints": [], "shapes": {"Volume": "wedges"}}}
+        limited = lambda *lines: [str(r) for r in Parser(CRITERIA, presets, []).parse(lines)]
+        self.assertEqual(limited("preset P"), ["Volume >= 1 of wedges"])
+        self.assertEqual(limited("preset P", "Volume >= 2"), ["Volume >= 2"])
+        self.assertEqual(limited("preset P in rotor"), ["Volume >= 1 in rotor"])
 
     def test_presets(self):
         """Rules that are written out replace those of presets, of which the last one counts."""

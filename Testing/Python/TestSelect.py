@@ -10,6 +10,7 @@ import numpy
 from camaron import selection
 from paraview import simple, smstate
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_TETRA
 from vtkmodules.vtkFiltersExtraction import vtkExtractSelection
 
 
@@ -61,11 +62,15 @@ class TestSelect(camaron_testing.TestCase):
     def test_by_criterion(self):
         """Default: outside of the acceptable range of the criterion or of a preset."""
         values = self.values["EdgeLengthRatio"]
-        for preset, low in (("Default ranges", 1 / 3), ("FEM hexahedra", 1 / 1.3)):
+        for preset, low, kind in (
+            ("Default ranges", 1 / 3, VTK_TETRA),
+            ("FEM hexahedra", 1 / 1.3, VTK_HEXAHEDRON),
+        ):
+            judged = mesh_parts.are_of_type(kind)  # the shapes that the range is for
             _, cells = self.select(Array="EdgeLengthRatio", Preset=preset)
-            self.assertEqual(cells, self.cells(values < low))
+            self.assertEqual(cells, self.cells(judged & (values < low)))
             _, cells = self.select(Array="EdgeLengthRatio", Preset=preset, Side="Inside")
-            self.assertEqual(cells, self.cells(values >= low))
+            self.assertEqual(cells, self.cells(judged & (values >= low)))
         _, cells = self.select(Array="EquiangleSkewness")
         self.assertEqual(cells, self.cells(self.values["EquiangleSkewness"] > 0.9))
         self.assertTrue(numpy.isinf(self.values["EquiangleSkewness"][cells]).any())

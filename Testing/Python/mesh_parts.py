@@ -52,6 +52,12 @@ def make_mesh():
     return grid
 
 
+def are_of_type(kind):
+    """Which cells of the mesh are of a VTK type."""
+    grid = make_mesh()
+    return numpy.array([grid.GetCellType(i) == kind for i in range(grid.GetNumberOfCells())])
+
+
 def make_values(count):
     """Values by array name: ties, null, infinite, negative zeros, denormals, all magnitudes."""
     random = numpy.random.default_rng(20)

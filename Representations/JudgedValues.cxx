@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JudgedValues.h"
+
+#include "AcceptableRanges.h"
+#include "CellShapes.h"
+#include "Criteria/Criterion.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+//------------------------------------------------------------------------------
+vtkDataArray* JudgedValues::Update(vtkDataArray* values, vtkUnstructuredGrid* grid)
+{
+  const Criterion* const criterion =
+    values && values->GetName() ? FindCriterion(values->GetName()) : nullptr;
+  const unsigned judged = criterion ? GetJudgedShapes(*criterion) : AnyCell;
+  if ((judged & AnyCell) || !criterion->HasAcceptableRange() || values->GetNumberOfComponents() != 1)
+  {
+    return values;
+  }
+  const vtkMTimeType time = std::max(values->GetMTime(), grid->GetMTime());
+  if (values != this->Values || time != this->Time)
+  {
+    const std::vector<std::uint16_t> shapes = FindCellShapes(grid);
+    const double* const limits = criterion->Acceptable;
+    const double inside = std::isfinite(limits[0]) ? limits[0] : limits[1];
+    auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
+    doubles->DeepCopy(values);
+    double* const value = doubles->GetPointer(0);
+    for (std::size_t cell = 0; cell < shapes.size(); ++cell)
+    {
+      // Null values keep their color.
+      value[cell] = (shapes[cell] & judged) || std::isnan(value[cell]) ? value[cell] : inside;
+    }
+    this->Values = values;
+    this->Time = time;
+    this->Judged = doubles;
+  }
+  return this->Judged;
+}
+}

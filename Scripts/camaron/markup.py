@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pages are made of templates, which escape every value: no name from a file becomes an element."""
+
+from __future__ import annotations
+
+import string
+from html import escape
+from typing import Any
+
+
+class Markup(str):
+    """HTML. Only `html` makes some, of templates that stand in the code; all other text is escaped."""
+
+
+def html(template: str, *values: Any, **named: Any) -> Markup:
+    """The template, as `str.format` fills it, with every value escaped that is no Markup.
+
+    The parts of a list or an iterator are joined; None is nothing.
+
+    >>> html('<td class="{}">{:.1f}</td>', 'a"b', 2)
+    '<td class="a&quot;b">2.0</td>'
+    >>> html("<p>{}</p>", [html("<b>{}</b>", "<i>"), " & ", None])
+    '<p><b>&lt;i&gt;</b> &amp; </p>'
+    """
+    return Markup(_FORMATTER.vformat(template, values, named))
+
+
+def raw(path: Any) -> Markup:
+    """A style sheet or script that comes with the code."""
+    return Markup(path.read_text(encoding="utf-8"))
+
+
+class _Formatter(string.Formatter):
+    def format_field(self, value: Any, format_spec: str) -> str:
+        return _to_markup(format(value, format_spec) if format_spec else value)
+
+    def convert_field(self, value: Any, conversion: Any) -> Any:
+        return repr(value) if conversion == "r" else super().convert_field(value, conversion)
+
+
+_FORMATTER = _Formatter()
+
+
+def _to_markup(value: Any) -> str:
+    if isinstance(value, Markup):
+        return value
+    if value is None:
+        return ""
+    if hasattr(value, "__iter__") and not isinstance(value, str):
+        return "".join(map(_to_markup, value))
+    return escape(str(value), quote=True)
