@@ -70,7 +70,7 @@ class TestCommand(camaron_testing.TestCase):
         warned = self.run_check(sliver, "--preset", "Overview", "--junit", "warned.xml")
         self.assertEqual(warned.returncode, 0, warned.stderr)
         self.assertRegex(
-            warned.stdout, r"(?m)^WARN +EquiangleSkewness +<= 0\.9 +triangles, [a-z, ]+ 1 +1 +100"
+            warned.stdout, r"(?m)^WARN +EquiangleSkewness +<= 0\.9 +of triangles, [a-z, ]+ 1 +1 +100"
         )
         self.assertRegex(
             warned.stdout, r"EquiangleSkewness <= 0\.9 of triangles, [a-z, ]+: 1 of 1 cell \(100 %\) fails\n"
