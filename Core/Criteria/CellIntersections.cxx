@@ -3,10 +3,10 @@
 #include "Criteria/CellIntersections.h"
 
 #include "Criteria/CellGeometry.h"
+#include "Criteria/FaceRing.h"
+#include "Criteria/FaceTriangles.h"
 #include "Geometry/BoxTree.h"
 #include "Geometry/PolygonTriangulator.h"
-
-#include "vtkBoundingBox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,14 +55,6 @@ bool Crosses(const CellGeometry& cell, const Vector& p, const Vector& q, const V
 }
 
 //------------------------------------------------------------------------------
-bool HasPoint(const CellTopology& topology, int face, int point)
-{
-  const int* points = topology.GetFace(face);
-  return std::find(points, points + topology.GetFaceSize(face), point) !=
-    points + topology.GetFaceSize(face);
-}
-
-//------------------------------------------------------------------------------
 // Whether a place lies on an edge of a face.
 bool IsOnEdge(const CellGeometry& cell, int face, const Vector& place)
 {
@@ -79,60 +71,21 @@ bool IsOnEdge(const CellGeometry& cell, int face, const Vector& place)
   }
   return false;
 }
-}
-
-namespace
-{
-//------------------------------------------------------------------------------
-// The edges of a face.
-class Ring
-{
-public:
-  Ring(const CellGeometry& cell, int face)
-    : Cell(cell)
-    , Points(cell.GetTopology().GetFace(face))
-    , Size(cell.GetTopology().GetFaceSize(face))
-  {
-  }
-  int GetSize() const { return this->Size; }
-  const Vector& GetBegin(int edge) const { return this->Cell.GetPoint(this->Points[edge]); }
-  const Vector& GetEnd(int edge) const { return this->GetBegin(edge + 1 < this->Size ? edge + 1 : 0); }
-
-  /// Whether two edges meet other than at their ends.
-  bool Meet(int i, int j) const
-  {
-    const Vector &p = this->GetBegin(i), &pEnd = this->GetEnd(i), &q = this->GetBegin(j), &qEnd = this->GetEnd(j);
-    const auto isAt = [&](const Vector& a, const Vector& b) { return this->Cell.IsZeroLength(Norm(a - b)); };
-    return !isAt(p, q) && !isAt(p, qEnd) && !isAt(pEnd, q) && !isAt(pEnd, qEnd) &&
-      this->Cell.IsZeroLength(GetDistance(p, pEnd - p, q, qEnd - q));
-  }
-
-private:
-  const CellGeometry& Cell;
-  const int* Points;
-  int Size;
-};
 
 //------------------------------------------------------------------------------
-// All in one plane: then what overlaps crosses, be it in a corner.
-bool IsFlat(const CellGeometry& cell, int face)
+// Whether two edges meet other than at their ends.
+bool Meet(const CellGeometry& cell, const FaceRing& ring, int i, int j)
 {
-  const Vector normal = Unit(cell.GetFaceVector(face));
-  const Ring ring(cell, face);
-  for (int i = 0; i < ring.GetSize(); ++i)
-  {
-    if (!cell.IsZeroLength(std::abs(Dot(normal, ring.GetBegin(i) - cell.GetFaceCenter(face)))))
-    {
-      return false;
-    }
-  }
-  return true;
+  const Vector &p = ring.GetBegin(i), &pEnd = ring.GetEnd(i), &q = ring.GetBegin(j), &qEnd = ring.GetEnd(j);
+  const auto isAt = [&](const Vector& a, const Vector& b) { return cell.IsZeroLength(Norm(a - b)); };
+  return !isAt(p, q) && !isAt(p, qEnd) && !isAt(pEnd, q) && !isAt(pEnd, qEnd) &&
+    cell.IsZeroLength(GetDistance(p, pEnd - p, q, qEnd - q));
 }
 
 //------------------------------------------------------------------------------
 bool HasMeetingEdges(const CellGeometry& cell, int face)
 {
-  const Ring ring(cell, face);
+  const FaceRing ring(cell, face);
   const int size = ring.GetSize();
   std::vector<Bounds> boxes(size);
   for (int i = 0; i < size; ++i)
@@ -149,7 +102,7 @@ bool HasMeetingEdges(const CellGeometry& cell, int face)
       [&](std::size_t place)
       {
         const auto j = static_cast<int>(tree.GetOrder()[place]);
-        return j < i && ring.Meet(j, i);
+        return j < i && Meet(cell, ring, j, i);
       });
     if (meets)
     {
@@ -180,7 +133,7 @@ bool HasIntersectingEdges(const CellGeometry& cell)
       corners[i] = cell.GetPoint(topology.GetFace(f)[i]);
     }
     triangulator.Cut(corners.data(), size);
-    if (!cell.IsZeroArea(triangulator.GetOverlap()) && (HasMeetingEdges(cell, f) || IsFlat(cell, f)))
+    if (!cell.IsZeroArea(triangulator.GetOverlap()) && (HasMeetingEdges(cell, f) || FaceRing(cell, f).IsFlat()))
     {
       return true;
     }
@@ -200,72 +153,6 @@ bool Touches(const CellGeometry& cell, const int ends[2], int face, const Vector
   return std::any_of(ring, ring + cell.GetTopology().GetFaceSize(face), isAt) ||
     ((isAt(ends[0]) || isAt(ends[1])) && IsOnEdge(cell, face, place));
 }
-
-//------------------------------------------------------------------------------
-void Add(const Vector& point, vtkBoundingBox& box)
-{
-  box.AddPoint(point.X, point.Y, point.Z);
-}
-
-//------------------------------------------------------------------------------
-// Around the triangles about their centres.
-std::vector<vtkBoundingBox> GetBoxesOfFaces(const CellGeometry& cell)
-{
-  const CellTopology& topology = cell.GetTopology();
-  std::vector<vtkBoundingBox> boxes(topology.GetNumberOfFaces());
-  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
-  {
-    Add(cell.GetFaceCenter(f), boxes[f]);
-    for (int i = 0; i < topology.GetFaceSize(f); ++i)
-    {
-      Add(cell.GetPoint(topology.GetFace(f)[i]), boxes[f]);
-    }
-  }
-  return boxes;
-}
-
-//------------------------------------------------------------------------------
-// A line on a face: an edge, or one from a corner to the centre, where Points are the corner twice.
-struct Line
-{
-  int Points[2];
-  Vector End;
-};
-
-//------------------------------------------------------------------------------
-// Those from corners to centres find faces that cut each other between points that they share. They lie on their face if
-// all triangles about the centre look to the same side.
-std::vector<Line> GetLines(const CellGeometry& cell)
-{
-  const CellTopology& topology = cell.GetTopology();
-  std::vector<Line> lines;
-  lines.reserve(topology.Edges.size() + topology.FacePoints.size());
-  for (const CellTopology::Edge& edge : topology.Edges)
-  {
-    lines.push_back({ { edge.Points[0], edge.Points[1] }, cell.GetPoint(edge.Points[1]) });
-  }
-  for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
-  {
-    const int* ring = topology.GetFace(f);
-    const int size = topology.GetFaceSize(f);
-    const Vector& center = cell.GetFaceCenter(f);
-    bool isStar = size > 3; // the lines of a triangle meet nothing that its edges do not
-    for (int i = 0; i < size; ++i)
-    {
-      const Vector triangle = Cross(
-        cell.GetPoint(ring[i]) - center, cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - center);
-      isStar = isStar && Dot(triangle, cell.GetFaceVector(f)) > 0;
-    }
-    for (int i = 0; isStar && i < size; ++i)
-    {
-      // A little further, as where faces cross their centres may lie on the others.
-      constexpr double further = 1e-6;
-      const Vector& corner = cell.GetPoint(ring[i]);
-      lines.push_back({ { ring[i], ring[i] }, center + further * (center - corner) });
-    }
-  }
-  return lines;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -274,33 +161,18 @@ bool HasIntersectingFaces(const CellGeometry& cell)
   const CellTopology& topology = cell.GetTopology();
   const bool isOpen = std::any_of(topology.Edges.begin(), topology.Edges.end(),
     [](const CellTopology::Edge& edge) { return edge.Uses == 1; });
-  const std::vector<vtkBoundingBox> boxes = GetBoxesOfFaces(cell);
-  for (const Line& line : GetLines(cell))
-  {
-    const Vector &p = cell.GetPoint(line.Points[0]), &q = line.End;
-    vtkBoundingBox box;
-    Add(p, box);
-    Add(q, box);
-    for (int f = 0; f < topology.GetNumberOfFaces(); ++f)
+  thread_local FaceTriangles faces;
+  faces.Load(cell);
+  return std::any_of(faces.GetLines().begin(), faces.GetLines().end(),
+    [&](const FaceLine& line)
     {
-      if (!box.Intersects(boxes[f]) || HasPoint(topology, f, line.Points[0]) || HasPoint(topology, f, line.Points[1]))
-      {
-        continue;
-      }
-      const int* ring = topology.GetFace(f);
-      const int size = topology.GetFaceSize(f);
-      for (int i = 0; i < size; ++i)
-      {
-        Vector hit;
-        if (Crosses(cell, p, q, cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]),
-              cell.GetFaceCenter(f), hit) &&
-          !(isOpen && Touches(cell, line.Points, f, hit)))
+      return faces.FindAny(cell, line,
+        [&](int face, const FaceTriangles::Triangle& triangle)
         {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
+          Vector hit;
+          return Crosses(cell, cell.GetPoint(line.Points[0]), line.End, triangle[0], triangle[1], triangle[2], hit) &&
+            !(isOpen && Touches(cell, line.Points, face, hit));
+        });
+    });
 }
 }

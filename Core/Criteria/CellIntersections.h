@@ -14,9 +14,10 @@ class CellGeometry;
 /// Whether two edges of a face meet that are not next to each other.
 bool HasIntersectingEdges(const CellGeometry& cell);
 /**
- * Whether a face goes through another one: whether an edge, or a line from a corner to the centre of a face that is star-shaped
- * about it, goes through a face of which its ends are no points, or touches it. Of an open cell an end that lies on an edge
- * of the face does not count, nor a point of the face that lies on the edge. With NeedsEdges, NeedsFaces and NeedsVolume.
+ * Whether a face goes through another one: whether an edge, or a line from a corner into the face, goes through a face of which
+ * its ends are no points, or touches it. A face that is star-shaped about its center is the triangles about that one, any other
+ * those of PolygonTriangulator. Of an open cell an end that lies on an edge of the face does not count, nor a point of the
+ * face that lies on the edge. With NeedsEdges, NeedsFaces and NeedsVolume.
  */
 bool HasIntersectingFaces(const CellGeometry& cell);
 }

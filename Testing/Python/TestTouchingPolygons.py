@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Polygons that touch themselves: their area by criterion is that of their triangles and that of their pixels."""
+"""Polygons and faces that touch themselves: their area by criterion is that of their triangles and that of their pixels."""
 
 import camaron_testing
 import numpy
 from camaron import convert
 from inspection_testing import make_view, picture
 from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 #: Name, corners in the plane, area by the shoelace formula.
 POLYGONS = {
@@ -33,6 +34,46 @@ def write_off(corners) -> str:
     lines = ["OFF", f"{len(numbers)} 1 0", *(f"{x} {y} 0" for x, y in numbers)]
     lines.append(" ".join(map(str, [len(corners), *(numbers[corner] for corner in corners)])))
     return "\n".join(lines) + "\n"
+
+
+#: A block with a hole through it, from z = 0 to 1, whose top and bottom are keyholes: its outside, volume and area.
+BLOCKS = {
+    "block": ([(0, 0), (3, 0), (3, 3), (0, 3)], 8.0, 32.0),
+    "angle": ([(0, 0), (5, 0), (5, 3), (3, 3), (3, 5), (0, 5)], 20.0, 64.0),
+}
+HOLE = [(1, 1), (1, 2), (2, 2), (2, 1)]
+
+SOURCE = """
+from vtkmodules.vtkCommonCore import vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON
+
+points, ids = vtkPoints(), vtkIdList()
+points.SetDataTypeToDouble()
+for point in {points}:
+    points.InsertNextPoint(point)
+for number in {stream}:
+    ids.InsertNextId(number)
+output = self.GetUnstructuredGridOutput()
+output.SetPoints(points)
+output.Allocate(1)
+output.InsertNextCell(VTK_POLYHEDRON, ids)
+"""
+
+
+def make_block(outside):
+    """The polyhedron as a source."""
+    size, rings = len(outside), [*outside, *HOLE]
+    top = [*range(size), 0, *range(size, size + 4), size]
+    faces = [top[::-1], [i + len(rings) for i in top]]
+    for first, count in ((0, size), (size, 4)):
+        for i in range(count):
+            a, b = first + i, first + (i + 1) % count
+            faces.append([a, b, b + len(rings), a + len(rings)])
+    stream = [len(faces), *(number for face in faces for number in (len(face), *face))]
+    points = [(x, y, z) for z in (0.0, 1.0) for x, y in rings]
+    source = simple.ProgrammableSource(OutputDataSetType="vtkUnstructuredGrid")
+    source.Script = SOURCE.format(points=points, stream=stream)
+    return source
 
 
 class TestTouchingPolygons(camaron_testing.TestCase):
@@ -63,37 +104,86 @@ class TestTouchingPolygons(camaron_testing.TestCase):
                     target = f"{name}{suffix}"
                     notes = convert(path, self.folder / target, **options)
                     self.assertNotIn("cross", " ".join(notes))
-                    quality = simple.ElementQuality(
-                        Input=self.open(self.folder / target), Criteria=["Area"]
-                    )
-                    areas = self.fetch(quality).GetCellData().GetArray("Area")
-                    found = sum(areas.GetValue(i) for i in range(areas.GetNumberOfTuples()))
+                    found = self.areas(self.open(self.folder / target)).sum()
                     self.assertAlmostEqual(found, area, places=5)
+
+    def blocks(self):
+        for name, (outside, volume, area) in BLOCKS.items():
+            yield name, make_block(outside), volume, area
+
+    def areas(self, surface):
+        quality = simple.ElementQuality(Input=surface, Criteria=["Area"])
+        return vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("Area"))
+
+    def test_faces_of_polyhedra(self):
+        """The surface as it is and in triangles has the area of the criterion."""
+        for name, block, volume, area in self.blocks():
+            with self.subTest(name):
+                quality = simple.ElementQuality(Input=block, Criteria=["Volume", "SurfaceArea"])
+                arrays = self.fetch(quality).GetCellData()
+                self.assertAlmostEqual(arrays.GetArray("Volume").GetValue(0), volume, places=12)
+                self.assertAlmostEqual(arrays.GetArray("SurfaceArea").GetValue(0), area, places=12)
+                faces = self.areas(simple.MeshSurface(Input=block))
+                self.assertEqual(len(faces), len(BLOCKS[name][0]) + 6)
+                self.assertAlmostEqual(faces.sum(), area, places=12)
+                triangles = self.areas(simple.MeshSurface(Input=block, Triangulate=1))
+                self.assertGreater(len(triangles), len(faces))
+                self.assertAlmostEqual(triangles.sum(), area, places=12)
+
+    def test_conversion_of_polyhedra(self):
+        """Tetrahedra from one corner lie upon each other, which is said."""
+        for name, block, _, area in self.blocks():
+            path = self.folder / f"{name}.visf"
+            simple.SaveData(str(path), proxy=block)
+            with self.subTest(name):
+                notes = convert(path, self.folder / f"{name}.m3d", unsupported_cells="Convert")
+                self.assertIn("not convex", " ".join(notes))
+                convert(path, self.folder / f"{name}.stl")
+                stl = self.open(self.folder / f"{name}.stl")
+                self.assertAlmostEqual(self.areas(stl).sum(), area, places=5)
+
+    def test_selection_in_polyhedra(self):
+        """A ball in the hole is not in the block, one in the block is."""
+        for name, block, _, _ in self.blocks():
+            for center, found in (((1.5, 1.5, 0.5), 0), ((0.5, 0.5, 0.5), 1), ((2.5, 1.5, 0.5), 1)):
+                with self.subTest(name, center=center):
+                    select = simple.SelectElements(Input=block, Strategy="Shape", Shape="Sphere")
+                    select.Placement = "Intersects"
+                    select.Shape.Center, select.Shape.Radius = center, 0.3
+                    marks = self.fetch(select).GetCellData().GetArray("Selected")
+                    self.assertEqual(marks.GetValue(0), found)
 
     @camaron_testing.require_display()
     def test_pictures(self):
-        """As many pixels as the area has, but for some along the edges."""
-        view = make_view()
-        view.CameraParallelProjection = 1
+        """As many pixels as the area has, but for some along the edges; through the hole of a block one sees."""
+        self.view = make_view()
+        self.view.CameraParallelProjection = 1
         for name, path, area in self.files():
-            source = self.open(path)
-            shown = {
-                "Mesh Inspection": source,
-                "Surface": simple.MeshSurface(Input=source, Triangulate=1),
-            }
-            for representation, proxy in shown.items():
-                with self.subTest(name, representation=representation):
-                    display = simple.Show(proxy, view)
-                    display.SetRepresentationType(representation)
-                    display.AmbientColor = display.DiffuseColor = [0, 0, 0]
-                    view.CameraPosition, view.CameraFocalPoint = [2, 1.5, 10], [2, 1.5, 0]
-                    view.CameraViewUp = [0, 1, 0]
-                    view.CameraParallelScale = 4
-                    colors = picture(view)
-                    simple.Hide(proxy, view)
-                    pixel = (2 * view.CameraParallelScale / colors.shape[0]) ** 2
-                    found = pixel * numpy.count_nonzero(colors.sum(axis=2) < 3 * 128)
-                    self.assertAlmostEqual(found, area, delta=0.02 * area + 0.05)
+            self.check_pixels(name, self.open(path), area)
+        for name, block, volume, _ in self.blocks():
+            self.check_pixels(name, block, volume)
+
+    def check_pixels(self, name, source, area):
+        view = self.view
+        shown = {
+            "Mesh Inspection": source,
+            "Surface": simple.MeshSurface(Input=source, Triangulate=1),
+        }
+        for representation, proxy in shown.items():
+            with self.subTest(name, representation=representation):
+                display = simple.Show(proxy, view)
+                display.SetRepresentationType(representation)
+                display.AmbientColor = display.DiffuseColor = [0, 0, 0]
+                view.CameraPosition, view.CameraFocalPoint = [2, 2, 10], [2, 2, 0]
+                view.CameraViewUp = [0, 1, 0]
+                picture(view)  # the first one moves the camera
+                view.CameraPosition, view.CameraFocalPoint = [2, 2, 10], [2, 2, 0]
+                view.CameraParallelScale = 4
+                colors = picture(view)
+                simple.Hide(proxy, view)
+                pixel = (2 * view.CameraParallelScale / colors.shape[0]) ** 2
+                found = pixel * numpy.count_nonzero(colors.sum(axis=2) < 3 * 128)
+                self.assertAlmostEqual(found, area, delta=0.02 * area + 0.05)
 
 
 if __name__ == "__main__":
