@@ -183,8 +183,6 @@ def _read(comparison: Any, preset: Optional[str], ranges: Any) -> list[dict[str,
         about = {**known[row["Criterion"]], **sources.get(row["Criterion"], {})}
         numbers = _numbers(row)
         limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
-        if not any(numbers[mesh]["judged"] for mesh in "ab"):
-            limits = [None, None]  # of other shapes
         criteria[row["Criterion"]] = {
             **{key: about[key] for key in ("name", "label", "description", "better", "ideal")},
             "unit": row["Unit"],

@@ -145,7 +145,7 @@ def _criterion(summary, c) -> Markup:
 def _remarks(c) -> list[str]:
     unit = text.UNIT_SYMBOLS.get(c["unit"], c["unit"])
     remarks = [BETTER[c["better"]]] if BETTER[c["better"]] else []
-    if c["acceptable"] != [None, None]:
+    if comparison_table.is_limited(c):
         source = f" ({c['acceptable_source']})" if c["acceptable_source"] else ""
         remarks.append(f"Acceptable {text.interval(*c['acceptable'], c['unit'])}{source}")
     if c["distance"]:

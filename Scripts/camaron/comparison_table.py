@@ -67,7 +67,7 @@ def findings(summary: dict[str, Any]) -> list[str]:
     rows = summary["criteria"]
     if not rows:
         return ["None of the criteria has a meaning for the cells of these meshes."]
-    limited = [c for c in rows if c["acceptable"] != [None, None]]
+    limited = [c for c in rows if is_limited(c)]
     better = [c["name"] for c in limited if _share(c, "b") < _share(c, "a")]
     sentences = []
     if summary["worse"]:
@@ -91,6 +91,11 @@ def findings(summary: dict[str, Any]) -> list[str]:
     if not summary["same_cells"]:
         sentences.append("The meshes have different cells, which are not compared one by one.")
     return sentences
+
+
+def is_limited(row: dict[str, Any]) -> bool:
+    """Whether an acceptable range is known that is for cells of one of the meshes."""
+    return any(row[mesh]["out_of_range_percent"] is not None for mesh in "ab")
 
 
 def _share(row: dict[str, Any], mesh: str) -> float:

@@ -355,7 +355,8 @@ def comparison(criterion: dict[str, Any]) -> Markup:
         )
         line.append(f"V{base - height(a):.2f}H{x + width:.2f}")
     parts.append(html('<path class="before" d="{}V{}"/>', line, base))
-    for limit in criterion["acceptable"]:
+    limited = any(criterion[mesh]["out_of_range_percent"] is not None for mesh in "ab")
+    for limit in criterion["acceptable"] if limited else ():
         if limit is not None and axis.low < limit < axis.high:
             parts.append(_limit_line(axis(limit), base))
     marks = ticks(axis.low, axis.high, 8) if edges[-1] > edges[0] else [edges[0]]

@@ -112,13 +112,18 @@ class TestCompare(camaron_testing.TestCase):
 
     def test_command(self):
         stretched = self.stretched()
-        status, out, err = self.run_compare(BALL, stretched, "--criteria", "EquiangleSkewness,Volume")
+        ranges = self.folder / "ours.txt"  # of all cells; that of the table is not for polyhedra
+        ranges.write_text("EquiangleSkewness * 0.9\n")
+        chosen = ("--criteria", "EquiangleSkewness,Volume")
+        _, out, _ = self.run_compare(BALL, stretched, *chosen)
+        self.assertRegex(out, r"(?m)^  EquiangleSkewness ")
+        status, out, err = self.run_compare(BALL, stretched, *chosen, "--ranges", ranges)
         self.assertEqual((status, err), (0, ""))
         self.assertRegex(out, r"(?m)^! EquiangleSkewness ")
         self.assertRegex(out, r"(?m)^  Volume .* 1 +0$")
         self.assertIn("Report: voronoi-ball-stretched-comparison", out)
         self.assertTrue((self.folder / "voronoi-ball-stretched-comparison/report.html").exists())
-        worse = self.run_compare(BALL, stretched, "--fail-if-worse", "-o", "x")
+        worse = self.run_compare(BALL, stretched, "--fail-if-worse", "-o", "x", "--ranges", ranges)
         self.assertEqual(worse[0], 1)
         same = self.run_compare(BALL, BALL, "--fail-if-worse", "-o", "x", "--json")
         self.assertEqual(same[0], 0)

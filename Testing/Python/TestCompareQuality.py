@@ -167,11 +167,10 @@ class TestCompareQuality(camaron_testing.TestCase):
                 ReplaceInvalidResults=0,
                 Function="if(Material > 0, Material + 1, Material)",
             )
-            comparison = simple.CompareQuality(
-                Input=source, Other=other, Arrays=[RATIO], GroupBy="Cell array", GroupArray="Material"
+            comparison, _, histogram = self.compare(
+                source, other, Arrays=[RATIO], GroupBy="Cell array", GroupArray="Material"
             )
-            comparison.UpdatePipeline()
-            table, histogram = tables.fetch(comparison), tables.fetch(comparison, 1)
+            table = tables.fetch(comparison)
             moved = numpy.where(material > 0, material + 1, material)
             a, b = WHOLE[RATIO], changed(WHOLE[RATIO])
             if table:
