@@ -12,35 +12,15 @@ namespace camaron
 {
 namespace
 {
-/// Half-spaces times points above which it is not worthwhile to find out first that a cell is
-/// convex.
-constexpr double MaxConvexityChecks = 1e6;
-/// Up to as many, all points of a polygon are held against all half-planes.
-constexpr std::size_t FewPoints = 64;
+/// Half-spaces times points up to which all are held against all.
+constexpr std::size_t FewChecks = 4096;
 
 //------------------------------------------------------------------------------
-bool ContainAll(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
-  double tolerance)
+// Of many points that lie apart.
+bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size, double tolerance)
 {
-  for (const HalfSpace& halfSpace : halfSpaces)
-  {
-    for (std::size_t i = 0; i < size; ++i)
-    {
-      if (halfSpace.GetDistance(points[i]) > tolerance)
-      {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-// The same of many points that lie apart.
-bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const std::vector<Vector>& points, double tolerance)
-{
-  std::vector<Bounds> boxes(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
+  std::vector<Bounds> boxes(size);
+  for (std::size_t i = 0; i < size; ++i)
   {
     boxes[i].Add(points[i]);
   }
@@ -59,6 +39,27 @@ bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const std::vector<Vec
         },
         [&](std::size_t place) { return halfSpace.GetDistance(points[tree.GetOrder()[place]]) > tolerance; });
     });
+}
+
+//------------------------------------------------------------------------------
+bool ContainAll(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
+  double tolerance)
+{
+  if (halfSpaces.size() * size > FewChecks)
+  {
+    return ContainMany(halfSpaces, points, size, tolerance);
+  }
+  for (const HalfSpace& halfSpace : halfSpaces)
+  {
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      if (halfSpace.GetDistance(points[i]) > tolerance)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -127,9 +128,8 @@ void CellKernel::FindSheet(const CellGeometry& cell, int face, Sheet& sheet) con
     previous = corner;
   }
   AddBox(sheet.Low, sheet.High, 2, sheet.HalfPlanes);
-  sheet.IsConvex = sheet.Corners.size() > FewPoints
-    ? ContainMany(sheet.HalfPlanes, sheet.Corners, cell.GetZeroLength())
-    : ContainAll(sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
+  sheet.IsConvex =
+    ContainAll(sheet.HalfPlanes, sheet.Corners.data(), sheet.Corners.size(), cell.GetZeroLength());
 }
 
 //------------------------------------------------------------------------------
@@ -213,9 +213,7 @@ void CellKernel::Prepare(const CellGeometry& cell)
       Extend(this->Low, this->High, cell.GetPoint(i));
     }
     this->FindHalfSpaces(cell);
-    this->Convex =
-      static_cast<double>(numberOfPoints) * this->HalfSpaces.size() <= MaxConvexityChecks &&
-      ContainAll(this->HalfSpaces, &cell.GetPoint(0), numberOfPoints, cell.GetZeroLength());
+    this->Convex = ContainAll(this->HalfSpaces, &cell.GetPoint(0), numberOfPoints, cell.GetZeroLength());
     ball = FindLargestBall(this->HalfSpaces, 3, GetBallAround(this->Low, this->High));
   }
   this->Radius = ball.Radius > cell.GetZeroLength() ? ball.Radius : 0;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace camaron
 {
@@ -13,12 +12,15 @@ namespace
 constexpr double RelativePrecision = 1e-10;
 constexpr int MaxSquares = 20000;
 constexpr double RootOfTwo = 1.4142135623730951;
+constexpr double Rounding = 1 + 1e-6; // of distances that others follow from
+/// Up to as many, all edges of a polygon are looked at together.
+constexpr std::size_t FewEdges = 64;
 }
 
 //------------------------------------------------------------------------------
 Ball LargestCircle::Find(const std::vector<Vector>& polygon)
 {
-  this->Polygon = &polygon;
+  this->Outline.Build(polygon);
   this->Best = {};
   this->Squares.clear();
   if (polygon.size() < 3)
@@ -33,7 +35,7 @@ Ball LargestCircle::Find(const std::vector<Vector>& polygon)
   }
   this->Around = { 0.5 * (low + high), 0.5 * Norm(high - low) };
   this->Precision = RelativePrecision * this->Around.Radius;
-  this->AddSquare(this->Around.Center, 0.5 * std::max(high.X - low.X, high.Y - low.Y));
+  this->AddSquare(this->Around.Center, 0.5 * std::max(high.X - low.X, high.Y - low.Y), 2 * this->Around.Radius);
   for (int i = 0; i < MaxSquares && !this->Squares.empty(); ++i)
   {
     std::pop_heap(this->Squares.begin(), this->Squares.end());
@@ -48,7 +50,7 @@ Ball LargestCircle::Find(const std::vector<Vector>& polygon)
     {
       for (const double y : { -half, half })
       {
-        this->AddSquare(square.Center + Vector{ x, y, 0 }, half);
+        this->AddSquare(square.Center + Vector{ x, y, 0 }, half, square.Distance + RootOfTwo * half);
       }
     }
   }
@@ -56,61 +58,36 @@ Ball LargestCircle::Find(const std::vector<Vector>& polygon)
 }
 
 //------------------------------------------------------------------------------
-// Distance from the nearest edge, negative outside.
-double LargestCircle::GetSignedDistance(const Vector& point) const
+double LargestCircle::Try(const Vector& center, double limit)
 {
-  const std::vector<Vector>& polygon = *this->Polygon;
-  double nearest = std::numeric_limits<double>::infinity();
-  bool isInside = false;
-  Vector a = polygon.back() - point;
-  for (const Vector& corner : polygon)
-  {
-    const Vector b = corner - point, edge = b - a;
-    const double square = Norm2(edge);
-    const double t = square > 0 ? std::clamp(-Dot(a, edge) / square, 0.0, 1.0) : 0;
-    nearest = std::min(nearest, Norm2(a + t * edge));
-    if ((a.Y > 0) != (b.Y > 0) && (a.X * edge.Y - a.Y * edge.X > 0) == (edge.Y > 0))
-    {
-      isInside = !isInside;
-    }
-    a = b;
-  }
-  return isInside ? std::sqrt(nearest) : -std::sqrt(nearest);
-}
-
-//------------------------------------------------------------------------------
-void LargestCircle::Try(const Vector& center)
-{
-  const double distance = this->GetSignedDistance(center);
+  const double distance = this->Outline.GetSignedDistance(center, limit * Rounding);
   if (distance > this->Best.Radius)
   {
     this->Best = { center, distance };
   }
+  return distance;
 }
 
 //------------------------------------------------------------------------------
-void LargestCircle::AddSquare(const Vector& center, double half)
+// The distance of the center from the outline is less than a limit.
+void LargestCircle::AddSquare(const Vector& center, double half, double limit)
 {
-  const double distance = this->GetSignedDistance(center);
-  if (distance > this->Best.Radius)
-  {
-    this->Best = { center, distance };
-  }
+  const double distance = this->Try(center, limit);
   double bound = distance + RootOfTwo * half;
   if (bound <= this->Best.Radius + this->Precision)
   {
     return;
   }
-  this->FindFeatures(center, half);
+  this->FindFeatures(center, half, std::abs(distance));
   const Ball between = FindLargestBall(this->Features, 2, this->Around);
   bound = std::min(bound, between.Radius);
   if (Norm2(between.Center - this->Around.Center) < this->Around.Radius * this->Around.Radius)
   {
-    this->Try(between.Center);
+    this->Try(between.Center, std::abs(distance) + Norm(between.Center - center));
   }
   if (bound > this->Best.Radius + this->Precision)
   {
-    this->Squares.push_back({ center, half, bound });
+    this->Squares.push_back({ center, half, std::abs(distance), bound });
     std::push_heap(this->Squares.begin(), this->Squares.end());
   }
 }
@@ -118,37 +95,38 @@ void LargestCircle::AddSquare(const Vector& center, double half)
 //------------------------------------------------------------------------------
 // Linear functions that the distance from the boundary does not exceed anywhere in the square:
 // those of edges over all of which the square lies to one side, and tangents of the distance from
-// corners, raised by what that distance may bend.
-void LargestCircle::FindFeatures(const Vector& center, double half)
+// corners, raised by what that distance may bend. Of many edges, those count that are nearest to some place of the square.
+void LargestCircle::FindFeatures(const Vector& center, double half, double nearest)
 {
   this->Features.clear();
-  const std::vector<Vector>& polygon = *this->Polygon;
-  const std::size_t size = polygon.size();
   const double reach = RootOfTwo * half;
-  for (std::size_t i = 0; i < size; ++i)
+  const double farthest =
+    this->Outline.GetSize() > FewEdges ? Rounding * (nearest + 2 * reach) : 4 * this->Around.Radius;
+  this->Outline.ForEachNear(center, farthest, [&](std::size_t i)
+    { this->AddFeatures(center, half, this->Outline.GetBegin(i), this->Outline.GetEnd(i)); });
+}
+
+//------------------------------------------------------------------------------
+void LargestCircle::AddFeatures(const Vector& center, double half, const Vector& a, const Vector& b)
+{
+  const double reach = RootOfTwo * half;
+  const Vector edge = b - a, fromCorner = center - a;
+  const double length = Norm(edge), distance = Norm(fromCorner);
+  if (distance > reach)
   {
-    const Vector &a = polygon[i], edge = polygon[i + 1 < size ? i + 1 : 0] - a;
-    const double length = Norm(edge);
-    const Vector fromCorner = center - a;
-    const double distance = Norm(fromCorner);
-    if (distance > reach)
+    const Vector normal = (-1 / distance) * fromCorner;
+    this->Features.push_back({ normal, Dot(normal, center) + distance + 0.5 * reach * reach / distance });
+  }
+  if (length > 0)
+  {
+    const Vector along = (1 / length) * edge;
+    const double extent = half * (std::abs(along.X) + std::abs(along.Y));
+    const double position = Dot(fromCorner, along);
+    const double height = along.X * fromCorner.Y - along.Y * fromCorner.X;
+    if (position >= extent && position + extent <= length && std::abs(height) >= extent)
     {
-      const Vector normal = (-1 / distance) * fromCorner;
-      this->Features.push_back(
-        { normal, Dot(normal, center) + distance + 0.5 * reach * reach / distance });
-    }
-    if (length > 0)
-    {
-      const Vector along = (1 / length) * edge;
-      const double extent = half * (std::abs(along.X) + std::abs(along.Y));
-      const double position = Dot(fromCorner, along);
-      const double height = along.X * fromCorner.Y - along.Y * fromCorner.X;
-      if (position >= extent && position + extent <= length && std::abs(height) >= extent)
-      {
-        const Vector inward =
-          height > 0 ? Vector{ -along.Y, along.X, 0 } : Vector{ along.Y, -along.X, 0 };
-        this->Features.push_back({ -inward, -Dot(inward, a) });
-      }
+      const Vector inward = height > 0 ? Vector{ -along.Y, along.X, 0 } : Vector{ along.Y, -along.X, 0 };
+      this->Features.push_back({ -inward, -Dot(inward, a) });
     }
   }
 }

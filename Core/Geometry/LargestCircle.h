@@ -16,6 +16,7 @@
 #define camaron_LargestCircle_h
 
 #include "Geometry/Ball.h"
+#include "Geometry/PolygonOutline.h"
 
 #include <vector> // for squares
 
@@ -35,15 +36,17 @@ private:
   struct Square
   {
     Vector Center;
-    double Half, Bound;
+    double Half;
+    double Distance; ///< of the center from the outline
+    double Bound;
     bool operator<(const Square& other) const { return this->Bound < other.Bound; }
   };
-  double GetSignedDistance(const Vector& point) const;
-  void Try(const Vector& center);
-  void AddSquare(const Vector& center, double half);
-  void FindFeatures(const Vector& center, double half);
+  double Try(const Vector& center, double limit);
+  void AddSquare(const Vector& center, double half, double limit);
+  void FindFeatures(const Vector& center, double half, double nearest);
+  void AddFeatures(const Vector& center, double half, const Vector& a, const Vector& b);
 
-  const std::vector<Vector>* Polygon = nullptr;
+  PolygonOutline Outline;
   Ball Around, Best;
   double Precision = 0;
   std::vector<Square> Squares; // a heap

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Geometry/PolygonOutline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::size_t EdgesPerLeaf = 4;
+}
+
+//------------------------------------------------------------------------------
+void PolygonOutline::Build(const std::vector<Vector>& corners)
+{
+  this->Corners = &corners;
+  this->Nodes.clear();
+  if (!corners.empty())
+  {
+    this->AddNodes(0, corners.size());
+  }
+}
+
+//------------------------------------------------------------------------------
+void PolygonOutline::AddNodes(std::size_t first, std::size_t last)
+{
+  const std::size_t node = this->Nodes.size();
+  this->Nodes.push_back({ Bounds(), 0, first, last });
+  Bounds around;
+  if (last - first > EdgesPerLeaf)
+  {
+    const std::size_t middle = first + (last - first) / 2;
+    this->AddNodes(first, middle);
+    const std::size_t second = this->Nodes.size();
+    this->AddNodes(middle, last);
+    around = this->Nodes[node + 1].Box;
+    around.Add(this->Nodes[second].Box);
+  }
+  else
+  {
+    for (std::size_t edge = first; edge < last; ++edge)
+    {
+      around.Add(this->GetBegin(edge));
+      around.Add(this->GetEnd(edge));
+    }
+  }
+  this->Nodes[node].Box = around;
+  this->Nodes[node].Next = this->Nodes.size();
+}
+
+//------------------------------------------------------------------------------
+double PolygonOutline::GetSignedDistance(const Vector& point, double limit) const
+{
+  const double distance = std::sqrt(this->FindSquaredDistance(point, limit));
+  return this->IsInside(point) ? distance : -distance;
+}
+
+//------------------------------------------------------------------------------
+double PolygonOutline::FindSquaredDistance(const Vector& point, double limit) const
+{
+  double nearest = limit * limit;
+  this->ForEach([&](const Node& node) { return node.Box.GetSquaredDistance(point) <= nearest; },
+    [&](std::size_t i)
+    {
+      const Vector a = this->GetBegin(i) - point, edge = this->GetEnd(i) - this->GetBegin(i);
+      const double square = Norm2(edge);
+      const double t = square > 0 ? std::clamp(-Dot(a, edge) / square, 0.0, 1.0) : 0;
+      nearest = std::min(nearest, Norm2(a + t * edge));
+    });
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
+// Whether the edges cross the line to the right an odd number of times.
+bool PolygonOutline::IsInside(const Vector& point) const
+{
+  bool isInside = false;
+  const auto isAbove = [&](const Vector& corner) { return corner.Y > point.Y; };
+  this->ForEach(
+    [&](const Node& node)
+    {
+      const Bounds& box = node.Box;
+      if (isAbove(box.Low) || !isAbove(box.High) || box.High.X < point.X)
+      {
+        return false;
+      }
+      if (box.Low.X > point.X)
+      {
+        isInside = isInside != (isAbove(this->GetBegin(node.First)) != isAbove(this->GetEnd(node.Last - 1)));
+        return false;
+      }
+      return true;
+    },
+    [&](std::size_t i)
+    {
+      const Vector a = this->GetBegin(i) - point, edge = this->GetEnd(i) - this->GetBegin(i);
+      if (isAbove(this->GetBegin(i)) != isAbove(this->GetEnd(i)) && (a.X * edge.Y - a.Y * edge.X > 0) == (edge.Y > 0))
+      {
+        isInside = !isInside;
+      }
+    });
+  return isInside;
+}
+}

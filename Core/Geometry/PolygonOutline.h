@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::PolygonOutline
+ * @brief How far a place in the plane is from the edges of a polygon, and whether it is inside.
+ *
+ * A tree of boxes around edges that follow each other: of a box beside a place, only where the edges in it begin and end tells
+ * whether they go around it. Holds its memory for the next polygon.
+ */
+#ifndef camaron_PolygonOutline_h
+#define camaron_PolygonOutline_h
+
+#include "Geometry/Bounds.h"
+
+#include <cstddef> // for std::size_t
+#include <limits>  // for infinity
+#include <vector>  // for boxes
+
+namespace camaron
+{
+class PolygonOutline
+{
+public:
+  /// Corners, which have no Z and are kept by the caller.
+  void Build(const std::vector<Vector>& corners);
+
+  std::size_t GetSize() const { return this->Corners->size(); }
+  const Vector& GetBegin(std::size_t edge) const { return (*this->Corners)[edge]; }
+  const Vector& GetEnd(std::size_t edge) const { return (*this->Corners)[edge + 1 < this->GetSize() ? edge + 1 : 0]; }
+
+  /// Distance from the nearest edge, negative outside. It is known to be less than @a limit, or the limit is 0.
+  double GetSignedDistance(const Vector& point, double limit = std::numeric_limits<double>::infinity()) const;
+
+  /// Calls @a visit(edge) for all edges within a distance, and for some others.
+  template <typename Visit>
+  void ForEachNear(const Vector& point, double distance, Visit&& visit) const
+  {
+    this->ForEach([&](const Node& node) { return node.Box.GetSquaredDistance(point) <= distance * distance; }, visit);
+  }
+
+private:
+  /// A box around some edges, and where to go on in the list if nothing in it is wanted.
+  struct Node
+  {
+    Bounds Box;
+    std::size_t Next, First, Last;
+  };
+  void AddNodes(std::size_t first, std::size_t last);
+  double FindSquaredDistance(const Vector& point, double limit) const;
+  bool IsInside(const Vector& point) const;
+
+  template <typename Wants, typename Visit>
+  void ForEach(Wants&& wants, Visit&& visit) const
+  {
+    for (std::size_t n = 0; n < this->Nodes.size();)
+    {
+      const Node& node = this->Nodes[n];
+      if (!wants(node))
+      {
+        n = node.Next;
+        continue;
+      }
+      for (std::size_t edge = node.First; node.Next == n + 1 && edge < node.Last; ++edge)
+      {
+        visit(edge);
+      }
+      ++n;
+    }
+  }
+
+  const std::vector<Vector>* Corners = nullptr;
+  std::vector<Node> Nodes; ///< parents before children
+};
+}
+
+#endif
