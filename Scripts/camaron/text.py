@@ -46,7 +46,7 @@ def number(value: Optional[float], digits: int = 4) -> str:
 
 
 def printable(words: str) -> str:
-    """The text with ? for what terminals obey, like control characters and marks of direction, but for ends of lines.
+    r"""The text with ? for what terminals obey, like control characters and marks of direction, but for ends of lines.
 
     >>> printable("a\x1b[31mb\tc")
     'a?[31mb?c'

@@ -118,7 +118,7 @@ TEST(FluentMeshWriter, RefusesWhatItCannotHold)
              { VTK_TETRA, { 0, 1, 2, 5 } } }),
     "at most two cells, found 1 of more");
   const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } };
-  refuse(MakePolyhedron(corners, {}), "cells with faces");
+  refuse(MakePolyhedron(corners, {}), "none of them has a face");
   refuse(MakeGrid({}, { { VTK_POLYGON, {} } }), "cells with faces");
 }
 

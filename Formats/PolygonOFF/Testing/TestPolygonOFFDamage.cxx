@@ -99,7 +99,7 @@ TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
     { "5OFF\n6 20 15 15 6\n", format, "a polytope of 5 dimensions" },
     { "2OFF\n5 1\n0 1\n", format, "a polytope of 2 dimensions" },
     { "12OFF\n", format, "a polytope of 12 dimensions" },
-    { "4nOFF 3\n1 0 0 0\n0 0 0\n", format,
+    { "4nOFF 3\n1 0 0 0\n0 0 0\n", premature,
       "test.off:4: expected a coordinate of a vertex" },
   };
   WithBothChunks(
