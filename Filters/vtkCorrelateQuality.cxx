@@ -124,50 +124,71 @@ struct OutsideCells
 };
 
 //------------------------------------------------------------------------------
-// Collective. @a ranks: of the field.
+// Collective. Sum of the doubled ranks of the cells that a mask does not leave out.
+std::int64_t SumRanks(const camaron::BlockRanks& ranks, const std::vector<std::vector<unsigned char>>& masks,
+  camaron::Reducer& reducer)
+{
+  std::int64_t sum = 0;
+  for (std::size_t b = 0; b < masks.size(); ++b)
+  {
+    for (std::size_t i = 0; i < masks[b].size(); ++i)
+    {
+      sum += masks[b][i] ? 0 : static_cast<std::int64_t>(ranks[b][i]);
+    }
+  }
+  reducer.Sum(&sum, 1);
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+// Collective. @a ranks: of the field. Inside and outside are the cells that the range is for, no others.
 OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ranks,
   const camaron::ValueRange& acceptable, camaron::Reducer& reducer)
 {
-  std::int64_t counts[3] = { 0, 0, 0 }; // inside, outside, sum of doubled ranks outside
-  camaron::Population parts[2] = { pairs.Field, pairs.Field };
-  std::vector<std::vector<unsigned char>> masks[2];
+  enum Part { Inside, Outside, Judged, NumberOfParts };
+  std::int64_t counts[NumberOfParts] = {};
+  std::int64_t hasOthers = 0;
+  camaron::Population parts[NumberOfParts] = { pairs.Field, pairs.Field, pairs.Field };
+  std::vector<std::vector<unsigned char>> masks[NumberOfParts];
   for (std::size_t b = 0; b < pairs.Quality.size(); ++b)
   {
     const camaron::ValueBlock& block = pairs.Quality[b];
-    for (auto& mask : masks)
+    for (int part = 0; part < NumberOfParts; ++part)
     {
-      mask.emplace_back(block.Size, 1);
+      masks[part].emplace_back(block.Size, 1);
+      parts[part][b].Skip = masks[part][b].data();
     }
     for (vtkIdType i = 0; i < block.Size; ++i)
     {
       if (block.Contains(i) && block.IsJudged(i))
       {
         const bool isOutside = block.Values[i] < acceptable.Low || block.Values[i] > acceptable.High;
-        ++counts[isOutside];
-        counts[2] += isOutside ? static_cast<std::int64_t>(ranks[b][i]) : 0;
-        masks[isOutside][b][i] = 0;
+        for (const Part part : { isOutside ? Outside : Inside, Judged })
+        {
+          ++counts[part];
+          masks[part][b][i] = 0;
+        }
+      }
+      else if (block.Contains(i))
+      {
+        hasOthers = 1;
       }
     }
   }
-  reducer.Sum(counts, 3);
+  reducer.Sum(counts, NumberOfParts);
+  reducer.Max(&hasOthers, 1);
   OutsideCells result;
-  result.Count = counts[1];
-  double means[2];
-  for (int part = 0; part < 2; ++part)
-  {
-    for (std::size_t b = 0; b < parts[part].size(); ++b)
-    {
-      parts[part][b].Skip = masks[part][b].data();
-    }
-    means[part] = camaron::Summarize(parts[part], camaron::ValueRange(), reducer).Mean;
-  }
-  result.MeanInside = means[0];
-  result.MeanOutside = means[1];
-  if (counts[0] > 0 && counts[1] > 0)
+  result.Count = counts[Outside];
+  result.MeanInside = camaron::Summarize(parts[Inside], camaron::ValueRange(), reducer).Mean;
+  result.MeanOutside = camaron::Summarize(parts[Outside], camaron::ValueRange(), reducer).Mean;
+  if (counts[Inside] > 0 && counts[Outside] > 0)
   {
     // The statistic of Mann and Whitney, doubled.
-    const std::int64_t doubled = counts[2] - counts[1] * (counts[1] + 1);
-    result.Above = static_cast<double>(doubled) / 2 / static_cast<double>(counts[0]) / static_cast<double>(counts[1]);
+    const std::int64_t sum = SumRanks(
+      hasOthers ? camaron::FindDoubledRanks(parts[Judged], reducer) : ranks, masks[Outside], reducer);
+    const std::int64_t doubled = sum - counts[Outside] * (counts[Outside] + 1);
+    result.Above =
+      static_cast<double>(doubled) / 2 / static_cast<double>(counts[Inside]) / static_cast<double>(counts[Outside]);
   }
   return result;
 }
