@@ -61,14 +61,27 @@ double PolygonOutline::GetSignedDistance(const Vector& point, double limit) cons
 double PolygonOutline::FindSquaredDistance(const Vector& point, double limit) const
 {
   double nearest = limit * limit;
-  this->ForEach([&](const Node& node) { return node.Box.GetSquaredDistance(point) <= nearest; },
-    [&](std::size_t i)
-    {
-      const Vector a = this->GetBegin(i) - point, edge = this->GetEnd(i) - this->GetBegin(i);
-      const double square = Norm2(edge);
-      const double t = square > 0 ? std::clamp(-Dot(a, edge) / square, 0.0, 1.0) : 0;
-      nearest = std::min(nearest, Norm2(a + t * edge));
-    });
+  const auto visit = [&](std::size_t i)
+  {
+    const Vector a = this->GetBegin(i) - point, edge = this->GetEnd(i) - this->GetBegin(i);
+    const double square = Norm2(edge);
+    const double t = square > 0 ? std::clamp(-Dot(a, edge) / square, 0.0, 1.0) : 0;
+    nearest = std::min(nearest, Norm2(a + t * edge));
+  };
+  // First where it is likely to be: then little else is looked at.
+  std::size_t n = 0;
+  while (this->Nodes[n].Next != n + 1)
+  {
+    const std::size_t left = n + 1, right = this->Nodes[left].Next;
+    const bool isLeft =
+      this->Nodes[left].Box.GetSquaredDistance(point) <= this->Nodes[right].Box.GetSquaredDistance(point);
+    n = isLeft ? left : right;
+  }
+  for (std::size_t i = this->Nodes[n].First; i < this->Nodes[n].Last; ++i)
+  {
+    visit(i);
+  }
+  this->ForEach([&](const Node& node) { return node.Box.GetSquaredDistance(point) <= nearest; }, visit);
   return nearest;
 }
 
