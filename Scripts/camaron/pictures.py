@@ -3,7 +3,8 @@
 """Pictures of a mesh and its worst cells.
 
 Only boundary polygons are drawn, which Mesh Surface takes from the mesh's topology: ParaView's own
-surface of polyhedral meshes takes minutes.
+surface of polyhedral meshes takes minutes. Mesh Inspection draws them, as ParaView's Surface fills the holes of
+polygons and takes minutes for one of many corners.
 """
 
 from __future__ import annotations
@@ -65,7 +66,8 @@ class Scene:
 
     def show(self, source: Any, **properties: Any) -> Any:
         display = simple.Show(source, self.view)
-        display.SetRepresentationType("Surface")
+        display.SetRepresentationType("Mesh Inspection")
+        display.DrawEdges = 0
         display.ColorArrayName = ["POINTS", ""]
         display.Ambient, display.Diffuse = 0.35, 0.7  # so that colours can be compared with the bar
         for name, value in properties.items():
@@ -284,7 +286,7 @@ def _take_mesh(
     camera.fit(scene.view)
     scene.view.OrientationAxesVisibility = 1
     if has_polygons and cells <= MOST_CELLS_WITH_EDGES:
-        display.SetRepresentationType("Surface With Edges")
+        display.DrawEdges = 1
         display.EdgeColor = INK
         display.EdgeOpacity = 0.55 if cells < 8000 else 0.3
         display.LineWidth = 1.0
@@ -327,7 +329,7 @@ def _take_worst(summary, quality, surface, camera, criterion, path: Path) -> Pic
         Scale=[1.003] * 3,
     )
     display = scene.show(outside, LineWidth=1.5)
-    display.SetRepresentationType("Surface With Edges")
+    display.DrawEdges = 1
     display.EdgeColor = INK
     scene.color(display, criterion)
     made = [selected, cells, outside, *halos]
@@ -364,10 +366,10 @@ def _take_the_worst(quality, criterion, path: Path) -> Picture:
     shell = scene.show(
         surfaces[1], Opacity=0.12, DiffuseColor=SHELL_COLOR, AmbientColor=SHELL_COLOR, LineWidth=1.0
     )
-    shell.SetRepresentationType("Surface With Edges")
+    shell.DrawEdges = 1
     shell.EdgeColor = SHELL_COLOR
     display = scene.show(surfaces[0], LineWidth=2.0)
-    display.SetRepresentationType("Surface With Edges")
+    display.DrawEdges = 1
     display.EdgeColor = INK
     scene.view.OrientationAxesVisibility = 0
     camera.fit(scene.view)

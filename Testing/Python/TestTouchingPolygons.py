@@ -4,8 +4,8 @@
 
 import camaron_testing
 import numpy
-from camaron import convert
-from inspection_testing import make_view, picture
+from camaron import convert, pictures
+from inspection_testing import make_view, picture, read_picture
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -162,6 +162,23 @@ class TestTouchingPolygons(camaron_testing.TestCase):
             self.check_pixels(name, self.open(path), area)
         for name, block, volume, _ in self.blocks():
             self.check_pixels(name, block, volume)
+
+    @camaron_testing.require_display()
+    def test_report(self):
+        """Pictures of reports, too, have holes where the polygons have them."""
+        for name, path, area in self.files():
+            with self.subTest(name):
+                source = self.open(path)
+                camera = pictures.Camera(source.GetDataInformation().GetBounds())
+                scene = pictures.Scene(camera)
+                scene.view.OrientationAxesVisibility = 0
+                scene.show(source, DiffuseColor=[0, 0, 0], AmbientColor=[0, 0, 0])
+                scene.save(self.folder / f"{name}.png")
+                scene.close()
+                colors = read_picture(self.folder / f"{name}.png")
+                pixel = (2 * camera.scale / colors.shape[0]) ** 2
+                found = pixel * numpy.count_nonzero(colors.sum(axis=2) < 3 * 128)
+                self.assertAlmostEqual(found, area, delta=0.02 * area + 0.05)
 
     def check_pixels(self, name, source, area):
         view = self.view
