@@ -187,7 +187,7 @@ class TestInspect(camaron_testing.TestCase):
                 self.assertEqual(h["edges"], sorted(h["edges"]))
                 self.assertLessEqual(h["edges"][0], c["min"])
                 self.assertGreaterEqual(h["edges"][-1], c["max"])
-                if c["min"] < c["max"] and not c["name"].endswith(("Count", "Status")):
+                if c["min"] < c["max"] and not c["name"].endswith(("Count", "Status", "IsValid")):
                     self.assertEqual(len(h["counts"]), 7, c["name"])
 
     def test_files(self):
@@ -438,7 +438,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertFalse((self.folder / "report" / "mesh.vtu").exists())
         said.clear()
         self.inspect(BALL, verbose=True, say=said.append)
-        self.assertIn("writing the mesh", said[-1])
+        self.assertTrue(any(line.startswith("writing the mesh took") for line in said), said)
         said.clear()
         self.inspect(BALL, say=said.append)
         self.assertEqual(said, [])
