@@ -28,7 +28,7 @@ constexpr double SmallestSum = 1e-13;
 //------------------------------------------------------------------------------
 bool IsBefore(const Vector& a, const Vector& b)
 {
-  return std::tie(a.X, a.Y, a.Z) < std::tie(b.X, b.Y, b.Z);
+  return a.X != b.X ? a.X < b.X : std::tie(a.Y, a.Z) < std::tie(b.Y, b.Z);
 }
 
 //------------------------------------------------------------------------------
@@ -71,7 +71,8 @@ void PolygonTriangulator::AddFan(int size, int first)
 //------------------------------------------------------------------------------
 double PolygonTriangulator::GetLeastShare(int size) const
 {
-  return this->KeepsFans ? RoundedShare : SmallestShare / size / size / size;
+  const double corners = size;
+  return this->KeepsFans ? RoundedShare : SmallestShare / (corners * corners * corners);
 }
 
 //------------------------------------------------------------------------------
@@ -106,16 +107,16 @@ bool PolygonTriangulator::CutFan(const Vector* corners, int size)
   const int first = FindFirst(corners, size);
   const Vector& origin = corners[first];
   const auto next = [size](int place) { return place + 1 < size ? place + 1 : 0; };
-  this->Normals.clear();
+  this->Normals.resize(size - 2);
   Vector sum;
   int place = next(first);
   Vector edge = corners[place] - origin;
-  for (int count = size - 2; count > 0; --count)
+  for (Vector& normal : this->Normals)
   {
     place = next(place);
     const Vector following = corners[place] - origin;
-    this->Normals.push_back(Cross(edge, following));
-    sum += this->Normals.back();
+    normal = Cross(edge, following);
+    sum += normal;
     edge = following;
   }
   const double share = this->GetLeastShare(size) * Norm2(sum);
