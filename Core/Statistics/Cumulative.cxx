@@ -58,12 +58,13 @@ public:
   // Place of the first point that is not less than the value; of those there are, or one after the last.
   std::size_t Find(double value) const
   {
-    const double* first = this->Points.data();
+    std::size_t first = 0;
     for (std::size_t step = this->Size / 2; step > 0; step /= 2)
     {
-      first += first[step - 1] < value ? step : 0;
+      // A choice between two numbers would become a branch.
+      first += step & (std::size_t(0) - static_cast<std::size_t>(this->Points[first + step - 1] < value));
     }
-    return static_cast<std::size_t>(first - this->Points.data());
+    return first;
   }
 
 private:
