@@ -9,12 +9,13 @@ polygons and takes minutes for one of many corners.
 
 from __future__ import annotations
 
+import contextlib
 import math
 from pathlib import Path
 from typing import Any, Optional, Sequence
 
 import numpy
-from paraview import simple
+from paraview import servermanager, simple
 from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformation
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
@@ -52,39 +53,55 @@ def can_render() -> bool:
 
 
 class Scene:
-    """A white view with a camera of ours."""
+    """A white view, one for all pictures: what one of them shows is hidden for the next."""
 
-    def __init__(self, camera: Camera):
-        self.camera = camera
+    def __init__(self):
+        self.shown: list[Any] = []
+        self.bar: Optional[Any] = None
         self.view = simple.CreateView("RenderView")
         self.view.ViewSize = list(SIZE)
         self.view.UseColorPaletteForBackground = 0
         self.view.BackgroundColorMode = "Single Color"
         self.view.Background = [1.0, 1.0, 1.0]
         self.view.OrientationAxesLabelColor = INK
-        self.view.MaximumNumberOfPeels = 6
+        # What is translucent here is of one color or nearly so, which peeling would draw no better.
+        self.view.DepthPeeling = 0
 
     def show(self, source: Any, **properties: Any) -> Any:
-        display = simple.Show(source, self.view)
-        display.SetRepresentationType("Mesh Inspection")
-        display.DrawEdges = 0
-        display.ColorArrayName = ["POINTS", ""]
-        display.Ambient, display.Diffuse = 0.35, 0.7  # so that colours can be compared with the bar
+        # simple.Show makes a representation that can change to any other one, which takes a second.
+        display = servermanager._getPyProxy(
+            servermanager.ProxyManager().NewProxy("representations", "MeshInspectionRepresentation")
+        )
+        self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
+        self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colours can be compared with the bar
+        self.set(display, **properties)
+        self.view.Representations.append(display)
+        self.shown.append(display)
+        return display
+
+    def set(self, display: Any, **properties: Any) -> None:
         for name, value in properties.items():
             setattr(display, name, value)
-        return display
+
+    def clear(self) -> None:
+        """Hides all that is shown."""
+        for display in self.shown:
+            display.Visibility = 0
+        self.shown = []
+        if self.bar:
+            self.bar.Visibility = 0
 
     def color(self, display: Any, criterion: dict[str, Any]) -> None:
         """Colours by the criterion's cell array, bad values dark, and shows the colour bar."""
         name = criterion["name"]
-        simple.ColorBy(display, ("CELLS", name))
         table = simple.GetColorTransferFunction(name)
         table.AutomaticRescaleRangeMode = "Never"
         table.RGBPoints = color_points(criterion)
         table.ColorSpace = "Lab"
         table.NanColor = NULL_COLOR
         table.ScalarRangeInitialized = 1.0
-        bar = simple.GetScalarBar(table, self.view)
+        self.set(display, ColorArrayName=["CELLS", name], LookupTable=table)
+        self.bar = bar = simple.GetScalarBar(table, self.view)
         unit = criterion["unit"]
         bar.Title = criterion["label"] + (f" ({unit})" if unit else "")
         bar.ComponentTitle = ""
@@ -105,10 +122,15 @@ class Scene:
             "undefined" if undefined_count(criterion) == criterion["null"] else "no value"
         )
         bar.Visibility = 1
-        display.SetScalarBarVisibility(self.view, True)
 
-    def save(self, path: Path) -> None:
-        self.camera.apply(self.view)
+    def fit(self, camera: Camera) -> None:
+        """Moves the camera so that what is shown fills the picture."""
+        self.view.OrientationAxesVisibility = 0
+        camera.fit(self.view)
+        self.view.OrientationAxesVisibility = 1
+
+    def save(self, camera: Camera, path: Path) -> None:
+        camera.apply(self.view)
         simple.SaveScreenshot(
             str(path), self.view, ImageResolution=list(SIZE), OverrideColorPalette=""
         )
@@ -224,167 +246,180 @@ def take(
 ) -> list[Picture]:
     """The mesh, its worst cells and the worst cell, coloured by the worst criterion: `most` of these; files go to
     the folder."""
-    mesh = summary["mesh"]
-    if not mesh["bounds"]:
+    if not summary["mesh"]["bounds"]:
         return []
     criterion = picture_criterion(summary["criteria"])
-    camera = Camera(mesh["bounds"])
-    path = folder / "mesh.png"
-    surface.UpdatePipeline()
-    cells = pipeline.data_information(surface).GetNumberOfCells()
-    has_polygons = mesh["volume"] is not None or mesh["area"] is not None
-    made = [] if cells else [simple.ConvertToPointCloud(Input=quality)]
-    with stage("picture of the mesh"):
-        _take_mesh(made[0] if made else surface, camera, has_polygons, cells, criterion, path)
-    for proxy in made:
-        simple.Delete(proxy)
-    if not criterion:
-        return [Picture(path, "The mesh.", "")]
-    caption = f"Cells with bad values are dark.{_caption_of_colors(criterion)}"
-    if criterion["better"] == "neither":
-        caption = _caption_of_colors(criterion).strip()
-    if criterion["null"]:
-        caption += " Violet cells have no value."
-    taken = [Picture(path, f"{criterion['label']}.", caption)]
-    colored = _with_one_criterion(quality, criterion["name"])
-    if most > 1 and (criterion["worst"] or criterion["out_of_range"]):
-        path = folder / "worst.png"
-        with stage("picture of the worst cells"):
-            taken.append(_take_worst(summary, colored, surface, camera, criterion, path))
-    if most > 2 and criterion["worst"]:
-        with stage("picture of the worst cell"):
-            taken.append(_take_the_worst(colored, criterion, folder / "close.png"))
-    simple.Delete(colored)
-    return taken
+    with contextlib.closing(_Pictures(summary, quality, surface, folder, criterion)) as pictures:
+        with stage("picture of the mesh"):
+            taken = [pictures.take_mesh()]
+        if most > 1 and criterion and (criterion["worst"] or criterion["out_of_range"]):
+            with stage("picture of the worst cells"):
+                taken.append(pictures.take_worst())
+        if most > 2 and criterion and criterion["worst"]:
+            with stage("picture of the worst cell"):
+                taken.append(pictures.take_the_worst())
+        return taken
 
 
-def _with_one_criterion(quality: Any, name: str) -> Any:
-    """The mesh without the other criteria: ParaView asks of every filter for the ranges of all arrays."""
-    others = {*quality.GetProperty("Criteria").Available} - {name}
-    return simple.PassArrays(
-        Input=quality,
-        CellDataArrays=[array for array in quality.CellData.keys() if array not in others],
-        PointDataArrays=quality.PointData.keys(),
-    )
+class _Pictures:
+    """The pictures of a mesh, which share a scene and what is made of the mesh."""
 
+    def __init__(self, summary, quality, surface, folder: Path, criterion: Optional[dict[str, Any]]):
+        self.summary, self.folder, self.criterion = summary, folder, criterion
+        self.camera = Camera(summary["mesh"]["bounds"])
+        self.made: list[Any] = []
+        shown = [criterion["name"]] if criterion else []
+        own = {*quality.CellData.keys()} - {*quality.GetProperty("Criteria").Available}
+        self.quality = self.with_arrays(quality, [*own, *shown], quality.PointData.keys())
+        surface.UpdatePipeline()
+        self.polygons = pipeline.data_information(surface).GetNumberOfCells()
+        if self.polygons:
+            self.outside = self.with_arrays(surface, [*shown, pipeline.GHOSTS], [])
+        else:
+            self.outside = self.make(simple.ConvertToPointCloud, self.quality)
+        self.scene = Scene()
 
-def _take_mesh(
-    source: Any,
-    camera: Camera,
-    has_polygons: bool,
-    cells: int,
-    criterion: Optional[dict[str, Any]],
-    path: Path,
-) -> None:
-    """The source coloured by the criterion; with few cells, with their edges. Fits the camera."""
-    scene = Scene(camera)
-    color = MESH_COLOR if has_polygons else ACCENT
-    display = scene.show(
-        source, DiffuseColor=color, AmbientColor=color, PointSize=6.0, LineWidth=2.0
-    )
-    scene.view.OrientationAxesVisibility = 0
-    camera.fit(scene.view)
-    scene.view.OrientationAxesVisibility = 1
-    if has_polygons and cells <= MOST_CELLS_WITH_EDGES:
-        display.DrawEdges = 1
-        display.EdgeColor = INK
-        display.EdgeOpacity = 0.55 if cells < 8000 else 0.3
-        display.LineWidth = 1.0
-    if criterion:
+    def make(self, create: Any, source: Any, **properties: Any) -> Any:
+        """A filter that is there until the last picture is taken."""
+        self.made.append(create(Input=source, **properties))
+        return self.made[-1]
+
+    def close(self) -> None:
+        self.scene.close()
+        for proxy in reversed(self.made):
+            simple.Delete(proxy)
+
+    def with_arrays(self, source: Any, cells: list[str], points: list[str]) -> Any:
+        """The source with these arrays only: ParaView finds the ranges of all arrays of every filter,
+        which takes longer than the pictures do."""
+        return self.make(simple.PassArrays, source, CellDataArrays=cells, PointDataArrays=points)
+
+    def select(self, source: Any, **properties: Any) -> Any:
+        return self.make(simple.SelectElements, source, **properties)
+
+    def surface_of(self, selected: Any) -> Any:
+        """The outside of the cells that are selected."""
+        cells = self.make(
+            simple.Threshold,
+            selected,
+            Scalars=["CELLS", "Selected"],
+            ThresholdMethod="Above Upper Threshold",
+            UpperThreshold=0.5,
+        )
+        return self.make(simple.MeshSurface, cells)
+
+    def show_with_edges(self, source: Any, color: list[float], **properties: Any) -> Any:
+        display = self.scene.show(source, **properties)
+        self.scene.set(display, DrawEdges=1, EdgeColor=color)
+        return display
+
+    def take_mesh(self) -> Picture:
+        """The mesh coloured by the criterion; with few cells, with their edges. Fits the camera."""
+        mesh, scene, criterion = self.summary["mesh"], self.scene, self.criterion
+        has_polygons = mesh["volume"] is not None or mesh["area"] is not None
+        color = MESH_COLOR if has_polygons else ACCENT
+        display = scene.show(
+            self.outside, DiffuseColor=color, AmbientColor=color, PointSize=6.0, LineWidth=2.0
+        )
+        scene.fit(self.camera)
+        if has_polygons and self.polygons <= MOST_CELLS_WITH_EDGES:
+            opacity = 0.55 if self.polygons < 8000 else 0.3
+            scene.set(
+                display, DrawEdges=1, EdgeColor=INK, EdgeOpacity=opacity, LineWidth=1.0
+            )
+        if criterion:
+            scene.color(display, criterion)
+        path = self.folder / "mesh.png"
+        scene.save(self.camera, path)
+        if not criterion:
+            return Picture(path, "The mesh.", "")
+        caption = f"Cells with bad values are dark.{_caption_of_colors(criterion)}"
+        if criterion["better"] == "neither":
+            caption = _caption_of_colors(criterion).strip()
+        if criterion["null"]:
+            caption += " Violet cells have no value."
+        return Picture(path, f"{criterion['label']}.", caption)
+
+    def take_worst(self) -> Picture:
+        """The worst cells inside a translucent shell, with a halo around those too small to be seen."""
+        summary, scene, criterion = self.summary, self.scene, self.criterion
+        worst = criterion["worst"]
+        if worst:
+            how = {"Strategy": "Worst N", "NumberOfWorst": len(worst)}
+            title = f"The {len(worst)} worst cells." if len(worst) > 1 else "The worst cell."
+        else:
+            how = {"Strategy": "By criterion", "RangesFile": summary["ranges"] or ""}
+            if summary["preset"]:
+                how["Preset"] = summary["preset"]
+            title = "Cells outside the acceptable range."
+        selected = self.select(self.quality, Array=criterion["name"], **how)
+        scene.clear()
+        # A little larger than the mesh, to lie apart from faces of the worst cells.
+        scene.show(
+            self.outside,
+            Opacity=0.14,
+            DiffuseColor=SHELL_COLOR,
+            AmbientColor=SHELL_COLOR,
+            Origin=self.camera.middle,
+            Scale=[1.003] * 3,
+        )
+        display = self.show_with_edges(self.surface_of(selected), INK, LineWidth=1.5)
         scene.color(display, criterion)
-    scene.save(path)
-    scene.close()
+        if worst:
+            halos = self.halos([w["center"] for w in worst])
+            scene.show(halos, Opacity=0.22, DiffuseColor=MARK_COLOR, AmbientColor=MARK_COLOR)
+        path = self.folder / "worst.png"
+        scene.save(self.camera, path)
+        name = criterion["label"][0].lower() + criterion["label"][1:]
+        caption = f"By {name}, inside the boundary of the mesh."
+        if worst:
+            caption += " Halos mark their places."
+        return Picture(path, title, caption)
 
+    def halos(self, centers: list[list[float]]) -> Any:
+        """A sphere around each of the points."""
+        self.made.append(simple.PolyLineSource(Points=[x for center in centers for x in center]))
+        halos = self.make(
+            simple.Glyph,
+            self.made[-1],
+            GlyphType="Sphere",
+            GlyphMode="All Points",
+            ScaleArray=["POINTS", "No scale array"],
+            ScaleFactor=0.036 * self.camera.diagonal,
+        )
+        halos.GlyphType.ThetaResolution, halos.GlyphType.PhiResolution = 24, 16
+        return halos
 
-def _take_worst(summary, quality, surface, camera, criterion, path: Path) -> Picture:
-    """The worst cells inside a translucent shell, with a halo around those too small to be seen."""
-    worst = criterion["worst"]
-    selected = simple.SelectElements(Input=quality, Array=criterion["name"])
-    if worst:
-        selected.Strategy = "Worst N"
-        selected.NumberOfWorst = len(worst)
-        title = f"The {len(worst)} worst cells." if len(worst) > 1 else "The worst cell."
-    else:
-        selected.Strategy = "By criterion"
-        selected.Preset = summary["preset"] or selected.Preset
-        selected.RangesFile = summary["ranges"] or ""
-        title = "Cells outside the acceptable range."
-    cells = simple.Threshold(Input=selected, Scalars=["CELLS", "Selected"])
-    cells.ThresholdMethod = "Above Upper Threshold"
-    cells.UpperThreshold = 0.5
-    outside = simple.MeshSurface(Input=cells)
-    halo_radius = 0.018 * camera.diagonal
-    halos = [
-        simple.Sphere(Center=w["center"], Radius=halo_radius, ThetaResolution=24, PhiResolution=16)
-        for w in worst
-    ]
-    scene = Scene(camera)
-    # A little larger than the mesh, to lie apart from faces of the worst cells.
-    scene.show(
-        surface,
-        Opacity=0.14,
-        DiffuseColor=SHELL_COLOR,
-        AmbientColor=SHELL_COLOR,
-        Origin=camera.middle,
-        Scale=[1.003] * 3,
-    )
-    display = scene.show(outside, LineWidth=1.5)
-    display.DrawEdges = 1
-    display.EdgeColor = INK
-    scene.color(display, criterion)
-    made = [selected, cells, outside, *halos]
-    if halos:
-        made.append(simple.AppendGeometry(Input=halos))
-        scene.show(made[-1], Opacity=0.22, DiffuseColor=MARK_COLOR, AmbientColor=MARK_COLOR)
-    scene.save(path)
-    scene.close()
-    for proxy in reversed(made):
-        simple.Delete(proxy)
-    name = criterion["label"][0].lower() + criterion["label"][1:]
-    caption = f"By {name}, inside the boundary of the mesh."
-    if halos:
-        caption += " Halos mark their places."
-    return Picture(path, title, caption)
-
-
-def _take_the_worst(quality, criterion, path: Path) -> Picture:
-    """The worst cell close by, inside its neighbours."""
-    name, worst = criterion["name"], criterion["worst"][0]
-    cell = simple.SelectElements(Input=quality, Array=name, Strategy="Worst N", NumberOfWorst=1)
-    around = simple.SelectElements(Input=cell, Strategy="Expand", Adjacency="Vertex")
-    made = [cell, around]
-    surfaces = []
-    for selected in (cell, around):
-        made.append(simple.Threshold(Input=selected, Scalars=["CELLS", "Selected"]))
-        made[-1].ThresholdMethod = "Above Upper Threshold"
-        made[-1].UpperThreshold = 0.5
-        made.append(simple.MeshSurface(Input=made[-1]))
-        made[-1].UpdatePipeline()
-        surfaces.append(made[-1])
-    camera = Camera(pipeline.data_information(surfaces[1]).GetBounds())
-    scene = Scene(camera)
-    shell = scene.show(
-        surfaces[1], Opacity=0.12, DiffuseColor=SHELL_COLOR, AmbientColor=SHELL_COLOR, LineWidth=1.0
-    )
-    shell.DrawEdges = 1
-    shell.EdgeColor = SHELL_COLOR
-    display = scene.show(surfaces[0], LineWidth=2.0)
-    display.DrawEdges = 1
-    display.EdgeColor = INK
-    scene.view.OrientationAxesVisibility = 0
-    camera.fit(scene.view)
-    scene.view.OrientationAxesVisibility = 1
-    scene.color(display, criterion)
-    scene.save(path)
-    scene.close()
-    for proxy in reversed(made):
-        simple.Delete(proxy)
-    block = f" of block {worst['block']}" if worst["block"] else ""
-    caption = (
-        f"Number {worst['id']}{block}, {worst['type']}, with {text.number(worst['value'])}"
-        f"{text.UNIT_SYMBOLS.get(criterion['unit'], '')}, inside the cells that share a point with it."
-    )
-    return Picture(path, "The worst cell.", caption)
+    def take_the_worst(self) -> Picture:
+        """The worst cell close by, inside its neighbours."""
+        scene, criterion = self.scene, self.criterion
+        worst = criterion["worst"][0]
+        cell = self.select(
+            self.quality, Array=criterion["name"], Strategy="Worst N", NumberOfWorst=1
+        )
+        around = self.surface_of(self.select(cell, Strategy="Expand", Adjacency="Vertex"))
+        around.UpdatePipeline()
+        camera = Camera(pipeline.data_information(around).GetBounds())
+        scene.clear()
+        self.show_with_edges(
+            around,
+            SHELL_COLOR,
+            Opacity=0.12,
+            DiffuseColor=SHELL_COLOR,
+            AmbientColor=SHELL_COLOR,
+            LineWidth=1.0,
+        )
+        display = self.show_with_edges(self.surface_of(cell), INK, LineWidth=2.0)
+        scene.fit(camera)
+        scene.color(display, criterion)
+        path = self.folder / "close.png"
+        scene.save(camera, path)
+        block = f" of block {worst['block']}" if worst["block"] else ""
+        caption = (
+            f"Number {worst['id']}{block}, {worst['type']}, with {text.number(worst['value'])}"
+            f"{text.UNIT_SYMBOLS.get(criterion['unit'], '')}, inside the cells that share a point with it."
+        )
+        return Picture(path, "The worst cell.", caption)
 
 
 def _caption_of_colors(criterion: dict[str, Any]) -> str:

@@ -170,10 +170,10 @@ class TestTouchingPolygons(camaron_testing.TestCase):
             with self.subTest(name):
                 source = self.open(path)
                 camera = pictures.Camera(source.GetDataInformation().GetBounds())
-                scene = pictures.Scene(camera)
+                scene = pictures.Scene()
                 scene.view.OrientationAxesVisibility = 0
                 scene.show(source, DiffuseColor=[0, 0, 0], AmbientColor=[0, 0, 0])
-                scene.save(self.folder / f"{name}.png")
+                scene.save(camera, self.folder / f"{name}.png")
                 scene.close()
                 colors = read_picture(self.folder / f"{name}.png")
                 pixel = (2 * camera.scale / colors.shape[0]) ** 2
