@@ -90,7 +90,7 @@ def compare(
         with pipeline.Messages() as messages:
             rows = _read(comparison, chosen, ranges)
             described = [
-                facts.describe(path, mesh.opened, surface)
+                facts.describe(path, mesh, surface)
                 for path, mesh, surface in zip(paths, meshes, surfaces)
             ]
         if messages.errors:

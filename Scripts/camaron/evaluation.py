@@ -120,6 +120,12 @@ def choose_criteria(
     return preset
 
 
+def evaluated_criteria(quality: Any) -> Iterable[str]:
+    """Names of the criteria that an Element Quality evaluates."""
+    preset = tables.known_presets().get(quality.GetProperty("Preset").GetData())
+    return preset["rules"] if preset else quality.Criteria
+
+
 def set_groups(tables_of: Any, group_by: str, *meshes: pipeline.Opened) -> None:
     """What divides the cells of all the meshes into groups: see WAYS_TO_GROUP, or a cell array that one of them has."""
     if group_by in WAYS_TO_GROUP:

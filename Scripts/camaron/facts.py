@@ -10,14 +10,20 @@ from typing import Any
 from paraview import servermanager, simple
 
 from . import pipeline, tables, text
+from .evaluation import CELL_TYPE, Evaluation, evaluated_criteria
 from .files import size
 
 #: Cells that Mesh Surface does not pass on one by one.
 NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine")
 
 
-def describe(path: Path, opened: pipeline.Opened, surface: Any) -> dict[str, Any]:
+#: Criteria that tell what there is of a mesh.
+TOTALS = [CELL_TYPE, "Volume", "Area"]
+
+
+def describe(path: Path, evaluated: Evaluation, surface: Any) -> dict[str, Any]:
     """Size, extent and cells of the mesh; `surface` is its Mesh Surface."""
+    opened = evaluated.opened
     information = pipeline.data_information(opened.source)
     points, cells = count_points(opened.source), information.GetNumberOfCells()
     bounds = [float(x) for x in information.GetBounds()]
@@ -38,13 +44,17 @@ def describe(path: Path, opened: pipeline.Opened, surface: Any) -> dict[str, Any
     }
     if not cells:
         return facts
-    quality = simple.ElementQuality(Input=opened.source, Criteria=["CellTypeId", "Volume", "Area"])
+    quality, made = evaluated.quality, []
+    if not set(TOTALS) <= set(evaluated_criteria(quality)):
+        quality = simple.ElementQuality(Input=opened.source, Criteria=TOTALS)
+        made.append(quality)
     statistics = simple.QualityStatistics(
-        Input=quality, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1
+        Input=quality, Arrays=TOTALS, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1, Quantiles=[100]
     )
+    made.append(statistics)
     with pipeline.Messages() as messages:
         rows = tables.fetch(statistics)
-    for proxy in (statistics, quality):
+    for proxy in reversed(made):
         simple.Delete(proxy)
     if messages.errors:
         raise RuntimeError(f"{path}: {messages.errors[0]}")
@@ -52,9 +62,9 @@ def describe(path: Path, opened: pipeline.Opened, surface: Any) -> dict[str, Any
     types = {
         row["Group"]: row["Count"]
         for row in rows
-        if row["Criterion"] == "CellTypeId" and row["Group"] != "All"
+        if row["Criterion"] == CELL_TYPE and row["Group"] != "All"
     }
-    facts["cells"] = total["CellTypeId"]["Count"]  # without ghost cells
+    facts["cells"] = total[CELL_TYPE]["Count"]  # without ghost cells
     facts["cell_types"] = [
         {"name": text.cell_type(label, count), "count": count}
         for label, count in sorted(types.items(), key=lambda item: -item[1])

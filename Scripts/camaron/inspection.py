@@ -15,7 +15,7 @@ from typing import Any, Callable, Iterable, Optional
 from paraview import simple
 
 from . import conversion, facts, pictures, pipeline, ranking, report, tables, text
-from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, list_names, set_groups
+from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, evaluated_criteria, list_names, set_groups
 from .files import Staging, same_file
 from .json_text import to_json
 from .stages import Stages
@@ -80,8 +80,7 @@ def inspect(
         )
         preset = choose_criteria(quality, preset, criteria, limits)
         statistics.CurvePoints = CURVE_POINTS
-        of_preset = tables.known_presets().get(quality.GetProperty("Preset").GetData())
-        if VOLUME in (of_preset["rules"] if of_preset else quality.Criteria):
+        if VOLUME in evaluated_criteria(quality):
             statistics.WeightArray = VOLUME
         set_groups(statistics, group_by, opened)
         if preset:
@@ -95,7 +94,7 @@ def inspect(
             with stage("statistics"):
                 rows = tables.read(statistics, preset)
             with stage("boundary and totals"):
-                described = facts.describe(mesh, opened, surface)
+                described = facts.describe(mesh, evaluated, surface)
         if messages.errors:
             raise RuntimeError(f"{mesh}: {messages.errors[0]}")
         if preset is None and (criteria is None or criteria == [ALL]):
