@@ -11,6 +11,10 @@ if not __package__:  # run by path
 # pvpython sends what Python prints through VTK's output window, which is no terminal.
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
 try:
+    from paraview import servermanager
+
+    # paraview.simple looks it up for each of its functions, which takes a third of a second.
+    servermanager.ProxyNamespace.getDocumentation = lambda self, name: ""
     from camaron import cli
 
     status = cli.main(sys.argv[1:])
