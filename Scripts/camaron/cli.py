@@ -6,7 +6,9 @@ from __future__ import annotations
 
 import argparse
 import os
+import shutil
 import sys
+import time
 from datetime import datetime
 from pathlib import Path
 from typing import Any, Sequence
@@ -322,6 +324,34 @@ def _reason(error: Exception, *meshes: str) -> str:
     return str(error)
 
 
+class _StatusLine:
+    """A line at the bottom of a terminal that the next one takes the place of; nothing elsewhere."""
+
+    #: Seconds from which on people wonder.
+    WAIT = 3.0
+
+    def __init__(self):
+        self.began, self.is_there = time.monotonic(), False
+
+    def __enter__(self) -> _StatusLine:
+        return self
+
+    def __exit__(self, kind, error, trace) -> None:
+        self.clear()
+
+    def show(self, words: str) -> None:
+        if not sys.stderr.isatty() or time.monotonic() - self.began < self.WAIT:
+            return
+        width = shutil.get_terminal_size().columns - 1
+        print(f"\r\x1b[K{text.printable(words)[:width]}", end="", file=sys.stderr, flush=True)
+        self.is_there = True
+
+    def clear(self) -> None:
+        if self.is_there:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+        self.is_there = False
+
+
 def _check_ranks(wanted: int | None) -> None:
     from . import pipeline
 
@@ -336,7 +366,7 @@ def _check_ranks(wanted: int | None) -> None:
 def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
     from .inspection import inspect
     from .json_text import to_json
-    from .stages import Stages
+    from .stages import Progress, Stages
 
     _check_ranks(options.ranks)
     folders = _report_folders(options.meshes, options.output)
@@ -344,22 +374,24 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
     status = 0
     for number, (mesh, folder) in enumerate(zip(options.meshes, folders)):
         try:
-            summary = inspect(
-                mesh,
-                folder,
-                preset=options.preset,
-                criteria=options.criteria or None,
-                ranges=options.ranges,
-                worst=options.worst,
-                bins=options.bins,
-                group_by=options.group_by,
-                time=options.time,
-                with_pictures=not options.no_pictures,
-                most_pictures=options.pictures,
-                with_mesh=not options.no_mesh,
-                verbose=options.verbose,
-                say=lambda words: _complain(f"{mesh}: {words}"),
-            )
+            with _StatusLine() as line, Progress(lambda words: line.show(f"{mesh}: {words}")) as progress:
+                summary = inspect(
+                    mesh,
+                    folder,
+                    preset=options.preset,
+                    criteria=options.criteria or None,
+                    ranges=options.ranges,
+                    worst=options.worst,
+                    bins=options.bins,
+                    group_by=options.group_by,
+                    time=options.time,
+                    with_pictures=not options.no_pictures,
+                    most_pictures=options.pictures,
+                    with_mesh=not options.no_mesh,
+                    verbose=options.verbose,
+                    say=lambda words: (line.clear(), _complain(f"{mesh}: {words}")),
+                    progress=progress,
+                )
         except (RuntimeError, OSError, MemoryError) as error:
             _complain(_reason(error, mesh))
             status = ERROR  # the other meshes still get their reports

@@ -60,10 +60,14 @@ class Evaluation:
             simple.Delete(proxy)
         request_ghosts(1)
 
+    def estimated_seconds(self) -> float:
+        """How long the evaluation will take."""
+        self.quality.UpdatePropertyInformation()
+        return self.quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
+
     def announce(self, say: Callable[[str], None]) -> None:
         """Says how long the evaluation will take, if that is long."""
-        self.quality.UpdatePropertyInformation()
-        seconds = self.quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
+        seconds = self.estimated_seconds()
         if seconds >= LONG:
             cells = pipeline.data_information(self.opened.source).GetNumberOfCells()
             say(

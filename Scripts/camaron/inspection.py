@@ -18,7 +18,7 @@ from . import conversion, facts, pictures, pipeline, ranking, report, tables, te
 from .evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, evaluated_criteria, list_names, set_groups
 from .files import Staging, same_file
 from .json_text import to_json
-from .stages import Stages
+from .stages import Progress, Stages
 
 #: Points of the cumulative curves, and what they weigh cells by.
 CURVE_POINTS = 51
@@ -41,6 +41,7 @@ def inspect(
     with_mesh: bool = True,
     verbose: bool = False,
     say: Callable[[str], None] = lambda words: None,
+    progress: Optional[Progress] = None,
 ) -> dict[str, Any]:
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
@@ -52,7 +53,8 @@ def inspect(
     `bins` the number of bins of the histograms, `group_by` what divides the cells into groups with
     statistics of their own: "type", "block", "none" or the name of a cell array, `time` the step of a series: "first", "last" or its
     number. `most_pictures` of the three are taken; without `with_mesh`
-    the mesh with all arrays is not written. With `verbose` each stage says what it took. `say` is called with a sentence about how long it will take when that is long.
+    the mesh with all arrays is not written. With `verbose` each stage says what it took; `progress` says what is
+    being done and how long the rest will take. `say` is called with a sentence about how long it will take when that is long.
 
     Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that
     does not exist and RuntimeError for a file that cannot be read or written.
@@ -66,7 +68,7 @@ def inspect(
     if preset is not None and criteria is not None:
         raise ValueError("a preset and criteria exclude each other")
     criteria = list_names(criteria)
-    stage = Stages(say, verbose)
+    stage = Stages(say, verbose, progress)
     with stage("loading the plugin"):
         pipeline.load_plugin()
     limits = tables.known_ranges(ranges) if ranges is not None else {}
@@ -88,6 +90,9 @@ def inspect(
         if ranges is not None:
             statistics.RangesFile = str(ranges)
         evaluated.announce(say)
+        if progress:
+            cells = pipeline.data_information(opened.source).GetNumberOfCells()
+            progress.expect(evaluated.estimated_seconds(), cells, len(evaluated_criteria(quality)))
         with pipeline.Messages() as messages:
             with stage("evaluating"):
                 quality.UpdatePipeline()

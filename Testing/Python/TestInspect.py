@@ -13,6 +13,7 @@ from html.parser import HTMLParser
 import camaron_testing
 import numpy
 from camaron import convert, evaluation, inspect
+from camaron.stages import Progress
 from inspection_testing import read_picture
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -442,6 +443,24 @@ class TestInspect(camaron_testing.TestCase):
         said.clear()
         self.inspect(BALL, say=said.append)
         self.assertEqual(said, [])
+
+    def test_progress(self):
+        """Every stage is said while it lasts, after reading with an estimate of the rest that comes to its end."""
+        said = []
+        with Progress(said.append) as progress:
+            self.inspect(BALL, progress=progress)
+        stages = [*dict.fromkeys(words.split(",")[0] for words in said)]
+        expected = "loading the plugin,reading,evaluating,statistics,boundary and totals,writing the mesh"
+        self.assertEqual(stages, [*expected.split(","), "writing the report"])
+        for words in said[said.index(next(w for w in said if w.startswith("evaluating"))) :]:
+            self.assertRegex(words, r"^[a-z ]+, about \d+ s left$")
+        self.assertLess(progress.seconds_left(), 1)
+        with Progress(said.append) as progress:
+            progress.expect(evaluating=100.0, cells=10, criteria=1)
+            progress.begin("evaluating")
+            progress.share = 0.25
+            progress.began -= 50  # half as fast as expected
+            self.assertAlmostEqual(progress.seconds_left(), 150 + 2 * (sum(progress.expected.values()) - 100), -1)
 
     def test_without_display(self):
         """The report is written all the same, and says why there are no pictures."""
