@@ -14,6 +14,19 @@
 
 namespace camaron
 {
+namespace
+{
+// Far enough from the limits for the rounding of numbers on the way to the shader.
+double FindInside(const double (&limits)[2])
+{
+  if (std::isfinite(limits[0]) && std::isfinite(limits[1]))
+  {
+    return limits[0] / 2 + limits[1] / 2;
+  }
+  return std::isfinite(limits[0]) ? limits[0] + std::abs(limits[0]) + 1 : limits[1] - std::abs(limits[1]) - 1;
+}
+}
+
 //------------------------------------------------------------------------------
 vtkDataArray* JudgedValues::Update(vtkDataArray* values, vtkUnstructuredGrid* grid)
 {
@@ -28,8 +41,7 @@ vtkDataArray* JudgedValues::Update(vtkDataArray* values, vtkUnstructuredGrid* gr
   if (values != this->Values || time != this->Time)
   {
     const std::vector<std::uint16_t> shapes = FindCellShapes(grid);
-    const double* const limits = criterion->Acceptable;
-    const double inside = std::isfinite(limits[0]) ? limits[0] : limits[1];
+    const double inside = FindInside(criterion->Acceptable);
     auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
     doubles->DeepCopy(values);
     double* const value = doubles->GetPointer(0);

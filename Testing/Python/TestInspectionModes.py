@@ -186,7 +186,8 @@ class TestInspectionModes(PictureTestCase):
         for emphasis, colors in (("None", True), ("Unacceptable", False)):
             self.show(mesh, color=("CELLS", "EdgeLengthRatio"), Emphasis=emphasis, Dimming=1)
             picture = self.take().astype(int)
-            self.assertEqual(bool((numpy.ptp(picture, axis=2) > 12).any()), colors, emphasis)
+            # Lights of ParaView have a tint of their own.
+            self.assertEqual(bool((numpy.ptp(picture, axis=2) > 60).any()), colors, emphasis)
 
     def test_smooth_shading(self):
         """A ball of tetrahedra is lit like the sphere around it; a mesh with normals has those."""
