@@ -3,10 +3,10 @@
 #include "vtkCorrelateQuality.h"
 
 #include "AcceptableRanges.h"
-#include "CellShapes.h"
 #include "AgreedName.h"
 #include "ArraysOfSteps.h"
 #include "CellField.h"
+#include "CellShapes.h"
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
