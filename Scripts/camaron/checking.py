@@ -55,12 +55,12 @@ def check(
         evaluated.quality.Criteria = counting.needed_criteria(parsed, known)
         evaluated.announce(say)
         with pipeline.Messages() as messages:
+            evaluated.evaluate()
             try:
                 counts = counting.count(evaluated, parsed, max(worst, 1))
             except counting.ScopeError as error:
                 raise RuntimeError(f"{mesh}: {error}") from None
-        if messages.errors:
-            raise RuntimeError(f"{mesh}: {messages.errors[0]}")
+        messages.refuse(mesh)
         checks = [_judge(rule, found) for rule, found in zip(parsed, counts)]
         verdicts = {entry["verdict"] for entry in checks}
         if verdicts == {EMPTY}:

@@ -88,13 +88,14 @@ def compare(
             comparison.RangesFile = str(ranges)
         set_groups(comparison, group_by, first.opened, second.opened)
         with pipeline.Messages() as messages:
+            for mesh in meshes:
+                mesh.evaluate()
             rows = _read(comparison, chosen, ranges)
             described = [
                 facts.describe(path, mesh, surface)
                 for path, mesh, surface in zip(paths, meshes, surfaces)
             ]
-        if messages.errors:
-            raise RuntimeError(f"{a}, {b}: {messages.errors[0]}")
+        messages.refuse(f"{a}, {b}")
         if chosen is None and (criteria is None or criteria == [ALL]):
             rows = [row for row in rows if _has_values(row) and row["name"] not in NOT_REPORTED]
         if group_by == "type":

@@ -117,7 +117,6 @@ def _groups(scope: Optional[Scope]) -> list[str]:
 
 
 def _check_arrays(evaluated: Evaluation, rules: Sequence[Rule]) -> None:
-    evaluated.quality.UpdatePipeline()
     known = {array.Name: array.GetNumberOfComponents() for array in evaluated.quality.CellData}
     for rule in rules:
         array = _group_array(rule.scope)

@@ -60,6 +60,13 @@ class Evaluation:
             simple.Delete(proxy)
         request_ghosts(1)
 
+    def evaluate(self) -> None:
+        """Evaluates the criteria; raises RuntimeError where that cannot be done."""
+        with pipeline.Messages() as messages:
+            self.quality.UpdatePipeline()
+        messages.refuse(self.mesh)
+        self.opened.warnings += messages.warnings
+
     def estimated_seconds(self) -> float:
         """How long the evaluation will take."""
         self.quality.UpdatePropertyInformation()

@@ -56,8 +56,7 @@ def describe(path: Path, evaluated: Evaluation, surface: Any) -> dict[str, Any]:
         rows = tables.fetch(statistics)
     for proxy in reversed(made):
         simple.Delete(proxy)
-    if messages.errors:
-        raise RuntimeError(f"{path}: {messages.errors[0]}")
+    messages.refuse(path)
     total = {row["Criterion"]: row for row in rows if row["Group"] == "All"}
     types = {
         row["Group"]: row["Count"]

@@ -95,13 +95,12 @@ def inspect(
             progress.expect(evaluated.estimated_seconds(), cells, len(evaluated_criteria(quality)))
         with pipeline.Messages() as messages:
             with stage("evaluating"):
-                quality.UpdatePipeline()
+                evaluated.evaluate()
             with stage("statistics"):
                 rows = tables.read(statistics, preset)
             with stage("boundary and totals"):
                 described = facts.describe(mesh, evaluated, surface)
-        if messages.errors:
-            raise RuntimeError(f"{mesh}: {messages.errors[0]}")
+        messages.refuse(mesh)
         if preset is None and (criteria is None or criteria == [ALL]):
             rows = [row for row in rows if row["applicable"] and row["name"] not in NOT_REPORTED]
         if group_by == "type":

@@ -61,6 +61,11 @@ class Messages:
         self._gather()
         return self._warnings
 
+    def refuse(self, what: Any) -> None:
+        """Raises RuntimeError with the first error, if there is one; `what` is the file that it is about."""
+        if self.errors:
+            raise RuntimeError(f"{what}: {self.errors[0]}")
+
     def __enter__(self) -> "Messages":
         def observer(texts):
             def callback(_window, _event, text=""):

@@ -184,8 +184,7 @@ def _set_property(proxy: Any, name: str, value: str) -> None:
 def _run(evaluated: Evaluation, chain: Any, notes: list[str]) -> dict[str, Any]:
     with pipeline.Messages() as messages:
         chain.UpdatePipeline(evaluated.opened.time["value"] if evaluated.opened.time else 0.0)
-    if messages.errors:
-        raise RuntimeError(f"{evaluated.mesh}: {messages.errors[0]}")
+    messages.refuse(evaluated.mesh)
     chain.UpdatePropertyInformation()
     notes += [note for note in messages.warnings if note not in notes]
     return {
