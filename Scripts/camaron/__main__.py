@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Runs the command: pvpython Scripts/camaron ARGUMENTS, or mpiexec -n N pvbatch the same."""
 
+import ctypes
 import os
 import sys
 
@@ -11,6 +12,13 @@ if not __package__:  # run by path
 # pvpython sends what Python prints through VTK's output window, which is no terminal.
 sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
 try:
+    if "CAMARON_LIBRARIES" in os.environ:  # see Scripts/launcher/build.sh
+        with open(os.environ["CAMARON_LIBRARIES"], encoding="utf-8") as file:
+            for library in file.read().splitlines():
+                try:
+                    ctypes.CDLL(library)
+                except OSError:  # of one that is gone, or does not name all that it needs
+                    pass
     from paraview import servermanager
 
     # paraview.simple looks it up for each of its functions, which takes a third of a second.

@@ -30,7 +30,8 @@ environment() {
   enter=()
   if [[ $paraview == root ]]; then
     unset PYTHONPATH # of another Python
-    export OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp} # all ranks are on this machine
+    # All ranks are on this machine; ofi looks for networks, which takes a second.
+    export OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp,ofi}
     root_enter "$@"
     export CAMARON_INSIDE=1
   elif [[ $paraview == host ]]; then
@@ -125,8 +126,27 @@ configure() {
   [[ $paraview != host ]] || options+=("-DParaView_DIR=$sdk")
   logged "configuring" "$folder/log/configure.log" "${enter[@]}" \
     cmake -S "$top" -B "$folder" "${options[@]}" "$@" || exit 2
+  list_libraries >"$folder/libraries" || rm "$folder/libraries"
   printf '%s\n' "$top" >"$folder/configured"
   unlock
+}
+
+# The libraries that Python loads with ParaView, each after those that it needs; fails where Python does not know
+# this ParaView.
+list_libraries() {
+  "${enter[@]}" env LD_DEBUG=files python3 -c 'import sys, paraview.simple
+sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}" 2>&1 >/dev/null |
+    sed -n 's/.*calling init: //p'
+}
+
+# Sets `runner`, the program for Python in one process. Python itself starts in half of the time of pvpython, which
+# starts MPI, too, and has all of ParaView's libraries loaded together: the loader then looks for every symbol in
+# hundreds of them. __main__.py loads those that are listed one by one.
+choose_runner() {
+  runner=(pvpython)
+  [[ -e $build/libraries ]] || return 0
+  runner=(python3)
+  export CAMARON_LIBRARIES=$build/libraries
 }
 
 # compile FOLDER OPTION...: options of cmake --build.

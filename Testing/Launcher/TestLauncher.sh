@@ -66,9 +66,10 @@ expect "message of convert on an empty file" "camaron: -empty.off: the file is e
 mesh=$1/Examples/voronoi-ball.visf
 mkdir "$folder/ends"
 while read -r end words; do
-  printf '#!/bin/bash\n%s\n' "${end/_/ }" >"$folder/ends/pvpython"
-  chmod +x "$folder/ends/pvpython"
-  cp "$folder/ends/pvpython" "$folder/ends/pvbatch"
+  for program in python3 pvpython pvbatch; do
+    printf '#!/bin/bash\n%s\n' "${end/_/ }" >"$folder/ends/$program"
+    chmod +x "$folder/ends/$program"
+  done
   for ranks in "" "--ranks 2"; do
     # shellcheck disable=SC2086
     message=$(PATH=$folder/ends:$PATH timeout 100 "$camaron" check "$mesh" --rules my.rules $ranks 2>&1)

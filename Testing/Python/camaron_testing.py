@@ -167,7 +167,7 @@ def environment_alone(without=()):
         key: value
         for key, value in os.environ.items()
         if key not in without
-        and (not key.startswith(prefixes) or key.startswith("OMPI_ALLOW_RUN_AS_ROOT"))
+        and (not key.startswith(prefixes) or key.startswith(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_MCA_btl")))
     }
 
 
