@@ -4,6 +4,7 @@
 
 #include "ControllerReducer.h"
 #include "MeshCopies.h"
+#include "Scan/Buffer.h"
 #include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
 
@@ -48,9 +49,8 @@ camaron::ElementKind GetKind(const std::string& elementType)
 template <typename Array, typename Value>
 vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& values)
 {
-  auto array = vtkSmartPointer<Array>::New();
+  const auto array = camaron::MakeLargeArray<Array>(static_cast<vtkIdType>(values.size()));
   array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
   std::copy(values.begin(), values.end(), array->GetPointer(0));
   return array;
 }

@@ -10,6 +10,8 @@
 #ifndef camaron_Buffer_h
 #define camaron_Buffer_h
 
+#include "Scan/RangedArray.h"
+
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkSmartPointer.h"
 
@@ -117,11 +119,11 @@ private:
   vtkIdType Size = 0;
 };
 
-/// A VTK array of class @a Array in such memory: to be filled by whoever asks for it.
+/// A VTK array of class @a Array with one component in such memory: to be filled by whoever asks for it.
 template <typename Array>
 vtkSmartPointer<Array> MakeLargeArray(vtkIdType size)
 {
-  return Buffer<typename Array::ValueType>(size).template TakeArray<Array>();
+  return Buffer<typename Array::ValueType>(size).template TakeArray<RangedArray<Array>>();
 }
 }
 
