@@ -7,8 +7,10 @@
 #include "Mesh/GhostArrays.h"
 #include "MeshPieces.h"
 #include "RunTogether.h"
+#include "Scan/Buffer.h"
 #include "SharedCopies.h"
 #include "Selection/SharedElements.h"
+#include "Statistics/WeightUnit.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -398,6 +400,30 @@ ValueBlock ElementBlocks::GetValueBlock(const ElementBlock& block) const
 namespace
 {
 //------------------------------------------------------------------------------
+vtkSmartPointer<vtkDoubleArray> ToDoubles(vtkDataArray* array)
+{
+  auto* const ids = vtkIdTypeArray::FastDownCast(array);
+  if (!ids)
+  {
+    auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
+    doubles->DeepCopy(array);
+    return doubles;
+  }
+  // What criteria that are codes have.
+  constexpr vtkIdType grain = 1 << 16;
+  const auto doubles = MakeLargeArray<vtkDoubleArray>(ids->GetNumberOfValues());
+  doubles->SetName(ids->GetName());
+  const vtkIdType* const from = ids->GetPointer(0);
+  double* const to = doubles->GetPointer(0);
+  ParallelFor(ids->GetNumberOfValues(), grain,
+    [=](vtkIdType begin, vtkIdType end)
+    {
+      std::transform(from + begin, from + end, to + begin, [](vtkIdType id) { return static_cast<double>(id); });
+    });
+  return doubles;
+}
+
+//------------------------------------------------------------------------------
 // Of criteria whose arrays are integers, which have no null.
 void SetNulls(const ElementBlock& block, vtkDoubleArray* values)
 {
@@ -434,8 +460,7 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
     this->Rests.push_back(GetRests(array));
     if (!vtkDoubleArray::FastDownCast(array))
     {
-      auto doubles = vtkSmartPointer<vtkDoubleArray>::New();
-      doubles->DeepCopy(array);
+      const vtkSmartPointer<vtkDoubleArray> doubles = ToDoubles(array);
       SetNulls(block, doubles);
       array = doubles;
     }
@@ -466,6 +491,7 @@ void BlockValues::SetShapes(const std::vector<std::vector<std::uint16_t>>& shape
 BlockWeights::BlockWeights(
   const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer)
   : Values(blocks, arrayName)
+  , Unit(FindWeightUnit(this->Values.Get(), reducer))
 {
   std::int64_t counts[2] = { static_cast<std::int64_t>(this->Values.Get().size()),
     static_cast<std::int64_t>(blocks.Get().size()) };
@@ -487,17 +513,18 @@ BlockWeights::BlockWeights(
 }
 
 //------------------------------------------------------------------------------
-Population BlockWeights::GetPopulation(const BlockValues& values) const
+Weights BlockWeights::GetWeights(const BlockValues& values) const
 {
   const std::vector<std::size_t>& having = this->Values.GetBlockNumbers();
-  Population weights;
+  Weights weights;
+  weights.Unit = this->Unit;
   for (std::size_t v = 0; v < values.Get().size(); ++v)
   {
     ValueBlock block = values.Get()[v];
     const auto found = std::find(having.begin(), having.end(), values.GetBlockNumbers()[v]);
     block.Values = found == having.end() ? this->Zeros.data()
                                          : this->Values.Get()[found - having.begin()].Values;
-    weights.push_back(block);
+    weights.Values.push_back(block);
   }
   return weights;
 }

@@ -21,6 +21,7 @@
 
 #include "Statistics/Population.h"
 #include "Statistics/Reducer.h"
+#include "Statistics/Weights.h"
 
 #include "vtkDataObject.h"   // for kinds of elements
 #include "vtkDataSet.h"      // for leaves
@@ -155,10 +156,11 @@ public:
   BlockWeights(const ElementBlocks& blocks, const std::string& arrayName, Reducer& reducer);
 
   /// For each block of @a values its weights; 0 where there are none.
-  Population GetPopulation(const BlockValues& values) const;
+  Weights GetWeights(const BlockValues& values) const;
 
 private:
   BlockValues Values;
+  double Unit; // of the weights of all elements
   std::vector<double> Zeros; // as many as the largest block has elements
 };
 }

@@ -322,14 +322,18 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
         const camaron::Summary& summary = numbers.Totals;
         numbers.Places =
           camaron::FindPlaces({ summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
-        camaron::Population weightsOfValues;
+        std::optional<camaron::Weights> weightsOfValues;
         if (weights)
         {
-          weightsOfValues = weights->GetPopulation(values);
+          weightsOfValues = weights->GetWeights(values);
           numbers.Weighted =
-            camaron::SummarizeWeighted(population, summary, weightsOfValues, limits, reducer);
+            camaron::SummarizeWeighted(population, summary, *weightsOfValues, limits, reducer);
         }
-        numbers.Quantiles = camaron::GetQuantiles(population, summary, settings.Fractions, reducer);
+        std::vector<std::int64_t> positions = camaron::GetPositionsOfQuantiles(summary, settings.Fractions);
+        const auto ofCurve = camaron::GetPositionsOfCurve(summary, this->CurvePoints);
+        positions.insert(positions.end(), ofCurve.begin(), ofCurve.end());
+        const camaron::OrderStatistics sorted(population, summary, std::move(positions), reducer);
+        numbers.Quantiles = camaron::GetQuantiles(sorted, summary, settings.Fractions);
         if (group.IsAll)
         {
           bins = camaron::MakeBins(summary, binSettings); // all groups share those of all cells
@@ -337,7 +341,7 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
         numbers.Counts = camaron::CountBins(population, bins, reducer);
         assert(numbers.Counts.GetTotal() == summary.Count);
         numbers.Curve = camaron::MakeCumulativeCurve(
-          population, summary, this->CurvePoints, weights ? &weightsOfValues : nullptr, reducer,
+          population, summary, sorted, this->CurvePoints, weights ? &*weightsOfValues : nullptr, reducer,
           this->CurveValues);
         if (worstEnd)
         {

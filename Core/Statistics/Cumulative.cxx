@@ -3,12 +3,12 @@
 #include "Statistics/Cumulative.h"
 
 #include "Statistics/ExactSum.h"
-#include "Statistics/Quantiles.h"
 #include "Statistics/WeightUnit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace camaron
 {
@@ -22,43 +22,42 @@ struct Steps
 };
 
 //------------------------------------------------------------------------------
-std::vector<double> ChooseValues(
-  const Population& values, const Summary& summary, int numberOfPoints, Reducer& reducer)
-{
-  const std::int64_t last = summary.GetFiniteCount() - 1;
-  std::vector<std::int64_t> positions;
-  for (std::int64_t point = 0; point < numberOfPoints && last >= 0; ++point)
-  {
-    const double share = numberOfPoints > 1 ? static_cast<double>(point) / (numberOfPoints - 1) : 1;
-    positions.push_back(static_cast<std::int64_t>(std::round(share * static_cast<double>(last))));
-  }
-  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-  if (positions.empty())
-  {
-    return {};
-  }
-  return GetOrderStatistics(values, summary, positions, reducer);
-}
-
-//------------------------------------------------------------------------------
-// What std::lower_bound does, for many values: without branches, which no processor could foresee.
+// What std::lower_bound does, for many values: a table of slots of equal width says where to begin, and the bisection from
+// there, nearly always a step or two, is without branches, which no processor could foresee.
 class PointFinder
 {
 public:
-  PointFinder(const std::vector<double>& ascending)
+  explicit PointFinder(const std::vector<double>& ascending)
     : Points(ascending)
+    , Firsts(NumberOfSlots + 1, 0)
   {
-    while (this->Size <= ascending.size())
+    const auto isFinite = [](double point) { return std::isfinite(point); };
+    const auto low = std::find_if(ascending.begin(), ascending.end(), isFinite);
+    const auto high = std::find_if(ascending.rbegin(), ascending.rend(), isFinite);
+    if (low != ascending.end())
+    {
+      const double scale = (NumberOfSlots - 1) / (*high - *low);
+      this->Low = *low;
+      this->High = *high;
+      this->Scale = std::isnormal(scale) ? scale : 0; // all in one slot
+    }
+    for (const double point : ascending)
+    {
+      ++this->Firsts[this->GetSlot(point) + 1];
+    }
+    const auto most = static_cast<std::size_t>(*std::max_element(this->Firsts.begin(), this->Firsts.end()));
+    std::partial_sum(this->Firsts.begin(), this->Firsts.end(), this->Firsts.begin());
+    while (this->Size <= most)
     {
       this->Size *= 2;
     }
-    this->Points.resize(this->Size, std::numeric_limits<double>::infinity());
+    this->Points.resize(ascending.size() + this->Size, std::numeric_limits<double>::infinity());
   }
 
   // Place of the first point that is not less than the value; of those there are, or one after the last.
   std::size_t Find(double value) const
   {
-    std::size_t first = 0;
+    auto first = static_cast<std::size_t>(this->Firsts[this->GetSlot(value)]);
     for (std::size_t step = this->Size / 2; step > 0; step /= 2)
     {
       // A choice between two numbers would become a branch.
@@ -68,8 +67,20 @@ public:
   }
 
 private:
-  std::vector<double> Points; // as many as a power of two, with infinity at the end
-  std::size_t Size = 1;
+  static constexpr int NumberOfSlots = 4096;
+
+  // Of two values the larger one never has a slot before that of the other.
+  int GetSlot(double value) const
+  {
+    value = value < this->High ? value : this->High;
+    value = value > this->Low ? value : this->Low;
+    return static_cast<int>(std::min(value - this->Low, std::numeric_limits<double>::max()) * this->Scale);
+  }
+
+  std::vector<double> Points; // and infinity after the last one
+  std::vector<int> Firsts;    // of each slot how many points are in those before
+  double Low = 0, High = 0, Scale = 0;
+  std::size_t Size = 1; // a power of two above the number of points in any slot
 };
 
 //------------------------------------------------------------------------------
@@ -123,17 +134,33 @@ std::vector<double> WeighUpTo(std::vector<Steps>& parts, std::size_t size, doubl
 }
 
 //------------------------------------------------------------------------------
-CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, int numberOfPoints,
-  const Population* weights, Reducer& reducer, const std::vector<double>& alsoAt)
+std::vector<std::int64_t> GetPositionsOfCurve(const Summary& summary, int numberOfPoints)
+{
+  const std::int64_t last = summary.GetFiniteCount() - 1;
+  std::vector<std::int64_t> positions;
+  for (std::int64_t point = 0; point < numberOfPoints && last >= 0; ++point)
+  {
+    const double share = numberOfPoints > 1 ? static_cast<double>(point) / (numberOfPoints - 1) : 1;
+    positions.push_back(static_cast<std::int64_t>(std::round(share * static_cast<double>(last))));
+  }
+  return positions;
+}
+
+//------------------------------------------------------------------------------
+CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, const OrderStatistics& sorted,
+  int numberOfPoints, const Weights* weights, Reducer& reducer, const std::vector<double>& alsoAt)
 {
   CumulativeCurve curve;
-  curve.Values = ChooseValues(values, summary, numberOfPoints, reducer);
+  for (const std::int64_t position : GetPositionsOfCurve(summary, numberOfPoints))
+  {
+    curve.Values.push_back(sorted.Get(position));
+  }
   curve.Values.insert(curve.Values.end(), alsoAt.begin(), alsoAt.end());
   std::sort(curve.Values.begin(), curve.Values.end());
   curve.Values.erase(std::unique(curve.Values.begin(), curve.Values.end()), curve.Values.end());
   const std::size_t size = curve.Values.size();
   const PointFinder finder(curve.Values);
-  const double unit = weights ? GetUnit(FindLargestWeight(*weights, reducer)) : 1;
+  const double unit = weights ? weights->Unit : 1;
   std::vector<Steps> parts = ForEachChunk<Steps>(values,
     [&](Steps& steps, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     {
@@ -143,7 +170,7 @@ CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& sum
       {
         sum.Reserve(end - begin);
       }
-      const ValueBlock* weightBlock = weights ? &(*weights)[&block - values.data()] : nullptr;
+      const ValueBlock* weightBlock = weights ? &weights->Values[&block - values.data()] : nullptr;
       for (vtkIdType i = begin; i < end; ++i)
       {
         const double value = block.Values[i];

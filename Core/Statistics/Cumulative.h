@@ -7,7 +7,8 @@
 #ifndef camaron_Cumulative_h
 #define camaron_Cumulative_h
 
-#include "Statistics/Summary.h"
+#include "Statistics/Quantiles.h"
+#include "Statistics/Weights.h"
 
 #include <cstdint> // for counts
 #include <vector>  // for the curve
@@ -23,15 +24,18 @@ struct CumulativeCurve
 };
 
 /**
- * The curve at values of elements, of which there are about as many between one and the next: the first, the last and up
- * to @a numberOfPoints - 2 others of the sorted finite values; a value that comes again and again is one point. Counts
- * and weights are exact (see Weights.h) and include -Inf. Collective; cost: of as many quantiles, and a bisection in
- * the points for each element.
- * @param weights the same blocks as @a values, or nullptr
- * @param alsoAt further values of points, of elements or not, infinite ones included
+ * Positions of the sorted finite values (see OrderStatistics) with about as many elements between one and the next: the
+ * first, the last and up to @a numberOfPoints - 2 others.
  */
-CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, int numberOfPoints,
-  const Population* weights, Reducer& reducer, const std::vector<double>& alsoAt = {});
+std::vector<std::int64_t> GetPositionsOfCurve(const Summary& summary, int numberOfPoints);
+
+/**
+ * The curve at the values of @a sorted at GetPositionsOfCurve, and at those of @a alsoAt, which may be infinite; a value
+ * that comes again and again is one point. Counts and weights are exact (see Weights.h) and include -Inf. Collective;
+ * cost: a bisection in the points near its value for each element.
+ */
+CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, const OrderStatistics& sorted,
+  int numberOfPoints, const Weights* weights, Reducer& reducer, const std::vector<double>& alsoAt = {});
 }
 
 #endif

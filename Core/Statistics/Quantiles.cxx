@@ -5,7 +5,9 @@
 #include "Statistics/OrderedKey.h"
 #include "Statistics/RadixSelect.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace camaron
 {
@@ -39,14 +41,17 @@ double Interpolate(double a, double b, double weight)
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> GetOrderStatistics(const Population& population, const Summary& summary,
-  const std::vector<std::int64_t>& positions, Reducer& reducer)
+OrderStatistics::OrderStatistics(const Population& population, const Summary& summary,
+  std::vector<std::int64_t> positions, Reducer& reducer)
+  : Positions(std::move(positions))
 {
+  std::sort(this->Positions.begin(), this->Positions.end());
+  this->Positions.erase(std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
   const std::int64_t count = summary.GetFiniteCount();
   // The ends are known; without them the windows are fewer.
   const std::int64_t low = ToKey(summary.Min), high = ToKey(summary.Max);
   std::vector<std::int64_t> inner;
-  for (const std::int64_t position : positions)
+  for (const std::int64_t position : this->Positions)
   {
     if (position > 0 && position < count - 1)
     {
@@ -71,49 +76,67 @@ std::vector<double> GetOrderStatistics(const Population& population, const Summa
     ? SelectKeys(population, getKey, getBin, low, high, inner, reducer)
     : SelectKeys(population, getKey, low, high, inner, reducer);
 
-  std::vector<double> values;
   auto key = keys.begin();
-  for (const std::int64_t position : positions)
+  for (const std::int64_t position : this->Positions)
   {
     const bool isEnd = position == 0 || position == count - 1;
-    values.push_back(!isEnd ? FromKey(*key++) : position == 0 ? summary.Min : summary.Max);
+    this->Values.push_back(!isEnd ? FromKey(*key++) : position == 0 ? summary.Min : summary.Max);
   }
-  return values;
+}
+
+//------------------------------------------------------------------------------
+double OrderStatistics::Get(std::int64_t position) const
+{
+  const auto place = std::lower_bound(this->Positions.begin(), this->Positions.end(), position);
+  return this->Values[place - this->Positions.begin()];
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::int64_t> GetPositionsOfQuantiles(const Summary& summary, const std::vector<double>& fractions)
+{
+  std::vector<std::int64_t> positions;
+  const std::int64_t count = summary.GetFiniteCount();
+  for (const double fraction : fractions)
+  {
+    if (count > 0)
+    {
+      const Place place(fraction, count);
+      positions.push_back(place.Position);
+      if (place.Weight > 0)
+      {
+        positions.push_back(place.Position + 1);
+      }
+    }
+  }
+  return positions;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> GetQuantiles(
+  const OrderStatistics& sorted, const Summary& summary, const std::vector<double>& fractions)
+{
+  const std::int64_t count = summary.GetFiniteCount();
+  std::vector<double> quantiles;
+  for (const double fraction : fractions)
+  {
+    if (count == 0)
+    {
+      quantiles.push_back(std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    const Place place(fraction, count);
+    const double value = sorted.Get(place.Position);
+    quantiles.push_back(
+      place.Weight > 0 ? Interpolate(value, sorted.Get(place.Position + 1), place.Weight) : value);
+  }
+  return quantiles;
 }
 
 //------------------------------------------------------------------------------
 std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
   const std::vector<double>& fractions, Reducer& reducer)
 {
-  const std::int64_t count = summary.GetFiniteCount();
-  if (count == 0)
-  {
-    return std::vector<double>(fractions.size(), std::numeric_limits<double>::quiet_NaN());
-  }
-  std::vector<std::int64_t> positions;
-  for (const double fraction : fractions)
-  {
-    const Place place(fraction, count);
-    positions.push_back(place.Position);
-    if (place.Weight > 0)
-    {
-      positions.push_back(place.Position + 1);
-    }
-  }
-  std::sort(positions.begin(), positions.end());
-  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
-
-  const std::vector<double> values = GetOrderStatistics(population, summary, positions, reducer);
-  const auto valueAt = [&](std::int64_t position)
-  { return values[std::lower_bound(positions.begin(), positions.end(), position) - positions.begin()]; };
-  std::vector<double> quantiles;
-  for (const double fraction : fractions)
-  {
-    const Place place(fraction, count);
-    const double value = valueAt(place.Position);
-    quantiles.push_back(
-      place.Weight > 0 ? Interpolate(value, valueAt(place.Position + 1), place.Weight) : value);
-  }
-  return quantiles;
+  const OrderStatistics sorted(population, summary, GetPositionsOfQuantiles(summary, fractions), reducer);
+  return GetQuantiles(sorted, summary, fractions);
 }
 }

@@ -11,7 +11,8 @@
 #include "Statistics/Reducer.h"
 #include "Statistics/Summary.h"
 
-#include <vector> // for fractions and values
+#include <cstdint> // for positions
+#include <vector>  // for fractions and values
 
 namespace camaron
 {
@@ -25,8 +26,27 @@ std::vector<double> GetQuantiles(const Population& population, const Summary& su
   const std::vector<double>& fractions, Reducer& reducer);
 
 /// The finite values at @a positions of their sorted list: ascending, without repetition, from 0. Collective.
-std::vector<double> GetOrderStatistics(const Population& population, const Summary& summary,
-  const std::vector<std::int64_t>& positions, Reducer& reducer);
+/// The values at some positions, from 0, of the sorted finite values.
+class OrderStatistics
+{
+public:
+  /// Collective; @a positions in any order, none of them where there is no finite value.
+  OrderStatistics(const Population& population, const Summary& summary, std::vector<std::int64_t> positions,
+    Reducer& reducer);
+
+  /// At one of the positions.
+  double Get(std::int64_t position) const;
+
+private:
+  std::vector<std::int64_t> Positions; // ascending, each once
+  std::vector<double> Values;
+};
+
+/// The positions that the quantiles depend on.
+std::vector<std::int64_t> GetPositionsOfQuantiles(const Summary& summary, const std::vector<double>& fractions);
+/// Quantiles from the values at these positions.
+std::vector<double> GetQuantiles(
+  const OrderStatistics& sorted, const Summary& summary, const std::vector<double>& fractions);
 }
 
 #endif

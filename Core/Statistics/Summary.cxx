@@ -157,7 +157,8 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNum
   const Summary& summary, double unit)
 {
   const double mean = summary.Mean * unit;
-  const bool hasLogarithms = summary.Min > 0;
+  const bool varies = summary.Min < summary.Max; // else no value deviates from the mean
+  const bool hasLogarithms = varies && summary.Min > 0;
   for (ExactSum& sum : deviations.Sums)
   {
     sum.Reserve(end - begin);
@@ -169,12 +170,15 @@ void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNum
     {
       continue;
     }
-    const double deviation = value * unit - mean;
-    const double square = deviation * deviation;
-    deviations.Sums[Deviations::First].Add(deviation);
-    deviations.Sums[Deviations::Square].Add(square);
-    deviations.Sums[Deviations::Cube].Add(square * deviation);
-    deviations.Sums[Deviations::Fourth].Add(square * square);
+    if (varies)
+    {
+      const double deviation = value * unit - mean;
+      const double square = deviation * deviation;
+      deviations.Sums[Deviations::First].Add(deviation);
+      deviations.Sums[Deviations::Square].Add(square);
+      deviations.Sums[Deviations::Cube].Add(square * deviation);
+      deviations.Sums[Deviations::Fourth].Add(square * square);
+    }
     if (hasLogarithms)
     {
       deviations.Sums[Deviations::Logarithm].Add(std::log(value));
@@ -229,7 +233,8 @@ void SetMoments(const DeviationSums& sums, int exponent, Summary& summary)
   summary.RootMeanSquare = std::ldexp(std::hypot(std::ldexp(summary.Mean, -exponent), std::sqrt(m2)), exponent);
   if (summary.Min > 0)
   {
-    const double mean = std::exp(sums.Divide(Deviations::Logarithm, count));
+    const double mean =
+      summary.Min < summary.Max ? std::exp(sums.Divide(Deviations::Logarithm, count)) : summary.Min;
     summary.GeometricMean = std::min(std::max(mean, summary.Min), summary.Max);
   }
   if (count > 1)

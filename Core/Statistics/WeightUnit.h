@@ -31,8 +31,8 @@ inline double GetUnit(double magnitude)
   return std::ldexp(1.0, -std::max(exponent, -1000));
 }
 
-/// Collective.
-inline double FindLargestWeight(const Population& weights, Reducer& reducer)
+/// Of the largest weight. Collective.
+inline double FindWeightUnit(const Population& weights, Reducer& reducer)
 {
   double largest = 0;
   for (const double part : ForEachChunk<double>(weights,
@@ -50,7 +50,7 @@ inline double FindLargestWeight(const Population& weights, Reducer& reducer)
   }
   std::int64_t key = ToKey(largest);
   reducer.Max(&key, 1);
-  return FromKey(key);
+  return GetUnit(FromKey(key));
 }
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace camaron
 {
@@ -17,24 +18,24 @@ constexpr int NumberOfSums = 4;
 
 struct Sums
 {
-  ExactSum Weight, FiniteWeight, BadWeight, Product;
+  ExactSum FiniteWeight, InfiniteWeight, BadWeight, Product;
 };
 }
 
 //------------------------------------------------------------------------------
 WeightedSummary SummarizeWeighted(const Population& values, const Summary& summary,
-  const Population& weights, const ValueRange& acceptable, Reducer& reducer)
+  const Weights& weights, const ValueRange& acceptable, Reducer& reducer)
 {
   // In units in which no product overflows.
-  const double weightUnit = GetUnit(FindLargestWeight(weights, reducer));
+  const double weightUnit = weights.Unit;
   const double valueUnit = summary.GetFiniteCount() > 0
     ? GetUnit(std::max(std::abs(summary.Min), std::abs(summary.Max)))
     : 1;
   std::vector<Sums> parts = ForEachChunk<Sums>(values,
     [&](Sums& sums, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     {
-      const ValueBlock& weightBlock = weights[&block - values.data()];
-      for (ExactSum* sum : { &sums.Weight, &sums.FiniteWeight, &sums.BadWeight, &sums.Product })
+      const ValueBlock& weightBlock = weights.Values[&block - values.data()];
+      for (ExactSum* sum : { &sums.FiniteWeight, &sums.InfiniteWeight, &sums.BadWeight, &sums.Product })
       {
         sum->Reserve(end - begin);
       }
@@ -46,7 +47,6 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
           continue;
         }
         const double weight = weightUnit * GetWeight(weightBlock, i);
-        sums.Weight.Add(weight);
         if (block.IsJudged(i) && (value < acceptable.Low || value > acceptable.High))
         {
           sums.BadWeight.Add(weight);
@@ -56,6 +56,10 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
           sums.FiniteWeight.Add(weight);
           sums.Product.Add(weight * (valueUnit * value));
         }
+        else
+        {
+          sums.InfiniteWeight.Add(weight);
+        }
       }
     });
 
@@ -64,7 +68,7 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
   for (Sums& part : parts)
   {
     auto* limb = all.data();
-    for (ExactSum* sum : { &part.Weight, &part.FiniteWeight, &part.BadWeight, &part.Product })
+    for (ExactSum* sum : { &part.FiniteWeight, &part.InfiniteWeight, &part.BadWeight, &part.Product })
     {
       for (const std::int64_t value : sum->GetLimbs())
       {
@@ -73,23 +77,26 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
     }
   }
   reducer.Sum(all.data(), all.size());
-  double rounded[NumberOfSums];
-  for (int s = 0; s < NumberOfSums; ++s)
+  const auto get = [&](int sum)
   {
     ExactSum::Limbs limbs;
-    std::copy_n(all.begin() + s * size, size, limbs.begin());
-    rounded[s] = ExactSum::Round(limbs);
-  }
+    std::copy_n(all.begin() + sum * size, size, limbs.begin());
+    return limbs;
+  };
+  ExactSum::Limbs both = get(0);
+  const ExactSum::Limbs infinite = get(1);
+  std::transform(both.begin(), both.end(), infinite.begin(), both.begin(), std::plus<>());
+  const double weight = ExactSum::Round(both), finiteWeight = ExactSum::Round(get(0));
 
   WeightedSummary result;
-  result.Weight = rounded[0] / weightUnit;
-  if (rounded[0] > 0)
+  result.Weight = weight / weightUnit;
+  if (weight > 0)
   {
-    result.BadFraction = rounded[2] / rounded[0];
+    result.BadFraction = ExactSum::Round(get(2)) / weight;
   }
-  if (rounded[1] > 0)
+  if (finiteWeight > 0)
   {
-    result.Mean = rounded[3] / rounded[1] / valueUnit;
+    result.Mean = ExactSum::Round(get(3)) / finiteWeight / valueUnit;
   }
   return result;
 }

@@ -11,6 +11,13 @@
 
 namespace camaron
 {
+/// What elements count for.
+struct Weights
+{
+  Population Values; ///< the same blocks as what is weighed
+  double Unit = 1;   ///< of FindWeightUnit (WeightUnit.h), for these or more of them
+};
+
 struct WeightedSummary
 {
   /// Of all elements whose value is not null.
@@ -26,10 +33,9 @@ struct WeightedSummary
  * and processes. A weight counts with its magnitude, as volumes of inverted cells are negative; weights that are not
  * finite count as 0.
  * @param summary of @a values
- * @param weights the same blocks as @a values
  */
 WeightedSummary SummarizeWeighted(const Population& values, const Summary& summary,
-  const Population& weights, const ValueRange& acceptable, Reducer& reducer);
+  const Weights& weights, const ValueRange& acceptable, Reducer& reducer);
 }
 
 #endif

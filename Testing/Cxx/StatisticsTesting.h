@@ -8,7 +8,9 @@
 #define camaron_StatisticsTesting_h
 
 #include "Criteria/Criterion.h"
+#include "Statistics/Cumulative.h"
 #include "Statistics/Population.h"
+#include "Statistics/WeightUnit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +35,16 @@ inline Population OneBlock(const std::vector<double>& values)
   block.Values = values.data();
   block.Size = static_cast<vtkIdType>(values.size());
   return { block };
+}
+
+// The cumulative curve of one population by itself.
+inline CumulativeCurve MakeCurve(const Population& values, const Summary& summary, int numberOfPoints,
+  const Population* weights, Reducer& reducer, const std::vector<double>& alsoAt = {})
+{
+  const OrderStatistics sorted(values, summary, GetPositionsOfCurve(summary, numberOfPoints), reducer);
+  const Weights weighing = { weights ? *weights : Population(), weights ? FindWeightUnit(*weights, reducer) : 1 };
+  return MakeCumulativeCurve(
+    values, summary, sorted, numberOfPoints, weights ? &weighing : nullptr, reducer, alsoAt);
 }
 
 // Lists of values that statistics tend to stumble over.

@@ -125,23 +125,23 @@ TEST(Statistics, CumulativeCurve)
   const std::vector<double> weights = { -1, 10, 5, 100, 7, NaN, 1000, 1e4, 1e5 };
   const Population population = OneBlock(values), weighing = OneBlock(weights);
   const Summary summary = Summarize(population, {}, serial);
-  CumulativeCurve curve = MakeCumulativeCurve(population, summary, 100, &weighing, serial);
+  CumulativeCurve curve = MakeCurve(population, summary, 100, &weighing, serial);
   EXPECT_EQ(curve.Values, (std::vector<double>{ 1, 2, 3, 4 }));
   EXPECT_EQ(curve.CountsUpTo, (std::vector<std::int64_t>{ 2, 3, 6, 7 }));
   EXPECT_EQ(curve.WeightsUpTo, (std::vector<double>{ 1010, 11010, 111110, 111111 }));
-  curve = MakeCumulativeCurve(population, summary, 3, nullptr, serial);
+  curve = MakeCurve(population, summary, 3, nullptr, serial);
   EXPECT_EQ(curve.Values, (std::vector<double>{ 1, 3, 4 }));
   EXPECT_EQ(curve.CountsUpTo, (std::vector<std::int64_t>{ 2, 6, 7 }));
   EXPECT_TRUE(curve.WeightsUpTo.empty());
-  EXPECT_TRUE(MakeCumulativeCurve(population, summary, 0, nullptr, serial).Values.empty());
-  curve = MakeCumulativeCurve(population, summary, 3, nullptr, serial, { Infinity, 3, 2.5, -Infinity, 0 });
+  EXPECT_TRUE(MakeCurve(population, summary, 0, nullptr, serial).Values.empty());
+  curve = MakeCurve(population, summary, 3, nullptr, serial, { Infinity, 3, 2.5, -Infinity, 0 });
   EXPECT_EQ(curve.Values, (std::vector<double>{ -Infinity, 0, 1, 2.5, 3, 4, Infinity }));
   EXPECT_EQ(curve.CountsUpTo, (std::vector<std::int64_t>{ 1, 1, 2, 3, 6, 7, 8 }));
 
   for (const std::vector<double>& list : DifficultLists(3000))
   {
     const Summary all = Summarize(OneBlock(list), {}, serial);
-    const CumulativeCurve points = MakeCumulativeCurve(OneBlock(list), all, 50, nullptr, serial);
+    const CumulativeCurve points = MakeCurve(OneBlock(list), all, 50, nullptr, serial);
     EXPECT_EQ(points.Values.empty(), all.GetFiniteCount() == 0);
     for (std::size_t p = 0; p < points.Values.size(); ++p)
     {

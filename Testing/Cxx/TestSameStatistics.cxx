@@ -49,7 +49,7 @@ Results ComputeAll(const Population& population, Reducer& reducer)
   const std::vector<double> quantiles =
     GetQuantiles(population, summary, DefaultFractions, reducer);
   results.Numbers.insert(results.Numbers.end(), quantiles.begin(), quantiles.end());
-  const CumulativeCurve curve = MakeCumulativeCurve(population, summary, 30, &population, reducer);
+  const CumulativeCurve curve = MakeCurve(population, summary, 30, &population, reducer);
   results.Numbers.insert(results.Numbers.end(), curve.Values.begin(), curve.Values.end());
   results.Numbers.insert(results.Numbers.end(), curve.WeightsUpTo.begin(), curve.WeightsUpTo.end());
   results.Integers.insert(results.Integers.end(), curve.CountsUpTo.begin(), curve.CountsUpTo.end());
