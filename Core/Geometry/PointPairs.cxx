@@ -15,16 +15,31 @@ namespace
 constexpr std::size_t FewPoints = 64;
 
 //------------------------------------------------------------------------------
-template <typename Visit>
-void ForEachPair(const Vector* points, std::size_t size, Visit&& visit)
+// What choose(a, b) leaves of a first value and the squared distances of all pairs, in any order; several pairs at a
+// time, which do not wait for each other.
+template <typename Choose>
+double ChooseOfPairs(const Vector* points, std::size_t size, double first, Choose&& choose)
 {
+  constexpr std::size_t numberOfLanes = 4;
+  double chosen[numberOfLanes];
+  std::fill_n(chosen, numberOfLanes, first);
   for (std::size_t i = 0; i < size; ++i)
   {
-    for (std::size_t j = 0; j < i; ++j)
+    const Vector point = points[i];
+    std::size_t j = 0;
+    for (; j + numberOfLanes <= i; j += numberOfLanes)
     {
-      visit(Norm2(points[i] - points[j]));
+      for (std::size_t lane = 0; lane < numberOfLanes; ++lane)
+      {
+        chosen[lane] = choose(chosen[lane], Norm2(point - points[j + lane]));
+      }
+    }
+    for (; j < i; ++j)
+    {
+      chosen[0] = choose(chosen[0], Norm2(point - points[j]));
     }
   }
+  return choose(choose(chosen[0], chosen[1]), choose(chosen[2], chosen[3]));
 }
 
 //------------------------------------------------------------------------------
@@ -53,8 +68,7 @@ double FindLargestSquaredDistance(const Vector* points, std::size_t size)
   double largest = 0;
   if (size <= FewPoints)
   {
-    ForEachPair(points, size, [&](double square) { largest = std::max(largest, square); });
-    return largest;
+    return ChooseOfPairs(points, size, largest, [](double a, double b) { return std::max(a, b); });
   }
   BoxTree tree;
   BuildTree(points, size, tree);
@@ -77,8 +91,7 @@ double FindSmallestSquaredDistance(const Vector* points, std::size_t size)
   double smallest = Bounds::Infinity;
   if (size <= FewPoints)
   {
-    ForEachPair(points, size, [&](double square) { smallest = std::min(smallest, square); });
-    return smallest;
+    return ChooseOfPairs(points, size, smallest, [](double a, double b) { return std::min(a, b); });
   }
   BoxTree tree;
   BuildTree(points, size, tree);
