@@ -10,7 +10,7 @@ from typing import Any
 from paraview import servermanager, simple
 
 from . import pipeline, tables, text
-from .evaluation import CELL_TYPE, Evaluation, evaluated_criteria
+from .evaluation import CELL_TYPE, WAYS_TO_GROUP, Evaluation, evaluated_criteria
 from .files import size
 
 #: Cells that Mesh Surface does not pass on one by one.
@@ -21,8 +21,9 @@ NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine")
 TOTALS = [CELL_TYPE, "Volume", "Area"]
 
 
-def describe(path: Path, evaluated: Evaluation, surface: Any) -> dict[str, Any]:
-    """Size, extent and cells of the mesh; `surface` is its Mesh Surface."""
+def describe(path: Path, evaluated: Evaluation, surface: Any, statistics: Any = None) -> dict[str, Any]:
+    """Size, extent and cells of the mesh; `surface` is its Mesh Surface, `statistics` a Quality Statistics of all its
+    criteria, which tells the totals if it groups by cell type."""
     opened = evaluated.opened
     information = pipeline.data_information(opened.source)
     points, cells = count_points(opened.source), information.GetNumberOfCells()
@@ -45,13 +46,15 @@ def describe(path: Path, evaluated: Evaluation, surface: Any) -> dict[str, Any]:
     if not cells:
         return facts
     quality, made = evaluated.quality, []
-    if not set(TOTALS) <= set(evaluated_criteria(quality)):
+    has_totals = set(TOTALS) <= set(evaluated_criteria(quality))
+    if not has_totals:
         quality = simple.ElementQuality(Input=opened.source, Criteria=TOTALS)
         made.append(quality)
-    statistics = simple.QualityStatistics(
-        Input=quality, Arrays=TOTALS, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1, Quantiles=[100]
-    )
-    made.append(statistics)
+    if not (has_totals and statistics and statistics.GroupBy == WAYS_TO_GROUP["type"]):
+        statistics = simple.QualityStatistics(
+            Input=quality, Arrays=TOTALS, GroupBy=WAYS_TO_GROUP["type"], NumberOfWorst=0, NumberOfBins=1, Quantiles=[100]
+        )
+        made.append(statistics)
     with pipeline.Messages() as messages:
         rows = tables.fetch(statistics)
     for proxy in reversed(made):

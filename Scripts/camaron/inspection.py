@@ -99,7 +99,7 @@ def inspect(
             with stage("statistics"):
                 rows = tables.read(statistics, preset)
             with stage("boundary and totals"):
-                described = facts.describe(mesh, evaluated, surface)
+                described = facts.describe(mesh, evaluated, surface, statistics)
         messages.refuse(mesh)
         if preset is None and (criteria is None or criteria == [ALL]):
             rows = [row for row in rows if row["applicable"] and row["name"] not in NOT_REPORTED]
