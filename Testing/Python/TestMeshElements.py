@@ -9,6 +9,7 @@ import struct
 import unittest
 
 import camaron_testing
+import gallery
 import mesh_parts
 import numpy
 from camaron import tables
@@ -188,16 +189,22 @@ class TestMeshElements(camaron_testing.TestCase):
     @unittest.skipIf(camaron_testing.rank_count() > 1, "the whole mesh is looked at on one rank")
     def test_angles_around_inner_elements(self):
         self.assert_angles_around(self.open(EXAMPLES / "voronoi-ball.visf"))
-        self.assert_angles_around(self.open(self.data("tetgen/camaron_gen4096.1.node")))
+        for path in self.real("tetgen/camaron_gen4096.1.node"):
+            self.assert_angles_around(self.open(path))
 
     @unittest.skipIf(camaron_testing.rank_count() > 1, "the whole mesh is looked at on one rank")
     def test_angles_around_warped_polyhedra(self):
         """Full spheres also where faces are warped; a corner that is turned inside out makes it two."""
-        path = self.data("ansys_fluent/fluent_mixer_poly_bin.cas")
-        reader = simple.FluentMeshReader(FileNames=[str(path)])
-        spheres = self.inner_sums(reader, 2, "VertexAngleSum") / (4 * math.pi)
-        self.assertLess(abs(spheres - spheres.round()).max(), 1e-10)
-        self.assertGreater((spheres.round() == 1).mean(), 0.999)
+        points, cubes = gallery.lattice(7, 6, 6)
+        sides = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+        cells = [(VTK_POLYHEDRON, [[cube[i] for i in side] for side in sides]) for cube in cubes]
+        meshes = [mesh_parts.producer(gallery.make_grid(points, cells))]
+        for path in self.real("ansys_fluent/fluent_mixer_poly_bin.cas"):
+            meshes.append(simple.FluentMeshReader(FileNames=[str(path)]))
+        for mesh in meshes:
+            spheres = self.inner_sums(mesh, 2, "VertexAngleSum") / (4 * math.pi)
+            self.assertLess(abs(spheres - spheres.round()).max(), 1e-10)
+            self.assertGreater((spheres.round() == 1).mean(), 0.999)
 
     def test_empty_lists(self):
         """No arrays where none are wanted, also as an argument, which ParaView takes for one that was never set."""

@@ -1,4 +1,4 @@
-# ranks: 1 2 3
+# ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 """TS files in ParaView: opening, collected files, other files, on any number of ranks."""
@@ -91,10 +91,15 @@ class TestTS(camaron_testing.FormatTestCase):
 
     def test_texts(self):
         """What a surface says of itself is in the field data."""
-        source = self.open(self.data("ts/dev_gocad_tsurf.ts"))
-        field = self.fetch(source).GetFieldData()
-        self.assertEqual(field.GetAbstractArray("PartName").GetValue(0), "dev")
-        self.assertEqual(field.GetAbstractArray("ZPositive").GetValue(0), "Depth")
+        text = (
+            "GOCAD TSurf 1\nHEADER {\nname:dev\n}\nGOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\n"
+            "ZPOSITIVE Depth\nEND_ORIGINAL_COORDINATE_SYSTEM\nTFACE\n"
+            "VRTX 1 0 0 0\nVRTX 2 1 0 0\nVRTX 3 0 1 0\nTRGL 1 2 3\nEND\n"
+        )
+        for path in [self.make("texts.ts", text), *self.real("ts/dev_gocad_tsurf.ts")]:
+            field = self.fetch(self.open(path)).GetFieldData()
+            self.assertEqual(field.GetAbstractArray("PartName").GetValue(0), "dev")
+            self.assertEqual(field.GetAbstractArray("ZPositive").GetValue(0), "Depth")
 
 
 if __name__ == "__main__":
