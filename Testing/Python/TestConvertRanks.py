@@ -1,4 +1,4 @@
-# ranks: 1 2 3
+# ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 """camaron.convert on several ranks writes the files that one rank writes."""

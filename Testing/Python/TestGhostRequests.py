@@ -1,4 +1,4 @@
-# ranks: 1 2 3
+# ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Commands read no ghost cells, which of cells in no order of place are most of the mesh, and ParaView still does."""

@@ -96,10 +96,10 @@ def volume(grid, cell):
     """By the divergence theorem, for faces that run outward."""
     total = 0.0
     for face in faces(grid, cell):
-        corners = [numpy.array(grid.GetPoint(i)) for i in face]
-        for b, c in zip(corners[1:], corners[2:]):
-            total += numpy.dot(corners[0], numpy.cross(b, c)) / 6
-    return total
+        (x, y, z), *others = map(grid.GetPoint, face)
+        for (ax, ay, az), (bx, by, bz) in zip(others, others[1:]):
+            total += x * (ay * bz - az * by) + y * (az * bx - ax * bz) + z * (ax * by - ay * bx)
+    return total / 6
 
 
 def shape(grid, cell):

@@ -1,9 +1,14 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Meshes with difficult cell arrays, whole or split over the ranks."""
+"""Meshes with difficult cell arrays, whole or split over the ranks.
+
+Sources have every rank import this module: it does without paraview.simple, which takes seconds to load, but where a
+source is made.
+"""
+
+from pathlib import Path
 
 import numpy
-from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdList, vtkIdTypeArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -153,24 +158,33 @@ def make_part(rank, ranks, global_ids=False, ghost_layer=0, empty_rank=False):
     return extract(grid, cuts[rank], cuts[rank + 1], ghost_layer)
 
 
-def split_source(**options):
-    """A source that gives every rank its part."""
+def rank_source(module, function, kind, options):
+    """A source that calls a function of the module with this path on every rank; kind is the type of what it makes."""
+    from paraview import simple
+
+    path = Path(module)
     source = simple.ProgrammableSource()
-    source.OutputDataSetType = "vtkUnstructuredGrid"
-    source.PythonPath = f"'{__file__.rsplit('/', 1)[0]}'"
+    source.OutputDataSetType = kind
+    source.PythonPath = f"'{path.parent}'"
     source.ScriptRequestInformation = (
         "from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm\n"
         "information = self.GetOutputInformation(0)\n"
         "information.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)\n"
     )
     source.Script = (
-        "import mesh_parts\n"
+        f"import {path.stem}\n"
         "from vtkmodules.vtkParallelCore import vtkMultiProcessController\n"
         "controller = vtkMultiProcessController.GetGlobalController()\n"
-        "self.GetOutputDataObject(0).ShallowCopy(mesh_parts.make_part(\n"
-        f"    controller.GetLocalProcessId(), controller.GetNumberOfProcesses(), **{options!r}))\n"
+        f"self.GetOutputDataObject(0).ShallowCopy({path.stem}.{function}(\n"
+        "    rank=controller.GetLocalProcessId(), ranks=controller.GetNumberOfProcesses(),\n"
+        f"    **{options!r}))\n"
     )
     return source
+
+
+def split_source(**options):
+    """A source that gives every rank its part."""
+    return rank_source(__file__, "make_part", "vtkUnstructuredGrid", options)
 
 
 def make_collection(parts=1):
@@ -191,6 +205,8 @@ def make_collection(parts=1):
 
 def producer(data):
     """A source of data made by the test itself."""
+    from paraview import simple
+
     source = simple.TrivialProducer()
     source.GetClientSideObject().SetOutput(data)
     source.UpdatePipeline()

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Meshes that are split over the ranks in every way, with the number of each cell in the whole mesh.
 
-A mesh is a list of points and a list of cells (type, ids), ids of a polyhedron being its faces.
+A mesh is a list of points and a list of cells (type, ids), ids of a polyhedron being its faces. Sources have every rank
+import this module: it does without paraview.simple, which takes seconds to load, but where a source is made.
 """
 
 import functools
@@ -10,8 +11,9 @@ import math
 from pathlib import Path
 
 import gallery
+import mesh_files
+import mesh_parts
 import numpy
-from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
@@ -31,9 +33,7 @@ EXAMPLES = Path(__file__).resolve().parents[2] / "Examples"
 
 def voronoi():
     """Polyhedra and their faces; the pieces of an example."""
-    import camaron_testing
-
-    points, faces, cells = camaron_testing.read_visf(EXAMPLES / "voronoi-ball.visf")
+    points, faces, cells = mesh_files.read_visf(EXAMPLES / "voronoi-ball.visf")
     return points.tolist(), [(VTK_POLYHEDRON, [faces[f] for f in cell]) for cell in cells]
 
 
@@ -124,8 +124,6 @@ def list_ids(cell):
 
 def mixed():
     """Hexahedra, wedges, tetrahedra and some of them as polyhedra, which do not all meet in whole faces."""
-    import mesh_parts
-
     grid = mesh_parts.make_mesh()
     points = [grid.GetPoint(i) for i in range(grid.GetNumberOfPoints())]
     points = [gallery.warp(*(c / 4 for c in point)) for point in points]
@@ -323,23 +321,7 @@ def make_stray(rank, ranks):
 
 def source(function, kind, **options):
     """A source that calls a function of this module on every rank."""
-    made = simple.ProgrammableSource()
-    made.OutputDataSetType = kind
-    made.PythonPath = f"'{__file__.rsplit('/', 1)[0]}'"
-    made.ScriptRequestInformation = (
-        "from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm\n"
-        "information = self.GetOutputInformation(0)\n"
-        "information.Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)\n"
-    )
-    made.Script = (
-        "import rank_meshes\n"
-        "from vtkmodules.vtkParallelCore import vtkMultiProcessController\n"
-        "controller = vtkMultiProcessController.GetGlobalController()\n"
-        f"self.GetOutputDataObject(0).ShallowCopy(rank_meshes.{function}(\n"
-        "    rank=controller.GetLocalProcessId(), ranks=controller.GetNumberOfProcesses(),\n"
-        f"    **{options!r}))\n"
-    )
-    return made
+    return mesh_parts.rank_source(__file__, function, kind, options)
 
 
 def split_source(mesh, **options):
