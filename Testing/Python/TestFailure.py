@@ -2,124 +2,115 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Files that cannot be read: one error of all ranks, and nothing is written of them."""
 
+import json
 import shutil
 import subprocess
-
-from paraview import simple
+import tempfile
+import unittest
+from pathlib import Path
 
 import camaron_testing
+from paraview import simple
 
-#: What every rank runs: it opens the file that is meant for it, writes it again, and says what it has.
+BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
+
+#: What every rank runs: it opens the files that are meant for it, writes each again, and says what it has; it opens files
+#: that all read, and converts one.
 SCRIPT = """
-import pathlib, sys
-from camaron import pipeline
+import json, pathlib, sys
+from camaron import convert, pipeline
 pipeline.load_plugin()
 from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
-*paths, target = sys.argv[1:]
-source = simple.VisfReader(FileNames=[paths[rank % len(paths)]])
-source.UpdatePipeline()
-reader = source.GetClientSideObject()
-cells = reader.GetOutputDataObject(0).GetNumberOfCells()
-simple.SaveData(target, source)
-said = f"rank {rank}: {cells} cells, code {reader.GetReader().GetErrorCode()}"
-pathlib.Path(f"{target}.{rank}").write_text(said)
-"""
-#: What every rank runs: it converts a file, and says so.
-CONVERSION = """
-import pathlib, sys
-from camaron import convert
-from vtkmodules.vtkParallelCore import vtkMultiProcessController
-rank = vtkMultiProcessController.GetGlobalController().GetLocalProcessId()
-convert(*sys.argv[1:])
-pathlib.Path(f"{sys.argv[2]}.{rank}").write_text("done")
-"""
-#: What every rank runs: it opens a file.
-OPENING = """
-import sys
-from camaron import pipeline
-pipeline.load_plugin()
-from paraview import simple
-simple.OpenDataFile(sys.argv[1]).UpdatePipeline()
+folder, jobs = pathlib.Path(sys.argv[1]), json.loads(sys.argv[2])
+for name, paths in jobs["read"].items():
+    source = simple.VisfReader(FileNames=[paths[rank % len(paths)]])
+    source.UpdatePipeline()
+    reader = source.GetClientSideObject()
+    cells = reader.GetOutputDataObject(0).GetNumberOfCells()
+    simple.SaveData(str(folder / f"{name}-written.visf"), source)
+    said = f"rank {rank}: {cells} cells, code {reader.GetReader().GetErrorCode()}"
+    (folder / f"{name}.{rank}").write_text(said)
+    simple.Delete(source)
+for path in jobs["open"]:
+    simple.OpenDataFile(path).UpdatePipeline()
+convert(*jobs["convert"])
+(folder / f"converted.{rank}").write_text("done")
 """
 FILE_NOT_OPENED, TRUNCATED = 20002, 20004  # of vtkErrorCode
 
 
 class TestFailure(camaron_testing.TestCase):
-    def run_script(self, text, *arguments):
-        """What a script on two ranks gives that all run it."""
+    @classmethod
+    def setUpClass(cls):
+        """One job of two ranks for all tests, each of which looks for its own files in what the ranks said."""
         mpiexec, pvbatch = shutil.which("mpiexec"), shutil.which("pvbatch")
         if not mpiexec or not pvbatch:
-            self.skipTest("no mpiexec or pvbatch")
-        script = self.folder / "script.py"
-        script.write_text(text)
-        command = [mpiexec, "-n", "2", pvbatch, "--sym", str(script)]
-        return subprocess.run(
-            [*command, *map(str, arguments)], capture_output=True, text=True, timeout=200
-        )
+            raise unittest.SkipTest("no mpiexec or pvbatch")
+        folder = cls.ranks = Path(tempfile.mkdtemp(prefix="camaron-test-"))
+        cls.addClassCleanup(shutil.rmtree, folder)
+        (folder / "bad.visf").write_text("2 1\n3\n0 0 0\n1 0 0\n")
+        for name in ("before", "after"):
+            (folder / name).mkdir()
+            shutil.copy(BALL, folder / name / "mesh.visf")
+        points = [f"{i} {i * i} {i * i * i}" for i in range(8)]
+        for name, changes in (("two", {0: "0 nan 0", 7: "1 0 inf"}), ("three", {3: "1 0 inf", 7: "1 0 inf"})):
+            rows = [changes.get(i, point) for i, point in enumerate(points)]
+            triangles = [f"{i} {i + 1} {i + 2}" for i in range(6)]
+            (folder / f"{name}.tri").write_text("\n".join(["8", *rows, "6", *triangles, ""]))
+        jobs = {
+            "read": {
+                "bad": ["bad.visf"],
+                "half": [BALL, "missing.visf"],
+                "replaced": ["before/mesh.visf", "after/mesh.visf"],
+            },
+            "open": ["two.tri", "three.tri"],
+            "convert": [BALL, "ball.ply"],
+        }
+        script = folder / "script.py"
+        script.write_text(SCRIPT)
+        command = [mpiexec, "-n", "2", pvbatch, "--sym", str(script), str(folder), json.dumps(jobs, default=str)]
+        run = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=400)
+        cls.status, cls.errors = run.returncode, run.stderr
 
-    def run_ranks(self, *paths):
-        """Standard error, and what each of two ranks says; `paths` are taken in turn."""
-        target = self.folder / "target.visf"
-        run = self.run_script(SCRIPT, *paths, target)
-        self.assertFalse(target.exists(), run.stderr)
-        said = sorted(self.folder.glob("target.visf.*"))
-        return run.stderr, [path.read_text() for path in said]
+    def check_read(self, name, error, code):
+        """No rank has a cell, both have the same code, and the error is said once."""
+        self.assertEqual(self.errors.count(error), 1, self.errors)
+        self.assertEqual(self.errors.count(f"{name}-written.visf is not written"), 1, self.errors)
+        self.assertFalse((self.ranks / f"{name}-written.visf").exists(), self.errors)
+        said = [path.read_text() for path in sorted(self.ranks.glob(f"{name}.[0-9]"))]
+        self.assertEqual(said, [f"rank {i}: 0 cells, code {code}" for i in range(2)], self.errors)
 
     def test_all_ranks_convert(self):
         """The first rank writes; for the others that is no failure."""
-        target = self.folder / "ball.ply"
-        run = self.run_script(CONVERSION, camaron_testing.EXAMPLES / "voronoi-ball.visf", target)
-        self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertTrue(target.exists())
-        self.assertEqual(len(list(self.folder.glob("ball.ply.*"))), 2, run.stderr)
+        self.assertEqual(self.status, 0, self.errors)
+        self.assertTrue((self.ranks / "ball.ply").exists())
+        self.assertEqual(len(list(self.ranks.glob("converted.*"))), 2, self.errors)
 
     def test_one_error_of_all_ranks(self):
         """Every rank reads the file and fails; people want to know once."""
-        bad = self.folder / "bad.visf"
-        bad.write_text("2 1\n3\n0 0 0\n1 0 0\n")
-        errors, outcome = self.run_ranks(bad)
-        self.assertEqual(errors.count("bad.visf:2: expected at least 18 bytes"), 1, errors)
-        self.assertEqual(errors.count("target.visf is not written"), 1, errors)
-        self.assertEqual(outcome, [f"rank {i}: 0 cells, code {TRUNCATED}" for i in range(2)])
+        self.check_read("bad", "bad.visf:2: expected at least 18 bytes", TRUNCATED)
 
     def test_one_rank_fails(self):
         """Half a mesh is no mesh: the other gives up what it has."""
-        good = camaron_testing.EXAMPLES / "voronoi-ball.visf"
-        errors, outcome = self.run_ranks(good, self.folder / "missing.visf")
-        self.assertEqual(errors.count("missing.visf"), 1, errors)
-        self.assertEqual(outcome, [f"rank {i}: 0 cells, code {FILE_NOT_OPENED}" for i in range(2)])
+        self.check_read("half", "missing.visf", FILE_NOT_OPENED)
 
     def test_ranks_read_different_states(self):
         """Parts of two meshes are no mesh: a file that was replaced before the second rank opened it."""
-        before, after = self.folder / "before", self.folder / "after"
-        for folder in (before, after):
-            folder.mkdir()
-            shutil.copy(camaron_testing.EXAMPLES / "voronoi-ball.visf", folder / "mesh.visf")
-        errors, outcome = self.run_ranks(before / "mesh.visf", after / "mesh.visf")
-        self.assertEqual(errors.count("mesh.visf: cannot read the file: another program"), 1, errors)
-        self.assertEqual(outcome, [f"rank {i}: 0 cells, code {FILE_NOT_OPENED}" for i in range(2)])
+        self.check_read("replaced", "mesh.visf: cannot read the file: another program", FILE_NOT_OPENED)
 
     def test_one_warning_of_all_ranks(self):
         """Also of points that only the second rank has; a point of both counts for each."""
-        bad = self.folder / "bad.tri"
-        points = [f"{i} {i * i} {i * i * i}" for i in range(8)]
-        points[0], points[7] = "0 nan 0", "1 0 inf"
-        triangles = [f"{i} {i + 1} {i + 2}" for i in range(6)]
-        bad.write_text("\n".join(["8", *points, "6", *triangles, ""]))
-        errors = self.run_script(OPENING, bad).stderr
-        expected = "bad.tri: 2 points with a coordinate that is not finite, the first is point 0 (counted from 0; "
-        self.assertEqual(errors.count(expected), 1, errors)
-        self.assertEqual(errors.count("not finite"), 1, errors)
-        points[0], points[3] = "0 0 0", "1 0 inf"
-        bad.write_text("\n".join(["8", *points, "6", *triangles, ""]))
-        errors = self.run_script(OPENING, bad).stderr
-        self.assertIn("bad.tri: 3 points with a coordinate that is not finite, the first is point 3", errors)
+        expected = "two.tri: 2 points with a coordinate that is not finite, the first is point 0 (counted from 0; "
+        self.assertEqual(self.errors.count(expected), 1, self.errors)
+        expected = "three.tri: 3 points with a coordinate that is not finite, the first is point 3"
+        self.assertEqual(self.errors.count(expected), 1, self.errors)
+        self.assertEqual(self.errors.count("not finite"), 2, self.errors)
 
     def test_empty_meshes_are_written(self):
         """A mesh that is empty for no error is a mesh."""
-        source = self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
+        source = self.open(BALL)
         nothing = simple.Clip(Input=source, ClipType="Plane", Invert=0)
         nothing.ClipType.Origin = [1000, 0, 0]
         target = self.folder / "empty.visf"
@@ -161,7 +152,7 @@ class TestMending(camaron_testing.TestCase):
 
     def test_reader(self):
         path = self.folder / "mesh.visf"
-        whole = (camaron_testing.EXAMPLES / "voronoi-ball.visf").read_bytes()
+        whole = BALL.read_bytes()
         path.write_bytes(whole)
         mesh = simple.OpenDataFile(str(path))
         view = simple.CreateRenderView()
