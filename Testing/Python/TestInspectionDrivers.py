@@ -17,7 +17,7 @@ OPENGL_3_2 = {"MESA_GL_VERSION_OVERRIDE": "3.2", "MESA_GLSL_VERSION_OVERRIDE": "
 @camaron_testing.require_display()
 class TestInspectionDrivers(camaron_testing.TestCase):
     def test_opengl_3_2(self):
-        self.run_with(OPENGL_3_2, "TestMeshInspection", "TestIsosurfaces", "TestInspectionBaselines")
+        self.run_with(OPENGL_3_2, "TestMeshInspection", "TestInspectionBaselines")
 
     def test_softpipe(self):
         self.run_with({"GALLIUM_DRIVER": "softpipe"}, "TestInspectionBaselines")

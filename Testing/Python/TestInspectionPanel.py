@@ -13,7 +13,7 @@ from paraview import servermanager, simple
 
 from camaron import pipeline
 
-STEPS = 500
+STEPS = 300
 #: What else would show: nothing, or copies kept on purpose.
 LEFT_OUT = ("Visibility", "ForceUseCache", "ForcedCacheKey")
 
@@ -106,7 +106,7 @@ class TestInspectionPanel(camaron_testing.TestCase):
         """Played again, when all shaders are there, nothing stays in memory that does not with Surface."""
         growth = []
         for representation in ("Surface", "Mesh Inspection"):
-            used = [self.play(tetrahedra(), representation, 0, 40) for _ in range(3)]
+            used = [self.play(tetrahedra(), representation, 0, 25) for _ in range(3)]
             growth.append(used[2] - used[1])
         self.assertLess(growth[1] - growth[0], 20e6)
 
