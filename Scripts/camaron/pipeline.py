@@ -37,6 +37,10 @@ def load_plugin() -> None:
         raise RuntimeError(f"the plugin Camaron cannot be loaded: {reason}")
 
 
+#: What ParaView 6.1 says on the first rank of an error of another one, which says itself what it was.
+ELSEWHERE = "There was an error on a server process"
+
+
 class Messages:
     """Keeps what VTK reports as errors and warnings, on any rank, from the terminal and in two lists.
 
@@ -54,6 +58,8 @@ class Messages:
     @property
     def errors(self) -> list[str]:
         self._gather()
+        reasons = [error for error in self._errors if ELSEWHERE not in error]
+        self._errors[:] = reasons or self._errors
         return self._errors
 
     @property
