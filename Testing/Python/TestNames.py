@@ -105,7 +105,7 @@ class TestNames(camaron_testing.TestCase):
     def test_two_become_one(self):
         path = self.make_any("a\x01b", "a_b")
         convert(path, self.folder / "target.vtu")
-        self.assertEqual(self.names(self.open(self.folder / "target.vtu")), ["a_b", "a_b_"])
+        self.assertEqual(sorted(self.names(self.open(self.folder / "target.vtu"))), ["a_b", "a_b_"])
 
     def test_blocks_and_components(self):
         grid = vtkUnstructuredGrid()
@@ -130,7 +130,8 @@ class TestNames(camaron_testing.TestCase):
         notes = []
         conversion.write_source(source, self.folder / "target.vtm", notes)
         self.assertEqual(len(notes), 1, notes)
-        again = self.fetch(self.open(self.folder / "target.vtm"))
+        reader = self.open(self.folder / "target.vtm")
+        again = reader.GetClientSideObject().GetOutputDataObject(0)  # on its way here it gets another name in 6.1
         self.assertEqual(again.GetMetaData(0).Get(again.NAME()), "in<let_")
         found = again.GetBlock(0).GetPointData().GetArray("x<y")
         self.assertEqual(found.GetComponentName(0), "u&v")
