@@ -66,7 +66,7 @@ void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
 }
 
 //------------------------------------------------------------------------------
-// Which lines are edges goes to the upper two bits of the first three points, which have room for them.
+// What is known of a tetrahedron and its lines goes to the upper two bits of its points, which have room for them.
 void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
 {
   constexpr int Bits = 30;
@@ -79,13 +79,32 @@ void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 4; ++k)
         {
           tetrahedra.Points[i][k] |= (tetrahedra.Edges[i] >> 2 * k & 3u) << Bits;
         }
       }
     });
 }
+}
+
+//------------------------------------------------------------------------------
+// Two rows each: the lower end and where to go on, the upper end and the end of what is in it.
+std::vector<std::array<float, 4>> PackBoxes(const CellTetrahedra& tetrahedra, const std::array<double, 3>& middle)
+{
+  std::vector<std::array<float, 4>> rows;
+  rows.reserve(2 * tetrahedra.NegativeBoxes.size());
+  for (const CellTetrahedra::NegativeBox& node : tetrahedra.NegativeBoxes)
+  {
+    const auto add = [&](const Vector& end, std::uint32_t number)
+    {
+      rows.push_back({ { static_cast<float>(end.X - middle[0]), static_cast<float>(end.Y - middle[1]),
+        static_cast<float>(end.Z - middle[2]), static_cast<float>(number) } });
+    };
+    add(node.Box.Low, node.Next);
+    add(node.Box.High, node.Last);
+  }
+  return rows;
 }
 
 //------------------------------------------------------------------------------
@@ -308,6 +327,11 @@ void InspectionMesh::NeedTetrahedra()
     PackEdges(tetrahedra, this->Grid->GetNumberOfPoints());
     this->Tetrahedra.Upload(tetrahedra.Points.data(), tetrahedra.Points.size());
     this->CellsOfTetrahedra.Upload(tetrahedra.Cells.data(), tetrahedra.Cells.size());
+    if (!tetrahedra.FirstNegatives.empty())
+    {
+      this->FirstNegatives.Upload(tetrahedra.FirstNegatives.data(), tetrahedra.FirstNegatives.size());
+      this->NegativeBoxes.Upload(PackBoxes(tetrahedra, this->Middle).data(), 2 * tetrahedra.NegativeBoxes.size());
+    }
     this->Blocks = std::move(tetrahedra.Blocks);
   }
 }
@@ -317,7 +341,8 @@ void InspectionMesh::Release()
 {
   for (TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
          &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Leaves, &this->Tetrahedra,
-         &this->CellsOfTetrahedra })
+         &this->CellsOfTetrahedra, &this->FirstNegatives,
+         &this->NegativeBoxes })
   {
     table->Release();
   }

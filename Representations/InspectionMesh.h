@@ -73,8 +73,14 @@ public:
   TextureBuffer CellPoints{ TextureBuffer::Row::UInt };
   TextureBuffer Owners{ TextureBuffer::Row::UInt2 }; ///< process and block of a cell
   TextureBuffer Leaves{ TextureBuffer::Row::UInt };  ///< the block of a cell, as a row of how blocks look
-  TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 }; ///< points; bits 30 and 31 of the first three: the edges
+  /// Points; bits 30 and 31 of the first three: the edges; bit 30 of the fourth: it is negative, see CellTetrahedra.h.
+  TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 };
   TextureBuffer CellsOfTetrahedra{ TextureBuffer::Row::UInt };
+  ///@{
+  /// Not there if no cell has any, see CellTetrahedra.h. A box has two rows.
+  TextureBuffer FirstNegatives{ TextureBuffer::Row::UInt2 };
+  TextureBuffer NegativeBoxes{ TextureBuffer::Row::Float4 };
+  ///@}
   /// Where those of a block of cells begin, see CellTetrahedra.h.
   const std::vector<std::uint32_t>& GetTetrahedronBlocks() const { return this->Blocks; }
 

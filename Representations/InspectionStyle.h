@@ -126,6 +126,7 @@ struct InspectionStyle
   ConvexShape ExactShape; ///< the one that cuts exactly, see MakeExactShape
 
   bool HasLooks = false; ///< blocks of the mesh have colours or opacities of their own
+  bool HasNegatives = false; ///< cells have negative tetrahedra, see CellTetrahedra.h
 
   Coloring ColorBy = Coloring::TransferFunction;
   std::array<double, 3> HeightDirection = { { 0, 0, 1 } };

@@ -121,6 +121,7 @@ InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPo
 {
   InspectionStyle style = this->Style;
   style.HasLooks = this->UploadedLooks != nullptr;
+  style.HasNegatives = this->Mesh->FirstNegatives.IsUploaded();
   style.Isolines = style.Isolines && !this->Levels.IsEmpty();
   style.SmoothAngle = style.Smooth ? style.SmoothAngle : 180; // normals of the mesh are as they are
   style.Smooth = style.What == Figure::Faces && !this->Normals.IsEmpty();

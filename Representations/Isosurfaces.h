@@ -36,7 +36,7 @@ public:
    */
   bool Update(InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues);
 
-  /// One row for each corner of a triangle: two points, where between them (of 2^24), the cell.
+  /// One row for each corner of a triangle: two points, where between them (of 2^24), the tetrahedron.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   const std::string& GetError() const { return this->Error; }

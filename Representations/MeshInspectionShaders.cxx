@@ -205,6 +205,8 @@ void vtkMeshInspectionMapper::SetMapperShaderParameters(
   self.Attach(program, "cutTable", self.Cut.GetTable());
   self.Attach(program, "tetrahedronTable", mesh.Tetrahedra);
   self.Attach(program, "cellOfTetrahedronTable", mesh.CellsOfTetrahedra);
+  self.Attach(program, "firstNegativeTable", mesh.FirstNegatives);
+  self.Attach(program, "negativeBoxTable", mesh.NegativeBoxes);
   self.Attach(program, "centroidTable", mesh.Centroids);
   self.Attach(program, "ownerTable", mesh.Owners);
   self.Attach(program, "colorTable", self.Colors.GetTable());

@@ -12,6 +12,8 @@
 #include "IsolinesGLSL.h"
 #include "InShapeGLSL.h"
 #include "InputsGLSL.h"
+#include "NegativesGLSL.h"
+#include "PlaceGLSL.h"
 #include "PropertyGLSL.h"
 #include "RampGLSL.h"
 #include "ShapeUniforms.h"
@@ -119,6 +121,7 @@ const std::vector<RenderMode>& GetRenderModes()
   using Style = InspectionStyle;
   using Context = RenderContext;
   static const std::string cutExactly = std::string(InShapeGLSL) + CutExactlyGLSL;
+  static const std::string negatives = std::string(PlaceGLSL) + NegativesGLSL;
   static const std::string cap = std::string(InShapeGLSL) + InputsGLSL + CapGLSL;
   static const std::vector<RenderMode> modes = {
     { [](const Style& style)
@@ -127,6 +130,8 @@ const std::vector<RenderMode>& GetRenderModes()
           style.What != Figure::Isosurfaces;
       },
       "HAS_POSITION", cutExactly.c_str(), "cutExactly();", false, &SetShape },
+    { [](const Style& style) { return style.HasNegatives && !style.DrawsFaces(); }, "HAS_NEGATIVES",
+      negatives.c_str(), "leaveOutside();", false, &SetNothing },
     { [](const Style&) { return true; }, nullptr, PropertyGLSL,
       "property(ambientColor, diffuseColor, opacity);", false, &SetNothing },
     { [](const Style& style) { return style.HasLooks; }, "HAS_LOOKS", BlocksGLSL,

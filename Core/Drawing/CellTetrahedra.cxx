@@ -3,15 +3,21 @@
 #include "Drawing/CellTetrahedra.h"
 
 #include "Drawing/CurvedFacets.h"
+#include "Drawing/InwardFaces.h"
 #include "Drawing/PolygonTriangles.h"
+#include "Geometry/BoxTree.h"
 #include "Mesh/FirstPoint.h"
+#include "Mesh/HashMix.h"
 #include "Mesh/MeshView.h"
+#include "Mesh/Vector.h"
 #include "Parallel.h"
 
 #include "vtkBoundingBox.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -20,6 +26,8 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType BlocksPerGrain = 64;
+/// Sine of the angle from a line of sight to a face below which this is seen from the side: of what graphics cards round.
+constexpr double SmallestSine = 1e-6;
 
 vtkIdType GetNumberOfBlocks(const MeshView& mesh)
 {
@@ -36,6 +44,7 @@ public:
     : Mesh(mesh)
     , Facets(mesh)
     , Triangles(mesh)
+    , Inward(mesh)
   {
     this->Triangles.SetKeepsFans(true);
   }
@@ -90,7 +99,75 @@ public:
       });
   }
 
+  // Moves the negative ones of the tetrahedra from begin to end, which are all of a cell, to begin; false if there are none.
+  bool PutNegativesFirst(vtkIdType cell, CellTetrahedra& made, std::uint32_t begin, std::uint32_t end)
+  {
+    const std::uint32_t size = end - begin;
+    this->Signs.resize(size);
+    bool has[2] = { false, false };
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      const int sign = this->FindSign(made.Points[begin + i]);
+      this->Signs[i] = static_cast<signed char>(sign);
+      has[0] |= sign < 0;
+      has[1] |= sign > 0;
+    }
+    if ((!has[0] || !has[1]) && this->RunsConsistently(cell))
+    {
+      return false; // as of nearly all
+    }
+    this->TurnOutward(cell);
+    const auto [least, largest] = std::minmax_element(this->Signs.begin(), this->Signs.end());
+    if (*least >= 0 || *largest <= 0)
+    {
+      return false;
+    }
+    std::vector<Part> parts;
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      parts.push_back({ made.Points[begin + i], made.Cells[begin + i], made.Edges[begin + i] });
+    }
+    std::vector<std::uint32_t> negatives, order;
+    std::vector<Bounds> boxes;
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      if (this->Signs[i] < 0)
+      {
+        negatives.push_back(i);
+        boxes.push_back(this->GetBox(parts[i]));
+      }
+    }
+    this->Tree.Build(boxes);
+    for (const std::size_t place : this->Tree.GetOrder())
+    {
+      order.push_back(negatives[place]);
+      parts[order.back()].Edges |= CellTetrahedra::Negative;
+    }
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      if (this->Signs[i] >= 0)
+      {
+        order.push_back(i);
+      }
+    }
+    for (std::uint32_t i = 0; i < size; ++i)
+    {
+      made.Points[begin + i] = parts[order[i]].Points;
+      made.Cells[begin + i] = parts[order[i]].Cell;
+      made.Edges[begin + i] = parts[order[i]].Edges;
+    }
+    return true;
+  }
+  /// Of the last cell that had any.
+  const BoxTree& GetTreeOfNegatives() const { return this->Tree; }
+
 private:
+  struct Part
+  {
+    std::array<std::uint32_t, 4> Points;
+    std::uint32_t Cell;
+    std::uint8_t Edges;
+  };
   static constexpr std::uint32_t AllWalls = 15;
   static constexpr std::uint32_t AllEdges = 63;
 
@@ -111,7 +188,7 @@ private:
     return apex;
   }
 
-  // A triangle from the apex to an edge lies in a face of the cell if that face has both.
+  // A triangle from the apex to an edge lies in a face of the cell if that face has both, and the triangle runs as the face does.
   void FindEdgesAround(vtkIdType cell, vtkIdType apex)
   {
     this->Around.clear();
@@ -119,10 +196,15 @@ private:
     this->Facets.ForEachPart(cell,
       [&](const vtkIdType* points, vtkIdType size)
       {
-        for (vtkIdType at = 0; Has(points, size, apex) && at < size; ++at)
+        const bool hasApex = Has(points, size, apex);
+        const Vector area = hasApex && size > 3 ? this->FindArea(points, size, apex) : Vector();
+        for (vtkIdType at = 0; hasApex && at < size; ++at)
         {
           const vtkIdType next = points[at + 1 < size ? at + 1 : 0];
-          this->Around.emplace_back(std::minmax(points[at], next));
+          if (size == 3 || Dot(this->FindArea(points[at], next, apex), area) > 0)
+          {
+            this->Around.emplace_back(std::minmax(points[at], next));
+          }
           if (points[at] == apex || next == apex)
           {
             this->Spokes.push_back(points[at] == apex ? next : points[at]);
@@ -131,6 +213,20 @@ private:
       });
     std::sort(this->Around.begin(), this->Around.end());
     this->FindCurvedEdges(cell);
+  }
+  Vector FindArea(vtkIdType a, vtkIdType b, vtkIdType apex) const
+  {
+    const Vector origin = this->GetPlace(apex);
+    return Cross(this->GetPlace(a) - origin, this->GetPlace(b) - origin);
+  }
+  Vector FindArea(const vtkIdType* points, vtkIdType size, vtkIdType apex) const
+  {
+    Vector sum;
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      sum += this->FindArea(points[i], points[i + 1 < size ? i + 1 : 0], apex);
+    }
+    return sum;
   }
   bool IsAround(vtkIdType a, vtkIdType b) const
   {
@@ -155,6 +251,79 @@ private:
         this->CurvedEdges.emplace_back(std::minmax(outline[i], outline[(i + 1) % outline.size()]));
       }
     }
+  }
+
+  Vector GetPlace(vtkIdType point) const
+  {
+    double x[3];
+    this->Mesh.GetPoint(point, x);
+    return { x[0], x[1], x[2] };
+  }
+
+  // See NegativeBoxes.
+  Bounds GetBox(const Part& part) const
+  {
+    const bool hasSides = (part.Cell & (AllWalls - 1)) != 0;
+    Bounds box;
+    for (int i = hasSides ? 0 : 1; i < 4; ++i)
+    {
+      box.Add(this->GetPlace(part.Points[i]));
+    }
+    return box;
+  }
+
+  // Of the volume, as the points run; 0 where the apex is in the plane of the others.
+  int FindSign(const std::array<std::uint32_t, 4>& points) const
+  {
+    const Vector apex = this->GetPlace(points[0]);
+    const Vector a = this->GetPlace(points[1]) - apex, b = this->GetPlace(points[2]) - apex,
+                 c = this->GetPlace(points[3]) - apex;
+    const Vector normal = Cross(b - a, c - a);
+    const double height = Dot(a, normal), least = SmallestSine * std::sqrt(Norm2(a) * Norm2(normal));
+    return height > least ? 1 : height < -least ? -1 : 0;
+  }
+
+  // Whether faces run along every edge once in each direction; almost certainly, if so.
+  bool RunsConsistently(vtkIdType cell)
+  {
+    if (this->Mesh.GetCellType(cell) != VTK_POLYHEDRON)
+    {
+      return true;
+    }
+    std::uint64_t sum = 0;
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType size)
+      {
+        vtkIdType last = size > 0 ? points[size - 1] : 0;
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          const vtkIdType ends[2] = { std::min(last, points[i]), std::max(last, points[i]) };
+          const std::uint64_t edge = MixHash(MixHash(MixHash(1, ends[0]), ends[1]), 1);
+          sum += last < points[i] ? edge : last > points[i] ? 0 - edge : 0;
+          last = points[i];
+        }
+      });
+    return sum == 0;
+  }
+
+  // Gives the tetrahedra the signs that they have when faces run outward.
+  void TurnOutward(vtkIdType cell)
+  {
+    const vtkIdType apex = this->FindApex(cell);
+    this->Inward.Clear();
+    this->Facets.ForEachPart(
+      cell, [&](const vtkIdType* points, vtkIdType size) { this->Inward.AddFace(points, size); });
+    const std::vector<unsigned char>& areInward = this->Inward.Find();
+    std::size_t face = 0, next = 0;
+    this->Facets.ForEachPart(cell,
+      [&](const vtkIdType* points, vtkIdType size)
+      {
+        const bool isInward = areInward[face++] != 0;
+        for (vtkIdType i = Has(points, size, apex) ? size : 2; i < size; ++i, ++next)
+        {
+          this->Signs[next] = static_cast<signed char>(isInward ? -this->Signs[next] : this->Signs[next]);
+        }
+      });
   }
 
   // The apex, and three corners of a facet, between which are these edges of it.
@@ -187,6 +356,9 @@ private:
   std::vector<std::pair<vtkIdType, vtkIdType>> Around;
   std::vector<std::pair<vtkIdType, vtkIdType>> CurvedEdges;
   std::vector<vtkIdType> Spokes; ///< where edges from the apex end
+  InwardFaces Inward;
+  std::vector<signed char> Signs; ///< of the tetrahedra of a cell
+  BoxTree Tree;
 };
 
 //------------------------------------------------------------------------------
@@ -240,12 +412,14 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
   made.Points.resize(total);
   made.Cells.resize(total);
   made.Edges.resize(total);
+  std::mutex access;
   ForEachBlock(mesh,
     [&](TetrahedraOfCell& tetrahedra, vtkIdType block, vtkIdType begin, vtkIdType end)
     {
       std::uint32_t next = made.Blocks[block];
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
+        const std::uint32_t first = next;
         tetrahedra.ForEach(cell,
           [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls, const auto& findEdges)
           {
@@ -255,6 +429,17 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
             made.Edges[next] = static_cast<std::uint8_t>(findEdges());
             ++next;
           });
+        if (next - first > 1 && tetrahedra.PutNegativesFirst(cell, made, first, next))
+        {
+          const std::lock_guard<std::mutex> lock(access);
+          made.FirstNegatives.resize(mesh.GetNumberOfCells(), { { CellTetrahedra::None, CellTetrahedra::None } });
+          made.FirstNegatives[cell] = { { first, static_cast<std::uint32_t>(made.NegativeBoxes.size()) } };
+          for (const BoxTree::Node& node : tetrahedra.GetTreeOfNegatives().GetNodes())
+          {
+            made.NegativeBoxes.push_back(
+              { node.Box, static_cast<std::uint32_t>(node.Next), static_cast<std::uint32_t>(node.Last) });
+          }
+        }
       }
     });
   return made;

@@ -7,6 +7,8 @@
 #ifndef camaron_CellTetrahedra_h
 #define camaron_CellTetrahedra_h
 
+#include "Geometry/Bounds.h"
+
 #include "vtkType.h" // for vtkIdType
 
 #include <array>   // for the rows
@@ -23,7 +25,10 @@ class MeshView;
  * Tetrahedra of the 3D cells, in the order of these. A cell is a fan from its first point (FirstPoint.h) over the
  * triangles of the faces that do not have it: of a convex face a fan from its own first point, of others those of
  * PolygonTriangulator. Two cells therefore cut the face between them in the same way, also on two processes.
- * Right for cells that are convex, or at least seen entirely from their first point.
+ *
+ * Of a cell that its first point does not see all of, some tetrahedra are negative: what lies in them is outside of the
+ * cell, or in one more of the others. Seen from the first point, a place is in the cell if and only if the first face behind
+ * it is that of a tetrahedron that is not negative.
  */
 struct CellTetrahedra
 {
@@ -32,6 +37,9 @@ struct CellTetrahedra
 
   /// Room for the bits beside a cell.
   static constexpr int WallBits = 4;
+  /// Bit of Edges: a negative tetrahedron. These come first in a cell.
+  static constexpr std::uint8_t Negative = 64;
+  static constexpr std::uint32_t None = 0xffffffff;
 
   std::vector<std::array<std::uint32_t, 4>> Points;
   /// The cell << WallBits; bit i: the face opposite point i lies in a face of the cell.
@@ -39,6 +47,20 @@ struct CellTetrahedra
   /// Bits of the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3): those that are
   /// edges of the cell.
   std::vector<std::uint8_t> Edges;
+  /// Of every cell its first negative tetrahedron and its first row of NegativeBoxes, or None; empty if there is no such cell.
+  std::vector<std::array<std::uint32_t, 2>> FirstNegatives;
+  /**
+   * A tree of boxes around the faces of the cell that its negative tetrahedra have; and the first point, of those that have a face
+   * of the cell at their sides, too. In the order in which they are looked at: Next is where to go on if nothing
+   * in a box is wanted, and one more than its own place for a leaf; Last is the end of the negative ones in it; both count from
+   * those of the cell.
+   */
+  struct NegativeBox
+  {
+    Bounds Box;
+    std::uint32_t Next, Last;
+  };
+  std::vector<NegativeBox> NegativeBoxes;
   /// Where the tetrahedra of each block of cells begin, and the end.
   std::vector<std::uint32_t> Blocks;
 };

@@ -38,10 +38,16 @@ public:
   template <typename Wants, typename Visit>
   bool FindAny(Wants&& wants, Visit&& visit) const
   {
+    return this->FindAnyInNodes([&](std::size_t n) { return wants(this->Nodes[n].Box); }, visit);
+  }
+  /// The same where @a wants(std::size_t) is about one of GetNodes.
+  template <typename Wants, typename Visit>
+  bool FindAnyInNodes(Wants&& wants, Visit&& visit) const
+  {
     for (std::size_t n = 0; n < this->Nodes.size();)
     {
       const Node& node = this->Nodes[n];
-      if (node.Count == 0 || !wants(node.Box))
+      if (node.Count == 0 || !wants(n))
       {
         n = node.Next;
         continue;
@@ -61,18 +67,21 @@ public:
     return false;
   }
 
-private:
-  /// A box around some boxes, and where to go on in the list if nothing in it is wanted.
+  /// A box around some boxes.
   struct Node
   {
     Bounds Box;
-    std::size_t Next;
+    std::size_t Next;        ///< where to go on in the list if nothing in it is wanted; one more than its own place for a leaf
     std::size_t First, Last; ///< places
     std::size_t Count;       ///< of those, the ones that are not left out
   };
+  /// Parents before children, in the order in which they are looked at.
+  const std::vector<Node>& GetNodes() const { return this->Nodes; }
+
+private:
   void AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std::size_t last);
 
-  std::vector<Node> Nodes; ///< parents before children
+  std::vector<Node> Nodes;
   std::vector<std::size_t> Order;
 };
 }

@@ -80,23 +80,40 @@ vec4 ofPlace(samplerBuffer table)
   return sum;
 }
 
-// How weights change by a step, the part of it along the cut.
-vec4 ratesAlong(vec3 way, vec3 normal)
+#ifdef HAS_LINES
+// Steps to the next pixel, the part of them along the cut: to the last digit, as along a face beside the cut the weight of the
+// corner opposite does not grow.
+vec3 stepRight;
+vec3 stepUp;
+
+vec3 alongCut(vec3 way)
 {
-  vec3 others = toWeights * (way - dot(way, normal) * normal);
+  vec3 normal = normalize(hitNormal);
+  return way - dot(way, normal) * normal;
+}
+
+// How weights change by a step.
+vec4 ratesAlong(vec3 way, mat3 weightsOfOthers)
+{
+  vec3 others = weightsOfOthers * way;
   return vec4(-others.x - others.y - others.z, others);
 }
+
+// The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels.
+vec4 pixelsToFaces(vec4 weights, mat3 weightsOfOthers)
+{
+  vec4 right = ratesAlong(stepRight, weightsOfOthers);
+  vec4 up = ratesAlong(stepUp, weightsOfOthers);
+  return abs(weights) / max(sqrt(right * right + up * up), 1.0e-30);
+}
+#endif
 
 void findLines()
 {
 #ifdef HAS_LINES
-  // The weight of a corner is 0 on the face opposite; the rate at which it grows makes it pixels. Steps to the
-  // next pixel are in the cut to the last digit: along a face beside the cut, the weight does not grow.
-  vec3 normal = normalize(hitNormal);
-  vec4 right = ratesAlong(dFdx(hitPlace), normal);
-  vec4 up = ratesAlong(dFdy(hitPlace), normal);
-  vec4 rates = sqrt(right * right + up * up);
-  vec4 pixels = abs(hitWeights) / max(rates, 1.0e-30);
+  stepRight = alongCut(dFdx(hitPlace));
+  stepUp = alongCut(dFdy(hitPlace));
+  vec4 pixels = pixelsToFaces(hitWeights, toWeights);
   pixelsToWall = 1.0e9;
   for (int i = 0; i < 4; ++i)
   {
@@ -104,3 +121,35 @@ void findLines()
   }
 #endif
 }
+
+#ifdef HAS_NEGATIVES
+#ifdef HAS_LINES
+float reachOfLines()
+{
+  return (edgeWidth + 2.0) * max(length(stepRight), length(stepUp));
+}
+
+// Those of a negative tetrahedron, where the place is right behind: only one weight is below 0.
+void addWalls(uint bits, vec4 weights, mat3 weightsOfOthers)
+{
+  vec4 pixels = pixelsToFaces(weights, weightsOfOthers);
+  for (int i = 0; i < 4; ++i)
+  {
+    vec4 others = weights;
+    others[i] = 0.0;
+    if ((bits >> i & 1u) == 1u && weights[i] < 0.0 && all(greaterThanEqual(others, vec4(0.0))))
+    {
+      pixelsToWall = min(pixelsToWall, pixels[i]);
+    }
+  }
+}
+#endif
+
+void leaveOutside()
+{
+  if (!isInCell(hitPlace, hitWeights.x))
+  {
+    discard;
+  }
+}
+#endif

@@ -7,7 +7,7 @@
 // them goes a line of sight, and Cap.glsl finds where it meets the boundary in the tetrahedron.
 
 uniform usamplerBuffer cutTable;
-uniform usamplerBuffer tetrahedronTable; // points; bits 30 and 31 of the first three: edges
+uniform usamplerBuffer tetrahedronTable; // points; bits 30 and 31 of the first three: edges; bit 30 of the fourth: negative
 uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
 uniform usamplerBuffer markTable;
 uniform vec4 eye; // a place (w is 1), or the direction towards it (w is 0)

@@ -1,7 +1,7 @@
 // One run for each tetrahedron: whether the boundary of the shape may cross it. Those that it touches only
-// from outside count, those that it touches only from inside do not.
+// from outside count, those that it touches only from inside and negative ones do not.
 // (InShape.glsl goes before this.)
-uniform usamplerBuffer tetrahedronTable; // points below bit 30
+uniform usamplerBuffer tetrahedronTable; // points below bit 30; bit 30 of the fourth: negative
 uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
 uniform usamplerBuffer markTable;
 uniform samplerBuffer pointTable;
@@ -58,6 +58,8 @@ void main()
   uint marks = texelFetch(markTable, int(texelFetch(cellOfTetrahedronTable, gl_VertexID).x >> 4)).x;
   bool isSelected = (marks & 4u) != 0u;
   bool isDrawn = (marks & 3u) == 0u && (cellsToDraw == 0 || isSelected == (cellsToDraw == 1));
-  isCut = isDrawn && (cellsMove == 1 || isCrossed(texelFetch(tetrahedronTable, gl_VertexID) & 0x3fffffffu)) ? 1 : 0;
+  uvec4 stored = texelFetch(tetrahedronTable, gl_VertexID);
+  isDrawn = isDrawn && (stored.w >> 30) == 0u;
+  isCut = isDrawn && (cellsMove == 1 || isCrossed(stored & 0x3fffffffu)) ? 1 : 0;
   gl_Position = vec4(0.0);
 }

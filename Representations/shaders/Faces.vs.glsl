@@ -7,7 +7,13 @@
 // their edges, six for each. There are no vertex attributes: everything is read from tables by gl_VertexID.
 
 #ifdef IS_ISOSURFACE
-uniform usamplerBuffer cornerTable;   // two points, where between them (of 2^24), the cell
+uniform usamplerBuffer cornerTable;   // two points, where between them (of 2^24), the tetrahedron
+uniform usamplerBuffer cellOfTetrahedronTable; // cell << 4 | bits of walls
+#endif
+#ifdef HAS_NEGATIVES
+uniform usamplerBuffer tetrahedronTable; // points below bit 30
+out vec3 placeOfFragment;
+out float weightOfFirst; // point of the tetrahedron
 #endif
 uniform usamplerBuffer visibleTable;  // triangle << 1 | side, of every visible triangle
 uniform usamplerBuffer triangleTable; // three points, face << 3 | edge bits
@@ -122,7 +128,7 @@ void main()
 {
 #ifdef IS_ISOSURFACE
   uvec4 corner = texelFetch(cornerTable, gl_VertexID);
-  uint cell = corner.w;
+  uint cell = texelFetch(cellOfTetrahedronTable, int(corner.w)).x >> 4;
   firstPoint = corner.x;
   secondPoint = corner.y;
   between = float(corner.z) / 16777216.0;
@@ -157,6 +163,11 @@ void main()
   vertexMC = mix(place(firstPoint, cell), place(secondPoint, cell), between);
 #ifdef HAS_POSITION
   positionOfFragment = vertexMC.xyz;
+#endif
+#ifdef HAS_NEGATIVES
+  uint apex = texelFetch(tetrahedronTable, int(corner.w)).x & 0x3fffffffu;
+  placeOfFragment = vertexMC.xyz;
+  weightOfFirst = firstPoint == apex ? 1.0 - between : secondPoint == apex ? between : 0.0;
 #endif
   cellOfFace = cell;
   cellMarks = texelFetch(markTable, int(cell)).x;

@@ -1,6 +1,6 @@
 #version 150
 // The triangle or the two triangles of a tetrahedron where its values are isovalue. A corner of them is
-// a row: two points, where between them, and the cell.
+// a row: two points, where between them, and the tetrahedron.
 // Corners are told apart by comparisons alone: some compilers get arrays that a shader of this stage indexes
 // by a value that it computed wrong.
 layout(points) in;
@@ -10,7 +10,7 @@ uniform float isovalue;
 
 flat in uvec4 pointsOfTetrahedron[];
 flat in vec4 values[];
-flat in uint cell[];
+flat in uint tetrahedron[];
 flat out uvec4 corner;
 
 void emit(uint a, float valueOfA, uint b, float valueOfB)
@@ -22,7 +22,7 @@ void emit(uint a, float valueOfA, uint b, float valueOfB)
   float firstValue = isSwapped ? valueOfB : valueOfA;
   float secondValue = isSwapped ? valueOfA : valueOfB;
   float where = clamp((isovalue - firstValue) / (secondValue - firstValue), 0.0, 1.0);
-  corner = uvec4(first, second, uint(where * 16777216.0), cell[0]);
+  corner = uvec4(first, second, uint(where * 16777216.0), tetrahedron[0]);
   EmitVertex();
   EndPrimitive();
 }

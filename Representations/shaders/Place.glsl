@@ -7,12 +7,16 @@ uniform float explodeFactor; // 0: as they are, 1: twice as far from the center
 uniform vec3 explodeCenter;  // the middle of the mesh of all processes
 #endif
 
-vec4 place(uint point, uint cell)
+vec3 move(vec3 position, uint cell)
 {
-  vec3 position = texelFetch(pointTable, int(point)).xyz;
 #ifdef HAS_CENTROIDS
   vec3 center = texelFetch(centroidTable, int(cell)).xyz;
   position = mix(center, position, shrinkFactor) + explodeFactor * (center - explodeCenter);
 #endif
-  return vec4(position, 1.0);
+  return position;
+}
+
+vec4 place(uint point, uint cell)
+{
+  return vec4(move(texelFetch(pointTable, int(point)).xyz, cell), 1.0);
 }

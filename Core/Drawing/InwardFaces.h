@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::InwardFaces
+ * @brief Finds the faces of a cell that run inward, whatever the mesh says of them.
+ *
+ * Faces that hang together are taken to run alike, and outward by the volume that they enclose, or inward if they bound a
+ * void. Of a cell that is not closed, what hangs together is. Holds scratch memory: use one per thread.
+ */
+#ifndef camaron_InwardFaces_h
+#define camaron_InwardFaces_h
+
+#include "Mesh/CellTopology.h"
+#include "Mesh/LocalNumbers.h"
+#include "Mesh/MeshView.h"
+
+#include <vector> // for scratch
+
+namespace camaron
+{
+class ClosedShell;
+
+class InwardFaces
+{
+public:
+  explicit InwardFaces(const MeshView& mesh)
+    : Mesh(mesh)
+  {
+  }
+
+  /// Starts a new cell.
+  void Clear();
+  void AddFace(const vtkIdType* points, vtkIdType size);
+  /// Of every face, in the order in which they were added, 1 if it runs inward as it is, else 0.
+  const std::vector<unsigned char>& Find();
+
+private:
+  void AddTriangles(int face, ClosedShell& shell) const;
+
+  const MeshView& Mesh;
+  std::vector<vtkIdType> Ids;
+  std::vector<int> Offsets, Numbers;
+  LocalNumbers Numbering;
+  CellTopology Topology;
+  std::vector<unsigned char> AreInward;
+};
+}
+
+#endif
