@@ -123,6 +123,11 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
     fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + self.Code.Defines);
   vtkShaderProgram::Substitute(
     fragment, "//VTK::Edges::Dec", "//VTK::Edges::Dec\n" + declarations);
+  vtkShaderProgram::Substitute(fragment, "//VTK::UniformFlow::Impl",
+    "//VTK::UniformFlow::Impl\n"
+    "#ifdef HAS_ISOLINES\n"
+    "  findLevelRate();\n"
+    "#endif\n");
   vtkShaderProgram::Substitute(
     fragment, "//VTK::Edges::Impl", self.Code.ColorCalls + "//VTK::Edges::Impl\n");
   vtkShaderProgram::Substitute(

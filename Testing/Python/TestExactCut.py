@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cuts through cells: pictures and selections are those of ParaView's Clip, and of the shape itself."""
 
+import re
+
 import camaron_testing
 import numpy
 from inspection_testing import PictureTestCase, difference, selected
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_OBJECT
 
 ORIGIN, NORMAL = [0.3, -0.2, 0.15], [-0.5, -0.3, -0.8]
 
@@ -19,6 +22,18 @@ def hexahedra():
 def polyhedra():
     mesh = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
     return simple.PointAndCellIds(Input=mesh)
+
+
+def places(source, words):
+    """Where main() of a shader has one of the words, or calls a function that has."""
+    source = re.sub("//.*", "", source)
+    found = re.findall(r"^\w+ (\w+)\([^;{}]*\)\s*(\{[^\n]+\}$|\{\n.*?^\})", source, re.M | re.S)
+    while True:
+        pattern = rf"\b({'|'.join(words)})\b"
+        names = {name for name, body in found if name != "main" and re.search(pattern, body)}
+        if names <= words:
+            return [match.start() for match in re.finditer(pattern, dict(found)["main"])]
+        words = words | names
 
 
 @camaron_testing.require_display()
@@ -235,6 +250,35 @@ class TestExactCut(PictureTestCase):
         display = self.show(mesh, ShrinkFactor=0.7, CutBy="Exactly", CutShape="Plane")
         display.CutShape.Origin, display.CutShape.Normal = ORIGIN, NORMAL
         self.same(expected, self.take(frame), 0.01)
+
+    def test_rates_of_change(self):
+        """How much something changes to the next pixel is asked for before pixels are discarded.
+
+        Afterwards it is undefined: right in Mesa, 0 on cards of NVIDIA.
+        """
+        sources = set()
+
+        def note(_mapper, _event, program):
+            sources.add(program.GetFragmentShader().GetSource())
+
+        note.CallDataType = VTK_OBJECT
+        mesh = self.heights(polyhedra(), 1)
+        display = self.show(mesh, CutShape="Sphere", DrawEdges=1)
+        self.take()
+        actors = self.view.GetRenderer().GetActors()
+        actors.InitTraversal()
+        for _ in range(actors.GetNumberOfItems()):
+            mapper = actors.GetNextActor().GetMapper()
+            if mapper:
+                mapper.AddObserver("UpdateShaderEvent", note)
+        display.DrawIsolines, display.IsolineArray, display.CutBy = 1, "Elevation", "Exactly"
+        self.take()
+        cuts = [source for source in sources if "HAS_ISOLINES" in source and "discard" in source]
+        self.assertEqual(len(cuts), 2)  # of faces, and of what is inside
+        for source in cuts:
+            rates, discards = places(source, {"dFdx", "dFdy", "fwidth"}), places(source, {"discard"})
+            self.assertTrue(rates and discards)
+            self.assertLess(max(rates), min(discards))
 
 
 if __name__ == "__main__":
