@@ -147,6 +147,7 @@ CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool 
       : static_cast<vtkDataSetAttributes*>(block.Data->GetCellData());
     vtkDataArray* array = attributes->GetArray(name.c_str());
     counts[0] += array != nullptr;
+    this->Rests = this->Rests || (array && !GetRests(array).empty());
     this->Values.push_back(!array ? std::vector<double>()
                                   : isOfPoints ? FromPoints(block.Data, array, takesGradient) : FromCells(array));
   }

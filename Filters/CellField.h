@@ -32,7 +32,11 @@ public:
   /// Of every block; empty where it has no such array.
   const std::vector<std::vector<double>>& Get() const { return this->Values; }
 
+  /// Whether it has integers that no double is, on this process.
+  bool HasRests() const { return this->Rests; }
+
 private:
+  bool Rests = false;
   std::vector<std::vector<double>> Values;
 };
 }

@@ -5,7 +5,6 @@
 #include "TableRows.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkStringArray.h"
 
 namespace camaron
@@ -92,17 +91,17 @@ void AddComparisonColumns(vtkTable* table, bool hasTime)
 {
   AddLabelColumns(table, hasTime);
   AddColumns<vtkStringArray>(table, { "Better" });
-  AddTriples<vtkIdTypeArray>(table, { "Count", "NullCount", "InfCount" });
+  AddTriples<IntegerColumn>(table, { "Count", "NullCount", "InfCount" });
   AddTriples<vtkDoubleArray>(table, { "Min", "Max", "Mean", "StdDev", "Sum" });
   for (const double percent : GetComparedPercents())
   {
     AddTriples<vtkDoubleArray>(table, { "P" + std::to_string(static_cast<int>(percent)) });
   }
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
-  AddTriples<vtkIdTypeArray>(table, { "JudgedCount", "OutOfRangeCount" });
+  AddTriples<IntegerColumn>(table, { "JudgedCount", "OutOfRangeCount" });
   AddTriples<vtkDoubleArray>(table, { "OutOfRangePercent" });
   AddColumns<vtkDoubleArray>(table, { "Distance", "DistanceValue" });
-  AddColumns<vtkIdTypeArray>(
+  AddColumns<IntegerColumn>(
     table, { "SameCells", "ComparedCount", "ImprovedCount", "WorsenedCount", "UnchangedCount" });
 }
 
@@ -145,11 +144,11 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
 void AddCommonHistogramColumns(vtkTable* table, bool hasTime)
 {
   AddLabelColumns(table, hasTime);
-  AddColumns<vtkIdTypeArray>(table, { "Bin" });
+  AddColumns<IntegerColumn>(table, { "Bin" });
   AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
-  AddColumns<vtkIdTypeArray>(table, { "CountA", "CountB" });
+  AddColumns<IntegerColumn>(table, { "CountA", "CountB" });
   AddColumns<vtkDoubleArray>(table, { "FractionA", "FractionB", "FractionDifference" });
-  AddColumns<vtkIdTypeArray>(table, { "UnderflowA", "UnderflowB" });
+  AddColumns<IntegerColumn>(table, { "UnderflowA", "UnderflowB" });
 }
 
 //------------------------------------------------------------------------------

@@ -163,6 +163,24 @@ vtkDataArray* ElementBlock::GetArray(const std::string& name) const
   return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
 }
 
+namespace
+{
+//------------------------------------------------------------------------------
+// As a vtkIdTypeArray; nullptr for none, and where that cannot hold them.
+vtkSmartPointer<vtkDataArray> ToIds(vtkDataArray* array)
+{
+  if (!array || vtkIdTypeArray::FastDownCast(array))
+  {
+    return array;
+  }
+  auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
+  ids->DeepCopy(array);
+  const vtkIdType *begin = ids->GetPointer(0), *end = begin + ids->GetNumberOfValues();
+  const bool fits = !IsUnsigned(array) || std::all_of(begin, end, [](vtkIdType id) { return id >= 0; });
+  return fits ? vtkSmartPointer<vtkDataArray>(ids) : nullptr;
+}
+}
+
 //------------------------------------------------------------------------------
 ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind kind)
   : Kind(kind)
@@ -287,29 +305,20 @@ void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-// Global ids are of use only if no element is without.
+// Global ids are of use only if no element is without, and none is beyond vtkIdType.
 void ElementBlocks::FindGlobalIds(Reducer& reducer)
 {
   std::int64_t counts[2] = { 0, 0 };
-  for (const ElementBlock& block : this->Blocks)
+  for (ElementBlock& block : this->Blocks)
   {
-    ++counts[block.GetAttributes()->GetGlobalIds() ? 0 : 1];
+    block.GlobalIds = ToIds(block.GetAttributes()->GetGlobalIds());
+    ++counts[block.GlobalIds ? 0 : 1];
   }
   reducer.Sum(counts, 2);
   this->GlobalIds = counts[0] > 0 && counts[1] == 0;
-  if (!this->GlobalIds)
-  {
-    return;
-  }
   for (ElementBlock& block : this->Blocks)
   {
-    block.GlobalIds = block.GetAttributes()->GetGlobalIds();
-    if (!vtkIdTypeArray::FastDownCast(block.GlobalIds))
-    {
-      auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
-      ids->DeepCopy(block.GlobalIds);
-      block.GlobalIds = ids;
-    }
+    block.GlobalIds = this->GlobalIds ? block.GlobalIds : nullptr;
   }
 }
 
@@ -478,6 +487,13 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
 }
 
 //------------------------------------------------------------------------------
+bool BlockValues::HasRests() const
+{
+  return std::any_of(
+    this->Rests.begin(), this->Rests.end(), [](const std::vector<std::int16_t>& rests) { return !rests.empty(); });
+}
+
+//------------------------------------------------------------------------------
 void BlockValues::SetShapes(const std::vector<std::vector<std::uint16_t>>& shapes, unsigned judged)
 {
   for (std::size_t i = 0; i < this->Values.size(); ++i)
@@ -520,11 +536,9 @@ Weights BlockWeights::GetWeights(const BlockValues& values) const
   weights.Unit = this->Unit;
   for (std::size_t v = 0; v < values.Get().size(); ++v)
   {
-    ValueBlock block = values.Get()[v];
     const auto found = std::find(having.begin(), having.end(), values.GetBlockNumbers()[v]);
-    block.Values = found == having.end() ? this->Zeros.data()
-                                         : this->Values.Get()[found - having.begin()].Values;
-    weights.Values.push_back(block);
+    weights.Values.push_back(values.Get()[v].WithValues(
+      found == having.end() ? this->Zeros.data() : this->Values.Get()[found - having.begin()].Values));
   }
   return weights;
 }

@@ -138,6 +138,8 @@ public:
   const Population& Get() const { return this->Values; }
   /// Number in ElementBlocks::Get() of each block of the population.
   const std::vector<std::size_t>& GetBlockNumbers() const { return this->Numbers; }
+  /// Whether there are integers that no double is, on this process.
+  bool HasRests() const;
   /// Borrows the shapes of the elements of all blocks, and names those that the acceptable range is for.
   void SetShapes(const std::vector<std::vector<std::uint16_t>>& shapes, unsigned judged);
 

@@ -8,7 +8,6 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -54,21 +53,20 @@ std::string ElementVertices::Describe(const ElementBlock& block, vtkIdType cell)
   }
   vtkNew<vtkIdList> points;
   block.Data->GetCellPoints(cell, points);
-  std::vector<vtkIdType> ids(points->begin(), points->end());
-  if (this->HaveGlobalIds)
+  vtkDataArray* global = this->HaveGlobalIds ? block.Data->GetPointData()->GetGlobalIds() : nullptr;
+  std::vector<ExactValue> ids;
+  for (const vtkIdType point : *points)
   {
-    vtkDataArray* global = block.Data->GetPointData()->GetGlobalIds();
-    std::transform(ids.begin(), ids.end(), ids.begin(),
-      [&](vtkIdType id) { return static_cast<vtkIdType>(global->GetVariantValue(id).ToLongLong()); });
+    ids.push_back(global ? GetExact(global, point) : ToExact(static_cast<std::int64_t>(point)));
   }
   if (block.Data->GetCellType(cell) == VTK_POLYHEDRON)
   {
     std::sort(ids.begin(), ids.end());
   }
   std::string text;
-  for (const vtkIdType id : ids)
+  for (const ExactValue& id : ids)
   {
-    text += (text.empty() ? "" : " ") + std::to_string(id);
+    text += (text.empty() ? "" : " ") + ToText(id);
   }
   return text;
 }

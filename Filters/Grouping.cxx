@@ -14,12 +14,10 @@
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -28,33 +26,77 @@ namespace camaron
 {
 namespace
 {
-constexpr int NoKey = std::numeric_limits<int>::min(); // of cells that are in no group but that of all
+constexpr int NoGroup = -1; // of elements that are in no group but that of all
 constexpr std::size_t Any = std::numeric_limits<std::size_t>::max();
 
 //------------------------------------------------------------------------------
-void GetCellTypes(const ElementBlock& block, const std::string&, std::vector<int>& keys)
+// The keys of groups, in the order in which they are met.
+class KeyList
+{
+public:
+  explicit KeyList(std::size_t maxSize)
+    : MaxSize(maxSize)
+  {
+  }
+
+  /// Adds a key that is not there yet, up to one more than the list may have.
+  int GetNumber(const ExactValue& key)
+  {
+    if (this->Last == NoGroup || !(this->Keys[this->Last] == key))
+    {
+      const auto found = this->Numbers.find(key);
+      if (found == this->Numbers.end() && this->Keys.size() > this->MaxSize)
+      {
+        return NoGroup;
+      }
+      this->Last =
+        found == this->Numbers.end() ? static_cast<int>(this->Keys.size()) : found->second;
+      if (found == this->Numbers.end())
+      {
+        this->Numbers[key] = this->Last;
+        this->Keys.push_back(key);
+      }
+    }
+    return this->Last;
+  }
+
+  const std::vector<ExactValue>& Get() const { return this->Keys; }
+
+private:
+  std::size_t MaxSize;
+  std::map<ExactValue, int> Numbers;
+  std::vector<ExactValue> Keys;
+  int Last = NoGroup;
+};
+
+//------------------------------------------------------------------------------
+void NumberCellTypes(const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
 {
   const vtkIdType size = block.Data->GetNumberOfCells();
   const MeshView mesh(block.Data);
-  keys.resize(size);
+  const bool hasView = mesh.GetNumberOfCells() == size;
+  numbers.assign(size, NoGroup);
   for (vtkIdType cell = 0; cell < size; ++cell)
   {
-    keys[cell] =
-      mesh.GetNumberOfCells() == size ? mesh.GetCellType(cell) : block.Data->GetCellType(cell);
+    if (!block.IsGhost(cell))
+    {
+      const int type = hasView ? mesh.GetCellType(cell) : block.Data->GetCellType(cell);
+      numbers[cell] = keys.GetNumber({ static_cast<double>(type) });
+    }
   }
 }
 
-std::string GetTypeLabelOfKey(const ElementBlock&, int cellType)
+std::string GetTypeLabelOfKey(const ElementBlock&, const ExactValue& cellType)
 {
-  return GetCellTypeLabel(cellType);
+  return GetCellTypeLabel(static_cast<int>(cellType.Value));
 }
 
 //------------------------------------------------------------------------------
 // Whole numbers are keys, whatever the type of the array; a region may be a double.
-void GetArrayValues(
-  const ElementBlock& block, const std::string& arrayName, std::vector<int>& keys)
+void NumberArrayValues(
+  const ElementBlock& block, const std::string& arrayName, KeyList& keys, std::vector<int>& numbers)
 {
-  keys.assign(block.GetSize(), NoKey);
+  numbers.assign(block.GetSize(), NoGroup);
   vtkDataArray* array = block.GetArray(arrayName);
   if (!array)
   {
@@ -62,29 +104,30 @@ void GetArrayValues(
   }
   vtkNew<vtkDoubleArray> values;
   values->DeepCopy(array);
-  for (std::size_t cell = 0; cell < keys.size(); ++cell)
+  const std::vector<std::int16_t> rests = GetRests(array);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    const double value = values->GetValue(static_cast<vtkIdType>(cell));
-    // False for NaN.
-    if (std::abs(value) <= std::numeric_limits<int>::max() && std::trunc(value) == value)
+    const auto element = static_cast<vtkIdType>(i);
+    const ExactValue value{ values->GetValue(element), rests.empty() ? 0 : rests[i] };
+    if (IsInteger64(value) && !block.IsGhost(element))
     {
-      keys[cell] = static_cast<int>(value);
+      numbers[i] = keys.GetNumber(value);
     }
   }
 }
 
-std::string GetNumberLabel(const ElementBlock&, int key)
+std::string GetNumberLabel(const ElementBlock&, const ExactValue& key)
 {
-  return std::to_string(key);
+  return ToText(key);
 }
 
 //------------------------------------------------------------------------------
-void GetBlockNumber(const ElementBlock& block, const std::string&, std::vector<int>& keys)
+void NumberBlock(const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
 {
-  keys.assign(1, block.Number);
+  numbers.assign(1, keys.GetNumber({ static_cast<double>(block.Number) }));
 }
 
-std::string GetBlockLabel(const ElementBlock& block, int)
+std::string GetBlockLabel(const ElementBlock& block, const ExactValue&)
 {
   return block.Name.empty() ? "Block 0" : block.Name;
 }
@@ -94,17 +137,18 @@ std::string GetBlockLabel(const ElementBlock& block, int)
 struct Way
 {
   const char* Name;
-  /// One key, or one per cell.
-  void (*GetKeys)(const ElementBlock& block, const std::string& arrayName, std::vector<int>& keys);
-  std::string (*GetLabel)(const ElementBlock& block, int key);
+  /// Number of the group of each element, or one for all of them; ghosts need none.
+  void (*SetNumbers)(
+    const ElementBlock& block, const std::string& arrayName, KeyList& keys, std::vector<int>& numbers);
+  std::string (*GetLabel)(const ElementBlock& block, const ExactValue& key);
   std::size_t MaxNumberOfGroups; ///< more are an error
   bool IsForPoints;
 };
 const Way Ways[] = {
   { "None", nullptr, nullptr, Any, true },
-  { "Cell type", GetCellTypes, GetTypeLabelOfKey, Any, false },
-  { "Block", GetBlockNumber, GetBlockLabel, Any, true },
-  { "Cell array", GetArrayValues, GetNumberLabel, 1000, true }, // else these are ids, or were measured
+  { "Cell type", NumberCellTypes, GetTypeLabelOfKey, Any, false },
+  { "Block", NumberBlock, GetBlockLabel, Any, true },
+  { "Cell array", NumberArrayValues, GetNumberLabel, 1000, true }, // else these are ids, or were measured
 };
 
 const Way& FindWay(const std::string& name)
@@ -142,27 +186,25 @@ std::string FindArrayName(const std::string& told, const ElementBlocks& blocks, 
 }
 
 //------------------------------------------------------------------------------
-// Union over all processes of numbers with labels, by number.
-std::vector<std::pair<int, std::string>> GatherLabels(
-  const std::set<std::pair<int, std::string>>& labels, Reducer& reducer)
+using Label = std::pair<ExactValue, std::string>; // of an integer key
+
+// Collective. Union over all processes, by key.
+std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
 {
-  // Names sort like the numbers: all have as many digits, and the smallest int is 0.
-  constexpr int width = 10;
-  constexpr std::int64_t offset = -std::int64_t(std::numeric_limits<int>::min());
   std::vector<std::string> names;
-  for (const auto& label : labels)
+  for (const Label& label : labels)
   {
-    char number[width + 1];
-    std::snprintf(number, sizeof(number), "%0*u", width, static_cast<unsigned>(label.first + offset));
-    names.push_back(number + label.second);
+    names.push_back(ToText(label.first) + ' ' + label.second);
   }
-  std::vector<std::pair<int, std::string>> result;
+  std::set<Label> all;
   for (const std::string& name : reducer.GatherNames(names))
   {
-    const std::int64_t number = std::atoll(name.substr(0, width).c_str());
-    result.emplace_back(static_cast<int>(number - offset), name.substr(width));
+    const std::size_t end = name.find(' ');
+    ExactValue key;
+    ParseInteger(name.substr(0, end), key);
+    all.emplace(key, name.substr(end + 1));
   }
-  return result;
+  return { all.begin(), all.end() };
 }
 }
 
@@ -170,10 +212,10 @@ std::vector<std::pair<int, std::string>> GatherLabels(
 Grouping::Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
   Reducer& reducer)
   : Blocks(blocks)
-  , Groups(1, Group{ true, 0, "All" })
+  , Groups(1, Group{ true, {}, "All" })
 {
   const Way& way = FindWay(name);
-  if (!way.GetKeys)
+  if (!way.SetNumbers)
   {
     return;
   }
@@ -181,31 +223,30 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
   {
     throw std::invalid_argument("points are not grouped by '" + name + "'");
   }
-  if (way.GetKeys == &GetArrayValues)
+  if (way.SetNumbers == &NumberArrayValues)
   {
     this->ArrayName = FindArrayName(arrayName, blocks, reducer);
   }
-  std::set<std::pair<int, std::string>> labels;
+  KeyList keys(way.MaxNumberOfGroups);
+  std::set<Label> labels;
   std::int64_t numberWithoutGroup = 0;
   for (const ElementBlock& block : blocks.Get())
   {
-    std::vector<int> keys;
-    way.GetKeys(block, this->ArrayName, keys);
-    const bool perCell = static_cast<vtkIdType>(keys.size()) == block.GetSize();
-    std::set<int> found = { NoKey };
-    for (std::size_t cell = 0; cell < keys.size() && labels.size() <= way.MaxNumberOfGroups; ++cell)
+    const std::size_t numberBefore = keys.Get().size();
+    std::vector<int> numbers;
+    way.SetNumbers(block, this->ArrayName, keys, numbers);
+    for (std::size_t k = numberBefore; k < keys.Get().size(); ++k)
     {
-      const bool isGhost = perCell && block.IsGhost(static_cast<vtkIdType>(cell));
-      if (!isGhost && found.insert(keys[cell]).second)
-      {
-        labels.emplace(keys[cell], way.GetLabel(block, keys[cell]));
-      }
+      labels.emplace(keys.Get()[k], way.GetLabel(block, keys.Get()[k]));
     }
-    numberWithoutGroup += std::count(keys.begin(), keys.end(), NoKey);
-    this->BlockKeys.push_back(keys);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+      numberWithoutGroup += numbers[i] == NoGroup && !block.IsGhost(static_cast<vtkIdType>(i));
+    }
+    this->GroupNumbers.push_back(std::move(numbers));
   }
   reducer.Sum(&numberWithoutGroup, 1);
-  for (const auto& label : GatherLabels(labels, reducer))
+  for (const Label& label : GatherLabels(labels, reducer))
   {
     this->Groups.push_back({ false, label.first, label.second });
   }
@@ -213,6 +254,20 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName, const 
   {
     throw std::invalid_argument("the array '" + this->ArrayName + "' has more than " +
       std::to_string(way.MaxNumberOfGroups) + " different values, too many to group by");
+  }
+  std::vector<int> numbersOfKeys;
+  for (const ExactValue& key : keys.Get())
+  {
+    const auto group = std::find_if(this->Groups.begin() + 1, this->Groups.end(),
+      [&](const Group& candidate) { return candidate.Key == key; });
+    numbersOfKeys.push_back(static_cast<int>(group - this->Groups.begin()));
+  }
+  for (std::vector<int>& numbers : this->GroupNumbers)
+  {
+    for (int& number : numbers)
+    {
+      number = number == NoGroup ? NoGroup : numbersOfKeys[number];
+    }
   }
   this->OneGroup = this->Groups.size() == 2 && numberWithoutGroup == 0;
 }
@@ -224,28 +279,29 @@ Population Grouping::GetPopulation(const Group& group, const BlockValues& values
   {
     return values.Get();
   }
+  // One past the end for a group of another mesh only.
+  const auto number = static_cast<int>(std::find(this->Groups.begin(), this->Groups.end(), group) - this->Groups.begin());
   this->Masks.assign(values.Get().size(), {});
   Population population;
   for (std::size_t i = 0; i < values.Get().size(); ++i)
   {
-    const std::size_t number = values.GetBlockNumbers()[i];
-    const std::vector<int>& keys = this->BlockKeys[number];
+    const std::vector<int>& numbers = this->GroupNumbers[values.GetBlockNumbers()[i]];
     ValueBlock block = values.Get()[i];
-    if (keys.size() != 1)
+    if (numbers.size() != 1)
     {
       std::vector<unsigned char>& mask = this->Masks[i];
-      mask.resize(keys.size());
+      mask.resize(numbers.size());
       ParallelFor(block.Size, 1 << 16,
         [&](vtkIdType begin, vtkIdType end)
         {
           for (vtkIdType cell = begin; cell < end; ++cell)
           {
-            mask[cell] = keys[cell] != group.Key || !block.Contains(cell);
+            mask[cell] = numbers[cell] != number || !block.Contains(cell);
           }
         });
       block.Skip = mask.data();
     }
-    else if (keys.front() != group.Key)
+    else if (numbers.front() != number)
     {
       block.Size = 0; // stays in the list, so that places in it keep their meaning
     }
@@ -281,11 +337,16 @@ std::string GetCellTypeLabel(int cellType)
 std::vector<std::pair<int, std::string>> GetBlockNames(
   const ElementBlocks& blocks, Reducer& reducer)
 {
-  std::set<std::pair<int, std::string>> names;
+  std::set<Label> labels;
   for (const ElementBlock& block : blocks.Get())
   {
-    names.emplace(block.Number, block.Name);
+    labels.emplace(ExactValue{ static_cast<double>(block.Number) }, block.Name);
   }
-  return GatherLabels(names, reducer);
+  std::vector<std::pair<int, std::string>> names;
+  for (const Label& label : GatherLabels(labels, reducer))
+  {
+    names.emplace_back(static_cast<int>(label.first.Value), label.second);
+  }
+  return names;
 }
 }

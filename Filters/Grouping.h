@@ -21,7 +21,7 @@ namespace camaron
 struct Group
 {
   bool IsAll = false;
-  int Key = 0;
+  ExactValue Key; ///< an integer
   std::string Label;
 
   bool operator==(const Group& other) const
@@ -36,7 +36,7 @@ public:
   /**
    * Collective. @a name: "None", "Cell type", "Block" or "Cell array"; throws std::invalid_argument for
    * any other, and for points by cell type, on all processes alike. By cell array, of points by point
-   * array, there is a group for each whole number that the array @a arrayName with one component holds, or if it is
+   * array, there is a group for each whole number of 64 bits that the array @a arrayName with one component holds, or if it is
    * empty on all processes, the first array of integers, else the first array; throws if there are more than
    * 1000. Keeps a reference to @a blocks.
    */
@@ -60,7 +60,7 @@ private:
   std::string ArrayName;
   bool OneGroup = false;
   std::vector<Group> Groups;
-  std::vector<std::vector<int>> BlockKeys; ///< of the cells of each block, or one for all of them
+  std::vector<std::vector<int>> GroupNumbers; ///< in Groups, of the elements of each block, or one for all of them
   std::vector<std::vector<unsigned char>> Masks;
 };
 

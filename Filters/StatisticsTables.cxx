@@ -6,7 +6,6 @@
 #include "TableRows.h"
 
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -18,6 +17,13 @@ namespace camaron
 {
 namespace
 {
+//------------------------------------------------------------------------------
+// All digits of an integer of an array of such; empty for other numbers.
+std::string ToTextIf(bool ofIntegers, const ExactValue& value)
+{
+  return ofIntegers && IsInteger64(value) ? ToText(value) : std::string();
+}
+
 //------------------------------------------------------------------------------
 // A row that begins with labels.
 class Row : public TableRow
@@ -50,11 +56,11 @@ void AddLabelColumns(vtkTable* table, const TableLayout& layout)
 void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std::vector<double>& percents)
 {
   AddLabelColumns(table, layout);
-  AddColumns<vtkIdTypeArray>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
+  AddColumns<IntegerColumn>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
   AddColumns<vtkDoubleArray>(table, { "Min" });
-  AddColumns<vtkIdTypeArray>(table, { "ArgMin" });
+  AddColumns<IntegerColumn>(table, { "ArgMin" });
   AddColumns<vtkDoubleArray>(table, { "ArgMinX", "ArgMinY", "ArgMinZ", "Max" });
-  AddColumns<vtkIdTypeArray>(table, { "ArgMax" });
+  AddColumns<IntegerColumn>(table, { "ArgMax" });
   AddColumns<vtkDoubleArray>(table, { "ArgMaxX", "ArgMaxY", "ArgMaxZ" });
   AddColumns<vtkStringArray>(table, { "IdSpace" });
   AddColumns<vtkDoubleArray>(table,
@@ -66,8 +72,9 @@ void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std:
     AddColumns<vtkDoubleArray>(table, { name });
   }
   AddColumns<vtkDoubleArray>(table, { "AcceptableLow", "AcceptableHigh" });
-  AddColumns<vtkIdTypeArray>(table, { "JudgedCount", "BelowCount", "AboveCount" });
+  AddColumns<IntegerColumn>(table, { "JudgedCount", "BelowCount", "AboveCount" });
   AddColumns<vtkDoubleArray>(table, { "OutOfRangePercent" });
+  AddColumns<vtkStringArray>(table, { "MinInteger", "MaxInteger" });
   if (!layout.WeightArray.empty())
   {
     const std::string badFraction = "Bad" + layout.WeightArray + "Fraction";
@@ -113,6 +120,8 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   row.Add(acceptable
       ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount)
       : unknown);
+  row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }));
+  row.Add(ToTextIf(labels.OfIntegers, { summary.Max, summary.MaxRest }));
   if (weighted)
   {
     row.Add(weighted->Weight);
@@ -126,11 +135,11 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
 void AddHistogramColumns(vtkTable* table, const TableLayout& layout)
 {
   AddLabelColumns(table, layout);
-  AddColumns<vtkIdTypeArray>(table, { "Bin" });
+  AddColumns<IntegerColumn>(table, { "Bin" });
   AddColumns<vtkDoubleArray>(table, { "LowerEdge", "UpperEdge", "Center" });
-  AddColumns<vtkIdTypeArray>(table, { "Count" });
+  AddColumns<IntegerColumn>(table, { "Count" });
   AddColumns<vtkDoubleArray>(table, { "Percent", "CumulativePercent" });
-  AddColumns<vtkIdTypeArray>(table, { "Underflow", "Overflow", "NullCount", "InfCount" });
+  AddColumns<IntegerColumn>(table, { "Underflow", "Overflow", "NullCount", "InfCount" });
 }
 
 //------------------------------------------------------------------------------
@@ -181,10 +190,10 @@ void AddHistogramRows(
 void AddWorstColumns(vtkTable* table, const TableLayout& layout)
 {
   AddLabelColumns(table, layout);
-  AddColumns<vtkIdTypeArray>(table, { "Rank", "Id" });
+  AddColumns<IntegerColumn>(table, { "Rank", "Id" });
   AddColumns<vtkStringArray>(table, { "IdSpace", "Block", "CellType" });
   AddColumns<vtkDoubleArray>(table, { "Value", "X", "Y", "Z" });
-  AddColumns<vtkStringArray>(table, { "Vertices" });
+  AddColumns<vtkStringArray>(table, { "Vertices", "ValueInteger" });
 }
 
 //------------------------------------------------------------------------------
@@ -207,6 +216,7 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
     row.Add(element.Place[1]);
     row.Add(element.Place[2]);
     row.Add(vertices[i]);
+    row.Add(ToTextIf(labels.OfIntegers, { element.Value, element.Rest }));
     row.AppendTo(table);
   }
 }
@@ -216,7 +226,7 @@ void AddCurveColumns(vtkTable* table, const TableLayout& layout)
 {
   AddLabelColumns(table, layout);
   AddColumns<vtkDoubleArray>(table, { "Value" });
-  AddColumns<vtkIdTypeArray>(table, { "Count" });
+  AddColumns<IntegerColumn>(table, { "Count" });
   AddColumns<vtkDoubleArray>(table, { "Percent" });
   if (!layout.WeightArray.empty())
   {

@@ -29,6 +29,7 @@ struct RowLabels
   std::string Unit;
   std::string Group;
   std::string IdSpace;
+  bool OfIntegers = false; ///< values are also written with all their digits
   std::optional<double> Time; ///< for tables with that column
 };
 

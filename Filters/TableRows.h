@@ -9,6 +9,7 @@
 
 #include "vtkNew.h"
 #include "vtkTable.h"
+#include "vtkTypeInt64Array.h"
 #include "vtkVariant.h"
 #include "vtkVariantArray.h"
 
@@ -20,6 +21,9 @@
 
 namespace camaron
 {
+/// Columns of integers. VTK sends vtkIdTypeArray as integers of 32 bits from server to client, this one as it is.
+using IntegerColumn = vtkTypeInt64Array;
+
 template <typename Array>
 void AddColumns(vtkTable* table, std::initializer_list<std::string> names)
 {

@@ -114,8 +114,7 @@ void AddDeltas(const std::string& name, const MatchedValues& values, const camar
     camaron::ParallelFor(values.After[i].Size, 1 << 16,
       [&](vtkIdType begin, vtkIdType end)
       {
-        camaron::FindDifferences(
-          values.Before[i].Values, values.After[i].Values, begin, end, delta->GetPointer(0));
+        camaron::FindDifferences(values.Before[i], values.After[i], begin, end, delta->GetPointer(0));
       });
     deltas[blocks.Get()[values.BlockNumbers[i]].FlatIndex].push_back(delta);
   }
@@ -201,6 +200,10 @@ void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformati
   {
     const camaron::Criterion* criterion = camaron::FindCriterion(arrays[i].Name);
     camaron::BlockValues values[2] = { { blocks[0], arrays[i].Name }, { blocks[1], arrays[i].Name } };
+    for (const camaron::BlockValues& ofMesh : values)
+    {
+      this->NoteRounding(arrays[i].Name, ofMesh.HasRests(), reducer);
+    }
     camaron::ArrayComparison comparison;
     comparison.Name = arrays[i].Name;
     comparison.Unit = arrays[i].Unit;

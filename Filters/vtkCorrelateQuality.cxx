@@ -20,7 +20,6 @@
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -67,8 +66,7 @@ struct Pairs
       }
       quality.Skip = mask.data();
       this->Quality.push_back(quality);
-      this->Field.push_back(quality);
-      this->Field.back().Values = fieldValues.data();
+      this->Field.push_back(quality.WithValues(fieldValues.data()));
     }
   }
 
@@ -107,7 +105,7 @@ camaron::Population WithValues(camaron::Population population, const camaron::Bl
 {
   for (std::size_t i = 0; i < population.size(); ++i)
   {
-    population[i].Values = values[i].data();
+    population[i] = population[i].WithValues(values[i].data());
   }
   return population;
 }
@@ -201,9 +199,9 @@ void AddColumnsOfTable(vtkTable* table, bool hasTime)
     camaron::AddColumns<vtkDoubleArray>(table, { "Time" });
   }
   camaron::AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group", "Field" });
-  camaron::AddColumns<vtkIdTypeArray>(table, { "Count" });
+  camaron::AddColumns<camaron::IntegerColumn>(table, { "Count" });
   camaron::AddColumns<vtkDoubleArray>(table, { "Pearson", "Spearman", "AcceptableLow", "AcceptableHigh" });
-  camaron::AddColumns<vtkIdTypeArray>(table, { "OutsideCount" });
+  camaron::AddColumns<camaron::IntegerColumn>(table, { "OutsideCount" });
   camaron::AddColumns<vtkDoubleArray>(table, { "FieldMeanInside", "FieldMeanOutside", "OutsideAbove" });
 }
 
@@ -390,6 +388,7 @@ void vtkCorrelateQuality::AddRows(vtkInformationVector** inputVector, vtkInforma
   const auto [isOfPoints, name] = ChooseField(this->GetInputArrayInformation(0), blocks, reducer);
   const std::string fieldName = name + (this->Gradient ? "_Gradient" : "_Cells");
   const camaron::CellField field(blocks, name, isOfPoints, this->Gradient, reducer);
+  this->NoteRounding(name, field.HasRests(), reducer);
   std::vector<std::string> missing;
   const std::vector<camaron::StatisticsArray> arrays =
     camaron::ChooseArrays(camaron::FindArrays(blocks, reducer), this->Arrays, missing);
@@ -406,6 +405,7 @@ void vtkCorrelateQuality::AddRows(vtkInformationVector** inputVector, vtkInforma
     for (std::size_t a = 0; a < arrays.size(); ++a)
     {
       camaron::BlockValues values(blocks, arrays[a].Name);
+      this->NoteRounding(arrays[a].Name, values.HasRests(), reducer);
       const auto acceptable = ranges.Find(arrays[a].Name, arrays[a].Unit);
       shapes.Judge(values, acceptable);
       const Pairs pairs(groups.GetPopulation(group, values), values, field);

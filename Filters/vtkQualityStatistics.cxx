@@ -310,6 +310,7 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
     binSettings.OfIntegers = array.OfIntegers;
     binSettings.Range = ToBinRange(this->HistogramRange, this->CustomRange, acceptable);
     camaron::BlockValues values(blocks, array.Name);
+    this->NoteRounding(array.Name, values.HasRests(), reducer);
     shapes.Judge(values, acceptable);
     camaron::Bins bins;
     GroupNumbers numbers;
@@ -353,7 +354,7 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
       if (isRoot)
       {
         const camaron::RowLabels labels{ array.Name, array.Unit, group.Label,
-          blocks.GetIdSpace(), this->Steps->GetTime() };
+          blocks.GetIdSpace(), array.OfIntegers, this->Steps->GetTime() };
         camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, numbers.Totals,
           { numbers.Places[0], numbers.Places[1] }, numbers.Quantiles, acceptable, numbers.Weighted);
         camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, numbers.Counts);

@@ -145,6 +145,7 @@ protected:
   void MakeColumns(vtkInformationVector* outputVector) override;
   void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   const char* GetFailure() const override { return "The statistics cannot be made"; }
+  const char* GetUnrounded() const override { return "; MinInteger, MaxInteger and ValueInteger have all digits"; }
   const char* GetKindOfArrays() const override { return this->ElementType == "Points" ? "point" : "cell"; }
 
 private:

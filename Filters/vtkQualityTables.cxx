@@ -99,6 +99,7 @@ int vtkQualityTables::RequestData(
   if (this->Steps->IsFirst())
   {
     this->Found->Clear();
+    this->Rounded.clear();
     this->MakeColumns(outputVector);
   }
   try
@@ -120,13 +121,35 @@ int vtkQualityTables::RequestData(
   }
   if (!this->Steps->GoOn(request))
   {
+    const bool isRoot = camaron::ControllerReducer().GetProcess() == 0;
     const std::string lacking = this->Found->Describe(this->GetKindOfArrays());
-    if (!lacking.empty() && camaron::ControllerReducer().GetProcess() == 0)
+    if (!lacking.empty() && isRoot)
     {
       vtkWarningMacro(<< lacking);
     }
+    if (!this->Rounded.empty() && isRoot)
+    {
+      std::string names;
+      for (const std::string& name : this->Rounded)
+      {
+        names += (names.empty() ? "" : ", ") + name;
+      }
+      vtkWarningMacro("There are whole numbers beyond 2^53 in " << names << ": columns of numbers have the nearest doubles"
+        << this->GetUnrounded() << '.');
+    }
   }
   return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkQualityTables::NoteRounding(const std::string& name, bool isRounded, camaron::Reducer& reducer)
+{
+  std::int64_t isRoundedAnywhere = isRounded;
+  reducer.Max(&isRoundedAnywhere, 1);
+  if (isRoundedAnywhere)
+  {
+    this->Rounded.insert(name);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +157,7 @@ void vtkQualityTables::WarnOfNoGroups(const std::string& arrayName, std::size_t 
 {
   if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
   {
-    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers of 32 bits is named '"
+    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers of 64 bits is named '"
       << arrayName << "'.");
   }
 }

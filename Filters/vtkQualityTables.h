@@ -14,12 +14,14 @@
 #include "vtkDataObjectAlgorithm.h"
 
 #include <memory> // for the steps
+#include <set>    // for names
 #include <string> // for choices
 #include <vector> // for lists
 
 namespace camaron
 {
 class ArraysOfSteps;
+class Reducer;
 class TimeSteps;
 }
 
@@ -68,7 +70,7 @@ public:
   ///@{
   /**
    * Cell array with one component to group by, such as a material or a region; up to 1000 different
-   * values. Cells with other values than whole numbers of 32 bits are in no group. Default: empty, the first array
+   * values. Cells with other values than whole numbers of 64 bits are in no group. Default: empty, the first array
    * of integers, else the first one.
    */
   void SetGroupArray(const char* name) { this->SetText(this->GroupArray, name); }
@@ -98,6 +100,13 @@ protected:
    * first exchange, by every process; throws std::exception on all processes or none.
    */
   virtual void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
+  /**
+   * Collective. For AddRows: whether an array has integers that no double is, on this process; a warning then says that
+   * columns of numbers have the nearest doubles.
+   */
+  void NoteRounding(const std::string& name, bool isRounded, camaron::Reducer& reducer);
+  /// End of that warning: where all digits of such integers are, if they are.
+  virtual const char* GetUnrounded() const { return ""; }
   /// Begin of the message if AddRows throws, such as "The statistics cannot be made".
   virtual const char* GetFailure() const = 0;
   /// Such as "cell".
@@ -113,6 +122,7 @@ protected:
   std::string GroupBy = "None";
   std::string GroupArray;
   bool AllTimeSteps = false;
+  std::set<std::string> Rounded; ///< names of arrays, of all steps so far
 
   ///@{
   /// For AddRows: the step at work, and the arrays that are evaluated at it.

@@ -6,6 +6,7 @@
 #include "ElementBlocks.h"
 #include "ElementPlaces.h"
 #include "Grouping.h"
+#include "TableRows.h"
 #include "vtkSelectElements.h"
 
 #include "vtkCompositeDataSet.h"
@@ -86,7 +87,7 @@ public:
   }
 
 private:
-  vtkNew<vtkIdTypeArray> Id;
+  vtkNew<camaron::IntegerColumn> Id;
   vtkNew<vtkStringArray> Block, Type;
   vtkNew<vtkDoubleArray> Place[3];
 };
@@ -194,7 +195,8 @@ int vtkSelectionTable::RequestData(
         vtkAbstractArray* array = blocks.Get()[b].GetAttributes()->GetAbstractArray(name.c_str());
         if (!column)
         {
-          column.TakeReference(array->NewInstance());
+          const bool isOfIds = vtkIdTypeArray::SafeDownCast(array);
+          column.TakeReference(isOfIds ? camaron::IntegerColumn::New() : array->NewInstance());
           column->SetName(name.c_str());
           column->SetNumberOfComponents(array->GetNumberOfComponents());
           column->CopyComponentNames(array);

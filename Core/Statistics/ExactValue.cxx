@@ -5,25 +5,33 @@
 #include "vtkArrayDispatch.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <type_traits>
 
 namespace camaron
 {
 namespace
 {
+constexpr double Modulus = 18446744073709551616.0; // 2^64
+
 //------------------------------------------------------------------------------
 // In arithmetic modulo 2^64: the nearest double may be 2^63 or 2^64, which are no integers of these types.
+std::uint64_t ToBits(double nearest)
+{
+  return nearest < 0     ? static_cast<std::uint64_t>(static_cast<std::int64_t>(nearest))
+    : nearest < Modulus ? static_cast<std::uint64_t>(nearest)
+                        : 0;
+}
+
+//------------------------------------------------------------------------------
 template <typename Integer>
 int GetRest(Integer value)
 {
-  const auto nearest = static_cast<double>(value);
-  constexpr double modulus = 18446744073709551616.0; // 2^64
-  const std::uint64_t bits = nearest < 0 ? static_cast<std::uint64_t>(static_cast<std::int64_t>(nearest))
-    : nearest < modulus                  ? static_cast<std::uint64_t>(nearest)
-                                         : 0;
+  const std::uint64_t bits = ToBits(static_cast<double>(value));
   return static_cast<int>(static_cast<std::int64_t>(static_cast<std::uint64_t>(value) - bits));
 }
 
@@ -56,9 +64,61 @@ bool Parse(const char* begin, const char* end, ExactValue& value)
   {
     return false;
   }
-  value = { static_cast<double>(integer), GetRest(integer) };
+  value = ToExact(integer);
   return true;
 }
+}
+
+//------------------------------------------------------------------------------
+ExactValue ToExact(std::int64_t integer)
+{
+  return { static_cast<double>(integer), GetRest(integer) };
+}
+
+//------------------------------------------------------------------------------
+ExactValue ToExact(std::uint64_t integer)
+{
+  return { static_cast<double>(integer), GetRest(integer) };
+}
+
+//------------------------------------------------------------------------------
+ExactValue GetExact(vtkDataArray* array, vtkIdType i)
+{
+  if (!array->IsIntegral())
+  {
+    return { array->GetComponent(i, 0) };
+  }
+  const vtkVariant value = array->GetVariantValue(i * array->GetNumberOfComponents());
+  return IsUnsigned(array) ? ToExact(static_cast<std::uint64_t>(value.ToUnsignedLongLong()))
+                    : ToExact(static_cast<std::int64_t>(value.ToLongLong()));
+}
+
+//------------------------------------------------------------------------------
+bool IsUnsigned(vtkDataArray* array)
+{
+  return array->IsIntegral() && array->GetDataTypeMin() == 0;
+}
+
+//------------------------------------------------------------------------------
+bool IsInteger64(const ExactValue& value)
+{
+  constexpr double least = -Modulus / 2;
+  // 2^64 itself is none, but may be the nearest double of one.
+  return std::trunc(value.Value) == value.Value && value.Value >= least &&
+    (value.Value < Modulus || (value.Value == Modulus && value.Rest < 0));
+}
+
+//------------------------------------------------------------------------------
+std::uint64_t ToBits(const ExactValue& value)
+{
+  return ToBits(value.Value) + static_cast<std::uint64_t>(static_cast<std::int64_t>(value.Rest));
+}
+
+//------------------------------------------------------------------------------
+std::string ToText(const ExactValue& value)
+{
+  const std::uint64_t bits = ToBits(value);
+  return value.Value < 0 ? std::to_string(static_cast<std::int64_t>(bits)) : std::to_string(bits);
 }
 
 //------------------------------------------------------------------------------

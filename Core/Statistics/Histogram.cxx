@@ -48,7 +48,11 @@ Bins::Bins(double low, double high, int numberOfBins, BinScale scale)
     const double weight = static_cast<double>(i) / numberOfBins;
     const double place = std::isinf(step) ? first * (1 - weight) + last * weight : first + i * step;
     const double edge = logarithmic ? std::pow(10.0, place) : place;
-    this->Edges.push_back(std::min(std::max(edge, this->Edges.back()), high));
+    // No bin is empty because doubles are not closer to each other.
+    if (edge > this->Edges.back() && edge < high)
+    {
+      this->Edges.push_back(edge);
+    }
   }
   this->Edges.push_back(high);
   this->PrepareGuess(logarithmic ? Guess::Logarithmic : Guess::Linear);

@@ -29,7 +29,7 @@ MissingValues::MissingValues(const Population& population)
           }
         }
       });
-    this->Blocks[b].Values = values.data();
+    this->Blocks[b] = block.WithValues(values.data());
   }
 }
 }

@@ -42,6 +42,14 @@ struct ValueBlock
   ExactValue GetExact(vtkIdType i) const { return { this->Values[i], this->GetRest(i) }; }
   /// Whether the acceptable range is for the element: no other one is inside or outside of it.
   bool IsJudged(vtkIdType i) const { return !this->Shapes || (this->Shapes[i] & this->JudgedShapes); }
+  /// The same elements with other values, which are doubles.
+  ValueBlock WithValues(const double* values) const
+  {
+    ValueBlock block = *this;
+    block.Values = values;
+    block.Rests = nullptr;
+    return block;
+  }
   vtkIdType GetId(vtkIdType i) const { return this->Ids ? this->Ids[i] : this->FirstId + i; }
   /// Of an element whose value is NaN.
   NullReason GetNullReason(vtkIdType i) const

@@ -333,6 +333,8 @@ Summary Summarize(const Population& population, const ValueRange& acceptable, Re
 
   if (summary.GetFiniteCount() > 0)
   {
+    summary.MinRest = static_cast<int>(rests[0]);
+    summary.MaxRest = static_cast<int>(-rests[1]);
     summary.ArgMin = static_cast<vtkIdType>(ids[0]);
     summary.ArgMax = static_cast<vtkIdType>(ids[1]);
     summary.ArgMinPlace = own[0] == summary.ArgMin ? argMin.Place : ElementPlace();

@@ -52,6 +52,7 @@ struct Summary
   /// Of the finite values; NaN if there are none, the deviations also if there is only one.
   double Min = std::numeric_limits<double>::quiet_NaN();
   double Max = std::numeric_limits<double>::quiet_NaN();
+  int MinRest = 0, MaxRest = 0; ///< what integers have beyond them, see ExactValue
   double MinPositive = std::numeric_limits<double>::quiet_NaN(); ///< smallest value above 0
   double Mean = std::numeric_limits<double>::quiet_NaN();
   double StandardDeviation = std::numeric_limits<double>::quiet_NaN(); ///< divisor count - 1

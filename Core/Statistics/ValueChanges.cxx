@@ -9,8 +9,10 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-void AddChange(double before, double after, Better better, double tolerance, ValueChanges& changes)
+void AddChange(
+  const ExactValue& from, const ExactValue& to, Better better, double tolerance, ValueChanges& changes)
 {
+  const double before = from.Value, after = to.Value;
   const bool wasNull = std::isnan(before), isNull = std::isnan(after);
   if (wasNull && isNull)
   {
@@ -24,14 +26,14 @@ void AddChange(double before, double after, Better better, double tolerance, Val
   }
   // Halves, as the difference of two numbers may be out of range; infinities are unchanged if equal.
   const double limit = tolerance * std::max(std::abs(before), std::abs(after)) / 2;
-  const bool areClose = std::isfinite(limit) && std::abs(after / 2 - before / 2) <= limit;
-  if (before == after || areClose)
+  const bool areClose = std::isfinite(limit) && std::abs(after / 2 - before / 2 + (to.Rest - from.Rest) / 2.0) <= limit;
+  if (from == to || areClose)
   {
     ++changes.Unchanged;
   }
   else if (better != Better::Neither)
   {
-    ++((after > before) == (better == Better::Bigger) ? changes.Improved : changes.Worsened);
+    ++((from < to) == (better == Better::Bigger) ? changes.Improved : changes.Worsened);
   }
 }
 }
@@ -49,7 +51,7 @@ ValueChanges CountChanges(const Population& before, const Population& after, Bet
            {
              if (block.Contains(i))
              {
-               AddChange(other.Values[i], block.Values[i], better, tolerance, changes);
+               AddChange(other.GetExact(i), block.GetExact(i), better, tolerance, changes);
              }
            }
          }))
@@ -64,11 +66,13 @@ ValueChanges CountChanges(const Population& before, const Population& after, Bet
 }
 
 //------------------------------------------------------------------------------
-void FindDifferences(const double* before, const double* after, vtkIdType begin, vtkIdType end, double* differences)
+void FindDifferences(
+  const ValueBlock& before, const ValueBlock& after, vtkIdType begin, vtkIdType end, double* differences)
 {
   for (vtkIdType i = begin; i < end; ++i)
   {
-    differences[i] = before[i] == after[i] ? 0 : after[i] - before[i];
+    const ExactValue from = before.GetExact(i), to = after.GetExact(i);
+    differences[i] = from == to ? 0 : to.Value - from.Value + (to.Rest - from.Rest);
   }
 }
 }

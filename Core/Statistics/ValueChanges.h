@@ -31,7 +31,8 @@ ValueChanges CountChanges(const Population& before, const Population& after, Bet
   Reducer& reducer);
 
 /// after - before for elements [begin, end); NaN if one of them is, 0 if they are the same infinity.
-void FindDifferences(const double* before, const double* after, vtkIdType begin, vtkIdType end, double* differences);
+void FindDifferences(
+  const ValueBlock& before, const ValueBlock& after, vtkIdType begin, vtkIdType end, double* differences);
 }
 
 #endif

@@ -3,7 +3,6 @@
 #include "Strategies/IdRanges.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cstring>
 #include <stdexcept>
 
@@ -13,11 +12,12 @@ namespace
 {
 //------------------------------------------------------------------------------
 // One id at the begin of the text, which then starts behind it.
-vtkIdType ParseId(const char* property, const char*& text, const char* end)
+ExactValue ParseId(const char* property, const char*& text, const char* end)
 {
-  vtkIdType id = 0;
-  const auto [next, error] = std::from_chars(text, end, id);
-  if (error != std::errc() || id < 0)
+  const char* next = text != end && *text == '-' ? text + 1 : text;
+  next = std::find_if(next, end, [](char c) { return c < '0' || c > '9'; });
+  ExactValue id;
+  if (!ParseInteger(std::string(text, next), id))
   {
     throw std::invalid_argument(std::string(property) + ": expected a number, found '" +
       std::string(text, std::min<std::ptrdiff_t>(end - text, 20)) + "' (write 3, 10-20, 40)");
@@ -59,8 +59,7 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
     }
     if (range.Last < range.First)
     {
-      throw std::invalid_argument(std::string(property) + ": " + std::to_string(range.First) + "-" +
-        std::to_string(range.Last) + " runs backwards");
+      throw std::invalid_argument(std::string(property) + ": " + ToText(range.First) + "-" + ToText(range.Last) + " runs backwards");
     }
     ranges.push_back(range);
   }
@@ -69,7 +68,7 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
   std::vector<IdRange> merged;
   for (const IdRange& range : ranges)
   {
-    if (!merged.empty() && range.First <= merged.back().Last)
+    if (!merged.empty() && !(merged.back().Last < range.First))
     {
       merged.back().Last = std::max(merged.back().Last, range.Last);
     }
@@ -82,10 +81,10 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
 }
 
 //------------------------------------------------------------------------------
-bool Contains(const std::vector<IdRange>& ranges, vtkIdType id)
+bool Contains(const std::vector<IdRange>& ranges, const ExactValue& id)
 {
   const auto next = std::upper_bound(ranges.begin(), ranges.end(), id,
-    [](vtkIdType value, const IdRange& range) { return value < range.First; });
-  return next != ranges.begin() && id <= std::prev(next)->Last;
+    [](const ExactValue& value, const IdRange& range) { return value < range.First; });
+  return next != ranges.begin() && !(std::prev(next)->Last < id);
 }
 }

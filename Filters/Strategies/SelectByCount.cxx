@@ -44,7 +44,7 @@ std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks)
     for (std::size_t cell = 0; cell < values.size(); ++cell)
     {
       // NaN: a cell that has no such elements.
-      marks[piece][cell] = values[cell] >= 0 && Contains(counts, static_cast<vtkIdType>(values[cell]));
+      marks[piece][cell] = values[cell] >= 0 && Contains(counts, { values[cell] });
     }
   }
   return "";

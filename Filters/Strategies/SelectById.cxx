@@ -14,12 +14,25 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Ids of the elements of every block, empty where they are the indices. Throws if a process lacks
-// them.
-std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(const SelectionTask& task)
+// Ids of the elements of a block: bits of integers with or without a sign.
+struct BlockIds
+{
+  vtkSmartPointer<vtkIdTypeArray> Bits;
+  bool IsUnsigned = false;
+
+  ExactValue Get(vtkIdType i) const
+  {
+    const vtkIdType bits = this->Bits->GetValue(i);
+    return this->IsUnsigned ? ToExact(static_cast<std::uint64_t>(bits)) : ToExact(static_cast<std::int64_t>(bits));
+  }
+};
+
+//------------------------------------------------------------------------------
+// Of every block, without bits where the ids are the indices. Throws if a process lacks them.
+std::vector<BlockIds> FindIds(const SelectionTask& task)
 {
   const std::string& idSpace = task.Parameters.IdSpace;
-  std::vector<vtkSmartPointer<vtkIdTypeArray>> ids(task.Blocks.Get().size());
+  std::vector<BlockIds> ids(task.Blocks.Get().size());
   if (idSpace == "Index")
   {
     return ids;
@@ -37,10 +50,11 @@ std::vector<vtkSmartPointer<vtkIdTypeArray>> FindIds(const SelectionTask& task)
       idSpace == "Global id" ? data->GetGlobalIds() : data->GetPedigreeIds());
     if (array && array->GetNumberOfComponents() == 1)
     {
-      ids[b] = vtkSmartPointer<vtkIdTypeArray>::New();
-      vtkIdTypeArray::FastDownCast(array) ? ids[b]->ShallowCopy(array) : ids[b]->DeepCopy(array);
+      ids[b].Bits = vtkSmartPointer<vtkIdTypeArray>::New();
+      ids[b].IsUnsigned = IsUnsigned(array);
+      vtkIdTypeArray::FastDownCast(array) ? ids[b].Bits->ShallowCopy(array) : ids[b].Bits->DeepCopy(array);
     }
-    missing += !ids[b];
+    missing += !ids[b].Bits;
   }
   task.Reducer.Sum(&missing, 1);
   if (missing > 0)
@@ -61,13 +75,13 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
   for (std::size_t b = 0; b < marks.size(); ++b)
   {
     const ElementBlock& block = task.Blocks.Get()[b];
-    const vtkIdType* blockIds = ids[b] ? ids[b]->GetPointer(0) : nullptr;
     ParallelFor(static_cast<vtkIdType>(marks[b].size()), 1 << 16,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType cell = begin; cell < end; ++cell)
         {
-          const vtkIdType id = blockIds ? blockIds[cell] : block.GetIndex(cell);
+          const ExactValue id =
+            ids[b].Bits ? ids[b].Get(cell) : ToExact(static_cast<std::int64_t>(block.GetIndex(cell)));
           marks[b][cell] = !block.IsGhost(cell) && Contains(ranges, id);
         }
       });
@@ -78,7 +92,7 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
   std::uint64_t wanted = 0;
   for (const IdRange& range : ranges)
   {
-    wanted += static_cast<std::uint64_t>(range.Last - range.First) + 1;
+    wanted += ToBits(range.Last) - ToBits(range.First) + 1;
   }
   if (static_cast<std::uint64_t>(found) >= wanted)
   {

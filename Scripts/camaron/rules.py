@@ -435,8 +435,10 @@ def _parse_value(line: _Line) -> Scope:
     line.tokens.pop(0)
     word = line.peek()[1]
     value = line.take_number("a whole number")
-    if abs(value) >= 2**31 or value != int(value):
-        raise _Wrong(f"expected a whole number of 32 bits, found '{word}'")
+    if 2**53 <= abs(value) < 2**65:
+        value = Fraction(word.lower().replace("d", "e"))  # with all digits
+    if not -(2**63) <= value < 2**64 or value != int(value):
+        raise _Wrong(f"expected a whole number of 64 bits, found '{word}'")
     return Scope("array", int(value), array)
 
 

@@ -286,8 +286,10 @@ class TestRules(camaron_testing.TestCase):
             ("Volume > 0 where Material 3", "expected = after Material, found '3'"),
             ("Volume > 0 where Material > 3", "expected = after Material, found '>'"),
             ("Volume > 0 where Material = steel", "expected a whole number, found 'steel'"),
-            ("Volume > 0 where Material = 3.5", "expected a whole number of 32 bits, found '3.5'"),
-            ("Volume > 0 where Material = 3e9", "expected a whole number of 32 bits, found '3e9'"),
+            ("Volume > 0 where Material = 3.5", "expected a whole number of 64 bits, found '3.5'"),
+            ("Volume > 0 where Material = 2e19", "expected a whole number of 64 bits, found '2e19'"),
+            ("Volume > 0 where Material = 9007199254740992.5", "expected a whole number of 64 bits, found '9007199254740992.5'"),
+            ("Volume > 0 where Material = inf", "expected a whole number of 64 bits, found 'inf'"),
             (
                 "Volume > 0 tolerate",
                 "expected a share such as 0.1%, or a number of cells, found end of line",

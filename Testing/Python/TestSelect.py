@@ -211,7 +211,7 @@ class TestSelect(camaron_testing.TestCase):
     def test_errors(self):
         """One error each, which says what to do."""
         self.assert_error("Ids: expected a number, found 'four'", Strategy="By id", Ids="3, four")
-        self.assert_error("Ids: expected a number, found '-5'", Strategy="By id", Ids="-5")
+        self.assert_error("Ids: expected a number, found '--5'", Strategy="By id", Ids="--5")
         self.assert_error("9-3 runs backwards", Strategy="By id", Ids="9-3")
         self.assert_error(
             "found '99999999999999999999", Strategy="By id", Ids="99999999999999999999"
