@@ -8,12 +8,17 @@
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeIterator.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeInt64Array.h"
 
+#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -44,6 +49,13 @@ void vtkRenameData::AddBlockName(const char* from, const char* to)
 void vtkRenameData::RemoveBlockNames()
 {
   this->BlockNames.clear();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkRenameData::SetLongIntegers(const char* choice)
+{
+  this->LongIntegers = choice ? choice : "Keep";
   this->Modified();
 }
 
@@ -88,6 +100,31 @@ vtkSmartPointer<vtkAbstractArray> vtkRenameData::Rename(vtkAbstractArray* array)
 }
 
 //------------------------------------------------------------------------------
+// The array as the type that integers of 64 bits become; itself if it keeps its own.
+vtkSmartPointer<vtkAbstractArray> vtkRenameData::Retype(vtkAbstractArray* array) const
+{
+  auto* const numbers = vtkDataArray::SafeDownCast(array);
+  const bool toInt64 = this->LongIntegers == "Int64" && vtkIdTypeArray::SafeDownCast(array);
+  const bool toDouble = this->LongIntegers == "Double";
+  if (!numbers || !numbers->IsIntegral() || numbers->GetDataTypeSize() != sizeof(std::int64_t) || (!toInt64 && !toDouble))
+  {
+    return array;
+  }
+  for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
+  {
+    const double* const range = numbers->GetRange(c);
+    if (range[0] < std::numeric_limits<std::int32_t>::min() || range[1] > std::numeric_limits<std::int32_t>::max())
+    {
+      auto other = vtkSmartPointer<vtkDataArray>::Take(
+        toInt64 ? static_cast<vtkDataArray*>(vtkTypeInt64Array::New()) : vtkDoubleArray::New());
+      other->DeepCopy(numbers);
+      return other;
+    }
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
 void vtkRenameData::RenameFields(vtkFieldData* fields) const
 {
   auto* const attributes = vtkDataSetAttributes::SafeDownCast(fields);
@@ -96,7 +133,7 @@ void vtkRenameData::RenameFields(vtkFieldData* fields) const
   for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* const array = fields->GetAbstractArray(i);
-    arrays.emplace_back(this->Rename(array), attributes ? attributes->IsArrayAnAttribute(i) : -1);
+    arrays.emplace_back(this->Rename(this->Retype(array)), attributes ? attributes->IsArrayAnAttribute(i) : -1);
     isRenamed = isRenamed || arrays.back().first != array;
   }
   if (!isRenamed)
@@ -182,4 +219,5 @@ void vtkRenameData::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ArrayNames: " << this->ArrayNames.size() << "\n";
   os << indent << "BlockNames: " << this->BlockNames.size() << "\n";
+  os << indent << "LongIntegers: " << this->LongIntegers << "\n";
 }

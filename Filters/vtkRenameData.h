@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRenameData
- * @brief Gives arrays, their components and blocks other names, for writers that cannot write these.
+ * @brief Gives arrays, their components and blocks other names, and integers another type, for writers that cannot
+ * write these.
  *
  * Output: a shallow copy of the input, of the same type. Unlike ParaView's Rename Arrays it takes names of any bytes.
  */
@@ -37,6 +38,15 @@ public:
   void RemoveBlockNames();
   ///@}
 
+  ///@{
+  /**
+   * What becomes of arrays of integers of 64 bits that have values beyond 32 bits: "Keep" (default); "Int64", where
+   * those of vtkIdType become vtkTypeInt64Array, which writers of legacy files do not cut to 32 bits; or "Double".
+   */
+  void SetLongIntegers(const char* choice);
+  const char* GetLongIntegers() const { return this->LongIntegers.c_str(); }
+  ///@}
+
 protected:
   vtkRenameData() = default;
   ~vtkRenameData() override = default;
@@ -49,6 +59,7 @@ private:
   void operator=(const vtkRenameData&) = delete;
 
   vtkSmartPointer<vtkAbstractArray> Rename(vtkAbstractArray* array) const;
+  vtkSmartPointer<vtkAbstractArray> Retype(vtkAbstractArray* array) const;
   void RenameArrays(vtkDataObject* object) const;
   void RenameFields(vtkFieldData* fields) const;
   void RenameBlocks(vtkDataObject* object) const;
@@ -56,6 +67,7 @@ private:
   using Names = std::map<std::string, std::string>;
   Names ArrayNames;
   Names BlockNames;
+  std::string LongIntegers = "Keep";
 };
 
 #endif

@@ -13,6 +13,7 @@ from paraview import servermanager, simple
 
 from . import formats, naming, pipeline, proofs, tables, text
 from .files import Staging, same_file
+from .naming import OF_IOSS
 
 #: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
 FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".ex2", ".exo", ".e"}
@@ -24,8 +25,7 @@ FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm"
 BARE_SURFACES = {".stl"}
 #: ParaView's formats whose writers fail at polyhedra without saying so, or leave files that nothing can read.
 WITHOUT_POLYHEDRA = {".vtkhdf", ".e", ".g", ".ex2", ".ex2v2"}
-#: Those whose writer ends the program at cells that it does not know; and the ones that it knows.
-OF_IOSS = {".exo", ".gen", ".par", ".exii", ".exoii"}
+#: Cells that the writer of OF_IOSS knows; at others it ends the program.
 IOSS_TYPES = set(
     "Vertex Line Triangle QuadraticTriangle Quad QuadraticQuad BiQuadraticQuad Tetra Hexahedron QuadraticHexahedron "
     "TriQuadraticHexahedron Wedge QuadraticWedge BiQuadraticQuadraticWedge Pyramid QuadraticPyramid".split()

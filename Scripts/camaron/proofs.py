@@ -13,13 +13,14 @@ from typing import Any
 from paraview import simple
 
 from . import files, pipeline, text
+from .naming import OF_IOSS
 
 #: Formats whose writers go on where the disk is full, and that readers of ParaView can read again; with
 #: the place that a mesh takes at least in files of these, as part of that in memory: ids are shorter.
 UNSURE = {".vtkhdf": 0.4, ".xmf": 0.4, ".case": 0.4, ".encas": 0.4, ".e": 0.4, ".g": 0.4, ".ex2": 0.4}
 #: Formats whose writer ends the program where the disk is full. It makes ids for the mesh: 1.15 were
 #: measured for tetrahedra.
-UNSURE |= {suffix: 1.3 for suffix in (".exo", ".gen", ".par", ".exii", ".exoii")}
+UNSURE |= dict.fromkeys(OF_IOSS, 1.3)
 #: Formats whose library prints what goes wrong instead of telling ParaView.
 WITH_HDF5 = {".vtkhdf", ".xmf"}
 #: Formats of text, whose writers go on, too, and how the last line of a whole file looks.
