@@ -143,7 +143,7 @@ sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}"
 # starts MPI, too, and has all of ParaView's libraries loaded together: the loader then looks for every symbol in
 # hundreds of them. __main__.py loads those that are listed one by one.
 choose_runner() {
-  runner=(pvpython)
+  runner=("$launcher/in-own-folder" pvpython) # where MPI leaves one, if it is killed
   [[ -e $build/libraries ]] || return 0
   runner=(python3)
   export CAMARON_LIBRARIES=$build/libraries
