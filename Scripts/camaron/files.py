@@ -78,7 +78,7 @@ class Staging:
             os.replace(source, target)
 
     def __exit__(self, kind, error, trace) -> None:
-        if isinstance(error, OSError):
+        if error is not None:
             self._name_place(error)
         shutil.rmtree(self.path, ignore_errors=True)
         if kind is not None:
@@ -86,14 +86,15 @@ class Staging:
         if self._cleaner:
             self._cleaner.communicate(b"done\n")
 
-    def _name_place(self, error: OSError) -> None:
-        """Errors of the disk name the file as it will be called, or the folder where they name none."""
-        if not error.strerror:
-            return  # it has a sentence of its own
-        if error.filename is None:
+    def _name_place(self, error: BaseException) -> None:
+        """Errors name the file as it will be called, those of the disk at least the folder."""
+        hidden, shown = (f"{os.path.join(folder, '')}".removeprefix("./") for folder in (self.path, self.destination))
+        if not isinstance(error, OSError) or not error.strerror:  # it has a sentence of its own
+            error.args = tuple(a.replace(hidden, shown) if isinstance(a, str) else a for a in error.args)
+        elif error.filename is None:
             error.filename = str(self.destination)
-        elif str(error.filename).startswith(f"{self.path}{os.sep}"):
-            error.filename = str(self.destination / Path(error.filename).relative_to(self.path))
+        elif str(error.filename).startswith(hidden):
+            error.filename = str(error.filename).replace(hidden, shown)
 
     def _remove_created(self) -> None:
         for folder in self.created:

@@ -10,6 +10,8 @@ polygons and takes minutes for one of many corners.
 from __future__ import annotations
 
 import contextlib
+import ctypes
+import os
 from pathlib import Path
 from typing import Any, Optional
 
@@ -46,6 +48,27 @@ def can_render() -> bool:
     information = vtkPVRenderingCapabilitiesInformation()
     with pipeline.Messages():  # VTK 9.6 warns of the X server that is not there before it does without
         return information.Supports(information.GetLocalCapabilities(), information.OPENGL)
+
+
+def end_with_display() -> None:
+    """Lets the program end with an error that says so, should the display go away; Xlib itself ends it with 1."""
+    global _without_display
+    try:
+        xlib = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return  # this ParaView needs no display
+    _without_display = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)(_end)
+    xlib.XSetIOErrorHandler(_without_display)
+
+
+def _end(_display: Any) -> int:
+    name = text.printable(os.environ.get("DISPLAY", ""))
+    os.write(2, f"camaron: the display {name} went away while pictures were taken\n".encode())
+    os._exit(2)
+
+
+#: Lives as long as Xlib may call it.
+_without_display: Any = None
 
 
 class Scene:
@@ -168,6 +191,7 @@ def take(
     the folder."""
     if not summary["mesh"]["bounds"]:
         return []
+    end_with_display()
     criterion = picture_criterion(summary["criteria"])
     with contextlib.closing(_Pictures(summary, quality, surface, folder, criterion)) as pictures:
         with stage("picture of the mesh"):

@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ends a command in the middle is an error of one line, and leaves nothing behind."""
+
+import shutil
+import subprocess
+import unittest
+
+import camaron_testing
+from camaron.files import Staging
+
+#: Opens a display that ends before it is asked again.
+LOSE_DISPLAY = """
+import ctypes, os, signal, subprocess, sys
+read, write = os.pipe()
+server = subprocess.Popen(
+    ["Xvfb", "-displayfd", str(write), "-screen", "0", "64x64x24", "-nolisten", "tcp"],
+    pass_fds=[write], stderr=subprocess.DEVNULL)
+os.environ["DISPLAY"] = ":" + os.read(read, 20).decode().strip()
+from camaron import pictures
+pictures.end_with_display()
+xlib = ctypes.CDLL("libX11.so.6")
+xlib.XOpenDisplay.restype = ctypes.c_void_p
+display = xlib.XOpenDisplay(None)
+server.kill()
+server.wait()
+print(os.environ["DISPLAY"], flush=True)
+xlib.XSync(ctypes.c_void_p(display), 0)
+print("went on")
+"""
+
+
+class TestEnds(camaron_testing.TestCase):
+    @unittest.skipUnless(shutil.which("Xvfb"), "no Xvfb")
+    def test_display(self):
+        done = subprocess.run(
+            [shutil.which("pvpython"), "-c", LOSE_DISPLAY],
+            env=camaron_testing.environment_alone(),
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            timeout=240,
+        )
+        name = done.stdout.strip()
+        self.assertEqual(done.stderr, f"camaron: the display {name} went away while pictures were taken\n")
+        self.assertEqual(done.returncode, 2)
+
+    def test_names(self):
+        """Errors name files as they would be called, not in the folder that they are made in."""
+        for make, expected in (
+            (lambda path: RuntimeError(f"{path}: cannot write"), "mesh.vtu: cannot write"),
+            (lambda path: OSError(28, "No space", str(path)), "[Errno 28] No space: '{}mesh.vtu'"),
+            (lambda path: OSError(28, "No space"), "[Errno 28] No space: '{folder}'"),
+        ):
+            folder = self.folder / "new" / "report"
+            with self.assertRaises((RuntimeError, OSError)) as caught, Staging(folder) as staging:
+                (staging.path / "mesh.vtu").write_text("half")
+                raise make(staging.path / "mesh.vtu")
+            if isinstance(caught.exception, RuntimeError):
+                expected = f"{folder}/{expected}"
+            self.assertEqual(str(caught.exception), expected.format(f"{folder}/", folder=folder))
+            self.assertEqual(list(self.folder.iterdir()), [])
+
+
+camaron_testing.main()
