@@ -87,12 +87,13 @@ class Staging:
             self._cleaner.communicate(b"done\n")
 
     def _name_place(self, error: BaseException) -> None:
-        """Errors name the file as it will be called, those of the disk at least the folder."""
+        """Errors name the file as it will be called, those of the disk the folder where it has several."""
         hidden, shown = (f"{os.path.join(folder, '')}".removeprefix("./") for folder in (self.path, self.destination))
         if not isinstance(error, OSError) or not error.strerror:  # it has a sentence of its own
             error.args = tuple(a.replace(hidden, shown) if isinstance(a, str) else a for a in error.args)
         elif error.filename is None:
-            error.filename = str(self.destination)
+            names = self.names()
+            error.filename = str(self.destination / names[0] if len(names) == 1 else self.destination)
         elif str(error.filename).startswith(hidden):
             error.filename = str(error.filename).replace(hidden, shown)
 

@@ -70,12 +70,12 @@ while read -r end words; do
     printf '#!/bin/bash\n%s\n' "${end/_/ }" >"$folder/ends/$program"
     chmod +x "$folder/ends/$program"
   done
-  for ranks in "" "--ranks 2"; do
+  for command in "check MESH --rules my.rules" "check MESH --rules my.rules --ranks 2" "inspect MESH"; do
     # shellcheck disable=SC2086
-    message=$(PATH=$folder/ends:$PATH timeout 100 "$camaron" check "$mesh" --rules my.rules $ranks 2>&1)
-    expect "status of check $ranks after $end" 2 $?
+    message=$(PATH=$folder/ends:$PATH timeout 100 "$camaron" ${command//MESH/$mesh} 2>&1)
+    expect "status of $command after $end" 2 $?
     [[ $message == "camaron: "*"$words"* && $message != *$'\n'* ]]
-    expect "one line about $words of $ranks: $message" 0 $?
+    expect "one line about $words of $command: $message" 0 $?
   done
 done <<'END'
 exit_1 ended early (status 1)

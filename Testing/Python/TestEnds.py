@@ -50,7 +50,7 @@ class TestEnds(camaron_testing.TestCase):
         for make, expected in (
             (lambda path: RuntimeError(f"{path}: cannot write"), "mesh.vtu: cannot write"),
             (lambda path: OSError(28, "No space", str(path)), "[Errno 28] No space: '{}mesh.vtu'"),
-            (lambda path: OSError(28, "No space"), "[Errno 28] No space: '{folder}'"),
+            (lambda path: OSError(28, "No space"), "[Errno 28] No space: '{}mesh.vtu'"),
         ):
             folder = self.folder / "new" / "report"
             with self.assertRaises((RuntimeError, OSError)) as caught, Staging(folder) as staging:

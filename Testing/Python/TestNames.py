@@ -6,9 +6,10 @@ import os
 from urllib.parse import quote
 
 import camaron_testing
-from camaron import cli, convert, inspect, pipeline, text
+import gallery
+from camaron import cli, conversion, convert, inspect, pipeline, text
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUnstructuredGrid
 
 PLY = """ply
@@ -48,6 +49,10 @@ FIELD FieldData 2
 #: Names that XML can hold, if they are escaped.
 MARKS = ("a<b&\"c", "a&lt;b", "'a'>b", "&amp;", "<img/src=x>")
 FORMATS = (".vtu", ".pvtu", ".pvd", ".vtkhdf", ".vtk", ".xmf", ".ply")
+#: Names that some format or other cannot hold.
+ODD = ("]]>", "ctl\x01\x1b[31m", "new\nline", "  blank  ", "caf\udce9", "a b", '"q"', "(y)", "#x", "end", "")
+#: The plugin's formats that have names, with options.
+OWN = {"ply": {}, "ts": {"dialect": "GOCAD"}, "cdb": {}, "msh": {}}
 
 
 class TestNames(camaron_testing.TestCase):
@@ -76,6 +81,71 @@ class TestNames(camaron_testing.TestCase):
                 self.assertEqual(self.names(again)[:1], [kept], suffix)
                 self.assertIn(kept + "2", self.names(again), suffix)
                 simple.Delete(again)
+
+    def test_own_formats(self):
+        """What the plugin writes it reads again, as other formats do then; a name that is another or not there is told."""
+        for name in MARKS[:1] + ODD:
+            raw = name.encode("utf-8", "surrogateescape")
+            for kind, options in OWN.items():
+                path = self.folder / f"own.{kind}"
+                source = simple.TrivialProducer()
+                source.GetClientSideObject().SetOutput(self.mesh(kind, raw))
+                source.UpdatePipeline()
+                notes = []
+                conversion.write(source, path, options, notes)
+                simple.Delete(source)
+                found = self.all_names(path)
+                if raw not in found:
+                    told = self.shown(name) or "an array without name"
+                    zone = kind == "msh" and ("zone 7" in " ".join(notes) or not name)
+                    self.assertTrue(zone or told in " ".join(notes), (kind, name, notes))
+                for other in (".vtu", ".vtk"):
+                    told = " ".join(convert(path, path.with_suffix(other)))
+                    for lost in found - self.all_names(path.with_suffix(other)):
+                        self.assertIn(self.shown(lost.decode("utf-8", "surrogateescape")), told)
+
+    def shown(self, name):
+        """In a message of one line."""
+        return text.printable(name).replace("\n", "?").strip()
+
+    def mesh(self, kind, name):
+        """With arrays or a zone of that name, whichever the format knows."""
+        grid = gallery.tetrahedra() if kind in ("cdb", "msh") else gallery.triangles()
+        kinds = {"cdb": vtkUnsignedCharArray, "msh": vtkIntArray}
+        for data, size in (
+            (grid.GetPointData(), grid.GetNumberOfPoints()),
+            (grid.GetCellData(), grid.GetNumberOfCells()),
+        ):
+            array = kinds.get(kind, vtkDoubleArray)()
+            array.SetName("Zone" if kind == "msh" else name)
+            array.SetNumberOfValues(size)
+            for i in range(size):
+                array.SetValue(i, 7 if kind == "msh" else i % 2)
+            data.AddArray(array)
+        if kind == "msh":
+            for array, label, value in (
+                (vtkIntArray(), "ZoneIds", 7),
+                (vtkStringArray(), "ZoneNames", name),
+                (vtkStringArray(), "ZoneTypes", "fluid"),
+            ):
+                array.SetName(label)
+                array.InsertNextValue(value)
+                grid.GetFieldData().AddArray(array)
+        return grid
+
+    def all_names(self, path):
+        """Of arrays and in arrays, as bytes."""
+        source = pipeline.open_mesh(path).source
+        data = self.fetch(source)
+        found = set()
+        for fields in (data.GetPointData(), data.GetCellData(), data.GetFieldData()):
+            for i in range(fields.GetNumberOfArrays()):
+                array = fields.GetAbstractArray(i)
+                found.add(array.GetName())
+                if array.IsA("vtkStringArray"):
+                    found |= {array.GetValue(k) for k in range(array.GetNumberOfValues())}
+        simple.Delete(source)
+        return {name if isinstance(name, bytes) else name.encode() for name in found if name}
 
     def test_chosen_arrays(self):
         """Arrays are chosen by the names that people know."""
