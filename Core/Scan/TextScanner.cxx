@@ -54,18 +54,21 @@ const char* FindTextEnd(const char* begin, const char* end)
 }
 
 //------------------------------------------------------------------------------
+const char* SkipByteOrderMark(const char* begin, const char* end)
+{
+  constexpr char Mark[] = "\xef\xbb\xbf";
+  constexpr std::ptrdiff_t Size = sizeof(Mark) - 1;
+  return end - begin >= Size && std::memcmp(begin, Mark, Size) == 0 ? begin + Size : begin;
+}
+
+//------------------------------------------------------------------------------
 TextScanner::TextScanner(std::string name, const char* begin, const char* end, char comment)
   : Name(std::move(name))
   , Begin(begin)
   , End(end)
-  , Position(begin)
+  , Position(SkipByteOrderMark(begin, end))
   , Comment(comment)
 {
-  constexpr char ByteOrderMark[] = "\xef\xbb\xbf";
-  if (end - begin >= 3 && std::memcmp(begin, ByteOrderMark, 3) == 0)
-  {
-    this->Position += 3;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -83,6 +83,9 @@ private:
   ScanError Error;
 };
 
+/// Behind the mark of UTF-8 that a text may begin with.
+const char* SkipByteOrderMark(const char* begin, const char* end);
+
 /// First line end in [text, end), or end.
 const char* FindLineEnd(const char* text, const char* end);
 

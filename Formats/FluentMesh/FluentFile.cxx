@@ -42,6 +42,19 @@ bool DescribesMesh(int plainIndex)
 }
 
 //------------------------------------------------------------------------------
+// Whether there is a list such as (cad/options 1), ("a" 1), ((a . 1)) or (). One that begins with a number is a section,
+// or a damaged one.
+bool IsListWithoutNumber(const char* text, const char* end)
+{
+  if (text >= end || *text != '(')
+  {
+    return false;
+  }
+  text = SkipSpaceFrom(text + 1, end);
+  return text >= end || !(IsDigit(*text) || *text == '-' || *text == '+' || *text == '.');
+}
+
+//------------------------------------------------------------------------------
 // Reads "(index"; returns where it ends, or nullptr.
 const char* ParseIndex(const char* text, const char* end, int& index)
 {
@@ -72,27 +85,8 @@ FluentFile::FluentFile(std::string name, const char* begin, const char* end)
 //------------------------------------------------------------------------------
 bool FluentFile::IsFluent(const char* begin, const char* end)
 {
-  const char* text = SkipSpaceFrom(begin, end);
-  while (IsNamedFluentList(text, end))
-  {
-    if (!SkipFluentLists(text, end, 0, true))
-    {
-      return false;
-    }
-    text = SkipSpaceFrom(text, end);
-  }
-  int index;
-  text = ParseIndex(text, end, index);
-  if (!text)
-  {
-    return false;
-  }
-  constexpr int Comments = 1, Dimension = 2, MaxMesh = 100;
-  text = SkipSpaceFrom(text, end);
-  const int plain = GetPlainIndex(index);
-  return index <= Comments ||
-    (index == Dimension && text < end && (*text == '2' || *text == '3')) ||
-    (plain > Dimension && plain < MaxMesh && text < end && *text == '(');
+  const char* const text = SkipSpaceFrom(SkipByteOrderMark(begin, end), end);
+  return text < end && *text == '(';
 }
 
 //------------------------------------------------------------------------------
@@ -413,7 +407,7 @@ bool FluentFile::ReadSection()
 {
   FluentSection section;
   section.Place = this->Position;
-  if (IsNamedFluentList(this->Position, this->End))
+  if (IsListWithoutNumber(this->Position, this->End))
   {
     constexpr int NoIndex = -1;
     section.Index = NoIndex;
@@ -425,7 +419,7 @@ bool FluentFile::ReadSection()
   {
     this->FailAt(this->Position,
       this->HasMeshSection || this->Dimension > 0 ? ErrorKind::Syntax : ErrorKind::NotThisFormat,
-      "a section of a Fluent mesh, which begins with '(' and a number or a name");
+      "a section of a Fluent mesh, which begins with '(' and an index, or another list");
     return false;
   }
   this->Position = next;
@@ -457,12 +451,7 @@ bool FluentFile::Scan(bool otherOrder, const Progress& progress)
 {
   this->OtherOrder = otherOrder;
   this->Swap = (GetByteOrder() != ByteOrder::Little) != otherOrder;
-  this->Position = this->Begin;
-  constexpr char ByteOrderMark[] = "\xef\xbb\xbf";
-  if (this->End - this->Begin >= 3 && std::memcmp(this->Begin, ByteOrderMark, 3) == 0)
-  {
-    this->Position += 3;
-  }
+  this->Position = SkipByteOrderMark(this->Begin, this->End);
   for (this->SkipSpace(); this->Position < this->End; this->SkipSpace())
   {
     if (!this->ReadSection() ||

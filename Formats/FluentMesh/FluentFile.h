@@ -5,8 +5,8 @@
  * @brief The sections of a Fluent mesh or case file: where they are and what their headers say.
  *
  * A file is a sequence of sections `(index ...)`. Those that describe the mesh are collected, all
- * others skipped: text by its parentheses, outside of quotes, such as lists of settings that begin with a
- * name instead of an index; binary sections (index 2000 to 3999) up to their end mark, as parentheses mean
+ * others skipped: text by its parentheses, outside of quotes, such as lists of settings that do not begin
+ * with an index; binary sections (index 2000 to 3999) up to their end mark, as parentheses mean
  * nothing in them.
  */
 #ifndef camaron_FluentFile_h
@@ -60,8 +60,7 @@ public:
 
   FluentFile(std::string name, const char* begin, const char* end);
 
-  /// Whether these are the first bytes of such a file: a section with an index that is used, other than
-  /// which there are only lists that begin with a name.
+  /// Whether these may be the first bytes of such a file, the only one of its extensions that begins with '('.
   static bool IsFluent(const char* begin, const char* end);
 
   /**

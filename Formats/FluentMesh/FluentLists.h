@@ -9,9 +9,6 @@
 
 namespace camaron
 {
-/// Whether there is a list that begins with a name, such as cad/options, %version or *settings*.
-bool IsNamedFluentList(const char* text, const char* end);
-
 /**
  * Moves @a place behind the parenthesis that closes as many as are open and those that open meanwhile;
  * false at the end of the text, the place being as it was.

@@ -38,20 +38,34 @@ bool MAPDLWalker::TakeKey(
   const std::string_view field = TrimMAPDL(this->Command.GetField(KeyField));
   const std::string word = ToUpperMAPDL(field);
   key = 0;
+  int number = 0;
   std::string expected;
   for (const std::string_view name : keys)
   {
-    ++key;
+    ++number;
     if (word.size() >= Enough && name.substr(0, word.size()) == word)
     {
-      return true;
+      key = number;
     }
     expected += std::string(name) + " or ";
   }
-  key = 0;
   expected += "nothing as the key of " + std::string(command);
-  return word.empty() ||
-    this->Fault.Set(field.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(field));
+  if (key == 0 && !word.empty())
+  {
+    return this->Fault.Set(field.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(field));
+  }
+  // A word anywhere else is a key in the wrong field, or a layout that nobody knows.
+  for (const std::size_t other : { KeyField - 1, KeyField + 1, KeyField + 2 })
+  {
+    const std::string_view value = TrimMAPDL(this->Command.GetField(other));
+    std::int32_t ignored;
+    if (this->Parameters.Read(value, ignored) == Value::Unknown)
+    {
+      expected = "a number or nothing as field " + std::to_string(other) + " of " + command;
+      return this->Fault.Set(value.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(value));
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -77,19 +77,18 @@ bool TakePolytopeKeyword(std::string_view& word, OFFHeader& header)
 }
 
 //------------------------------------------------------------------------------
-// Whether four counts are on the line, those of vertices, faces, edges and cells of a polytope.
+// Whether there are four counts up to the end of a line, those of vertices, faces, edges and cells of a polytope.
 bool HasFourCounts(TextScanner scanner)
 {
   std::string_view word;
-  int counts = 0;
-  for (TextRow row(scanner); counts < 4 && row.HasMore(); ++counts)
+  for (int counts = 0; counts < 4; ++counts)
   {
-    if (!row.ReadWord(word, "") || !IsInteger(word))
+    if (!scanner.SkipSpace() || !scanner.ReadWord(word, "") || !IsInteger(word))
     {
       return false;
     }
   }
-  return counts == 4;
+  return !TextRow(scanner).HasMore();
 }
 
 //------------------------------------------------------------------------------

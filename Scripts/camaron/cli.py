@@ -293,8 +293,8 @@ def main(arguments: Sequence[str]) -> int:
     except (ValueError, RuntimeError, OSError, MemoryError) as error:
         if isinstance(error, OSError) and error.strerror and not error.filename:
             _close_output()  # which is where the disk is full
-        # Readers and writers name their options as the window does.
-        _complain(_reason(error, *_meshes(options)).replace("Unsupported Cells", "--unsupported-cells"))
+        # All that is wrong with rules, a line each, or one reason.
+        _complain(*getattr(error, "problems", [_reason(error, *_meshes(options))]))
         return ERROR
 
 
@@ -309,10 +309,10 @@ def _meshes(options: argparse.Namespace) -> list[str]:
     return found + getattr(options, "meshes", [])
 
 
-def _complain(reason: str) -> None:
-    """Each line of an error on the standard error."""
-    for line in reason.splitlines():
-        print(f"camaron: {text.printable(line)}", file=sys.stderr, flush=True)
+def _complain(*reasons: str) -> None:
+    """Each on a line of the standard error."""
+    for reason in reasons:
+        print(f"camaron: {text.printable(reason)}", file=sys.stderr, flush=True)
 
 
 def _reason(error: Exception, *meshes: str) -> str:
@@ -321,7 +321,8 @@ def _reason(error: Exception, *meshes: str) -> str:
         return f"{', '.join(meshes) or 'camaron'}: out of memory"
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename or 'standard output'}: {error.strerror}"
-    return str(error)
+    # Readers and writers name their options as the window does.
+    return str(error).replace("Unsupported Cells", "--unsupported-cells")
 
 
 class _StatusLine:
@@ -400,7 +401,7 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
             print(to_json(summary))
         else:
             print(("\n" if number else "") + describe(summary, _wants_color()))
-            print(text.printable(f"\nReport: {Path(folder) / 'report.html'}"))
+            print("\n" + text.printable(f"Report: {Path(folder) / 'report.html'}"))
         sys.stdout.flush()
     return status
 
@@ -462,7 +463,7 @@ def _compare(options: argparse.Namespace, _rest: list[str]) -> int:
         print(to_json(summary))
     else:
         print(comparison_table.describe(summary, _wants_color()))
-        print(text.printable(f"\nReport: {folder / 'report.html'}"))
+        print("\n" + text.printable(f"Report: {folder / 'report.html'}"))
     return 1 if options.fail_if_worse and summary["worse"] else 0
 
 

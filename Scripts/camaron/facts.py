@@ -4,8 +4,9 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
-from typing import Any
+from typing import Any, Sequence
 
 from paraview import servermanager, simple
 
@@ -19,6 +20,11 @@ NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine")
 
 #: Criteria that tell what there is of a mesh.
 TOTALS = [CELL_TYPE, "Volume", "Area"]
+
+
+def _is_extent(bounds: Sequence[float]) -> bool:
+    """Whether there is a finite coordinate in each direction; VTK's bounds of none are upside down."""
+    return all(-math.inf < low <= high < math.inf for low, high in zip(bounds[0::2], bounds[1::2]))
 
 
 def describe(path: Path, evaluated: Evaluation, surface: Any, statistics: Any = None) -> dict[str, Any]:
@@ -37,7 +43,7 @@ def describe(path: Path, evaluated: Evaluation, surface: Any, statistics: Any = 
         "cells": cells,
         "cell_types": [],
         "blocks": information.GetNumberOfDataSets() if pipeline.is_composite(opened.source) else 1,
-        "bounds": bounds if points and bounds[0] <= bounds[1] else None,
+        "bounds": bounds if points and _is_extent(bounds) else None,
         "memory": information.GetMemorySize() * 1024,
         "boundary_faces": 0,
         "volume": None,

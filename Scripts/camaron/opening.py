@@ -42,6 +42,8 @@ def make_reader(path: Path, notes: list[str]) -> Any:
     other = _other_format(path)
     if other is not None:
         return _hand_over(path, *other, notes)
+    if path.suffix.lower() in TAKEN_BLINDLY:
+        return _make(own[0], path)
     try:
         source = simple.OpenDataFile(str(path))
     except RuntimeError:
@@ -85,6 +87,8 @@ OTHER_FORMATS = (
     (b"$NOD", "a Gmsh mesh (version 1)", (), None),
 )
 OTHER_EXTENSIONS = (".msh", ".cas", ".cas.h5", ".msh.h5")
+#: Of which ParaView's reader of Fluent meshes takes whatever there is.
+TAKEN_BLINDLY = (".msh", ".cas")
 
 
 def _other_format(path: Path) -> Optional[tuple]:

@@ -46,12 +46,12 @@ def number(value: Optional[float], digits: int = 4) -> str:
 
 
 def printable(words: str) -> str:
-    r"""The text with ? for what terminals obey, like control characters and marks of direction, but for ends of lines.
+    r"""The text on one line, with ? for what terminals obey, like control characters and marks of direction.
 
-    >>> printable("a\x1b[31mb\tc")
+    >>> printable("a\x1b[31mb\nc")
     'a?[31mb?c'
     """
-    return "".join("?" if unicodedata.category(c) in OBEYED and c != "\n" else c for c in words)
+    return "".join("?" if unicodedata.category(c) in OBEYED else c for c in words)
 
 
 def all_printable(found: Any) -> Any:

@@ -222,7 +222,7 @@ TEST(FluentMeshReader, SkipsOtherSections)
 
 //------------------------------------------------------------------------------
 // If this fails, the mesh is hidden by a list of settings with a name, as Fluent Meshing writes them.
-TEST(FluentMeshReader, SkipsListsWithNames)
+TEST(FluentMeshReader, SkipsOtherLists)
 {
   vtkNew<vtkFluentMeshReader> reader;
   const FluentSample mesh = MakeMixed(1);
@@ -236,7 +236,8 @@ TEST(FluentMeshReader, SkipsListsWithNames)
     for (const char* list : { "(cad/options (merge #t))", "(x)", "( %version \"23.1\")",
            "(*settings*)\n(a (b (c \"d\")) ())", "(name \"strings with ) and \\\\\")",
            "(name \"(((\" \"\\\")((\\\"\")", "(a\n\t\"two\nlines ) \")", "(p \"C:\\\\mesh\\\\\")",
-           "(rp/10 (10 (0 1 5 1)) (13 (0 1 3 0)))" })
+           "(rp/10 (10 (0 1 5 1)) (13 (0 1 3 0)))", "((a . 1) (b . 2))", "(\"string first (\" 1 2)", "()", "(#t)",
+           "((10 (0 1 5 1)))" })
     {
       const std::string named = list;
       std::vector<std::string> files = { named + text, text + "\n" + named, named + "\n" + text + named };
@@ -261,12 +262,12 @@ TEST(FluentMeshReader, SkipsListsWithNames)
     ASSERT_TRUE(open.IsProperError());
     EXPECT_NE(open.Errors[0].find("a parenthesis that closes the section that begins here"),
       std::string::npos);
-    // A list that begins neither with a number nor with a name is none.
-    for (const char* other : { "((a))", "(\"a\")", "()", "(#t)", "(-1 2)", "(13x (1 2))", "name" })
+    // A section whose index is damaged is not skipped.
+    for (const char* other : { "(-1 2)", "(13x (1 2))", "(1.3 (1 2))", "name", "\"a\"" })
     {
       const Result refused = ReadBytes(text + "\n" + other);
       ASSERT_TRUE(refused.IsProperError()) << other;
-      EXPECT_NE(refused.Errors[0].find("begins with '(' and a number or a name"), std::string::npos)
+      EXPECT_NE(refused.Errors[0].find("begins with '(' and an index"), std::string::npos)
         << refused.Errors[0];
     }
   }
@@ -376,12 +377,12 @@ TEST(FluentMeshReader, KnowsItsFiles)
   const auto canRead = [&](const std::string& bytes)
   { return reader->CanReadFile(File(bytes, "test.msh").Path.c_str()) == 1; };
   for (const char* bytes : { "(0 \"a comment\")", "\n (2 3)", "(10(0 1 18cf 1))", "(1 \"x\")",
-         "(3010 (1 1 2 1 3)", "(37 ((a b)))" })
+         "(3010 (1 1 2 1 3)", "(37 ((a b)))", "\xef\xbb\xbf(2 3)", "((a . 1))", "(\"a (\")", "(define a 1)", "(" })
   {
     EXPECT_TRUE(canRead(bytes)) << bytes;
   }
-  for (const char* bytes : { "", "$MeshFormat\n2.2 0 8\n", "\x89HDF\r\n\x1a\n", "5\n1 2 3\n", "(x)",
-         "(define a 1)", "(2 4)", "(300 (1 1))", "((10 1))" })
+  for (const char* bytes : { "", "$MeshFormat\n2.2 0 8\n", "\x89HDF\r\n\x1a\n", "5\n1 2 3\n", "; comment\n",
+         "\xef\xbb\xbf" })
   {
     EXPECT_FALSE(canRead(bytes)) << bytes;
   }

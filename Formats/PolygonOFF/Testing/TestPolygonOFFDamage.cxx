@@ -95,6 +95,7 @@ TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
     { "4OFF\n5 10 10 5\n0 0 0 1\n", format,
       "test.off:2: expected a surface, found a polytope of 4 dimensions in the dialect of Stella4D" },
     { "4OFF 5 10 10 5\n0 0 0 1\n", format, "test.off:1: expected a surface, found a polytope of 4" },
+    { "4OFF\n5 10\n10 5\n0 0 0 1\n", format, "test.off:2: expected a surface, found a polytope of 4" },
     { "4OFF\n# Vertices, Faces, Edges, Cells\n5 10 10 5 # x\n", format, "test.off:3: expected a surface" },
     { "5OFF\n6 20 15 15 6\n", format, "a polytope of 5 dimensions" },
     { "2OFF\n5 1\n0 1\n", format, "a polytope of 2 dimensions" },
