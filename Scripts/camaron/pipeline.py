@@ -173,7 +173,7 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
 def _reason(messages: Messages, path: Path, otherwise: str) -> str:
     """The first error, which may say itself where in the file it is: "mesh.visf:17: ..."."""
     first = messages.errors[0] if messages.errors else otherwise
-    for name in (str(path), path.name):
+    for name in (_plain(text.printable(str(name))) for name in (path, path.name)):
         if first.startswith(name + ":"):
             return str(path) + first[len(name) :]
     return f"{path}: {first}"

@@ -106,7 +106,7 @@ class TestNames(camaron_testing.TestCase):
 
     def shown(self, name):
         """In a message of one line."""
-        return text.printable(name).replace("\n", "?").strip()
+        return text.printable(name).strip()
 
     def mesh(self, kind, name):
         """With arrays or a zone of that name, whichever the format knows."""
@@ -217,8 +217,8 @@ class TestNames(camaron_testing.TestCase):
 
     def test_terminal(self):
         """Neither errors nor tables pass on control characters, wherever they come from."""
-        hostile = "\x1b]0;owned\x07\x9b31m\u202e"
-        self.assertEqual(text.printable(hostile), "?]0;owned??31m?")
+        hostile = "\x1b]0;owned\x07\x9b31m\u202e\nx"
+        self.assertEqual(text.printable(hostile), "?]0;owned??31m??x")
         bad = self.folder / f"bad{hostile}.visf"
         bad.write_text("2 2\n-1\n")
         good = self.folder / f"good{hostile}.ply"
@@ -231,8 +231,11 @@ class TestNames(camaron_testing.TestCase):
             ["convert", good, self.folder / f"target{hostile}.nothing"],
         ):
             run = camaron_testing.run_command(*arguments)
-            for said in (run.stdout, run.stderr):
-                self.assertEqual([c for c in said if text.printable(c) != c], [], said)
+            for line in (run.stdout + run.stderr).split("\n"):
+                self.assertEqual(text.printable(line), line)
+            for line in run.stderr.splitlines():
+                self.assertTrue(line.startswith("camaron: "), run.stderr)
+                self.assertLessEqual(line.count("?]0;owned"), 1, line)
             self.assertIn("?]0;owned", run.stdout + run.stderr)
 
     def test_full_disk(self):
