@@ -131,20 +131,24 @@ configure() {
   unlock
 }
 
-# The libraries that Python loads with ParaView, each after those that it needs; fails where Python does not know
-# this ParaView.
+# Python, and the libraries that it loads with ParaView, each after those that it needs; fails where Python does not
+# know this ParaView.
 list_libraries() {
-  "${enter[@]}" env LD_DEBUG=files python3 -c 'import sys, paraview.simple
+  "${enter[@]}" bash -c 'type -p python3' &&
+    "${enter[@]}" env LD_DEBUG=files python3 -c 'import sys, paraview.simple
 sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}" 2>&1 >/dev/null |
-    sed -n 's/.*calling init: //p'
+      sed -n 's/.*calling init: //p'
 }
 
 # Sets `runner`, the program for Python in one process. Python itself starts in half of the time of pvpython, which
 # starts MPI, too, and has all of ParaView's libraries loaded together: the loader then looks for every symbol in
 # hundreds of them. __main__.py loads those that are listed one by one.
 choose_runner() {
+  local python=''
   runner=("$launcher/in-own-folder" pvpython) # where MPI leaves one, if it is killed
-  [[ -e $build/libraries ]] || return 0
+  [[ ! -r $build/libraries ]] || read -r python <"$build/libraries" || true
+  # On the host another Python may have become the first one in PATH.
+  [[ -n $python && ($paraview == root || $(type -p python3) == "$python") ]] || return 0
   runner=(python3)
   export CAMARON_LIBRARIES=$build/libraries
 }
