@@ -446,7 +446,7 @@ bool IsFluentMesh(const std::string& path)
   ReadMappedFile(path, error,
     [&](const MappedFile& file)
     {
-      constexpr std::ptrdiff_t Enough = std::ptrdiff_t(1) << 20; // beyond lists of settings
+      constexpr std::ptrdiff_t Enough = std::ptrdiff_t(1) << 16; // beyond blanks
       const char* begin = file.begin();
       const char* end = begin + std::min<std::ptrdiff_t>(file.end() - begin, Enough);
       Inflation inflation;

@@ -54,8 +54,8 @@ def check(
         known = list(evaluated.quality.GetProperty("Criteria").Available)
         evaluated.quality.Criteria = counting.needed_criteria(parsed, known)
         evaluated.announce(say)
+        evaluated.evaluate()
         with pipeline.Messages() as messages:
-            evaluated.evaluate()
             try:
                 counts = counting.count(evaluated, parsed, max(worst, 1))
             except counting.ScopeError as error:

@@ -87,9 +87,9 @@ def compare(
         if ranges is not None:
             comparison.RangesFile = str(ranges)
         set_groups(comparison, group_by, first.opened, second.opened)
+        for mesh in meshes:
+            mesh.evaluate()
         with pipeline.Messages() as messages:
-            for mesh in meshes:
-                mesh.evaluate()
             rows = _read(comparison, chosen, ranges)
             described = [
                 facts.describe(path, mesh, surface)

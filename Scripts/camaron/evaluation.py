@@ -61,7 +61,7 @@ class Evaluation:
         request_ghosts(1)
 
     def evaluate(self) -> None:
-        """Evaluates the criteria; raises RuntimeError where that cannot be done."""
+        """Evaluates the criteria; adds to the warnings about the mesh, raises RuntimeError with an error's reason."""
         with pipeline.Messages() as messages:
             self.quality.UpdatePipeline()
         messages.refuse(self.mesh)

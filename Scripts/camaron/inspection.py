@@ -93,9 +93,9 @@ def inspect(
         if progress:
             cells = pipeline.data_information(opened.source).GetNumberOfCells()
             progress.expect(evaluated.estimated_seconds(), cells, len(evaluated_criteria(quality)))
+        with stage("evaluating"):
+            evaluated.evaluate()
         with pipeline.Messages() as messages:
-            with stage("evaluating"):
-                evaluated.evaluate()
             with stage("statistics"):
                 rows = tables.read(statistics, preset)
             with stage("boundary and totals"):

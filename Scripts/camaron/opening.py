@@ -42,7 +42,7 @@ def make_reader(path: Path, notes: list[str]) -> Any:
     other = _other_format(path)
     if other is not None:
         return _hand_over(path, *other, notes)
-    if path.suffix.lower() in TAKEN_BLINDLY:
+    if path.is_file() and path.suffix.lower() in TAKEN_BLINDLY:
         return _make(own[0], path)
     try:
         source = simple.OpenDataFile(str(path))
@@ -87,7 +87,7 @@ OTHER_FORMATS = (
     (b"$NOD", "a Gmsh mesh (version 1)", (), None),
 )
 OTHER_EXTENSIONS = (".msh", ".cas", ".cas.h5", ".msh.h5")
-#: Of which ParaView's reader of Fluent meshes takes whatever there is.
+#: Extensions under which ParaView's reader of Fluent meshes accepts any content.
 TAKEN_BLINDLY = (".msh", ".cas")
 
 

@@ -343,8 +343,14 @@ class TestConvert(camaron_testing.TestCase):
         (self.folder / "empty.visf").write_text("")
         (self.folder / "text.visf").write_text("Dear diary")
         (self.folder / "x.unheard").write_text("Dear diary")
+        (self.folder / "text.msh").write_text("Dear diary")
+        (self.folder / "open.cas").write_text('(a "x')
+        (self.folder / "folder.msh").mkdir()
         os.mkfifo(self.folder / "pipe.visf")
         for name, reason in (
+            ("text.msh", "text.msh:1: expected a section of a Fluent mesh"),
+            ("open.cas", "open.cas:1: expected a parenthesis that closes the section"),
+            ("folder.msh", "this is a folder, not a mesh"),
             ("empty.visf", "the file is empty"),
             ("text.visf", "expected a Visf file"),
             ("x.unheard", r"no reader knows files named \*.unheard; camaron convert --help"),
