@@ -1,4 +1,4 @@
-# camaron_format: declares one mesh format; called only in Formats/Formats.cmake.
+# camaron_format: declares one mesh format; called only in Readers/Formats.cmake.
 #
 #   camaron_format(
 #     NAME        Visf                         # its folder, and stem of its classes and XML files
@@ -7,8 +7,8 @@
 #     READS       "every dialect"              # what of it is read and written, for the table of formats
 #     WRITES      "ASCII and binary"
 #     READER_PROXY FooReader                   # the proxy of its reader, unless that is NAME and "Reader"
-#     READER                                   # there is Formats/Visf/vtkVisfReader.{h,cxx} + VisfReader.xml
-#     WRITER)                                  # there is Formats/Visf/vtkVisfWriter.{h,cxx} + VisfWriter.xml
+#     READER                                   # there is Readers/Visf/vtkVisfReader.{h,cxx} + VisfReader.xml
+#     WRITER)                                  # there is Readers/Visf/vtkVisfWriter.{h,cxx} + VisfWriter.xml
 #
 # From the blocks follow CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names with a
 # reader or a writer), per format CAMARON_FORMAT_<NAME>_EXTENSIONS and _DESCRIPTION, and

@@ -22,7 +22,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkUnstructuredGrid,
 )
 
-from camaron import pipeline, tables, text
+from camaron.common import pipeline, tables, text
 
 FOLDER = Path(__file__).resolve().parent
 sys.path.insert(0, str(FOLDER))

@@ -7,7 +7,7 @@
 
 from pathlib import Path
 
-from camaron import pipeline, tables
+from camaron.common import pipeline, tables
 from paraview import simple
 
 pipeline.load_plugin()

@@ -1,16 +1,16 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the table of formats in README.md from Formats/Formats.cmake, as the build passed it on:
+"""Writes the table of formats in README.md from Readers/Formats.cmake, as the build passed it on:
 
     ./camaron shell pvpython Documentation/make_formats.py
 """
 
 from pathlib import Path
 
-from camaron import formats, pipeline
+from camaron.common import formats, pipeline
 
 README = Path(__file__).resolve().parents[1] / "README.md"
-BEGIN = "<!-- Made by Documentation/make_formats.py of Formats/Formats.cmake -->\n"
+BEGIN = "<!-- Made by Documentation/make_formats.py of Readers/Formats.cmake -->\n"
 END = "<!-- end of the formats -->\n"
 
 
@@ -18,7 +18,7 @@ def table():
     lines = ["| format | files | reads | writes |", "| --- | --- | --- | --- |"]
     for f in formats.own_formats():
         cells = [
-            f"[{f['description']}](Formats/{f['name']}/README.md)",
+            f"[{f['description']}](Readers/{f['name']}/README.md)",
             " ".join(f"`.{extension}`" for extension in f["extensions"]),
             f["reads"] or "yes" if f["reader"] else "no",
             f["writes"] or "yes" if f["writer"] else "no",

@@ -7,7 +7,7 @@
 #ifndef camaron_CellConversion_h
 #define camaron_CellConversion_h
 
-#include "Scan/Progress.h"
+#include "Base/Progress.h"
 #include "Scan/ScanError.h"
 
 #include <bitset>           // for sets of types

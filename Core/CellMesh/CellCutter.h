@@ -11,7 +11,7 @@
 
 #include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <array>   // for simplices
 #include <utility> // for edges

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellMesh.h"
 
-#include "Scan/RepeatedIds.h"
+#include "Base/RepeatedIds.h"
 
 #include <algorithm>
 #include <vector>

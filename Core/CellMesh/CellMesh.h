@@ -7,8 +7,8 @@
 #ifndef camaron_CellMesh_h
 #define camaron_CellMesh_h
 
-#include "Scan/Buffer.h"
-#include "Scan/Progress.h"
+#include "Base/Buffer.h"
+#include "Base/Progress.h"
 #include "Scan/ScanError.h"
 
 #include "vtkCellType.h" // for the types of cells

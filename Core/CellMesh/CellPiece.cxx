@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellPiece.h"
 
-#include "Scan/RepeatedIds.h"
+#include "Base/RepeatedIds.h"
 
 #include <algorithm>
 

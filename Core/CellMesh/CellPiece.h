@@ -15,7 +15,7 @@
 #define camaron_CellPiece_h
 
 #include "CellMesh/CellMesh.h"
-#include "Scan/IdSet.h"
+#include "Base/IdSet.h"
 #include "Scan/PieceRequest.h"
 
 #include <algorithm> // for std::any_of

@@ -4,7 +4,7 @@
 
 #include "CellMesh/ConversionPlan.h"
 #include "Mesh/CellShape.h"
-#include "Scan/CountOf.h"
+#include "Base/CountOf.h"
 #include "Scan/MappedFile.h"
 #include "vtkCamaronCompat.h"
 

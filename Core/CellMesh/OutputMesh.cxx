@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/OutputMesh.h"
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 namespace camaron
 {

@@ -13,7 +13,7 @@
 #define camaron_OutputMesh_h
 
 #include "Mesh/MeshView.h"
-#include "Scan/IdSet.h"
+#include "Base/IdSet.h"
 
 #include "vtkDataArray.h"         // for moving the view
 #include "vtkUnsignedCharArray.h" // for moving the view

@@ -3,13 +3,13 @@
 #include "CellMesh/OutputWarnings.h"
 
 #include "CellMesh/OutputMesh.h"
-#include "Criteria/CellGeometry.h"
+#include "Cell/CellGeometry.h"
 #include "Mesh/MeshView.h"
-#include "Parallel.h"
-#include "Scan/CountOf.h"
+#include "Base/Parallel.h"
+#include "Base/CountOf.h"
 #include "Scan/MappedFile.h"
-#include "Scan/Number.h"
-#include "Scan/RealFormat.h"
+#include "Base/Number.h"
+#include "Write/RealFormat.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a cell is in the mesh, and whether it is there twice.
 #include "Criteria/CriterionRows.h"
-#include "Criteria/MeshRegions.h"
-#include "Criteria/PointRegions.h"
+#include "Ranks/MeshRegions.h"
+#include "Ranks/PointRegions.h"
 #include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 

@@ -85,20 +85,6 @@ const Criterion* FindCriterion(std::string_view name)
 }
 
 //------------------------------------------------------------------------------
-const char* GetUnitLabel(enum Unit unit, AngleUnit angles)
-{
-  switch (unit)
-  {
-    case Unit::Angle:
-      return angles == AngleUnit::Degrees ? "deg" : "rad";
-    case Unit::SolidAngle:
-      return "sr";
-    default:
-      return "";
-  }
-}
-
-//------------------------------------------------------------------------------
 std::string Criterion::UnitLabel(AngleUnit angles) const
 {
   return GetUnitLabel(this->Unit, angles);

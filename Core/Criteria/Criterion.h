@@ -7,6 +7,11 @@
 #ifndef camaron_Criterion_h
 #define camaron_Criterion_h
 
+#include "Base/Null.h"
+#include "Base/Units.h"
+#include "Cell/Needs.h"
+#include "Cell/Shapes.h"
+
 #include "vtkType.h" // for vtkIdType
 
 #include <string>      // for units
@@ -35,49 +40,6 @@ enum class ValueKind
   Code     ///< integers that no cell lacks to which they apply: arrays of integers, 0 for other cells
 };
 
-enum class Unit
-{
-  None,
-  Angle, ///< degree or radian, as the user chooses
-  SolidAngle,
-  Length,
-  Area,
-  Volume
-};
-
-enum class AngleUnit
-{
-  Degrees,
-  Radians
-};
-
-/// From radian.
-constexpr double GetAngleFactor(AngleUnit unit)
-{
-  return unit == AngleUnit::Degrees ? 180 / 3.141592653589793238462643383279502884 : 1;
-}
-
-/// "deg", "rad", "sr" or "" (lengths, areas and volumes are in the units of the mesh).
-const char* GetUnitLabel(enum Unit unit, AngleUnit angles);
-
-/// Shapes for which a criterion has a meaning; every other cell gets null.
-enum Shapes : unsigned
-{
-  Polygons = 1u,
-  Polyhedra = 2u,
-  PolygonsAndPolyhedra = Polygons | Polyhedra,
-  Triangles = 4u,
-  Tetrahedra = 8u,
-  AnyCell = 16u,
-  Quadrilaterals = 32u,
-  Pyramids = 64u,
-  Wedges = 128u,
-  Hexahedra = 256u,
-  SimplePolygons = Triangles | Quadrilaterals,
-  SimplePolyhedra = Tetrahedra | Pyramids | Wedges | Hexahedra,
-  NoShapes = 0u
-};
-
 /// How much work a criterion is per cell.
 enum class Cost
 {
@@ -87,41 +49,6 @@ enum class Cost
   Iterative,  ///< linear programs
   Clipping    ///< the kernel as a body, which only polyhedra need
 };
-
-/// Parts of CellGeometry that a criterion reads; only what some ticked criterion needs is computed.
-enum Needs : unsigned
-{
-  NeedsPoints = 0u,
-  NeedsEdges = 1u,    ///< distinct edges and their lengths
-  NeedsFaces = 2u,    ///< vector areas, areas, centres
-  NeedsVolume = 4u,   ///< orientation and volume of a polyhedron
-  NeedsCorners = 8u,  ///< interior angles of the faces
-  NeedsDihedral = 16u,
-  NeedsSolidAngle = 32u,
-  NeedsAngles = NeedsCorners | NeedsDihedral | NeedsSolidAngle, ///< any of them
-  NeedsCentroid = 64u,  ///< with NeedsVolume for a polyhedron
-  NeedsMeanSizes = 128u,   ///< of all cells of the mesh
-  NeedsSurfaceSides = 256u, ///< which side of a closed surface is the outer one
-  NeedsRegions = 512u,      ///< what hangs together
-  NeedsPointRegions = 1024u ///< what hangs together at points
-};
-
-/// Why a value is null, as written to the mask arrays.
-enum class NullReason : unsigned char
-{
-  Value = 0,          ///< not null
-  NotApplicable = 1,  ///< the criterion has no meaning for this shape
-  Degenerate = 2,     ///< 0/0
-  InvalidTopology = 3,///< open, non-manifold or too few points
-  NoNeighbor = 4,     ///< needs a neighbour and is at the boundary
-  MissingGhosts = 5,  ///< the neighbour lies in another piece and no ghost cell tells of it
-  HigherOrder = 6     ///< the value is there, but of the corners of a higher-order cell
-};
-
-/// A quiet NaN that remembers its reason in its payload; it survives copying, not arithmetic.
-double Null(NullReason reason);
-/// The reason of a null value; Degenerate for a NaN made elsewhere.
-NullReason GetNullReason(double value);
 
 /// What the documentation says of a criterion beyond its description; Markdown on one line each.
 struct CriterionNotes

@@ -7,11 +7,11 @@
 #ifndef camaron_CriterionRows_h
 #define camaron_CriterionRows_h
 
-#include "Criteria/CellGeometry.h"
-#include "Criteria/CellNeighborhood.h"
+#include "Cell/CellGeometry.h"
+#include "Cell/CellNeighborhood.h"
 #include "Criteria/Criterion.h"
 #include "Criteria/MeshContext.h"
-#include "Criteria/SoundTetrahedra.h"
+#include "Cell/SoundTetrahedra.h"
 
 #include <limits> // for infinity
 

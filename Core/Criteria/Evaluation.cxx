@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/Evaluation.h"
 
-#include "Criteria/CellNeighborhood.h"
-#include "Criteria/LinkedPieces.h"
-#include "Criteria/MeanSizes.h"
+#include "Cell/CellNeighborhood.h"
+#include "Ranks/LinkedPieces.h"
+#include "Ranks/MeanSizes.h"
 #include "Criteria/MeshContext.h"
-#include "Criteria/MeshRegions.h"
-#include "Criteria/SoundTetrahedra.h"
-#include "Criteria/SurfaceSides.h"
-#include "Parallel.h"
+#include "Ranks/MeshRegions.h"
+#include "Cell/SoundTetrahedra.h"
+#include "Ranks/SurfaceSides.h"
+#include "Base/Parallel.h"
 
 #include "vtkSMPThreadLocal.h"
 

@@ -7,7 +7,7 @@
 #ifndef camaron_Evaluation_h
 #define camaron_Evaluation_h
 
-#include "Criteria/CellGeometry.h"
+#include "Cell/CellGeometry.h"
 #include "Criteria/Criterion.h"
 #include "Mesh/MeshTopology.h"
 

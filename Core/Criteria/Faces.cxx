@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The faces of a cell: how flat they are, and how they close it.
 #include "Criteria/CriterionRows.h"
-#include "Criteria/FaceShape.h"
+#include "Cell/FaceShape.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What finite volumes ask of a cell and its neighbours, as OpenFOAM's checkMesh and Fluent define it.
 #include "Criteria/CriterionRows.h"
-#include "Criteria/FacetMeasures.h"
+#include "Cell/FacetMeasures.h"
 #include "Criteria/Moments.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The points of a cell that see all of it, and balls in and around the cell.
-#include "Criteria/CellKernel.h"
+#include "Cell/CellKernel.h"
 #include "Criteria/CriterionRows.h"
 
 #include <cmath>

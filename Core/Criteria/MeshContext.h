@@ -10,7 +10,7 @@
 #ifndef camaron_MeshContext_h
 #define camaron_MeshContext_h
 
-#include "Criteria/CellGeometry.h"
+#include "Cell/CellGeometry.h"
 #include "Mesh/MeshTopology.h"
 
 #include <mutex>  // for std::once_flag

@@ -7,7 +7,7 @@
 #ifndef camaron_Moments_h
 #define camaron_Moments_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include "vtkMath.h" // for eigenvalues
 

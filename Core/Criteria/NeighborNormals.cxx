@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
-#include "Criteria/DihedralAngle.h"
+#include "Cell/DihedralAngle.h"
 #include "Mesh/FacetLinks.h"
-#include "Criteria/SurfaceSides.h"
+#include "Ranks/SurfaceSides.h"
 #include "Mesh/CellFacets.h"
 
 #include "vtkDataSetAttributes.h"

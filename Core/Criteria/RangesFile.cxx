@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/RangesFile.h"
 
-#include "Scan/Number.h"
+#include "Base/Number.h"
 #include "Scan/TextScanner.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/CriterionRows.h"
-#include "Criteria/CubeRoot.h"
+#include "Base/CubeRoot.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/CellIntersections.h"
-#include "Criteria/CellStatusBits.h"
+#include "Cell/CellIntersections.h"
+#include "Cell/CellStatusBits.h"
 #include "Criteria/CriterionRows.h"
-#include "Mesh/PinchedPoints.h"
+#include "Cell/PinchedPoints.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How far a cell is from violating what virtual element methods assume of meshes.
-#include "Criteria/CellKernel.h"
+#include "Cell/CellKernel.h"
 #include "Criteria/CriterionRows.h"
 #include "Geometry/PointPairs.h"
 

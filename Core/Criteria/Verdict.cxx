@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The measures of Verdict, of VTK's copy of it, as criteria. They are evaluated for all cells of their shapes,
 // those of general type included, by their corners.
-#include "CellMesh/WedgeOrder.h"
+#include "Mesh/WedgeOrder.h"
 #include "Criteria/CriterionRows.h"
-#include "Criteria/MeanSizes.h"
-#include "Criteria/SimpleShapes.h"
+#include "Ranks/MeanSizes.h"
+#include "Cell/Shapes.h"
 
 #include "vtk_verdict.h"
 

@@ -7,10 +7,10 @@
 #include "Drawing/PolygonTriangles.h"
 #include "Geometry/BoxTree.h"
 #include "Mesh/FirstPoint.h"
-#include "Mesh/HashMix.h"
+#include "Base/HashMix.h"
 #include "Mesh/MeshView.h"
-#include "Mesh/Vector.h"
-#include "Parallel.h"
+#include "Base/Vector.h"
+#include "Base/Parallel.h"
 
 #include "vtkBoundingBox.h"
 

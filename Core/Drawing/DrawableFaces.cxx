@@ -6,9 +6,9 @@
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/FacetRing.h"
+#include "Geometry/FacetRing.h"
 #include "Mesh/MeshTopology.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkDataSetAttributes.h"
 

@@ -11,7 +11,7 @@
 #define camaron_InwardFaces_h
 
 #include "Mesh/CellTopology.h"
-#include "Mesh/LocalNumbers.h"
+#include "Base/LocalNumbers.h"
 #include "Mesh/MeshView.h"
 
 #include <vector> // for scratch

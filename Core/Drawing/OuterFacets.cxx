@@ -4,7 +4,7 @@
 
 #include "Mesh/FacetLinks.h"
 #include "Mesh/MeshTopology.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 namespace camaron
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/CoincidentPoints.h"
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"

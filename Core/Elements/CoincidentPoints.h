@@ -11,10 +11,10 @@
 #ifndef camaron_CoincidentPoints_h
 #define camaron_CoincidentPoints_h
 
-#include "Criteria/LinkedPiece.h"
+#include "Ranks/LinkedPiece.h"
 #include "Elements/PlaceGrid.h"
 #include "Mesh/MeshView.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <vector> // for the result
 

@@ -9,7 +9,7 @@
 
 #include "Criteria/Criterion.h"
 #include "Mesh/FacetTable.h"
-#include "Scan/Buffer.h"
+#include "Base/Buffer.h"
 
 #include <atomic>  // for the numbers
 #include <cmath>   // for rounding

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of edges.
-#include "Criteria/DihedralAngle.h"
+#include "Cell/DihedralAngle.h"
 #include "Elements/Counters.h"
 #include "Elements/ElementArray.h"
 #include "Elements/FacetValues.h"
 #include "Elements/NeighborhoodPass.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/LengthUnit.h"
-#include "Parallel.h"
+#include "Base/LengthUnit.h"
+#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <limits>

@@ -7,7 +7,7 @@
 #ifndef camaron_ElementArray_h
 #define camaron_ElementArray_h
 
-#include "Criteria/CellNeighborhood.h"
+#include "Cell/CellNeighborhood.h"
 #include "Criteria/Criterion.h"
 #include "Elements/ElementContext.h"
 

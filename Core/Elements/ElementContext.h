@@ -10,11 +10,11 @@
 #ifndef camaron_ElementContext_h
 #define camaron_ElementContext_h
 
-#include "Criteria/CellGeometry.h"
+#include "Cell/CellGeometry.h"
 #include "Elements/EdgeFinder.h"
 #include "Mesh/MeshTopology.h"
-#include "Parallel.h"
-#include "Scan/Buffer.h"
+#include "Base/Parallel.h"
+#include "Base/Buffer.h"
 
 #include <algorithm>  // for parts of the mesh
 #include <array>      // for steps

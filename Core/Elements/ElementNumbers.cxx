@@ -5,7 +5,7 @@
 #include "Elements/Counters.h"
 #include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkDataSetAttributes.h"
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of faces.
-#include "Criteria/FaceShape.h"
+#include "Cell/FaceShape.h"
 #include "Elements/ElementArray.h"
 #include "Elements/FacetValues.h"
 #include "Elements/NeighborhoodPass.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include <algorithm>
 

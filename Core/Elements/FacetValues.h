@@ -7,7 +7,7 @@
 #ifndef camaron_FacetValues_h
 #define camaron_FacetValues_h
 
-#include "Criteria/FacetMeasures.h"
+#include "Cell/FacetMeasures.h"
 
 #include <cmath> // for std::isnan
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/KernelCells.h"
 
-#include "Criteria/CellKernel.h"
+#include "Cell/CellKernel.h"
 #include "Mesh/CellShape.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

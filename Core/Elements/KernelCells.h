@@ -9,7 +9,7 @@
 #ifndef camaron_KernelCells_h
 #define camaron_KernelCells_h
 
-#include "Criteria/CellGeometry.h"
+#include "Cell/CellGeometry.h"
 
 #include <functional> // for progress
 #include <vector>     // for polygons

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/MeshElements.h"
 
-#include "Criteria/CellGeometry.h"
+#include "Cell/CellGeometry.h"
 #include "Elements/Counters.h"
 #include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/UsedPoints.h"
-#include "Parallel.h"
-#include "Scan/Buffer.h"
+#include "Base/Parallel.h"
+#include "Base/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -11,7 +11,7 @@
 #define camaron_MismatchedFaces_h
 
 #include "Mesh/FacetTable.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <functional> // for which cells count
 #include <vector>     // for the faces

@@ -7,7 +7,7 @@
 #ifndef camaron_NeighborhoodPass_h
 #define camaron_NeighborhoodPass_h
 
-#include "Criteria/CellNeighborhood.h"
+#include "Cell/CellNeighborhood.h"
 #include "Elements/ElementContext.h"
 
 namespace camaron

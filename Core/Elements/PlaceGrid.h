@@ -9,7 +9,7 @@
 #ifndef camaron_PlaceGrid_h
 #define camaron_PlaceGrid_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <cstdint> // for hashes
 

@@ -7,7 +7,7 @@
 #ifndef camaron_FaceMesh_h
 #define camaron_FaceMesh_h
 
-#include "Scan/Buffer.h"
+#include "Base/Buffer.h"
 #include "Scan/IdLists.h"
 #include "Scan/PieceRequest.h"
 

@@ -8,7 +8,7 @@
 #define camaron_GridArrays_h
 
 #include "Mesh/FacetTable.h" // for Index
-#include "Scan/Buffer.h"
+#include "Base/Buffer.h"
 
 #include "vtkCellArray.h"         // for cells
 #include "vtkTypeInt32Array.h"    // for indices

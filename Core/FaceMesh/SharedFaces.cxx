@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceMesh/SharedFaces.h"
 
-#include "Scan/Progress.h"
+#include "Base/Progress.h"
 
 #include <algorithm>
 #include <mutex>

@@ -14,7 +14,7 @@
 
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
-#include "Scan/Buffer.h"
+#include "Base/Buffer.h"
 
 #include <array>   // for roles by type
 #include <cstdint> // for the words

@@ -7,7 +7,7 @@
 #ifndef camaron_Bounds_h
 #define camaron_Bounds_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <algorithm> // for smaller and larger ones
 #include <limits>    // for infinity

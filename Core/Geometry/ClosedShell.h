@@ -7,7 +7,7 @@
 #ifndef camaron_ClosedShell_h
 #define camaron_ClosedShell_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <array>  // for triangles
 #include <vector> // for triangles

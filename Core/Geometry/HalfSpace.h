@@ -7,7 +7,7 @@
 #ifndef camaron_HalfSpace_h
 #define camaron_HalfSpace_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 namespace camaron
 {

@@ -7,7 +7,7 @@
 #ifndef camaron_Orientation_h
 #define camaron_Orientation_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <cmath> // for std::abs
 

@@ -3,7 +3,7 @@
 #include "Geometry/OutsideSlits.h"
 
 #include "Geometry/Orientation.h"
-#include "Mesh/DisjointSets.h"
+#include "Base/DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>

@@ -11,7 +11,7 @@
 #ifndef camaron_OutsideSlits_h
 #define camaron_OutsideSlits_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <vector> // for the polygon
 

@@ -7,7 +7,7 @@
 #ifndef camaron_PointPairs_h
 #define camaron_PointPairs_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <cstddef> // for std::size_t
 

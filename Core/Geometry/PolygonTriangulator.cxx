@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/PolygonTriangulator.h"
 
-#include "Mesh/FacetRing.h"
+#include "Geometry/FacetRing.h"
 
 #include <algorithm>
 #include <cmath>

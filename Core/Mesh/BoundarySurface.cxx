@@ -5,8 +5,8 @@
 #include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
-#include "Parallel.h"
-#include "Scan/Buffer.h"
+#include "Base/Parallel.h"
+#include "Base/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

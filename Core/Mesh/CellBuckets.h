@@ -11,7 +11,7 @@
 #define camaron_CellBuckets_h
 
 #include "Mesh/FacetTable.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include <algorithm> // for std::min
 #include <vector>    // for the places

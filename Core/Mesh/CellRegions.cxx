@@ -3,7 +3,7 @@
 #include "Mesh/CellRegions.h"
 
 #include "Mesh/CellFacets.h"
-#include "Mesh/DisjointSets.h"
+#include "Base/DisjointSets.h"
 
 #include <algorithm>
 

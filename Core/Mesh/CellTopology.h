@@ -10,7 +10,7 @@
 #ifndef camaron_CellTopology_h
 #define camaron_CellTopology_h
 
-#include "Mesh/LocalNumbers.h"
+#include "Base/LocalNumbers.h"
 
 #include <vector> // for the tables
 

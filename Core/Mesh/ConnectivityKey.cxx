@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ConnectivityKey.h"
 
-#include "Mesh/ContentHash.h"
+#include "Base/ContentHash.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCellArray.h"

@@ -3,7 +3,7 @@
 #include "Mesh/DuplicateCells.h"
 
 #include "Mesh/CellFacets.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkSMPTools.h"
 

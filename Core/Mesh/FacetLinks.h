@@ -10,7 +10,7 @@
 #define camaron_FacetLinks_h
 
 #include "Mesh/FacetTable.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for ids

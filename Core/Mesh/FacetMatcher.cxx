@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/FacetMatcher.h"
 
-#include "Mesh/FacetRing.h"
+#include "Geometry/FacetRing.h"
 
 #include <algorithm>
 #include <vector>

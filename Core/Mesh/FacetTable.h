@@ -20,7 +20,7 @@
 #ifndef camaron_FacetTable_h
 #define camaron_FacetTable_h
 
-#include "Scan/Buffer.h" // for LargeVector
+#include "Base/Buffer.h" // for LargeVector
 
 #include "vtkType.h" // for vtkIdType
 

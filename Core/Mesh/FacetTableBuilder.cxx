@@ -4,10 +4,10 @@
 
 #include "Mesh/CellBuckets.h"
 #include "Mesh/FacetMatcher.h"
-#include "Mesh/FacetRing.h"
-#include "Mesh/HashMix.h"
+#include "Geometry/FacetRing.h"
+#include "Base/HashMix.h"
 #include "Mesh/TetrahedronFaces.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <atomic>

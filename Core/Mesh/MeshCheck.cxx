@@ -3,7 +3,7 @@
 #include "Mesh/MeshCheck.h"
 
 #include "Mesh/MeshView.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 #include "vtkCamaronCompat.h"
 
 #include <algorithm>

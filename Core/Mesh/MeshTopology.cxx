@@ -6,7 +6,7 @@
 #include "Mesh/CellRegions.h"
 #include "Mesh/ConnectivityKey.h"
 #include "Mesh/FacetTableBuilder.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TetrahedronFaces.h"
 
-#include "Parallel.h"
-#include "Scan/Buffer.h"
+#include "Base/Parallel.h"
+#include "Base/Buffer.h"
 
 #include <algorithm>
 #include <array>

@@ -9,7 +9,7 @@
 #ifndef camaron_BinaryScanner_h
 #define camaron_BinaryScanner_h
 
-#include "Scan/Bytes.h"
+#include "Base/Bytes.h"
 #include "Scan/ScanError.h"
 
 #include <cstdint> // for integers of known size

@@ -9,7 +9,7 @@
 #ifndef camaron_FixedColumns_h
 #define camaron_FixedColumns_h
 
-#include "Scan/Number.h"
+#include "Base/Number.h"
 
 #include <cstdint> // for integers of known size
 #include <vector>  // for columns

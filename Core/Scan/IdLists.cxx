@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/IdLists.h"
 
-#include "Scan/RepeatedIds.h"
+#include "Base/RepeatedIds.h"
 #include "Scan/ShortNumbers.h"
 
 #include <algorithm>

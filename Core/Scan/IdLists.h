@@ -19,9 +19,9 @@
 #define camaron_IdLists_h
 
 #include "Scan/BinaryScanner.h"
-#include "Scan/Buffer.h"
-#include "Scan/IdSet.h"
-#include "Scan/Progress.h"
+#include "Base/Buffer.h"
+#include "Base/IdSet.h"
+#include "Base/Progress.h"
 #include "Scan/TextLines.h"
 
 #include <vector> // for starts

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/ListRows.h"
 
-#include "Scan/Bytes.h"
+#include "Base/Bytes.h"
 
 namespace camaron
 {

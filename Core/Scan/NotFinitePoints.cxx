@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/NotFinitePoints.h"
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkDataArrayRange.h"

@@ -7,7 +7,7 @@
 #ifndef camaron_PieceArrays_h
 #define camaron_PieceArrays_h
 
-#include "Scan/Buffer.h"
+#include "Base/Buffer.h"
 
 class vtkDataSetAttributes;
 

@@ -7,7 +7,7 @@
 #ifndef camaron_ReadMappedFile_h
 #define camaron_ReadMappedFile_h
 
-#include "Parallel.h"
+#include "Base/Parallel.h"
 #include "Scan/MappedFile.h"
 
 #include <new>       // for std::bad_alloc

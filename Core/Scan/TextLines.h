@@ -15,8 +15,8 @@
 #ifndef camaron_TextLines_h
 #define camaron_TextLines_h
 
-#include "Scan/Number.h"
-#include "Scan/Progress.h"
+#include "Base/Number.h"
+#include "Base/Progress.h"
 #include "Scan/TextScanner.h"
 
 #include <atomic> // for the verdict of several threads

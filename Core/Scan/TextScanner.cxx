@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scan/TextScanner.h"
 
-#include "Scan/Number.h"
+#include "Base/Number.h"
 
 #include <algorithm>
 #include <cctype>

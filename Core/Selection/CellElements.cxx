@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/CellElements.h"
 
-#include "Criteria/CellNeighborhood.h"
+#include "Cell/CellNeighborhood.h"
 #include "Elements/EdgeFinder.h"
 #include "Mesh/CellShape.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 
 namespace camaron
 {

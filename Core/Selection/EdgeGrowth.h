@@ -9,7 +9,7 @@
 #ifndef camaron_EdgeGrowth_h
 #define camaron_EdgeGrowth_h
 
-#include "Criteria/LinkedPiece.h"
+#include "Ranks/LinkedPiece.h"
 
 #include <vector> // for marks
 

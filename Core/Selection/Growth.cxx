@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/Growth.h"
 
-#include "Criteria/CellNeighborhood.h"
+#include "Cell/CellNeighborhood.h"
 #include "Criteria/MeshContext.h"
-#include "Mesh/DisjointSets.h"
+#include "Base/DisjointSets.h"
 #include "Mesh/FacetLinks.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 #include "Selection/EdgeGrowth.h"
 #include "Selection/SharedElements.h"
 

@@ -11,8 +11,8 @@
 #ifndef camaron_Growth_h
 #define camaron_Growth_h
 
-#include "Criteria/LinkedPiece.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/LinkedPiece.h"
+#include "Ranks/Reducer.h"
 
 #include <cstdint> // for counts
 #include <vector>  // for marks

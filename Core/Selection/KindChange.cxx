@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/KindChange.h"
 
-#include "Criteria/PieceBorders.h"
-#include "Parallel.h"
+#include "Ranks/PieceBorders.h"
+#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <numeric>

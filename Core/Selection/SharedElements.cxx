@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/SharedElements.h"
 
-#include "Criteria/EqualKeys.h"
-#include "Criteria/PieceBorders.h"
+#include "Ranks/EqualKeys.h"
+#include "Ranks/PieceBorders.h"
 
 #include <algorithm>
 #include <limits>

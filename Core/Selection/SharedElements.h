@@ -10,9 +10,9 @@
 #ifndef camaron_SharedElements_h
 #define camaron_SharedElements_h
 
-#include "Criteria/LinkedPiece.h"
+#include "Ranks/LinkedPiece.h"
 #include "Selection/CellElements.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <cstdint> // for values
 #include <tuple>   // for comparisons

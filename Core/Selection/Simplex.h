@@ -7,7 +7,7 @@
 #ifndef camaron_Simplex_h
 #define camaron_Simplex_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 #include "Geometry/Bounds.h"
 
 namespace camaron

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Correlation.h"
 
-#include "Statistics/ExactSum.h"
+#include "Base/ExactSum.h"
 #include "Statistics/KeyRanks.h"
 #include "Statistics/OrderedKey.h"
 #include "Statistics/WeightUnit.h"

@@ -11,7 +11,7 @@
 #define camaron_Correlation_h
 
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <vector> // for ranks
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Cumulative.h"
 
-#include "Statistics/ExactSum.h"
+#include "Base/ExactSum.h"
 #include "Statistics/WeightUnit.h"
 
 #include <algorithm>

@@ -8,7 +8,7 @@
 #define camaron_DistributionDistance_h
 
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <limits> // for NaN
 

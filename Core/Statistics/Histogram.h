@@ -8,7 +8,7 @@
 #define camaron_Histogram_h
 
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 #include "Statistics/Summary.h"
 
 #include <cstdint> // for counts

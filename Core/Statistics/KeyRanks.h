@@ -11,7 +11,7 @@
 #define camaron_KeyRanks_h
 
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <array>   // for counts
 #include <cstdint> // for 64 bit integers

@@ -8,7 +8,7 @@
 #define camaron_Population_h
 
 #include "Criteria/Criterion.h"
-#include "Parallel.h"
+#include "Base/Parallel.h"
 #include "Statistics/ExactValue.h"
 
 #include "vtkType.h" // for vtkIdType

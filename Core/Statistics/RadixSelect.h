@@ -14,7 +14,7 @@
 #define camaron_RadixSelect_h
 
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <cstdint> // for 64 bit integers
 #include <limits>  // for empty ranges

@@ -3,7 +3,7 @@
 #include "Statistics/Summary.h"
 
 #include "Criteria/Criterion.h"
-#include "Statistics/ExactSum.h"
+#include "Base/ExactSum.h"
 #include "Statistics/OrderedKey.h"
 
 #include <array>

@@ -12,7 +12,7 @@
 #define camaron_Summary_h
 
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <cstdint> // for counts
 #include <limits>  // for NaN

@@ -9,7 +9,7 @@
 
 #include "Criteria/Criterion.h"
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <cstdint> // for counts
 

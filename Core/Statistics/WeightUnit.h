@@ -9,7 +9,7 @@
 
 #include "Statistics/OrderedKey.h"
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <algorithm> // for std::max
 #include <cmath>     // for magnitudes

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Weights.h"
 
-#include "Statistics/ExactSum.h"
+#include "Base/ExactSum.h"
 #include "Statistics/WeightUnit.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@
 #define camaron_Worst_h
 
 #include "Statistics/Population.h"
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <cstdint>    // for counts
 #include <functional> // for the describing function

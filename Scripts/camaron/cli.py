@@ -13,7 +13,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any, Sequence
 
-from . import ranking, text
+from .common import assessment, text
 
 ERROR = 2
 #: Of `check`, by the verdict on all meshes.
@@ -217,7 +217,7 @@ class _FormatsHelp(argparse.Action):
         super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help=help)
 
     def __call__(self, parser, namespace, values, option_string=None):
-        from . import formats, pipeline
+        from .common import formats, pipeline
 
         pipeline.load_plugin()
         print(f"{parser.format_help()}\n{formats.describe_formats()}")
@@ -354,7 +354,7 @@ class _StatusLine:
 
 
 def _check_ranks(wanted: int | None) -> None:
-    from . import pipeline
+    from .common import pipeline
 
     running = pipeline.rank_count()
     if wanted and wanted != running:
@@ -366,8 +366,8 @@ def _check_ranks(wanted: int | None) -> None:
 
 def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
     from .inspection import inspect
-    from .json_text import to_json
-    from .stages import Progress, Stages
+    from .common.json_text import to_json
+    from .common.stages import Progress, Stages
 
     _check_ranks(options.ranks)
     folders = _report_folders(options.meshes, options.output)
@@ -407,8 +407,9 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
 
 
 def _check(options: argparse.Namespace, _rest: list[str]) -> int:
-    from . import checking, junit, verdict_table
-    from .json_text import to_json
+    from . import checking
+    from .checking import junit, verdict_table
+    from .common.json_text import to_json
 
     _check_ranks(options.ranks)
     rules = checking.read_rules(options.rules, options.preset, options.tolerate)
@@ -441,8 +442,9 @@ def _check(options: argparse.Namespace, _rest: list[str]) -> int:
 
 
 def _compare(options: argparse.Namespace, _rest: list[str]) -> int:
-    from . import comparison, comparison_table
-    from .json_text import to_json
+    from . import comparison
+    from .comparison import comparison_table
+    from .common.json_text import to_json
 
     _check_ranks(options.ranks)
     stems = [Path(mesh).stem for mesh in (options.a, options.b)]
@@ -469,7 +471,7 @@ def _compare(options: argparse.Namespace, _rest: list[str]) -> int:
 
 def _wants_color() -> bool:
     """Whether to mark lines in red; mpiexec shows every program a terminal, there or not."""
-    from . import pipeline
+    from .common import pipeline
 
     return sys.stdout.isatty() and "NO_COLOR" not in os.environ and pipeline.rank_count() == 1
 
@@ -514,7 +516,7 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
     if criteria:
         lines += ["", *_table(criteria, color)]
     lines.append("")
-    for finding in ranking.findings(summary):
+    for finding in assessment.findings(summary):
         names = ", ".join(c["name"] for c in finding["criteria"])
         sentence = finding["text"].replace("{}", names)
         lines.append(_ascii(("Hint: " if finding["hint"] else "") + sentence))
@@ -528,7 +530,7 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
         ("criterion", lambda c: c["name"]),
         ("unit", lambda c: c["unit"]),
         ("cells", lambda c: str(c["applicable"])),
-        ("undefined", lambda c: str(ranking.undefined_count(c))),
+        ("undefined", lambda c: str(assessment.undefined_count(c))),
         ("inf", lambda c: str(c["inf"])),
         ("min", lambda c: text.number(c["min"])),
         ("p1", lambda c: text.number(c["quantiles"].get("1"))),
@@ -538,18 +540,18 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
         ("mean", lambda c: text.number(c["mean"])),
         (
             "acceptable",
-            lambda c: _ascii(text.interval(*c["acceptable"])) if ranking.is_limited(c) else "",
+            lambda c: _ascii(text.interval(*c["acceptable"])) if assessment.is_limited(c) else "",
         ),
-        ("outside", lambda c: str(c["out_of_range"]) if ranking.is_limited(c) else ""),
+        ("outside", lambda c: str(c["out_of_range"]) if assessment.is_limited(c) else ""),
         (
             "%",
             lambda c: text.percent(c["out_of_range"], c["judged"])
-            if ranking.is_limited(c)
+            if assessment.is_limited(c)
             else "",
         ),
     ]
     unneeded = set()
-    if not any(ranking.undefined_count(c) for c in criteria):
+    if not any(assessment.undefined_count(c) for c in criteria):
         unneeded.add("undefined")
     if not any(c["inf"] for c in criteria):
         unneeded.add("inf")
@@ -558,7 +560,7 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
     lines = text.table([name for name, _ in columns], rows, left=2)
     marked = [lines[0]]
     for line, c in zip(lines[1:], criteria):
-        bad = ranking.is_serious(c)
+        bad = assessment.is_serious(c)
         mark = "! " if bad else "  "
         marked.append(f"\x1b[1;31m{mark}{line}\x1b[0m" if color and bad else mark + line)
     return ["  " + marked[0], *marked[1:]]
@@ -624,7 +626,7 @@ def _writer_options(arguments: list[str]) -> dict[str, str]:
 
 
 def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
-    from . import pipeline, tables
+    from .common import pipeline, tables
 
     pipeline.load_plugin()
     known = tables.known_criteria()
@@ -656,7 +658,7 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
 
 
 def _select(options: argparse.Namespace, _rest: list[str]) -> int:
-    from .json_text import to_json
+    from .common.json_text import to_json
     from .selecting import select
 
     _check_ranks(options.ranks)

@@ -12,8 +12,8 @@ from typing import Any
 
 from paraview import servermanager, simple
 
-from . import pipeline
-from .files import Staging
+from .common import pipeline
+from .common.files import Staging
 
 #: Where OpenFOAM looks for sets: constant/polyMesh/sets/NAME.
 SETS = "sets"

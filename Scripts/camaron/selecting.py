@@ -7,13 +7,14 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Any, Callable, Iterable, Optional
+from typing import Any, Callable, Iterable
 
 from paraview import simple
 
-from . import conversion, export, facts, pipeline, tables, text
-from .evaluation import Evaluation
-from .formats import plain
+from . import conversion, export
+from .common import mesh_facts, pipeline, tables, text
+from .common.evaluation import Evaluation
+from .common.formats import plain
 
 #: Property of SelectElements that opens the file of a closed surface.
 SURFACE = "Surface"
@@ -74,7 +75,7 @@ def select(
             "selected": rows[-1]["selected"],
             "steps": rows,
             "outputs": [str(target) for target in targets],
-            "notes": notes + facts.notes(evaluated.opened),
+            "notes": notes + mesh_facts.notes(evaluated.opened),
         }
 
 

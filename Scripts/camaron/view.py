@@ -10,7 +10,7 @@ CAMARON_VIEW holds one file name a line; a script of the window has no arguments
 import os
 import sys
 
-from camaron import pipeline
+from camaron.common import pipeline
 from paraview import simple
 
 def show(path: str, view) -> None:

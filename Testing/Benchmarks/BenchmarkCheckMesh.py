@@ -21,7 +21,7 @@ import openfoam_case
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
-from camaron import pipeline
+from camaron.common import pipeline
 
 pipeline.load_plugin()
 

@@ -7,8 +7,8 @@
 #include "Criteria/Evaluation.h"
 #include "Mesh/BoundarySurface.h"
 #include "Mesh/MeshTopology.h"
-#include "Parallel.h"
-#include "Scan/Buffer.h"
+#include "Base/Parallel.h"
+#include "Base/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellSizeFilter.h"

@@ -7,7 +7,7 @@
 #ifndef camaron_BenchmarkCost_h
 #define camaron_BenchmarkCost_h
 
-#include "Scan/Buffer.h"
+#include "Base/Buffer.h"
 #include "Scan/MappedFile.h"
 
 #include "vtkTimerLog.h"

@@ -17,7 +17,7 @@ import time
 
 from paraview import servermanager, simple
 
-from camaron import pipeline
+from camaron.common import pipeline
 
 pipeline.load_plugin()
 

@@ -5,7 +5,7 @@
 // Usage: BenchmarkKernel [levels]
 #include "BenchmarkCost.h"
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 #include "vtkMeshKernel.h"
 
 #include "vtkCellArray.h"

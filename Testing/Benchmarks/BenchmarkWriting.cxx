@@ -6,8 +6,8 @@
 
 #include "CellMesh/CellConversion.h"
 #include "CellMesh/OutputMesh.h"
-#include "Scan/RealFormat.h"
-#include "Scan/WriteRows.h"
+#include "Write/RealFormat.h"
+#include "Write/WriteRows.h"
 
 #include "vtkSMPTools.h"
 

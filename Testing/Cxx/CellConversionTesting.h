@@ -8,7 +8,7 @@
 
 #include "CellMesh/CellConversion.h"
 #include "CellMesh/OutputMesh.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #define camaron_HalfSpaceTesting_h
 
 #include "Geometry/HalfSpace.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <cmath>
 

@@ -7,7 +7,7 @@
 #ifndef camaron_TeamReducer_h
 #define camaron_TeamReducer_h
 
-#include "Statistics/Reducer.h"
+#include "Ranks/Reducer.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What makes cells fast to evaluate changes none of their values: topologies that cells share, and faces side by side.
 #include "Mesh/RecentTopologies.h"
-#include "Mesh/VectorQuad.h"
+#include "Base/VectorQuad.h"
 
 #include "CriteriaTesting.h"
 #include "MeshElementsTesting.h"

@@ -4,7 +4,7 @@
 // whichever way the faces are given.
 #include "CriteriaTesting.h"
 
-#include "Criteria/CellStatusBits.h"
+#include "Cell/CellStatusBits.h"
 
 #include <algorithm>
 #include <functional>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/CellTetrahedra.h"
 #include "Mesh/MeshView.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 #include "CriteriaTesting.h"
 
 #include "vtkCell.h"

@@ -4,7 +4,7 @@
 #include "Drawing/OuterFacets.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 #include "TestMeshes.h"
 
 #include "vtkDataSetAttributes.h"

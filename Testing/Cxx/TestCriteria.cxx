@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Values of the criteria against tables that an independent program computed from closed forms, and against
 // themselves under what must not change them.
-#include "Criteria/CellGeometry.h"
-#include "Criteria/CellStatusBits.h"
+#include "Cell/CellGeometry.h"
+#include "Cell/CellStatusBits.h"
 
 #include "CriteriaTesting.h"
 #include "ReferenceShapes.h"

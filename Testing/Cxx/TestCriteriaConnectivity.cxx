@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What cells have to do with each other: parts of a mesh, pinched points, cells that are there twice.
-#include "Criteria/LinkedPieces.h"
-#include "Criteria/PointRegions.h"
+#include "Ranks/LinkedPieces.h"
+#include "Ranks/PointRegions.h"
 #include "CriteriaTesting.h"
 
 #include "vtkIdTypeArray.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Criteria of polygons, also those that have edges for faces; and what lies in a plane or is folded onto itself.
-#include "Criteria/CellStatusBits.h"
+#include "Cell/CellStatusBits.h"
 
 #include "CriteriaTesting.h"
 

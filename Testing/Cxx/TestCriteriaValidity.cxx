@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is wrong with cells, and the criteria of cells that are degenerate, broken or without finite coordinates.
-#include "Criteria/CellStatusBits.h"
+#include "Cell/CellStatusBits.h"
 #include "Mesh/PointSetHulls.h"
 
 #include "CriteriaTesting.h"

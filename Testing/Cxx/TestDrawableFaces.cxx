@@ -5,7 +5,7 @@
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/MeshTopology.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 #include "TestMeshes.h"
 
 #include "vtkDataSetAttributes.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces, edges and vertices of meshes in pieces: each once, and none at a boundary that is not there.
-#include "Criteria/CompletedPieces.h"
+#include "Ranks/CompletedPieces.h"
 #include "MeshElementsTesting.h"
 
 #include "vtkCellData.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Statistics/ExactSum.h"
+#include "Base/ExactSum.h"
 #include "Statistics/OrderedKey.h"
 #include "StatisticsTesting.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions of arbitrary ids, against std::map.
-#include "Scan/IdMap.h"
+#include "Base/IdMap.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kernels of cells against the published tables, against trying everything, and on cells
 // that are not what they should be.
-#include "Criteria/CellStatusBits.h"
+#include "Cell/CellStatusBits.h"
 #include "Criteria/Evaluation.h"
 #include "Elements/KernelCells.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Polyhedra with faces that have a bridge to a hole: a block with a hole through it, whose top and bottom are keyholes.
 #include "CellMesh/CellCutter.h"
-#include "Criteria/CellStatusBits.h"
+#include "Cell/CellStatusBits.h"
 #include "Drawing/SurfaceTriangles.h"
 #include "Mesh/BoundarySurface.h"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of ids in rows of binary files, and what is looked for in them.
 #include "CellMesh/CellMesh.h"
-#include "Scan/Bytes.h"
+#include "Base/Bytes.h"
 #include "Scan/ListRows.h"
-#include "Scan/RepeatedIds.h"
+#include "Base/RepeatedIds.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Local numbers of points and edges: wrong ones would mix up the points of a cell.
-#include "Mesh/LocalNumbers.h"
+#include "Base/LocalNumbers.h"
 
 #include <gtest/gtest.h>
 

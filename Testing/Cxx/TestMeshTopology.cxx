@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Faces, edges and neighbours: everything that counts, borders or walks over cells stands on them.
-#include "Mesh/FacetRing.h"
+#include "Geometry/FacetRing.h"
 #include "Mesh/MeshTopology.h"
 
 #include "TestMeshes.h"

@@ -3,7 +3,7 @@
 // Tetrahedra of cells that their first point does not see all of: which places are in such a cell.
 #include "Drawing/CellTetrahedra.h"
 #include "Mesh/MeshView.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include "CriteriaTesting.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How writers put numbers into text and bytes.
-#include "Scan/Bytes.h"
-#include "Scan/RealFormat.h"
-#include "Scan/WriteRows.h"
+#include "Base/Bytes.h"
+#include "Write/RealFormat.h"
+#include "Write/WriteRows.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ranges that a reader leaves with the points are those that VTK computes.
 #include "Scan/NotFinitePoints.h"
-#include "Scan/PointRanges.h"
+#include "Base/PointRanges.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"

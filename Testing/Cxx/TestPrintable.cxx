@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What of a name reaches a terminal.
-#include "Scan/Printable.h"
+#include "Base/Printable.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scan/Buffer.h"
+#include "Base/Buffer.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"

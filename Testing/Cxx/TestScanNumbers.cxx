@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Text to number and back, against the C library.
-#include "Scan/Number.h"
+#include "Base/Number.h"
 #include "Scan/ShortNumbers.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Reading text line by line and number by number, alone and in parallel.
-#include "Scan/IdSet.h"
+#include "Base/IdSet.h"
 #include "Scan/TextLines.h"
 #include "Scan/TextRows.h"
 #include "Scan/TextTable.h"

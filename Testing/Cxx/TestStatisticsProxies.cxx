@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <regex>
 #include <sstream>
@@ -24,7 +25,15 @@ namespace
 // The element of a property in the XML of a proxy.
 std::string ReadProperty(const std::string& proxy, const std::string& property)
 {
-  std::ifstream file(CAMARON_SOURCE_DIR "/Filters/" + proxy + ".xml", std::ios::binary);
+  std::ifstream file;
+  for (const char* folder : { "Compare", "Statistics" })
+  {
+    const std::string path = std::string(CAMARON_SOURCE_DIR "/Filters/") + folder + "/" + proxy + ".xml";
+    if (std::filesystem::exists(path))
+    {
+      file.open(path, std::ios::binary);
+    }
+  }
   std::stringstream text;
   text << file.rdbuf();
   const std::string xml = text.str();

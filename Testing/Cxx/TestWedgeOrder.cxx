@@ -3,9 +3,9 @@
 // In which order programs and VTK have the nodes of wedges.
 #include "TestMeshes.h"
 
-#include "CellMesh/WedgeOrder.h"
+#include "Mesh/WedgeOrder.h"
 #include "Mesh/CellFacets.h"
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #ifndef TouchingPolygons_h
 #define TouchingPolygons_h
 
-#include "Mesh/Vector.h"
+#include "Base/Vector.h"
 
 #include <algorithm>
 #include <array>

@@ -6,7 +6,7 @@
 #include "MeshChecks.h"
 #include "ReaderTrial.h"
 
-#include "Scan/Number.h"
+#include "Base/Number.h"
 
 #include "vtkUnstructuredGrid.h"
 

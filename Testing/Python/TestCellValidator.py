@@ -11,7 +11,7 @@ import unittest
 import camaron_testing
 import gallery
 import numpy
-from camaron import pipeline
+from camaron.common import pipeline
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkVersion

@@ -8,7 +8,8 @@ from unittest import mock
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import check, inspect, tables
+from camaron import check, inspect
+from camaron.common import tables
 from paraview import simple
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"

@@ -12,7 +12,10 @@ from xml.etree import ElementTree
 
 import camaron_testing
 import numpy
-from camaron import check, checking, cli, json_text, junit
+from camaron import check, cli
+from camaron import checking
+from camaron.checking import junit
+from camaron.common import json_text
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 FLANGE = camaron_testing.EXAMPLES / "flange.visf"

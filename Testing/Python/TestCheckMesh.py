@@ -12,7 +12,7 @@ import camaron_testing
 import mesh_parts
 import numpy
 import openfoam_case
-from camaron import tables
+from camaron.common import tables
 from camaron_testing import EXAMPLES
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import VTK_POLYHEDRON, VTK_WEDGE

@@ -9,7 +9,8 @@ import sys
 from pathlib import Path
 
 import camaron_testing
-from camaron import check, json_text
+from camaron import check
+from camaron.common import json_text
 
 RULES = {
     "flange.visf": [

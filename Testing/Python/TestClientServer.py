@@ -11,7 +11,7 @@ from pathlib import Path
 
 import camaron_testing
 import gallery
-from camaron import formats, pipeline
+from camaron.common import formats, pipeline
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 

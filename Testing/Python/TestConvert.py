@@ -13,7 +13,8 @@ import unittest.mock
 
 import camaron_testing
 import numpy
-from camaron import convert, pipeline
+from camaron import convert
+from camaron.common import pipeline
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkVersion
 
@@ -404,7 +405,7 @@ class TestConvert(camaron_testing.TestCase):
 
     def test_too_little_space(self):
         """Formats whose writer would end the program on a full disk are not begun."""
-        with unittest.mock.patch("camaron.files.free_space", return_value=100):
+        with unittest.mock.patch("camaron.common.files.free_space", return_value=100):
             with self.assertRaisesRegex(RuntimeError, "x.exo: the disk has 100 B free, and the mesh"):
                 convert(self.mesh(), self.folder / "x.exo")
             with self.assertRaisesRegex(RuntimeError, "x.obj: .*the disk is full"):

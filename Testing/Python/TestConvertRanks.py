@@ -7,7 +7,8 @@ import re
 
 import camaron_testing
 import gallery
-from camaron import convert, pipeline
+from camaron import convert
+from camaron.common import pipeline
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructuredGridWriter

@@ -8,7 +8,7 @@ import math
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import pipeline, tables
+from camaron.common import pipeline, tables
 from paraview import simple
 from vtkmodules.numpy_interface import dataset_adapter
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -11,7 +11,7 @@ import camaron_testing
 #: What every rank runs: the groups and the field that it gets; tables are on the first.
 SCRIPT = """
 import json, pathlib, sys
-from camaron import pipeline
+from camaron.common import pipeline
 pipeline.load_plugin()
 import mesh_parts
 from paraview import simple

@@ -7,10 +7,10 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
-from camaron import tables
+from camaron.common import tables
 from paraview import simple
 
-XMLS = ("Filters/*.xml", "Formats/*/*.xml")
+XMLS = ("Filters/*/*.xml", "Readers/*/*.xml")
 
 
 def words(element):

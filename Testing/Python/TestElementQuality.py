@@ -10,7 +10,7 @@ import camaron_testing
 import gallery
 import mesh_parts
 import numpy
-from camaron import ranking, tables
+from camaron.common import assessment, tables
 from paraview import servermanager, simple, smtrace
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray
@@ -167,7 +167,7 @@ class TestElementQuality(camaron_testing.TestCase):
             quality = simple.ElementQuality(Input=mesh, Preset=preset)
             rows = tables.read(simple.QualityStatistics(Input=quality, Preset=preset), preset)
             colour = self.fetch(quality).GetCellData().GetScalars().GetName()
-            self.assertEqual(colour, ranking.worst_criterion(rows)["name"], preset)
+            self.assertEqual(colour, assessment.worst_criterion(rows)["name"], preset)
 
     def test_only_what_is_ticked(self):
         values = self.evaluate(simple.Wavelet(), Criteria=["Volume", "MinDihedralAngle"])

@@ -19,7 +19,7 @@ from pathlib import Path
 import camaron_testing
 import numpy
 import rank_meshes
-from camaron import pipeline
+from camaron.common import pipeline
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

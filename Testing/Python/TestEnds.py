@@ -7,7 +7,7 @@ import subprocess
 import unittest
 
 import camaron_testing
-from camaron.files import Staging
+from camaron.common.files import Staging
 
 #: Opens a display that ends before it is asked again.
 LOSE_DISPLAY = """
@@ -17,7 +17,7 @@ server = subprocess.Popen(
     ["Xvfb", "-displayfd", str(write), "-screen", "0", "64x64x24", "-nolisten", "tcp"],
     pass_fds=[write], stderr=subprocess.DEVNULL)
 os.environ["DISPLAY"] = ":" + os.read(read, 20).decode().strip()
-from camaron import pictures
+from camaron.inspection import pictures
 pictures.end_with_display()
 xlib = ctypes.CDLL("libX11.so.6")
 xlib.XOpenDisplay.restype = ctypes.c_void_p

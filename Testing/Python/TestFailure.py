@@ -18,7 +18,8 @@ BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
 #: that all read, and converts one.
 SCRIPT = """
 import json, pathlib, sys
-from camaron import convert, pipeline
+from camaron import convert
+from camaron.common import pipeline
 pipeline.load_plugin()
 from paraview import simple
 from vtkmodules.vtkParallelCore import vtkMultiProcessController

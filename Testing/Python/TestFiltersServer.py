@@ -4,7 +4,8 @@
 
 import camaron_testing
 import TestClientServer
-from camaron import export, selection, tables
+from camaron import export, selection
+from camaron.common import tables
 from paraview import servermanager, simple
 
 CELLS = 8**3 * 5

@@ -7,7 +7,8 @@ import sys
 
 import camaron_testing
 import numpy
-from camaron import check, inspect, ranking
+from camaron import check, inspect
+from camaron.common import assessment
 from gallery import make_grid
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON,
@@ -203,7 +204,7 @@ class TestFindings(camaron_testing.TestCase):
 
     def findings(self, mesh, **options):
         summary = inspect(mesh, "report", with_pictures=False, **options)
-        return ranking.findings(summary)
+        return assessment.findings(summary)
 
     def serious(self, mesh, **options):
         """Names of the criteria that stand first, in their order."""
@@ -254,7 +255,7 @@ class TestFindings(camaron_testing.TestCase):
             by_name = {c["name"]: c for c in summary["criteria"]}
             for name in ("MaxFaceAngle", "EdgeLengthRatio", "MaxDihedralAngle"):
                 c = by_name[name]
-                self.assertFalse(ranking.is_limited(c) and c["out_of_range"], name)
+                self.assertFalse(assessment.is_limited(c) and c["out_of_range"], name)
                 self.assertLess(c["judged"], c["applicable"], name)
 
     def test_shapes_of_polyhedra(self):

@@ -6,14 +6,14 @@ import importlib.util
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
-from camaron import formats
+from camaron.common import formats
 
 ROOT = camaron_testing.ROOT
 
 
 class TestFormats(camaron_testing.TestCase):
     def hints(self, name, kind, tag):
-        path = ROOT / "Formats" / name / f"{name}{kind}.xml"
+        path = ROOT / "Readers" / name / f"{name}{kind}.xml"
         found = ElementTree.parse(path).getroot().findall(f".//{tag}[@extensions]")
         self.assertTrue(found, path.name)
         return found
@@ -44,7 +44,7 @@ class TestFormats(camaron_testing.TestCase):
     def test_pages(self):
         """Every format has a page, and the README the table as it is made."""
         for f in formats.own_formats():
-            self.assertTrue((ROOT / "Formats" / f["name"] / "README.md").exists(), f["name"])
+            self.assertTrue((ROOT / "Readers" / f["name"] / "README.md").exists(), f["name"])
         script = ROOT / "Documentation" / "make_formats.py"
         spec = importlib.util.spec_from_file_location("make_formats", script)
         make_formats = importlib.util.module_from_spec(spec)

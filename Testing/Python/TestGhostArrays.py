@@ -6,7 +6,8 @@ import camaron_testing
 import gallery
 import mesh_parts
 import numpy
-from camaron import convert, pipeline
+from camaron import convert
+from camaron.common import pipeline
 from paraview import simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON

@@ -5,8 +5,9 @@
 
 import camaron_testing
 import numpy
-from camaron import inspect, pipeline
-from camaron.evaluation import Evaluation
+from camaron import inspect
+from camaron.common import pipeline
+from camaron.common.evaluation import Evaluation
 from paraview import simple
 
 SIZE = 12  # cubes in a row

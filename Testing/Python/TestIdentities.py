@@ -10,7 +10,7 @@ import math
 import camaron_testing
 import gallery
 import numpy
-from camaron import pipeline, tables
+from camaron.common import pipeline, tables
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (
@@ -27,8 +27,8 @@ from vtkmodules.vtkCommonDataModel import (
 #: Of 3D cells only, the same kinds as below.
 OWN_MESHES = (
     "Examples/voronoi-ball.visf",
-    "Formats/FluentMesh/Testing/Seeds/polyhedra.msh",
-    "Formats/M3D/Testing/Seeds/cells.m3d",
+    "Readers/FluentMesh/Testing/Seeds/polyhedra.msh",
+    "Readers/M3D/Testing/Seeds/cells.m3d",
 )
 #: Of 3D cells only; warped hexahedra, polyhedra, hanging nodes, cells that do not meet in whole faces.
 REAL_MESHES = (

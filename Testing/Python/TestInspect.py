@@ -12,8 +12,9 @@ from html.parser import HTMLParser
 
 import camaron_testing
 import numpy
-from camaron import convert, evaluation, inspect
-from camaron.stages import Progress
+from camaron import convert, inspect
+from camaron.common import evaluation
+from camaron.common.stages import Progress
 from inspection_testing import read_picture
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy

@@ -147,7 +147,7 @@ class TestInspectInputs(camaron_testing.TestCase):
 
     def test_dialects(self):
         """Visf files of every dialect give a report."""
-        seeds = sorted((camaron_testing.ROOT / "Formats/Visf/Testing/Seeds").glob("*.visf"))
+        seeds = sorted((camaron_testing.ROOT / "Readers/Visf/Testing/Seeds").glob("*.visf"))
         self.assertGreater(len(seeds), 5)
         for path in seeds + self.real("visf/*.visf"):
             with self.subTest(path.name):

@@ -11,7 +11,7 @@ from inspection_testing import difference, make_view, picture, turn
 from mesh_parts import producer
 from paraview import servermanager, simple
 
-from camaron import pipeline
+from camaron.common import pipeline
 
 STEPS = 300
 #: What else would show: nothing, or copies kept on purpose.

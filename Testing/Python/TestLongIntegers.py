@@ -10,7 +10,8 @@ import camaron_testing
 import gallery
 import mesh_parts
 import numpy
-from camaron import export, pipeline, tables
+from camaron import export
+from camaron.common import pipeline, tables
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkIdTypeArray

@@ -5,7 +5,7 @@
 import camaron_testing
 import gallery
 import mesh_parts
-from camaron import pipeline
+from camaron.common import pipeline
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON, VTK_POLYHEDRON
 

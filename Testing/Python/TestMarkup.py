@@ -13,7 +13,11 @@ from pathlib import Path
 
 import camaron_testing
 import camaron
-from camaron import check, compare, comparison_report, inspect, junit, markup, report, svg
+from camaron import check, compare, inspect
+from camaron.checking import junit
+from camaron.common import markup, svg
+from camaron.comparison import comparison_report
+from camaron.inspection import report
 from gallery import make_grid
 from vtkmodules.vtkCommonCore import vtkIntArray
 from vtkmodules.vtkCommonDataModel import VTK_TETRA

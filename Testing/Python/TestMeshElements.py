@@ -12,7 +12,7 @@ import camaron_testing
 import gallery
 import mesh_parts
 import numpy
-from camaron import tables
+from camaron.common import tables
 from camaron_testing import EXAMPLES
 from paraview import simple
 from paraview.servermanager import OutputPort

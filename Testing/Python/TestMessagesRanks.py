@@ -4,7 +4,8 @@
 """What readers and filters report on any rank reaches the notes, once, as one rank would say it."""
 
 import camaron_testing
-from camaron import check, compare, convert, formats, inspect, opening, pipeline
+from camaron import check, compare, convert, inspect
+from camaron.common import formats, pipeline, reader_choice
 from paraview import simple
 
 BALL = camaron_testing.EXAMPLES / "voronoi-ball.visf"
@@ -54,12 +55,12 @@ class TestMessagesRanks(camaron_testing.TestCase):
         """Readers of all formats say on several ranks what they say on one."""
         tried = 0
         for own in formats.own_formats():
-            folder = camaron_testing.ROOT / "Formats" / own["name"] / "Testing" / "Seeds"
+            folder = camaron_testing.ROOT / "Readers" / own["name"] / "Testing" / "Seeds"
             for path in sorted(folder.iterdir()):
                 if path.name.startswith("bad-") or own["reader"] not in formats.own_readers(path):
                     continue
                 with pipeline.Messages() as together:
-                    source = opening._make(own["reader"], path)
+                    source = reader_choice._make(own["reader"], path)
                     source.UpdatePipeline()
                 reader = source.GetClientSideObject().GetReader()
                 with pipeline.Messages() as alone:

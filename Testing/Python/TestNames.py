@@ -7,7 +7,9 @@ from urllib.parse import quote
 
 import camaron_testing
 import gallery
-from camaron import cli, conversion, convert, inspect, pipeline, text
+from camaron import cli, convert, inspect
+from camaron import conversion
+from camaron.common import pipeline, text
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUnstructuredGrid
@@ -250,7 +252,7 @@ class TestNames(camaron_testing.TestCase):
 
     def test_no_space_for_a_file(self):
         """A disk that is full while a file is written: the file is named, as it would be called."""
-        from camaron.files import Staging
+        from camaron.common.files import Staging
 
         for path, expected in ((None, self.folder), ("worst.csv", self.folder / "worst.csv")):
             with self.assertRaises(OSError) as caught:

@@ -4,12 +4,12 @@
 
 import camaron_testing
 import numpy
-from camaron import pipeline, tables
+from camaron.common import pipeline, tables
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
 
-OWN = ("Examples/*.visf", "Formats/*/Testing/Seeds/*")
+OWN = ("Examples/*.visf", "Readers/*/Testing/Seeds/*")
 MESHES = (".visf", ".msh", ".cas", ".m3d", ".cdb", ".ply", ".off", ".tri", ".ts", ".ele")
 PATTERNS = ("ansys_fluent/*.cas", "ansys_fluent/*.msh", "m3d/*.m3d", "ansys_cdb/*.cdb", "ansys_cdb/*.dat")
 #: Reasons, as the mask writes them.

@@ -10,7 +10,7 @@ import unittest
 import camaron_testing
 import gallery
 import numpy
-from camaron import tables
+from camaron.common import tables
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import (

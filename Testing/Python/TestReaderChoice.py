@@ -7,7 +7,7 @@ import json
 import camaron_testing
 import gallery
 import TestClientServer
-from camaron import formats
+from camaron.common import formats
 from paraview import servermanager, simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 from window_testing import WINDOW, WindowTestCase, event, save_state

@@ -7,7 +7,8 @@ import re
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
-from camaron import cli, ranking, svg, tables, text
+from camaron import cli
+from camaron.common import assessment, svg, tables, text
 
 
 def criterion(name, values=(), better="bigger", ideal=1.0, limits=(None, None), **more):
@@ -61,7 +62,7 @@ class TestReport(camaron_testing.TestCase):
 
     def test_worst_criterion(self):
         """The rule of Documentation/inspect.md, step by step."""
-        worst = lambda *criteria: (ranking.worst_criterion(list(criteria)) or {"name": None})[
+        worst = lambda *criteria: (assessment.worst_criterion(list(criteria)) or {"name": None})[
             "name"
         ]
         some = criterion("Some", [0.1, 0.9, 0.9, 0.9], limits=(0.5, None))
@@ -91,7 +92,7 @@ class TestReport(camaron_testing.TestCase):
     def test_findings(self):
         summary = {"mesh": {"cells": 4}, "criteria": []}
         say = lambda *criteria: [
-            f["text"] for f in ranking.findings({**summary, "criteria": list(criteria)})
+            f["text"] for f in assessment.findings({**summary, "criteria": list(criteria)})
         ]
         self.assertEqual(say(), ["None of the criteria has a meaning for the cells of this mesh."])
         good = criterion("Good", [0.9] * 4, limits=(0.5, None))
@@ -105,7 +106,7 @@ class TestReport(camaron_testing.TestCase):
         self.assertIn("{}: undefined for 2 cells.", say(null))
         whole = "No cell is outside the acceptable range."
         hint = criterion("Hint", [0.1] * 4, limits=(0.5, None), acceptable_is_hint=True)
-        found = ranking.findings({**summary, "criteria": [good, hint]})
+        found = assessment.findings({**summary, "criteria": [good, hint]})
         self.assertEqual([(f["text"] == whole, f["hint"]) for f in found], [(True, False), (False, True)])
         other = criterion("Other", [0.1] * 4, limits=(0.5, None), judged=0, out_of_range=0)
         self.assertEqual(say(good, other), [whole], "a range for other shapes")
@@ -113,7 +114,7 @@ class TestReport(camaron_testing.TestCase):
         few.update(judged=2, acceptable_for="tetrahedra", consequence="flat")
         most = criterion("Most", [0.1] * 4, limits=(0.5, None))
         self.assertEqual(
-            [f["criteria"][0]["name"] for f in ranking.findings({**summary, "criteria": [most, few]})],
+            [f["criteria"][0]["name"] for f in assessment.findings({**summary, "criteria": [most, few]})],
             ["Few", "Most"],
             "what nothing can use comes first",
         )
@@ -122,7 +123,7 @@ class TestReport(camaron_testing.TestCase):
             "1 of 2 tetrahedra (50 %) is outside the acceptable range of {} (≥ 0.5): flat.",
         )
         self.assertEqual(
-            ranking.findings({"mesh": {"cells": 0}, "criteria": []})[0]["text"],
+            assessment.findings({"mesh": {"cells": 0}, "criteria": []})[0]["text"],
             "The mesh has no cells.",
         )
 
@@ -130,9 +131,9 @@ class TestReport(camaron_testing.TestCase):
         """The picture has colors for most cells, if a criterion has values for these."""
         rare = criterion("Rare", [0.1] * 4, limits=(0.5, None), null=3, count=4)
         common = criterion("Common", [0.9] * 4, limits=(0.5, None))
-        self.assertEqual(ranking.worst_criterion([rare, common])["name"], "Rare")
-        self.assertEqual(ranking.picture_criterion([rare, common])["name"], "Common")
-        self.assertEqual(ranking.picture_criterion([rare])["name"], "Rare")
+        self.assertEqual(assessment.worst_criterion([rare, common])["name"], "Rare")
+        self.assertEqual(assessment.picture_criterion([rare, common])["name"], "Common")
+        self.assertEqual(assessment.picture_criterion([rare])["name"], "Rare")
 
     def shapes(self, c):
         """Bars of a histogram by colour: list of (x, width, height)."""

@@ -10,7 +10,7 @@ must be so; of others the test finds out by itself.
 import camaron_testing
 import gallery
 import numpy
-from camaron import formats, pipeline
+from camaron.common import formats, pipeline
 from paraview import simple
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 

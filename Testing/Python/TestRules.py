@@ -9,8 +9,9 @@ import random
 from fractions import Fraction
 
 import camaron_testing
-from camaron import rules, tables
-from camaron.rules import Parser, RulesError, Scope, Tolerance
+from camaron.checking import rules
+from camaron.common import tables
+from camaron.checking.rules import Parser, RulesError, Scope, Tolerance
 
 CRITERIA = ["Volume", "MinDihedralAngle", "EdgeLengthRatio", "FaceCount"]
 PRESETS = {

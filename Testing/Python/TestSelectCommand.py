@@ -13,7 +13,8 @@ import camaron
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import cli, export
+from camaron import cli
+from camaron import export
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 

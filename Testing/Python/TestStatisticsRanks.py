@@ -16,7 +16,7 @@ from pathlib import Path
 import camaron_testing
 import mesh_parts
 import numpy
-from camaron import pipeline, tables
+from camaron.common import pipeline, tables
 from paraview import servermanager, simple
 from paraview.servermanager import OutputPort
 from vtkmodules.util.numpy_support import vtk_to_numpy

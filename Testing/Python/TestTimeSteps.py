@@ -4,7 +4,7 @@
 
 import camaron_testing
 import mesh_parts
-from camaron import pipeline, tables
+from camaron.common import pipeline, tables
 from paraview import simple
 
 

@@ -4,7 +4,8 @@
 
 import camaron_testing
 import numpy
-from camaron import convert, pictures
+from camaron import convert
+from camaron.inspection import pictures
 from inspection_testing import make_view, picture, read_picture
 from paraview import simple
 from touching_shapes import BLOCKS, POLYGONS, make_prisms

@@ -124,6 +124,6 @@ class WindowTestCase(camaron_testing.TestCase):
     def replay(self, trace, more):
         """Runs a trace, and then a text, in pvpython."""
         script = self.folder / "replayed.py"
-        load = "from camaron import pipeline\npipeline.load_plugin()\n"
+        load = "from camaron.common import pipeline\npipeline.load_plugin()\n"
         script.write_text(f"{load}{trace.read_text()}\n{more}")
         camaron_testing.run_alone(script, timeout=140)

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VectorQuad.h
+ * @brief Four numbers or vectors at a time, where processors and compilers have them.
+ *
+ * As VectorPair.h, and each lane gets the same. Only for functions that are CAMARON_WITH_QUADS, which only run where
+ * UsesVectorQuads is set.
+ */
+#ifndef camaron_VectorQuad_h
+#define camaron_VectorQuad_h
+
+#include "Base/VectorPair.h"
+
+namespace camaron
+{
+/// Whether the processor has AVX2. Tests turn it off.
+extern bool UsesVectorQuads;
+}
+
+// Clang refuses such vectors as arguments of functions that it compiles for any processor, inlined or not.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+#define CAMARON_HAS_QUADS 1
+/// What they call becomes part of them, as far as it is inline, and so uses AVX2, too.
+#define CAMARON_WITH_QUADS __attribute__((target("avx2"), flatten))
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpsabi" // how quads are passed does not matter, as they are not
+namespace camaron
+{
+using Quad = double __attribute__((vector_size(4 * sizeof(double))));
+
+inline Quad Sqrt(const Quad& a)
+{
+  const Pair low = Sqrt(Pair{ a[0], a[1] }), high = Sqrt(Pair{ a[2], a[3] });
+  return Quad{ low[0], low[1], high[0], high[1] };
+}
+
+inline Quad TurnSign(const Quad& a, const Quad& sign)
+{
+  using Bits = long long __attribute__((vector_size(4 * sizeof(long long))));
+  constexpr Quad zero = {}, signs = { -0.0, -0.0, -0.0, -0.0 };
+  return (Quad)((Bits)a ^ ((Bits)(sign < zero) & (Bits)signs));
+}
+}
+#pragma GCC diagnostic pop
+#else
+#define CAMARON_WITH_QUADS
+namespace camaron
+{
+using Quad = Pair; // UsesVectorQuads is not set
+}
+#endif
+
+#endif

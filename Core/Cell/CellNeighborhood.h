@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::CellNeighborhood
+ * @brief A cell, its facets, and the cells on their other sides, as finite volumes see them.
+ *
+ * The facets of a polyhedron are its faces; those of a polygon its edges, with a vector area that lies in
+ * the plane of the polygon and has the length of the edge. All coordinates are relative to the first point of
+ * the cell. Holds scratch memory: use one per thread.
+ */
+#ifndef camaron_CellNeighborhood_h
+#define camaron_CellNeighborhood_h
+
+#include "Cell/CellGeometry.h"
+#include "Mesh/MeshTopology.h"
+#include "Base/Buffer.h"
+
+#include <vector> // for the facets
+
+namespace camaron
+{
+class FacetLinks;
+struct PieceLinks;
+
+/// Centroid and volume or area of every cell of a mesh.
+struct CellCenters
+{
+  LargeVector<Vector> Centroids; ///< not relative to anything; NaN where there is none
+  LargeVector<double> Sizes;     ///< null where the cell is not closed
+
+  /// None yet.
+  explicit CellCenters(vtkIdType numberOfCells);
+  /// Takes them from the geometry of a cell with CellNeighborhood::BaseNeeds.
+  void Set(vtkIdType cell, const CellGeometry& geometry);
+};
+
+/// Whether the mesh has cells of that dimension.
+bool HasCellsOfDimension(const MeshView& mesh, int dimension);
+
+///@{
+/**
+ * Centroid and size of a cell as in CellCenters, and the unit normal of its vector area, which is zero if the cell is
+ * no polygon or has no area. @a scratch is overwritten.
+ */
+void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
+  CellGeometry& scratch, Vector& centroid, double& size);
+Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
+  CellGeometry& scratch);
+///@}
+
+/// Of a facet that cells of other pieces have, too, see FacetLinks, how many cells have it, copies not counted.
+Index CountCellsOfAllPieces(Index facet, const FacetTable& table, const FacetLinks& links,
+  const EvaluationOptions& options, std::vector<Index>& scratch);
+
+class CellNeighborhood
+{
+public:
+  enum class Side
+  {
+    Cell,        ///< there is one other cell
+    Boundary,    ///< there is none
+    Missing,     ///< the other cell is in another piece
+    NonManifold  ///< there are several, or the cell itself
+  };
+  struct Facet
+  {
+    Vector Area;   ///< out of the cell
+    double Size = 0; ///< length of Area
+    bool IsZero = false; ///< collapsed
+    Vector Center;
+    Vector Way;    ///< from the centroid of the cell to Center
+    double WayLength = 0;
+    double AreaByWay = 0; ///< scalar product
+    Side Other = Side::Boundary;
+    Vector OtherCentroid; ///< and OtherSize: of an earlier facet unless there is another cell
+    Vector Line;   ///< from the centroid of the cell to OtherCentroid; zero if there is none
+    double LineLength = 0;
+    double AreaByLine = 0; ///< scalar product
+    double OtherSize = 0;
+    int Number = 0; ///< of the face or edge in the topology of the cell
+    int Use = 0;    ///< its place among the facets of the cell in the table
+  };
+
+  CellNeighborhood(
+    const MeshTopology& topology, const CellCenters& centers, const EvaluationOptions& options);
+
+  /// Parts of the geometry that are always computed.
+  static constexpr unsigned BaseNeeds = NeedsFaces | NeedsCentroid;
+
+  /// Takes a cell; false if it has no facets that can be told apart.
+  bool Load(vtkIdType cell, const CellGeometry& geometry);
+
+  const CellGeometry& GetGeometry() const { return *this->Geometry; }
+  const Vector& GetCentroid() const { return this->Geometry->GetCentroid(); }
+  /// Volume or area.
+  double GetSize() const { return this->Size; }
+  const std::vector<Facet>& GetFacets() const { return this->Facets; }
+
+  /// Calls @a visit(const Vector&) for the points of a facet.
+  template <typename Visit>
+  void ForEachPoint(const Facet& facet, Visit&& visit) const
+  {
+    const CellTopology& topology = this->Geometry->GetTopology();
+    if (this->IsPolygon)
+    {
+      const int* ring = topology.GetFace(0);
+      const int next = facet.Number + 1 < topology.GetFaceSize(0) ? facet.Number + 1 : 0;
+      visit(this->Geometry->GetPoint(ring[facet.Number]));
+      visit(this->Geometry->GetPoint(ring[next]));
+      return;
+    }
+    for (int i = 0; i < topology.GetFaceSize(facet.Number); ++i)
+    {
+      visit(this->Geometry->GetPoint(topology.GetFace(facet.Number)[i]));
+    }
+  }
+
+private:
+  void Finish(Facet& facet) const;
+  void FindUsesOfRing();
+  void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links,
+    Facet& facet);
+  bool FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links,
+    Facet& facet);
+
+  const CellCenters& Centers;
+  const EvaluationOptions& Options;
+  const PieceLinks* Links;
+  const FacetTable* Faces = nullptr; ///< of 3D cells, if there are any
+  const FacetTable* Edges = nullptr; ///< of 2D cells, if there are any
+  const CellGeometry* Geometry = nullptr;
+  bool IsPolygon = false;
+  double Size = 0;
+  std::vector<Facet> Facets;
+  std::vector<Index> FacetCells; // scratch
+  std::vector<int> UsesOfRing;   // of the edges that are left of a polygon, among all of it
+};
+}
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/MeanSizes.h"
+
+#include "Base/Parallel.h"
+#include "Base/ExactSum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 1024;
+constexpr vtkIdType MaxParts = 64; // that are summed up in parallel
+
+// Sums of the cells of a part.
+struct Sums
+{
+  ExactSum Sum[MeanSizes::NumberOfKinds];
+  std::int64_t Count[MeanSizes::NumberOfKinds] = {};
+
+  void Add(MeanSizes::Kind kind, double size)
+  {
+    if (std::isfinite(size))
+    {
+      this->Sum[kind].Add(size);
+      ++this->Count[kind];
+    }
+  }
+};
+
+//------------------------------------------------------------------------------
+void AddCells(const LinkedPiece& piece, vtkIdType begin, vtkIdType end, Sums& sums)
+{
+  for (ExactSum& sum : sums.Sum)
+  {
+    sum.Reserve(end - begin);
+  }
+  CellGeometry cell;
+  for (vtkIdType id = begin; id < end; ++id)
+  {
+    if (piece.Options.Ghosts && piece.Options.Ghosts[id])
+    {
+      continue;
+    }
+    cell.Load(piece.Topology->GetMesh(), id, piece.Options);
+    cell.Normalize();
+    const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
+    const int dimension = isPolygon ? 2 : 3;
+    if (!cell.IsFinite() || !(cell.GetShapes() & PolygonsAndPolyhedra))
+    {
+      continue;
+    }
+    cell.Compute(NeedsFaces | NeedsVolume);
+    sums.Add(isPolygon ? MeanSizes::PolygonArea : MeanSizes::PolyhedronVolume,
+      cell.ToMesh(isPolygon ? cell.GetPolygonArea() : cell.GetVolume(), dimension));
+    MeanSizes::Kind kind;
+    double size;
+    if (GetVerdictSize(cell, kind, size))
+    {
+      sums.Add(kind, cell.ToMesh(size, dimension));
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
+{
+  ExactSum::Limbs limbs[MeanSizes::NumberOfKinds] = {};
+  std::int64_t counts[MeanSizes::NumberOfKinds] = {};
+  for (const LinkedPiece& piece : pieces)
+  {
+    const vtkIdType size = piece.Topology->GetMesh().GetNumberOfCells();
+    const vtkIdType numberOfParts = std::min(MaxParts, size / Grain + 1);
+    std::vector<Sums> parts(static_cast<std::size_t>(numberOfParts));
+    ParallelFor(numberOfParts, 1,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType part = begin; part < end; ++part)
+        {
+          AddCells(
+            piece, size * part / numberOfParts, size * (part + 1) / numberOfParts, parts[part]);
+        }
+      });
+    for (Sums& part : parts)
+    {
+      for (int kind = 0; kind < MeanSizes::NumberOfKinds; ++kind)
+      {
+        const ExactSum::Limbs ofPart = part.Sum[kind].GetLimbs();
+        for (std::size_t i = 0; i < ofPart.size(); ++i)
+        {
+          limbs[kind][i] += ofPart[i];
+        }
+        counts[kind] += part.Count[kind];
+      }
+    }
+  }
+  MeanSizes means;
+  reducer.Sum(counts, MeanSizes::NumberOfKinds);
+  for (int kind = 0; kind < MeanSizes::NumberOfKinds; ++kind)
+  {
+    reducer.Sum(limbs[kind].data(), limbs[kind].size());
+    means.Of[kind] = counts[kind] > 0 ? ExactSum::Divide(limbs[kind], counts[kind])
+                                      : Null(NullReason::Degenerate);
+  }
+  return means;
+}
+}

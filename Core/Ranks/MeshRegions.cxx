@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/MeshRegions.h"
+
+#include "Ranks/CellIds.h"
+#include "Ranks/LinkedComponents.h"
+
+#include <algorithm>
+#include <map>
+
+namespace camaron
+{
+namespace
+{
+using Ids = std::vector<std::int64_t>;
+
+//------------------------------------------------------------------------------
+// The places of numbers among those of all processes. Each process sorts its share of their range.
+Ids FindRanks(const Ids& numbers, Reducer& reducer)
+{
+  const int processes = reducer.GetNumberOfProcesses();
+  std::int64_t highest = 0, lowest = 0;
+  for (const std::int64_t number : numbers)
+  {
+    highest = std::max(highest, number);
+    lowest = std::min(lowest, number);
+  }
+  reducer.Max(&highest, 1);
+  reducer.Min(&lowest, 1);
+  const double width = (static_cast<double>(highest) - static_cast<double>(lowest)) / processes;
+  const auto getSorter = [=](std::int64_t number)
+  {
+    const double place = static_cast<double>(number) - static_cast<double>(lowest);
+    return width > 0 ? std::min(processes - 1, static_cast<int>(place / width)) : 0;
+  };
+  std::vector<Ids> sent(processes);
+  for (const std::int64_t number : numbers)
+  {
+    sent[getSorter(number)].push_back(number);
+  }
+  std::vector<Ids> received = reducer.ExchangeItems(std::move(sent));
+  Ids sorted;
+  for (const Ids& list : received)
+  {
+    sorted.insert(sorted.end(), list.begin(), list.end());
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const Ids sizes = reducer.GatherItems(Ids{ static_cast<std::int64_t>(sorted.size()) });
+  std::int64_t first = 0;
+  for (int process = 0; process < reducer.GetProcess(); ++process)
+  {
+    first += sizes[process];
+  }
+  for (Ids& list : received)
+  {
+    for (std::int64_t& number : list)
+    {
+      number = first + (std::lower_bound(sorted.begin(), sorted.end(), number) - sorted.begin());
+    }
+  }
+  received = reducer.ExchangeItems(std::move(received));
+  std::vector<std::size_t> next(processes, 0);
+  Ids ranks;
+  for (const std::int64_t number : numbers)
+  {
+    const int sorter = getSorter(number);
+    ranks.push_back(received[sorter][next[sorter]++]);
+  }
+  return ranks;
+}
+
+//------------------------------------------------------------------------------
+// What hangs together within the pieces of this process. Parts of copies alone are no component.
+class PieceRegions
+{
+public:
+  PieceRegions(const std::vector<LinkedPiece>& pieces, const CellIds& ids)
+  {
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+    {
+      const std::vector<Index>& regions = pieces[p].Topology->GetCellRegions();
+      std::vector<Index> components(regions.size(), CopiesOnly); // of the regions of this piece
+      for (std::size_t cell = 0; cell < regions.size(); ++cell)
+      {
+        if (regions[cell] >= 0 && !pieces[p].IsCopy(static_cast<vtkIdType>(cell)))
+        {
+          this->Add(ids.Get(p, cell), components[regions[cell]]);
+        }
+      }
+      this->OfCells.emplace_back(regions.size(), NoRegion);
+      for (std::size_t cell = 0; cell < regions.size(); ++cell)
+      {
+        if (regions[cell] >= 0)
+        {
+          this->OfCells[p][cell] = components[regions[cell]];
+        }
+      }
+    }
+  }
+
+  static constexpr Index NoRegion = -1;
+  static constexpr Index CopiesOnly = -2;
+  std::vector<std::vector<Index>> OfCells; // components
+  Ids FirstCells;                          // of the components
+
+private:
+  void Add(std::int64_t id, Index& component)
+  {
+    if (component < 0)
+    {
+      component = static_cast<Index>(this->FirstCells.size());
+      this->FirstCells.push_back(id);
+    }
+    this->FirstCells[component] = std::min(this->FirstCells[component], id);
+  }
+};
+
+struct Report
+{
+  std::int64_t Label, FirstCell;
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<MeshRegions> FindMeshRegions(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
+{
+  const PieceRegions regions(pieces, CellIds(pieces, reducer));
+  const LinkedComponents linked(
+    pieces, regions.OfCells, static_cast<Index>(regions.FirstCells.size()), reducer);
+
+  // The process that has the label of a region hears of all its parts and numbers it.
+  const int processes = reducer.GetNumberOfProcesses();
+  std::vector<std::vector<Report>> reports(processes);
+  for (std::size_t i = 0; i < regions.FirstCells.size(); ++i)
+  {
+    const std::int64_t label = linked.GetLabels()[i];
+    reports[linked.GetProcess(label)].push_back({ label, regions.FirstCells[i] });
+  }
+  reports = reducer.ExchangeItems(std::move(reports));
+  std::map<std::int64_t, std::int64_t> numbers; // of labels
+  for (const auto& list : reports)
+  {
+    for (const Report& report : list)
+    {
+      std::int64_t& first = numbers.emplace(report.Label, report.FirstCell).first->second;
+      first = std::min(first, report.FirstCell);
+    }
+  }
+  Ids firstCells;
+  for (const auto& entry : numbers)
+  {
+    firstCells.push_back(entry.second);
+  }
+  const Ids ranks = FindRanks(firstCells, reducer);
+  std::size_t i = 0;
+  for (auto& entry : numbers)
+  {
+    entry.second = ranks[i++];
+  }
+  std::vector<Ids> answers(processes);
+  for (int process = 0; process < processes; ++process)
+  {
+    for (const Report& report : reports[process])
+    {
+      answers[process].push_back(numbers[report.Label]);
+    }
+  }
+  answers = reducer.ExchangeItems(std::move(answers));
+
+  std::vector<std::size_t> next(processes, 0);
+  Ids ofComponents;
+  for (const std::int64_t label : linked.GetLabels())
+  {
+    const int process = linked.GetProcess(label);
+    ofComponents.push_back(answers[process][next[process]++]);
+  }
+  std::vector<MeshRegions> result;
+  for (const std::vector<Index>& components : regions.OfCells)
+  {
+    result.emplace_back();
+    for (const Index component : components)
+    {
+      result.back().OfCells.push_back(component >= 0 ? ofComponents[component]
+          : component == PieceRegions::CopiesOnly    ? MeshRegions::Unknown
+                                                     : MeshRegions::None);
+    }
+  }
+  return result;
+}
+}

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/SurfaceSides.h"
+
+#include "Cell/CellNeighborhood.h"
+#include "Ranks/LinkedComponents.h"
+#include "Base/DisjointSets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace camaron
+{
+namespace
+{
+// A number of 90 bits after the point in parts of 30 bits, of which 2^32 can be added without rounding.
+struct FixedSum
+{
+  static constexpr int NumberOfParts = 3;
+  static constexpr int Bits = 30;
+  std::int64_t Parts[NumberOfParts] = {};
+
+  /// |@a value| is at most 1.
+  void Add(double value)
+  {
+    for (std::int64_t& part : this->Parts)
+    {
+      value = std::ldexp(value, Bits);
+      const double whole = std::trunc(value);
+      part += static_cast<std::int64_t>(whole);
+      value -= whole;
+    }
+  }
+  void Add(const FixedSum& other)
+  {
+    for (int i = 0; i < NumberOfParts; ++i)
+    {
+      this->Parts[i] += other.Parts[i];
+    }
+  }
+  bool IsNegative() const
+  {
+    std::int64_t carry = 0;
+    for (int i = NumberOfParts - 1; i > 0; --i)
+    {
+      carry = (this->Parts[i] + carry) >> Bits; // rounds down
+    }
+    return this->Parts[0] + carry < 0;
+  }
+};
+
+// What hangs together in one piece.
+struct Component
+{
+  FixedSum Volume;
+  bool IsOpen = false;
+  bool IsUnknown = false;
+};
+
+struct Report
+{
+  std::int64_t Label;
+  FixedSum Volume;
+  bool IsOpen, IsUnknown;
+};
+
+//------------------------------------------------------------------------------
+class SideFinder
+{
+public:
+  SideFinder(const std::vector<LinkedPiece>& pieces, camaron::Reducer& reducer)
+    : Pieces(pieces)
+    , Reducer(reducer)
+    , NumberOfProcesses(reducer.GetNumberOfProcesses())
+  {
+  }
+
+  std::vector<SurfaceSides> Find()
+  {
+    this->FindBox();
+    for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+    {
+      this->Components.emplace_back();
+      if (HasCellsOfDimension(this->Pieces[piece].Topology->GetMesh(), 2))
+      {
+        this->FindComponents(this->Pieces[piece], this->Components.back());
+      }
+    }
+    const LinkedComponents linked(
+      this->Pieces, this->Components, static_cast<Index>(this->All.size()), this->Reducer);
+    const std::vector<SurfaceSide> sides = this->Decide(linked);
+    std::vector<SurfaceSides> result;
+    for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
+    {
+      result.emplace_back();
+      const vtkIdType size = this->Pieces[piece].Topology->GetMesh().GetNumberOfCells();
+      result.back().OfCells.assign(size, SurfaceSide::None);
+      for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(this->Components[piece].size()); ++cell)
+      {
+        const Index component = this->Components[piece][cell];
+        result.back().OfCells[cell] = component >= 0 ? sides[component]
+          : component == Copy                        ? SurfaceSide::Unknown
+                                                     : SurfaceSide::None;
+      }
+    }
+    return result;
+  }
+
+private:
+  static constexpr Index NoPolygon = -1;
+  static constexpr Index Copy = -2;
+
+  //----------------------------------------------------------------------------
+  // The corner from which volumes are measured, and a power of two above all of them.
+  void FindBox()
+  {
+    struct Box
+    {
+      double Low[3], High[3];
+    };
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    std::vector<Box> boxes = { { { infinity, infinity, infinity },
+      { -infinity, -infinity, -infinity } } };
+    for (const LinkedPiece& piece : this->Pieces)
+    {
+      const MeshView& mesh = piece.Topology->GetMesh();
+      for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+      {
+        if (piece.IsCopy(cell) || GetCellShape(mesh.GetCellType(cell)).Dimension != 2)
+        {
+          continue;
+        }
+        const IndexRange points = mesh.GetCellPoints(cell);
+        for (vtkIdType i = 0; i < points.Size; ++i)
+        {
+          double x[3];
+          mesh.GetPoint(points[i], x);
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            if (std::isfinite(x[axis]))
+            {
+              boxes[0].Low[axis] = std::min(boxes[0].Low[axis], x[axis]);
+              boxes[0].High[axis] = std::max(boxes[0].High[axis], x[axis]);
+            }
+          }
+        }
+      }
+    }
+    Box whole = boxes[0];
+    for (const Box& box : this->Reducer.GatherItems(boxes))
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        whole.Low[axis] = std::min(whole.Low[axis], box.Low[axis]);
+        whole.High[axis] = std::max(whole.High[axis], box.High[axis]);
+      }
+    }
+    this->Corner = { whole.Low[0], whole.Low[1], whole.Low[2] };
+    const double length = std::max(
+      { whole.High[0] - whole.Low[0], whole.High[1] - whole.Low[1], whole.High[2] - whole.Low[2] });
+    int exponent = 0;
+    std::frexp(length > 0 && std::isfinite(length) ? length : 1.0, &exponent);
+    this->Exponent = exponent + 1;
+  }
+
+  //----------------------------------------------------------------------------
+  // The volume of the cone from the corner to a polygon, as a share of that of the box.
+  double GetShare(const CellGeometry& cell) const
+  {
+    const auto scale = [](const Vector& v, int exponent)
+    {
+      return Vector{ std::ldexp(v.X, exponent), std::ldexp(v.Y, exponent), std::ldexp(v.Z, exponent) };
+    };
+    const int ofCell = cell.GetLengthExponent() - this->Exponent;
+    const Vector to =
+      scale(cell.GetOrigin() - this->Corner, -this->Exponent) + scale(cell.GetFaceCenter(0), ofCell);
+    const Vector area = scale(cell.GetFaceVector(0), 2 * ofCell);
+    const double share = Dot(to, area) / 3;
+    return std::abs(share) <= 1 ? share : 0;
+  }
+
+  //----------------------------------------------------------------------------
+  // Fills in the component of every cell; the components continue those of earlier pieces.
+  void FindComponents(const LinkedPiece& piece, std::vector<Index>& components)
+  {
+    const MeshView& mesh = piece.Topology->GetMesh();
+    const FacetTable& edges = piece.Topology->GetSurfaceEdges();
+    const FacetLinks* links = piece.Options.Links ? &piece.Options.Links->Edges : nullptr;
+    const auto numberOfCells = static_cast<Index>(mesh.GetNumberOfCells());
+    DisjointSets surfaces(static_cast<std::size_t>(numberOfCells));
+    std::vector<unsigned char> isOpen(numberOfCells), isUnknown(numberOfCells);
+    std::vector<Index> cells;
+    for (Index cell = 0; cell < numberOfCells; ++cell)
+    {
+      if (piece.IsCopy(cell))
+      {
+        continue;
+      }
+      surfaces.Insert(cell);
+      for (const CellFacet edge : edges.GetCellFacets(cell))
+      {
+        edges.GetCells(edge.Facet(), cells);
+        int others = -1, copies = 0; // the first is the cell itself
+        bool isOpposite = true;
+        for (const Index other : cells)
+        {
+          if (piece.IsCopy(other))
+          {
+            ++copies;
+            continue;
+          }
+          ++others;
+          if (other != cell)
+          {
+            surfaces.Insert(other);
+            surfaces.Join(cell, other);
+            for (const CellFacet theirs : edges.GetCellFacets(other))
+            {
+              isOpposite = isOpposite && (theirs.Facet() != edge.Facet() ||
+                theirs.IsReversed() != edge.IsReversed());
+            }
+          }
+        }
+        if (links)
+        {
+          links->ForEach(edge.Facet(),
+            [&](const LinkedCell&, bool isReversed)
+            {
+              ++others;
+              isOpposite = isOpposite && isReversed != edge.IsReversed();
+            });
+        }
+        const bool mayHaveOther = copies > 0 || piece.Options.IsPieceWithoutGhosts;
+        isUnknown[cell] |= others == 0 && mayHaveOther;
+        isOpen[cell] |= (others == 0 && !mayHaveOther) || others > 1 || !isOpposite;
+      }
+    }
+
+    components.assign(numberOfCells, NoPolygon);
+    CellGeometry geometry;
+    for (Index cell = 0; cell < numberOfCells; ++cell)
+    {
+      if (edges.GetCellFacets(cell).size() == 0)
+      {
+        continue;
+      }
+      if (piece.IsCopy(cell))
+      {
+        components[cell] = Copy;
+        continue;
+      }
+      const vtkIdType first = surfaces.Find(cell);
+      if (first == cell)
+      {
+        components[cell] = static_cast<Index>(this->All.size());
+        this->All.emplace_back();
+      }
+      components[cell] = components[first];
+      Component& component = this->All[components[cell]];
+      component.IsOpen = component.IsOpen || isOpen[cell];
+      component.IsUnknown = component.IsUnknown || isUnknown[cell];
+      geometry.Load(mesh, cell, piece.Options);
+      geometry.Normalize();
+      if (geometry.IsFinite() && geometry.GetTopology().GetNumberOfFaces() > 0)
+      {
+        geometry.Compute(NeedsFaces);
+        component.Volume.Add(this->GetShare(geometry));
+      }
+    }
+  }
+
+  //----------------------------------------------------------------------------
+  // Of every component its side. The process that has the first component of a surface decides for all.
+  std::vector<SurfaceSide> Decide(const LinkedComponents& linked)
+  {
+    std::vector<std::vector<Report>> reports(this->NumberOfProcesses);
+    for (std::size_t i = 0; i < this->All.size(); ++i)
+    {
+      const std::int64_t label = linked.GetLabels()[i];
+      const Component& component = this->All[i];
+      reports[linked.GetProcess(label)].push_back(
+        { label, component.Volume, component.IsOpen, component.IsUnknown });
+    }
+    reports = this->Reducer.ExchangeItems(std::move(reports));
+    std::map<std::int64_t, Component> surfaces;
+    for (const auto& list : reports)
+    {
+      for (const Report& report : list)
+      {
+        Component& surface = surfaces[report.Label];
+        surface.Volume.Add(report.Volume);
+        surface.IsOpen = surface.IsOpen || report.IsOpen;
+        surface.IsUnknown = surface.IsUnknown || report.IsUnknown;
+      }
+    }
+    std::vector<std::vector<SurfaceSide>> answers(this->NumberOfProcesses);
+    for (int process = 0; process < this->NumberOfProcesses; ++process)
+    {
+      for (const Report& report : reports[process])
+      {
+        const Component& surface = surfaces[report.Label];
+        answers[process].push_back(surface.IsOpen ? SurfaceSide::None
+            : surface.IsUnknown                   ? SurfaceSide::Unknown
+            : surface.Volume.IsNegative()         ? SurfaceSide::Inward
+                                                  : SurfaceSide::Outward);
+      }
+    }
+    answers = this->Reducer.ExchangeItems(std::move(answers));
+    std::vector<std::size_t> next(this->NumberOfProcesses, 0);
+    std::vector<SurfaceSide> sides;
+    for (const std::int64_t label : linked.GetLabels())
+    {
+      const int process = linked.GetProcess(label);
+      sides.push_back(answers[process][next[process]++]);
+    }
+    return sides;
+  }
+
+  const std::vector<LinkedPiece>& Pieces;
+  camaron::Reducer& Reducer;
+  const int NumberOfProcesses;
+  Vector Corner;
+  int Exponent = 0;
+  std::vector<std::vector<Index>> Components; // of the cells of each piece, numbers in All
+  std::vector<Component> All;                 // of all pieces of this process
+};
+}
+
+//------------------------------------------------------------------------------
+std::vector<SurfaceSides> FindSurfaceSides(
+  const std::vector<LinkedPiece>& pieces, Reducer& reducer)
+{
+  return SideFinder(pieces, reducer).Find();
+}
+}

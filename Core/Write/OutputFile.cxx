@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Write/OutputFile.h"
+
+#include "Scan/MappedFile.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <random>
+
+namespace fs = std::filesystem;
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// A name beside the target that nobody else uses, and that is not too long for file systems.
+std::string MakeTemporaryName(const std::string& target)
+{
+  constexpr std::size_t MaxLength = 200; // of what is added to; names have at most 255 bytes
+  static std::atomic<unsigned int> number{ std::random_device()() };
+  const std::size_t name = target.size() - GetFileName(target).size();
+  return target.substr(0, name + MaxLength) + "." + std::to_string(number++) + ".part";
+}
+
+//------------------------------------------------------------------------------
+// Whether the user has not protected a file that is there against writing.
+bool MayWrite(const std::string& path)
+{
+  std::FILE* const file = std::fopen(path.c_str(), "r+b");
+  return file && std::fclose(file) == 0;
+}
+}
+
+//------------------------------------------------------------------------------
+OutputFile::OutputFile(const std::string& path)
+  : Name(GetFileName(path))
+  , Target(path)
+{
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status))
+  {
+    this->Fail(EISDIR);
+    return;
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status))
+  {
+    this->File = std::fopen(path.c_str(), "wb");
+  }
+  else
+  {
+    if (fs::exists(status))
+    {
+      if (!MayWrite(path))
+      {
+        this->Fail(errno);
+        return;
+      }
+      const fs::path real = fs::canonical(path, error); // a link stays one
+      this->Target = error ? path : real.string();
+    }
+    else if (fs::is_symlink(fs::symlink_status(path, error)))
+    {
+      const fs::path real = fs::path(path).parent_path() / fs::read_symlink(path, error);
+      this->Target = error ? path : real.string();
+    }
+    this->Temporary = MakeTemporaryName(this->Target);
+    this->File = std::fopen(this->Temporary.c_str(), "wbx");
+    if (this->File && fs::exists(status))
+    {
+      fs::permissions(this->Temporary, status.permissions(), error); // a wish
+    }
+  }
+  if (!this->File)
+  {
+    this->Temporary.clear();
+    this->Fail(errno);
+  }
+}
+
+//------------------------------------------------------------------------------
+OutputFile::~OutputFile()
+{
+  if (this->File)
+  {
+    std::fclose(this->File);
+  }
+  if (!this->Temporary.empty())
+  {
+    std::remove(this->Temporary.c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
+void OutputFile::Write(const char* bytes, std::size_t size)
+{
+  if (!this->HasFailed() && size > 0 && std::fwrite(bytes, 1, size, this->File) != size)
+  {
+    this->Fail(errno);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool OutputFile::Close()
+{
+  if (!this->HasFailed() && this->File)
+  {
+    const int closed = std::fclose(this->File);
+    this->File = nullptr;
+    if (closed != 0)
+    {
+      this->Fail(errno);
+    }
+  }
+  return !this->HasFailed();
+}
+
+//------------------------------------------------------------------------------
+bool OutputFile::Commit()
+{
+  if (!this->Close())
+  {
+    return false;
+  }
+  if (!this->Temporary.empty())
+  {
+    std::error_code error;
+    fs::rename(this->Temporary, this->Target, error);
+    if (error)
+    {
+      this->Fail(error.value());
+      return false;
+    }
+    this->Temporary.clear();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void OutputFile::Fail(int code)
+{
+  if (!this->HasFailed())
+  {
+    this->Error = { code == ENOSPC || code == EFBIG ? ErrorKind::DiskFull : ErrorKind::Write,
+      this->Name + ": cannot write the file: " + std::strerror(code) };
+  }
+}
+}

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file RealFormat.h
+ * @brief Numbers as text the way a format of files wants them: exact rounding, no locale.
+ */
+#ifndef camaron_RealFormat_h
+#define camaron_RealFormat_h
+
+#include "Base/Number.h"
+
+#include <cstddef> // for std::size_t
+
+namespace camaron
+{
+/**
+ * How real numbers are written. The same for all numbers of a file; cheap to copy.
+ */
+class RealFormat
+{
+public:
+  /// The fewest digits that read back as the same number: of type double, or of type float.
+  static RealFormat Shortest() { return RealFormat(Style::Shortest); }
+  static RealFormat ShortestFloat() { return RealFormat(Style::ShortestFloat); }
+
+  /// As printf's %.<digits>g: 9 digits keep every float, 17 every double.
+  static RealFormat Significant(int digits)
+  {
+    RealFormat format(Style::Significant);
+    format.Digits = digits;
+    return format;
+  }
+
+  /**
+   * With an exponent of at least two digits, as printf's %.<decimals>e; %E if @a mark is 'E'.
+   * @param withPlus whether positive numbers begin with a `+`
+   */
+  static RealFormat Exponent(int decimals, char mark = 'e', bool withPlus = false)
+  {
+    RealFormat format(Style::Exponent);
+    format.Digits = decimals;
+    format.Mark = mark;
+    format.Plus = withPlus;
+    return format;
+  }
+
+  /**
+   * As Fortran's fields 1PE<width>.<decimals>E<exponentDigits>, such as 6e21.13e3 in archives of
+   * ANSYS: right-aligned, `E`, a sign and exactly so many digits of the exponent (more if it needs
+   * them). A number that does not fit makes the field longer.
+   */
+  static RealFormat Field(int width, int decimals, int exponentDigits)
+  {
+    RealFormat format(Style::Exponent);
+    format.Digits = decimals;
+    format.Mark = 'E';
+    format.Width = width;
+    format.ExponentDigits = exponentDigits;
+    return format;
+  }
+
+  void Append(std::string& text, double value) const
+  {
+    switch (this->Kind)
+    {
+      case Style::Shortest:
+        AppendNumber(text, value);
+        return;
+      case Style::ShortestFloat:
+        AppendNumber(text, static_cast<float>(value));
+        return;
+      default:
+        this->AppendFormatted(text, value);
+    }
+  }
+  /// Appends numbers with blanks in between and an end.
+  void AppendRow(std::string& text, const double* values, int count, char end = '\n') const
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      this->Append(text, values[i]);
+      text += i + 1 < count ? ' ' : end;
+    }
+  }
+
+private:
+  enum class Style
+  {
+    Shortest,
+    ShortestFloat,
+    Significant,
+    Exponent
+  };
+  explicit RealFormat(Style kind)
+    : Kind(kind)
+  {
+  }
+  void AppendFormatted(std::string& text, double value) const;
+
+  Style Kind;
+  int Digits = 0;
+  int Width = 0;
+  int ExponentDigits = 2;
+  char Mark = 'e';
+  bool Plus = false;
+};
+
+/// As printf's %<width>d: right-aligned; longer if need be.
+template <typename Integer>
+inline void AppendAligned(std::string& text, Integer value, int width)
+{
+  char digits[32]; // enough for any 64 bit integer
+  const char* end = std::to_chars(digits, digits + sizeof(digits), value).ptr;
+  const int size = static_cast<int>(end - digits);
+  text.append(static_cast<std::size_t>(size < width ? width - size : 0), ' ');
+  text.append(digits, static_cast<std::size_t>(size));
+}
+
+/// Hexadecimal, lower case, without a prefix.
+inline void AppendHex(std::string& text, std::uint64_t value)
+{
+  char digits[16]; // of 64 bits
+  text.append(digits, std::to_chars(digits, digits + sizeof(digits), value, 16).ptr);
+}
+}
+
+#endif

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WorstCriterion.h"
+
+#include "CellShapes.h"
+
+#include "Base/Parallel.h"
+
+#include "vtkDataSet.h"
+#include "vtkMath.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 65536;
+constexpr unsigned OfPolygons = Polygons | Triangles | Quadrilaterals;
+
+/// What is counted of a criterion: integers, so that their sums do not depend on the order of
+/// cells.
+struct Counts
+{
+  static constexpr int NumberOfBins = 256; // of distances from the ideal, 0 to 1
+  std::int64_t Finite = 0;
+  std::int64_t Judged = 0;
+  std::int64_t Outside = 0;
+  std::array<std::int64_t, NumberOfBins> Distances{};
+
+  std::size_t GetMedianBin() const
+  {
+    const std::int64_t total =
+      std::accumulate(this->Distances.begin(), this->Distances.end(), std::int64_t(0));
+    std::int64_t before = 0;
+    std::size_t bin = 0;
+    while (bin + 1 < NumberOfBins && 2 * (before + this->Distances[bin]) < total)
+    {
+      before += this->Distances[bin++];
+    }
+    return bin;
+  }
+};
+
+/// How far values are from the ideal: 0 there, 1 at the bad end of the range.
+class IdealDistance
+{
+public:
+  //----------------------------------------------------------------------------
+  IdealDistance(const Criterion& criterion, AngleUnit angles)
+  {
+    const bool isInRadians = criterion.Unit == Unit::Angle && angles == AngleUnit::Radians;
+    const double scale = isInRadians ? vtkMath::RadiansFromDegrees(1.0) : 1;
+    const double badEnd = criterion.Range[criterion.Better == Better::Bigger ? 0 : 1] * scale;
+    this->Ideal = criterion.Ideal * scale;
+    this->Width = std::abs(badEnd - this->Ideal);
+    this->Size = std::max(std::abs(criterion.Ideal), 1.0) * scale;
+    this->IsKnown =
+      criterion.Better != Better::Neither && std::isfinite(criterion.Ideal) && this->Width > 0;
+  }
+
+  bool GetIsKnown() const { return this->IsKnown; }
+
+  //----------------------------------------------------------------------------
+  std::size_t GetBin(double value) const
+  {
+    const double distance = std::abs(value - this->Ideal);
+    const double share = std::isinf(distance) ? 1.0
+      : std::isinf(this->Width)               ? distance / (distance + this->Size)
+                                              : std::min(distance / this->Width, 1.0);
+    return std::min<std::size_t>(
+      static_cast<std::size_t>(share * Counts::NumberOfBins), Counts::NumberOfBins - 1);
+  }
+
+private:
+  double Ideal;
+  double Width; // from the ideal to the bad end
+  double Size;  // where there is no bad end
+  bool IsKnown;
+};
+
+//------------------------------------------------------------------------------
+void Add(const ValueBlock& block, const unsigned char* ghosts, const ValueRange& range,
+  const IdealDistance& distance, Counts& counts)
+{
+  const unsigned char ghostMask = GetGhostMask(ElementKind::Cells);
+  std::mutex mutex;
+  ParallelFor(block.Size, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      Counts own;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const double value = block.Values[cell];
+        if (std::isnan(value) || (ghosts && (ghosts[cell] & ghostMask)))
+        {
+          continue;
+        }
+        own.Finite += std::isfinite(value);
+        const bool isJudged = block.IsJudged(cell);
+        own.Judged += isJudged;
+        own.Outside += isJudged && (value < range.Low || value > range.High);
+        if (distance.GetIsKnown())
+        {
+          ++own.Distances[distance.GetBin(value)];
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      counts.Finite += own.Finite;
+      counts.Judged += own.Judged;
+      counts.Outside += own.Outside;
+      std::transform(own.Distances.begin(), own.Distances.end(), counts.Distances.begin(),
+        counts.Distances.begin(), std::plus<>());
+    });
+}
+
+//------------------------------------------------------------------------------
+void SumUp(std::vector<Counts>& counts, Reducer& reducer)
+{
+  std::vector<std::int64_t> sums;
+  for (const Counts& of : counts)
+  {
+    sums.insert(sums.end(), { of.Finite, of.Judged, of.Outside });
+    sums.insert(sums.end(), of.Distances.begin(), of.Distances.end());
+  }
+  reducer.Sum(sums.data(), sums.size());
+  const std::int64_t* from = sums.data();
+  for (Counts& of : counts)
+  {
+    of.Finite = *from++;
+    of.Judged = *from++;
+    of.Outside = *from++;
+    std::copy_n(from, Counts::NumberOfBins, of.Distances.begin());
+    from += Counts::NumberOfBins;
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteria,
+  const std::map<std::string, std::vector<vtkSmartPointer<vtkDoubleArray>>>& arrays,
+  const std::vector<DataSetLeaf>& leaves, const AcceptableRanges& ranges, AngleUnit angles,
+  Reducer& reducer)
+{
+  std::vector<Counts> counts(criteria.size());
+  std::vector<std::optional<AcceptableRange>> acceptable;
+  std::vector<std::vector<std::uint16_t>> shapes(leaves.size());
+  for (std::size_t i = 0; i < criteria.size(); ++i)
+  {
+    const IdealDistance distance(*criteria[i], angles);
+    acceptable.push_back(ranges.Find(criteria[i]->Name, criteria[i]->UnitLabel(angles)));
+    const std::vector<vtkSmartPointer<vtkDoubleArray>>& values = arrays.at(criteria[i]->Name);
+    for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+    {
+      vtkUnsignedCharArray* const ghosts = leaves[leaf].Data->GetCellGhostArray();
+      ValueBlock block;
+      block.Values = values[leaf]->GetPointer(0);
+      block.Size = values[leaf]->GetNumberOfValues();
+      if (acceptable[i] && !(acceptable[i]->Shapes & AnyCell))
+      {
+        if (shapes[leaf].empty())
+        {
+          shapes[leaf] = FindCellShapes(leaves[leaf].Data);
+        }
+        block.Shapes = shapes[leaf].data();
+        block.JudgedShapes = acceptable[i]->Shapes;
+      }
+      Add(block, ghosts ? ghosts->GetPointer(0) : nullptr,
+        acceptable[i].value_or(AcceptableRange()), distance, counts[i]);
+    }
+  }
+  SumUp(counts, reducer);
+
+  bool hasSolids = false;
+  for (std::size_t i = 0; i < criteria.size(); ++i)
+  {
+    hasSolids |= counts[i].Finite > 0 && (criteria[i]->AppliesTo & (OfPolygons | AnyCell)) == 0;
+  }
+  const auto rank = [&](std::size_t i)
+  {
+    const Criterion& criterion = *criteria[i];
+    const bool hasDistance = IdealDistance(criterion, angles).GetIsKnown();
+    return std::make_tuple(ranges.IsHint(criterion) ? 0 : counts[i].Outside, counts[i].Outside,
+      hasDistance && acceptable[i] && counts[i].Judged > 0 && counts[i].GetMedianBin() > 0, hasDistance, hasDistance ? counts[i].GetMedianBin() : 0,
+      criterion.Better != Better::Neither);
+  };
+  const std::size_t none = criteria.size();
+  std::size_t worst = none;
+  for (std::size_t i = 0; i < criteria.size(); ++i)
+  {
+    const bool isCandidate =
+      counts[i].Finite > 0 && !(hasSolids && (criteria[i]->AppliesTo & ~OfPolygons) == 0);
+    if (isCandidate && (worst == none || rank(i) > rank(worst)))
+    {
+      worst = i;
+    }
+  }
+  return worst == none ? nullptr : criteria[worst];
+}
+}

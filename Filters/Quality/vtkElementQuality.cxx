@@ -1,0 +1,436 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkElementQuality.h"
+
+#include "CheckNumber.h"
+#include "ControllerReducer.h"
+#include "Criteria/CostEstimate.h"
+#include "Criteria/Evaluation.h"
+#include "Base/Units.h"
+#include "EvaluatedArrays.h"
+#include "Mesh/GhostArrays.h"
+#include "MeshInput.h"
+#include "MeshPieces.h"
+#include "NullMask.h"
+#include "Base/Parallel.h"
+#include "RunTogether.h"
+#include "Base/Buffer.h"
+#include "WorstCriterion.h"
+
+#include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArraySelection.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+#include <utility>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// 0 for cells that have none.
+vtkSmartPointer<vtkDataArray> ToIntegers(vtkDoubleArray* values)
+{
+  const auto integers = camaron::MakeLargeArray<vtkIdTypeArray>(values->GetNumberOfValues());
+  integers->SetName(values->GetName());
+  const double* const from = values->GetPointer(0);
+  std::transform(from, from + values->GetNumberOfValues(), integers->GetPointer(0),
+    [](double value) { return std::isnan(value) ? 0 : static_cast<vtkIdType>(value); });
+  return integers;
+}
+}
+
+vtkStandardNewMacro(vtkElementQuality);
+
+//------------------------------------------------------------------------------
+vtkElementQuality::vtkElementQuality()
+  : Known(std::make_unique<camaron::EvaluatedArrays>())
+{
+  const camaron::Preset* overview = camaron::FindPreset("Overview");
+  for (const camaron::Criterion& criterion : camaron::GetCriteria())
+  {
+    const bool ticked = std::any_of(overview->Rules.begin(), overview->Rules.end(),
+      [&](const auto& rule) { return rule.Criterion == std::string_view(criterion.Name); });
+    this->Criteria->AddArray(criterion.Name, ticked);
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkElementQuality::~vtkElementQuality() = default;
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Criteria:\n";
+  this->Criteria->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Preset: " << this->Preset << '\n';
+  os << indent << "AngleUnits: " << (this->AngleUnits == DEGREES ? "degrees" : "radians") << '\n';
+  os << indent << "WriteNullMask: " << this->WriteNullMask << '\n';
+  os << indent << "TrustFaceOrientation: " << this->TrustFaceOrientation << '\n';
+  os << indent << "DegeneracyTolerance: " << this->DegeneracyTolerance << '\n';
+  os << indent << "ConvexityTolerance: " << this->ConvexityTolerance << '\n';
+  os << indent << "PlanarityTolerance: " << this->PlanarityTolerance << '\n';
+  os << indent << "ConnectBlocks: " << this->ConnectBlocks << '\n';
+}
+
+//------------------------------------------------------------------------------
+vtkDataArraySelection* vtkElementQuality::GetCriteria()
+{
+  return this->Criteria;
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::ClearCriteria()
+{
+  this->Criteria->DisableAllArrays();
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::SetCriterionStatus(const char* name, int status)
+{
+  this->Criteria->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::SetPreset(const char* name)
+{
+  const std::string preset = name && name[0] ? name : TickedCriteria();
+  if (this->Preset != preset)
+  {
+    this->Preset = preset;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkElementQuality::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->Criteria->GetMTime());
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> vtkElementQuality::GetChosenCriteria()
+{
+  std::vector<std::string> names;
+  if (this->Preset == TickedCriteria())
+  {
+    for (int i = 0; i < this->Criteria->GetNumberOfArrays(); ++i)
+    {
+      if (this->Criteria->GetArraySetting(i))
+      {
+        names.emplace_back(this->Criteria->GetArrayName(i));
+      }
+    }
+  }
+  else if (const camaron::Preset* preset = camaron::FindPreset(this->Preset))
+  {
+    for (const auto& rule : preset->Rules)
+    {
+      names.emplace_back(rule.Criterion);
+    }
+  }
+  return names;
+}
+
+//------------------------------------------------------------------------------
+double* vtkElementQuality::GetNumberOfCorners()
+{
+  vtkDataObject* input =
+    this->GetNumberOfInputConnections(0) > 0 ? this->GetInputDataObject(0, 0) : nullptr;
+  this->NumberOfCorners = {};
+  for (vtkDataSet* data : vtkCompositeDataSet::GetDataSets<vtkDataSet>(input))
+  {
+    const camaron::GroupCorners corners = camaron::CountCorners(data);
+    std::transform(corners.begin(), corners.end(), this->NumberOfCorners.begin(),
+      this->NumberOfCorners.begin(), std::plus<double>());
+  }
+  return this->NumberOfCorners.data();
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::GetNumberOfThreads()
+{
+  int threads = 1;
+  camaron::WithThreads([&] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  return threads;
+}
+
+//------------------------------------------------------------------------------
+double vtkElementQuality::GetEstimatedSeconds()
+{
+  std::vector<const camaron::Criterion*> criteria;
+  for (const std::string& name : this->GetChosenCriteria())
+  {
+    if (const camaron::Criterion* criterion = camaron::FindCriterion(name))
+    {
+      criteria.push_back(criterion);
+    }
+  }
+  this->GetNumberOfCorners();
+  return camaron::EstimateSeconds(criteria, this->NumberOfCorners, this->GetNumberOfThreads());
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkElementQuality::NeedsNeighbors()
+{
+  const auto names = this->GetChosenCriteria();
+  return std::any_of(names.begin(), names.end(),
+    [](const std::string& name)
+    {
+      const camaron::Criterion* criterion = camaron::FindCriterion(name);
+      return criterion && criterion->Cost == camaron::Cost::Neighbors;
+    });
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
+  // Neighbours in other pieces are asked for; only pieces that no process has cannot be asked.
+  if (this->NeedsNeighbors() &&
+    outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
+      camaron::ControllerReducer().GetNumberOfProcesses())
+  {
+    inInfo->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(),
+      std::max(1, outInfo->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS())));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkElementQuality::FindCriteria(std::vector<const camaron::Criterion*>& criteria)
+{
+  if (this->Preset != TickedCriteria() && !camaron::FindPreset(this->Preset))
+  {
+    vtkErrorMacro("There is no preset named '" << this->Preset << "'.");
+    return false;
+  }
+  for (const std::string& name : this->GetChosenCriteria())
+  {
+    criteria.push_back(camaron::FindCriterion(name));
+    if (!criteria.back())
+    {
+      vtkErrorMacro("There is no criterion named '" << name << "'.");
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+camaron::EvaluationOptions vtkElementQuality::GetOptions(
+  const std::vector<const camaron::Criterion*>& criteria) const
+{
+  camaron::EvaluationOptions options;
+  options.Angles =
+    this->AngleUnits == DEGREES ? camaron::AngleUnit::Degrees : camaron::AngleUnit::Radians;
+  options.TrustFaceOrientation = this->TrustFaceOrientation;
+  options.DegeneracyTolerance = this->DegeneracyTolerance;
+  options.ConvexityTolerance = this->ConvexityTolerance;
+  options.PlanarityTolerance = this->PlanarityTolerance;
+  options.ChecksStarShape = std::any_of(criteria.begin(), criteria.end(),
+    [](auto* criterion) { return criterion == camaron::FindCriterion("IsStarShaped"); });
+  return options;
+}
+
+//------------------------------------------------------------------------------
+// What follows is done by all processes or none.
+bool vtkElementQuality::GoOn(double progress, camaron::Reducer& reducer, bool isFinished)
+{
+  this->UpdateProgress(progress);
+  std::int64_t goOn = isFinished && !this->CheckAbort();
+  reducer.Min(&goOn, 1);
+  if (!goOn)
+  {
+    this->SetAbortOutput(true); // also where another process was stopped
+  }
+  return goOn != 0;
+}
+
+//------------------------------------------------------------------------------
+bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
+  const camaron::EvaluationOptions& options, const std::vector<const camaron::Criterion*>& criteria,
+  int numberOfPieces, ArraysOfCriteria& arrays)
+{
+  for (const camaron::Criterion* criterion : criteria)
+  {
+    arrays[criterion->Name].clear(); // also where there is no data set: all processes know the same criteria
+  }
+  camaron::ControllerReducer reducer;
+  camaron::MeshPieces pieces(leaves, options, numberOfPieces, reducer);
+  if (this->ConnectBlocks)
+  {
+    pieces.ConnectBlocks();
+  }
+  const auto any = [&](auto&& predicate)
+  { return std::any_of(criteria.begin(), criteria.end(), predicate); };
+  const auto need = [&](unsigned needs)
+  { return any([needs](auto* criterion) { return (criterion->Needs & needs) != 0; }); };
+  const std::pair<bool, void (camaron::MeshPieces::*)()> ofMesh[] = {
+    { any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }),
+      &camaron::MeshPieces::Link },
+    { need(camaron::NeedsMeanSizes), &camaron::MeshPieces::FindMeanSizes },
+    { need(camaron::NeedsSurfaceSides), &camaron::MeshPieces::FindSurfaceSides },
+    { need(camaron::NeedsRegions), &camaron::MeshPieces::FindRegions },
+    { need(camaron::NeedsPointRegions), &camaron::MeshPieces::FindPointRegions },
+  };
+  for (const auto& [isNeeded, find] : ofMesh)
+  {
+    if (isNeeded)
+    {
+      if (!this->GoOn(0, reducer))
+      {
+        return false;
+      }
+      (pieces.*find)();
+    }
+  }
+  bool isFinished = true;
+  camaron::RunTogether(reducer,
+    [&]
+    {
+      for (std::size_t piece = 0; piece < pieces.GetSize() && isFinished; ++piece)
+      {
+        const camaron::MeshTopology& topology = pieces.GetTopology(piece);
+        std::vector<camaron::CriterionValues> rows;
+        for (const camaron::Criterion* criterion : criteria)
+        {
+          const auto array =
+            camaron::MakeLargeArray<vtkDoubleArray>(topology.GetMesh().GetNumberOfCells());
+          array->SetName(criterion->Name);
+          camaron::SetUnitLabel(array, criterion->UnitLabel(options.Angles).c_str());
+          rows.push_back({ criterion, array->GetPointer(0) });
+          arrays[criterion->Name].push_back(array);
+        }
+        isFinished = camaron::Evaluate(topology, pieces.GetOptions(piece), rows,
+          [&](double done)
+          {
+            this->UpdateProgress(
+              (static_cast<double>(piece) + done) / static_cast<double>(pieces.GetSize()));
+            return !this->CheckAbort();
+          });
+      }
+    });
+  return this->GoOn(1, reducer, isFinished);
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::AddArrays(const std::vector<camaron::DataSetLeaf>& leaves,
+  const std::vector<const camaron::Criterion*>& criteria, const ArraysOfCriteria& arrays,
+  const camaron::EvaluationOptions& options)
+{
+  camaron::ControllerReducer reducer;
+  const camaron::AcceptableRanges ranges(
+    this->Preset == TickedCriteria() ? camaron::GetDefaultRangesName() : this->Preset, "", reducer);
+  const camaron::Criterion* const worst =
+    camaron::FindWorstCriterion(criteria, arrays, leaves, ranges, options.Angles, reducer);
+  for (std::size_t leaf = 0; leaf < leaves.size(); ++leaf)
+  {
+    vtkCellData* const data = leaves[leaf].Data->GetCellData();
+    for (const camaron::Criterion* criterion : criteria)
+    {
+      vtkDoubleArray* const array = arrays.at(criterion->Name)[leaf];
+      data->AddArray(criterion->Kind == camaron::ValueKind::Code ? ToIntegers(array) : array);
+      if (this->WriteNullMask)
+      {
+        data->AddArray(camaron::MakeNullMask(array, leaves[leaf].Data));
+      }
+    }
+    if (worst)
+    {
+      data->SetActiveScalars(worst->Name);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output,
+  const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces)
+{
+  const camaron::EvaluationOptions options = this->GetOptions(criteria);
+  camaron::ControllerReducer reducer;
+  this->Known->Check(
+    camaron::GetLeaves(input), options, this->ConnectBlocks, numberOfPieces, reducer);
+  ArraysOfCriteria arrays;
+  std::vector<const camaron::Criterion*> missing;
+  for (const camaron::Criterion* criterion : criteria)
+  {
+    if (const auto* known = this->Known->Find(criterion->Name))
+    {
+      arrays[criterion->Name] = *known;
+    }
+    else
+    {
+      missing.push_back(criterion);
+    }
+  }
+  const std::vector<camaron::DataSetLeaf> leaves = camaron::GetOutputLeaves(output);
+  for (const camaron::DataSetLeaf& leaf : leaves)
+  {
+    const vtkSmartPointer<vtkDataSet> mesh = camaron::WithoutStrips(camaron::WithGhostBytes(leaf.Data));
+    if (mesh != leaf.Data)
+    {
+      leaf.Data->ShallowCopy(mesh);
+    }
+  }
+  if (!missing.empty() && !this->Evaluate(leaves, options, missing, numberOfPieces, arrays))
+  {
+    this->Known->Clear();
+    return;
+  }
+  this->AddArrays(leaves, criteria, arrays, options);
+  this->Known->Keep(std::move(arrays));
+}
+
+//------------------------------------------------------------------------------
+int vtkElementQuality::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  std::vector<const camaron::Criterion*> criteria;
+  if (!this->FindCriteria(criteria))
+  {
+    return 0;
+  }
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  output->ShallowCopy(input);
+  try
+  {
+    camaron::CheckNumber("Degeneracy Tolerance", this->DegeneracyTolerance, 0.0, 1.0);
+    camaron::CheckNumber("Convexity Tolerance", this->ConvexityTolerance, 0.0, 180.0);
+    camaron::CheckNumber("Planarity Tolerance", this->PlanarityTolerance, 0.0, 1.0);
+    const int numberOfPieces = outputVector->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+    this->EvaluateMesh(input, output, criteria, numberOfPieces);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("The mesh cannot be evaluated: " << error.what() << '.');
+    this->Known->Clear();
+    output->Initialize();
+    return 0;
+  }
+  return 1;
+}

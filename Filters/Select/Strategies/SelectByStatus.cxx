@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include "Cell/CellStatusBits.h"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+struct StatusName
+{
+  const char* Name;
+  unsigned Bit;
+};
+#define CAMARON_STATUS(name) { #name, name }
+const StatusName StatusNames[] = {
+  CAMARON_STATUS(WrongNumberOfPoints),
+  CAMARON_STATUS(IntersectingEdges),
+  CAMARON_STATUS(IntersectingFaces),
+  CAMARON_STATUS(NoncontiguousEdges),
+  CAMARON_STATUS(Nonconvex),
+  CAMARON_STATUS(FacesAreOrientedIncorrectly),
+  CAMARON_STATUS(NonPlanarFaces),
+  CAMARON_STATUS(DegenerateFaces),
+  CAMARON_STATUS(CoincidentPoints),
+  CAMARON_STATUS(NotWatertight),
+  CAMARON_STATUS(NonManifoldEdge),
+  CAMARON_STATUS(NonManifoldVertex),
+  CAMARON_STATUS(InvertedOrZeroVolume),
+  CAMARON_STATUS(ZeroLengthEdge),
+  CAMARON_STATUS(NotStarShaped),
+  CAMARON_STATUS(NonFinitePoint),
+  CAMARON_STATUS(OpenCell),
+};
+#undef CAMARON_STATUS
+
+//------------------------------------------------------------------------------
+/// All bits if none is named.
+unsigned ParseBits(std::string text)
+{
+  for (char& c : text)
+  {
+    c = c == ',' || c == ';' ? ' ' : c;
+  }
+  std::istringstream words(text);
+  std::string word, known;
+  unsigned bits = 0;
+  while (words >> word)
+  {
+    unsigned bit = 0;
+    known.clear();
+    for (const StatusName& status : StatusNames)
+    {
+      bit |= word == status.Name ? status.Bit : 0;
+      known += (known.empty() ? "" : ", ") + std::string(status.Name);
+    }
+    if (bit == 0)
+    {
+      throw std::invalid_argument("Status Bits: expected names of " + known + ", found '" + word + "'");
+    }
+    bits |= bit;
+  }
+  return bits ? bits : ~0u;
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks)
+{
+  const unsigned bits = ParseBits(task.Parameters.StatusBits);
+  const BlockValues values(task.Blocks, "CellStatus");
+  std::int64_t counts[2] = { static_cast<std::int64_t>(values.Get().size()),
+    static_cast<std::int64_t>(task.Blocks.Get().size()) };
+  task.Reducer.Sum(counts, 2);
+  if (counts[0] == 0 && counts[1] > 0)
+  {
+    throw std::invalid_argument("there is no cell array CellStatus; let Element Quality make it");
+  }
+  MarkValues(values, marks,
+    [&](const ValueBlock& block, vtkIdType i)
+    {
+      // NaN has no bits.
+      return block.Values[i] >= 1 && (static_cast<unsigned>(block.Values[i]) & bits) != 0;
+    });
+  return "";
+}
+}

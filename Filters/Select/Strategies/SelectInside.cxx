@@ -1,0 +1,463 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Strategies/Strategy.h"
+
+#include "CheckNumber.h"
+#include "Geometry/PolygonTriangulator.h"
+#include "Mesh/CellFacets.h"
+#include "Base/LengthUnit.h"
+#include "MeshInput.h"
+#include "MeshInputCheck.h"
+#include "RunTogether.h"
+#include "Selection/SelectBySolid.h"
+#include "Scan/MappedFile.h"
+#include "Selection/SurfaceSolid.h"
+#include "SmallFile.h"
+#include "Strategies/ShapeText.h"
+
+#include "vtkBox.h"
+#include "vtkCylinder.h"
+#include "vtkImplicitFunction.h"
+#include "vtkLinearTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPlane.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkSphere.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+namespace camaron
+{
+namespace
+{
+constexpr double RelativeTolerance = 1e-12; // of the diagonal of the mesh
+constexpr std::size_t NumbersPerPlane = 6;  // a point and a normal
+
+//------------------------------------------------------------------------------
+// Of a mesh so large or small that squares of lengths leave the range of numbers: what all lengths are measured in.
+struct MeshUnit
+{
+  int Exponent = 0; ///< of two
+
+  double Scale(double length) const { return std::ldexp(length, -this->Exponent); }
+  Vector Scale(const Vector& place) const { return TimesPowerOfTwo(place, -this->Exponent); }
+  HalfSpace Scale(const HalfSpace& side) const { return { side.Normal, this->Scale(side.Offset) }; }
+  std::vector<HalfSpace> Scale(std::vector<HalfSpace> sides) const
+  {
+    for (HalfSpace& side : sides)
+    {
+      side = this->Scale(side);
+    }
+    return sides;
+  }
+  /// The mesh itself, or a copy with other points.
+  vtkSmartPointer<vtkDataSet> Scale(vtkDataSet* mesh) const
+  {
+    auto* const points = vtkPointSet::SafeDownCast(mesh);
+    if (this->Exponent == 0 || !points)
+    {
+      return mesh;
+    }
+    const auto copy = vtkSmartPointer<vtkPointSet>::Take(points->NewInstance());
+    copy->ShallowCopy(points);
+    vtkNew<vtkPoints> scaled;
+    scaled->SetDataTypeToDouble();
+    scaled->SetNumberOfPoints(mesh->GetNumberOfPoints());
+    for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
+    {
+      double x[3];
+      points->GetPoint(id, x);
+      scaled->SetPoint(id, this->Scale(x[0]), this->Scale(x[1]), this->Scale(x[2]));
+    }
+    copy->SetPoints(scaled);
+    return copy;
+  }
+};
+
+//------------------------------------------------------------------------------
+struct PlacementName
+{
+  const char* Name;
+  Placement Value;
+};
+const PlacementName PlacementNames[] = {
+  { "Any vertex inside", Placement::AnyVertexInside },
+  { "All vertices inside", Placement::AllVerticesInside },
+  { "Centroid inside", Placement::CentroidInside },
+  { "Intersects", Placement::Intersects },
+  { "Cut by boundary", Placement::CutByBoundary },
+};
+
+Placement FindPlacement(const std::string& name)
+{
+  for (const PlacementName& known : PlacementNames)
+  {
+    if (name == known.Name)
+    {
+      return known.Value;
+    }
+  }
+  throw std::invalid_argument("there is no placement named '" + name + "'");
+}
+
+//------------------------------------------------------------------------------
+Vector GetVector(const double x[3])
+{
+  return { x[0], x[1], x[2] };
+}
+
+//------------------------------------------------------------------------------
+// The inside of Normal * x <= Offset.
+struct Side
+{
+  Vector Normal; // of any length but 0
+  double Offset;
+};
+
+HalfSpace MakeHalfSpace(const Side& side)
+{
+  // Squares of very long or short normals are out of range.
+  const Vector& n = side.Normal;
+  const double largest = std::max({ std::abs(n.X), std::abs(n.Y), std::abs(n.Z) });
+  const Vector scaled = { n.X / largest, n.Y / largest, n.Z / largest };
+  const double length = Norm(scaled);
+  if (!std::isfinite(length) || !std::isfinite(side.Offset))
+  {
+    throw std::invalid_argument("a plane has no normal, or no place");
+  }
+  return { (1 / length) * scaled, side.Offset / largest / length };
+}
+
+//------------------------------------------------------------------------------
+// Through a point.
+HalfSpace MakeHalfSpace(const Vector& origin, const Vector& normal)
+{
+  const HalfSpace atOrigin = MakeHalfSpace(Side{ normal, 0 });
+  return MakeHalfSpace(Side{ atOrigin.Normal, Dot(origin, atOrigin.Normal) });
+}
+
+//------------------------------------------------------------------------------
+double GetRadius(double radius)
+{
+  CheckNumber("Radius", radius, 0.0);
+  return radius;
+}
+
+//------------------------------------------------------------------------------
+// Box around the points of all processes, in the unit that goes with it.
+Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
+{
+  const MeshPieces& pieces = task.GetPieces(); // of all processes together, also where there are none
+  Bounds own;
+  for (std::size_t piece = 0; piece < task.Blocks.Get().size(); ++piece)
+  {
+    const MeshView mesh(pieces.GetMesh(piece));
+    for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
+    {
+      double x[3];
+      mesh.GetPoint(point, x);
+      if (std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]))
+      {
+        own.Add(GetVector(x));
+      }
+    }
+  }
+  Bounds all;
+  for (const Bounds& bounds : task.Reducer.GatherItems(std::vector<Bounds>{ own }))
+  {
+    if (!bounds.IsEmpty())
+    {
+      all.Add(bounds);
+    }
+  }
+  if (!all.IsEmpty())
+  {
+    unit.Exponent =
+      GetUnitExponent(std::max(GetLargestComponent(all.Low), GetLargestComponent(all.High)));
+    all.Low = unit.Scale(all.Low);
+    all.High = unit.Scale(all.High);
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+template <typename Solid>
+std::string MarkInside(
+  const SelectionTask& task, const Solid& solid, const MeshUnit& unit, SelectionMarks& marks)
+{
+  const Placement placement = FindPlacement(task.Parameters.Placement);
+  for (std::size_t piece = 0; piece < marks.size(); ++piece)
+  {
+    const vtkSmartPointer<vtkDataSet> data = unit.Scale(task.GetPieces().GetMesh(piece));
+    const MeshView mesh(data);
+    if (task.HasCells())
+    {
+      MarkCells(mesh, solid, placement, marks[piece]);
+    }
+    else
+    {
+      marks[piece] = FindPointsInside(mesh, solid);
+    }
+  }
+  if (task.Parameters.InsideOut)
+  {
+    MarkElements(marks, [&](std::size_t b, vtkIdType i) { return !marks[b][i]; });
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// Where a transform takes points of the world.
+vtkNew<vtkMatrix4x4> GetMatrix(vtkImplicitFunction* shape)
+{
+  vtkNew<vtkMatrix4x4> matrix;
+  if (vtkAbstractTransform* transform = shape->GetTransform())
+  {
+    auto* linear = vtkLinearTransform::SafeDownCast(transform);
+    if (!linear)
+    {
+      throw std::invalid_argument("the shape is bent");
+    }
+    matrix->DeepCopy(linear->GetMatrix());
+  }
+  return matrix;
+}
+
+//------------------------------------------------------------------------------
+std::vector<HalfSpace> GetSides(vtkBox* box)
+{
+  const vtkNew<vtkMatrix4x4> matrix = GetMatrix(box);
+  double bounds[6];
+  box->GetBounds(bounds);
+  std::vector<HalfSpace> sides;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const Vector row = { matrix->GetElement(axis, 0), matrix->GetElement(axis, 1),
+      matrix->GetElement(axis, 2) };
+    const double shift = matrix->GetElement(axis, 3);
+    sides.push_back(MakeHalfSpace(Side{ -row, shift - bounds[2 * axis] }));
+    sides.push_back(MakeHalfSpace(Side{ row, bounds[2 * axis + 1] - shift }));
+  }
+  return sides;
+}
+
+//------------------------------------------------------------------------------
+using Solid = std::variant<BallSolid, CylinderSolid, HalfSpaceSolid>;
+
+Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit& unit)
+{
+  const double tolerance = RelativeTolerance * bounds.GetDiagonal();
+  if (auto* sphere = vtkSphere::SafeDownCast(shape))
+  {
+    return BallSolid(unit.Scale(GetVector(sphere->GetCenter())),
+      unit.Scale(GetRadius(sphere->GetRadius())), tolerance);
+  }
+  if (auto* cylinder = vtkCylinder::SafeDownCast(shape))
+  {
+    vtkNew<vtkMatrix4x4> toWorld;
+    vtkMatrix4x4::Invert(GetMatrix(cylinder), toWorld);
+    const double* c = cylinder->GetCenter();
+    const double* a = cylinder->GetAxis();
+    const double center[4] = { c[0], c[1], c[2], 1 }, axis[4] = { a[0], a[1], a[2], 0 };
+    double worldCenter[4], worldAxis[4];
+    toWorld->MultiplyPoint(center, worldCenter);
+    toWorld->MultiplyPoint(axis, worldAxis);
+    return CylinderSolid(unit.Scale(GetVector(worldCenter)), GetVector(worldAxis),
+      unit.Scale(GetRadius(cylinder->GetRadius())), tolerance);
+  }
+  if (auto* box = vtkBox::SafeDownCast(shape))
+  {
+    return HalfSpaceSolid(unit.Scale(GetSides(box)), bounds, tolerance);
+  }
+  if (auto* plane = vtkPlane::SafeDownCast(shape))
+  {
+    // Its own function knows of an offset and of alignment to an axis; the inside is where that is negative.
+    double* origin = plane->GetOrigin();
+    double normal[3];
+    plane->EvaluateGradient(origin, normal);
+    HalfSpace halfSpace = MakeHalfSpace(GetVector(origin), GetVector(normal));
+    if (const double value = plane->EvaluateFunction(origin))
+    {
+      halfSpace.Offset -= value / Norm(GetVector(normal));
+    }
+    return HalfSpaceSolid({ unit.Scale(halfSpace) }, bounds, tolerance);
+  }
+  throw std::invalid_argument(shape
+      ? std::string("Shape is a sphere, box, cylinder or plane, not a ") + shape->GetClassName()
+      : std::string("there is no Shape"));
+}
+
+//------------------------------------------------------------------------------
+// Triangles of all processes' surfaces.
+std::vector<Simplex> GatherTriangles(const SelectionTask& task)
+{
+  std::vector<Simplex> triangles;
+  const std::vector<DataSetLeaf> leaves = GetLeaves(task.Inputs.Surface);
+  CheckMeshes(leaves, task.Reducer);
+  RunTogether(task.Reducer,
+    [&]
+    {
+      for (const DataSetLeaf& leaf : leaves)
+      {
+        const vtkSmartPointer<vtkDataSet> data = AsMesh(leaf.Data);
+        const MeshView mesh(data);
+        CellFacets facets(mesh);
+        CellBoundary boundary(mesh);
+        for (vtkIdType cell = 0; cell < mesh.GetNumberOfCells(); ++cell)
+        {
+          if (facets.GetDimension(cell) == 3)
+          {
+            throw std::invalid_argument("the Surface has 3D cells; take their surface first");
+          }
+          if (facets.GetDimension(cell) == 2)
+          {
+            boundary.Load(cell);
+            triangles.insert(triangles.end(), boundary.GetSimplices().begin(),
+              boundary.GetSimplices().end());
+          }
+        }
+      }
+    });
+  return task.Reducer.GatherItems(triangles);
+}
+
+//------------------------------------------------------------------------------
+// Of polygons as rows of points.
+std::vector<Simplex> MakeTriangles(const std::vector<std::vector<double>>& rows)
+{
+  std::vector<Simplex> triangles;
+  std::vector<Vector> corners;
+  PolygonTriangulator triangulator;
+  for (const std::vector<double>& row : rows)
+  {
+    corners.clear();
+    for (std::size_t i = 0; i + 2 < row.size(); i += 3)
+    {
+      corners.push_back(GetVector(&row[i]));
+    }
+    triangulator.Cut(corners.data(), static_cast<int>(corners.size()));
+    for (const PolygonTriangulator::Triangle& t : triangulator.GetTriangles())
+    {
+      triangles.push_back({ { corners[t[0]], corners[t[1]], corners[t[2]] }, 3 });
+    }
+  }
+  return triangles;
+}
+
+//------------------------------------------------------------------------------
+// @a subject: of the message if the surface is open, such as "the Surface is".
+std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& triangles, const std::string& subject,
+  SelectionMarks& marks)
+{
+  if (const std::size_t open = SurfaceSolid::CountOpenEdges(triangles))
+  {
+    throw std::invalid_argument(subject + " not closed: " + std::to_string(open) +
+      (open == 1 ? " edge has" : " edges have") + " an odd number of polygons");
+  }
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
+  for (Simplex& triangle : triangles)
+  {
+    for (Vector& point : triangle.Points)
+    {
+      point = unit.Scale(point);
+    }
+  }
+  return MarkInside(
+    task, SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), unit, marks);
+}
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInShape(const SelectionTask& task, SelectionMarks& marks)
+{
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
+  const Solid solid = MakeSolid(task.Parameters.Shape, bounds, unit);
+  return std::visit([&](const auto& known) { return MarkInside(task, known, unit, marks); }, solid);
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
+{
+  const std::vector<double>& planes = task.Parameters.Planes;
+  if (planes.empty())
+  {
+    throw std::invalid_argument("there are no Planes");
+  }
+  if (planes.size() % NumbersPerPlane != 0)
+  {
+    throw std::invalid_argument("Planes have 6 numbers each, a point and a normal; expected a multiple of 6 numbers, "
+                                "found " +
+      std::to_string(planes.size()));
+  }
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
+  std::vector<HalfSpace> halfSpaces;
+  for (std::size_t i = 0; i < planes.size(); i += NumbersPerPlane)
+  {
+    halfSpaces.push_back(MakeHalfSpace(GetVector(&planes[i]), GetVector(&planes[i + 3])));
+  }
+  const double tolerance = RelativeTolerance * bounds.GetDiagonal();
+  return MarkInside(
+    task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks)
+{
+  std::vector<Simplex> triangles = GatherTriangles(task);
+  if (triangles.empty())
+  {
+    throw std::invalid_argument("there is no Surface, or it has no polygons");
+  }
+  return MarkInSurface(task, std::move(triangles), "the Surface is", marks);
+}
+
+//------------------------------------------------------------------------------
+std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks)
+{
+  const std::string& path = task.Parameters.ShapeFile;
+  if (path.empty())
+  {
+    throw std::invalid_argument("there is no Shape File");
+  }
+  const std::string name = GetFileName(path);
+  const ShapeText shape = ParseShape(name, ReadSmallFile(path, "a shape", task.Reducer));
+  if (shape.What == ShapeText::Kind::Polygons)
+  {
+    return MarkInSurface(task, MakeTriangles(shape.Rows), name + ": the polygons are", marks);
+  }
+  MeshUnit unit;
+  const Bounds bounds = FindBounds(task, unit);
+  const double tolerance = RelativeTolerance * bounds.GetDiagonal();
+  if (shape.What == ShapeText::Kind::Sphere)
+  {
+    const std::vector<double>& row = shape.Rows[0];
+    const BallSolid ball(unit.Scale(GetVector(row.data())), unit.Scale(GetRadius(row[3])), tolerance);
+    return MarkInside(task, ball, unit, marks);
+  }
+  std::vector<HalfSpace> halfSpaces;
+  for (const std::vector<double>& row : shape.Rows)
+  {
+    halfSpaces.push_back(MakeHalfSpace(GetVector(row.data() + 3), GetVector(row.data())));
+  }
+  return MarkInside(task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> GetPlacementNames()
+{
+  std::vector<std::string> names;
+  for (const PlacementName& known : PlacementNames)
+  {
+    names.emplace_back(known.Name);
+  }
+  return names;
+}
+}

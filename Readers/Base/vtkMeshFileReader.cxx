@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkMeshFileReader.h"
+
+#include "FaceMesh/FaceMesh.h"
+#include "Scan/FileStates.h"
+#include "Scan/MappedFile.h"
+#include "Scan/MergedWarnings.h"
+#include "Scan/NotFinitePoints.h"
+#include "Base/PointRanges.h"
+#include "Base/Printable.h"
+
+#include "vtkCommunicator.h"
+#include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkMultiProcessController.h"
+#include "vtkMultiProcessStream.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// All processes, if each of them reads its own piece now.
+vtkMultiProcessController* FindProcesses(const camaron::PieceRequest& request)
+{
+  vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
+  return request.NumberOfPieces > 1 && all &&
+      all->GetNumberOfProcesses() == request.NumberOfPieces &&
+      all->GetLocalProcessId() == request.Piece
+    ? all
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+// If any process has failed all have, for the reason of the first that did, which may be none.
+void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron::ScanError& error)
+{
+  const int none = processes->GetNumberOfProcesses();
+  const int mine = hasFailed ? processes->GetLocalProcessId() : none;
+  int first = none;
+  processes->AllReduce(&mine, &first, 1, vtkCommunicator::MIN_OP);
+  hasFailed = first < none;
+  if (!hasFailed)
+  {
+    return;
+  }
+  vtkMultiProcessStream stream;
+  stream << static_cast<int>(error.Kind) << error.Message;
+  processes->Broadcast(stream, first);
+  if (first != mine)
+  {
+    int kind;
+    stream >> kind >> error.Message;
+    error.Kind = static_cast<camaron::ErrorKind>(kind);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Collects on process 0 what any process warns of; the others have nothing to tell then.
+void ShareWarnings(vtkMultiProcessController* processes, camaron::Warnings& warnings)
+{
+  const std::vector<std::string>& mine = warnings.GetSentences();
+  vtkMultiProcessStream stream;
+  stream << static_cast<int>(mine.size());
+  for (const std::string& sentence : mine)
+  {
+    stream << sentence;
+  }
+  std::vector<vtkMultiProcessStream> all;
+  processes->Gather(stream, all, 0);
+  std::vector<std::vector<std::string>> ofProcesses;
+  for (vtkMultiProcessStream& one : all)
+  {
+    int size = 0;
+    one >> size;
+    ofProcesses.emplace_back(static_cast<std::size_t>(size));
+    for (std::string& sentence : ofProcesses.back())
+    {
+      one >> sentence;
+    }
+  }
+  warnings = camaron::Warnings();
+  for (const std::string& sentence : camaron::MergeWarnings(ofProcesses))
+  {
+    warnings.Add(sentence);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether all processes have found the files as this one has.
+bool HaveReadTheSame(
+  vtkMultiProcessController* processes, const camaron::FileStates::State& mine)
+{
+  constexpr int Size = 3;
+  const long long own[Size] = { mine.Place, mine.Size, mine.Identity };
+  const auto count = static_cast<std::size_t>(processes->GetNumberOfProcesses());
+  std::vector<long long> all(Size * count);
+  processes->AllGather(own, all.data(), Size);
+  std::vector<camaron::FileStates::State> states;
+  for (std::size_t i = 0; i < all.size(); i += Size)
+  {
+    states.push_back({ all[i], all[i + 1], all[i + 2] });
+  }
+  return camaron::FileStates::AreSame(states);
+}
+
+//------------------------------------------------------------------------------
+// Adds what the first process tells of points whose coordinates are not finite, of all pieces.
+void WarnOfPoints(
+  vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessController* processes, camaron::Warnings& warnings)
+{
+  camaron::Tally bad = areFinite ? camaron::Tally() : camaron::FindNotFinitePoints(piece);
+  if (processes)
+  {
+    const camaron::Tally mine = bad;
+    const vtkIdType first = mine.Count > 0 ? mine.First : VTK_ID_MAX;
+    processes->Reduce(&mine.Count, &bad.Count, 1, vtkCommunicator::SUM_OP, 0);
+    processes->Reduce(&first, &bad.First, 1, vtkCommunicator::MIN_OP, 0);
+  }
+  if (!processes || processes->GetLocalProcessId() == 0)
+  {
+    warnings.Add(bad, "point", "points", "with a coordinate that is not finite",
+      processes ? " (counted from 0; points that several processes have are counted by each)" : camaron::FromZero);
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkMeshFileReader::vtkMeshFileReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+//------------------------------------------------------------------------------
+vtkMeshFileReader::~vtkMeshFileReader()
+{
+  this->SetFileName(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFileReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  outputVector->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkMeshFileReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(info);
+  if (!this->FileName || !*this->FileName)
+  {
+    vtkErrorMacro("The name of the file to read is not set.");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return 1;
+  }
+
+  using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+  camaron::PieceRequest request;
+  if (info->Has(vtkSDDP::UPDATE_NUMBER_OF_PIECES()))
+  {
+    request.Piece = info->Get(vtkSDDP::UPDATE_PIECE_NUMBER());
+    request.NumberOfPieces = info->Get(vtkSDDP::UPDATE_NUMBER_OF_PIECES());
+    request.GhostLevels = info->Get(vtkSDDP::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  }
+  const camaron::Progress progress(
+    [this](double fraction)
+    {
+      // What is read of a file that was changed is of no use.
+      const bool isOfUse = !camaron::MappedFile::HasAnyChanged();
+      this->UpdateProgress(fraction);
+      return isOfUse && !this->CheckAbort();
+    });
+
+  camaron::Warnings warnings;
+  camaron::ScanError error;
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const camaron::FileStates states;
+  this->ReadMesh(this->FileName, request, output, warnings, error, progress);
+  if (!error)
+  {
+    progress.Report(1); // of a file so small that nothing was reported, too
+  }
+  if (progress.IsStopped() && error.Kind != camaron::ErrorKind::Changed)
+  {
+    // Whatever was tried in vain before, in another dialect perhaps, is not why there is no mesh.
+    error = camaron::ScanError();
+  }
+  bool hasFailed = error || progress.IsStopped();
+  vtkMultiProcessController* const processes = FindProcesses(request);
+  if (processes)
+  {
+    ShareFailure(processes, hasFailed, error);
+    if (!hasFailed && !HaveReadTheSame(processes, states.Get()))
+    {
+      hasFailed = true;
+      error = { camaron::ErrorKind::Changed,
+        camaron::GetFileName(this->FileName) +
+          ": cannot read the file: another program changed it before all processes had opened it; read it again "
+          "when it is complete" };
+    }
+  }
+  if (!hasFailed)
+  {
+    if (processes)
+    {
+      ShareWarnings(processes, warnings);
+    }
+    WarnOfPoints(output, camaron::FindPointRanges(output), processes, warnings);
+    const std::string name = camaron::GetFileName(this->FileName);
+    for (const std::string& sentence : warnings.GetSentences())
+    {
+      vtkWarningMacro(<< camaron::MakePrintable(name + ": " + sentence));
+    }
+    return 1;
+  }
+  for (int port = 0; port < outputVector->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputVector, port)->Initialize();
+  }
+  if (error && (!processes || request.Piece == 0))
+  {
+    vtkErrorMacro(<< camaron::MakePrintable(error.Message));
+  }
+  this->SetErrorCode(camaron::GetVTKErrorCode(error.Kind));
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkMeshFileReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+}

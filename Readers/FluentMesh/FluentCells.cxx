@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentCells.h"
+
+#include "FluentText.h"
+#include "Base/Bytes.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr int MaxElement = 7;
+
+//------------------------------------------------------------------------------
+// The type of a number, if there are such cells in the dimension.
+FluentElement GetElement(std::int64_t number, int dimension)
+{
+  constexpr bool isFlat[] = { false, true, false, true, false, false, false, false };
+  constexpr bool isSolid[] = { false, false, true, false, true, true, true, false };
+  const bool isOther = dimension == 2 ? isSolid[number] : isFlat[number];
+  return isOther ? FluentElement::Unknown : static_cast<FluentElement>(number);
+}
+}
+
+//------------------------------------------------------------------------------
+// The types of cells that differ: one digit each, or one binary integer.
+bool FluentCells::ReadElements(FluentFile& file, const FluentSection& section, Run& run)
+{
+  const std::int64_t count = run.End - run.Begin;
+  const char* text = section.Begin;
+  const std::int64_t bytes = section.End - section.Begin;
+  if (section.IsText() && count > (bytes + 1) / 2)
+  {
+    file.FailAt(section.Place, ErrorKind::Truncated,
+      "the types of " + std::to_string(count) + " cells in the section that begins here",
+      std::to_string(bytes) + " characters");
+    return false;
+  }
+  run.Elements.resize(static_cast<std::size_t>(count));
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    std::int64_t value = 0;
+    const char* const place = text;
+    if (section.IsText())
+    {
+      text = ParseHex(text, section.End, value);
+    }
+    else
+    {
+      value = camaron::Load<std::int32_t>(text, file.IsSwapped());
+      text += 4;
+    }
+    if (!text || value < 0 || value > MaxElement)
+    {
+      file.FailAt(place, text ? ErrorKind::Index : ErrorKind::Syntax,
+        "the type of cell " + std::to_string(run.Begin + i + 1) + " from 0 to 7");
+      return false;
+    }
+    run.Elements[static_cast<std::size_t>(i)] = camaron::GetElement(value, file.GetDimension());
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
+{
+  constexpr int Dead = 0, Inactive = 32;
+  const std::int64_t lastEnd = this->Runs.empty() ? 0 : this->Runs.back().End;
+  const std::int64_t element = section.HeaderSize > 4 ? section.Header[4] : 0;
+  if (section.Header[1] <= lastEnd)
+  {
+    file.FailAt(section.Place, ErrorKind::Index,
+      "cells after " + std::to_string(lastEnd) + ", which is in another section",
+      std::to_string(section.Header[1]));
+  }
+  else if (file.DeclaredCells.Count >= 0 && section.Header[2] > file.DeclaredCells.Count)
+  {
+    file.FailAt(section.Place, ErrorKind::Index,
+      "cells from 1 to " + std::to_string(file.DeclaredCells.Count), std::to_string(section.Header[2]));
+  }
+  else if (element > MaxElement)
+  {
+    file.FailAt(
+      section.Place, ErrorKind::Syntax, "a type of cells from 0 to 7", std::to_string(element));
+  }
+  if (file.HasFailed())
+  {
+    return false;
+  }
+  Run run;
+  run.Begin = section.Header[1] - 1;
+  run.End = section.Header[2];
+  run.Zone = static_cast<int>(section.Header[0]);
+  run.Element = camaron::GetElement(element, file.GetDimension());
+  const std::int64_t kind = section.HeaderSize > 3 ? section.Header[3] : 1;
+  run.Leaf = kind == Dead || kind == Inactive ? -1 : 0;
+  const bool hasElements = element == 0 && section.End - section.Begin > 0 &&
+    std::any_of(
+      section.Begin, section.End, [&](char c) { return !section.IsText() || !IsSpace(c); });
+  if (run.Leaf == 0 && hasElements && !this->ReadElements(file, section, run))
+  {
+    return false;
+  }
+  this->Runs.push_back(std::move(run));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
+{
+  std::vector<const FluentSection*> sections;
+  this->Count = std::max<std::int64_t>(file.DeclaredCells.Count, 0);
+  const char* place = file.DeclaredCells.Place; // of what gives the number
+  for (const FluentSection& section : file.Cells)
+  {
+    sections.push_back(&section);
+    place = section.Header[2] > this->Count ? section.Place : place;
+    this->Count = std::max(this->Count, section.Header[2]);
+  }
+  if (this->Count > maxCells)
+  {
+    file.FailAt(place, ErrorKind::Count, "at most " + std::to_string(maxCells) + " cells for its faces",
+      std::to_string(this->Count));
+    return false;
+  }
+  std::stable_sort(sections.begin(), sections.end(),
+    [](const FluentSection* a, const FluentSection* b) { return a->Header[1] < b->Header[1]; });
+  const auto addUndeclared = [this](std::int64_t end)
+  {
+    const std::int64_t begin = this->Runs.empty() ? 0 : this->Runs.back().End;
+    if (begin < end)
+    {
+      Run run;
+      run.Begin = begin;
+      run.End = end;
+      run.Leaf = 0;
+      this->Undeclared += end - begin;
+      this->Runs.push_back(std::move(run));
+    }
+  };
+  for (const FluentSection* section : sections)
+  {
+    addUndeclared(section->Header[1] - 1);
+    if (!this->AddRun(file, *section))
+    {
+      return false;
+    }
+  }
+  addUndeclared(this->Count);
+
+  std::vector<vtkIdType> ends, leafEnds;
+  for (std::size_t i = 0; i < this->Runs.size(); ++i)
+  {
+    Run& run = this->Runs[i];
+    ends.push_back(run.End);
+    if (run.Leaf == 0)
+    {
+      run.Leaf = this->NumberOfLeaves;
+      this->NumberOfLeaves += run.End - run.Begin;
+      leafEnds.push_back(this->NumberOfLeaves);
+      this->RunOfLeaves.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+  this->ById.Build(std::move(ends));
+  this->ByLeaf.Build(std::move(leafEnds));
+  return true;
+}
+}

@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FluentFaces
+ * @brief All faces of a Fluent file: their nodes, and the cells on both sides.
+ *
+ * Binary faces stay where they are in the file; those of text are kept, where they have to be, as a
+ * binary file would have them. Faces are numbered by position, in the order of their ids.
+ *
+ * @sa FluentFaceBatches, which visits all faces without keeping them
+ */
+#ifndef camaron_FluentFaces_h
+#define camaron_FluentFaces_h
+
+#include "FluentFile.h"
+#include "FluentRuns.h"
+#include "Base/Buffer.h"
+#include "Base/Bytes.h"
+#include "Scan/IdLists.h"
+#include "Base/IdSet.h"
+#include "Scan/TextLines.h"
+
+#include <memory> // for lines
+#include <vector> // for runs
+
+namespace camaron
+{
+/// A face in place. Nodes and cells are ids of the file: from 1, and 0 for no cell.
+struct FluentFace
+{
+  IdList Nodes;
+  std::int32_t GetCell(int side) const { return this->Nodes[this->Nodes.Size + side]; }
+};
+
+/// What the zone type in the header of a face section means.
+struct FluentBoundary
+{
+  static constexpr int Interior = 2, Wall = 3, Parent = 31, Nonconformal = 1000;
+};
+
+class FluentFaces
+{
+public:
+  /// Faces of one zone, or what one section has of it.
+  struct Run
+  {
+    vtkIdType Begin = 0, End = 0; ///< positions
+    std::int64_t FirstId = 0;
+    int Zone = 0;
+    int BoundaryType = 0;
+    std::int32_t Size = 0; ///< nodes of every face, 0 if they say so themselves
+    bool Bounds = true;    ///< whether these are faces of cells of the mesh
+    const FluentSection* Section = nullptr;
+    const char* Data = nullptr; ///< if accessible
+    const char* DataEnd = nullptr;
+    bool Swap = false;
+    std::vector<const char*> Blocks; ///< where every 1024th begins if they are of any size
+    Buffer<std::uint32_t> Starts;    ///< of each of these, words from the start of its block
+    Buffer<std::int32_t> Words;      ///< of text
+    IdSet Kept;                      ///< which of them are there, counted from the first; none for all
+    std::unique_ptr<TextLines> Lines; ///< of text that is read whenever it is visited
+    TextLines::Section Rows;
+
+    bool IsOfBoundary() const
+    {
+      return this->BoundaryType != FluentBoundary::Interior &&
+        this->BoundaryType != FluentBoundary::Parent;
+    }
+  };
+
+  /// Takes what the headers say of the faces of a file, which must stay alive; false with the error
+  /// in it.
+  bool Open(FluentFile& file);
+
+  ///@{
+  /**
+   * Make faces accessible: all of them, or those of boundaries, for ForEachOf only. False with the
+   * error in the file, or if stopped.
+   */
+  bool KeepAll(FluentFile& file, vtkIdType chunk, const Progress& progress);
+  bool KeepBoundaries(FluentFile& file, vtkIdType chunk, const Progress& progress);
+  ///@}
+  /**
+   * Prepares text that is not kept, one face per line, to be visited by ForEach, which fails then
+   * without an error if a number is out of the range of nodes or cells. False if it is laid out
+   * otherwise, or if stopped.
+   */
+  bool Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
+    const Progress& progress);
+  void StopStreaming();
+  /// Makes these faces accessible, and those that are kept or binary; no others can be visited then.
+  bool KeepSome(const IdSet& faces, const Progress& progress);
+  /// Gives the memory of all faces but those of boundaries back.
+  void KeepBoundariesOnly();
+
+  /// Checks all ids of nodes (1 to @a nodes) and cells (0 to @a cells); false with the error in the
+  /// file.
+  bool Check(
+    FluentFile& file, std::int64_t nodes, std::int64_t cells, const Progress& progress) const;
+
+  vtkIdType GetCount() const { return this->Runs.empty() ? 0 : this->Runs.back().End; }
+  const std::vector<Run>& GetRuns() const { return this->Runs; }
+  const Run& GetRun(vtkIdType face) const { return this->Runs[this->Finder.Find(face)]; }
+  /// Position of the face of an id, or -1.
+  vtkIdType FindId(std::int64_t id) const;
+
+  FluentFace operator[](vtkIdType face) const { return At(this->GetRun(face), face); }
+  /// Announces that a face will be read soon.
+  void Prefetch(vtkIdType face) const { camaron::Prefetch(GetPlace(this->GetRun(face), face)); }
+
+  /// Calls visit(run, position, face) for all faces in parallel; one thread visits ascending ones.
+  template <typename Visit>
+  bool ForEach(const Progress& progress, Visit&& visit) const
+  {
+    bool good = progress.For(static_cast<vtkIdType>(this->Parts.size()),
+      [&](vtkIdType first, vtkIdType last)
+      {
+        for (vtkIdType i = first; i < last; ++i)
+        {
+          const Part& part = this->Parts[i];
+          const Run& run = this->Runs[part.Run];
+          if (run.Kept.GetLimit() > 0)
+          {
+            for (vtkIdType face = part.Begin; face < part.End; ++face)
+            {
+              if (run.Kept.Contains(face - run.Begin))
+              {
+                visit(run, face, At(run, face));
+              }
+            }
+          }
+          else if (run.Data)
+          {
+            ForEachOf(run, part.Begin, part.End,
+              [&](vtkIdType face, const FluentFace& record) { visit(run, face, record); });
+          }
+        }
+      });
+    for (const Run& run : this->Runs)
+    {
+      good = good &&
+        (!run.Lines ||
+          this->ForEachLineOf(run, nullptr, progress,
+            [&](vtkIdType, vtkIdType face, const FluentFace& record) { visit(run, face, record); }));
+    }
+    return good;
+  }
+  /// Calls visit(position, face) for faces of a run from @a begin, which is the first of a block.
+  template <typename Visit>
+  static void ForEachOf(const Run& run, vtkIdType begin, vtkIdType end, Visit&& visit)
+  {
+    const char* place = run.Size > 0
+      ? run.Data + (begin - run.Begin) * GetStride(run.Size)
+      : run.Blocks[static_cast<std::size_t>((begin - run.Begin) / BlockSize)];
+    for (vtkIdType face = begin; face < end; ++face)
+    {
+      const FluentFace record = Read(run, place);
+      visit(face, record);
+      place += (run.Size > 0 ? 0 : 4) + GetStride(record.Nodes.Size);
+    }
+  }
+
+  static constexpr vtkIdType BlockSize = FluentFile::BlockSize; ///< faces per block of a run
+
+private:
+  struct Part
+  {
+    std::uint32_t Run;
+    vtkIdType Begin, End;
+  };
+
+  static std::ptrdiff_t GetStride(std::int32_t size) { return 4 * (std::ptrdiff_t(size) + 2); }
+  static FluentFace Read(const Run& run, const char* place)
+  {
+    if (run.Size > 0)
+    {
+      return { { place, run.Size, run.Swap } };
+    }
+    // There is always room, unless another program has changed the file.
+    const std::ptrdiff_t room = (run.DataEnd - place) / 4 - 3;
+    if (room < 0)
+    {
+      static constexpr std::int32_t NoCells[2] = { 0, 0 };
+      return { { reinterpret_cast<const char*>(NoCells), 0, 0 } };
+    }
+    const auto size = camaron::Load<std::int32_t>(place, run.Swap);
+    return { { place + 4, size >= 0 && size <= room ? size : 0, run.Swap } };
+  }
+  static const char* GetPlace(const Run& run, vtkIdType face)
+  {
+    const vtkIdType row = face - run.Begin;
+    const vtkIdType i = run.Kept.GetLimit() > 0 ? run.Kept.GetNumber(row) : row;
+    return run.Size > 0
+      ? run.Data + i * GetStride(run.Size)
+      : run.Blocks[static_cast<std::size_t>(row / BlockSize)] + 4 * std::ptrdiff_t(run.Starts[i]);
+  }
+  static FluentFace At(const Run& run, vtkIdType face) { return Read(run, GetPlace(run, face)); }
+
+  /// Calls visit(piece of the text, position, face) for all faces of a run that is text, or some.
+  template <typename Visit>
+  bool ForEachLineOf(
+    const Run& run, const IdSet* some, const Progress& progress, Visit&& visit) const
+  {
+    std::vector<std::vector<std::int32_t>> words(
+      static_cast<std::size_t>(run.Lines->GetNumberOfPieces(run.Rows)));
+    return run.Lines->ForEach(run.Rows, progress,
+      [&](vtkIdType piece, vtkIdType line, const char* text, const char* end)
+      {
+        std::vector<std::int32_t>& numbers = words[static_cast<std::size_t>(piece)];
+        if (some && !some->Contains(run.Begin + line))
+        {
+          return true;
+        }
+        const bool good = this->ReadLine(run, text, end, numbers);
+        if (good)
+        {
+          visit(piece, run.Begin + line,
+            FluentFace{ { reinterpret_cast<const char*>(numbers.data()),
+              static_cast<std::int32_t>(numbers.size()) - 2, 0 } });
+        }
+        return good;
+      });
+  }
+  bool ReadLine(
+    const Run& run, const char* text, const char* end, std::vector<std::int32_t>& numbers) const;
+  bool KeepLines(Run& run, const IdSet& faces, const Progress& progress);
+
+  const char* FindInFile(const Run& run, const char* word) const;
+  bool AddRuns(FluentFile& file);
+  bool CheckSize(FluentFile& file, const Run& run) const;
+  template <typename IsWanted>
+  bool Keep(FluentFile& file, vtkIdType chunk, const Progress& progress, IsWanted&& isWanted);
+  bool ReadText(FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
+  bool ReadLines(const FluentFile& file, Run& run, vtkIdType chunk, const Progress& progress);
+  bool ReadWords(FluentFile& file, Run& run);
+  void FindBlocks(Run& run);
+  void FindStarts(Run& run, const Progress& progress);
+  void LeaveOutInterfaces(FluentFile& file);
+
+  std::vector<Run> Runs;
+  FluentRuns Finder;
+  std::int64_t Nodes = 0, Cells = 0; ///< the largest ids, of text that is not kept
+  std::vector<Part> Parts;
+};
+}
+
+#endif

@@ -1,0 +1,479 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FluentFile.h"
+
+#include "FluentLists.h"
+#include "FluentText.h"
+#include "Base/Bytes.h"
+#include "Scan/TextScanner.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+namespace camaron
+{
+namespace
+{
+constexpr int FirstBinaryIndex = 2000, EndBinaryIndex = 4000;
+
+//------------------------------------------------------------------------------
+// The index without what it says of the encoding.
+int GetPlainIndex(int index)
+{
+  return index >= FirstBinaryIndex && index < EndBinaryIndex ? index % 1000 : index;
+}
+
+//------------------------------------------------------------------------------
+bool DescribesMesh(int plainIndex)
+{
+  switch (plainIndex)
+  {
+    case 10: // nodes
+    case 12: // cells
+    case 13: // faces
+    case 59: // faces that were split, and into which
+    case 61: // faces where meshes that do not fit meet
+    case 62:
+      return true;
+    default:
+      return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether there is a list such as (cad/options 1), ("a" 1), ((a . 1)) or (). One that begins with a number is a section,
+// or a damaged one.
+bool IsListWithoutNumber(const char* text, const char* end)
+{
+  if (text >= end || *text != '(')
+  {
+    return false;
+  }
+  text = SkipSpaceFrom(text + 1, end);
+  return text >= end || !(IsDigit(*text) || *text == '-' || *text == '+' || *text == '.');
+}
+
+//------------------------------------------------------------------------------
+// Reads "(index"; returns where it ends, or nullptr.
+const char* ParseIndex(const char* text, const char* end, int& index)
+{
+  if (text >= end || *text != '(')
+  {
+    return nullptr;
+  }
+  text = SkipSpaceFrom(text + 1, end);
+  constexpr int MaxIndex = 100000;
+  const char* const first = text;
+  for (index = 0; text < end && IsDigit(*text) && index < MaxIndex; ++text)
+  {
+    index = 10 * index + (*text - '0');
+  }
+  const bool ends = text < end && (IsSpace(*text) || *text == '(' || *text == ')' || *text == '"');
+  return text > first && ends ? text : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+FluentFile::FluentFile(std::string name, const char* begin, const char* end)
+  : Name(std::move(name))
+  , Begin(begin)
+  , End(FindTextEnd(begin, end))
+{
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::IsFluent(const char* begin, const char* end)
+{
+  const char* const text = SkipSpaceFrom(SkipByteOrderMark(begin, end), end);
+  return text < end && *text == '(';
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::FailAt(
+  const char* place, ErrorKind kind, const std::string& expected, const std::string& found)
+{
+  if (this->HasFailed())
+  {
+    return;
+  }
+  // Lines mean nothing behind binary data.
+  const bool isText = !this->FirstBinary || place <= this->FirstBinary;
+  const std::string where = isText ? this->Name + ":" +
+      std::to_string(TextScanner(this->Name, this->Begin, this->End).GetLine(place))
+                                   : this->Name + ": byte " + std::to_string(place - this->Begin);
+  this->Error = { kind, where + ": expected " + expected + ", found " + found };
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::FailAt(const char* place, ErrorKind kind, const std::string& expected)
+{
+  constexpr int MaxLength = 30;
+  place = SkipSpaceFrom(place, this->End);
+  std::string word;
+  for (const char* c = place; c < this->End && !IsSpace(*c); ++c)
+  {
+    if (word.size() == MaxLength)
+    {
+      word += "...";
+      break;
+    }
+    word += ToPrintable(*c);
+    if (*c == ')')
+    {
+      break;
+    }
+  }
+  this->FailAt(place, kind, expected, word.empty() ? "the end of the file" : "'" + word + "'");
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::Fail(ErrorKind kind, const std::string& expected, const std::string& found)
+{
+  if (!this->HasFailed())
+  {
+    this->Error = { kind, this->Name + ": expected " + expected + ", found " + found };
+  }
+}
+
+//------------------------------------------------------------------------------
+void FluentFile::SkipSpace()
+{
+  this->Position = SkipSpaceFrom(this->Position, this->End);
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::SkipRest(int depth, const FluentSection& section)
+{
+  // In the words of a comment, a quotation mark may be an inch.
+  constexpr int Comments = 1;
+  const char* const text = SkipSpaceFrom(this->Position, this->End);
+  const bool isProse =
+    section.Index >= 0 && section.Index <= Comments &&
+    !(text < this->End && (*text == '"' || *text == '('));
+  if (this->TrustsQuotes && !isProse && SkipFluentLists(this->Position, this->End, depth, true))
+  {
+    return true;
+  }
+  // Elsewhere, a lone one hides all that follows.
+  this->TrustsQuotes = this->TrustsQuotes && isProse;
+  if (SkipFluentLists(this->Position, this->End, depth, false))
+  {
+    return true;
+  }
+  this->FailAt(section.Place, ErrorKind::Truncated,
+    "a parenthesis that closes the section that begins here", "the end of the file");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Reads "(hexadecimal numbers)".
+bool FluentFile::ReadHeader(FluentSection& section)
+{
+  this->SkipSpace();
+  if (this->Position == this->End || *this->Position != '(')
+  {
+    this->FailAt(this->Position,
+      this->Position == this->End ? ErrorKind::Truncated : ErrorKind::Syntax,
+      "the header of section " + std::to_string(section.Index) + " in parentheses");
+    return false;
+  }
+  const char* text = this->Position + 1;
+  const void* found = std::memchr(text, ')', static_cast<std::size_t>(this->End - text));
+  if (!found)
+  {
+    this->FailAt(this->Position, ErrorKind::Truncated, "a header that ends", "the end of the file");
+    return false;
+  }
+  const char* const end = static_cast<const char*>(found);
+  for (text = SkipSpaceFrom(text, end); text < end; text = SkipSpaceFrom(text, end))
+  {
+    std::int64_t value = 0;
+    const char* const next =
+      section.HeaderSize < FluentSection::MaxHeader ? ParseHex(text, end, value) : nullptr;
+    if (!next || value > INT32_MAX)
+    {
+      this->FailAt(text, next ? ErrorKind::Count : ErrorKind::Syntax,
+        next ? "a number below 80000000" : "a hexadecimal number or the end of the header");
+      return false;
+    }
+    section.Header[section.HeaderSize++] = value;
+    text = next;
+  }
+  this->Position = end + 1;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::ReadDimension()
+{
+  const char* const place = this->Position;
+  std::int64_t value = 0;
+  const char* next = ParseInteger(SkipSpaceFrom(place, this->End), this->End, value);
+  if (!next || (value != 2 && value != 3))
+  {
+    this->FailAt(place, ErrorKind::Syntax, "the dimension of the mesh, 2 or 3");
+    return false;
+  }
+  this->Dimension = static_cast<int>(value);
+  this->Position = next;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// "(60 ...": little endian; any other number, big endian.
+bool FluentFile::ReadConfiguration()
+{
+  this->SkipSpace();
+  if (this->Position < this->End && *this->Position == '(')
+  {
+    constexpr int LittleEndian = 60;
+    std::int64_t value = 0;
+    if (ParseInteger(SkipSpaceFrom(this->Position + 1, this->End), this->End, value))
+    {
+      const ByteOrder order = value == LittleEndian ? ByteOrder::Little : ByteOrder::Big;
+      this->Swap = (order != GetByteOrder()) != this->OtherOrder;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// "(id type name ...". What cannot be understood has no name.
+bool FluentFile::ReadZone(const FluentSection& section)
+{
+  this->SkipSpace();
+  const char* text = this->Position;
+  std::int64_t id = 0;
+  if (text == this->End || *text != '(' ||
+    !(text = ParseInteger(SkipSpaceFrom(text + 1, this->End), this->End, id)) || id < 0 ||
+    id > INT32_MAX)
+  {
+    return true;
+  }
+  const auto readWord = [&]
+  {
+    constexpr std::size_t MaxWord = 1000;
+    text = SkipSpaceFrom(text, this->End);
+    std::string word;
+    const bool quoted = text < this->End && *text == '"';
+    text += quoted;
+    while (text < this->End && word.size() < MaxWord &&
+      (quoted ? *text != '"' : !IsSpace(*text) && *text != '(' && *text != ')'))
+    {
+      word += *text++;
+    }
+    text += quoted && text < this->End;
+    return word;
+  };
+  FluentZone zone;
+  zone.Id = static_cast<int>(id);
+  zone.Type = readWord();
+  zone.Name = readWord();
+  if (!zone.Type.empty())
+  {
+    this->Zones.push_back(std::move(zone));
+  }
+  (void)section;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::CheckRange(const FluentSection& section, const char* what)
+{
+  constexpr int MinHeader = 4;
+  if (section.HeaderSize < MinHeader - 1)
+  {
+    this->FailAt(section.Place, ErrorKind::Syntax,
+      std::string("a header of ") + what + " with a zone, the first and the last index",
+      std::to_string(section.HeaderSize) + " numbers");
+  }
+  else if (section.Header[0] != 0 && (section.Header[1] < 1 || section.GetCount() < 0))
+  {
+    this->FailAt(section.Place, ErrorKind::Count,
+      std::string("the first and the last index of ") + what,
+      std::to_string(section.Header[1]) + " and " + std::to_string(section.Header[2]));
+  }
+  return !this->HasFailed();
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::Keep(FluentSection&& section)
+{
+  const bool isDeclaration = section.Header[0] == 0;
+  switch (section.Index)
+  {
+    case 10:
+      this->HasMeshSection = true;
+      if (isDeclaration)
+      {
+        this->DeclaredNodes = { section.Header[2], section.Place };
+        const std::int64_t dimension = section.HeaderSize > 4 ? section.Header[4] : 0;
+        if (this->Dimension == 0 && (dimension == 2 || dimension == 3))
+        {
+          this->Dimension = static_cast<int>(dimension);
+        }
+      }
+      else if (section.GetCount() > 0)
+      {
+        this->Nodes.push_back(std::move(section));
+      }
+      break;
+    case 12:
+      if (isDeclaration)
+      {
+        this->DeclaredCells = { section.Header[2], section.Place };
+      }
+      else if (section.GetCount() > 0)
+      {
+        this->Cells.push_back(std::move(section));
+      }
+      break;
+    case 13:
+      this->HasMeshSection = true;
+      if (isDeclaration)
+      {
+        this->DeclaredFaces = { section.Header[2], section.Place };
+      }
+      else if (section.GetCount() > 0)
+      {
+        this->Faces.push_back(std::move(section));
+      }
+      break;
+    case 59:
+      this->FaceTrees.push_back(std::move(section));
+      break;
+    default:
+      this->InterfaceFaces.push_back(std::move(section));
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// A section with data of the mesh, from its header on.
+bool FluentFile::ReadMeshSection(FluentSection& section, int index)
+{
+  const bool isRange = section.Index <= 13; // of nodes, cells or faces of a zone
+  if (!this->ReadHeader(section) ||
+    (isRange &&
+      !this->CheckRange(section,
+        section.Index == 10     ? "nodes"
+          : section.Index == 12 ? "cells"
+                                : "faces")))
+  {
+    return false;
+  }
+  if (!section.IsText() && isRange)
+  {
+    // Cells that are all alike need no data; what some writers put there does not matter, as in text.
+    const bool areAlike = section.Index == 12 && section.HeaderSize > 4 && section.Header[4] != 0;
+    this->SkipSpace();
+    const bool hasBody = this->Position < this->End && *this->Position == '(';
+    const bool reads = (section.Header[0] != 0 || section.Index == 12) && !(areAlike && hasBody);
+    return (reads ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index)) &&
+      this->Keep(std::move(section));
+  }
+  if (!section.IsText())
+  {
+    // The range in the header of 61 says enough.
+    const bool isTree = section.Index == 59 && section.HeaderSize > 1;
+    return (isTree ? this->ReadBinaryBody(section, index) : this->SkipBinary(section, index)) &&
+      this->Keep(std::move(section));
+  }
+
+  this->SkipSpace();
+  if (this->Position < this->End && *this->Position == '(' && section.Header[0] != 0)
+  {
+    const char* const body = this->Position + 1;
+    const void* end = std::memchr(body, ')', static_cast<std::size_t>(this->End - body));
+    const bool opens =
+      end && std::memchr(body, '(', static_cast<std::size_t>(static_cast<const char*>(end) - body));
+    if (!end || opens)
+    {
+      this->FailAt(section.Place, ErrorKind::Truncated,
+        "a parenthesis that closes the section that begins here",
+        opens ? "another that opens" : "the end of the file");
+      return false;
+    }
+    section.Begin = body;
+    section.End = static_cast<const char*>(end);
+    this->Position = section.End + 1;
+  }
+  return this->SkipRest(1, section) && this->Keep(std::move(section));
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::ReadSection()
+{
+  FluentSection section;
+  section.Place = this->Position;
+  if (IsListWithoutNumber(this->Position, this->End))
+  {
+    constexpr int NoIndex = -1;
+    section.Index = NoIndex;
+    return this->SkipRest(0, section);
+  }
+  int index = 0;
+  const char* const next = ParseIndex(this->Position, this->End, index);
+  if (!next)
+  {
+    this->FailAt(this->Position,
+      this->HasMeshSection || this->Dimension > 0 ? ErrorKind::Syntax : ErrorKind::NotThisFormat,
+      "a section of a Fluent mesh, which begins with '(' and an index, or another list");
+    return false;
+  }
+  this->Position = next;
+  section.Index = GetPlainIndex(index);
+  const bool isBinary = section.Index != index;
+  if (isBinary)
+  {
+    section.RealSize = index < 3000 ? 4 : 8;
+    this->FirstBinary = this->FirstBinary ? this->FirstBinary : section.Place;
+  }
+  if (DescribesMesh(section.Index))
+  {
+    return this->ReadMeshSection(section, index);
+  }
+  if (isBinary)
+  {
+    return this->SkipBinary(section, index);
+  }
+  constexpr int Dimension = 2, Configuration = 4, OldZone = 45, Zone = 39;
+  const bool good = index == Dimension  ? this->ReadDimension()
+    : index == Configuration            ? this->ReadConfiguration()
+    : index == Zone || index == OldZone ? this->ReadZone(section)
+                                        : true;
+  return good && this->SkipRest(1, section);
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::Scan(bool otherOrder, const Progress& progress)
+{
+  this->OtherOrder = otherOrder;
+  this->Swap = (GetByteOrder() != ByteOrder::Little) != otherOrder;
+  this->Position = SkipByteOrderMark(this->Begin, this->End);
+  for (this->SkipSpace(); this->Position < this->End; this->SkipSpace())
+  {
+    if (!this->ReadSection() ||
+      !progress.Report(static_cast<double>(this->Position - this->Begin) /
+        static_cast<double>(this->End - this->Begin)))
+    {
+      return false;
+    }
+  }
+  if (!this->HasMeshSection && this->Dimension == 0)
+  {
+    this->Fail(ErrorKind::NotThisFormat, "a Fluent mesh",
+      this->Begin == this->End ? "an empty file" : "no nodes or faces");
+    return false;
+  }
+  if (this->Dimension == 0)
+  {
+    // Only faces of two nodes make a mesh of two dimensions.
+    const bool isFlat = std::any_of(this->Faces.begin(), this->Faces.end(),
+      [](const FluentSection& face) { return face.HeaderSize > 4 && face.Header[4] == 2; });
+    this->Dimension = isFlat ? 2 : 3;
+  }
+  return true;
+}
+}

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::FluentFile
+ * @brief The sections of a Fluent mesh or case file: where they are and what their headers say.
+ *
+ * A file is a sequence of sections `(index ...)`. Those that describe the mesh are collected, all
+ * others skipped: text by its parentheses, outside of quotes, such as lists of settings that do not begin
+ * with an index; binary sections (index 2000 to 3999) up to their end mark, as parentheses mean
+ * nothing in them.
+ */
+#ifndef camaron_FluentFile_h
+#define camaron_FluentFile_h
+
+#include "Base/Progress.h"
+#include "Scan/ScanError.h"
+
+#include <cstdint> // for integers of known size
+#include <string>  // for names
+#include <vector>  // for sections
+
+namespace camaron
+{
+/// A section with data of the mesh.
+struct FluentSection
+{
+  static constexpr int MaxHeader = 8;
+  const char* Place = nullptr; ///< of its opening parenthesis
+  int Index = 0;               ///< without the encoding, e.g. 13 for 3013; -1 for a name
+  int RealSize = 0;            ///< of binary reals, 4 or 8; 0 for text
+  std::int64_t Header[MaxHeader] = {};
+  int HeaderSize = 0;
+  const char* Begin = nullptr; ///< of the body; nullptr without one
+  const char* End = nullptr;
+  std::vector<const char*> Blocks; ///< in binary lists, where every 1024th begins
+
+  bool IsText() const { return this->RealSize == 0; }
+  /// Number of records, where the header is (zone first last ...).
+  std::int64_t GetCount() const { return this->Header[2] - this->Header[1] + 1; }
+};
+
+/// How many nodes, cells or faces there are in all.
+struct FluentTotal
+{
+  std::int64_t Count = -1;     ///< -1 if the file does not say
+  const char* Place = nullptr; ///< of the section that does
+};
+
+struct FluentZone
+{
+  int Id = 0;
+  std::string Type, Name;
+  int BoundaryType = 0; ///< number of the kind of boundary; 0 for zones of cells
+};
+
+class FluentFile
+{
+public:
+  static constexpr std::int64_t BlockSize = 1024; ///< lists per entry of FluentSection::Blocks
+
+  FluentFile(std::string name, const char* begin, const char* end);
+
+  /// Whether these may be the first bytes of such a file, the only one of its extensions that begins with '('.
+  static bool IsFluent(const char* begin, const char* end);
+
+  /**
+   * Finds all sections; false with the error, or if stopped.
+   * @param otherOrder whether binary sections are in the other byte order than the file says
+   */
+  bool Scan(bool otherOrder, const Progress& progress);
+
+  const std::string& GetName() const { return this->Name; }
+  const char* GetBegin() const { return this->Begin; }
+  const char* GetEnd() const { return this->End; }
+  /// 2 or 3.
+  int GetDimension() const { return this->Dimension; }
+  /// Whether the bytes of binary sections have to be swapped.
+  bool IsSwapped() const { return this->Swap; }
+  bool HasBinarySections() const { return this->FirstBinary != nullptr; }
+
+  ///@{
+  /// Sections with a body or a range, in the order of the file, and the totals that others declare.
+  std::vector<FluentSection> Nodes, Cells, Faces;
+  FluentTotal DeclaredNodes, DeclaredCells, DeclaredFaces;
+  ///@}
+  std::vector<FluentSection> FaceTrees;
+  std::vector<FluentSection> InterfaceFaces; ///< 61 and 62
+  std::vector<FluentZone> Zones;
+
+  /// Sets the error, unless there is one: "name:line: expected ..., found ...", or with the byte if
+  /// there are binary sections before.
+  void FailAt(
+    const char* place, ErrorKind kind, const std::string& expected, const std::string& found);
+  /// Found is the word at the place.
+  void FailAt(const char* place, ErrorKind kind, const std::string& expected);
+  /// An error of the file as a whole.
+  void Fail(ErrorKind kind, const std::string& expected, const std::string& found);
+  const ScanError& GetError() const { return this->Error; }
+  bool HasFailed() const { return static_cast<bool>(this->Error); }
+
+private:
+  void SkipSpace();
+  bool SkipRest(int depth, const FluentSection& section);
+  bool SkipBinary(const FluentSection& section, int index);
+  bool ReadHeader(FluentSection& section);
+  bool ReadSection();
+  bool ReadMeshSection(FluentSection& section, int index);
+  bool ReadBinaryBody(FluentSection& section, int index);
+  const char* FindEndOfData(FluentSection& section);
+  const char* FindLists(FluentSection& section);
+  const char* FindParts(const FluentSection& section);
+  const char* FindEndMark(const char* place, int index, bool hasData) const;
+  bool ReadDimension();
+  bool ReadConfiguration();
+  bool ReadZone(const FluentSection& section);
+  bool Keep(FluentSection&& section);
+  bool CheckRange(const FluentSection& section, const char* what);
+
+  std::string Name;
+  const char* Begin;
+  const char* End;
+  const char* Position = nullptr;
+  const char* FirstBinary = nullptr;
+  int Dimension = 0;
+  bool Swap = false;
+  bool OtherOrder = false;
+  bool TrustsQuotes = true;
+  bool HasMeshSection = false;
+  ScanError Error;
+};
+}
+
+#endif

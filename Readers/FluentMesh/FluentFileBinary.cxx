@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Binary sections: where their data ends, which only their headers and the data itself say.
+#include "FluentFile.h"
+
+#include "FluentText.h"
+#include "Base/Bytes.h"
+
+#include <cstring>
+#include <string_view>
+
+namespace camaron
+{
+namespace
+{
+constexpr std::string_view EndMark = "End of Binary Section";
+}
+
+//------------------------------------------------------------------------------
+// Returns what follows the end mark of a binary section, or nullptr; before it is a parenthesis if
+// the section has data.
+const char* FluentFile::FindEndMark(const char* place, int index, bool hasData) const
+{
+  const char* text = SkipSpaceFrom(place, this->End);
+  if (text < this->End && *text == ')')
+  {
+    text = SkipSpaceFrom(text + 1, this->End);
+  }
+  else if (hasData)
+  {
+    return nullptr;
+  }
+  if (this->End - text < static_cast<std::ptrdiff_t>(EndMark.size()) ||
+    std::memcmp(text, EndMark.data(), EndMark.size()) != 0)
+  {
+    return nullptr;
+  }
+  text = SkipSpaceFrom(text + EndMark.size(), this->End);
+  std::int64_t number = 0;
+  text = ParseInteger(text, this->End, number);
+  text = text ? SkipSpaceFrom(text, this->End) : nullptr;
+  return text && number == index && text < this->End && *text == ')' ? text + 1 : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool FluentFile::SkipBinary(const FluentSection& section, int index)
+{
+  const std::string_view rest(this->Position, static_cast<std::size_t>(this->End - this->Position));
+  for (std::size_t at = rest.find(EndMark); at != std::string_view::npos;
+       at = rest.find(EndMark, at + EndMark.size()))
+  {
+    if (const char* next = this->FindEndMark(rest.data() + at, index, false))
+    {
+      this->Position = next;
+      return true;
+    }
+  }
+  this->FailAt(section.Place, ErrorKind::Truncated,
+    "'End of Binary Section " + std::to_string(index) + "'", "the end of the file");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Finds where lists end that say how many ids they have: faces "n v1 ... vn c0 c1".
+const char* FluentFile::FindLists(FluentSection& section)
+{
+  constexpr int SmallestList = 12;
+  const char* place = section.Begin;
+  const std::int64_t count = section.GetCount();
+  if (count > (this->End - place) / SmallestList)
+  {
+    this->FailAt(section.Place, ErrorKind::Truncated, std::to_string(count) + " faces",
+      std::to_string(this->End - place) + " bytes up to the end of the file");
+    return nullptr;
+  }
+  section.Blocks.reserve(static_cast<std::size_t>((count + BlockSize - 1) / BlockSize));
+  for (std::int64_t i = 0; i < count; ++i)
+  {
+    if (i % BlockSize == 0)
+    {
+      section.Blocks.push_back(place);
+    }
+    const std::int64_t left = (this->End - place) / 4;
+    const std::int32_t size = left > 0 ? Load<std::int32_t>(place, this->Swap) : 0;
+    if (left < 3 || size < 0 || size > left - 3)
+    {
+      this->FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+        "the number of nodes of face " + std::to_string(section.Header[1] + i) + " of at most " +
+          std::to_string(left < 3 ? 0 : left - 3),
+        left > 0 ? std::to_string(size) : "the end of the file");
+      return nullptr;
+    }
+    place += 4 * (std::ptrdiff_t(size) + 3);
+    if ((place - section.Blocks.back()) / 4 > INT32_MAX)
+    {
+      this->FailAt(
+        place, ErrorKind::Unsupported, "less than 8 GB for 1024 consecutive faces", "more");
+      return nullptr;
+    }
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+// The same for the parts of split faces: "n child1 ... childn".
+const char* FluentFile::FindParts(const FluentSection& section)
+{
+  const char* place = section.Begin;
+  for (std::int64_t face = section.Header[0]; face <= section.Header[1]; ++face)
+  {
+    const std::int64_t left = (this->End - place) / 4;
+    const std::int32_t size = left > 0 ? Load<std::int32_t>(place, this->Swap) : 0;
+    if (left < 1 || size < 0 || size > left - 1)
+    {
+      this->FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
+        "the number of parts of face " + std::to_string(face),
+        left > 0 ? std::to_string(size) : "the end of the file");
+      return nullptr;
+    }
+    place += 4 * (std::ptrdiff_t(size) + 1);
+  }
+  return place;
+}
+
+//------------------------------------------------------------------------------
+// The body of a binary section whose header was read.
+bool FluentFile::ReadBinaryBody(FluentSection& section, int index)
+{
+  this->SkipSpace();
+  const char* const open = this->Position;
+  const bool hasBody = open < this->End && *open == '(';
+  if (!hasBody)
+  {
+    const char* const next = this->FindEndMark(open, index, false);
+    if (!next)
+    {
+      this->FailAt(open, open == this->End ? ErrorKind::Truncated : ErrorKind::Syntax,
+        "the data of section " + std::to_string(index) + " or its end");
+      return false;
+    }
+    this->Position = next;
+    return true;
+  }
+  // Some writers put a line end between the parenthesis and the data. Data that began later would
+  // end behind the parenthesis that closes it; data that began earlier may end in bytes that look
+  // like blanks.
+  constexpr std::ptrdiff_t LongestGap = 2;
+  std::ptrdiff_t gap = 0;
+  while (gap < LongestGap && open + 1 + gap < this->End &&
+    (open[1 + gap] == '\n' || open[1 + gap] == '\r'))
+  {
+    ++gap;
+  }
+  for (; gap >= 0; --gap)
+  {
+    const ScanError before = this->Error;
+    section.Begin = open + 1 + gap;
+    section.Blocks.clear();
+    const char* const end = this->FindEndOfData(section);
+    const char* const next = end ? this->FindEndMark(end, index, true) : nullptr;
+    if (next)
+    {
+      section.End = end;
+      this->Position = next;
+      return true;
+    }
+    if (end)
+    {
+      const std::ptrdiff_t left = this->End - end;
+      this->FailAt(end,
+        left < static_cast<std::ptrdiff_t>(EndMark.size()) ? ErrorKind::Truncated
+                                                           : ErrorKind::Syntax,
+        "')' and 'End of Binary Section " + std::to_string(index) + "'");
+    }
+    if (gap > 0)
+    {
+      this->Error = before;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// Where the binary data of a section ends, or nullptr with an error.
+const char* FluentFile::FindEndOfData(FluentSection& section)
+{
+  const std::int64_t element = section.HeaderSize > 4 ? section.Header[4] : 0;
+  if (section.Index == 13 && (element == 0 || element == 5))
+  {
+    return this->FindLists(section);
+  }
+  if (section.Index == 59)
+  {
+    return this->FindParts(section);
+  }
+  std::int64_t bytes = 4 * (element + 2); // of a face
+  if (section.Index == 10)
+  {
+    const bool hasDimension = element == 2 || element == 3;
+    bytes = (hasDimension ? element : this->Dimension == 2 ? 2 : 3) * section.RealSize;
+  }
+  else if (section.Index == 12)
+  {
+    bytes = element == 0 ? 4 : 0;
+  }
+  bytes *= section.GetCount();
+  if (bytes > this->End - section.Begin)
+  {
+    this->FailAt(section.Begin, ErrorKind::Truncated,
+      std::to_string(bytes) + " bytes of the section that begins at byte " +
+        std::to_string(section.Place - this->Begin),
+      std::to_string(this->End - section.Begin) + " up to the end of the file");
+    return nullptr;
+  }
+  return section.Begin + bytes;
+}
+}

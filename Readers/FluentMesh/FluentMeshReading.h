@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FluentMeshReading.h
+ * @brief Reads mesh and case files of Ansys Fluent. See Readers/FluentMesh/README.md.
+ */
+#ifndef camaron_FluentMeshReading_h
+#define camaron_FluentMeshReading_h
+
+#include "Scan/PieceRequest.h"
+#include "Base/Progress.h"
+#include "Scan/ScanError.h"
+#include "Scan/TextLines.h"
+
+#include <string> // for paths
+
+class vtkMultiBlockDataSet;
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/// Whether the first bytes of a file are those of a Fluent mesh, also if it is compressed.
+bool IsFluentMesh(const std::string& path);
+
+/// How a file is read.
+struct FluentOptions
+{
+  /// Whether cells beside refined ones get the faces that were split for these; else the parts.
+  bool JoinSplitFaces = true;
+  vtkIdType Chunk = TextLines::DefaultChunk; ///< bytes of text that are read at a time
+};
+
+/**
+ * Reads a piece of a file.
+ * @param boundaries if given, gets one block per zone of faces other than interior ones
+ * @return false with the error in @a error, or without one if stopped; the outputs are empty then
+ */
+bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress,
+  const FluentOptions& options = {});
+}
+
+#endif

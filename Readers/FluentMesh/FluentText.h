@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file FluentText.h
+ * @brief White space and hexadecimal numbers as Fluent's files have them: either case, no prefix.
+ */
+#ifndef camaron_FluentText_h
+#define camaron_FluentText_h
+
+#include "Base/Number.h"
+
+#include <array> // for the table of digits
+
+namespace camaron
+{
+namespace detail
+{
+constexpr std::array<signed char, 256> MakeHexDigits()
+{
+  std::array<signed char, 256> digits{};
+  for (int c = 0; c < 256; ++c)
+  {
+    digits[c] = static_cast<signed char>(c >= '0' && c <= '9' ? c - '0'
+        : c >= 'a' && c <= 'f'                                ? c - 'a' + 10
+        : c >= 'A' && c <= 'F'                                ? c - 'A' + 10
+                                                              : -1);
+  }
+  return digits;
+}
+inline constexpr std::array<signed char, 256> HexDigits = MakeHexDigits();
+}
+
+/// The first character that is no white space, or the end.
+inline const char* SkipSpaceFrom(const char* text, const char* end)
+{
+  while (text < end && IsSpace(*text))
+  {
+    ++text;
+  }
+  return text;
+}
+
+/**
+ * Reads a number after white space; returns where it ends, or nullptr if there is none, if
+ * something else follows it directly, or if it exceeds 63 bits.
+ */
+inline const char* ParseHex(const char* text, const char* end, std::int64_t& value)
+{
+  text = SkipSpaceFrom(text, end);
+  const char* const first = text;
+  std::uint64_t number = 0;
+  for (; text < end; ++text)
+  {
+    const int digit = detail::HexDigits[static_cast<unsigned char>(*text)];
+    if (digit < 0)
+    {
+      break;
+    }
+    if (number >> 59)
+    {
+      return nullptr;
+    }
+    number = number << 4 | static_cast<unsigned int>(digit);
+  }
+  if (text == first || (text < end && !IsSpace(*text)))
+  {
+    return nullptr;
+  }
+  value = static_cast<std::int64_t>(number);
+  return text;
+}
+
+/// The same in a line of a section, whose end is no digit and can be read, as are all before it.
+inline const char* ParseHexInLine(const char* text, const char* end, std::int64_t& value)
+{
+  constexpr int MaxDigits = 7; // of 32 bits
+  const char* place = text + (*text == ' ' ? 1 : 0);
+  const char* const limit = end - place > MaxDigits ? place + MaxDigits : end;
+  const char* const first = place;
+  std::uint32_t number = 0;
+  for (; place < limit; ++place)
+  {
+    const int digit = detail::HexDigits[static_cast<unsigned char>(*place)];
+    if (digit < 0)
+    {
+      break;
+    }
+    number = number << 4 | static_cast<std::uint32_t>(digit);
+  }
+  if (place == first || (*place != ' ' && place != end))
+  {
+    return ParseHex(text, end, value);
+  }
+  value = number;
+  return place;
+}
+}
+
+#endif

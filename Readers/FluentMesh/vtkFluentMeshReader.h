@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFluentMeshReader
+ * @brief Reads meshes from mesh and case files of Ansys Fluent.
+ *
+ * Text and binary files of single and double precision, in two or three dimensions, with all types
+ * of cells; also compressed with gzip. See Readers/FluentMesh/README.md.
+ *
+ * Output 0: a vtkUnstructuredGrid of the cells, with the zone of every cell in "Zone" and the zones
+ * in "ZoneIds", "ZoneNames" and "ZoneTypes" as field data. Points are double, or float from binary
+ * files of single precision. Faces tell inside from outside, so that inverted cells stay inverted.
+ *
+ * Output 1: a vtkMultiBlockDataSet with the boundary faces of every zone, by name.
+ *
+ * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
+ * asked for, "GlobalPointIds" and "GlobalCellIds".
+ *
+ * @sa vtkFluentMeshWriter
+ */
+#ifndef vtkFluentMeshReader_h
+#define vtkFluentMeshReader_h
+
+#include "vtkMeshFileReader.h"
+
+class vtkMultiBlockDataSet;
+
+class CAMARONFORMATS_EXPORT vtkFluentMeshReader : public vtkMeshFileReader
+{
+public:
+  static vtkFluentMeshReader* New();
+  vtkTypeMacro(vtkFluentMeshReader, vtkMeshFileReader);
+
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Whether a cell beside refined ones gets the faces that were split for these, and so the shape of
+   * its declared type. It is no neighbour of the refined cells then. Otherwise it is a polyhedron
+   * (in 2D a polygon) with the parts of these faces. Default: on.
+   */
+  vtkSetMacro(JoinSplitFaces, bool);
+  vtkGetMacro(JoinSplitFaces, bool);
+  vtkBooleanMacro(JoinSplitFaces, bool);
+  ///@}
+
+  int CanReadFile(const char* fileName) override;
+
+protected:
+  vtkFluentMeshReader();
+  ~vtkFluentMeshReader() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
+    const camaron::Progress& progress) override;
+
+private:
+  vtkFluentMeshReader(const vtkFluentMeshReader&) = delete;
+  void operator=(const vtkFluentMeshReader&) = delete;
+
+  bool JoinSplitFaces = true;
+  vtkMultiBlockDataSet* Boundaries = nullptr; ///< during RequestData
+};
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkFluentMeshWriter
+ * @brief Writes meshes of two or three dimensions for Ansys Fluent.
+ *
+ * See Readers/FluentMesh/README.md. Cells of the highest dimension are written, by their faces;
+ * cells of one dimension less that are faces of others say in which zone these are. The cell array
+ * "Zone" gives the zones, the field data "ZoneIds", "ZoneNames" and "ZoneTypes" their names, as
+ * vtkFluentMeshReader makes them.
+ *
+ * @sa vtkFluentMeshReader
+ */
+#ifndef vtkFluentMeshWriter_h
+#define vtkFluentMeshWriter_h
+
+#include "vtkCellMeshFileWriter.h"
+
+class CAMARONFORMATS_EXPORT vtkFluentMeshWriter : public vtkCellMeshFileWriter
+{
+public:
+  static vtkFluentMeshWriter* New();
+  vtkTypeMacro(vtkFluentMeshWriter, vtkCellMeshFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum EncodingType
+  {
+    ASCII = 0,
+    BINARY_SINGLE = 1, ///< coordinates in single precision
+    BINARY_DOUBLE = 2  ///< coordinates in double precision
+  };
+
+  ///@{
+  /**
+   * How the file is written. Default: ASCII.
+   */
+  vtkSetClampMacro(Encoding, int, ASCII, BINARY_DOUBLE);
+  vtkGetMacro(Encoding, int);
+  ///@}
+
+protected:
+  vtkFluentMeshWriter() = default;
+  ~vtkFluentMeshWriter() override = default;
+
+  bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
+    camaron::ScanError& error, const camaron::Progress& progress) override;
+
+private:
+  vtkFluentMeshWriter(const vtkFluentMeshWriter&) = delete;
+  void operator=(const vtkFluentMeshWriter&) = delete;
+
+  int Encoding = ASCII;
+};
+
+#endif

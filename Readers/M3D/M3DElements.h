@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file M3DElements.h
+ * @brief The elements of M3D, M2D and MVM files: their letters, types and material.
+ */
+#ifndef camaron_M3DElements_h
+#define camaron_M3DElements_h
+
+#include "Mesh/WedgeOrder.h"
+
+#include "vtkCellType.h" // for the types of cells
+
+#include <atomic>  // for what several threads see
+#include <cstddef> // for std::size_t
+#include <mutex>   // for the first material
+
+namespace camaron
+{
+class TextRow;
+
+enum class M3DDialect
+{
+  M3D, ///< letters T, P, R, H
+  M2D, ///< the same layout with letters t, q
+  MVM  ///< neither codes of nodes nor materials; 2D elements have letters T, Q
+};
+
+/// Numbers behind every element: by mesh generators, 1000.0 0.45 1.0.
+constexpr int MaterialSize = 3;
+constexpr double DefaultMaterial[MaterialSize] = { 1000.0, 0.45, 1.0 };
+constexpr char MaterialName[] = "Material";
+constexpr char NodeCodeName[] = "NodeCode";
+constexpr char ProjectionName[] = "Projection";
+
+constexpr int MaxElementNodes = 8;
+
+struct ElementKind
+{
+  char Letter;
+  unsigned char Type;
+  int NumberOfNodes;
+
+  /// Where VTK's nodes are in the file, and the other way round.
+  const int* GetOrder() const
+  {
+    static const int same[MaxElementNodes] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+    return this->Type == VTK_WEDGE ? GetExtrusionOrder(VTK_WEDGE) : same;
+  }
+};
+
+///@{
+/// The kind of a letter or of a type of cells, or nullptr.
+const ElementKind* FindElementKind(char letter, M3DDialect dialect);
+const ElementKind* FindElementKind(unsigned char type, M3DDialect dialect);
+///@}
+
+/**
+ * @class camaron::MaterialTally
+ * @brief Finds whether all elements have a material, and whether it is always the same.
+ *
+ * May be told by several threads; the outcome does not depend on their order.
+ */
+class MaterialTally
+{
+public:
+  /// @param end of the text
+  explicit MaterialTally(const char* end)
+    : End(end)
+  {
+  }
+
+  /// Looks at what follows the nodes of an element, until materials differ: then all are to be read.
+  void Add(TextRow& row);
+  /// Reads what follows the nodes of an element; false if it is missing.
+  bool Read(TextRow& row, double* values);
+
+  bool IsMissingSomewhere() const { return this->Missing; }
+  bool IsFoundSomewhere() const { return this->Sample != nullptr; }
+  bool Varies() const { return this->Different; }
+  /// One of the materials found.
+  const double* GetMaterial() const { return this->Values; }
+
+private:
+  const char* End;
+  std::atomic<bool> Missing{ false };
+  std::atomic<bool> Different{ false };
+  // The text of one of the materials, of which most others are copies.
+  std::atomic<const char*> Sample{ nullptr };
+  std::size_t SampleSize = 0;
+  double Values[MaterialSize] = {};
+  std::mutex Mutex;
+};
+}
+
+#endif

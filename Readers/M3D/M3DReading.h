@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file M3DReading.h
+ * @brief Reads M3D, M2D and MVM files, meshes of mixed elements.
+ *
+ * See Readers/M3D/README.md for the formats.
+ */
+#ifndef camaron_M3DReading_h
+#define camaron_M3DReading_h
+
+#include "Scan/PieceRequest.h"
+#include "Scan/TextRows.h"
+
+#include <string> // for paths
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/// Whether the file begins like an M3D, M2D or MVM file. Reports nothing.
+bool IsM3D(const std::string& path);
+
+struct M3DOptions
+{
+  /// Whether nodes of code 2 are moved by their projection.
+  bool AddProjection = true;
+};
+
+/**
+ * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the
+ * same grid.
+ * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
+ * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ */
+bool ReadM3D(const std::string& path, const PieceRequest& request, const M3DOptions& options,
+  vtkUnstructuredGrid* grid, Warnings& warnings, ScanError& error,
+  const Progress& progress = Progress(), vtkIdType chunk = TextLines::DefaultChunk);
+}
+
+#endif

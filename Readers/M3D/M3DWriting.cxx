@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "M3DWriting.h"
+
+#include "CellMesh/OutputMesh.h"
+#include "CellMesh/OutputWarnings.h"
+#include "Base/LowerCase.h"
+#include "Write/RealFormat.h"
+#include "Write/WriteRows.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+const char* GetName(M3DDialect dialect)
+{
+  return dialect == M3DDialect::M2D ? "M2D" : dialect == M3DDialect::MVM ? "MVM" : "M3D";
+}
+
+//------------------------------------------------------------------------------
+CellTypeSet GetTypes(M3DDialect dialect)
+{
+  switch (dialect)
+  {
+    case M3DDialect::M2D:
+      return { VTK_TRIANGLE, VTK_QUAD };
+    case M3DDialect::MVM:
+      return { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_TRIANGLE, VTK_QUAD };
+    default:
+      return { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON };
+  }
+}
+
+//------------------------------------------------------------------------------
+// The material of elements as text.
+class MaterialText
+{
+public:
+  explicit MaterialText(vtkDataSet* mesh)
+    : Cells(FindArray(mesh->GetCellData()))
+  {
+    vtkDataArray* all = this->Cells ? nullptr : FindArray(mesh->GetFieldData());
+    this->IsOfField = all && all->GetNumberOfTuples() == 1;
+    if (this->IsOfField)
+    {
+      this->Common.clear();
+      AppendTuple(this->Common, all, 0);
+    }
+  }
+
+  /// Whether one material of all elements comes from the field data.
+  bool IsCommon() const { return this->IsOfField; }
+
+  void Append(std::string& text, vtkIdType cell) const
+  {
+    if (this->Cells)
+    {
+      AppendTuple(text, this->Cells, cell);
+    }
+    else
+    {
+      text += this->Common;
+    }
+  }
+  /// The array of materials, if there is one.
+  static vtkDataArray* FindArray(vtkFieldData* data)
+  {
+    vtkDataArray* array = data->GetArray(MaterialName);
+    return array && array->GetNumberOfComponents() == MaterialSize ? array : nullptr;
+  }
+
+private:
+  static void AppendTuple(std::string& text, vtkDataArray* array, vtkIdType tuple)
+  {
+    for (int c = 0; c < MaterialSize; ++c)
+    {
+      text += ' ';
+      const std::size_t begin = text.size();
+      AppendNumber(text, array->GetComponent(tuple, c));
+      // Generators write 1000.0, not 1000.
+      text += text.find_first_not_of("-0123456789", begin) == std::string::npos ? ".0" : "";
+    }
+  }
+
+  vtkDataArray* Cells;
+  std::string Common = " 1000.0 0.45 1.0"; // what generators write
+  bool IsOfField = false;
+};
+
+//------------------------------------------------------------------------------
+// Of arrays that have the name of materials and are none.
+void WarnOfOtherMaterials(vtkDataSet* mesh, Warnings& warnings)
+{
+  const std::string name = MaterialName, size = std::to_string(MaterialSize);
+  vtkAbstractArray* const ofCells = mesh->GetCellData()->GetAbstractArray(MaterialName);
+  if (ofCells && !MaterialText::FindArray(mesh->GetCellData()))
+  {
+    warnings.Add("not written: the array " + name + ": the material of an element has " + size +
+      " components, this array has " + std::to_string(ofCells->GetNumberOfComponents()));
+  }
+  if (mesh->GetPointData()->HasArray(MaterialName))
+  {
+    warnings.Add("not written: the array " + name + " of points: materials are those of elements");
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+M3DDialect GetM3DDialect(const std::string& path)
+{
+  const std::string extension = path.size() < 4 ? "" : ToLower(path.substr(path.size() - 4));
+  return extension == ".m2d" ? M3DDialect::M2D
+    : extension == ".mvm"    ? M3DDialect::MVM
+                             : M3DDialect::M3D;
+}
+
+//------------------------------------------------------------------------------
+bool WriteM3D(const std::string& path, vtkDataSet* mesh, const M3DWriteOptions& options,
+  Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  const M3DDialect dialect = options.Dialect;
+  const bool isMVM = dialect == M3DDialect::MVM;
+  const MaterialText material(mesh);
+  if (isMVM)
+  {
+    WarnOfArrays(mesh, GetName(dialect), warnings);
+  }
+  else
+  {
+    WarnOfOtherMaterials(mesh, warnings);
+    WrittenArrays written;
+    written.Points = written.Cells = { MaterialName }; // of points it is said above
+    if (material.IsCommon())
+    {
+      written.Fields = { MaterialName };
+    }
+    WarnOfArrays(mesh, GetName(dialect), warnings, written);
+  }
+  const CellConversion how{ GetName(dialect), GetTypes(dialect), options.Others };
+  OutputMesh output;
+  if (!ConvertCells(mesh, how, path, output, warnings, error, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  WarnOfDigits(mesh, output, options.Digits, warnings);
+  const std::string points = std::to_string(output.GetNumberOfPoints());
+  const std::string cells = std::to_string(output.GetNumberOfCells());
+
+  OutputFile file(path);
+  file.Write(isMVM ? "MIXED\n" + points + " " + cells + "\n\n"
+                   : "[Nodes, ARRAY1<STRING>]\n" + points + "\n\n");
+  const RealFormat format = RealFormat::Exponent(options.Digits - 1, 'E', true);
+  bool good = WriteRows(file, output.GetNumberOfPoints(), progress.Part(0.3, 0.7),
+    [&](vtkIdType point, std::string& text)
+    {
+      double x[3];
+      output.GetPoint(point, x);
+      text += isMVM ? "" : "1 ";
+      format.AppendRow(text, x, 3);
+    });
+  if (!isMVM)
+  {
+    file.Write("\n[Elements, ARRAY1<STRING>]\n" + cells + "\n\n");
+  }
+  good = good &&
+    WriteRows(file, output.GetNumberOfCells(), progress.Part(0.7, 1),
+      [&](vtkIdType cell, std::string& text)
+      {
+        const ElementKind* const kind = FindElementKind(output.GetCellType(cell), dialect);
+        const IndexRange nodes = output.GetCellPoints(cell);
+        const int* const order = kind->GetOrder();
+        text += kind->Letter;
+        for (int i = 0; i < kind->NumberOfNodes; ++i)
+        {
+          text += ' ';
+          AppendNumber(text, nodes[order[i]]);
+        }
+        if (!isMVM)
+        {
+          material.Append(text, output.GetInputCell(cell));
+        }
+        text += '\n';
+      });
+  good = good && file.Commit();
+  error = file.GetError();
+  return good;
+}
+}

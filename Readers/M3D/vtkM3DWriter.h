@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkM3DWriter
+ * @brief Writes meshes of mixed elements to M3D, M2D and MVM files.
+ *
+ * See Readers/M3D/README.md. M3D files hold tetrahedra, pyramids, prisms and hexahedra, M2D files
+ * triangles and quadrilaterals, MVM files all of these; other cells become what UnsupportedCells
+ * says. The cell array or field data "Material" of three components is written, no other arrays;
+ * nodes are written where they are, with code 1.
+ *
+ * @sa vtkM3DReader
+ */
+#ifndef vtkM3DWriter_h
+#define vtkM3DWriter_h
+
+#include "vtkCellMeshFileWriter.h"
+
+class CAMARONFORMATS_EXPORT vtkM3DWriter : public vtkCellMeshFileWriter
+{
+public:
+  static vtkM3DWriter* New();
+  vtkTypeMacro(vtkM3DWriter, vtkCellMeshFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum DialectType
+  {
+    AUTOMATIC = 0, ///< by the extension of the file, M3D if that tells nothing
+    M3D = 1,
+    M2D = 2,
+    MVM = 3
+  };
+
+  ///@{
+  /**
+   * Which dialect is written. Default: AUTOMATIC.
+   */
+  vtkSetClampMacro(Dialect, int, AUTOMATIC, MVM);
+  vtkGetMacro(Dialect, int);
+  ///@}
+
+  ///@{
+  /**
+   * Significant digits of coordinates, 6 to 17: 9 keep every float, 17 every double. Default: 9, as
+   * mesh generators write.
+   */
+  vtkSetClampMacro(Digits, int, 6, 17);
+  vtkGetMacro(Digits, int);
+  ///@}
+
+protected:
+  vtkM3DWriter() = default;
+  ~vtkM3DWriter() override = default;
+
+  bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
+    camaron::ScanError& error, const camaron::Progress& progress) override;
+
+private:
+  vtkM3DWriter(const vtkM3DWriter&) = delete;
+  void operator=(const vtkM3DWriter&) = delete;
+
+  int Dialect = AUTOMATIC;
+  int Digits = 9;
+};
+
+#endif

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "MAPDLComponents.h"
+
+#include "Base/CountOf.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+struct Range
+{
+  std::int64_t First;
+  std::int64_t Last;
+};
+
+//------------------------------------------------------------------------------
+// Reads the ids of a component: -b after a stands for all from a to b.
+bool ReadRanges(
+  const MAPDLComponent& component, std::vector<Range>& ranges, vtkIdType& count, MAPDLFault& fault)
+{
+  constexpr char Expected[] = "the number of a member of a component";
+  count = 0;
+  const ColumnFormat* const columns = component.Fields.GetColumns();
+  const int perLine = columns ? columns->GetNumberOfLeadingIntegers() : INT32_MAX;
+  for (const char* text = component.Begin; text < component.End;)
+  {
+    const Line line(text, component.End);
+    text = line.Next;
+    if (ClassifyMAPDLLine(line) != MAPDLLine::Row)
+    {
+      continue;
+    }
+    const int fields = component.Fields.CountFields(line, perLine);
+    for (int i = 0; i < fields; ++i)
+    {
+      std::int64_t value;
+      const char* place;
+      if (!component.Fields.Read(line, i, value, place))
+      {
+        return fault.Set(place, ErrorKind::Syntax, Expected);
+      }
+      ++count;
+      if (value > 0)
+      {
+        ranges.push_back({ value, value });
+      }
+      else if (value < 0 && !ranges.empty() && -value >= ranges.back().First)
+      {
+        ranges.back().Last = -value;
+      }
+      else if (value < 0)
+      {
+        return fault.Set(line.Begin, ErrorKind::Syntax, Expected, std::to_string(value));
+      }
+    }
+  }
+  if (!component.IsEnded && count < component.NumberOfValues)
+  {
+    return fault.Set(component.End, ErrorKind::Truncated, "more members of a component");
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Puts ranges in order, without overlaps.
+void Unite(std::vector<Range>& ranges)
+{
+  std::sort(
+    ranges.begin(), ranges.end(), [](const Range& a, const Range& b) { return a.First < b.First; });
+  std::size_t kept = 0;
+  for (const Range& range : ranges)
+  {
+    if (kept > 0 && range.First <= ranges[kept - 1].Last + 1)
+    {
+      ranges[kept - 1].Last = std::max(ranges[kept - 1].Last, range.Last);
+    }
+    else
+    {
+      ranges[kept++] = range;
+    }
+  }
+  ranges.resize(kept);
+}
+
+//------------------------------------------------------------------------------
+// Whether an id that stands alone is none of the deck; ranges may have gaps.
+bool HasUndefined(const std::vector<Range>& ranges, const IdMap& map)
+{
+  return std::any_of(ranges.begin(), ranges.end(),
+    [&](const Range& range) { return range.First == range.Last && map.Find(range.First) < 0; });
+}
+
+//------------------------------------------------------------------------------
+// Sets flags[index(position)] of the members.
+template <typename GetIndex>
+void Mark(const std::vector<Range>& ranges, const IdMap& map, const Buffer<std::int32_t>& ids,
+  unsigned char* flags, GetIndex&& getIndex)
+{
+  const auto mark = [&](std::int64_t position)
+  {
+    if (const vtkIdType index = getIndex(position); index >= 0)
+    {
+      flags[index] = 1;
+    }
+  };
+  std::int64_t members = 0;
+  for (const Range& range : ranges)
+  {
+    members += std::max<std::int64_t>(
+      0, std::min(range.Last, map.GetGreatest()) - std::max(range.First, map.GetLeast()) + 1);
+  }
+  if (members <= ids.size())
+  {
+    for (const Range& range : ranges)
+    {
+      const std::int64_t last = std::min(range.Last, map.GetGreatest());
+      for (std::int64_t id = std::max(range.First, map.GetLeast()); id <= last; ++id)
+      {
+        const std::int32_t position = map.Find(id);
+        if (position >= 0)
+        {
+          mark(position);
+        }
+      }
+    }
+    return;
+  }
+  // Wide ranges over few ids.
+  for (vtkIdType position = 0; position < ids.size(); ++position)
+  {
+    const auto after = std::upper_bound(ranges.begin(), ranges.end(), ids[position],
+      [](std::int64_t id, const Range& range) { return id < range.First; });
+    if (after != ranges.begin() && ids[position] <= (after - 1)->Last)
+    {
+      mark(position);
+    }
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const CellPiece& piece,
+  std::size_t textSize, vtkUnstructuredGrid* grid, Warnings& warnings, MAPDLFault& fault,
+  const Progress& progress)
+{
+  const auto size = static_cast<vtkIdType>(deck.Components.size());
+  std::vector<std::vector<Range>> ranges(deck.Components.size());
+  std::vector<MAPDLFault> faults(deck.Components.size());
+  std::vector<vtkIdType> counts(deck.Components.size());
+  if (!progress.Part(0, 0.5).For(size,
+        [&](vtkIdType first, vtkIdType last)
+        {
+          for (vtkIdType i = first; i < last; ++i)
+          {
+            ReadRanges(deck.Components[i], ranges[i], counts[i], faults[i]);
+            Unite(ranges[i]);
+          }
+        }))
+  {
+    return false;
+  }
+  IdMap elements;
+  bool hasElements = false;
+  vtkIdType wrongCounts = 0;
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    if (faults[i])
+    {
+      fault = faults[i];
+      return false;
+    }
+    const MAPDLComponent& component = deck.Components[i];
+    hasElements = hasElements || !component.OfNodes;
+    wrongCounts += component.NumberOfValues >= 0 && counts[i] < component.NumberOfValues;
+  }
+  if (hasElements)
+  {
+    elements.Build(mesh.GetElementIds().data(), mesh.GetElementIds().size());
+  }
+
+  vtkNew<vtkStringArray> nodeNames, elementNames;
+  nodeNames->SetName("NodeComponents");
+  elementNames->SetName("ElementComponents");
+  // Many empty components of a large mesh would ask for far more memory than the file has.
+  constexpr std::size_t LeastBound = std::size_t(1) << 26;
+  const std::size_t bound = std::max(LeastBound, 8 * textSize);
+  std::size_t bytes = 0;
+  vtkIdType leftOut = 0, undefined = 0;
+  for (vtkIdType i = 0; i < size && progress.Report(0.5 + 0.5 * i / size); ++i)
+  {
+    const MAPDLComponent& component = deck.Components[i];
+    const bool ofNodes = component.OfNodes;
+    bytes +=
+      static_cast<std::size_t>(ofNodes ? mesh.GetNumberOfPoints() : mesh.GetNumberOfCells());
+    if (bytes > bound)
+    {
+      ++leftOut;
+      continue;
+    }
+    Buffer<unsigned char> flags(ofNodes ? piece.GetNumberOfPoints() : piece.GetNumberOfCells());
+    std::fill(flags.data(), flags.data() + flags.size(), static_cast<unsigned char>(0));
+    undefined += HasUndefined(ranges[i], ofNodes ? mesh.GetNodes() : elements);
+    if (ofNodes)
+    {
+      Mark(ranges[i], mesh.GetNodes(), mesh.GetNodeIds(), flags.data(),
+        [&piece](vtkIdType point) { return piece.FindPoint(point); });
+    }
+    else
+    {
+      Mark(ranges[i], elements, mesh.GetElementIds(), flags.data(),
+        [&piece](vtkIdType cell) { return piece.FindCell(cell); });
+    }
+    const auto array = flags.TakeArray<vtkUnsignedCharArray>();
+    array->SetName(component.Name.c_str());
+    vtkStringArray* const names = ofNodes ? nodeNames : elementNames;
+    if (names->LookupValue(component.Name) < 0)
+    {
+      names->InsertNextValue(component.Name);
+    }
+    vtkDataSetAttributes* const attributes =
+      ofNodes ? static_cast<vtkDataSetAttributes*>(grid->GetPointData()) : grid->GetCellData();
+    attributes->AddArray(array);
+  }
+  for (vtkStringArray* names : { nodeNames.Get(), elementNames.Get() })
+  {
+    if (names->GetNumberOfValues() > 0)
+    {
+      grid->GetFieldData()->AddArray(names);
+    }
+  }
+  if (wrongCounts > 0)
+  {
+    warnings.Add(CountOf(wrongCounts, "component has fewer members than it says",
+      "components have fewer members than they say"));
+  }
+  if (undefined > 0)
+  {
+    warnings.Add(CountOf(undefined, "component names", "components name") +
+      " nodes or elements that the deck does not define");
+  }
+  if (leftOut > 0)
+  {
+    warnings.Add(CountOf(leftOut, "component is", "components are") +
+      " left out, as all of them need far more memory than the file has bytes");
+  }
+  return !progress.IsStopped();
+}
+}

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::MAPDLMesh
+ * @brief The nodes and cells of a deck.
+ *
+ * Rows are read in parallel, and more than once rather than kept: first ids of nodes, then elements
+ * as cells, then, when it is known what a piece needs, coordinates and attributes of that only. Of
+ * all elements no more than ids, types and sizes are kept, unless the piece is whole.
+ */
+#ifndef camaron_MAPDLMesh_h
+#define camaron_MAPDLMesh_h
+
+#include "CellMesh/CellPiece.h"
+#include "MAPDLDeck.h"
+#include "MAPDLReading.h"
+#include "Base/IdMap.h"
+
+#include <algorithm>     // for std::minmax
+#include <array>         // for edges
+#include <unordered_map> // for their midpoints
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+class MAPDLMesh
+{
+public:
+  MAPDLMesh(const MAPDLDeck& deck, const MAPDLOptions& options);
+
+  /// Finds a piece, whose cells it reads; false with what is wrong in Fault, or if stopped.
+  bool Read(const PieceRequest& request, CellPiece& piece, const Progress& progress);
+  /// Coordinates of the points of a piece, x, y, z of each; an empty buffer after a fault.
+  Buffer<double> ReadPoints(const CellPiece& piece, const Progress& progress);
+  /// Adds the arrays of a piece to its grid.
+  bool AddArrays(const CellPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
+
+  void Warn(Warnings& warnings) const;
+
+  CellMesh Cells; ///< of the piece
+  MAPDLFault Fault;
+
+  ///@{
+  /// Of the deck.
+  vtkIdType GetNumberOfPoints() const
+  {
+    return this->NodeIds.size() + static_cast<vtkIdType>(this->Midpoints.size());
+  }
+  vtkIdType GetNumberOfCells() const { return this->ElementIds.size(); }
+  ///@}
+  ///@{
+  /// Of all nodes, and of all cells, in order; points beyond the nodes are midpoints of edges.
+  const Buffer<std::int32_t>& GetNodeIds() const { return this->NodeIds; }
+  const Buffer<std::int32_t>& GetElementIds() const { return this->ElementIds; }
+  const IdMap& GetNodes() const { return this->Nodes; }
+  ///@}
+
+private:
+  /// Rows that are read as one piece of work.
+  struct Item
+  {
+    std::size_t Block;
+    std::size_t Chunk;
+    vtkIdType FirstRow; ///< of all rows
+    vtkIdType NumberOfRows;
+    vtkIdType FirstNode; ///< of elements: place of their points
+    vtkIdType NumberOfNodes;
+    vtkIdType FirstCommand; ///< if they come from commands, else -1
+  };
+  struct MissingNode
+  {
+    vtkIdType Row;
+    std::int32_t Place; ///< in the cell
+    std::array<std::int32_t, 2> Edge;
+
+    /// The same for all cells that share the edge.
+    std::uint64_t GetKey() const
+    {
+      const auto ends = std::minmax(this->Edge[0], this->Edge[1]);
+      return std::uint64_t(ends.first) << 32 | static_cast<std::uint32_t>(ends.second);
+    }
+  };
+  /// What the elements of an item were.
+  struct Outcome
+  {
+    vtkIdType NumberOfPoints = 0;
+    std::vector<std::int32_t> Points; ///< if they do not fit in their place
+    std::vector<MissingNode> Missing;
+    std::map<int, vtkIdType> Unknown; ///< numbers of elements that are no cells
+    vtkIdType Undefined = 0;
+    vtkIdType WithoutNodes = 0;
+    MAPDLFault Fault;
+  };
+
+  template <typename Block, typename CountNodes>
+  vtkIdType MakeItems(const std::vector<Block>& blocks, std::vector<Item>& items,
+    CountNodes&& countCommandNodes) const;
+  template <typename Visit>
+  bool ForEachNodeItem(const Progress& progress, Visit&& visit);
+  template <typename Visit>
+  bool ForEachElement(const Item& item, bool withNodes, MAPDLFault& fault, Visit&& visit) const;
+  void Note(const MAPDLFault& fault);
+
+  /// Which cell the element of a row is, -1 if it is left out.
+  vtkIdType GetCell(vtkIdType row) const
+  {
+    return this->Kept.GetLimit() == 0 ? row
+      : this->Kept.Contains(row)      ? this->Kept.GetNumber(row)
+                                      : -1;
+  }
+  template <typename Provide, typename Take>
+  void ForEachCell(const Item& item, Outcome& outcome, Provide&& provide, Take&& take) const;
+  template <typename Visit>
+  bool ForEachElementItem(const Progress& progress, Visit&& visit) const;
+  bool ReadNodeIds(const Progress& progress);
+  bool ReadElements(CellPiece& piece, const Progress& progress);
+  void ReadItem(const Item& item, Outcome& outcome);
+  void CheckItem(const Item& item, Outcome& outcome, CellPiece& piece);
+  void ReplaceElements();
+  void LeaveOut();
+  bool NeedsCompacting() const;
+  void Compact();
+  void FinishWhole();
+  void AddMidpoints();
+  bool Show(CellPiece& piece, const Progress& progress) const;
+  bool FindPiece(const PieceRequest& request, CellPiece& piece, const Progress& progress);
+  void AllocatePiece(const CellPiece& piece);
+  bool ReadPiece(const CellPiece& piece, const Progress& progress);
+  void MakePoints(const MAPDLElement& element, MAPDLCell& cell) const;
+
+  const MAPDLDeck& Deck;
+  MAPDLOptions Options;
+  std::vector<Item> NodeItems, ElementItems;
+  std::vector<Outcome> Outcomes; ///< of element items
+  Buffer<std::int32_t> NodeIds, ElementIds;
+  Buffer<std::int32_t> NodeOfRow; ///< -1 for rows that are left out; none if all are kept
+  IdSet LeftOut;                  ///< rows of elements
+  IdSet Kept;                     ///< the others, unless these are all
+  Buffer<unsigned char> Sizes;    ///< of the cells of all rows, if these are not kept themselves
+  IdMap Nodes;
+  std::vector<std::array<std::int32_t, 2>> Midpoints;
+  std::unordered_map<std::uint64_t, std::int32_t> MidpointOfEdge;
+  vtkIdType NumberOfRows = 0; ///< of elements
+  vtkIdType ReplacedNodes = 0, ReplacedElements = 0;
+};
+
+//------------------------------------------------------------------------------
+// Calls visit(item, fault) for all items of nodes.
+template <typename Visit>
+bool MAPDLMesh::ForEachNodeItem(const Progress& progress, Visit&& visit)
+{
+  std::vector<MAPDLFault> faults(this->NodeItems.size());
+  const bool finished = progress.For(static_cast<vtkIdType>(this->NodeItems.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        visit(this->NodeItems[i], faults[i]);
+      }
+    });
+  for (const MAPDLFault& fault : faults)
+  {
+    this->Note(fault);
+  }
+  return finished && !this->Fault;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(place in the text, row, element) for the elements of an item until it returns false.
+template <typename Visit>
+bool MAPDLMesh::ForEachElement(
+  const Item& item, bool withNodes, MAPDLFault& fault, Visit&& visit) const
+{
+  const MAPDLElementBlock& block = this->Deck.ElementBlocks[item.Block];
+  if (item.FirstCommand < 0)
+  {
+    const vtkIdType offset = item.FirstRow - block.Extent.Chunks[item.Chunk].FirstRow;
+    return ForEachMAPDLElement(block.Format, block.Extent, item.Chunk, withNodes, fault,
+      [&](const Line& line, vtkIdType row, const MAPDLElement& element)
+      { return visit(line.Begin, offset + row, element); });
+  }
+  for (vtkIdType i = 0; i < item.NumberOfRows; ++i)
+  {
+    const vtkIdType command = item.FirstCommand + i;
+    if (!visit(
+          this->Deck.Elements[command].Place, item.FirstRow + i, this->Deck.GetElement(command)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Calls visit(index) for all items of elements.
+template <typename Visit>
+bool MAPDLMesh::ForEachElementItem(const Progress& progress, Visit&& visit) const
+{
+  return progress.For(static_cast<vtkIdType>(this->ElementItems.size()),
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType i = first; i < last; ++i)
+      {
+        visit(i);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Makes cells of the elements of an item: provide(row, element, cell) tells where its points go,
+// and then take(row, cell, points, isComplete) is called. Midpoints of which nothing is known so
+// far are noted as missing, and the cell is not complete.
+template <typename Provide, typename Take>
+void MAPDLMesh::ForEachCell(
+  const Item& item, Outcome& outcome, Provide&& provide, Take&& take) const
+{
+  std::int64_t knownType = -1;
+  int number = 0;
+  MAPDLClass elementClass = MAPDLClass::Undefined;
+  MAPDLCell cell;
+  this->ForEachElement(item, true, outcome.Fault,
+    [&](const char* place, vtkIdType row, const MAPDLElement& element)
+    {
+      if (element.Type != knownType)
+      {
+        knownType = element.Type;
+        const auto found = this->Deck.Types.find(knownType);
+        const MAPDLType type = found == this->Deck.Types.end() ? MAPDLType() : found->second;
+        number = type.Element;
+        elementClass = GetMAPDLClass(number, type.Shape);
+      }
+      if (this->Options.SurfaceEffects || !IsMAPDLSurfaceEffect(number))
+      {
+        MakeMAPDLCell(
+          elementClass, element.Nodes, element.NumberOfNodes, this->Options.Linear, cell);
+        if (elementClass == MAPDLClass::Unknown && cell.Type == VTK_EMPTY_CELL)
+        {
+          ++outcome.Unknown[number];
+          if (this->Options.UnknownAsPoints)
+          {
+            this->MakePoints(element, cell);
+          }
+        }
+        outcome.Undefined += elementClass == MAPDLClass::Undefined;
+        outcome.WithoutNodes += element.NumberOfNodes == 0;
+      }
+      else
+      {
+        cell.Type = VTK_EMPTY_CELL;
+        cell.Size = 0;
+      }
+
+      std::int32_t* const points = provide(row, element, cell);
+      outcome.NumberOfPoints += cell.Size;
+      bool isComplete = true;
+      for (std::int32_t i = 0; i < cell.Size; ++i)
+      {
+        points[i] = this->Nodes.Find(cell.Nodes[i]);
+        if (points[i] < 0)
+        {
+          const QuadraticEdges edges = GetQuadraticEdges(cell.Type);
+          if (cell.Nodes[i] != 0 || i < edges.NumberOfCorners || edges.NumberOfEdges == 0)
+          {
+            return outcome.Fault.Set(place, ErrorKind::Index,
+              "an element of nodes that are defined",
+              "node " + std::to_string(cell.Nodes[i]) +
+                this->Deck.GetReasonForMissing(cell.Nodes[i]));
+          }
+          const unsigned char* const edge = edges.Edges[i - edges.NumberOfCorners];
+          const MissingNode node = { row, i, { points[edge[0]], points[edge[1]] } };
+          const auto known = this->MidpointOfEdge.find(node.GetKey());
+          if (known != this->MidpointOfEdge.end())
+          {
+            points[i] = known->second;
+          }
+          else
+          {
+            outcome.Missing.push_back(node);
+            isComplete = false;
+          }
+        }
+      }
+      take(row, cell, points, isComplete);
+      return true;
+    });
+}
+}
+
+#endif

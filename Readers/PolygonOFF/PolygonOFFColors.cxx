@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonOFFColors.h"
+
+#include "CellMesh/CellPiece.h"
+#include "Base/Parallel.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkIntArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 65536;
+constexpr unsigned char Full = 255;
+constexpr std::uint32_t Default =
+  0xaaaaaaaa; // red, green, blue and alpha of 2/3, as Geomview has it
+constexpr int NoIndex = -1;
+
+//------------------------------------------------------------------------------
+unsigned char ToByte(double value, bool isReal)
+{
+  const double scaled = isReal ? value * Full + 0.5 : value;
+  return static_cast<unsigned char>(scaled > 0 ? std::min(scaled, double(Full)) : 0); // nan is 0
+}
+
+//------------------------------------------------------------------------------
+bool IsIndex(const OFFColor& color)
+{
+  return color.Count == 1 && std::fabs(color.Values[0]) <= INT32_MAX;
+}
+
+//------------------------------------------------------------------------------
+bool IsSmall(const OFFColor& color)
+{
+  return !color.IsReal &&
+    std::all_of(color.Values, color.Values + color.Count, [](double v) { return v <= 1; });
+}
+}
+
+//------------------------------------------------------------------------------
+bool OFFColor::IsInRange() const
+{
+  const double last = this->IsReal ? 1 : Full;
+  return this->Count < 3 ||
+    std::all_of(this->Values, this->Values + this->Count, [=](double v) { return v >= 0 && v <= last; });
+}
+
+//------------------------------------------------------------------------------
+bool OFFColors::Census::Add(const OFFColor& color)
+{
+  if (IsIndex(color))
+  {
+    this->HasIndices = true;
+    return true;
+  }
+  if (color.Count < 3)
+  {
+    return color.Count == 0;
+  }
+  this->HasColors = true;
+  this->HasReals = this->HasReals || color.IsReal;
+  this->HasBytes = this->HasBytes || (!color.IsReal && !IsSmall(color));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void OFFColors::Census::Merge(const Census& other)
+{
+  this->HasColors = this->HasColors || other.HasColors;
+  this->HasIndices = this->HasIndices || other.HasIndices;
+  this->HasReals = this->HasReals || other.HasReals;
+  this->HasBytes = this->HasBytes || other.HasBytes;
+}
+
+//------------------------------------------------------------------------------
+void OFFColors::Set(vtkIdType i, const OFFColor& color)
+{
+  if (IsIndex(color))
+  {
+    this->Kinds[i] = Index;
+    this->Values[i] = static_cast<std::uint32_t>(static_cast<std::int32_t>(color.Values[0]));
+    return;
+  }
+  if (color.Count < 3)
+  {
+    this->Kinds[i] = None;
+    this->Values[i] = Default;
+    return;
+  }
+  const bool hasAlpha = color.Count == 4;
+  unsigned char bytes[4];
+  for (int c = 0; c < 4; ++c)
+  {
+    bytes[c] = c == 3 && !hasAlpha ? Full : ToByte(color.Values[c], color.IsReal);
+  }
+  std::memcpy(&this->Values[i], bytes, sizeof(bytes));
+  this->Kinds[i] = !IsSmall(color) ? Bytes : hasAlpha ? SmallRGBA : SmallRGB;
+}
+
+//------------------------------------------------------------------------------
+void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bool areSmallReal)
+{
+  if (census.HasIndices)
+  {
+    Buffer<int> indices(this->size());
+    ParallelFor(this->size(), Grain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          indices[i] = this->Kinds[i] == Index ? static_cast<int>(this->Values[i]) : NoIndex;
+        }
+      });
+    const auto array = indices.TakeArray<vtkIntArray>();
+    array->SetName("ColorIndex");
+    attributes->AddArray(array);
+  }
+  if (census.HasColors)
+  {
+    Buffer<unsigned char> colors(4 * this->size());
+    ParallelFor(this->size(), Grain,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType i = begin; i < end; ++i)
+        {
+          const unsigned char kind = this->Kinds[i];
+          const std::uint32_t value = kind == Index ? Default : this->Values[i];
+          unsigned char* const bytes = colors.data() + 4 * i;
+          std::memcpy(bytes, &value, sizeof(value));
+          const int small = kind == SmallRGB ? 3 : kind == SmallRGBA ? 4 : 0;
+          for (int c = 0; c < small && areSmallReal; ++c)
+          {
+            bytes[c] = bytes[c] ? Full : 0;
+          }
+        }
+      });
+    const auto array = colors.TakeArray<vtkUnsignedCharArray>(4);
+    array->SetName("RGBA");
+    attributes->AddArray(array);
+  }
+}
+
+//------------------------------------------------------------------------------
+OFFColors OFFColors::Extract(const CellPiece& piece) const
+{
+  OFFColors part(piece.GetNumberOfCells());
+  const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    part.Values[i] = this->Values[cells[i]];
+    part.Kinds[i] = this->Kinds[cells[i]];
+  }
+  return part;
+}
+}

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class camaron::OFFColors
+ * @brief Colours of vertices or faces of an OFF file, in any of the forms they come in.
+ *
+ * A colour is three or four integers from 0 to 255, or three or four real numbers from 0 to 1, or
+ * one integer that points into a map of colours. Numbers are real if one of them is written as
+ * such. Where all are 0 and 1 and written as integers, the other rows of the file decide; so this
+ * is done in the end.
+ */
+#ifndef camaron_PolygonOFFColors_h
+#define camaron_PolygonOFFColors_h
+
+#include "Base/Buffer.h"
+
+#include <cstdint> // for integers of known size
+
+class vtkDataSetAttributes;
+
+namespace camaron
+{
+class CellPiece;
+
+/// The numbers of one colour.
+struct OFFColor
+{
+  double Values[4] = { 0, 0, 0, 0 };
+  int Count = 0; ///< 0 for none
+  bool IsReal = false;
+
+  /// Whether bytes are up to 255 and real numbers from 0 to 1; true for what is no colour.
+  bool IsInRange() const;
+};
+
+class OFFColors
+{
+public:
+  /// What was seen in all rows of a file; threads keep their own.
+  struct Census
+  {
+    bool HasColors = false;
+    bool HasIndices = false;
+    bool HasReals = false;
+    bool HasBytes = false; ///< integers above 1
+
+    /// Counts a colour; false if it is none.
+    bool Add(const OFFColor& color);
+    void Merge(const Census& other);
+  };
+
+  OFFColors() = default;
+  explicit OFFColors(vtkIdType size)
+    : Values(size)
+    , Kinds(size)
+  {
+  }
+  vtkIdType size() const { return this->Kinds.size(); }
+
+  /// Sets a colour; from any thread.
+  void Set(vtkIdType i, const OFFColor& color);
+
+  /// Adds the arrays "RGBA" and "ColorIndex", if the file has such colours.
+  void AddTo(vtkDataSetAttributes* attributes, const Census& census, bool areSmallReal);
+
+  /// The colours of cells in a piece.
+  OFFColors Extract(const CellPiece& piece) const;
+
+private:
+  enum Kind : unsigned char
+  {
+    None,
+    Index,
+    Bytes,
+    SmallRGB, ///< integers 0 and 1, which are bytes, or real numbers
+    SmallRGBA
+  };
+  Buffer<std::uint32_t> Values; ///< four bytes, or an index
+  Buffer<unsigned char> Kinds;
+};
+}
+
+#endif

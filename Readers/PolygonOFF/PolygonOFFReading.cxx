@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonOFFReading.h"
+
+#include "PolygonOFFBinary.h"
+#include "PolygonOFFText.h"
+#include "Base/LowerCase.h"
+#include "Scan/ReadMappedFile.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Comment = '#';
+
+//------------------------------------------------------------------------------
+// The keyword may be missing in files of the right name.
+bool MayLackKeyword(const std::string& path)
+{
+  return ToLower(path.substr(path.size() - std::min<std::size_t>(path.size(), 3))) == "off";
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsPolygonOFF(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  if (!file.Open(path, error))
+  {
+    return false;
+  }
+  TextScanner scanner("", file.begin(), file.end(), Comment);
+  OFFHeader header;
+  if (!ReadOFFKeyword(scanner, MayLackKeyword(path), header))
+  {
+    return false;
+  }
+  // Of a file with a keyword, errors are for the reader to explain.
+  std::int64_t count;
+  if (header.IsBinary || header.HasKeyword)
+  {
+    return header.IsBinary || scanner.ReadInteger(count, "");
+  }
+  double x;
+  return ReadOFFCounts(scanner, header) &&
+    (header.Vertices == 0 ||
+      (scanner.ReadReal(x, "") && scanner.ReadReal(x, "") && scanner.ReadReal(x, "")));
+}
+
+//------------------------------------------------------------------------------
+bool ReadPolygonOFF(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      TextScanner scanner(file.GetName(), file.begin(), file.end(), Comment);
+      OFFHeader header;
+      if (ReadOFFKeyword(scanner, MayLackKeyword(path), header) && header.IsBinary)
+      {
+        return ReadBinaryOFF(
+          file, scanner.GetPosition(), header, request, grid, warnings, error, progress);
+      }
+      OFFTextReading reading(MayLackKeyword(path), request, grid);
+      const bool isRead = ReadText(file, Comment, chunk, error, progress,
+        [&](TextScanner& text, const TextLines* lines, const Progress& part)
+        { return reading.Read(text, lines, part); });
+      warnings = std::move(reading.Messages);
+      return isRead;
+    });
+  if (!good)
+  {
+    grid->Initialize();
+    warnings = Warnings();
+  }
+  return good;
+}
+}

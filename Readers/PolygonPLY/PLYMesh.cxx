@@ -1,0 +1,504 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PLYMesh.h"
+
+#include "CellMesh/CellGrid.h"
+#include "FaceMesh/GridBuilder.h"
+#include "Base/CountOf.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Vertex[] = "vertex";
+constexpr std::int32_t MostItems = 1024; ///< of lists that become components
+constexpr std::int64_t MostPadding = 2;  ///< values of an array for each of a list
+
+//------------------------------------------------------------------------------
+std::vector<PLYArrayPlan> Plan(const PLYPart& part, const PLYHeader& header)
+{
+  const PLYSubject subject = part.Role == PLYRole::Points ? PLYSubject::Points
+    : part.Role == PLYRole::None                          ? PLYSubject::Other
+                                                          : PLYSubject::Cells;
+  return PlanArrays(part.Rows->GetElement(), subject, header.Components, part.Used, part.Lists);
+}
+
+//------------------------------------------------------------------------------
+// Where in a piece the items of the mesh with these global ids are.
+Buffer<std::int32_t> FindPlaces(vtkDataSetAttributes* attributes, vtkIdType numberOfItems)
+{
+  Buffer<std::int32_t> places(numberOfItems);
+  std::fill(places.data(), places.data() + numberOfItems, -1);
+  vtkDataArray* const ids = attributes->GetGlobalIds();
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    places[static_cast<vtkIdType>(ids->GetTuple1(i))] = static_cast<std::int32_t>(i);
+  }
+  return places;
+}
+}
+
+//------------------------------------------------------------------------------
+PLYPart* PLYMesh::FindPart(PLYRole role)
+{
+  for (PLYPart& part : this->Parts)
+  {
+    if (part.Role == role)
+    {
+      return &part;
+    }
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+// Finds out what the lists become that are no points or faces, and warns of what they lose.
+bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
+{
+  const PLYElement& element = part.Rows->GetElement();
+  part.Lists.assign(element.Properties.size(), PLYListShape());
+  for (std::size_t i = 0; i < element.Properties.size() && element.Count > 0; ++i)
+  {
+    if (!element.Properties[i].IsList || part.Used[i])
+    {
+      continue;
+    }
+    PLYSizes sizes;
+    if (!part.Rows->ReadSizes(static_cast<int>(i), sizes, progress))
+    {
+      return false;
+    }
+    std::int32_t least = sizes.Common, most = sizes.Common;
+    for (vtkIdType row = 0; sizes.Common < 0 && row < element.Count; ++row)
+    {
+      const auto size = static_cast<std::int32_t>(sizes.GetSize(row));
+      least = row == 0 ? size : std::min(least, size);
+      most = std::max(most, size);
+    }
+    const std::string what = "the lists " + Quote(element.Properties[i].Name) + " of " +
+      CountOf(element.Count, "element ", "elements ") + Quote(element.Name);
+    if (most > MostItems || std::int64_t(most) * element.Count > MostPadding * sizes.Total)
+    {
+      this->Messages.Add(what + ", of " + std::to_string(least) + " to " + std::to_string(most) +
+        " values, are left out, as arrays have as many values for all");
+      continue;
+    }
+    part.Lists[i] = { most, least < most };
+    if (least < most)
+    {
+      this->Messages.Add(what + " become an array with " + std::to_string(most) +
+        " components, of which shorter lists leave the last ones nan (0 if integers); another array has their lengths");
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void PLYMesh::WarnOfCells(const PLYCells& cells)
+{
+  this->Messages.Add(cells.Empty, "list", "lists", "without vertices, left out");
+  this->Messages.Add(cells.Short, "face", "faces", "with fewer than 3 vertices");
+}
+
+//------------------------------------------------------------------------------
+bool PLYMesh::ReadPointArrays(PLYArrays& arrays, vtkIdType tuples, std::vector<PLYArrayPlan>& plans,
+  const PLYTargets& targets, const Progress& progress)
+{
+  arrays.Add(plans);
+  arrays.Allocate(tuples, true);
+  return this->FindPart(PLYRole::Points)
+    ->Rows->ReadColumns(arrays.GetColumns(plans), targets, progress);
+}
+
+//------------------------------------------------------------------------------
+// A strip gives its values to all its triangles.
+bool PLYMesh::ReadStripArrays(PLYPart& part, std::vector<PLYArrayPlan>& plans,
+  const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
+{
+  std::vector<PLYArrayPlan> ownPlans = plans;
+  PLYArrays own;
+  own.Add(ownPlans);
+  own.Allocate(part.Rows->GetCount(), true);
+  if (!part.Rows->ReadColumns(own.GetColumns(ownPlans), PLYTargets(), progress))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < plans.size(); ++i)
+  {
+    vtkDataArray* const to = arrays.Get(plans[i].Name);
+    vtkDataArray* const from = own.Get(ownPlans[i].Name);
+    for (vtkIdType cell = 0; cell < part.NumberOfCells; ++cell)
+    {
+      const vtkIdType tuple = targets.Find(cell);
+      for (int c = 0; tuple >= 0 && c < to->GetNumberOfComponents(); ++c)
+      {
+        to->SetComponent(tuple, c, from->GetComponent(part.RowOfCell[cell], c));
+      }
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Reads the arrays of cells; of the targets, those that depend on the part are set here.
+bool PLYMesh::ReadCellArrays(const std::vector<PLYPart*>& parts, vtkIdType tuples,
+  const PLYTargets& targets, PLYArrays& arrays, const Progress& progress)
+{
+  std::vector<std::vector<PLYArrayPlan>> plans;
+  for (const PLYPart* part : parts)
+  {
+    plans.push_back(Plan(*part, this->Header));
+    arrays.Add(plans.back());
+  }
+  if (arrays.IsEmpty())
+  {
+    return true;
+  }
+  // Faces of polyhedra come after these, in another order.
+  const bool isCovered = parts.size() == 1 && parts[0]->Role == PLYRole::Faces;
+  arrays.Allocate(tuples, isCovered);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    PLYPart& part = *parts[i];
+    PLYTargets own = targets;
+    own.First = part.FirstCell;
+    own.Items = part.Items.size() > 0 ? part.Items.data() : nullptr;
+    const bool good = part.Role == PLYRole::Strips
+      ? plans[i].empty() || this->ReadStripArrays(part, plans[i], own, arrays, progress)
+      : part.Rows->ReadColumns(arrays.GetColumns(plans[i]), own, progress);
+    if (!good)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool PLYMesh::ReadCells(const Progress& progress)
+{
+  const vtkIdType numberOfPoints = this->FindPart(PLYRole::Points)->Rows->GetCount();
+  std::vector<PLYPart*> parts;
+  for (PLYPart& part : this->Parts)
+  {
+    if (part.Role != PLYRole::None && part.Role != PLYRole::Points && part.Rows->GetCount() > 0)
+    {
+      parts.push_back(&part);
+    }
+  }
+  PLYCells cells;
+  CellPiece piece;
+  if (!parts.empty() &&
+    !cells.ReadPiece(parts, numberOfPoints, this->Request, piece, progress.Part(0, 0.5)))
+  {
+    return false;
+  }
+  this->WarnOfCells(cells);
+  if (cells.NumberOfCells == 0)
+  {
+    cells.Mesh = MakeCloud(numberOfPoints, this->Request, piece);
+    parts.clear();
+  }
+  PLYArrays pointArrays, cellArrays;
+  std::vector<PLYArrayPlan> plans = Plan(*this->FindPart(PLYRole::Points), this->Header);
+  PLYTargets points, cellTargets;
+  points.Kept = piece.IsWhole() ? nullptr : &piece.GetPoints();
+  cellTargets.Kept = piece.IsWhole() ? nullptr : &piece.GetCells();
+  if (!this->ReadPointArrays(
+        pointArrays, piece.GetNumberOfPoints(), plans, points, progress.Part(0.5, 0.8)) ||
+    !this->ReadCellArrays(
+      parts, piece.GetNumberOfCells(), cellTargets, cellArrays, progress.Part(0.8, 0.95)))
+  {
+    return false;
+  }
+  const vtkSmartPointer<vtkDataArray> coordinates = pointArrays.Get(plans[0].Name);
+  if (this->Request.Piece == 0 && !parts.empty())
+  {
+    piece.WarnOfRepeatedPoints(cells.Mesh, this->Messages, progress.Part(0.95, 1));
+  }
+  FillGrid(cells.Mesh, piece, coordinates, this->Grid);
+  pointArrays.MoveTo(this->Grid->GetPointData());
+  cellArrays.MoveTo(this->Grid->GetCellData());
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool PLYMesh::ReadPolyhedra(const Progress& progress)
+{
+  PLYPart& vertices = *this->FindPart(PLYRole::Points);
+  const vtkIdType numberOfPoints = vertices.Rows->GetCount();
+  // Cells refer to faces by number; whatever else there is comes after these.
+  PLYPart* const facePart = this->FindPart(PLYRole::Faces);
+  std::vector<PLYPart*> faceParts, cellParts;
+  if (facePart)
+  {
+    faceParts.push_back(facePart);
+  }
+  for (PLYPart& part : this->Parts)
+  {
+    if (part.Role == PLYRole::Polyhedra)
+    {
+      cellParts.push_back(&part);
+    }
+    else if (part.Role != PLYRole::None && part.Role != PLYRole::Points && &part != facePart)
+    {
+      faceParts.push_back(&part);
+    }
+  }
+  PLYCells faces, cells;
+  const vtkIdType referable = facePart ? facePart->Rows->GetCount() : 0;
+  if ((!faceParts.empty() && !faces.Read(faceParts, numberOfPoints, true, progress.Part(0, 0.2))) ||
+    !cells.Read(cellParts, referable, true, progress.Part(0.2, 0.3)))
+  {
+    return false;
+  }
+  this->WarnOfCells(faces);
+
+  FaceMesh mesh;
+  const vtkIdType numberOfFaces = faces.Mesh.NumberOfCells;
+  const vtkIdType numberOfCells = cells.Mesh.NumberOfCells;
+  IdLists::Expectation faceLists, cellLists;
+  faceLists.Limit = numberOfPoints;
+  faceLists.FindsRepeating = true;
+  cellLists.Limit = numberOfFaces;
+  if (this->Request.NumberOfPieces > 1)
+  {
+    mesh.PointsOfFaces = IdSet(numberOfPoints);
+    faceLists.Used = &mesh.PointsOfFaces;
+  }
+  faceLists.AccessAll = cellLists.AccessAll = this->Request.NumberOfPieces <= 1;
+  mesh.FacesOfCells = IdSet(numberOfFaces);
+  cellLists.Used = &mesh.FacesOfCells;
+  const auto scan =
+    [&](PLYCells& from, Buffer<std::int32_t>& words, IdLists& lists, IdLists::Expectation& expected)
+  {
+    words = MakeWords(from.Mesh);
+    const vtkIdType count = from.Mesh.NumberOfCells;
+    from.Mesh = CellMesh(); // its memory is needed elsewhere
+    const char* const bytes = reinterpret_cast<const char*>(words.data());
+    BinaryScanner scanner("", bytes, bytes + 4 * words.size(), GetByteOrder());
+    return lists.Scan(scanner, count, expected, progress.Part(0.3, 0.4));
+  };
+  Buffer<std::int32_t> faceWords, cellWords;
+  if (!scan(faces, faceWords, mesh.Faces, faceLists) ||
+    !scan(cells, cellWords, mesh.Cells, cellLists))
+  {
+    return false;
+  }
+  mesh.HasEmptyFaces = faceLists.Empty.Count > 0;
+  if (this->Request.Piece == 0)
+  {
+    this->Messages.Add(faceLists.Repeating, "face", "faces", "with the same vertex more than once");
+    this->Messages.Add(cellLists.Empty, "cell", "cells", "without faces");
+  }
+
+  // All points, as the shape of a cell is told from them; the other arrays when it is known where
+  // they go.
+  std::vector<PLYArrayPlan> plans = Plan(vertices, this->Header);
+  const std::vector<PLYArrayPlan> pointPlan = { plans[0] };
+  plans.erase(plans.begin());
+  if (!this->ReadCoordinates(pointPlan[0], mesh, progress.Part(0.4, 0.5)))
+  {
+    return false;
+  }
+  const vtkIdType kept = this->NumberFaces(mesh, faceParts, numberOfCells);
+  if (!BuildGrid(
+        mesh, this->Request, this->Grid, this->Messages, this->Error, progress.Part(0.5, 0.9)))
+  {
+    this->Error.Message = this->Name + ": " + this->Error.Message;
+    return false;
+  }
+
+  PLYTargets points, items;
+  Buffer<std::int32_t> pointPlaces, itemPlaces;
+  if (this->Request.NumberOfPieces > 1)
+  {
+    pointPlaces = FindPlaces(this->Grid->GetPointData(), numberOfPoints);
+    itemPlaces = FindPlaces(this->Grid->GetCellData(), kept);
+    points.Places = pointPlaces.data();
+    items.Places = itemPlaces.data();
+  }
+  PLYArrays pointArrays, cellArrays;
+  cellParts.insert(cellParts.end(), faceParts.begin(), faceParts.end());
+  if (!this->ReadPointArrays(
+        pointArrays, this->Grid->GetNumberOfPoints(), plans, points, progress.Part(0.9, 0.95)) ||
+    !this->ReadCellArrays(
+      cellParts, this->Grid->GetNumberOfCells(), items, cellArrays, progress.Part(0.95, 1)))
+  {
+    return false;
+  }
+  pointArrays.MoveTo(this->Grid->GetPointData());
+  cellArrays.MoveTo(this->Grid->GetCellData());
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+bool PLYMesh::ReadCoordinates(const PLYArrayPlan& plan, FaceMesh& mesh, const Progress& progress)
+{
+  PLYRows& rows = *this->FindPart(PLYRole::Points)->Rows;
+  const vtkIdType size = 3 * rows.GetCount();
+  const bool isDouble = plan.Type == PLYType::Double;
+  char* values = nullptr;
+  if (isDouble)
+  {
+    mesh.Doubles = Buffer<double>(size);
+    values = reinterpret_cast<char*>(mesh.Doubles.data());
+  }
+  else
+  {
+    mesh.Floats = Buffer<float>(size);
+    values = reinterpret_cast<char*>(mesh.Floats.data());
+  }
+  mesh.Points = PointSource(values, rows.GetCount(), isDouble);
+  std::vector<PLYColumn> columns;
+  for (int c = 0; c < 3; ++c)
+  {
+    char* const first = values + c * GetSize(plan.Type);
+    if (plan.Properties[c] >= 0)
+    {
+      columns.push_back({ plan.Properties[c], -1, PLYConversion::Value, plan.Type, first, 3 });
+      continue;
+    }
+    for (vtkIdType i = 0; i < rows.GetCount(); ++i)
+    {
+      std::fill_n(first + i * 3 * GetSize(plan.Type), GetSize(plan.Type), '\0');
+    }
+  }
+  return rows.ReadColumns(columns, PLYTargets(), progress);
+}
+
+//------------------------------------------------------------------------------
+// Says which item of the mesh the rows of faces become: those that no cell has come after the
+// cells, the others are none. Returns the number of items.
+vtkIdType PLYMesh::NumberFaces(
+  const FaceMesh& mesh, const std::vector<PLYPart*>& faceParts, vtkIdType numberOfCells)
+{
+  vtkIdType item = numberOfCells;
+  vtkIdType lost = 0;
+  std::vector<std::int32_t> items;
+  items.reserve(static_cast<std::size_t>(mesh.Faces.GetCount()));
+  mesh.Faces.ForEachInOrder(
+    [&](vtkIdType face, const IdList& list)
+    {
+      const bool isOwned = mesh.FacesOfCells.Contains(face);
+      lost += isOwned ? 1 : 0;
+      items.push_back(isOwned || list.Size == 0 ? -1 : static_cast<std::int32_t>(item++));
+    });
+  for (PLYPart* part : faceParts)
+  {
+    if (part->Role == PLYRole::Strips)
+    {
+      part->FirstCell = items.empty() ? 0 : items[part->FirstCell]; // no cell has their triangles
+      continue;
+    }
+    part->Items = Buffer<std::int32_t>(part->NumberOfCells);
+    std::copy_n(items.begin() + part->FirstCell, part->NumberOfCells, part->Items.data());
+  }
+  const bool hasValues = !faceParts.empty() && !Plan(*faceParts[0], this->Header).empty();
+  if (lost > 0 && hasValues && !this->Header.FacesOfCellsAreBlank)
+  {
+    this->Messages.Add("the values of " + CountOf(lost, "face that belongs", "faces that belong") +
+      " to cells are left out");
+  }
+  return item;
+}
+
+//------------------------------------------------------------------------------
+// What the file says about something else than points and cells, to every piece as field data is of
+// all of a mesh.
+bool PLYMesh::ReadOthers(const Progress& progress)
+{
+  for (PLYPart& part : this->Parts)
+  {
+    std::vector<PLYArrayPlan> plans = Plan(part, this->Header);
+    if (part.Role == PLYRole::None && !plans.empty())
+    {
+      PLYArrays arrays;
+      arrays.Add(plans);
+      arrays.Allocate(part.Rows->GetCount(), true);
+      if (!part.Rows->ReadColumns(arrays.GetColumns(plans), PLYTargets(), progress))
+      {
+        return false;
+      }
+      arrays.MoveTo(this->Grid->GetFieldData(), part.Rows->GetElement().Name + ".");
+    }
+    if (!part.Rows->Check(progress))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
+{
+  this->Grid->Initialize();
+  this->Messages = Warnings();
+  this->Error = ScanError();
+  this->Parts.clear();
+  for (const std::string& oddity : this->Header.Oddities)
+  {
+    this->Messages.Add(oddity);
+  }
+  for (PLYElement element : this->Header.Elements)
+  {
+    CompleteElement(element);
+    this->Parts.push_back(MakePart(element, this->FindPart(PLYRole::Points) != nullptr));
+    this->Parts.back().Rows = makeRows(element);
+    if (!this->Parts.back().Rows->Locate(progress.Part(0, 0.2)) ||
+      !this->ShapeLists(this->Parts.back(), progress.Part(0, 0.2)))
+    {
+      return false;
+    }
+  }
+
+  PLYPart* const vertices = this->FindPart(PLYRole::Points);
+  bool good = true;
+  if (!vertices)
+  {
+    this->Messages.Add("the file has no element 'vertex', so there is nothing to show");
+  }
+  else
+  {
+    const PLYElement& element = vertices->Rows->GetElement();
+    if (element.Find({ "x" }, false) < 0 || element.Find({ "y" }, false) < 0)
+    {
+      this->Error = { ErrorKind::Unsupported,
+        this->Name +
+          ": expected the properties 'x', 'y' and 'z' of the element 'vertex', found "
+          "none of these names" };
+      return false;
+    }
+    if (element.Find({ "z" }, false) < 0)
+    {
+      this->Messages.Add("vertices have no property 'z', taken to be 0");
+    }
+    const PLYPart* const cells = this->FindPart(PLYRole::Polyhedra);
+    good = cells && cells->Rows->GetCount() > 0 ? this->ReadPolyhedra(progress.Part(0.2, 0.95))
+                                                : this->ReadCells(progress.Part(0.2, 0.95));
+  }
+  good = good && this->ReadOthers(progress.Part(0.95, 1));
+  for (const PLYPart& part : this->Parts)
+  {
+    const std::string name = "row of " + Quote(part.Rows->GetElement().Name);
+    const std::string names = "rows of " + Quote(part.Rows->GetElement().Name);
+    this->Messages.Add(part.Rows->GetLongRows(), name.c_str(), names.c_str(),
+      "with more values than the header says");
+    if (const vtkIdType odd = part.Rows->CountOddColours())
+    {
+      this->Messages.Add(CountOf(odd, "colour value", "colour values") + " of " +
+        Quote(part.Rows->GetElement().Name) +
+        " beyond 0 to 1, or 0 to 255 if integers, for which the nearest is shown");
+    }
+  }
+  return good && !progress.IsStopped();
+}
+}

@@ -1,0 +1,459 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PolygonPLYWriting.h"
+
+#include "CellMesh/OutputMesh.h"
+#include "CellMesh/OutputWarnings.h"
+#include "FaceMesh/SharedFaces.h"
+#include "PLYHeader.h"
+#include "Base/Parallel.h"
+#include "Scan/MappedFile.h"
+#include "Write/WriteRows.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <memory>
+#include <new>
+#include <stdexcept>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType MaxByteLength = 255; // of lists whose length is one byte
+
+//------------------------------------------------------------------------------
+CellConversion GetConversion(const PLYWriteOptions& options)
+{
+  CellConversion how{ "PLY", { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_LINE, VTK_VERTEX },
+    options.Others, options.Surface };
+  if (options.Cells)
+  {
+    how.Held = { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_LINE, VTK_VERTEX, VTK_TETRA, VTK_PYRAMID,
+      VTK_WEDGE, VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_EMPTY_CELL };
+    how.Surface = SurfaceFaces::None;
+  }
+  return how;
+}
+
+//------------------------------------------------------------------------------
+// Writes one file.
+class Writing
+{
+public:
+  Writing(OutputFile& file, vtkDataSet* mesh, const PLYWriteOptions& options, Warnings& warnings)
+    : File(file)
+    , Mesh(mesh)
+    , Options(options)
+    , Encoder(options.Encoding)
+    , Messages(warnings)
+  {
+  }
+
+  bool Write(const std::string& path, ScanError& error, const Progress& progress);
+
+private:
+  void PlanArrays();
+  bool IsCloud() const;
+  void SortCells();
+  void ShareFaces();
+  void WarnOfOrder();
+  void WriteHeader();
+  std::string GetListType(const char* name, vtkIdType greatest);
+  bool WritePoints(const Progress& progress);
+  bool WriteFaces(const Progress& progress);
+  bool WriteEdges(const Progress& progress);
+  bool WriteLists(const WordLists& lists, bool areFaces, const Progress& progress);
+  void AppendLength(std::string& bytes, vtkIdType length, vtkIdType greatest) const
+  {
+    if (greatest > MaxByteLength)
+    {
+      this->Encoder.Append(bytes, static_cast<std::int32_t>(length));
+    }
+    else
+    {
+      this->Encoder.Append(bytes, static_cast<std::uint8_t>(length));
+    }
+  }
+  vtkIdType GetNumberOfFaceCells() const
+  {
+    return this->AreAllFaces ? this->Output.GetNumberOfCells()
+                             : static_cast<vtkIdType>(this->FaceCells.size());
+  }
+  static vtkIdType GetGreatestLength(const WordLists& lists);
+
+  OutputFile& File;
+  vtkDataSet* Mesh;
+  const PLYWriteOptions& Options;
+  PLYEncoder Encoder;
+  Warnings& Messages;
+  PLYColumns PointColumns, CellColumns;
+  OutputMesh Output;
+  bool IsDouble = false;
+  bool AreAllFaces = false; ///< every cell is a face
+  bool EdgesFirst = false;
+  std::vector<std::int32_t> FaceCells; ///< of Output, that are written as they are
+  std::vector<std::int32_t> EdgeCells; ///< of Output
+  vtkIdType GreatestFace = 0;
+  ///@{
+  /// With cells: the polygons that these share, and other 2D cells.
+  std::unique_ptr<SharedFaces> Shared;
+  vtkIdType GreatestCell = 0;
+  ///@}
+};
+
+//------------------------------------------------------------------------------
+void Writing::PlanArrays()
+{
+  WrittenArrays written;
+  this->PointColumns =
+    PLYColumns(this->Mesh->GetPointData(), { "x", "y", "z" }, written.Points, this->Messages);
+  // The same names in all elements, so that readers see one array.
+  const std::set<std::string> reserved = { "vertex_indices", "vertex_index", "face_indices",
+    "face_index", "vertex1", "vertex2", "v1", "v2" };
+  this->CellColumns =
+    PLYColumns(this->Mesh->GetCellData(), reserved, written.Cells, this->Messages);
+  WarnOfArrays(this->Mesh, "PLY", this->Messages, written);
+}
+
+//------------------------------------------------------------------------------
+// Whether readers make these cells of the points alone.
+bool Writing::IsCloud() const
+{
+  const vtkIdType size = this->Output.GetNumberOfCells();
+  if (size == 0)
+  {
+    return true;
+  }
+  bool isCloud = this->CellColumns.IsEmpty() && size == this->Output.GetNumberOfPoints();
+  for (vtkIdType cell = 0; cell < size && isCloud; ++cell)
+  {
+    isCloud =
+      this->Output.GetCellType(cell) == VTK_VERTEX && this->Output.GetCellPoints(cell)[0] == cell;
+  }
+  return isCloud;
+}
+
+//------------------------------------------------------------------------------
+// What is written as face, and what as edge.
+void Writing::SortCells()
+{
+  const vtkIdType size = this->Output.GetNumberOfCells();
+  if (this->IsCloud())
+  {
+    return;
+  }
+  this->AreAllFaces = !this->Options.Cells && this->Output.Count(VTK_LINE) == 0;
+  for (vtkIdType cell = 0; cell < size; ++cell)
+  {
+    const unsigned char type = this->Output.GetCellType(cell);
+    if (type == VTK_LINE)
+    {
+      this->EdgeCells.push_back(static_cast<std::int32_t>(cell));
+    }
+    else if (!this->Options.Cells || type == VTK_VERTEX)
+    {
+      this->GreatestFace = std::max(this->GreatestFace, this->Output.GetCellPoints(cell).Size);
+      if (!this->AreAllFaces)
+      {
+        this->FaceCells.push_back(static_cast<std::int32_t>(cell));
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType Writing::GetGreatestLength(const WordLists& lists)
+{
+  vtkIdType greatest = 0;
+  const std::int32_t* const end = lists.Words.data() + lists.Words.size();
+  for (const std::int32_t* word = lists.Words.data(); word < end; word += 1 + *word)
+  {
+    greatest = std::max<vtkIdType>(greatest, *word);
+  }
+  return greatest;
+}
+
+//------------------------------------------------------------------------------
+void Writing::ShareFaces()
+{
+  SharedFaces::RoleTable roles = SharedFaces::GetUsualRoles();
+  // Points and lines are faces of one vertex, and edges.
+  std::replace(roles.begin(), roles.end(), FaceRole::Pieces, FaceRole::None);
+  this->Shared = std::make_unique<SharedFaces>(this->Mesh, roles);
+  this->Shared->Build();
+  this->GreatestFace = std::max(this->GreatestFace, GetGreatestLength(this->Shared->Polygons));
+  this->GreatestCell = GetGreatestLength(this->Shared->Polyhedra);
+}
+
+//------------------------------------------------------------------------------
+// Readers have the cells of one element after those of another.
+void Writing::WarnOfOrder()
+{
+  const auto getRank = [&](vtkIdType cell)
+  {
+    const unsigned char type = this->Output.GetCellType(cell);
+    const int dimension = GetCellShape(type).Dimension;
+    return type == VTK_LINE                      ? (this->EdgesFirst ? 0 : 4)
+      : dimension == 3 || type == VTK_EMPTY_CELL ? 1
+      : dimension == 2 || !this->Options.Cells   ? 2
+                                                 : 3;
+  };
+  if (!this->Options.Cells && !this->EdgeCells.empty() && !this->FaceCells.empty())
+  {
+    this->EdgesFirst = this->EdgeCells.back() < this->FaceCells.front();
+  }
+  int last = 0;
+  for (vtkIdType cell = 0; cell < this->Output.GetNumberOfCells(); ++cell)
+  {
+    const int rank = getRank(cell);
+    if (rank < last)
+    {
+      this->Messages.Add("the cells are written in another order: "
+                         "3D cells, faces, edges");
+      return;
+    }
+    last = rank;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string Writing::GetListType(const char* name, vtkIdType greatest)
+{
+  const bool isLong = greatest > MaxByteLength;
+  if (isLong)
+  {
+    this->Messages.Add("the lists '" + std::string(name) + "' have up to " +
+      std::to_string(greatest) + " values; their lengths are written as int, not uchar as usual");
+  }
+  return std::string("property list ") + (isLong ? "int" : "uchar") + " int " + name + "\n";
+}
+
+//------------------------------------------------------------------------------
+void Writing::WriteHeader()
+{
+  static const char* const formats[] = { "ascii", "binary_little_endian", "binary_big_endian" };
+  const char* const real = this->IsDouble ? "property double " : "property float ";
+  const auto element = [](const char* name, vtkIdType count)
+  { return "element " + std::string(name) + " " + std::to_string(count) + "\n"; };
+  const std::string cellProperties = this->CellColumns.GetProperties();
+
+  std::string header = std::string("ply\nformat ") +
+    formats[static_cast<int>(this->Options.Encoding)] + " 1.0\n" +
+    this->PointColumns.GetComments() + this->CellColumns.GetComments();
+  const bool hasCells = this->Shared && this->Shared->Polyhedra.Count > 0;
+  if (hasCells && !this->CellColumns.IsEmpty())
+  {
+    header += std::string("comment ") + BlankFacesOfCells + "\n";
+  }
+  header += element("vertex", this->Output.GetNumberOfPoints());
+  for (const char* axis : { "x\n", "y\n", "z\n" })
+  {
+    header += real;
+    header += axis;
+  }
+  header += this->PointColumns.GetProperties();
+  const vtkIdType faces =
+    this->GetNumberOfFaceCells() + (this->Shared ? this->Shared->Polygons.Count : 0);
+  std::string edges;
+  if (!this->EdgeCells.empty())
+  {
+    edges = element("edge", static_cast<vtkIdType>(this->EdgeCells.size())) +
+      "property int vertex1\nproperty int vertex2\n" + cellProperties;
+  }
+  header += this->EdgesFirst ? edges : "";
+  if (faces > 0)
+  {
+    header += element("face", faces) + this->GetListType("vertex_indices", this->GreatestFace) +
+      cellProperties;
+  }
+  if (hasCells)
+  {
+    header += element("cell", this->Shared->Polyhedra.Count) +
+      this->GetListType("face_indices", this->GreatestCell) + cellProperties;
+  }
+  header += this->EdgesFirst ? "" : edges;
+  this->File.Write(header + "end_header\n");
+}
+
+//------------------------------------------------------------------------------
+bool Writing::WritePoints(const Progress& progress)
+{
+  return WriteRows(this->File, this->Output.GetNumberOfPoints(), progress,
+    [&](vtkIdType point, std::string& bytes)
+    {
+      double x[3];
+      this->Output.GetPoint(point, x);
+      for (const double coordinate : x)
+      {
+        if (this->IsDouble)
+        {
+          this->Encoder.Append(bytes, coordinate);
+        }
+        else
+        {
+          this->Encoder.Append(bytes, static_cast<float>(coordinate));
+        }
+      }
+      this->PointColumns.Append(this->Encoder, bytes, this->Output.GetInputPoint(point));
+      this->Encoder.EndRow(bytes);
+    });
+}
+
+//------------------------------------------------------------------------------
+// The cells that are faces as they are.
+bool Writing::WriteFaces(const Progress& progress)
+{
+  return WriteRows(this->File, this->GetNumberOfFaceCells(), progress,
+    [&](vtkIdType row, std::string& bytes)
+    {
+      const vtkIdType cell = this->AreAllFaces ? row : this->FaceCells[row];
+      const IndexRange points = this->Output.GetCellPoints(cell);
+      this->AppendLength(bytes, points.Size, this->GreatestFace);
+      for (vtkIdType i = 0; i < points.Size; ++i)
+      {
+        this->Encoder.Append(bytes, static_cast<std::int32_t>(points[i]));
+      }
+      this->CellColumns.Append(this->Encoder, bytes, this->Output.GetInputCell(cell));
+      this->Encoder.EndRow(bytes);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool Writing::WriteEdges(const Progress& progress)
+{
+  return WriteRows(this->File, static_cast<vtkIdType>(this->EdgeCells.size()), progress,
+    [&](vtkIdType row, std::string& bytes)
+    {
+      const vtkIdType cell = this->EdgeCells[row];
+      const IndexRange points = this->Output.GetCellPoints(cell);
+      this->Encoder.Append(bytes, static_cast<std::int32_t>(points[0]));
+      this->Encoder.Append(bytes, static_cast<std::int32_t>(points[1]));
+      this->CellColumns.Append(this->Encoder, bytes, this->Output.GetInputCell(cell));
+      this->Encoder.EndRow(bytes);
+    });
+}
+
+//------------------------------------------------------------------------------
+// The polygons, or the polyhedra, that share faces. A face of a 3D cell has no values of its own.
+bool Writing::WriteLists(const WordLists& lists, bool areFaces, const Progress& progress)
+{
+  const SharedFaces& shared = *this->Shared;
+  std::vector<vtkIdType> firstRows(1, 0);
+  for (vtkIdType chunk = 0; chunk < lists.GetNumberOfChunks(); ++chunk)
+  {
+    vtkIdType rows = firstRows.back();
+    for (vtkIdType at = lists.Starts[chunk]; at < lists.Starts[chunk + 1];
+         at += 1 + lists.Words[at])
+    {
+      ++rows;
+    }
+    firstRows.push_back(rows);
+  }
+  std::vector<std::int32_t> polyhedra; // cells of the mesh
+  for (vtkIdType cell = 0; !areFaces && cell < shared.GetMesh().GetNumberOfCells(); ++cell)
+  {
+    if (shared.GetRole(cell) == FaceRole::Polyhedron)
+    {
+      polyhedra.push_back(static_cast<std::int32_t>(cell));
+    }
+  }
+  const vtkIdType greatest = areFaces ? this->GreatestFace : this->GreatestCell;
+  return WriteChunks(this->File, lists.GetNumberOfChunks(), progress,
+    [&](vtkIdType chunk, std::string& bytes)
+    {
+      vtkIdType row = firstRows[chunk];
+      const std::int32_t* word = lists.Words.data() + lists.Starts[chunk];
+      const std::int32_t* const end = lists.Words.data() + lists.Starts[chunk + 1];
+      for (; word < end; ++row)
+      {
+        const std::int32_t size = *word++;
+        this->AppendLength(bytes, size, greatest);
+        for (std::int32_t i = 0; i < size; ++i)
+        {
+          const std::int32_t id = *word++;
+          this->Encoder.Append(
+            bytes, areFaces ? static_cast<std::int32_t>(this->Output.GetPointOf(id)) : id);
+        }
+        const vtkIdType cell = areFaces ? shared.CellOfPolygon[row] : polyhedra[row];
+        const bool isFace = areFaces && shared.GetRole(cell) == FaceRole::Polyhedron;
+        this->CellColumns.Append(this->Encoder, bytes, isFace ? -1 : cell);
+        this->Encoder.EndRow(bytes);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool Writing::Write(const std::string& path, ScanError& error, const Progress& progress)
+{
+  this->PlanArrays();
+  if (!ConvertCells(this->Mesh, GetConversion(this->Options), path, this->Output, this->Messages,
+        error, progress.Part(0, 0.3)))
+  {
+    return false;
+  }
+  if (std::max(this->Output.GetNumberOfPoints(), this->Output.GetNumberOfCells()) > INT32_MAX)
+  {
+    throw std::length_error("more vertices or cells than PLY files can number");
+  }
+  this->IsDouble = !this->Output.HasFloatPoints() && !this->Options.FloatCoordinates;
+  if (this->Options.FloatCoordinates &&
+    !CheckSinglePrecision(this->Mesh, path, this->Messages, error))
+  {
+    return false;
+  }
+  this->SortCells();
+  if (this->Options.Cells)
+  {
+    this->ShareFaces();
+    WarnOfInvertedCells(this->Mesh, "PLY", this->Messages);
+  }
+  this->WarnOfOrder();
+  this->WriteHeader();
+  bool good = this->WritePoints(progress.Part(0.3, 0.5)) &&
+    (!this->EdgesFirst || this->WriteEdges(progress.Part(0.5, 0.55)));
+  if (this->Shared)
+  {
+    good = good && this->WriteLists(this->Shared->Polygons, true, progress.Part(0.55, 0.8));
+  }
+  good = good && this->WriteFaces(progress.Part(0.55, 0.9));
+  if (this->Shared)
+  {
+    good = good && this->WriteLists(this->Shared->Polyhedra, false, progress.Part(0.9, 0.95));
+  }
+  return good && (this->EdgesFirst || this->WriteEdges(progress.Part(0.95, 1))) &&
+    this->File.Commit();
+}
+}
+
+//------------------------------------------------------------------------------
+bool WritePLY(const std::string& path, vtkDataSet* mesh, const PLYWriteOptions& options,
+  Warnings& warnings, ScanError& error, const Progress& progress)
+{
+  bool good = false;
+  // Nothing may be thrown through WithThreads, which has to set VTK's backend back.
+  WithThreads(
+    [&]
+    {
+      OutputFile file(path);
+      try
+      {
+        good =
+          !file.HasFailed() && Writing(file, mesh, options, warnings).Write(path, error, progress);
+        error = error ? error : file.GetError();
+      }
+      catch (const std::bad_alloc&)
+      {
+        error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory to write the mesh" };
+      }
+      catch (const std::length_error& reason)
+      {
+        error = { ErrorKind::Unsupported, GetFileName(path) + ": " + reason.what() };
+      }
+    });
+  return good && !error;
+}
+}

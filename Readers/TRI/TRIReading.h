@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file TRIReading.h
+ * @brief Reads TRI files of Camarón and of Cart3D.
+ *
+ * See Readers/TRI/README.md for the format.
+ */
+#ifndef camaron_TRIReading_h
+#define camaron_TRIReading_h
+
+#include "Scan/PieceRequest.h"
+#include "Scan/TextRows.h"
+
+#include <string> // for paths
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/// Whether the file begins like a TRI file. Reports nothing.
+bool IsTRI(const std::string& path);
+
+/**
+ * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the same
+ * grid.
+ * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
+ * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ */
+bool ReadTRI(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress = Progress(),
+  vtkIdType chunk = TextLines::DefaultChunk);
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTRIWriter
+ * @brief Writes triangle meshes to TRI files of Camarón or Cart3D.
+ *
+ * See Readers/TRI/README.md. The format holds points and triangles; of 3D cells the surface is written,
+ * other cells as UnsupportedCells says. Coordinates have the fewest digits that read back as the same
+ * numbers.
+ *
+ * @sa vtkTRIReader
+ */
+#ifndef vtkTRIWriter_h
+#define vtkTRIWriter_h
+
+#include "vtkSurfaceMeshFileWriter.h"
+
+class CAMARONFORMATS_EXPORT vtkTRIWriter : public vtkSurfaceMeshFileWriter
+{
+public:
+  static vtkTRIWriter* New();
+  vtkTypeMacro(vtkTRIWriter, vtkSurfaceMeshFileWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum DialectType
+  {
+    CAMARON = 0, ///< vertices count from 0
+    CART3D = 1   ///< vertices count from 1; with the cell array "Component" if there is one
+  };
+
+  ///@{
+  /**
+   * Which dialect is written. Default: CAMARON.
+   */
+  vtkSetClampMacro(Dialect, int, CAMARON, CART3D);
+  vtkGetMacro(Dialect, int);
+  ///@}
+
+protected:
+  vtkTRIWriter() = default;
+  ~vtkTRIWriter() override = default;
+
+  bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
+    camaron::ScanError& error, const camaron::Progress& progress) override;
+
+private:
+  vtkTRIWriter(const vtkTRIWriter&) = delete;
+  void operator=(const vtkTRIWriter&) = delete;
+
+  int Dialect = CAMARON;
+};
+
+#endif

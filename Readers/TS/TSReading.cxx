@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TSReading.h"
+
+#include "CellMesh/CellGrid.h"
+#include "CellMesh/PieceRows.h"
+#include "CellMesh/PointRows.h"
+#include "Base/CountOf.h"
+#include "Scan/ReadMappedFile.h"
+#include "TSurfReading.h"
+
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+constexpr char Coordinate[] = "a coordinate of a vertex";
+constexpr char Vertex[] = "a vertex of a tetrahedron";
+constexpr int VertexBytes = 6;      // "0 0 0" and a line end
+constexpr int TetrahedronBytes = 8; // "0 0 0 0" and a line end
+
+//------------------------------------------------------------------------------
+// Says what a file is that is not one of these.
+bool FailAsOtherFormat(TextScanner& scanner)
+{
+  constexpr char Expected[] =
+    "a TS file, which begins with the numbers of vertices and tetrahedra, or with 'GOCAD TSurf'";
+  const char* const text = scanner.GetPosition();
+  constexpr vtkIdType PacketSize = 188; // of MPEG, each begins with a G
+  if (scanner.GetBytesLeft() > PacketSize && text[0] == 'G' && text[PacketSize] == 'G')
+  {
+    scanner.FailAt(text, ErrorKind::NotThisFormat, Expected, "an MPEG transport stream");
+    return false;
+  }
+  scanner.SkipSpace();
+  scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat, Expected);
+  scanner.AddToError(" (programs in TypeScript and translations of Qt have this extension, too)");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+// The first line: the numbers of vertices and of tetrahedra, of which there may be fewer.
+struct Header
+{
+  std::int64_t Vertices = 0;
+  std::int64_t Tetrahedra = 0;
+};
+
+//------------------------------------------------------------------------------
+bool ReadHeader(TextScanner& scanner, Header& header)
+{
+  TextScanner attempt = scanner;
+  TextRow row(attempt, RowLayout::OneLine);
+  std::int64_t count;
+  if (!row.ReadInteger(count, "") || !row.ReadInteger(count, ""))
+  {
+    return FailAsOtherFormat(scanner);
+  }
+  const bool good = scanner.ReadCount(header.Vertices, VertexBytes, "the number of vertices") &&
+    scanner.ReadInteger(
+      header.Tetrahedra, 0, INT32_MAX, ErrorKind::Count, "the number of tetrahedra");
+  scanner.SkipLine();
+  return good;
+}
+
+//------------------------------------------------------------------------------
+// Of tetrahedra.
+class TSReading
+{
+public:
+  TSReading(const PieceRequest& request, vtkUnstructuredGrid* grid)
+    : Request(request)
+    , Grid(grid)
+  {
+  }
+
+  /// Starts anew with every call.
+  bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  Warnings Messages;
+
+private:
+  bool ReadTetrahedra(TextScanner& scanner, const TextLines* lines, const Progress& progress);
+  bool ReadRow(TextRow& row, std::int32_t* points) const;
+  vtkIdType CountTetrahedra(TextScanner scanner);
+
+  PieceRequest Request;
+  vtkUnstructuredGrid* Grid;
+  Header Counts;
+  CellPiece Piece;
+  CellMesh Mesh;
+};
+
+//------------------------------------------------------------------------------
+bool TSReading::ReadRow(TextRow& row, std::int32_t* points) const
+{
+  const std::int64_t last = this->Counts.Vertices - 1;
+  return row.ReadId(points[0], 0, last, Vertex) && row.ReadId(points[1], 0, last, Vertex) &&
+    row.ReadId(points[2], 0, last, Vertex) && row.ReadId(points[3], 0, last, Vertex);
+}
+
+//------------------------------------------------------------------------------
+// Camarón counts all polyhedra but writes the tetrahedra, and a remark at the end.
+vtkIdType TSReading::CountTetrahedra(TextScanner scanner)
+{
+  const std::int64_t promised = this->Counts.Tetrahedra;
+  std::int64_t found = 0;
+  while (found < promised && scanner.SkipSpace())
+  {
+    ++found;
+    scanner.SkipLine();
+  }
+  if (found < promised)
+  {
+    this->Messages.Add("the file has " + CountOf(found, "tetrahedron", "tetrahedra") + ", not " +
+      std::to_string(promised) + " as it says; Camarón counts polyhedra that it does not write");
+  }
+  return found;
+}
+
+//------------------------------------------------------------------------------
+bool TSReading::ReadTetrahedra(
+  TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  if (lines && !lines->Find(scanner.GetPosition(), this->Counts.Tetrahedra))
+  {
+    return false;
+  }
+  CellMesh shape;
+  shape.NumberOfPoints = this->Counts.Vertices;
+  shape.NumberOfCells = lines ? this->Counts.Tetrahedra : this->CountTetrahedra(scanner);
+  shape.CommonType = VTK_TETRA;
+  shape.CommonSize = 4;
+  if (shape.NumberOfCells == 0)
+  {
+    this->Mesh = MakeCloud(this->Counts.Vertices, this->Request, this->Piece);
+    return true;
+  }
+  const auto read = [this](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
+  { return this->ReadRow(row, points); };
+  const PieceRows rows(scanner, lines, shape);
+  return rows.Find(scanner, this->Request, this->Piece, progress.Part(0, 0.5), read) &&
+    rows.Read(scanner, this->Piece, this->Mesh, progress.Part(0.5, 1), read);
+}
+
+//------------------------------------------------------------------------------
+bool TSReading::Read(TextScanner& scanner, const TextLines* lines, const Progress& progress)
+{
+  this->Grid->Initialize();
+  this->Messages = Warnings();
+  if (!ReadHeader(scanner, this->Counts))
+  {
+    return false;
+  }
+  // The vertices come first, but which of them a piece needs is known from its tetrahedra.
+  PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
+  if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
+    !this->ReadTetrahedra(scanner, lines, progress.Part(0.1, 0.5)))
+  {
+    return false;
+  }
+
+  const auto points = vertices.Read(this->Piece, progress.Part(0.5, 0.95));
+  if (!points)
+  {
+    return false;
+  }
+
+  if (this->Request.Piece == 0)
+  {
+    this->Piece.WarnOfRepeatedPoints(
+      this->Mesh, this->Messages, progress.Part(0.95, 1), "tetrahedron", "tetrahedra");
+    if (scanner.SkipSpace())
+    {
+      this->Messages.Add("there is more data after the end of the mesh");
+    }
+  }
+  else
+  {
+    this->Messages = Warnings();
+  }
+  FillGrid(this->Mesh, this->Piece, points, this->Grid);
+  return !progress.IsStopped();
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsTS(const std::string& path)
+{
+  MappedFile file;
+  ScanError error;
+  if (!file.Open(path, error))
+  {
+    return false;
+  }
+  TextScanner scanner("", file.begin(), file.end(), '#');
+  if (IsTSurf(scanner))
+  {
+    return true;
+  }
+  Header header;
+  double x[3];
+  TextRow row(scanner, RowLayout::OneLine);
+  return ReadHeader(scanner, header) && (header.Vertices == 0 || row.ReadPoint(x, Coordinate));
+}
+
+//------------------------------------------------------------------------------
+bool ReadTS(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress, vtkIdType chunk)
+{
+  Warnings messages;
+  const bool good = ReadMappedFile(path, error,
+    [&](const MappedFile& file)
+    {
+      if (IsGOCAD(TextScanner("", file.begin(), file.end(), '#')))
+      {
+        return ReadTSurf(file, request, grid, messages, error, progress, chunk);
+      }
+      TSReading reading(request, grid);
+      const bool isGood = ReadText(file, '#', chunk, error, progress,
+        [&](TextScanner& scanner, const TextLines* lines, const Progress& part)
+        { return reading.Read(scanner, lines, part); });
+      messages = std::move(reading.Messages);
+      return isGood;
+    });
+  if (!good)
+  {
+    grid->Initialize();
+    return false;
+  }
+  warnings = std::move(messages);
+  return true;
+}
+}

@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TSurfWriting.h"
+
+#include "Write/RealFormat.h"
+#include "Write/WriteRows.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+// What stands for nan in a property: GOCAD's usual value, with more nines if it has that.
+std::string ChooseNoData(vtkDataArray* property)
+{
+  constexpr double Usual = -99999, Least = -999999999999999; // as long as doubles are integers
+  constexpr int Base = 10;
+  std::set<double> taken;
+  for (vtkIdType i = 0; i < property->GetNumberOfTuples(); ++i)
+  {
+    for (int c = 0; c < property->GetNumberOfComponents(); ++c)
+    {
+      const double value = property->GetComponent(i, c);
+      if (value <= Usual && value >= Least && taken.size() < Base)
+      {
+        double nines = Usual;
+        while (nines > value)
+        {
+          nines = nines * Base - (Base - 1);
+        }
+        if (nines == value)
+        {
+          taken.insert(value);
+        }
+      }
+    }
+  }
+  double noData = Usual;
+  while (taken.count(noData) > 0 && noData > Least)
+  {
+    noData = noData * Base - (Base - 1);
+  }
+  return std::to_string(static_cast<vtkIdType>(noData));
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* FindNumbers(vtkDataSet* input, const char* name)
+{
+  vtkDataArray* array = input->GetCellData()->GetArray(name);
+  return array && array->GetNumberOfComponents() == 1 ? array : nullptr;
+}
+}
+
+//------------------------------------------------------------------------------
+TSurfWriting::TSurfWriting(vtkDataSet* input, const OutputMesh& mesh)
+  : Input(input)
+  , Mesh(mesh)
+{
+  this->FindProperties();
+  this->FindObjects();
+  this->FindFaces();
+  this->ListFields();
+}
+
+//------------------------------------------------------------------------------
+void TSurfWriting::FindProperties()
+{
+  vtkPointData* data = this->Input->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const std::string name = array && array->GetName() ? array->GetName() : "";
+    // A name is a word, or quoted.
+    const bool hasName = !name.empty() &&
+      std::none_of(
+        name.begin(), name.end(), [](char c) { return c == '"' || c == '\n' || c == '\r'; });
+    if (!hasName || array == data->GetGlobalIds() || array->GetNumberOfComponents() < 1 ||
+      name == vtkDataSetAttributes::GhostArrayName() || name == "OriginalPointId")
+    {
+      continue;
+    }
+    this->Properties.push_back(array);
+    this->NoData.push_back(ChooseNoData(array));
+    this->Written.Points.push_back(name);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Parts have to follow each other in the cells as well as in the points.
+void TSurfWriting::FindObjects()
+{
+  const vtkIdType points = this->Mesh.GetNumberOfPoints(),
+                  triangles = this->Mesh.GetNumberOfCells();
+  const std::vector<Object> whole = { { 0, 0 }, { points, triangles } };
+  this->Objects = whole;
+  vtkDataArray* parts = FindNumbers(this->Input, "Part");
+  if (!parts || triangles == 0)
+  {
+    return;
+  }
+  const auto getPart = [&](vtkIdType triangle)
+  { return parts->GetComponent(this->Mesh.GetInputCell(triangle), 0); };
+  this->Objects.pop_back();
+  vtkIdType nextPoint = 0; // behind all points of the parts so far
+  double part = 0;
+  for (vtkIdType triangle = 0; triangle < triangles; ++triangle)
+  {
+    const IndexRange corners = this->Mesh.GetCellPoints(triangle);
+    const vtkIdType least = std::min({ corners[0], corners[1], corners[2] });
+    const double next = getPart(triangle);
+    // Further parts without triangles would need points nobody knows of.
+    const bool isNew = next == part + 1;
+    if (isNew)
+    {
+      this->Objects.push_back({ nextPoint, triangle });
+    }
+    else if (next != part)
+    {
+      this->Objects = whole;
+      return;
+    }
+    part = next;
+    if (least < this->Objects.back().Point)
+    {
+      this->Objects = whole;
+      return;
+    }
+    nextPoint = std::max({ nextPoint, corners[0] + 1, corners[1] + 1, corners[2] + 1 });
+  }
+  this->Objects.push_back(whole.back());
+  this->Written.Cells.emplace_back("Part");
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TSurfWriting::GetFace(vtkIdType triangle) const
+{
+  return this->Faces
+    ? static_cast<vtkIdType>(this->Faces->GetComponent(this->Mesh.GetInputCell(triangle), 0))
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+// In every object they have to ascend from 0.
+void TSurfWriting::FindFaces()
+{
+  vtkDataArray* const faces = FindNumbers(this->Input, "TFace");
+  if (!faces)
+  {
+    return;
+  }
+  for (std::size_t object = 0; object + 1 < this->Objects.size(); ++object)
+  {
+    double face = 0;
+    const vtkIdType begin = this->Objects[object].Triangle;
+    for (vtkIdType i = begin; i < this->Objects[object + 1].Triangle; ++i)
+    {
+      const double next = faces->GetComponent(this->Mesh.GetInputCell(i), 0);
+      if (!(next == face || next == face + 1))
+      {
+        return;
+      }
+      face = next;
+    }
+  }
+  this->Faces = faces;
+  this->Written.Cells.emplace_back("TFace");
+}
+
+//------------------------------------------------------------------------------
+void TSurfWriting::ListFields()
+{
+  for (const char* name : { "PartName", "ZPositive", "AxisUnit" })
+  {
+    if (this->FindTexts(name))
+    {
+      this->Written.Fields.emplace_back(name);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Field data with one value per object; nullptr if there is none.
+vtkStringArray* TSurfWriting::FindTexts(const char* name) const
+{
+  auto* texts = vtkStringArray::SafeDownCast(this->Input->GetFieldData()->GetAbstractArray(name));
+  const auto objects = static_cast<vtkIdType>(this->Objects.size()) - 1;
+  return texts && texts->GetNumberOfValues() == objects ? texts : nullptr;
+}
+
+//------------------------------------------------------------------------------
+std::string TSurfWriting::GetText(const char* name, std::size_t object) const
+{
+  vtkStringArray* const texts = this->FindTexts(name);
+  if (!texts)
+  {
+    return "";
+  }
+  std::string text = texts->GetValue(static_cast<vtkIdType>(object));
+  text.erase(std::remove_if(text.begin(), text.end(),
+               [](char c) { return c == '\n' || c == '\r' || c == '{' || c == '}'; }),
+    text.end());
+  return text;
+}
+
+//------------------------------------------------------------------------------
+std::string TSurfWriting::MakePreamble(std::size_t object) const
+{
+  const std::string name = this->GetText("PartName", object);
+  const std::string zPositive = this->GetText("ZPositive", object);
+  const std::string unit = this->GetText("AxisUnit", object);
+  std::string text = "GOCAD TSurf 1\nHEADER {\nname:" +
+    (name.empty() ? "surface" + std::to_string(object + 1) : name) + "\n}\n";
+  if (!zPositive.empty() || !unit.empty())
+  {
+    text += "GOCAD_ORIGINAL_COORDINATE_SYSTEM\nNAME Default\nAXIS_NAME \"X\" \"Y\" \"Z\"\n";
+    text += unit.empty() ? "" : "AXIS_UNIT " + unit + "\n";
+    text += zPositive.empty() ? "" : "ZPOSITIVE " + zPositive + "\n";
+    text += "END_ORIGINAL_COORDINATE_SYSTEM\n";
+  }
+  if (!this->Properties.empty())
+  {
+    std::string names, sizes, values;
+    for (std::size_t i = 0; i < this->Properties.size(); ++i)
+    {
+      vtkDataArray* const property = this->Properties[i];
+      const std::string word = property->GetName();
+      const bool isQuoted = word.find_first_of(" \t#") != std::string::npos;
+      names += isQuoted ? " \"" + word + "\"" : " " + word;
+      sizes += " " + std::to_string(property->GetNumberOfComponents());
+      values += " " + this->NoData[i];
+    }
+    text += "PROPERTIES" + names + "\nESIZES" + sizes + "\nNO_DATA_VALUES" + values + "\n";
+  }
+  return text;
+}
+
+//------------------------------------------------------------------------------
+void TSurfWriting::AppendPoint(vtkIdType point, vtkIdType id, std::string& text) const
+{
+  double x[3];
+  this->Mesh.GetPoint(point, x);
+  text += this->Properties.empty() ? "VRTX " : "PVRTX ";
+  AppendNumber(text, id);
+  text += ' ';
+  const auto formatOf = [](bool isFloat)
+  { return isFloat ? RealFormat::ShortestFloat() : RealFormat::Shortest(); };
+  formatOf(this->Mesh.HasFloatPoints())
+    .AppendRow(text, x, 3, this->Properties.empty() ? '\n' : ' ');
+  for (std::size_t i = 0; i < this->Properties.size(); ++i)
+  {
+    vtkDataArray* const property = this->Properties[i];
+    const RealFormat format = formatOf(property->GetDataType() == VTK_FLOAT);
+    for (int c = 0; c < property->GetNumberOfComponents(); ++c)
+    {
+      const double value = property->GetComponent(this->Mesh.GetInputPoint(point), c);
+      if (std::isnan(value))
+      {
+        text += this->NoData[i];
+      }
+      else
+      {
+        format.Append(text, value);
+      }
+      text += ' ';
+    }
+  }
+  text.back() = '\n';
+}
+
+//------------------------------------------------------------------------------
+void TSurfWriting::Warn(Warnings& warnings) const
+{
+  WarnOfArrays(this->Input, "TSurf", warnings, this->Written);
+  for (vtkDataArray* property : this->Properties)
+  {
+    WarnOfIntegers(property, warnings);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TSurfWriting::Write(OutputFile& file, const Progress& progress) const
+{
+  const std::size_t objects = this->Objects.size() - 1;
+  for (std::size_t object = 0; object < objects; ++object)
+  {
+    const Object& from = this->Objects[object];
+    const Object& to = this->Objects[object + 1];
+    const Progress part = progress.Part(
+      static_cast<double>(object) / objects, static_cast<double>(object + 1) / objects);
+    // All points come first, in one face, as the order of points is more than that of faces.
+    file.Write(this->MakePreamble(object) + "TFACE\n");
+    const bool good = WriteRows(file, to.Point - from.Point, part.Part(0, 0.5),
+                        [&](vtkIdType row, std::string& text)
+                        { this->AppendPoint(from.Point + row, row + 1, text); }) &&
+      WriteRows(file, to.Triangle - from.Triangle, part.Part(0.5, 1),
+        [&](vtkIdType row, std::string& text)
+        {
+          const vtkIdType triangle = from.Triangle + row;
+          const vtkIdType before = row == 0 ? 0 : this->GetFace(triangle - 1);
+          text += this->GetFace(triangle) > before ? "TFACE\nTRGL" : "TRGL";
+          const IndexRange corners = this->Mesh.GetCellPoints(triangle);
+          for (vtkIdType i = 0; i < 3; ++i)
+          {
+            text += ' ';
+            AppendNumber(text, corners[i] - from.Point + 1);
+          }
+          text += '\n';
+        });
+    file.Write("END\n");
+    if (!good)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+}

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkTSReader
+ * @brief Reads tetrahedra of Camarón or surfaces of GOCAD from TS files.
+ *
+ * A TS file of Camarón is text: the numbers of vertices and tetrahedra, their coordinates, and
+ * their vertices counted from 0. A TSurf of GOCAD is text with a keyword on every line. See
+ * Readers/TS/README.md.
+ *
+ * Output: a vtkUnstructuredGrid with double coordinates (in the unit of the file) of VTK_TETRA or
+ * VTK_TRIANGLE in the order and direction of the file; a file of vertices alone gives one
+ * VTK_VERTEX each. Of a TSurf: the cell arrays "Part" and "TFace", a point array for each property,
+ * "OriginalPointId", and field data "PartName", "ZPositive" and "AxisUnit" with a value per part.
+ *
+ * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
+ * asked for, "GlobalPointIds" and "GlobalCellIds".
+ *
+ * @sa vtkTSWriter
+ */
+#ifndef vtkTSReader_h
+#define vtkTSReader_h
+
+#include "vtkMeshFileReader.h"
+
+class CAMARONFORMATS_EXPORT vtkTSReader : public vtkMeshFileReader
+{
+public:
+  static vtkTSReader* New();
+  vtkTypeMacro(vtkTSReader, vtkMeshFileReader);
+
+  int CanReadFile(const char* fileName) override;
+
+protected:
+  vtkTSReader() = default;
+  ~vtkTSReader() override = default;
+
+  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
+    const camaron::Progress& progress) override;
+
+private:
+  vtkTSReader(const vtkTSReader&) = delete;
+  void operator=(const vtkTSReader&) = delete;
+};
+
+#endif

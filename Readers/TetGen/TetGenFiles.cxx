@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TetGenFiles.h"
+
+#include "Base/LowerCase.h"
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace camaron
+{
+namespace
+{
+//------------------------------------------------------------------------------
+struct Extension
+{
+  const char* Lower;
+  const char* Upper;
+};
+constexpr Extension Extensions[] = { { "node", "NODE" }, { "ele", "ELE" }, { "face", "FACE" },
+  { "edge", "EDGE" }, { "neigh", "NEIGH" }, { "poly", "POLY" }, { "smesh", "SMESH" } };
+constexpr int NumberOfKinds = static_cast<int>(TetGenKind::None);
+
+//------------------------------------------------------------------------------
+// Where the extension begins, after the dot; npos without one.
+std::size_t FindExtension(const std::string& path)
+{
+  const std::size_t name = path.size() - GetFileName(path).size();
+  const std::size_t dot = path.find_last_of('.');
+  return dot == std::string::npos || dot < name ? std::string::npos : dot + 1;
+}
+
+//------------------------------------------------------------------------------
+bool IsThere(const std::string& path)
+{
+  std::error_code error;
+  return fs::exists(path, error);
+}
+}
+
+//------------------------------------------------------------------------------
+TetGenKind GetTetGenKind(const std::string& path)
+{
+  const std::size_t at = FindExtension(path);
+  const std::string extension = at == std::string::npos ? "" : ToLower(path.substr(at));
+  int kind = 0;
+  while (kind < NumberOfKinds && extension != Extensions[kind].Lower)
+  {
+    ++kind;
+  }
+  return static_cast<TetGenKind>(kind);
+}
+
+//------------------------------------------------------------------------------
+bool IsTetGenVoronoi(const std::string& path)
+{
+  const std::string name = ToLower(GetFileName(path));
+  for (const std::string end : { ".v.edge", ".v.face", ".v.cell" })
+  {
+    if (name.size() >= end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::string GetTetGenCompanion(const std::string& path, TetGenKind kind)
+{
+  const std::string base = path.substr(0, FindExtension(path));
+  const Extension& extension = Extensions[static_cast<int>(kind)];
+  const std::string usual = base + extension.Lower, other = base + extension.Upper;
+  return !IsThere(usual) && IsThere(other) ? other : usual;
+}
+
+//------------------------------------------------------------------------------
+bool HasTetGenCompanion(const std::string& path, TetGenKind kind)
+{
+  return IsThere(GetTetGenCompanion(path, kind));
+}
+
+//------------------------------------------------------------------------------
+bool OpenTetGenCompanion(
+  const std::string& path, TetGenKind kind, const char* content, MappedFile& file, ScanError& error)
+{
+  const std::string companion = GetTetGenCompanion(path, kind);
+  if (!IsThere(companion))
+  {
+    error = { ErrorKind::Companion,
+      GetFileName(path) + ": expected the file " + GetFileName(companion) + " with the " + content +
+        " beside it, found no such file" };
+    return false;
+  }
+  return file.Open(companion, error);
+}
+}

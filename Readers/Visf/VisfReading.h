@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file VisfReading.h
+ * @brief Reads Visf mesh files of every known dialect.
+ *
+ * See Readers/Visf/README.md for the format. All of it is read; the lists of neighbours are
+ * checked and then dropped, as they follow from the polygons.
+ */
+#ifndef camaron_VisfReading_h
+#define camaron_VisfReading_h
+
+#include "FaceMesh/FaceMesh.h"
+
+#include <string> // for paths
+
+class vtkUnstructuredGrid;
+
+namespace camaron
+{
+/// Whether the file begins like a Visf file. Reads a few bytes, reports nothing.
+bool IsVisf(const std::string& path);
+
+/**
+ * Reads a piece of a file into @a grid, which is emptied first; see BuildGrid for what becomes of it.
+ * Any number of threads gives the same grid.
+ * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
+ * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ */
+bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
+  Warnings& warnings, ScanError& error, const Progress& progress = Progress(),
+  vtkIdType chunk = TextLines::DefaultChunk);
+}
+
+#endif

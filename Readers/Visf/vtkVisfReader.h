@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class vtkVisfReader
+ * @brief Reads polygonal and polyhedral meshes from Visf files.
+ *
+ * Visf is the format of Camarón: vertices, polygons as lists of vertices, polyhedra as lists of
+ * polygons. All dialects are read: ASCII, binary of both byte orders, with the headers of all
+ * versions. See Readers/Visf/README.md.
+ *
+ * Output: a vtkUnstructuredGrid with float coordinates (in the unit of the file, which does not say
+ * which one). Polyhedra become tetrahedra, pyramids, wedges or hexahedra where they are such, else
+ * VTK_POLYHEDRON with faces that point outward; polygons that belong to no polyhedron follow as 2D
+ * cells; a file of vertices alone gives one VTK_VERTEX each. Lists of faces do not tell inside from
+ * outside, so every cell with a volume has a positive one.
+ *
+ * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
+ * asked for, "GlobalPointIds" and "GlobalCellIds".
+ *
+ * @sa vtkVisfWriter
+ */
+#ifndef vtkVisfReader_h
+#define vtkVisfReader_h
+
+#include "vtkMeshFileReader.h"
+
+class CAMARONFORMATS_EXPORT vtkVisfReader : public vtkMeshFileReader
+{
+public:
+  static vtkVisfReader* New();
+  vtkTypeMacro(vtkVisfReader, vtkMeshFileReader);
+
+  int CanReadFile(const char* fileName) override;
+
+protected:
+  vtkVisfReader() = default;
+  ~vtkVisfReader() override = default;
+
+  bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
+    vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
+    const camaron::Progress& progress) override;
+
+private:
+  vtkVisfReader(const vtkVisfReader&) = delete;
+  void operator=(const vtkVisfReader&) = delete;
+};
+
+#endif

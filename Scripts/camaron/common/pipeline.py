@@ -1,0 +1,244 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""ParaView as the rest of the package uses it: the plugin, files, messages."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Any, Optional
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
+
+from . import reader_choice, text
+
+#: The name of the array of ghost marks.
+GHOSTS = "vtkGhostType"
+
+
+def load_plugin() -> None:
+    """Makes the filters, readers and writers of the plugin known; does nothing the second time."""
+    if hasattr(simple, "ElementQuality"):
+        return
+    with Messages() as messages:
+        for folder in os.environ.get("PV_PLUGIN_PATH", "").split(os.pathsep):
+            for library in sorted(Path(folder or ".").glob("**/Camaron.so")) if folder else ():
+                simple.LoadPlugin(str(library), remote=False, ns=vars(simple))
+                if hasattr(simple, "ElementQuality"):
+                    return
+        try:
+            simple.LoadDistributedPlugin("Camaron", remote=False, ns=vars(simple))
+        except RuntimeError as error:
+            messages.errors.append(str(error))
+    if not hasattr(simple, "ElementQuality"):
+        reason = messages.errors[0] if messages.errors else "is the folder in PV_PLUGIN_PATH?"
+        raise RuntimeError(f"the plugin Camaron cannot be loaded: {reason}")
+
+
+#: What ParaView 6.1 says on the first rank of an error of another one, which says itself what it was.
+ELSEWHERE = "There was an error on a server process"
+
+
+class Messages:
+    """Keeps what VTK reports as errors and warnings, on any rank, from the terminal and in two lists.
+
+    >>> with Messages() as messages:
+    ...     source.UpdatePipeline()
+    >>> messages.errors
+    ['cube.visf: byte 12: expected ...']
+    """
+
+    def __init__(self):
+        self._errors: list[str] = []
+        self._warnings: list[str] = []
+        self._others: Optional[Any] = None
+
+    @property
+    def errors(self) -> list[str]:
+        self._gather()
+        reasons = [error for error in self._errors if ELSEWHERE not in error]
+        self._errors[:] = reasons or self._errors
+        return self._errors
+
+    @property
+    def warnings(self) -> list[str]:
+        self._gather()
+        return self._warnings
+
+    def refuse(self, what: Any) -> None:
+        """Raises RuntimeError with the first error, if there is one; `what` is the file that it is about."""
+        if self.errors:
+            raise RuntimeError(f"{what}: {self.errors[0]}")
+
+    def __enter__(self) -> "Messages":
+        def observer(texts):
+            def callback(_window, _event, text=""):
+                _note(texts, text or "a message that is no UTF-8")  # of which VTK gives nothing
+
+            callback.CallDataType = "string0"
+            return callback
+
+        self._window = vtkOutputWindow.GetInstance()
+        self._observers = [
+            self._window.AddObserver("ErrorEvent", observer(self._errors)),
+            self._window.AddObserver("WarningEvent", observer(self._warnings)),
+        ]
+        self._mode = self._window.GetDisplayMode()
+        self._window.SetDisplayModeToNever()
+        self._verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        if rank_count() > 1:
+            self._others = servermanager.ProxyManager().NewProxy("misc", "ProcessMessages")
+            if self._others:  # which comes with the plugin
+                self._others.UpdateVTKObjects()
+        return self
+
+    def __exit__(self, kind, error, trace) -> None:
+        self._gather()
+        self._others = None
+        for observer in self._observers:
+            self._window.RemoveObserver(observer)
+        self._window.SetDisplayMode(self._mode)
+        vtkLogger.SetStderrVerbosity(self._verbosity)
+
+    def _gather(self) -> None:
+        """Adds what other ranks have reported."""
+        if not self._others:
+            return
+        self._others.InvokeCommand("Gather")
+        self._others.UpdatePropertyInformation()
+        for name, texts in (("Errors", self._errors), ("Warnings", self._warnings)):
+            for message in self._others.GetProperty(name).GetElement(0).split("\x1f"):
+                _note(texts, message)
+
+
+def once(*lists: list[str]) -> list[str]:
+    """The sentences of several lists, each once: who reads a mesh again is told of the same again."""
+    return list(dict.fromkeys(sentence for sentences in lists for sentence in sentences))
+
+
+def _note(texts: list[str], message: str) -> None:
+    """Adds a message to a list, unless it is there."""
+    message = _plain(message)
+    if message and message not in texts:
+        texts.append(message)
+
+
+def _plain(message: str) -> str:
+    """The message without the place in the source and the address of the object."""
+    message = re.sub(r"^(ERROR|Warning|Generic Warning): In .*?, line \d+\s*", "", message.strip())
+    message = re.sub(r"^[\w:<>]+ \((0x)?[0-9a-fA-F]+\): ", "", message)
+    return text.printable(" ".join(message.split()))
+
+
+class Opened:
+    """A mesh that was read: the source, the time that was chosen, and what the reader warned of."""
+
+    def __init__(self, source: Any, time: Optional[dict[str, Any]], warnings: list[str]):
+        self.source, self.time, self.warnings = source, time, warnings
+
+
+def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
+    """Opens any mesh that ParaView can read and reads it.
+
+    `time` is "first", "last" or the number of a step. Raises RuntimeError with the reader's reason.
+    """
+    path = Path(path)
+    if not path.exists():
+        raise RuntimeError(f"{path}: there is no such file")
+    notes: list[str] = []
+    with Messages() as messages:
+        try:
+            source = reader_choice.make_reader(path, notes)
+        except reader_choice.NotReadable as error:
+            raise RuntimeError(_reason(messages, path, str(error))) from None
+        try:
+            chosen = _choose_time(source, time)
+            source.UpdatePipeline(chosen["value"] if chosen else 0.0)
+        except (RuntimeError, ValueError) as error:
+            simple.Delete(source)
+            raise type(error)(f"{path}: {error}") from None
+    if messages.errors:
+        simple.Delete(source)
+        raise RuntimeError(_reason(messages, path, ""))
+    if not is_mesh(source):
+        kind = data_information(source).GetPrettyDataTypeString()
+        simple.Delete(source)
+        raise RuntimeError(f"{path}: not a mesh but a {kind.lower()}")
+    return Opened(source, chosen, notes + messages.warnings)
+
+
+def _reason(messages: Messages, path: Path, otherwise: str) -> str:
+    """The first error, which may say itself where in the file it is: "mesh.visf:17: ..."."""
+    first = messages.errors[0] if messages.errors else otherwise
+    for name in (_plain(text.printable(str(name))) for name in (path, path.name)):
+        if first.startswith(name + ":"):
+            return str(path) + first[len(name) :]
+    return f"{path}: {first}"
+
+
+def _choose_time(source: Any, time: str) -> Optional[dict[str, Any]]:
+    values = getattr(source, "TimestepValues", None)
+    values = [] if values is None else list(values) if hasattr(values, "__len__") else [values]
+    steps = max(1, len(values))
+    names = {"first": 0, "last": steps - 1}
+    if time not in names and not str(time).isdecimal():
+        raise ValueError(f"time is 'first', 'last' or the number of a step, not {time!r}")
+    step = names[time] if time in names else int(time)
+    if step >= steps:
+        there_is = f"the steps are 0 to {steps - 1}" if steps > 1 else "0 is the only one"
+        raise ValueError(f"there is no time step {step}: {there_is}")
+    if len(values) == 0:
+        return None
+    return {"step": step, "steps": len(values), "value": float(values[step])}
+
+
+def data_information(source: Any, port: int = 0) -> Any:
+    """vtkPVDataInformation of an output, gathered over all ranks."""
+    return servermanager.OutputPort(source, port).GetDataInformation().DataInformation
+
+
+def without_ghosts(source: Any) -> Any:
+    """A filter that leaves out the ghost cells of a source."""
+    # Of polyhedra, VTK 9.6 removes them with memory for all faces times the points of all faces.
+    version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
+    information = data_information(source)
+    ghosts = information.GetCellDataInformation().GetArrayInformation(GHOSTS)
+    if (
+        version < (9, 6)
+        or information.DataSetTypeIsA("vtkPolyData")
+        or not ghosts
+        or ghosts.GetIsPartial()  # cells without marks would be lost
+    ):
+        return simple.RemoveGhostInformation(Input=source)
+    return simple.Threshold(
+        Input=source,
+        Scalars=["CELLS", GHOSTS],
+        ThresholdMethod="Below Lower Threshold",
+        LowerThreshold=0,
+    )
+
+
+def is_composite(source: Any) -> bool:
+    return data_information(source).GetCompositeDataSetType() != -1
+
+
+def is_mesh(source: Any) -> bool:
+    """Whether there is anything with points and cells in it."""
+    information = data_information(source)
+    return information.DataSetTypeIsA("vtkDataSet") or (
+        is_composite(source)
+        and information.GetNumberOfCells() + information.GetNumberOfPoints() > 0
+    )
+
+
+def is_first_rank() -> bool:
+    """Whether this is the rank that writes files; with pvbatch --sym all ranks run the script."""
+    return servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0
+
+
+def rank_count() -> int:
+    """Number of MPI ranks of this program."""
+    return servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()

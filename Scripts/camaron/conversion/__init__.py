@@ -1,0 +1,456 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""From any mesh that can be read to any format that can be written."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Any, Optional
+
+from paraview import servermanager, simple
+
+from ..common import formats, pipeline, tables, text
+from ..common.files import Staging, same_file
+from . import completeness, storable_names
+from .storable_names import OF_IOSS
+
+#: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
+FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".ex2", ".exo", ".e"}
+#: ParaView's formats of one file for each rank and one that names these. Into its other formats several
+#: ranks write the points at their borders twice, ghost cells as if they were cells, or nothing; but for
+#: .stl, whose triangles share no points.
+FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
+#: ParaView's formats that hold points and polygons only, as far as this says what they lose.
+BARE_SURFACES = {".stl"}
+#: ParaView's formats whose writers fail at polyhedra without saying so, or leave files that nothing can read.
+WITHOUT_POLYHEDRA = {".vtkhdf", ".e", ".g", ".ex2", ".ex2v2"}
+#: Cells that the writer of OF_IOSS knows; at others it ends the program.
+IOSS_TYPES = set(
+    "Vertex Line Triangle QuadraticTriangle Quad QuadraticQuad BiQuadraticQuad Tetra Hexahedron QuadraticHexahedron "
+    "TriQuadraticHexahedron Wedge QuadraticWedge BiQuadraticQuadraticWedge Pyramid QuadraticPyramid".split()
+)
+#: Arrays that other cells than those of the mesh leave behind, or the readers add.
+NO_LOSS = {pipeline.GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
+#: Parts of extensions under which files are not written, and the options of their formats that do the like.
+OPTIONS_INSTEAD = (
+    ("face", "--write-boundary-faces"),
+    ("st", "--write-texture-coordinates"),
+    ("cnoff", "--vertex-colors NAME"),
+    ("coff", "--vertex-colors NAME"),
+    ("noff", "--write-normals"),
+)
+#: Types of cells that have no triangles, as the tables of statistics call them.
+POINTS_AND_LINES = ("Vertex", "PolyVertex", "Line", "PolyLine", "QuadraticEdge", "CubicLine")
+
+
+def convert(
+    source: os.PathLike | str, target: os.PathLike | str, *, time: str = "last", **options: Any
+) -> list[str]:
+    """Writes the mesh of one file to another; the format follows from the name of the target.
+
+    Formats of the plugin are written by its own writers, others by ParaView's. `options` are
+    properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If a format of
+    ParaView cannot hold the mesh as it is, blocks are merged, surfaces become unstructured grids,
+    and for formats that know surfaces only, the boundary is written; those of the plugin do as
+    their options say. What a reader has in further outputs, like boundaries by zone, goes along if
+    the format stays the same. Returns what was done besides writing, and what the reader and the
+    writer warn of, one sentence each.
+
+    >>> convert("part.visf", "part.vtu", compressor_type="LZ4")
+    []
+    >>> convert("part.visf", "part.stl")
+    ['The boundary surface was written, as triangles.']
+    """
+    target = Path(target)
+    if not target.suffix:
+        raise ValueError(
+            f"{target}: the name of the target needs an extension, it tells the format"
+        )
+    if target.suffix.lower() == ".gz":
+        raise ValueError(
+            f"{target}: compressed files are read, but not written: write {target.stem} and compress it"
+        )
+    pipeline.load_plugin()
+    _check_name(target)
+    if same_file(source, target):
+        raise ValueError(f"{target}: source and target are the same file")
+    _check_ranks(target)
+    opened = pipeline.open_mesh(source, time)
+    made = [opened.source]
+    try:
+        notes = list(opened.warnings)
+        if opened.time and opened.time["steps"] > 1 and not _writes_all_steps(options):
+            notes.append(
+                f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0,"
+                f" was taken (time {opened.time['value']:g})."
+            )
+        if not formats.own_writer(target):
+            notes += _pieces_that_stay(Path(source))
+        proxy = _suitable(made, target, notes)
+        write(proxy, target, options, notes, Path(source))
+        return notes
+    finally:
+        for proxy in reversed(made):
+            simple.Delete(proxy)
+
+
+def write_source(source: Any, target: os.PathLike | str, notes: list[str]) -> None:
+    """Writes what a source gives, in the format that the name tells; `notes` get what `convert` returns."""
+    made = [source]
+    try:
+        write(_suitable(made, Path(target), notes), target, {}, notes)
+    finally:
+        for proxy in reversed(made[1:]):
+            simple.Delete(proxy)
+
+
+def check_target(target: os.PathLike | str) -> None:
+    """ValueError if nobody writes a format of that extension."""
+    _check_name(Path(target))
+    suffix = Path(target).suffix.lower()
+    if not formats.own_writer(Path(target)) and suffix not in formats.written_extensions():
+        raise ValueError(f"{target}: no writer for {suffix or 'files without an extension'}")
+
+
+def _check_name(target: Path) -> None:
+    """ValueError for extensions of the plugin's formats under which files are read, but not written."""
+    suffix = target.suffix.lower()
+    name = formats.written_instead(target)
+    if name is None:
+        return
+    options = [option for word, option in OPTIONS_INSTEAD if word in suffix]
+    how = f" with {' '.join(options)}" if options else ""
+    raise ValueError(
+        f"{target}: files named *{suffix} are read, but not written under that name: "
+        f"write {name}{how}, which is of the same format"
+    )
+
+
+def _check_ranks(target: Path) -> None:
+    suffix = target.suffix.lower()
+    if (
+        pipeline.rank_count() > 1
+        and suffix in formats.written_extensions()
+        and suffix not in FORMATS_IN_PIECES | {".stl"}
+        and not formats.own_writer(target)
+    ):
+        pieces = f".p{suffix[1:]}"
+        raise ValueError(
+            f"{target}: files named *{suffix} are written by one process: leave out --ranks, or choose "
+            f"{pieces if pieces in FORMATS_IN_PIECES else '.pvtu'} or a format of the plugin"
+        )
+
+
+def _pieces_that_stay(source: Path) -> list[str]:
+    """A sentence on a file of pieces, which ParaView puts side by side; our writers merge them."""
+    if source.suffix.lower() not in (".pvtu", ".pvtp"):
+        return []
+    pieces = len(re.findall(rb"<Piece\s", source.read_bytes()))
+    if pieces <= pipeline.rank_count():
+        return []
+    return [f"Points at the borders of the {pieces} pieces may be there several times."]
+
+
+def _writes_all_steps(options: dict[str, Any]) -> bool:
+    names = {"writetimesteps", "writealltimesteps", "writetimestepsasfileseries"}
+    return any(
+        formats.plain(name) in names and str(value).lower() not in ("0", "off", "no", "false")
+        for name, value in options.items()
+    )
+
+
+def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
+    """What of the mesh the format can hold; adds the filters it takes to `made`."""
+    suffix = target.suffix.lower()
+    writer = formats.own_writer(target)
+    others = _further_outputs(made[0])
+    if others and writer == formats.own_counterpart(made[0].GetXMLName()):
+        made.append(simple.GroupDatasets(Input=[made[0], *others]))
+        return made[-1]
+    for output in others:
+        notes.append(f"The output {_describe_output(output)} of the reader was not written.")
+    if writer:
+        return made[0]  # takes any mesh, blocks too
+
+    def fits(proxy) -> bool:
+        return suffix in writable_extensions(proxy)
+
+    def append(proxy) -> Any:
+        proxy.UpdatePipeline()
+        made.append(proxy)
+        return proxy
+
+    def without_ghosts(proxy) -> Any:
+        if suffix in FORMATS_IN_PIECES or not proxy.CellData[pipeline.GHOSTS]:
+            return proxy
+        real = append(pipeline.without_ghosts(proxy))
+        cells = [pipeline.data_information(p).GetNumberOfCells() for p in (proxy, real)]
+        if cells[0] > cells[1]:
+            notes.append(f"Left out: {text.plural(cells[0] - cells[1], 'ghost cell')}.")
+        return real
+
+    proxy = made[0]
+    if pipeline.is_composite(proxy) and suffix not in FORMATS_WITH_BLOCKS:
+        proxy = append(simple.MergeBlocks(Input=proxy))
+        notes.append("The blocks were merged.")
+    if suffix == ".stl":
+        notes += _without_triangles(proxy)
+    if fits(proxy) and not (suffix == ".stl" and _is_volume(proxy)):
+        proxy = without_ghosts(proxy)
+        return append(simple.MeshSurface(Input=proxy, Triangulate=1)) if suffix == ".stl" else proxy
+    grid = append(simple.AppendDatasets(Input=proxy))
+    if fits(grid) and suffix != ".stl":
+        return without_ghosts(grid)
+    triangles = suffix == ".stl"
+    # For this filter, faces to ghosts are no boundary.
+    surface = append(simple.MeshSurface(Input=proxy, Triangulate=int(triangles)))
+    if fits(surface):
+        if _has_volumes(grid):
+            notes.append(f"The boundary surface was written{', as triangles' if triangles else ''}.")
+        return surface
+    known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
+    if suffix in formats.written_extensions():
+        raise ValueError(f"{target}: files named *{suffix} cannot hold a mesh like this")
+    raise ValueError(
+        f"{target}: no writer for {suffix}{formats.suggestion(suffix, known)}; "
+        f"known are {' '.join(sorted(known))}"
+    )
+
+
+def _further_outputs(source: Any) -> list[Any]:
+    """What a reader has beside the mesh, like boundaries by zone, as far as there is any."""
+    ports = range(1, source.SMProxy.GetNumberOfOutputPorts())
+    return [
+        simple.OutputPort(source, port)
+        for port in ports
+        if pipeline.data_information(source, port).GetNumberOfCells() > 0
+    ]
+
+
+def _describe_output(output: Any) -> str:
+    """`Boundaries (inlet, outlet)`"""
+    name = output.SMProxy.GetOutputPortName(output.Port)
+    hierarchy = output.GetDataInformation().GetHierarchy()
+    if hierarchy is None:
+        return name
+    blocks = [hierarchy.GetNodeName(i) for i in hierarchy.GetChildNodes(hierarchy.GetRootNode())]
+    return f"{name} ({', '.join(blocks)})"
+
+
+def _is_volume(proxy: Any) -> bool:
+    return not pipeline.data_information(proxy).DataSetTypeIsA("vtkPolyData")
+
+
+def _has_volumes(proxy: Any) -> bool:
+    """Whether there are 3D cells."""
+    quality = simple.ElementQuality(Input=proxy, Criteria=["FaceCount"])
+    quality.UpdatePipeline()
+    counts = quality.CellData["FaceCount"]  # NaN of other cells
+    low, high = counts.GetRange() if counts else (1, 0)
+    simple.Delete(quality)
+    return low <= high
+
+
+def _count_by_type(proxy: Any) -> dict[str, int]:
+    """`{"Tetra": 12, "All": 12}`"""
+    quality = simple.ElementQuality(Input=proxy, Criteria=["CellTypeId"])
+    statistics = simple.QualityStatistics(
+        Input=quality, GroupBy="Cell type", NumberOfWorst=0, NumberOfBins=1
+    )
+    counts = {row["Group"]: row["Count"] for row in tables.fetch(statistics)}
+    for made in (statistics, quality):
+        simple.Delete(made)
+    return counts
+
+
+def _check_types(proxy: Any, target: Path) -> None:
+    """ValueError if there are cells that the writer of one of ParaView's formats would not survive."""
+    suffix = target.suffix.lower()
+    if suffix not in WITHOUT_POLYHEDRA | OF_IOSS or formats.own_writer(target):
+        return
+    if not pipeline.data_information(proxy).GetNumberOfCells():
+        return
+    counts = _count_by_type(proxy)
+    known = IOSS_TYPES if suffix in OF_IOSS else set(counts) - {"Polyhedron"}
+    for label, count in counts.items():
+        if label != "All" and label not in known:
+            raise ValueError(
+                f"{target}: files named *{suffix} cannot hold {text.cell_type(label)}, of which the mesh has "
+                f"{count}: choose .vtu or a format of the plugin"
+            )
+
+
+def _without_triangles(proxy: Any) -> list[str]:
+    """A sentence on cells of fewer than two dimensions, if there are any."""
+    counts = _count_by_type(proxy)
+    lost = [
+        f"{counts[label]} {text.cell_type(label, counts[label])}"
+        for label in POINTS_AND_LINES
+        if counts.get(label)
+    ]
+    return [f"Left out, as no triangles: {', '.join(lost)}."] if lost else []
+
+
+def writable_extensions(proxy: Any) -> set[str]:
+    """Extensions of the formats that can hold the output of the source, like ".vtu"."""
+    factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
+    if not factory.GetNumberOfRegisteredPrototypes():
+        factory.UpdateAvailableWriters()
+    types = factory.GetSupportedFileTypes(proxy.SMProxy, 0)
+    return {"." + extension.lower() for extension in re.findall(r"\*\.([\w.]+)", types)}
+
+
+def write(
+    proxy: Any,
+    target: os.PathLike | str,
+    options: dict[str, Any],
+    notes: Optional[list[str]] = None,
+    source: Optional[Path] = None,
+) -> list[str]:
+    """Writes to a temporary name, then renames; returns the names of the files and folders made.
+
+    Formats of several files (.vtm, .node and .ele) have further names; none of them may belong to the
+    mesh of the file `source`. What the writer warns of is added to `notes`.
+    """
+    target = Path(target)
+    _check_types(proxy, target)
+    with Staging(target.parent) as staging, pipeline.Messages() as messages:
+        path = staging.path / target.name
+        own = formats.own_writer(target)
+        renamed, changes = proxy, []
+        writer = _make_writer(proxy, path)
+        try:
+            for name, value in options.items():
+                formats.set_option(writer, name, value)
+            table = _table(writer)
+            if own:
+                writer.UpdatePipeline()
+            else:
+                renamed, names_of_arrays = storable_names.writable(proxy, target, changes)
+                writer.Input = renamed
+                storable_names.choose_renamed(writer, names_of_arrays)
+                _write_as_paraview(writer, proxy, path, _writes_all_steps(options))
+        except RuntimeError as error:
+            messages.errors.append(str(error))
+        finally:
+            simple.Delete(writer)
+            if renamed is not proxy:
+                simple.Delete(renamed)
+        names = staging.names()
+        if messages.errors or (not names and pipeline.is_first_rank()):
+            reason = messages.errors[0] if messages.errors else "nothing was written"
+            raise RuntimeError(_with_path(target, completeness.plain_reason(reason, staging.path)))
+        _check_companions(target, names, source)
+        staging.publish()
+        if notes is not None:
+            notes += [note for note in changes + messages.warnings if note not in notes]
+            notes += _companions_that_stay(target, names)
+            notes += _lost_in_surfaces(proxy, target)
+            if table:
+                notes.append(
+                    f"Only a table was written, of the {table}; the option field-association "
+                    "chooses others."
+                )
+            if staging.created:
+                notes.append(f"The folder {target.parent} was made.")
+    return names
+
+
+def _write_as_paraview(writer: Any, proxy: Any, path: Path, all_steps: bool) -> None:
+    """Writes by a writer of ParaView's own; RuntimeError also where that does not notice its failure."""
+    completeness.check_space(proxy, path, path.parent)
+    if path.suffix.lower() not in completeness.WITH_HDF5:
+        writer.UpdatePipeline()
+    else:
+        with completeness.StandardError() as noise:
+            writer.UpdatePipeline()
+        if noise.reason():
+            raise RuntimeError(noise.reason())
+    if not pipeline.is_first_rank():
+        return
+    _name_as_asked(path)
+    completeness.check_written(proxy, path, all_steps)
+
+
+def _name_as_asked(path: Path) -> None:
+    """The writer of EnSight files calls `part.case` `part.0.case`."""
+    numbered = path.with_name(f"{path.stem}.0{path.suffix}")
+    if not path.exists() and numbered.is_file():
+        numbered.rename(path)
+
+
+def _are_of_one_mesh(a: Path, b: Path) -> bool:
+    """Whether files are by their names companions in a format of the plugin that takes several for a mesh."""
+    kinds = formats.own_extensions(formats.own_writer(b))
+    return a.suffix.lower() in kinds and same_file(a.parent, b.parent) and a.stem == b.stem
+
+
+def _check_companions(target: Path, names: list[str], source: Optional[Path]) -> None:
+    """RuntimeError if files or folders that come with the target would replace those of another mesh."""
+    replaced = [place for place in (target.parent / name for name in names) if place.exists()]
+    if source and replaced and len(names) > 1 and _are_of_one_mesh(source, target):
+        raise RuntimeError(
+            f"{target}: {', '.join(map(str, replaced))} would be replaced, which belongs to the mesh of "
+            f"{source}: choose another name"
+        )
+    if target.exists():
+        return  # they are its own
+    for place in (target.parent / name for name in names):
+        if place.is_dir():
+            raise RuntimeError(
+                f"{target}: the folder {place} for its pieces is there already: choose another "
+                "name, or remove the folder"
+            )
+        if place.name != target.name and place.suffix != target.suffix and place.exists():
+            raise RuntimeError(
+                f"{target}: it comes with the file {place}, which is there already: choose another "
+                "name, or remove the file"
+            )
+
+
+def _companions_that_stay(target: Path, names: list[str]) -> list[str]:
+    """A sentence on files of another mesh that will be taken for companions of those that were written."""
+    kinds = formats.own_extensions(formats.own_writer(target)) if len(names) > 1 else []
+    old = [target.stem + kind for kind in kinds if target.stem + kind not in names]
+    old = [name for name in old if (target.parent / name).exists()]
+    return [f"Files beside it do not belong to this mesh: {', '.join(old)}."] if old else []
+
+
+def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:
+    """A sentence on arrays that formats of bare surfaces do not hold."""
+    suffix = target.suffix.lower()
+    if suffix not in BARE_SURFACES:
+        return []
+    lost = [
+        f"{name} of {noun}"
+        for noun, data in (("points", proxy.PointData), ("cells", proxy.CellData))
+        for name in data.keys()
+        if name not in NO_LOSS
+    ]
+    return [f"Files named *{suffix} hold no arrays; not written: {', '.join(lost)}."] if lost else []
+
+
+def _make_writer(proxy: Any, path: Path) -> Any:
+    """The plugin's own writer for such a name, else ParaView's."""
+    name = formats.own_writer(path)
+    if name is None:
+        return simple.CreateWriter(str(path), proxy)
+    writer = formats.make_writer(name)
+    writer.Input = proxy
+    writer.FileName = str(path)
+    return writer
+
+
+def _table(writer: Any) -> Optional[str]:
+    """What a writer that cannot hold a mesh writes of it: "point data"."""
+    association = writer.GetProperty("FieldAssociation")
+    return association.GetData().lower() if association else None
+
+
+def _with_path(target: Path, reason: str) -> str:
+    """The reason with the path once; the plugin's writers begin with the name."""
+    if reason.startswith(target.name + ": "):
+        reason = reason[len(target.name) + 2 :]
+    return f"{target}: {reason}"

@@ -1,0 +1,173 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Names of arrays and blocks, and integers, that the files of ParaView's own writers do not hold as they are."""
+
+from __future__ import annotations
+
+import functools
+import re
+from pathlib import Path
+from typing import Any, Iterable, Iterator, Optional, Union
+
+from paraview import servermanager
+from vtkmodules import vtkCommonCore
+from vtkmodules.vtkCommonCore import vtkIntArray
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+from ..common import formats, pipeline, text
+
+#: Formats of VTK's XML writers, and all that are XML, in which no name has control characters.
+OF_VTK = {f".{parallel}vt{kind}" for parallel in ("", "p") for kind in ("u", "p", "s", "r", "i")}
+OF_VTK |= {".pvd", ".vtm", ".vtmb", ".vtpc", ".vtpd"}
+XML = OF_VTK | {".xmf", ".xdmf"}
+#: Formats of HDF5, where a slash parts a path.
+HDF5 = {".vtkhdf"}
+#: Marks of XML in names, and white space, which attributes keep as references only.
+REFERENCES = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "\t": "&#9;", "\n": "&#10;", "\r": "&#13;"}
+#: What no XML can hold, and no name in HDF5.
+NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffd-\uffff]")
+NOT_HDF5 = re.compile("/")
+
+#: Formats whose writers cut integers to 32 bits, or leave out arrays of 64, and what these are written as instead.
+OF_IOSS = {".exo", ".gen", ".par", ".exii", ".exoii"}
+LONG_INTEGERS = {".vtk": "Int64", ".xmf": "Double", **dict.fromkeys(OF_IOSS, "Double")}
+#: Formats of real numbers, with the largest integer up to which they have all.
+LARGEST_INTEGERS = {
+    **dict.fromkeys((".case", ".encas"), 24),
+    **dict.fromkeys((*OF_IOSS, ".e", ".g", ".ex2", ".ex2v2", ".xmf"), 53),
+}
+
+#: VTK's numbers of types of integers that may have 64 bits.
+INTEGERS = [
+    getattr(vtkCommonCore, f"VTK_{name}")
+    for name in ("LONG", "UNSIGNED_LONG", "LONG_LONG", "UNSIGNED_LONG_LONG", "ID_TYPE")
+]
+
+#: VTK gives names that are no UTF-8 as bytes.
+Name = Union[str, bytes]
+
+
+def writable(proxy: Any, target: Path, notes: list[str]) -> tuple[Any, dict[str, str]]:
+    """The source, or one with names and integers that the file can hold; and by their old names the new ones of arrays.
+
+    VTK's writers put names of arrays into XML as they are: with the marks written as references they are read again.
+    Names with characters that XML does not have are changed, which is added to `notes`, as integers are that are rounded.
+    """
+    suffix = target.suffix.lower()
+    bits = LARGEST_INTEGERS.get(suffix, 0)
+    rounded = _integers_beyond(proxy, 2**bits) if bits else []
+    if rounded:
+        names = text.printable(", ".join(map(_text, rounded)))
+        notes.append(f"Files named *{suffix} hold real numbers: whole ones beyond 2^{bits} are rounded, of {names}.")
+    arrays, blocks = _new_names_of(proxy, suffix, notes) if suffix in XML | HDF5 else ({}, {})
+    integers = LONG_INTEGERS.get(suffix, "Keep") if _integers_beyond(proxy, 2**31 - 1) else "Keep"
+    if not arrays and not blocks and integers == "Keep":
+        return proxy, {}
+    manager = servermanager.vtkSMProxyManager.GetProxyManager()
+    renamed = servermanager._getPyProxy(manager.NewProxy("internal_filters", "RenameData"))
+    renamed.Input = proxy
+    renamed.LongIntegers = integers
+    for key, names in (("ArrayNames", arrays), ("BlockNames", blocks)):
+        prop = renamed.SMProxy.GetProperty(key)
+        for i, word in enumerate(word for pair in names.items() for word in pair):
+            prop.SetElement(i, word)
+    renamed.SMProxy.UpdateVTKObjects()
+    renamed.UpdatePipeline()
+    return renamed, arrays
+
+
+def _new_names_of(proxy: Any, suffix: str, notes: list[str]) -> tuple[dict[Name, str], dict[Name, str]]:
+    """Of arrays and of blocks those that change, by their old names."""
+    forbidden = NOT_XML if suffix in XML else NOT_HDF5
+    escapes = suffix in OF_VTK and not _vtk_escapes()
+    arrays, blocks = _names(proxy)
+    changed: dict[Name, str] = {}
+    white = "\t\n\r" if suffix in XML else ""
+    array_names = _new_names(arrays, forbidden, "" if escapes else white, changed)
+    block_names = _new_names(blocks, forbidden, white, changed)
+    if escapes:
+        array_names = {old: new.translate(str.maketrans(REFERENCES)) for old, new in array_names.items()}
+    array_names, block_names = (
+        {old: new for old, new in names.items() if old != new} for names in (array_names, block_names)
+    )
+    if changed:
+        pairs = (f"'{text.printable(_text(old))}' to '{new}'" for old, new in changed.items())
+        notes.append(f"Names that files named *{suffix} cannot hold are changed: {', '.join(pairs)}.")
+    return array_names, block_names
+
+
+def choose_renamed(writer: Any, names: dict[str, str]) -> None:
+    """Makes a writer that has a choice of arrays take them by their new names."""
+    for key in writer.ListProperties() if names else ():
+        if formats.plain(key) in formats.ARRAY_LISTS:
+            chosen = list(getattr(writer, key))
+            setattr(writer, key, [names.get(name, name) for name in chosen])
+
+
+def _integers_beyond(proxy: Any, limit: int) -> list[Name]:
+    """Names of arrays with integers of a larger magnitude, on all ranks; of a double that such a one may be the nearest of."""
+    limit -= limit >= 2**53
+    found = {}
+    for array in _arrays(proxy):
+        if array.GetDataType() in INTEGERS:
+            ranges = [array.GetComponentRange(c) for c in range(array.GetNumberOfComponents())]
+            if any(low <= high and max(-low, high) > limit for low, high in ranges):
+                found[array.GetName()] = None
+    return list(found)
+
+
+def _arrays(proxy: Any) -> Iterator[Any]:
+    """What is known of the arrays of points, cells, the mesh, tables and graphs, on all ranks."""
+    information = pipeline.data_information(proxy)
+    for kind in range(7):
+        data = information.GetAttributeInformation(kind)
+        for i in range(data.GetNumberOfArrays() if data else 0):
+            yield data.GetArrayInformation(i)
+
+
+def _names(proxy: Any) -> tuple[list[Name], list[Name]]:
+    """Of arrays and their components, and of blocks, on all ranks."""
+    information = pipeline.data_information(proxy)
+    arrays: list[Optional[Name]] = []
+    for array in _arrays(proxy):
+        components = range(array.GetNumberOfComponents() if array.GetNumberOfComponents() > 1 else 0)
+        arrays += [array.GetName(), *map(array.GetComponentName, components)]
+    hierarchy = information.GetHierarchy() if pipeline.is_composite(proxy) else None
+    nodes = hierarchy.GetChildNodes(hierarchy.GetRootNode(), True) if hierarchy else []
+    blocks = [hierarchy.GetAttributeOrDefault(node, "label", "") for node in nodes]
+    return [name for name in arrays if name], [name for name in blocks if name]
+
+
+def _text(name: Name) -> str:
+    return name if isinstance(name, str) else name.decode("utf-8", "surrogateescape")
+
+
+def _new_names(
+    names: Iterable[Name], forbidden: re.Pattern[str], also: str, changed: dict[Name, str]
+) -> dict[Name, str]:
+    """By every name one without forbidden characters, or those in `also`; `changed` gets those that are others."""
+    names = list(dict.fromkeys(names))
+    new: dict[Name, str] = {}
+    for name in names:
+        good = "".join("_" if c in also or forbidden.match(c) else c for c in _text(name))
+        while good != name and (good in names or good in new.values()):
+            good += "_"
+        new[name] = good
+        if good != name:
+            changed[name] = good
+    return new
+
+
+@functools.lru_cache(maxsize=None)
+def _vtk_escapes() -> bool:
+    """Whether VTK's writers themselves write references into names of arrays."""
+    array = vtkIntArray()
+    array.SetName("a&b")
+    data = vtkPolyData()
+    data.GetFieldData().AddArray(array)
+    writer = vtkXMLPolyDataWriter()
+    writer.WriteToOutputStringOn()
+    writer.SetInputData(data)
+    writer.Write()
+    return "a&amp;b" in writer.GetOutputString()

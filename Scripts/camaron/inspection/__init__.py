@@ -1,0 +1,217 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The main job: reads a mesh, evaluates its quality, writes a report."""
+
+from __future__ import annotations
+
+import csv
+import datetime
+import json
+import os
+import shutil
+from pathlib import Path
+from typing import Any, Callable, Iterable, Optional
+
+from paraview import simple
+
+from .. import conversion
+from ..common import assessment, mesh_facts, pipeline, tables, text
+from ..common.evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, evaluated_criteria, list_names, set_groups
+from ..common.files import Staging, same_file
+from ..common.json_text import to_json
+from ..common.stages import Progress, Stages
+from . import pictures, report
+
+#: Points of the cumulative curves, and what they weigh cells by.
+CURVE_POINTS = 51
+VOLUME = "Volume"
+
+
+def inspect(
+    mesh: os.PathLike | str,
+    directory: Optional[os.PathLike | str] = None,
+    *,
+    preset: Optional[str] = None,
+    criteria: Optional[Iterable[str]] = None,
+    ranges: Optional[os.PathLike | str] = None,
+    worst: int = 10,
+    bins: int = 50,
+    group_by: str = "type",
+    time: str = "last",
+    with_pictures: bool = True,
+    most_pictures: int = 3,
+    with_mesh: bool = True,
+    verbose: bool = False,
+    say: Callable[[str], None] = lambda words: None,
+    progress: Optional[Progress] = None,
+) -> dict[str, Any]:
+    """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
+
+    The mesh is any file that ParaView can open. `directory` is made if needed; by default it is
+    NAME-report in the current folder. Criteria are those of the preset, or the given ones, or
+    those of the preset General; of the latter, and of ["all"], what has a meaning for the mesh.
+    `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are evaluated
+    besides those of a preset. `worst` is the length of the lists of worst cells,
+    `bins` the number of bins of the histograms, `group_by` what divides the cells into groups with
+    statistics of their own: "type", "block", "none" or the name of a cell array, `time` the step of a series: "first", "last" or its
+    number. `most_pictures` of the three are taken; without `with_mesh`
+    the mesh with all arrays is not written. With `verbose` each stage says what it took; `progress` says what is
+    being done and how long the rest will take. `say` is called with a sentence about how long it will take when that is long.
+
+    Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that
+    does not exist and RuntimeError for a file that cannot be read or written.
+
+    >>> summary = camaron.inspect("part.visf", "report", criteria=["Volume", "MinDihedralAngle"])
+    >>> summary["criteria"][1]["min"]
+    12.7
+    """
+    mesh = Path(mesh)
+    directory = Path(f"{mesh.stem}-report") if directory is None else Path(directory)
+    if preset is not None and criteria is not None:
+        raise ValueError("a preset and criteria exclude each other")
+    criteria = list_names(criteria)
+    stage = Stages(say, verbose, progress)
+    with stage("loading the plugin"):
+        pipeline.load_plugin()
+    limits = tables.known_ranges(ranges) if ranges is not None else {}
+    with stage("reading"):
+        evaluated = Evaluation(mesh, time)
+    with evaluated:
+        opened, quality = evaluated.opened, evaluated.quality
+        surface = evaluated.make(simple.MeshSurface)
+        statistics = evaluated.make(
+            simple.QualityStatistics, NumberOfWorst=worst, NumberOfBins=bins
+        )
+        preset = choose_criteria(quality, preset, criteria, limits)
+        statistics.CurvePoints = CURVE_POINTS
+        if VOLUME in evaluated_criteria(quality):
+            statistics.WeightArray = VOLUME
+        set_groups(statistics, group_by, opened)
+        if preset:
+            statistics.Preset = preset
+        if ranges is not None:
+            statistics.RangesFile = str(ranges)
+        evaluated.announce(say)
+        if progress:
+            cells = pipeline.data_information(opened.source).GetNumberOfCells()
+            progress.expect(evaluated.estimated_seconds(), cells, len(evaluated_criteria(quality)))
+        with stage("evaluating"):
+            evaluated.evaluate()
+        with pipeline.Messages() as messages:
+            with stage("statistics"):
+                rows = tables.read(statistics, preset)
+            with stage("boundary and totals"):
+                described = mesh_facts.describe(mesh, evaluated, surface, statistics)
+        messages.refuse(mesh)
+        if preset is None and (criteria is None or criteria == [ALL]):
+            rows = [row for row in rows if row["applicable"] and row["name"] not in NOT_REPORTED]
+        if group_by == "type":
+            for group in (group for row in rows for group in row["groups"]):
+                group["group"] = text.cell_type(group["group"])
+        first = assessment.worst_criterion(rows)
+        summary = {
+            "version": 1,
+            "generated": {
+                "date": datetime.datetime.now().astimezone().isoformat(" ", "minutes"),
+                "by": mesh_facts.program(),
+            },
+            "mesh": described,
+            "preset": preset,
+            "ranges": None if ranges is None else str(ranges),
+            "group_by": group_by,
+            "criteria": rows,
+            "worst_criterion": first and first["name"],
+            "notes": pipeline.once(opened.warnings, messages.warnings, mesh_facts.notes(opened)),
+            "files": {},
+        }
+        if not with_pictures:
+            most_pictures = 0
+        if most_pictures and not pictures.can_render():
+            most_pictures = 0
+            summary["notes"].append("There are no pictures, for want of a display.")
+        with Staging(directory) as staging, pipeline.Messages():
+            _write(summary, quality, surface, staging.path, most_pictures, with_mesh, stage)
+            for name in staging.names():
+                if same_file(directory / name, mesh):
+                    raise ValueError(
+                        f"{directory / name}: the report would replace the mesh itself"
+                    )
+            earlier = _earlier_mesh(directory)
+            published = staging.names()
+            staging.publish()
+            for path in earlier:
+                if path.name not in published and not same_file(path, mesh):
+                    shutil.rmtree(path) if path.is_dir() else path.unlink()
+        return summary
+
+
+def _earlier_mesh(directory: Path) -> list[Path]:
+    """The mesh of a report that is in the folder already, and the folder with its pieces."""
+    try:
+        summary = json.loads((directory / "summary.json").read_text("utf-8"))
+        name = Path(summary["files"]["mesh"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return []
+    if name.stem != "mesh" or name.name != str(name):
+        return []
+    return [path for path in (directory / name, directory / "mesh") if path.exists()]
+
+
+def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -> None:
+    """All files of the report into one folder."""
+    summary["files"] = {"report": "report.html", "summary": "summary.json", "worst": "worst.csv"}
+    if with_mesh:
+        summary["files"]["mesh"] = "mesh" + mesh_facts.extension(quality)
+    taken = pictures.take(summary, quality, surface, folder, most_pictures, stage) if most_pictures else []
+    if with_mesh:  # before the report, which notes what the file cannot hold
+        with stage("writing the mesh"):
+            _write_mesh(summary, quality, folder)
+    with stage("writing the report"):
+        _write_report(summary, taken, folder)
+
+
+def _write_mesh(summary, quality, folder) -> None:
+    # Every rank writes its own cells, without the layer of its neighbours' around them.
+    whole = pipeline.without_ghosts(quality) if pipeline.rank_count() > 1 else quality
+    whole.UpdatePipeline()
+    known = set(quality.GetProperty("Criteria").Available)
+    shown = [c["name"] for c in summary["criteria"]]
+    options = _arrays_to_write(whole, known, shown)
+    conversion.write(whole, folder / summary["files"]["mesh"], options, summary["notes"])
+    if whole is not quality:
+        simple.Delete(whole)
+
+
+def _write_report(summary, taken, folder) -> None:
+    (folder / "report.html").write_text(report.render(summary, taken), encoding="utf-8")
+    for picture in taken:
+        picture.path.unlink()
+    (folder / "summary.json").write_text(to_json(summary) + "\n", encoding="utf-8")
+    with open(folder / "worst.csv", "w", newline="", encoding="utf-8") as file:
+        rows = csv.writer(file)
+        rows.writerow(
+            ["criterion", "unit", "rank", "block", "cell", "type", "value", "x", "y", "z", "vertices"]
+        )
+        for c in summary["criteria"]:
+            for w in c["worst"]:
+                place = [repr(x) for x in w["center"]]
+                rows.writerow(
+                    [
+                        c["name"],
+                        c["unit"],
+                        w["rank"],
+                        w["block"],
+                        w["id"],
+                        w["type"],
+                        repr(w["value"]),
+                        *place,
+                        " ".join(map(str, w["vertices"])),
+                    ]
+                )
+
+
+def _arrays_to_write(mesh, known, criteria) -> dict[str, Any]:
+    """Options of a writer that leave out those known criteria that have no meaning for the mesh."""
+    names = [array.Name for array in mesh.CellData]
+    left_out = [name for name in names if name in known and name not in criteria]
+    return {"CellDataArrays": [name for name in names if name not in left_out]} if left_out else {}

@@ -1,0 +1,377 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures of a mesh and its worst cells.
+
+Only boundary polygons are drawn, which Mesh Surface takes from the mesh's topology: ParaView's own
+surface of polyhedral meshes takes minutes. Mesh Inspection draws them, as ParaView's Surface fills the holes of
+polygons and takes minutes for one of many corners.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import os
+from pathlib import Path
+from typing import Any, Optional
+
+from paraview import servermanager, simple
+from paraview.modules.vtkRemotingViews import vtkPVRenderingCapabilitiesInformation
+
+from ..common import pipeline, text
+from ..common.assessment import picture_criterion, undefined_count
+from ..common.stages import Stages
+from ..common.svg import ticks
+from .camera import SIZE, Camera
+from .report import Picture
+
+MOST_CELLS_WITH_EDGES = 60_000
+
+INK = [0.13, 0.16, 0.18]
+ACCENT = [0.18, 0.40, 0.56]
+MESH_COLOR = [0.80, 0.85, 0.88]
+NULL_COLOR = [0.70, 0.66, 0.80]
+SHELL_COLOR = [0.55, 0.63, 0.70]
+MARK_COLOR = [0.76, 0.19, 0.08]
+# From good to bad: pale blue-grey, sand, orange, dark red; lightness falls all the way.
+COLORS = [
+    (0.00, 0.898, 0.925, 0.937),
+    (0.30, 0.953, 0.886, 0.733),
+    (0.55, 0.945, 0.659, 0.361),
+    (0.78, 0.835, 0.325, 0.180),
+    (1.00, 0.490, 0.063, 0.125),
+]
+
+
+def can_render() -> bool:
+    """Whether there is a display, or a ParaView that needs none; it crashes where neither is."""
+    information = vtkPVRenderingCapabilitiesInformation()
+    with pipeline.Messages():  # VTK 9.6 warns of the X server that is not there before it does without
+        return information.Supports(information.GetLocalCapabilities(), information.OPENGL)
+
+
+def end_with_display() -> None:
+    """Lets the program end with an error that says so, should the display go away; Xlib itself ends it with 1."""
+    global _without_display
+    try:
+        xlib = ctypes.CDLL("libX11.so.6")
+    except OSError:
+        return  # this ParaView needs no display
+    _without_display = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)(_end)
+    xlib.XSetIOErrorHandler(_without_display)
+
+
+def _end(_display: Any) -> int:
+    name = text.printable(os.environ.get("DISPLAY", ""))
+    os.write(2, f"camaron: the display {name} went away while pictures were taken\n".encode())
+    os._exit(2)
+
+
+#: Lives as long as Xlib may call it.
+_without_display: Any = None
+
+
+class Scene:
+    """A white view, one for all pictures: what one of them shows is hidden for the next."""
+
+    def __init__(self):
+        self.shown: list[Any] = []
+        self.bar: Optional[Any] = None
+        self.view = simple.CreateView("RenderView")
+        self.view.ViewSize = list(SIZE)
+        self.view.UseColorPaletteForBackground = 0
+        self.view.BackgroundColorMode = "Single Color"
+        self.view.Background = [1.0, 1.0, 1.0]
+        self.view.OrientationAxesLabelColor = INK
+        # What is translucent here is of one color or nearly so, which peeling would draw no better.
+        self.view.DepthPeeling = 0
+
+    def show(self, source: Any, **properties: Any) -> Any:
+        # simple.Show makes a representation that can change to any other one, which takes a second.
+        display = servermanager._getPyProxy(
+            servermanager.ProxyManager().NewProxy("representations", "MeshInspectionRepresentation")
+        )
+        self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
+        self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colours can be compared with the bar
+        self.set(display, **properties)
+        self.view.Representations.append(display)
+        self.shown.append(display)
+        return display
+
+    def set(self, display: Any, **properties: Any) -> None:
+        for name, value in properties.items():
+            setattr(display, name, value)
+
+    def clear(self) -> None:
+        """Hides all that is shown."""
+        for display in self.shown:
+            display.Visibility = 0
+        self.shown = []
+        if self.bar:
+            self.bar.Visibility = 0
+
+    def color(self, display: Any, criterion: dict[str, Any]) -> None:
+        """Colours by the criterion's cell array, bad values dark, and shows the colour bar."""
+        name = criterion["name"]
+        table = simple.GetColorTransferFunction(name)
+        table.AutomaticRescaleRangeMode = "Never"
+        table.RGBPoints = color_points(criterion)
+        table.ColorSpace = "Lab"
+        table.NanColor = NULL_COLOR
+        table.ScalarRangeInitialized = 1.0
+        self.set(display, ColorArrayName=["CELLS", name], LookupTable=table)
+        self.bar = bar = simple.GetScalarBar(table, self.view)
+        unit = criterion["unit"]
+        bar.Title = criterion["label"] + (f" ({unit})" if unit else "")
+        bar.ComponentTitle = ""
+        bar.WindowLocation = "Any Location"
+        bar.Orientation = "Vertical"
+        bar.Position = [0.875, 0.17]
+        bar.ScalarBarLength = 0.66
+        bar.ScalarBarThickness = 20
+        bar.TitleFontSize, bar.LabelFontSize = 26, 23
+        bar.TitleColor = bar.LabelColor = INK
+        low, high = color_range(criterion)
+        bar.UseCustomLabels = 1
+        bar.CustomLabels = ticks(low, high, 7)
+        bar.AddRangeLabels = 0
+        bar.LabelFormat = "%-g"
+        bar.DrawNanAnnotation = 1 if criterion["null"] else 0
+        bar.NanAnnotation = (
+            "undefined" if undefined_count(criterion) == criterion["null"] else "no value"
+        )
+        bar.Visibility = 1
+
+    def fit(self, camera: Camera) -> None:
+        """Moves the camera so that what is shown fills the picture."""
+        self.view.OrientationAxesVisibility = 0
+        camera.fit(self.view)
+        self.view.OrientationAxesVisibility = 1
+
+    def save(self, camera: Camera, path: Path) -> None:
+        camera.apply(self.view)
+        # Compressed more, it would be a few per cent smaller and take twice the time.
+        simple.SaveScreenshot(
+            str(path), self.view, ImageResolution=list(SIZE), OverrideColorPalette="", CompressionLevel="2"
+        )
+
+    def close(self) -> None:
+        simple.Delete(self.view)
+
+
+def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
+    """Smallest to largest value, or 1 % to 99 % where few values stretch the range a lot."""
+    low, high = criterion["min"], criterion["max"]
+    if low is None or high is None:
+        return 0.0, 1.0
+    p1, p99 = criterion["quantiles"].get("1"), criterion["quantiles"].get("99")
+    if p1 is not None and p99 is not None and p99 > p1 and p99 - p1 < 0.2 * (high - low):
+        low, high = p1, p99
+    if not high > low:
+        # One colour for all: the good end, unless the value is not acceptable.
+        room = max(abs(low), 1.0) * 0.1
+        is_low_end = (criterion["better"] == "bigger") == (criterion["out_of_range"] > 0)
+        low, high = (low, high + room) if is_low_end else (low - room, high)
+    return low, high
+
+
+def color_points(criterion: dict[str, Any]) -> list[float]:
+    """The control points of the colour map over the criterion's range."""
+    low, high = color_range(criterion)
+    colors = COLORS
+    if criterion["better"] == "bigger":
+        colors = [(1.0 - x, *rgb) for x, *rgb in reversed(COLORS)]
+    return [value for x, *rgb in colors for value in (low + x * (high - low), *rgb)]
+
+
+def take(
+    summary: dict[str, Any], quality: Any, surface: Any, folder: Path, most: int, stage: Stages
+) -> list[Picture]:
+    """The mesh, its worst cells and the worst cell, coloured by the worst criterion: `most` of these; files go to
+    the folder."""
+    if not summary["mesh"]["bounds"]:
+        return []
+    end_with_display()
+    criterion = picture_criterion(summary["criteria"])
+    with contextlib.closing(_Pictures(summary, quality, surface, folder, criterion)) as pictures:
+        with stage("picture of the mesh"):
+            taken = [pictures.take_mesh()]
+        if most > 1 and criterion and (criterion["worst"] or criterion["out_of_range"]):
+            with stage("picture of the worst cells"):
+                taken.append(pictures.take_worst())
+        if most > 2 and criterion and criterion["worst"]:
+            with stage("picture of the worst cell"):
+                taken.append(pictures.take_the_worst())
+        return taken
+
+
+class _Pictures:
+    """The pictures of a mesh, which share a scene and what is made of the mesh."""
+
+    def __init__(self, summary, quality, surface, folder: Path, criterion: Optional[dict[str, Any]]):
+        self.summary, self.folder, self.criterion = summary, folder, criterion
+        self.camera = Camera(summary["mesh"]["bounds"])
+        self.made: list[Any] = []
+        shown = [criterion["name"]] if criterion else []
+        own = {*quality.CellData.keys()} - {*quality.GetProperty("Criteria").Available}
+        self.quality = self.with_arrays(quality, [*own, *shown], quality.PointData.keys())
+        surface.UpdatePipeline()
+        self.polygons = pipeline.data_information(surface).GetNumberOfCells()
+        if self.polygons:
+            self.outside = self.with_arrays(surface, [*shown, pipeline.GHOSTS], [])
+        else:
+            self.outside = self.make(simple.ConvertToPointCloud, self.quality)
+        self.scene = Scene()
+
+    def make(self, create: Any, source: Any, **properties: Any) -> Any:
+        """A filter that is there until the last picture is taken."""
+        self.made.append(create(Input=source, **properties))
+        return self.made[-1]
+
+    def close(self) -> None:
+        self.scene.close()
+        for proxy in reversed(self.made):
+            simple.Delete(proxy)
+
+    def with_arrays(self, source: Any, cells: list[str], points: list[str]) -> Any:
+        """The source with these arrays only: ParaView finds the ranges of all arrays of every filter,
+        which takes longer than the pictures do."""
+        return self.make(simple.PassArrays, source, CellDataArrays=cells, PointDataArrays=points)
+
+    def select(self, source: Any, **properties: Any) -> Any:
+        return self.make(simple.SelectElements, source, **properties)
+
+    def surface_of(self, selected: Any) -> Any:
+        """The outside of the cells that are selected."""
+        cells = self.make(
+            simple.Threshold,
+            selected,
+            Scalars=["CELLS", "Selected"],
+            ThresholdMethod="Above Upper Threshold",
+            UpperThreshold=0.5,
+        )
+        return self.make(simple.MeshSurface, cells)
+
+    def show_with_edges(self, source: Any, color: list[float], **properties: Any) -> Any:
+        display = self.scene.show(source, **properties)
+        self.scene.set(display, DrawEdges=1, EdgeColor=color)
+        return display
+
+    def take_mesh(self) -> Picture:
+        """The mesh coloured by the criterion; with few cells, with their edges. Fits the camera."""
+        mesh, scene, criterion = self.summary["mesh"], self.scene, self.criterion
+        has_polygons = mesh["volume"] is not None or mesh["area"] is not None
+        color = MESH_COLOR if has_polygons else ACCENT
+        display = scene.show(
+            self.outside, DiffuseColor=color, AmbientColor=color, PointSize=6.0, LineWidth=2.0
+        )
+        scene.fit(self.camera)
+        if has_polygons and self.polygons <= MOST_CELLS_WITH_EDGES:
+            opacity = 0.55 if self.polygons < 8000 else 0.3
+            scene.set(
+                display, DrawEdges=1, EdgeColor=INK, EdgeOpacity=opacity, LineWidth=1.0
+            )
+        if criterion:
+            scene.color(display, criterion)
+        path = self.folder / "mesh.png"
+        scene.save(self.camera, path)
+        if not criterion:
+            return Picture(path, "The mesh.", "")
+        caption = f"Cells with bad values are dark.{_caption_of_colors(criterion)}"
+        if criterion["better"] == "neither":
+            caption = _caption_of_colors(criterion).strip()
+        if criterion["null"]:
+            caption += " Violet cells have no value."
+        return Picture(path, f"{criterion['label']}.", caption)
+
+    def take_worst(self) -> Picture:
+        """The worst cells inside a translucent shell, with a halo around those too small to be seen."""
+        summary, scene, criterion = self.summary, self.scene, self.criterion
+        worst = criterion["worst"]
+        if worst:
+            how = {"Strategy": "Worst N", "NumberOfWorst": len(worst)}
+            title = f"The {len(worst)} worst cells." if len(worst) > 1 else "The worst cell."
+        else:
+            how = {"Strategy": "By criterion", "RangesFile": summary["ranges"] or ""}
+            if summary["preset"]:
+                how["Preset"] = summary["preset"]
+            title = "Cells outside the acceptable range."
+        selected = self.select(self.quality, Array=criterion["name"], **how)
+        scene.clear()
+        # A little larger than the mesh, to lie apart from faces of the worst cells.
+        scene.show(
+            self.outside,
+            Opacity=0.14,
+            DiffuseColor=SHELL_COLOR,
+            AmbientColor=SHELL_COLOR,
+            Origin=self.camera.middle,
+            Scale=[1.003] * 3,
+        )
+        display = self.show_with_edges(self.surface_of(selected), INK, LineWidth=1.5)
+        scene.color(display, criterion)
+        if worst:
+            halos = self.halos([w["center"] for w in worst])
+            scene.show(halos, Opacity=0.22, DiffuseColor=MARK_COLOR, AmbientColor=MARK_COLOR)
+        path = self.folder / "worst.png"
+        scene.save(self.camera, path)
+        name = criterion["label"][0].lower() + criterion["label"][1:]
+        caption = f"By {name}, inside the boundary of the mesh."
+        if worst:
+            caption += " Halos mark their places."
+        return Picture(path, title, caption)
+
+    def halos(self, centers: list[list[float]]) -> Any:
+        """A sphere around each of the points."""
+        self.made.append(simple.PolyLineSource(Points=[x for center in centers for x in center]))
+        halos = self.make(
+            simple.Glyph,
+            self.made[-1],
+            GlyphType="Sphere",
+            GlyphMode="All Points",
+            ScaleArray=["POINTS", "No scale array"],
+            ScaleFactor=0.036 * self.camera.diagonal,
+        )
+        halos.GlyphType.ThetaResolution, halos.GlyphType.PhiResolution = 24, 16
+        return halos
+
+    def take_the_worst(self) -> Picture:
+        """The worst cell close by, inside its neighbours."""
+        scene, criterion = self.scene, self.criterion
+        worst = criterion["worst"][0]
+        cell = self.select(
+            self.quality, Array=criterion["name"], Strategy="Worst N", NumberOfWorst=1
+        )
+        around = self.surface_of(self.select(cell, Strategy="Expand", Adjacency="Vertex"))
+        around.UpdatePipeline()
+        camera = Camera(pipeline.data_information(around).GetBounds())
+        scene.clear()
+        self.show_with_edges(
+            around,
+            SHELL_COLOR,
+            Opacity=0.12,
+            DiffuseColor=SHELL_COLOR,
+            AmbientColor=SHELL_COLOR,
+            LineWidth=1.0,
+        )
+        display = self.show_with_edges(self.surface_of(cell), INK, LineWidth=2.0)
+        scene.fit(camera)
+        scene.color(display, criterion)
+        path = self.folder / "close.png"
+        scene.save(camera, path)
+        block = f" of block {worst['block']}" if worst["block"] else ""
+        caption = (
+            f"Number {worst['id']}{block}, {worst['type']}, with {text.number(worst['value'])}"
+            f"{text.UNIT_SYMBOLS.get(criterion['unit'], '')}, inside the cells that share a point with it."
+        )
+        return Picture(path, "The worst cell.", caption)
+
+
+def _caption_of_colors(criterion: dict[str, Any]) -> str:
+    """What the colours of a picture mean where they do not span all values."""
+    low, high = color_range(criterion)
+    if criterion["min"] is None or (low <= criterion["min"] and high >= criterion["max"]):
+        return ""
+    return (
+        f" Colours span {text.number(low)} to {text.number(high)} (98 % of the cells); "
+        "values beyond have the colours of the ends."
+    )
