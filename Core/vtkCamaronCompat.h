@@ -81,8 +81,8 @@ inline vtkDataArray* GetCellTypes(vtkUnstructuredGrid* grid)
 }
 
 /**
- * Why polyhedra may have lost their faces, for the end of a message: VTK 9.4 writes them in another layout, which VTK
- * before it does not read. Delete this when VTK < 9.4 is no longer supported.
+ * Why polyhedra may have lost their faces, for the end of a message: VTK 9.4 writes them in another
+ * layout, which VTK before it does not read. Delete this when VTK < 9.4 is no longer supported.
  */
 inline const char* GetReasonForLostFaces()
 {
@@ -94,9 +94,10 @@ inline const char* GetReasonForLostFaces()
 }
 
 /**
- * Data of blocks within blocks; null for anything else. Adaptive meshes become trees in VTK 9.6, but their iterator
- * counts boxes as it did before, which is not how trees are counted, and they hold no other data sets than grids;
- * delete this when their classes are gone, and call SafeDownCast instead.
+ * Data of blocks within blocks; null for anything else. Adaptive meshes become trees in VTK 9.6,
+ * but their iterator counts boxes as it did before, which is not how trees are counted, and they
+ * hold no other data sets than grids; delete this when their classes are gone, and call
+ * SafeDownCast instead.
  */
 inline vtkDataObjectTree* GetTree(vtkDataObject* data)
 {

@@ -42,11 +42,15 @@ class Drawing:
             f'<path d="M{self.place(a)} L{self.place(b)}" fill="none" stroke="{color}"{style}/>'
         )
 
-    def arc(self, center: Point, radius: float, start: float, end: float, color: str = MARK) -> None:
+    def arc(
+        self, center: Point, radius: float, start: float, end: float, color: str = MARK
+    ) -> None:
         """Counter-clockwise from an angle to another, in degrees."""
         steps = max(2, int((end - start) / 5))
         angles = [math.radians(start + (end - start) * i / steps) for i in range(steps + 1)]
-        points = [(center[0] + radius * math.cos(a), center[1] + radius * math.sin(a)) for a in angles]
+        points = [
+            (center[0] + radius * math.cos(a), center[1] + radius * math.sin(a)) for a in angles
+        ]
         places = " L".join(map(self.place, points))
         self.items.append(f'<path d="M{places}" fill="none" stroke="{color}" stroke-width="2"/>')
 
@@ -115,7 +119,10 @@ def _crossing(a: Point, b: Point, c: Point, d: Point) -> Point:
 def _circumcircle(a: Point, b: Point, c: Point) -> tuple[Point, float]:
     ab, ac = _mean((a, b)), _mean((a, c))
     center = _crossing(
-        ab, (ab[0] - b[1] + a[1], ab[1] + b[0] - a[0]), ac, (ac[0] - c[1] + a[1], ac[1] + c[0] - a[0])
+        ab,
+        (ab[0] - b[1] + a[1], ab[1] + b[0] - a[0]),
+        ac,
+        (ac[0] - c[1] + a[1], ac[1] + c[0] - a[0]),
     )
     return center, math.dist(center, a)
 
@@ -322,7 +329,9 @@ def orthogonal_quality() -> Drawing:
     drawing, p, n, middle, normal = _neighbors(left, right, face)
     drawing.line(p, middle, MARK)
     length = math.hypot(*normal)
-    drawing.line(middle, (middle[0] + normal[0] / length, middle[1] + normal[1] / length), arrow=True)
+    drawing.line(
+        middle, (middle[0] + normal[0] / length, middle[1] + normal[1] / length), arrow=True
+    )
     drawing.dot(middle, "c", 0.1, -0.3, MARK)
     drawing.text((1.4, 0.5), "w", MARK)
     drawing.text((1.3, 1.15), "d")

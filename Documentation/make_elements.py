@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes Documentation/elements.md from the tables of arrays:
 
-    ./camaron shell pvpython Documentation/make_elements.py
+./camaron shell pvpython Documentation/make_elements.py
 """
 
 from pathlib import Path
@@ -71,7 +71,9 @@ for element, title in (("Face", "Faces"), ("Edge", "Edges"), ("Vertex", "Vertice
     for row in rows:
         if row["Element"] == element:
             name = f"**`{row['Name']}`**" if row["IsDefault"] else f"`{row['Name']}`"
-            lines.append(f"| {name} | {row['Cells']} | {row['Unit'] or '-'} | {row['Description']} |")
+            lines.append(
+                f"| {name} | {row['Cells']} | {row['Unit'] or '-'} | {row['Description']} |"
+            )
     lines.append("")
 lines.append(TAIL)
 Path(__file__).with_name("elements.md").write_text("\n".join(lines).rstrip() + "\n")

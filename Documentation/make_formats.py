@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Writes the table of formats in README.md from Readers/Formats.cmake, as the build passed it on:
 
-    ./camaron shell pvpython Documentation/make_formats.py
+./camaron shell pvpython Documentation/make_formats.py
 """
 
 from pathlib import Path

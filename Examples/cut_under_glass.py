@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A torso-like mesh of a million tetrahedra, cut open under glass and coloured by quality.
+"""A torso-like mesh of a million tetrahedra, cut open under glass and colored by quality.
 
-    ./camaron shell pvpython Examples/cut_under_glass.py [PICTURE.png [CELLS]]
+./camaron shell pvpython Examples/cut_under_glass.py [PICTURE.png [CELLS]]
 """
 import sys
 

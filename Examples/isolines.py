@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Isolines of constant width on a surface of 870 thousand triangles; no geometry is made for them.
 
-    ./camaron shell pvpython Examples/isolines.py [PICTURE.png [TRIANGLES]]
+./camaron shell pvpython Examples/isolines.py [PICTURE.png [TRIANGLES]]
 """
 import sys
 

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ten isosurfaces, made on the graphics card, in a mesh of 109 thousand tetrahedra under glass.
 
-    ./camaron shell pvpython Examples/isosurfaces.py [PICTURE.png [CELLS]]
+./camaron shell pvpython Examples/isosurfaces.py [PICTURE.png [CELLS]]
 """
 import sys
 

@@ -30,7 +30,7 @@ def write_visf(path, points, faces, cells=None, binary=False):
             for ids in group:
                 data += struct.pack(f"<{len(ids) + 1}i", len(ids), *ids)
             if number == 0:
-                data += struct.pack("<i", 0)  # no lists of neighbours
+                data += struct.pack("<i", 0)  # no lists of neighbors
         path.write_bytes(data)
         return
     lines = [f"2 {kind}", str(len(points))]
@@ -91,7 +91,7 @@ def clip(loops, corners, plane, normal, offset):
             del loops[face]
         if cut:
             (first, leaves), (second, _) = cut
-            # The new face runs against the direction in which its neighbours run.
+            # The new face runs against the direction in which its neighbors run.
             leaving, entering = (first, second) if leaves else (second, first)
             edges[entering] = leaving
     for corner, h in height.items():
@@ -141,7 +141,7 @@ def voronoi_ball(count=800, spacing=0.137, seed=3):
 
     Every point also has a mirror image behind the sphere, so a cell at the boundary ends in the
     plane that touches the sphere above its point. A corner is known by the four points whose cells
-    meet there, hence neighbours agree on it without comparing coordinates.
+    meet there, hence neighbors agree on it without comparing coordinates.
     """
     seeds = ball_seeds(count, spacing, random.Random(seed))
     radius = np.linalg.norm(seeds, axis=1, keepdims=True)
@@ -232,7 +232,7 @@ class Flange:
 
     @staticmethod
     def halves(quad):
-        """The two triangles of a quadrangle, cut through its smallest id: neighbours agree."""
+        """The two triangles of a quadrangle, cut through its smallest id: neighbors agree."""
         first = quad.index(min(quad))
         a, b, c, d = quad[first:] + quad[:first]
         return [[a, b, c], [a, c, d]]
@@ -260,7 +260,7 @@ class Flange:
             self.add(bottom[::-1], top, *around)
 
     def add_tetrahedra(self, i, j, k):
-        """Pyramids on sides towards hexahedra, two tetrahedra on every other, around the centre."""
+        """Pyramids on sides towards hexahedra, two tetrahedra on every other, around the center."""
         c = self.corners(i, j, k)
         center = len(self.points)
         self.points.append(np.mean([self.points[p] for p in c], axis=0))
@@ -277,7 +277,7 @@ class Flange:
         for j, lift in ((3, 0.055), (14, 0.0635), (25, -0.062)):  # slivers at a box's top or bottom
             center = self._centers[1, j, 5]
             self.points[center] = move(center, [0.0, 0.0, lift])
-        center = self._centers[1, 20, 4]  # a box folded over: its centre lies below its bottom
+        center = self._centers[1, 20, 4]  # a box folded over: its center lies below its bottom
         self.points[center] = move(center, [0.0, 0.0, -0.085])
         # Warped hexahedra and sheared wedges on the disc.
         dent = self.point(5, 9, self.DiscHeight)

@@ -32,8 +32,8 @@ camaron_format(
   NAME        PolygonOFF
   EXTENSIONS  off coff noff cnoff stoff stcoff stnoff stcnoff 4off
   DESCRIPTION "OFF polygon mesh"
-  READS       "polygons with every prefix, normals, texture and colours, ASCII and binary"
-  WRITES      "polygons with normals, texture and colours, ASCII and binary"
+  READS       "polygons with every prefix, normals, texture and colors, ASCII and binary"
+  WRITES      "polygons with normals, texture and colors, ASCII and binary"
   READER
   WRITER)
 

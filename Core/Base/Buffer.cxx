@@ -19,7 +19,8 @@ void* AllocateLarge(std::size_t bytes)
   constexpr std::size_t HugePage = std::size_t(1) << 21; // of x86-64 and of most ARM systems
   if (bytes >= 2 * HugePage)
   {
-    // The last huge page where it is nearly full, else small ones for the rest, so that not much is paid for in vain.
+    // The last huge page where it is nearly full, else small ones for the rest, so that not much is
+    // paid for in vain.
     const std::size_t rest = bytes % HugePage;
     const std::size_t size = rest >= HugePage / 4 * 3 ? bytes - rest + HugePage : bytes;
     void* memory = nullptr;

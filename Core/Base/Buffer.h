@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Buffer
- * @brief Exactly sized, uninitialised memory for large arrays, which VTK arrays can take over.
+ * @brief Exactly sized, uninitialized memory for large arrays, which VTK arrays can take over.
  *
  * Large buffers ask for huge pages (where the system has them), without which most of the time of
  * filling a fresh array goes into page faults.
@@ -27,8 +27,8 @@ namespace camaron
 void* AllocateLarge(std::size_t bytes);
 void FreeLarge(void* memory);
 
-/// The same memory for containers of the standard library. Values without a constructor are left uninitialised when a
-/// container grows by values that are not given.
+/// The same memory for containers of the standard library. Values without a constructor are left
+/// uninitialized when a container grows by values that are not given.
 template <typename Value>
 struct LargeAllocator
 {
@@ -38,7 +38,10 @@ struct LargeAllocator
   LargeAllocator(const LargeAllocator<Other>&)
   {
   }
-  Value* allocate(std::size_t size) { return static_cast<Value*>(AllocateLarge(size * sizeof(Value))); }
+  Value* allocate(std::size_t size)
+  {
+    return static_cast<Value*>(AllocateLarge(size * sizeof(Value)));
+  }
   void deallocate(Value* memory, std::size_t) { FreeLarge(memory); }
   template <typename Other>
   void construct(Other* place)
@@ -68,7 +71,7 @@ template <typename Value>
 class Buffer
 {
 public:
-  static_assert(std::is_trivial<Value>::value, "the memory is not initialised");
+  static_assert(std::is_trivial<Value>::value, "the memory is not initialized");
 
   Buffer() = default;
   explicit Buffer(vtkIdType size)
@@ -119,7 +122,8 @@ private:
   vtkIdType Size = 0;
 };
 
-/// A VTK array of class @a Array with one component in such memory: to be filled by whoever asks for it.
+/// A VTK array of class @a Array with one component in such memory: to be filled by whoever asks
+/// for it.
 template <typename Array>
 vtkSmartPointer<Array> MakeLargeArray(vtkIdType size)
 {

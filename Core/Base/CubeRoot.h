@@ -17,8 +17,8 @@ namespace camaron
 /// Cube roots of positive normal numbers, to the last bit or the one before.
 inline Pair CubeRoot(Pair a)
 {
-  // A third of the exponent and of the mantissa, which is right to 3.2 %. The offset is two thirds of the bits of 1,
-  // less what makes the errors on both sides equal.
+  // A third of the exponent and of the mantissa, which is right to 3.2 %. The offset is two thirds
+  // of the bits of 1, less what makes the errors on both sides equal.
   const auto getFirst = [](double value)
   {
     constexpr std::uint64_t offset = 0x2a9f7893782da1ceull;

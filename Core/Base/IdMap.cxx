@@ -86,11 +86,12 @@ void IdMap::Sort(const std::int32_t* ids, vtkIdType size, bool ascending)
   this->NumberOfEntries = size;
   if (!ascending)
   {
-    WithThreads([&] {
-      vtkSMPTools::Sort(entries, entries + size,
-        [](const Entry& a, const Entry& b)
-        { return a.Id != b.Id ? a.Id < b.Id : a.Position < b.Position; });
-    });
+    WithThreads(
+      [&]
+      {
+        vtkSMPTools::Sort(entries, entries + size, [](const Entry& a, const Entry& b)
+          { return a.Id != b.Id ? a.Id < b.Id : a.Position < b.Position; });
+      });
     vtkIdType kept = 0;
     for (vtkIdType i = 0; i < size; ++i)
     {
@@ -125,8 +126,8 @@ std::int32_t IdMap::Search(std::int64_t id) const
   const std::int64_t part = (id - this->Least) >> this->Shift;
   const Entry* const begin = this->Entries.data() + this->Table[part];
   const Entry* const end = this->Entries.data() + this->Table[part + 1];
-  const Entry* const found =
-    std::lower_bound(begin, end, id, [](const Entry& entry, std::int64_t i) { return entry.Id < i; });
+  const Entry* const found = std::lower_bound(
+    begin, end, id, [](const Entry& entry, std::int64_t i) { return entry.Id < i; });
   return found < end && found->Id == id ? found->Position : -1;
 }
 }

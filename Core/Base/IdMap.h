@@ -4,10 +4,10 @@
  * @class camaron::IdMap
  * @brief Finds the position of an id in a list of arbitrary positive ids.
  *
- * Files number their items as they like, mostly in sequence, sometimes with gaps, and a damaged one may
- * name any number. Ids without gaps in ascending order need no memory, ids with few gaps a table of one
- * word per id between the least and the greatest, all others a sorted list with a table of its parts.
- * Memory is at most 16 bytes per id, whatever the ids are.
+ * Files number their items as they like, mostly in sequence, sometimes with gaps, and a damaged one
+ * may name any number. Ids without gaps in ascending order need no memory, ids with few gaps a
+ * table of one word per id between the least and the greatest, all others a sorted list with a
+ * table of its parts. Memory is at most 16 bytes per id, whatever the ids are.
  */
 #ifndef camaron_IdMap_h
 #define camaron_IdMap_h
@@ -38,7 +38,8 @@ public:
     {
       return static_cast<std::int32_t>(place);
     }
-    return this->Form == Storage::Table ? this->Table[static_cast<vtkIdType>(place)] : this->Search(id);
+    return this->Form == Storage::Table ? this->Table[static_cast<vtkIdType>(place)]
+                                        : this->Search(id);
   }
 
   /// Number of ids that occur again later in the list.

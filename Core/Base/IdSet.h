@@ -4,8 +4,8 @@
  * @class camaron::IdSet
  * @brief A set of ids below a limit, filled from several threads; numbers its members in order.
  *
- * Ids that are not below the limit are no members, and adding them does nothing: they come from files that
- * another program changed after they were checked.
+ * Ids that are not below the limit are no members, and adding them does nothing: they come from
+ * files that another program changed after they were checked.
  */
 #ifndef camaron_IdSet_h
 #define camaron_IdSet_h
@@ -51,9 +51,9 @@ public:
     }
   }
   /**
-   * Adds ids for one thread. What falls into one word is added at once, as far as the ids are near others shortly
-   * before, as those of a mesh are: what threads do together costs much more. All are added when the adder goes out of
-   * scope.
+   * Adds ids for one thread. What falls into one word is added at once, as far as the ids are near
+   * others shortly before, as those of a mesh are: what threads do together costs much more. All
+   * are added when the adder goes out of scope.
    */
   class Adder
   {

@@ -4,10 +4,11 @@
  * @class camaron::LocalNumbers
  * @brief Numbers the different keys of a short list in the order in which they first occur.
  *
- * For the points and edges of one cell. Whether a key is new is as hard to foresee as the mesh is irregular, so
- * nothing branches on it: every key writes its position into a hash table, the first of the list last, and what
- * it then finds there is the first position of the same key. Where a key has taken the place of another one, those
- * that it concerns go through the same with other hashes. Holds its memory for the next list.
+ * For the points and edges of one cell. Whether a key is new is as hard to foresee as the mesh is
+ * irregular, so nothing branches on it: every key writes its position into a hash table, the first
+ * of the list last, and what it then finds there is the first position of the same key. Where a key
+ * has taken the place of another one, those that it concerns go through the same with other hashes.
+ * Holds its memory for the next list.
  */
 #ifndef camaron_LocalNumbers_h
 #define camaron_LocalNumbers_h
@@ -42,7 +43,8 @@ public:
     int count = 0;
     for (int i = 0; i < size; ++i)
     {
-      const int first = table[places[i]]; // at most i: what is written to firsts below was read before
+      const int first =
+        table[places[i]]; // at most i: what is written to firsts below was read before
       isOpen |= keys[first] ^ keys[i];
       numbers[i] = count;
       numbers[i] = numbers[first];

@@ -12,13 +12,13 @@ namespace camaron
 /// Why a value is null, as written to the mask arrays.
 enum class NullReason : unsigned char
 {
-  Value = 0,          ///< not null
-  NotApplicable = 1,  ///< the criterion has no meaning for this shape
-  Degenerate = 2,     ///< 0/0
-  InvalidTopology = 3,///< open, non-manifold or too few points
-  NoNeighbor = 4,     ///< needs a neighbour and is at the boundary
-  MissingGhosts = 5,  ///< the neighbour lies in another piece and no ghost cell tells of it
-  HigherOrder = 6     ///< the value is there, but of the corners of a higher-order cell
+  Value = 0,           ///< not null
+  NotApplicable = 1,   ///< the criterion has no meaning for this shape
+  Degenerate = 2,      ///< 0/0
+  InvalidTopology = 3, ///< open, non-manifold or too few points
+  NoNeighbor = 4,      ///< needs a neighbor and is at the boundary
+  MissingGhosts = 5,   ///< the neighbor lies in another piece and no ghost cell tells of it
+  HigherOrder = 6      ///< the value is there, but of the corners of a higher-order cell
 };
 
 /// A quiet NaN that remembers its reason in its payload; it survives copying, not arithmetic.

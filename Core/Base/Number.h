@@ -5,14 +5,15 @@
  * @brief Text to number and back: exact rounding, no locale, no allocation.
  *
  * A parser returns where the number ends, or nullptr if the text does not start with one; what may
- * follow a number is for the caller to judge. Accepted are a leading `+`, exponents written e, E, d or
- * D (as Fortran does), and nan, inf and infinity in any case. A real number too large for its type is
- * infinite, one too small is zero.
+ * follow a number is for the caller to judge. Accepted are a leading `+`, exponents written e, E, d
+ * or D (as Fortran does), and nan, inf and infinity in any case. A real number too large for its
+ * type is infinite, one too small is zero.
  *
- * What old run-time libraries of Microsoft print is accepted as well: 1.#INF is infinity, 1.#QNAN, 1.#SNAN
- * and 1.#IND are not a number, all with a sign and with digits or an exponent behind, in any case. Any other
- * number whose point is followed by # and a letter is none, though # may start a comment: it may be one of
- * these cut short (1.#J), and is never the number before the #.
+ * What old run-time libraries of Microsoft print is accepted as well: 1.#INF is
+ * infinity, 1.#QNAN, 1.#SNAN and 1.#IND are not a number, all with a sign and with digits or an
+ * exponent behind, in any case. Any other number whose point is followed by # and a letter is none,
+ * though # may start a comment: it may be one of these cut short (1.#J), and is never the number
+ * before the #.
  */
 #ifndef camaron_Number_h
 #define camaron_Number_h
@@ -37,7 +38,8 @@ inline bool IsSpace(char c)
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-/// Whether the # in a word starts no comment, as it is part of a number such as 1.#INF, or of what may be one.
+/// Whether the # in a word starts no comment, as it is part of a number such as 1.#INF, or of what
+/// may be one.
 bool IsPartOfNumber(const char* word, const char* hash, const char* end);
 
 /// Integers outside the 64 bit range are no numbers.
@@ -75,9 +77,9 @@ constexpr double PowersOfTen[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 
   1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
 
 /**
- * Appends eight digits to a number at once; false if there are not that many, or if the machine is not
- * known to be one where that works: in a word of characters less '0', digits are bytes below ten, and
- * neighbours add up to numbers of two, four and eight digits.
+ * Appends eight digits to a number at once; false if there are not that many, or if the machine is
+ * not known to be one where that works: in a word of characters less '0', digits are bytes below
+ * ten, and neighbors add up to numbers of two, four and eight digits.
  */
 inline bool ReadEightDigits(const char* p, const char* end, std::uint64_t& number)
 {
@@ -109,10 +111,11 @@ inline bool ReadEightDigits(const char* p, const char* end, std::uint64_t& numbe
 }
 
 /**
- * An integer times a power of ten that is exact in double. If the integer is so as well, one division or
- * multiplication rounds correctly (W. D. Clinger, How to read floating point numbers accurately, 1990).
- * Else the same is done in the extended format of x86, where both are exact: its result rounded again is
- * right unless it lies half way between two doubles. Then, and where there is no such format, false.
+ * An integer times a power of ten that is exact in double. If the integer is so as well, one
+ * division or multiplication rounds correctly (W. D. Clinger, How to read floating point numbers
+ * accurately, 1990). Else the same is done in the extended format of x86, where both are exact: its
+ * result rounded again is right unless it lies half way between two doubles. Then, and where there
+ * is no such format, false.
  */
 inline bool ScaleByPowerOfTen(std::uint64_t integer, int exponent, double& value)
 {
@@ -138,8 +141,8 @@ inline bool ScaleByPowerOfTen(std::uint64_t integer, int exponent, double& value
 }
 
 /**
- * The common case: at most 19 digits, which make an integer of 64 bits, and a power of ten that is exact
- * in double. Returns nullptr for everything else.
+ * The common case: at most 19 digits, which make an integer of 64 bits, and a power of ten that is
+ * exact in double. Returns nullptr for everything else.
  */
 inline const char* ParseRealFast(const char* text, const char* end, double& value)
 {

@@ -10,7 +10,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Several MPI ranks on a machine share its cores already. MPI's launchers tell through the environment.
+// Several MPI ranks on a machine share its cores already. MPI's launchers tell through the
+// environment.
 bool IsOneOfManyRanks()
 {
   for (const char* name : { "OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MPI_LOCALNRANKS", "SLURM_NTASKS" })

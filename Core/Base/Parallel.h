@@ -4,10 +4,10 @@
  * @file Parallel.h
  * @brief vtkSMPTools with threads also where ParaView was built to run them sequentially.
  *
- * Some packages of ParaView choose VTK's Sequential backend although STDThread is compiled in. Unless
- * the user chose a backend (VTK_SMP_BACKEND_IN_USE) or called vtkSMPTools::SetBackend with another one,
- * our loops then run on STDThread with one thread per core or VTK_SMP_MAX_THREADS. Under MPI with more
- * than one rank VTK's choice stands, since the ranks share the cores already.
+ * Some packages of ParaView choose VTK's Sequential backend although STDThread is compiled in.
+ * Unless the user chose a backend (VTK_SMP_BACKEND_IN_USE) or called vtkSMPTools::SetBackend with
+ * another one, our loops then run on STDThread with one thread per core or VTK_SMP_MAX_THREADS.
+ * Under MPI with more than one rank VTK's choice stands, since the ranks share the cores already.
  */
 #ifndef camaron_Parallel_h
 #define camaron_Parallel_h
@@ -36,7 +36,8 @@ void WithThreads(Function&& function)
   }
 }
 
-/// Calls @a function(begin, end) for pieces of [0, size); @a grain is the smallest worthwhile piece.
+/// Calls @a function(begin, end) for pieces of [0, size); @a grain is the smallest worthwhile
+/// piece.
 template <typename Function>
 void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
 {
@@ -52,15 +53,18 @@ void ParallelFor(vtkIdType size, vtkIdType grain, Function&& function)
 }
 
 /**
- * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk, @a prepare(total), then
+ * Exclusive prefix sum over fixed chunks: calls @a count(begin, end) for the sum of each chunk, @a
+ * prepare(total), then
  * @a place(begin, end, sumBefore) for each chunk; returns the total.
  */
 template <typename Count, typename Prepare, typename Place>
-vtkIdType ParallelScan(vtkIdType size, vtkIdType chunk, Count&& count, Prepare&& prepare, Place&& place)
+vtkIdType ParallelScan(
+  vtkIdType size, vtkIdType chunk, Count&& count, Prepare&& prepare, Place&& place)
 {
   const vtkIdType numberOfChunks = (size + chunk - 1) / chunk;
   std::vector<vtkIdType> sums(numberOfChunks + 1, 0);
-  const auto last = [=](vtkIdType c) { return c * chunk + chunk < size ? c * chunk + chunk : size; };
+  const auto last = [=](vtkIdType c)
+  { return c * chunk + chunk < size ? c * chunk + chunk : size; };
   ParallelFor(numberOfChunks, 1,
     [&](vtkIdType first, vtkIdType end)
     {

@@ -4,8 +4,8 @@
  * @class camaron::Progress
  * @brief Tells somebody how far a long piece of work is, and hears whether to stop.
  *
- * A Progress stands for a part of the whole work; parts of it are made with Part. It reports only from
- * the thread that made it. Once stopped, all parts of the same work stay stopped.
+ * A Progress stands for a part of the whole work; parts of it are made with Part. It reports only
+ * from the thread that made it. Once stopped, all parts of the same work stay stopped.
  */
 #ifndef camaron_Progress_h
 #define camaron_Progress_h
@@ -58,8 +58,8 @@ public:
   bool IsStopped() const { return this->Shared && this->Shared->Stopped; }
 
   /**
-   * Calls @a function(begin, end) in parallel for pieces of [0, size), reporting in between; returns
-   * false if stopped. The first exception thrown by a piece is thrown again here.
+   * Calls @a function(begin, end) in parallel for pieces of [0, size), reporting in between;
+   * returns false if stopped. The first exception thrown by a piece is thrown again here.
    */
   template <typename Function>
   bool For(vtkIdType size, Function&& function) const

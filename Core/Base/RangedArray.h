@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::RangedArray
- * @brief A VTK array with one component that finds its range in a fraction of the time that VTK takes.
+ * @brief A VTK array with one component that finds its range in a fraction of the time that VTK
+ * takes.
  *
- * ParaView asks for the ranges of all arrays of every filter, which with dozens of them takes longer than their
- * values do. The ranges are those that VTK finds: without NaN, if finite ones are asked for without infinities, and
- * without ghosts if there are some. In all else it is an @a Array, and copies are nothing but that.
+ * ParaView asks for the ranges of all arrays of every filter, which with dozens of them takes
+ * longer than their values do. The ranges are those that VTK finds: without NaN, if finite ones are
+ * asked for without infinities, and without ghosts if there are some. In all else it is an @a
+ * Array, and copies are nothing but that.
  */
 #ifndef camaron_RangedArray_h
 #define camaron_RangedArray_h
@@ -44,13 +46,15 @@ struct SmallestAndLargest
   bool IsFinite() const
   {
     return !std::is_floating_point<Value>::value ||
-      (std::isfinite(static_cast<double>(this->Low)) && std::isfinite(static_cast<double>(this->High)));
+      (std::isfinite(static_cast<double>(this->Low)) &&
+        std::isfinite(static_cast<double>(this->High)));
   }
 };
 
 /// Of those values for which @a counts(index) is true.
 template <typename Value, typename Counts>
-SmallestAndLargest<Value> FindSmallestAndLargest(const Value* values, vtkIdType size, Counts&& counts)
+SmallestAndLargest<Value> FindSmallestAndLargest(
+  const Value* values, vtkIdType size, Counts&& counts)
 {
   constexpr vtkIdType grain = 1 << 16;
   constexpr int numberOfLanes = 4; // which do not wait for each other
@@ -99,7 +103,8 @@ protected:
   using Array::ComputeFiniteScalarRange;
   using Array::ComputeScalarRange;
 
-  bool ComputeScalarRange(double* range, const unsigned char* ghosts, unsigned char ghostsToSkip) override
+  bool ComputeScalarRange(
+    double* range, const unsigned char* ghosts, unsigned char ghostsToSkip) override
   {
     if (!this->HasScalars())
     {
@@ -108,7 +113,8 @@ protected:
     return Set(range, this->Find(ghosts, ghostsToSkip));
   }
 
-  bool ComputeFiniteScalarRange(double* range, const unsigned char* ghosts, unsigned char ghostsToSkip) override
+  bool ComputeFiniteScalarRange(
+    double* range, const unsigned char* ghosts, unsigned char ghostsToSkip) override
   {
     if (!this->HasScalars())
     {
@@ -123,20 +129,26 @@ protected:
     return Set(range,
       FindSmallestAndLargest(values, this->GetNumberOfValues(),
         [=](vtkIdType i)
-        { return std::isfinite(static_cast<double>(values[i])) && !(ghosts && (ghosts[i] & ghostsToSkip)); }));
+        {
+          return std::isfinite(static_cast<double>(values[i])) &&
+            !(ghosts && (ghosts[i] & ghostsToSkip));
+        }));
   }
 
 private:
   // Whoever has the array may give it more components, or take its values away.
-  bool HasScalars() const { return this->GetNumberOfComponents() == 1 && this->GetNumberOfValues() > 0; }
+  bool HasScalars() const
+  {
+    return this->GetNumberOfComponents() == 1 && this->GetNumberOfValues() > 0;
+  }
 
   SmallestAndLargest<Value> Find(const unsigned char* ghosts, unsigned char ghostsToSkip)
   {
     const Value* const values = this->GetPointer(0);
     const vtkIdType size = this->GetNumberOfValues();
-    return ghosts
-      ? FindSmallestAndLargest(values, size, [=](vtkIdType i) { return !(ghosts[i] & ghostsToSkip); })
-      : FindSmallestAndLargest(values, size, [](vtkIdType) { return true; });
+    return ghosts ? FindSmallestAndLargest(
+                      values, size, [=](vtkIdType i) { return !(ghosts[i] & ghostsToSkip); })
+                  : FindSmallestAndLargest(values, size, [](vtkIdType) { return true; });
   }
 
   static bool Set(double* range, const SmallestAndLargest<Value>& found)

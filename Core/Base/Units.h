@@ -36,8 +36,8 @@ constexpr double GetAngleFactor(AngleUnit unit)
 /// "deg", "rad", "sr" or "" (lengths, areas and volumes are in the units of the mesh).
 const char* GetUnitLabel(enum Unit unit, AngleUnit angles);
 
-/// Sets the unit of an array (vtkDataArray::UNITS_LABEL); none for an empty label, which VTK's legacy format
-/// writes but cannot read.
+/// Sets the unit of an array (vtkDataArray::UNITS_LABEL); none for an empty label, which VTK's
+/// legacy format writes but cannot read.
 void SetUnitLabel(vtkDataArray* array, const char* label);
 }
 

@@ -7,7 +7,8 @@
 #ifndef camaron_Vector_h
 #define camaron_Vector_h
 
-#include <cmath> // for std::sqrt
+#include <algorithm> // for std::max
+#include <cmath>     // for std::ldexp
 
 namespace camaron
 {
@@ -59,6 +60,27 @@ inline Vector Unit(const Vector& a)
 {
   const double norm = Norm(a);
   return norm > 0 ? (1 / norm) * a : a;
+}
+
+/// Length of the longest component.
+inline double GetLargestComponent(const Vector& a)
+{
+  return std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z) });
+}
+
+/// The vector times 2^exponent, exactly.
+inline Vector TimesPowerOfTwo(const Vector& a, int exponent)
+{
+  return { std::ldexp(a.X, exponent), std::ldexp(a.Y, exponent), std::ldexp(a.Z, exponent) };
+}
+
+/// Exponent of the power of two that is the unit of something of such a length; 0 if the length is
+/// usual.
+inline int GetUnitExponent(double length)
+{
+  constexpr double Smallest = 1e-30, Largest = 1e30; // products of ten lengths are numbers
+  const bool isUsual = length > Smallest && length < Largest;
+  return isUsual || !(length > 0) || !std::isfinite(length) ? 0 : std::ilogb(length);
 }
 }
 

@@ -4,8 +4,8 @@
  * @file VectorPair.h
  * @brief Two numbers or vectors at a time, for what is done to many faces alike.
  *
- * Every processor of 64 bits computes with two doubles as fast as with one, but compilers do not find such pairs
- * in the faces of a cell. Each half gets exactly what Vector.h gives.
+ * Every processor of 64 bits computes with two doubles as fast as with one, but compilers do not
+ * find such pairs in the faces of a cell. Each half gets exactly what Vector.h gives.
  */
 #ifndef camaron_VectorPair_h
 #define camaron_VectorPair_h
@@ -88,8 +88,8 @@ inline Pair TurnSign(Pair a, Pair sign)
 #endif
 }
 
-/// @a yes where @a a is less than @a b, @a no elsewhere. No branch, which would be as hard to foresee as the mesh is
-/// irregular.
+/// @a yes where @a a is less than @a b, @a no elsewhere. No branch, which would be as hard to
+/// foresee as the mesh is irregular.
 inline Pair SelectLess(Pair a, Pair b, Pair yes, Pair no)
 {
 #if defined(__SSE2__) && defined(__GNUC__)

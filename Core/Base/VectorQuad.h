@@ -4,8 +4,8 @@
  * @file VectorQuad.h
  * @brief Four numbers or vectors at a time, where processors and compilers have them.
  *
- * As VectorPair.h, and each lane gets the same. Only for functions that are CAMARON_WITH_QUADS, which only run where
- * UsesVectorQuads is set.
+ * As VectorPair.h, and each lane gets the same. Only for functions that are CAMARON_WITH_QUADS,
+ * which only run where UsesVectorQuads is set.
  */
 #ifndef camaron_VectorQuad_h
 #define camaron_VectorQuad_h
@@ -18,7 +18,8 @@ namespace camaron
 extern bool UsesVectorQuads;
 }
 
-// Clang refuses such vectors as arguments of functions that it compiles for any processor, inlined or not.
+// Clang refuses such vectors as arguments of functions that it compiles for any processor, inlined
+// or not.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define CAMARON_HAS_QUADS 1
 /// What they call becomes part of them, as far as it is inline, and so uses AVX2, too.

@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file AnglePairs.h
- * @brief Two angles at a time, of faces, edges and points where nothing is collapsed or straight; for CellGeometry and
- * SoundTetrahedra, which so have the same values to the last bit.
+ * @brief Two angles at a time, of faces, edges and points where nothing is collapsed or straight;
+ * for CellGeometry and NondegenerateTetrahedra, which so have the same values to the last bit.
  */
 #ifndef camaron_AnglePairs_h
 #define camaron_AnglePairs_h
 
-#include "Cell/AngleRange.h"
-#include "Cell/DihedralAngle.h"
 #include "Base/VectorPair.h"
+#include "Cell/AngleRange.h"
 
 namespace camaron
 {
-constexpr double StraightCorner = 1e-9;    // of a face: its sine
-// A triangle whose corner lies opposite to another one, or to its other side, has no area of its own.
+constexpr double StraightCorner = 1e-9; // of a face: its sine
+// A triangle whose corner lies opposite to another one, or to its other side, has no area of its
+// own.
 constexpr double DegenerateFan = 1e-6;
 // Rounding must not turn an angle of 0 into a full sphere.
 constexpr double SolidRounding = 1e-13;
@@ -26,7 +26,8 @@ struct AnglePair
   Pair Sine, Cosine;
 };
 
-/// The three angles of two triangles, all of which have the same sine times the lengths of their sides: twice the area.
+/// The three angles of two triangles, all of which have the same sine times the lengths of their
+/// sides: twice the area.
 inline void AddTriangleAngles(
   const VectorPair& p0, const VectorPair& p1, const VectorPair& p2, AngleRangePair& angles)
 {
@@ -38,8 +39,8 @@ inline void AddTriangleAngles(
 }
 
 /**
- * Between two faces at their common edge: pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both
- * areas.
+ * Between two faces at their common edge: pi - atan2(e (n0 x n1), n0 n1), with everything times the
+ * length and both areas.
  * @param along the edge, in the direction in which the first face runs
  * @param sign of the orientation of the cells
  */
@@ -57,17 +58,24 @@ inline AnglePair GetDihedralAngles(const VectorPair& along, Pair length, const V
  * Halves of the solid angles at points of three edges, by Van Oosterom and Strackee.
  * @param spokes unit vectors along the edges
  * @param vectors and @a areas of the faces between one edge and the next
- * @param isSimple 1 or 0 where a corner of a face is straight or reflex, or the formula loses its digits
+ * @param isSimple 1 or 0 where a corner of a face is straight or reflex, or the formula loses its
+ * digits
  */
-inline AnglePair GetHalfSolidAngles(
-  const VectorPair spokes[3], const VectorPair vectors[3], const Pair areas[3], Pair sign, Pair& isSimple)
+inline AnglePair GetHalfSolidAngles(const VectorPair spokes[3], const VectorPair vectors[3],
+  const Pair areas[3], Pair sign, Pair& isSimple)
 {
-  const Pair zero = MakePair(0, 0), one = MakePair(1, 1), straight = MakePair(StraightCorner, StraightCorner),
-             degenerate = MakePair(DegenerateFan, DegenerateFan), rounding = MakePair(-SolidRounding, -SolidRounding);
+  const Pair zero = MakePair(0, 0), one = MakePair(1, 1),
+             straight = MakePair(StraightCorner, StraightCorner),
+             degenerate = MakePair(DegenerateFan, DegenerateFan),
+             rounding = MakePair(-SolidRounding, -SolidRounding);
   const auto isTurning = [&](int i, int next)
-  { return SelectLess(straight * areas[i], Dot(Cross(spokes[next], spokes[i]), vectors[i]), one, zero); };
+  {
+    return SelectLess(
+      straight * areas[i], Dot(Cross(spokes[next], spokes[i]), vectors[i]), one, zero);
+  };
   const Pair y = Dot(spokes[0], Cross(spokes[1], spokes[2]));
-  const Pair x = one + Dot(spokes[0], spokes[1]) + Dot(spokes[1], spokes[2]) + Dot(spokes[2], spokes[0]);
+  const Pair x =
+    one + Dot(spokes[0], spokes[1]) + Dot(spokes[1], spokes[2]) + Dot(spokes[2], spokes[0]);
   isSimple = isTurning(0, 1) * isTurning(1, 2) * isTurning(2, 0) *
     SelectLess(x * x + y * y, degenerate, zero, one);
   const Pair sine = sign * y;

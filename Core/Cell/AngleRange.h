@@ -4,13 +4,14 @@
  * @class camaron::AngleRange
  * @brief The smallest and the largest of some angles between 0 and 2 pi.
  *
- * Angles are compared by sine and cosine; only the two extremes cost an arc tangent. AngleRangePair is two ranges
- * at a time.
+ * Angles are compared by sine and cosine; only the two extremes cost an arc tangent. AngleRangePair
+ * is two ranges at a time.
  */
 #ifndef camaron_AngleRange_h
 #define camaron_AngleRange_h
 
 #include "Base/Null.h"
+#include "Base/Vector.h"
 #include "Base/VectorPair.h"
 
 #include <cmath> // for std::atan2
@@ -116,6 +117,21 @@ private:
   Pair MinOrder = MakePair(5, 5), MinSine = MakePair(0, 0), MinCosine = MakePair(1, 1);
   Pair MaxOrder = MakePair(-1, -1), MaxSine = MakePair(0, 0), MaxCosine = MakePair(1, 1);
 };
+
+constexpr double DihedralRounding = 1e-14; // of sines
+
+/**
+ * In radian, from 0 to 2 pi, on the side that the unit normals point away from.
+ * @param along unit vector of the edge, in the direction in which the first polygon runs
+ */
+inline double GetDihedralAngle(const Vector& along, const Vector& normal0, const Vector& normal1)
+{
+  constexpr double halfTurn = 3.141592653589793238462643383279502884;
+  const double sine = Dot(along, Cross(normal0, normal1));
+  // Rounding must not turn an angle of 0 into one of 2 pi.
+  return halfTurn -
+    std::atan2(std::abs(sine) <= DihedralRounding ? 0 : sine, Dot(normal0, normal1));
+}
 }
 
 #endif

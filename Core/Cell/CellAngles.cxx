@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The angles of CellGeometry: interior angles of faces, dihedral and solid angles. Faces, edges and points are taken two
-// at a time; where something is collapsed or straight, one after the other.
+// The angles of CellGeometry: interior angles of faces, dihedral and solid angles. Faces, edges and
+// points are taken two at a time; where something is collapsed or straight, one after the other.
 #include "Cell/AnglePairs.h"
 #include "Cell/CellGeometry.h"
 
@@ -46,8 +46,7 @@ AngleRange CellGeometry::JoinFaceAngles() const
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::KeepAngles(
-  const CellTopology::FacePair& pair, const AngleRangePair& angles)
+void CellGeometry::KeepAngles(const CellTopology::FacePair& pair, const AngleRangePair& angles)
 {
   this->FaceAngles[pair.First] = angles[0];
   this->FaceAngles[pair.Second] = angles[1];
@@ -56,8 +55,10 @@ void CellGeometry::KeepAngles(
 //------------------------------------------------------------------------------
 void CellGeometry::ComputeTriangleAngles(const CellTopology::FacePair& pair)
 {
-  const int *first = this->Topology->GetFace(pair.First), *second = this->Topology->GetFace(pair.Second);
-  const auto getPoint = [&](int i) { return VectorPair(this->Points[first[i]], this->Points[second[i]]); };
+  const int *first = this->Topology->GetFace(pair.First),
+            *second = this->Topology->GetFace(pair.Second);
+  const auto getPoint = [&](int i)
+  { return VectorPair(this->Points[first[i]], this->Points[second[i]]); };
   AngleRangePair angles;
   AddTriangleAngles(getPoint(0), getPoint(1), getPoint(2), angles);
   this->KeepAngles(pair, angles);
@@ -66,7 +67,8 @@ void CellGeometry::ComputeTriangleAngles(const CellTopology::FacePair& pair)
 //------------------------------------------------------------------------------
 void CellGeometry::ComputePolygonAngles(const CellTopology::FacePair& pair)
 {
-  const int *first = this->Topology->GetFace(pair.First), *second = this->Topology->GetFace(pair.Second);
+  const int *first = this->Topology->GetFace(pair.First),
+            *second = this->Topology->GetFace(pair.Second);
   const int size = this->Topology->GetFaceSize(pair.First);
   const Vector* points = this->Points.data();
   const VectorPair area(this->FaceVectors[pair.First], this->FaceVectors[pair.Second]);
@@ -180,8 +182,8 @@ void CellGeometry::AddDihedralAngle(int e, AngleRange& angles) const
   }
   const Vector &s0 = this->FaceVectors[edge.Faces[0]], &s1 = this->FaceVectors[edge.Faces[1]];
   const Vector along = this->Points[edge.Points[1]] - this->Points[edge.Points[0]];
-  // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must not
-  // turn an angle of 0 into one of 2 pi.
+  // pi - atan2(e (n0 x n1), n0 n1), with everything times the length and both areas; rounding must
+  // not turn an angle of 0 into one of 2 pi.
   double sine = this->OrientationSign * Dot(along, Cross(s0, s1));
   if (std::abs(sine) <= DihedralRounding * length * area0 * area1)
   {
@@ -202,8 +204,8 @@ inline void CellGeometry::AddDihedralAngles(int first, int second, AngleRangePai
   const auto endsOf = [&](int end)
   { return VectorPair(this->Points[a->Points[end]], this->Points[b->Points[end]]); };
   const Pair length = Sqrt(MakePair(this->SquaredLengths[first], this->SquaredLengths[second]));
-  const AnglePair angle = GetDihedralAngles(endsOf(1) - endsOf(0), length, vectorsOf(0), vectorsOf(1), areasOf(0),
-    areasOf(1), MakePair(this->OrientationSign, this->OrientationSign));
+  const AnglePair angle = GetDihedralAngles(endsOf(1) - endsOf(0), length, vectorsOf(0),
+    vectorsOf(1), areasOf(0), areasOf(1), MakePair(this->OrientationSign, this->OrientationSign));
   angles.Add(angle.Sine, angle.Cosine);
 }
 
@@ -279,7 +281,8 @@ void CellGeometry::ComputeSolidAngles()
 }
 
 //------------------------------------------------------------------------------
-// Of two points with three edges each; false, and nothing is added, where the general way has more to look at.
+// Of two points with three edges each; false, and nothing is added, where the general way has more
+// to look at.
 bool CellGeometry::AddSimpleAngles(
   const CellTopology& topology, int first, int second, AngleRangePair& halfAngles) const
 {
@@ -294,7 +297,8 @@ bool CellGeometry::AddSimpleAngles(
   };
   const auto getVector = [&](int i)
   { return VectorPair(this->FaceVectors[a[i].Face], this->FaceVectors[b[i].Face]); };
-  const auto getArea = [&](int i) { return MakePair(this->FaceAreas[a[i].Face], this->FaceAreas[b[i].Face]); };
+  const auto getArea = [&](int i)
+  { return MakePair(this->FaceAreas[a[i].Face], this->FaceAreas[b[i].Face]); };
   const VectorPair spokes[] = { getSpoke(0), getSpoke(1), getSpoke(2) };
   const VectorPair vectors[] = { getVector(0), getVector(1), getVector(2) };
   const Pair areas[] = { getArea(0), getArea(1), getArea(2) };
@@ -335,9 +339,9 @@ double CellGeometry::GetSolidAngle(int point)
 }
 
 //------------------------------------------------------------------------------
-// Area of the spherical polygon of the spokes, as triangles of Van Oosterom and Strackee between its sides and a
-// corner anywhere. Each has tan(area / 2) as a quotient: the product of these as complex numbers has the sum of the
-// halves as its angle, in [0, 2 pi) as is half of the area.
+// Area of the spherical polygon of the spokes, as triangles of Van Oosterom and Strackee between
+// its sides and a corner anywhere. Each has tan(area / 2) as a quotient: the product of these as
+// complex numbers has the sum of the halves as its angle, in [0, 2 pi) as is half of the area.
 CellGeometry::HalfAngle CellGeometry::SumFan(const Vector& corner, int numberOfSpokes) const
 {
   HalfAngle half = { 0, 1, 4 };
@@ -360,8 +364,7 @@ CellGeometry::HalfAngle CellGeometry::SumFan(const Vector& corner, int numberOfS
 }
 
 //------------------------------------------------------------------------------
-void CellGeometry::AddSolidAngle(
-  const CellTopology& topology, int point, AngleRange& halfAngles)
+void CellGeometry::AddSolidAngle(const CellTopology& topology, int point, AngleRange& halfAngles)
 {
   const bool merged = &topology == &this->MergedTopology;
   const int first = topology.SpokeOffsets[point], last = topology.SpokeOffsets[point + 1];
@@ -379,8 +382,8 @@ void CellGeometry::AddSolidAngle(
   {
     const Vector next = direction(s + 1 < last ? s + 1 : first);
     this->Spokes[numberOfSpokes++] = spoke;
-    // Over the face between the two spokes; where its corner is straight or reflex the short arc between
-    // them is not its side of the spherical polygon.
+    // Over the face between the two spokes; where its corner is straight or reflex the short arc
+    // between them is not its side of the spherical polygon.
     const int f = topology.Spokes[s].Face, number = merged ? topology.FaceNumbers[f] : f;
     const bool isTriangle = topology.GetFaceSize(f) == 3;
     if (Dot(spoke, next) < 0 && this->IsZeroArea(this->FaceAreas[number]) &&

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Areas and centres of the faces of CellGeometry: the innermost loops of all criteria. Faces with equally many
-// points are taken two or four at a time.
+// Areas and centers of the faces of CellGeometry: the innermost loops of all criteria. Faces with
+// equally many points are taken two or four at a time.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wpsabi" // as in VectorQuad.h
 #endif
 
+#include "Base/VectorQuad.h"
 #include "Cell/CellGeometry.h"
 #include "Cell/FaceGroup.h"
-#include "Base/VectorQuad.h"
 
 namespace camaron
 {
@@ -96,7 +96,7 @@ void CellGeometry::ComputePolygons(const Group& group, bool withMoments)
     mean = mean + group.GetCorner(points, i);
   }
   mean = (1.0 / size) * mean;
-  // Twice the vector area, and the centre from triangles about the mean with signed weights. The
+  // Twice the vector area, and the center from triangles about the mean with signed weights. The
   // weights need the direction of the whole area: moments keep the products until it is known.
   Vectors sum, momentsX, momentsY, momentsZ;
   Vectors previous = group.GetCorner(points, size - 1) - mean;
@@ -115,8 +115,8 @@ void CellGeometry::ComputePolygons(const Group& group, bool withMoments)
 }
 
 //------------------------------------------------------------------------------
-// From the mean of the points, twice the vector area, and weigh(v), the sum over the triangles about the mean of
-// their ends weighted by the product of v and twice their vector area.
+// From the mean of the points, twice the vector area, and weigh(v), the sum over the triangles
+// about the mean of their ends weighted by the product of v and twice their vector area.
 template <typename Group, typename Weigh>
 void CellGeometry::ComputeCenters(const Group& group, bool withMoments,
   const typename Group::Vectors& mean, const typename Group::Vectors& sum, Weigh&& weigh)
@@ -136,7 +136,7 @@ void CellGeometry::ComputeCenters(const Group& group, bool withMoments,
   this->KeepFaces(group, 0.5 * sum, center, area);
   if (withMoments)
   {
-    // What the sum over the tetrahedra of the origin, every edge and the centre comes to.
+    // What the sum over the tetrahedra of the origin, every edge and the center comes to.
     this->KeepMoments(
       group, 3 * (Dot(center, sum) * mean) + Dot(offset, sum) * center + weigh(center));
   }
@@ -172,8 +172,8 @@ void CellGeometry::ComputeFanAreas() const
   const int numberOfFaces = this->Topology->GetNumberOfFaces();
   this->FanAreas.resize(numberOfFaces);
   UsesVectorQuads ? this->ComputeFanAreasInQuads() : this->ComputeFanAreasIn<FaceGroup<Pair>>();
-  // No surface within the edges of a face is less than its vector area, to which triangles of a face that crosses
-  // itself need not add up.
+  // No surface within the edges of a face is less than its vector area, to which triangles of a
+  // face that crosses itself need not add up.
   this->SurfaceArea = 0;
   for (int f = 0; f < numberOfFaces; ++f)
   {

@@ -21,8 +21,7 @@ void CellGeometry::Compute(unsigned needs)
   {
     needs |= isPolyhedron ? NeedsFaces | NeedsVolume : NeedsFaces;
   }
-  if ((needs & (NeedsEdges | NeedsAngles)) &&
-    this->OwnTopology)
+  if ((needs & (NeedsEdges | NeedsAngles)) && this->OwnTopology)
   {
     this->OwnTopology->FindEdges();
   }
@@ -87,8 +86,8 @@ void CellGeometry::ComputeBoxScale() const
   }
   const Vector origin = this->LengthExponent == 0 ? this->Origin : -this->ToCell(Vector());
   const Vector a = low + origin, b = high + origin;
-  const double largest = std::max({ std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X),
-    std::abs(b.Y), std::abs(b.Z) });
+  const double largest = std::max(
+    { std::abs(a.X), std::abs(a.Y), std::abs(a.Z), std::abs(b.X), std::abs(b.Y), std::abs(b.Z) });
   this->AbsoluteTolerance = GetAbsoluteTolerance(largest);
   this->BoxScale = this->GetScale(Norm(high - low));
 }
@@ -98,7 +97,8 @@ double CellGeometry::GetDiameter() const
 {
   if (this->Diameter < 0)
   {
-    this->Diameter = std::sqrt(FindLargestSquaredDistance(this->Points.data(), this->NumberOfPoints));
+    this->Diameter =
+      std::sqrt(FindLargestSquaredDistance(this->Points.data(), this->NumberOfPoints));
   }
   return this->Diameter;
 }
@@ -108,11 +108,13 @@ void CellGeometry::ComputeEdges()
 {
   const std::vector<CellTopology::Edge>& edges = this->Topology->Edges;
   this->SquaredLengths.resize(edges.size());
-  double smallest = edges.empty() || this->HasRepeatedPoint ? 0 : std::numeric_limits<double>::max();
+  double smallest =
+    edges.empty() || this->HasRepeatedPoint ? 0 : std::numeric_limits<double>::max();
   double largest = 0;
   for (std::size_t e = 0; e < edges.size(); ++e)
   {
-    const double square = Norm2(this->Points[edges[e].Points[1]] - this->Points[edges[e].Points[0]]);
+    const double square =
+      Norm2(this->Points[edges[e].Points[1]] - this->Points[edges[e].Points[0]]);
     this->SquaredLengths[e] = square;
     smallest = std::min(smallest, square);
     largest = std::max(largest, square);
@@ -167,7 +169,7 @@ double CellGeometry::GetPerimeter() const
 }
 
 //------------------------------------------------------------------------------
-// From the tetrahedra of the origin, every edge of a face and the centre of that face, with signs.
+// From the tetrahedra of the origin, every edge of a face and the center of that face, with signs.
 void CellGeometry::ComputeCentroid()
 {
   const int numberOfFaces = this->Topology->GetNumberOfFaces();

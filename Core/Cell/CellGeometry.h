@@ -5,27 +5,28 @@
  * @brief Geometry of one cell, computed once and shared by all criteria of that cell.
  *
  * A polygon cell is a shape with one face. Coordinates are relative to the cell's first point and
- * always double. The faces of a polyhedron are made consistent and then outward, those around a void into it,
- * unless the user trusts them; those of a standard type are as VTK's node order says, and where that makes the volume negative
- * the angles are nevertheless those of the cell turned inside out.
+ * always double. The faces of a polyhedron are made consistent and then outward, those around a
+ * void into it, unless the user trusts them; those of a standard type are as VTK's node order says,
+ * and where that makes the volume negative the angles are nevertheless those of the cell turned
+ * inside out.
  *
  * Load() and Compute() keep all memory; a loop over cells does not allocate.
  */
 #ifndef camaron_CellGeometry_h
 #define camaron_CellGeometry_h
 
-#include "Cell/AngleRange.h"
-#include "Cell/CellKernel.h"
 #include "Base/Null.h"
 #include "Base/Units.h"
+#include "Base/Vector.h"
+#include "Base/VectorPair.h"
+#include "Cell/AngleRange.h"
+#include "Cell/CellKernel.h"
 #include "Cell/Needs.h"
 #include "Cell/Shapes.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/CellTopology.h"
 #include "Mesh/MeshView.h"
 #include "Mesh/RecentTopologies.h"
-#include "Base/Vector.h"
-#include "Base/VectorPair.h"
 
 #include "vtkDataSetAttributes.h" // for the kinds of ghosts
 
@@ -49,12 +50,14 @@ struct EvaluationOptions
   AngleUnit Angles = AngleUnit::Degrees;
   /// Take the faces of polyhedra as oriented outward, and keep the sign of their volume.
   bool TrustFaceOrientation = false;
-  /// Relative length below which an edge counts as collapsed; 0 for the default of the specification.
+  /// Relative length below which an edge counts as collapsed; 0 for the default of the
+  /// specification.
   double DegeneracyTolerance = 0;
-  /// The mesh is one of several pieces without ghost cells: a cell without a neighbour may have one in
-  /// another piece.
+  /// The mesh is one of several pieces without ghost cells: a cell without a neighbor may have one
+  /// in another piece.
   bool IsPieceWithoutGhosts = false;
-  /// Whether CellStatus tells of cells without a kernel; Evaluate does where IsStarShaped is asked for.
+  /// Whether CellStatus tells of cells without a kernel; Evaluate does where IsStarShaped is asked
+  /// for.
   bool ChecksStarShape = false;
   /// How far an angle may exceed 180 degrees in a convex cell, in degrees.
   double ConvexityTolerance = 1e-4;
@@ -62,10 +65,11 @@ struct EvaluationOptions
   double PlanarityTolerance = 0.1;
   /// Of every cell whether it is a ghost, not 0; or none.
   const unsigned char* Ghosts = nullptr;
-  /// Ids by which cells are known in all pieces; without them it is their number or their place in the mesh.
+  /// Ids by which cells are known in all pieces; without them it is their number or their place in
+  /// the mesh.
   vtkDataArray* GlobalIds = nullptr;
-  /// Where not all pieces have such ids: of every cell its number among those of its block, that of copies above all; or
-  /// none.
+  /// Where not all pieces have such ids: of every cell its number among those of its block, that of
+  /// copies above all; or none.
   const std::int64_t* CellNumbers = nullptr;
   /// Cells of other pieces at the facets; or none.
   const PieceLinks* Links = nullptr;
@@ -83,7 +87,7 @@ struct EvaluationOptions
   {
     return this->Ghosts && (this->Ghosts[cell] & vtkDataSetAttributes::DUPLICATECELL);
   }
-  /// Whether a cell without a neighbour may have one in another piece.
+  /// Whether a cell without a neighbor may have one in another piece.
   bool MayHaveMore(vtkIdType cell) const
   {
     return this->IsPieceWithoutGhosts || (this->Ghosts && this->Ghosts[cell]);
@@ -92,20 +96,22 @@ struct EvaluationOptions
 
 ///@{
 /**
- * What counts as zero: no length for coordinates up to @a largest, and no length in a cell of a diameter. See the
- * methods of CellGeometry for areas and volumes.
+ * What counts as zero: no length for coordinates up to @a largest, and no length in a cell of a
+ * diameter. See the methods of CellGeometry for areas and volumes.
  */
 inline double GetAbsoluteTolerance(double largest)
 {
-  constexpr double roundingUnits = 8; // quality criteria, section 1, but the same for float points: the mesh decides
+  constexpr double roundingUnits =
+    8; // quality criteria, section 1, but the same for float points: the mesh decides
   return roundingUnits * largest * std::numeric_limits<double>::epsilon();
 }
 inline double GetZeroLength(
   const EvaluationOptions& options, double diameter, double absoluteTolerance)
 {
   constexpr double minRelativeTolerance = 1e-12;
-  return options.DegeneracyTolerance > 0 ? options.DegeneracyTolerance * diameter
-                                         : std::max(minRelativeTolerance * diameter, absoluteTolerance);
+  return options.DegeneracyTolerance > 0
+    ? options.DegeneracyTolerance * diameter
+    : std::max(minRelativeTolerance * diameter, absoluteTolerance);
 }
 ///@}
 
@@ -117,9 +123,10 @@ public:
   /// Reads the points and faces of a cell.
   void Load(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options);
   /**
-   * Between Load and Compute: coordinates relative to the first point, and all that is made of them, get the unit
-   * 2^GetLengthExponent() if the cell is so large or small that products of many lengths would leave the range of
-   * numbers. ToMesh brings values into the units of the mesh, ToCell places into those of the cell.
+   * Between Load and Compute: coordinates relative to the first point, and all that is made of
+   * them, get the unit 2^GetLengthExponent() if the cell is so large or small that products of many
+   * lengths would leave the range of numbers. ToMesh brings values into the units of the mesh,
+   * ToCell places into those of the cell.
    */
   void Normalize()
   {
@@ -131,15 +138,16 @@ public:
   /// Computes the parts named by a combination of Needs.
   void Compute(unsigned needs);
 
-  /// Shapes that the cell is: one of Polygons and Polyhedra (neither for points and lines) and, where
-  /// the topology says so, one of the simple shapes, whatever its VTK type.
+  /// Shapes that the cell is: one of Polygons and Polyhedra (neither for points and lines) and,
+  /// where the topology says so, one of the simple shapes, whatever its VTK type.
   unsigned GetShapes() const { return this->Shapes; }
   unsigned char GetCellType() const { return this->CellType; }
   /// False if a coordinate is NaN or infinite: nothing but counts has a value then.
   bool IsFinite() const { return this->Finite; }
   /// True for a type whose faces follow from its nodes.
   bool IsOfStandardType() const { return this->IsStandard; }
-  /// True if its points are the corner nodes of such a 3D type in VTK's order; not if two of them are the same.
+  /// True if its points are the corner nodes of such a 3D type in VTK's order; not if two of them
+  /// are the same.
   bool HasNodesInOrder() const { return !this->OwnTopology; }
   /// True if a face has the same point twice in a row.
   bool HasRepeatedPoints() const { return this->HasRepeatedPoint; }
@@ -180,7 +188,8 @@ public:
   bool IsZeroLength(double length) const
   {
     // The diagonal of the box is at least the diameter: only what may be zero pays for the latter.
-    return length <= this->GetBoxScale().Length && length <= this->GetScale(this->GetDiameter()).Length;
+    return length <= this->GetBoxScale().Length &&
+      length <= this->GetScale(this->GetDiameter()).Length;
   }
   bool IsZeroArea(double area) const
   {
@@ -189,10 +198,12 @@ public:
   bool IsZeroVolume(double volume) const
   {
     volume = std::abs(volume);
-    return volume <= this->GetBoxScale().Volume && volume <= this->GetScale(this->GetDiameter()).Volume;
+    return volume <= this->GetBoxScale().Volume &&
+      volume <= this->GetScale(this->GetDiameter()).Volume;
   }
   ///@}
-  /// Length up to which nothing can be told apart; not smaller than what IsZeroLength takes for zero.
+  /// Length up to which nothing can be told apart; not smaller than what IsZeroLength takes for
+  /// zero.
   double GetZeroLength() const { return this->GetBoxScale().Length; }
   /// Largest distance of two points.
   double GetDiameter() const;
@@ -212,7 +223,7 @@ public:
   ///@}
 
   ///@{
-  /// With NeedsFaces: vector areas, centres, and areas of the fan of triangles about the centre.
+  /// With NeedsFaces: vector areas, centers, and areas of the fan of triangles about the center.
   const Vector& GetFaceVector(int face) const { return this->FaceVectors[face]; }
   const Vector& GetFaceCenter(int face) const { return this->FaceCenters[face]; }
   double GetFaceArea(int face) const { return this->FaceAreas[face]; }
@@ -238,15 +249,16 @@ public:
 
   /// With NeedsVolume; a null value when the cell is not closed.
   double GetVolume() const { return this->Volume; }
-  /// With NeedsCentroid: of a polygon the centre of its face; of a polyhedron without a volume the mean
-  /// of its points. Relative to the first point.
+  /// With NeedsCentroid: of a polygon the center of its face; of a polyhedron without a volume the
+  /// mean of its points. Relative to the first point.
   const Vector& GetCentroid() const { return this->Centroid; }
 
   /// With NeedsCorners: interior angles of one face; empty when the face has none.
   const AngleRange& GetFaceAngles(int face) const { return this->FaceAngles[face]; }
 
   ///@{
-  /// With NeedsCorners, NeedsDihedral and NeedsSolidAngle: in radian and steradian; null where undefined.
+  /// With NeedsCorners, NeedsDihedral and NeedsSolidAngle: in radian and steradian; null where
+  /// undefined.
   double GetMinFaceAngle() const { return this->JoinFaceAngles().GetMin(); }
   double GetMaxFaceAngle() const { return this->JoinFaceAngles().GetMax(); }
   double GetMinDihedralAngle() const { return this->DihedralAngles.GetMin(); }
@@ -259,7 +271,8 @@ public:
   double GetSolidAngle(int point);
   ///@}
 
-  /// With NeedsFaces and NeedsVolume: kernel and balls of this cell, which computes what it is asked for.
+  /// With NeedsFaces and NeedsVolume: kernel and balls of this cell, which computes what it is
+  /// asked for.
   CellKernel& GetKernel() const { return this->Kernel; }
 
   /// Radian to the unit that the user chose.
@@ -295,7 +308,8 @@ private:
   void NumberPoints(const MeshView& mesh, const Id* ids, int size, int* numbers);
   template <typename Id>
   void TakePoints(const MeshView& mesh, const Id* ids, const int* corners, int count);
-  /// Edges may wait until Compute is asked for something that needs them; simple shapes are told by them.
+  /// Edges may wait until Compute is asked for something that needs them; simple shapes are told by
+  /// them.
   void FindOwnTopology(bool edgesCanWait = false);
 
   bool IsQuadrilateral() const
@@ -363,7 +377,8 @@ private:
   void AddSolidAngle(const CellTopology& topology, int point, AngleRange& halfAngles);
   bool AddSimpleAngles(
     const CellTopology& topology, int first, int second, AngleRangePair& halfAngles) const;
-  /// Half of a solid angle, with the smallest squared length of the factors that it is the product of.
+  /// Half of a solid angle, with the smallest squared length of the factors that it is the product
+  /// of.
   struct HalfAngle
   {
     double Sine, Cosine, Smallest;
@@ -396,10 +411,10 @@ private:
 
   Vector Origin;
   int NumberOfPoints = 0;
-  std::vector<Vector> Points;     // grows to the largest cell
-  std::vector<vtkIdType> PointIds; // with OwnTopology
-  IndexRange Nodes;                // without
-  std::vector<vtkIdType> CornerIds; // of nodes or corners of faces
+  std::vector<Vector> Points;             // grows to the largest cell
+  std::vector<vtkIdType> PointIds;        // with OwnTopology
+  IndexRange Nodes;                       // without
+  std::vector<vtkIdType> CornerIds;       // of nodes or corners of faces
   const CellTopology* Topology = nullptr; // that of the standard type, or OwnTopology
   CellTopology* OwnTopology = nullptr;    // none where the type tells it
   RecentTopologies OwnTopologies;

@@ -17,7 +17,8 @@ constexpr std::size_t FewChecks = 4096;
 
 //------------------------------------------------------------------------------
 // Of many points that lie apart.
-bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size, double tolerance)
+bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const Vector* points, std::size_t size,
+  double tolerance)
 {
   std::vector<Bounds> boxes(size);
   for (std::size_t i = 0; i < size; ++i)
@@ -37,7 +38,8 @@ bool ContainMany(const std::vector<HalfSpace>& halfSpaces, const Vector* points,
             normal.Y > 0 ? box.High.Y : box.Low.Y, normal.Z > 0 ? box.High.Z : box.Low.Z };
           return halfSpace.GetDistance(outermost) > tolerance;
         },
-        [&](std::size_t place) { return halfSpace.GetDistance(points[tree.GetOrder()[place]]) > tolerance; });
+        [&](std::size_t place)
+        { return halfSpace.GetDistance(points[tree.GetOrder()[place]]) > tolerance; });
     });
 }
 
@@ -213,7 +215,8 @@ void CellKernel::Prepare(const CellGeometry& cell)
       Extend(this->Low, this->High, cell.GetPoint(i));
     }
     this->FindHalfSpaces(cell);
-    this->Convex = ContainAll(this->HalfSpaces, &cell.GetPoint(0), numberOfPoints, cell.GetZeroLength());
+    this->Convex =
+      ContainAll(this->HalfSpaces, &cell.GetPoint(0), numberOfPoints, cell.GetZeroLength());
     ball = FindLargestBall(this->HalfSpaces, 3, GetBallAround(this->Low, this->High));
   }
   this->Radius = ball.Radius > cell.GetZeroLength() ? ball.Radius : 0;

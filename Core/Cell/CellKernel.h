@@ -4,12 +4,12 @@
  * @class camaron::CellKernel
  * @brief Kernel of a cell, and balls in and around the cell.
  *
- * The kernel is the set of points that see all of the cell: what the inner half-spaces of its faces have
- * in common; of a warped face those of the triangles about its centre. Of a polygon it is made of the
- * half-planes of its edges, in its plane: through its centre, along its vector area.
+ * The kernel is the set of points that see all of the cell: what the inner half-spaces of its faces
+ * have in common; of a warped face those of the triangles about its center. Of a polygon it is made
+ * of the half-planes of its edges, in its plane: through its center, along its vector area.
  *
- * Everything is computed when first asked for, for a polyhedron with a volume or a polygon with an area,
- * with NeedsFaces and NeedsVolume. Holds its memory for the next cell.
+ * Everything is computed when first asked for, for a polyhedron with a volume or a polygon with an
+ * area, with NeedsFaces and NeedsVolume. Holds its memory for the next cell.
  */
 #ifndef camaron_CellKernel_h
 #define camaron_CellKernel_h
@@ -31,8 +31,8 @@ public:
   /// To be called for every new cell.
   void Clear();
 
-  /// Radius of the largest ball within the kernel (of a polygon: circle in its plane); 0 for an empty
-  /// kernel, which is one whose largest ball counts as zero for the precision of the points.
+  /// Radius of the largest ball within the kernel (of a polygon: circle in its plane); 0 for an
+  /// empty kernel, which is one whose largest ball counts as zero for the precision of the points.
   double GetRadius(const CellGeometry& cell);
   /// Volume or area of the kernel divided by that of the cell; 1 for convex cells, whose
   /// points lie outside of no half-space, 0 for an empty kernel.
@@ -59,8 +59,8 @@ private:
   /// A face in its plane.
   struct Sheet
   {
-    Vector Center, U, V;            ///< origin and axes
-    std::vector<Vector> Corners;    ///< without Z
+    Vector Center, U, V;         ///< origin and axes
+    std::vector<Vector> Corners; ///< without Z
     std::vector<HalfSpace> HalfPlanes;
     Vector Low, High;
     bool IsConvex;

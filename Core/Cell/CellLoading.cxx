@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How CellGeometry gets the points and faces of a cell.
+#include "Base/LocalNumbers.h"
+#include "Base/Vector.h"
 #include "Cell/CellGeometry.h"
 #include "Cell/Shapes.h"
-#include "Base/LengthUnit.h"
-#include "Base/LocalNumbers.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,8 @@ namespace camaron
 namespace
 {
 constexpr int MaxStandardPoints = 12;
-constexpr double LargestUsualSize = 1e30, SmallestUsualSize = 1e-30; // products of ten lengths are numbers
+constexpr double LargestUsualSize = 1e30,
+                 SmallestUsualSize = 1e-30; // products of ten lengths are numbers
 }
 
 //------------------------------------------------------------------------------
@@ -99,9 +100,9 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
   {
     this->LoadPolygon(mesh, shape, mesh.GetCellPoints(cell));
     this->Shapes = Polygons |
-      (this->NumberOfPoints == 3        ? Triangles
+      (this->NumberOfPoints == 3    ? Triangles
           : this->IsQuadrilateral() ? Quadrilaterals
-                                        : 0u);
+                                    : 0u);
   }
   this->CheckCoordinates();
 }
@@ -110,7 +111,8 @@ void CellGeometry::Load(const MeshView& mesh, vtkIdType cell, const EvaluationOp
 // Sets Finite and HasUsualSize; of usual cells with a look at the largest coordinates only.
 void CellGeometry::CheckCoordinates()
 {
-  const auto getSize = [](const Vector& v) { return std::abs(v.X) + std::abs(v.Y) + std::abs(v.Z); };
+  const auto getSize = [](const Vector& v)
+  { return std::abs(v.X) + std::abs(v.Y) + std::abs(v.Z); };
   const auto isFinite = [](const Vector& v)
   { return std::isfinite(v.X) && std::isfinite(v.Y) && std::isfinite(v.Z); };
   const Vector* const points = this->Points.data();
@@ -147,7 +149,8 @@ void CellGeometry::ChooseUnit()
 double CellGeometry::Rescale(double value, int dimension) const
 {
   const double scaled = std::ldexp(value, dimension * this->LengthExponent);
-  const bool isLost = std::isfinite(value) && (!std::isfinite(scaled) || (scaled == 0 && value != 0));
+  const bool isLost =
+    std::isfinite(value) && (!std::isfinite(scaled) || (scaled == 0 && value != 0));
   return std::isnan(value) ? value : isLost ? Null(NullReason::Degenerate) : scaled;
 }
 
@@ -214,7 +217,8 @@ void CellGeometry::LoadCollapsed(
   }
   int locals[MaxStandardPoints];
   this->NumberPoints(mesh, this->CornerIds.data(), shape.NumberOfCorners, locals);
-  std::vector<int>&offsets = this->OwnTopologies.FaceOffsets, &numbers = this->OwnTopologies.FacePoints;
+  std::vector<int>&offsets = this->OwnTopologies.FaceOffsets,
+  &numbers = this->OwnTopologies.FacePoints;
   offsets.assign(shape.FaceOffsets, shape.FaceOffsets + shape.NumberOfFaces + 1);
   numbers.resize(offsets.back());
   for (int i = 0; i < offsets.back(); ++i)

@@ -21,7 +21,7 @@ void ReadCenter(const CellGeometry& geometry, Vector& centroid, double& size)
 {
   if (!HasCenter(geometry))
   {
-    // No place that a neighbour could take for the centroid.
+    // No place that a neighbor could take for the centroid.
     const double none = Null(NullReason::NotApplicable);
     centroid = { none, none, none };
     size = none;
@@ -61,8 +61,8 @@ void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions
 }
 
 //------------------------------------------------------------------------------
-Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
-  CellGeometry& scratch)
+Vector GetCellVector(
+  const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options, CellGeometry& scratch)
 {
   scratch.Load(mesh, cell, options);
   scratch.Normalize();
@@ -119,9 +119,10 @@ Index CountCellsOfAllPieces(Index facet, const FacetTable& table, const FacetLin
 }
 
 //------------------------------------------------------------------------------
-// Where other pieces have the facet, too: what their processes say counts, not copies of their cells.
-bool CellNeighborhood::FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table,
-  const FacetLinks& links, Facet& facet)
+// Where other pieces have the facet, too: what their processes say counts, not copies of their
+// cells.
+bool CellNeighborhood::FindLinked(
+  vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links, Facet& facet)
 {
   if (!links.Has(use.Facet()) || this->Options.IsCopy(cell))
   {
@@ -133,7 +134,8 @@ bool CellNeighborhood::FindLinked(vtkIdType cell, CellFacet use, const FacetTabl
       facet.OtherCentroid = this->Geometry->ToCell(linked.Centroid);
       facet.OtherSize = linked.Size;
     });
-  const Index count = CountCellsOfAllPieces(use.Facet(), table, links, this->Options, this->FacetCells);
+  const Index count =
+    CountCellsOfAllPieces(use.Facet(), table, links, this->Options, this->FacetCells);
   facet.Other = count == 2 ? Side::Cell : Side::NonManifold;
   return true;
 }
@@ -167,8 +169,8 @@ void CellNeighborhood::FindOther(
 // What several criteria make of a facet.
 void CellNeighborhood::Finish(Facet& facet) const
 {
-  facet.IsZero =
-    this->IsPolygon ? this->Geometry->IsZeroLength(facet.Size) : this->Geometry->IsZeroArea(facet.Size);
+  facet.IsZero = this->IsPolygon ? this->Geometry->IsZeroLength(facet.Size)
+                                 : this->Geometry->IsZeroArea(facet.Size);
   facet.Way = facet.Center - this->GetCentroid();
   facet.WayLength = Norm(facet.Way);
   facet.AreaByWay = Dot(facet.Area, facet.Way);
@@ -248,8 +250,8 @@ bool CellNeighborhood::Load(vtkIdType cell, const CellGeometry& geometry)
     facet.Center = geometry.GetFaceCenter(f);
     facet.Number = f;
     facet.Use = topology.FaceNumbers[f];
-    this->FindOther(cell, uses[facet.Use], *this->Faces,
-      this->Links ? &this->Links->Faces : nullptr, facet);
+    this->FindOther(
+      cell, uses[facet.Use], *this->Faces, this->Links ? &this->Links->Faces : nullptr, facet);
     this->Finish(facet);
   }
   return true;

@@ -4,16 +4,16 @@
  * @class camaron::CellNeighborhood
  * @brief A cell, its facets, and the cells on their other sides, as finite volumes see them.
  *
- * The facets of a polyhedron are its faces; those of a polygon its edges, with a vector area that lies in
- * the plane of the polygon and has the length of the edge. All coordinates are relative to the first point of
- * the cell. Holds scratch memory: use one per thread.
+ * The facets of a polyhedron are its faces; those of a polygon its edges, with a vector area that
+ * lies in the plane of the polygon and has the length of the edge. All coordinates are relative to
+ * the first point of the cell. Holds scratch memory: use one per thread.
  */
 #ifndef camaron_CellNeighborhood_h
 #define camaron_CellNeighborhood_h
 
+#include "Base/Buffer.h"
 #include "Cell/CellGeometry.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Buffer.h"
 
 #include <vector> // for the facets
 
@@ -39,16 +39,17 @@ bool HasCellsOfDimension(const MeshView& mesh, int dimension);
 
 ///@{
 /**
- * Centroid and size of a cell as in CellCenters, and the unit normal of its vector area, which is zero if the cell is
- * no polygon or has no area. @a scratch is overwritten.
+ * Centroid and size of a cell as in CellCenters, and the unit normal of its vector area, which is
+ * zero if the cell is no polygon or has no area. @a scratch is overwritten.
  */
 void GetCellCenter(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
   CellGeometry& scratch, Vector& centroid, double& size);
-Vector GetCellVector(const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options,
-  CellGeometry& scratch);
+Vector GetCellVector(
+  const MeshView& mesh, vtkIdType cell, const EvaluationOptions& options, CellGeometry& scratch);
 ///@}
 
-/// Of a facet that cells of other pieces have, too, see FacetLinks, how many cells have it, copies not counted.
+/// Of a facet that cells of other pieces have, too, see FacetLinks, how many cells have it, copies
+/// not counted.
 Index CountCellsOfAllPieces(Index facet, const FacetTable& table, const FacetLinks& links,
   const EvaluationOptions& options, std::vector<Index>& scratch);
 
@@ -57,23 +58,23 @@ class CellNeighborhood
 public:
   enum class Side
   {
-    Cell,        ///< there is one other cell
-    Boundary,    ///< there is none
-    Missing,     ///< the other cell is in another piece
-    NonManifold  ///< there are several, or the cell itself
+    Cell,       ///< there is one other cell
+    Boundary,   ///< there is none
+    Missing,    ///< the other cell is in another piece
+    NonManifold ///< there are several, or the cell itself
   };
   struct Facet
   {
-    Vector Area;   ///< out of the cell
-    double Size = 0; ///< length of Area
+    Vector Area;         ///< out of the cell
+    double Size = 0;     ///< length of Area
     bool IsZero = false; ///< collapsed
     Vector Center;
-    Vector Way;    ///< from the centroid of the cell to Center
+    Vector Way; ///< from the centroid of the cell to Center
     double WayLength = 0;
     double AreaByWay = 0; ///< scalar product
     Side Other = Side::Boundary;
     Vector OtherCentroid; ///< and OtherSize: of an earlier facet unless there is another cell
-    Vector Line;   ///< from the centroid of the cell to OtherCentroid; zero if there is none
+    Vector Line;          ///< from the centroid of the cell to OtherCentroid; zero if there is none
     double LineLength = 0;
     double AreaByLine = 0; ///< scalar product
     double OtherSize = 0;
@@ -118,10 +119,10 @@ public:
 private:
   void Finish(Facet& facet) const;
   void FindUsesOfRing();
-  void FindOther(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links,
-    Facet& facet);
-  bool FindLinked(vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links,
-    Facet& facet);
+  void FindOther(
+    vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks* links, Facet& facet);
+  bool FindLinked(
+    vtkIdType cell, CellFacet use, const FacetTable& table, const FacetLinks& links, Facet& facet);
 
   const CellCenters& Centers;
   const EvaluationOptions& Options;

@@ -9,7 +9,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The shells that the topology tells apart, cut into triangles at the centres of faces.
+// The shells that the topology tells apart, cut into triangles at the centers of faces.
 std::vector<ClosedShell> GetShells(const CellGeometry& cell)
 {
   const CellTopology& topology = cell.GetTopology();
@@ -20,8 +20,8 @@ std::vector<ClosedShell> GetShells(const CellGeometry& cell)
     const int size = topology.GetFaceSize(f);
     for (int i = 0; i < size; ++i)
     {
-      shells[topology.GetShell(f)].Add(
-        cell.GetFaceCenter(f), cell.GetPoint(ring[i]), cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]));
+      shells[topology.GetShell(f)].Add(cell.GetFaceCenter(f), cell.GetPoint(ring[i]),
+        cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]));
     }
   }
   return shells;
@@ -74,8 +74,8 @@ void CellGeometry::OrientPolyhedron()
     for (int i = 0; i < numberOfShells; ++i)
     {
       // One without a volume may point where it does.
-      areReversed[i] =
-        !this->IsZeroVolume(shells[i].GetVolume()) && (shells[i].GetVolume() < 0) != (areVoids[i] != 0);
+      areReversed[i] = !this->IsZeroVolume(shells[i].GetVolume()) &&
+        (shells[i].GetVolume() < 0) != (areVoids[i] != 0);
     }
   }
   this->OwnTopology->ReverseShells(areReversed);

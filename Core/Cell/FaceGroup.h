@@ -7,8 +7,8 @@
 #ifndef camaron_FaceGroup_h
 #define camaron_FaceGroup_h
 
-#include "Mesh/CellTopology.h"
 #include "Base/VectorPair.h"
+#include "Mesh/CellTopology.h"
 
 namespace camaron
 {
@@ -32,7 +32,8 @@ public:
       std::size_t pair = first;
       for (int lane = 0; lane < Size; lane += 2)
       {
-        const bool isNext = first < pairs.size() && topology.GetFaceSize(pairs[first].First) == group.NumberOfPoints;
+        const bool isNext =
+          first < pairs.size() && topology.GetFaceSize(pairs[first].First) == group.NumberOfPoints;
         pair = isNext ? first++ : pair;
         group.SetFace(topology, lane, pairs[pair].First);
         group.SetFace(topology, lane + 1, pairs[pair].Second);
@@ -68,8 +69,8 @@ public:
     }
     else
     {
-      return { points[this->Rings[0][corner]], points[this->Rings[1][corner]], points[this->Rings[2][corner]],
-        points[this->Rings[3][corner]] };
+      return { points[this->Rings[0][corner]], points[this->Rings[1][corner]],
+        points[this->Rings[2][corner]], points[this->Rings[3][corner]] };
     }
   }
 

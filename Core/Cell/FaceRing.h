@@ -25,7 +25,10 @@ public:
   }
   int GetSize() const { return this->Size; }
   const Vector& GetBegin(int edge) const { return this->Cell.GetPoint(this->Points[edge]); }
-  const Vector& GetEnd(int edge) const { return this->GetBegin(edge + 1 < this->Size ? edge + 1 : 0); }
+  const Vector& GetEnd(int edge) const
+  {
+    return this->GetBegin(edge + 1 < this->Size ? edge + 1 : 0);
+  }
 
   /// Whether all corners are in one plane.
   bool IsFlat() const

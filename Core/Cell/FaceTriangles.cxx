@@ -64,8 +64,8 @@ void FaceTriangles::AddLine(int corner, const Vector& from, const Vector& middle
 }
 
 //------------------------------------------------------------------------------
-// Lines from corners to centers find faces that cut each other between points that they share; those of a triangle meet
-// nothing that its edges do not.
+// Lines from corners to centers find faces that cut each other between points that they share;
+// those of a triangle meet nothing that its edges do not.
 bool FaceTriangles::AddStar(const CellGeometry& cell, int face)
 {
   const FaceRing ring(cell, face);
@@ -109,7 +109,8 @@ void FaceTriangles::AddCut(const CellGeometry& cell, int face)
     {
       for (const int corner : t)
       {
-        this->AddLine(cell.GetTopology().GetFace(face)[corner], this->Corners[corner], (1.0 / 3) * (a + b + c));
+        this->AddLine(
+          cell.GetTopology().GetFace(face)[corner], this->Corners[corner], (1.0 / 3) * (a + b + c));
       }
     }
   }

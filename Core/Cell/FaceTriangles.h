@@ -4,8 +4,8 @@
  * @class camaron::FaceTriangles
  * @brief The triangles of all faces of a cell, and lines on these.
  *
- * A face is taken for the triangles about its center if it is star-shaped about that one, else for those of
- * PolygonTriangulator. Holds its memory for the next cell.
+ * A face is taken for the triangles about its center if it is star-shaped about that one, else for
+ * those of PolygonTriangulator. Holds its memory for the next cell.
  */
 #ifndef camaron_FaceTriangles_h
 #define camaron_FaceTriangles_h
@@ -37,8 +37,8 @@ public:
   const std::vector<FaceLine>& GetLines() const { return this->Lines; }
 
   /**
-   * Calls @a visit(face, triangle) for those that are near a line, of faces of which its ends are no points, until it
-   * returns true, and tells whether it did.
+   * Calls @a visit(face, triangle) for those that are near a line, of faces of which its ends are
+   * no points, until it returns true, and tells whether it did.
    */
   template <typename Visit>
   bool FindAny(const CellGeometry& cell, const FaceLine& line, Visit&& visit) const
@@ -51,17 +51,19 @@ public:
       [&](std::size_t place)
       {
         const auto f = static_cast<int>(this->Tree.GetOrder()[place]);
-        if (!isNear(this->Boxes[f]) || this->HasPoint(f, line.Points[0]) || this->HasPoint(f, line.Points[1]))
+        if (!isNear(this->Boxes[f]) || this->HasPoint(f, line.Points[0]) ||
+          this->HasPoint(f, line.Points[1]))
         {
           return false;
         }
         const Face& face = this->Faces[f];
         if (face.IsLarge)
         {
-          return face.Tree.FindAny(isNear,
-            [&](std::size_t other) { return visit(f, this->Triangles[face.First + face.Tree.GetOrder()[other]]); });
+          return face.Tree.FindAny(isNear, [&](std::size_t other)
+            { return visit(f, this->Triangles[face.First + face.Tree.GetOrder()[other]]); });
         }
-        return std::any_of(this->Triangles.begin() + face.First, this->Triangles.begin() + face.Last,
+        return std::any_of(this->Triangles.begin() + face.First,
+          this->Triangles.begin() + face.Last,
           [&](const Triangle& triangle) { return visit(f, triangle); });
       });
   }
@@ -83,14 +85,15 @@ private:
   bool HasPoint(int face, int point) const
   {
     const auto begin = this->FacesOfPoints.begin();
-    return std::binary_search(begin + this->FirstFaces[point], begin + this->FirstFaces[point + 1], face);
+    return std::binary_search(
+      begin + this->FirstFaces[point], begin + this->FirstFaces[point + 1], face);
   }
 
   std::vector<Triangle> Triangles;
   std::vector<Face> Faces;
   std::vector<FaceLine> Lines;
   std::vector<Bounds> Boxes, BoxesOfFace;
-  BoxTree Tree; ///< of faces
+  BoxTree Tree;                               ///< of faces
   std::vector<int> FirstFaces, FacesOfPoints; ///< where those of a point begin in the list
   std::vector<Vector> Corners;
   PolygonTriangulator Triangulator;

@@ -26,7 +26,8 @@ double GetAngle(const Vector& a, const Vector& b)
 double GetLean(const CellNeighborhood& cell, const Facet& facet)
 {
   // The length is no number where the other cell has no centroid.
-  if (facet.IsZero || std::isnan(facet.LineLength) || cell.GetGeometry().IsZeroLength(facet.LineLength))
+  if (facet.IsZero || std::isnan(facet.LineLength) ||
+    cell.GetGeometry().IsZeroLength(facet.LineLength))
   {
     return Null(NullReason::Degenerate);
   }
@@ -78,8 +79,7 @@ double GetFaceSkewness(const CellNeighborhood& cell, const Facet& facet)
   }
   // All lengths times that of the offset.
   double reach = (isBoundary ? 0.4 * height : 0.2 * facet.LineLength) * std::sqrt(square);
-  cell.ForEachPoint(facet,
-    [&](const Vector& point)
+  cell.ForEachPoint(facet, [&](const Vector& point)
     { reach = std::max(reach, std::abs(Dot(offset, point - facet.Center))); });
   return square / reach;
 }
@@ -135,7 +135,8 @@ double GetFaceTwist(const CellNeighborhood& cell, const Facet& facet)
   for (int i = 0; i < size; ++i)
   {
     const Vector& next = geometry.GetPoint(ring[i + 1 < size ? i + 1 : 0]);
-    const Vector triangle = 0.5 * Cross(geometry.GetPoint(ring[i]) - facet.Center, next - facet.Center);
+    const Vector triangle =
+      0.5 * Cross(geometry.GetPoint(ring[i]) - facet.Center, next - facet.Center);
     if (!geometry.IsZeroArea(Norm(triangle)))
     {
       const double cosine = Dot(Unit(triangle), Unit(line));

@@ -20,19 +20,20 @@ double GetNonOrthogonality(const CellNeighborhood& cell, const CellNeighborhood:
 double GetLean(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 double GetAngleOfLean(double lean);
 ///@}
-/// Angle between the line to the centre of the facet and the vector area.
+/// Angle between the line to the center of the facet and the vector area.
 double GetBoundaryNonOrthogonality(
   const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
-/// Distance of the centre from the line between the centroids, relative to the size of the facet.
+/// Distance of the center from the line between the centroids, relative to the size of the facet.
 double GetFaceSkewness(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// Smaller share of a cell in the distance of the centroids along the normal.
 double GetFaceWeight(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 /// Smaller divided by larger size of the two cells.
 double GetVolumeRatio(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
-/// Volume of the smaller one of the pyramids of the facet and the centroids; of an edge the area of its triangle.
+/// Volume of the smaller one of the pyramids of the facet and the centroids; of an edge the area of
+/// its triangle.
 double GetFacePyramidVolume(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
-/// Smallest cosine between the triangles about the centre of a face and the line to the other centroid, at the
-/// boundary to the centre of the face.
+/// Smallest cosine between the triangles about the center of a face and the line to the other
+/// centroid, at the boundary to the center of the face.
 double GetFaceTwist(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet);
 }
 

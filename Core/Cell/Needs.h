@@ -13,15 +13,15 @@ namespace camaron
 enum Needs : unsigned
 {
   NeedsPoints = 0u,
-  NeedsEdges = 1u,    ///< distinct edges and their lengths
-  NeedsFaces = 2u,    ///< vector areas, areas, centres
-  NeedsVolume = 4u,   ///< orientation and volume of a polyhedron
-  NeedsCorners = 8u,  ///< interior angles of the faces
+  NeedsEdges = 1u,   ///< distinct edges and their lengths
+  NeedsFaces = 2u,   ///< vector areas, areas, centers
+  NeedsVolume = 4u,  ///< orientation and volume of a polyhedron
+  NeedsCorners = 8u, ///< interior angles of the faces
   NeedsDihedral = 16u,
   NeedsSolidAngle = 32u,
   NeedsAngles = NeedsCorners | NeedsDihedral | NeedsSolidAngle, ///< any of them
-  NeedsCentroid = 64u,  ///< with NeedsVolume for a polyhedron
-  NeedsMeanSizes = 128u,   ///< of all cells of the mesh
+  NeedsCentroid = 64u,      ///< with NeedsVolume for a polyhedron
+  NeedsMeanSizes = 128u,    ///< of all cells of the mesh
   NeedsSurfaceSides = 256u, ///< which side of a closed surface is the outer one
   NeedsRegions = 512u,      ///< what hangs together
   NeedsPointRegions = 1024u ///< what hangs together at points

@@ -90,7 +90,8 @@ unsigned FindSimpleShape(const CellTopology& topology)
   }
   // Two shells can have as many of everything.
   int nodes[MaxSimpleNodes];
-  return GetSimpleNodes(topology, shape, nodes) == points && AreDistinct(nodes, points) ? shape : 0u;
+  return GetSimpleNodes(topology, shape, nodes) == points && AreDistinct(nodes, points) ? shape
+                                                                                        : 0u;
 }
 
 //------------------------------------------------------------------------------

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file Shapes.h
- * @brief Shapes of cells: recognizes tetrahedra, pyramids, wedges and hexahedra by their topology, and orders
- * their nodes.
+ * @brief Shapes of cells: recognizes tetrahedra, pyramids, wedges and hexahedra by their topology,
+ * and orders their nodes.
  */
 #ifndef camaron_Shapes_h
 #define camaron_Shapes_h
@@ -36,8 +36,8 @@ unsigned FindSimpleShape(const CellTopology& topology);
 constexpr int MaxSimpleNodes = 8;
 
 /**
- * Points of a cell of a simple shape in the order of textbooks: a base whose normal points into the cell,
- * then the apex, or the other ends of the edges from the base. The faces must run outward.
+ * Points of a cell of a simple shape in the order of textbooks: a base whose normal points into the
+ * cell, then the apex, or the other ends of the edges from the base. The faces must run outward.
  * @return how many there are
  */
 int GetSimpleNodes(const CellTopology& topology, unsigned shape, int nodes[MaxSimpleNodes]);

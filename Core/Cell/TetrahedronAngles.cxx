@@ -37,7 +37,8 @@ void TetrahedronAngles::MeasureSides()
   {
     const int* const ring = this->Topology.GetFace(f);
     const VectorPair& origin = this->Places[ring[0]];
-    this->FaceVectors[f] = 0.5 * Cross(this->Places[ring[1]] - origin, this->Places[ring[2]] - origin);
+    this->FaceVectors[f] =
+      0.5 * Cross(this->Places[ring[1]] - origin, this->Places[ring[2]] - origin);
     this->FaceAreas[f] = Norm(this->FaceVectors[f]);
   }
   for (int e = 0; e < 6; ++e)
@@ -55,8 +56,9 @@ AngleRangePair TetrahedronAngles::GetDihedralAngles() const
   for (const int e : { 0, 2, 4, 1, 3, 5 })
   {
     const int* const faces = this->Topology.Edges[e].Faces;
-    const AnglePair angle = camaron::GetDihedralAngles(this->Edges[e], this->Lengths[e], this->FaceVectors[faces[0]],
-      this->FaceVectors[faces[1]], this->FaceAreas[faces[0]], this->FaceAreas[faces[1]], this->Sign);
+    const AnglePair angle = camaron::GetDihedralAngles(this->Edges[e], this->Lengths[e],
+      this->FaceVectors[faces[0]], this->FaceVectors[faces[1]], this->FaceAreas[faces[0]],
+      this->FaceAreas[faces[1]], this->Sign);
     angles.Add(angle.Sine, angle.Cosine);
   }
   return angles;
@@ -70,7 +72,8 @@ AngleRangePair TetrahedronAngles::GetHalfSolidAngles(Pair& areSimple) const
   areSimple = one;
   for (const int point : { 0, 2, 1, 3 })
   {
-    const CellTopology::Spoke* const spokes = &this->Topology.Spokes[this->Topology.SpokeOffsets[point]];
+    const CellTopology::Spoke* const spokes =
+      &this->Topology.Spokes[this->Topology.SpokeOffsets[point]];
     const auto getDirection = [&](int i)
     {
       const int e = spokes[i].Edge;
@@ -78,12 +81,13 @@ AngleRangePair TetrahedronAngles::GetHalfSolidAngles(Pair& areSimple) const
       return sign * ((one / this->Lengths[e]) * this->Edges[e]);
     };
     const VectorPair directions[] = { getDirection(0), getDirection(1), getDirection(2) };
-    const VectorPair vectors[] = { this->FaceVectors[spokes[0].Face], this->FaceVectors[spokes[1].Face],
-      this->FaceVectors[spokes[2].Face] };
+    const VectorPair vectors[] = { this->FaceVectors[spokes[0].Face],
+      this->FaceVectors[spokes[1].Face], this->FaceVectors[spokes[2].Face] };
     const Pair areas[] = { this->FaceAreas[spokes[0].Face], this->FaceAreas[spokes[1].Face],
       this->FaceAreas[spokes[2].Face] };
     Pair isSimple;
-    const AnglePair half = camaron::GetHalfSolidAngles(directions, vectors, areas, this->Sign, isSimple);
+    const AnglePair half =
+      camaron::GetHalfSolidAngles(directions, vectors, areas, this->Sign, isSimple);
     angles.Add(half.Sine, half.Cosine);
     areSimple = areSimple * isSimple;
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetrahedronAngles
- * @brief The angles of two tetrahedra; see SoundTetrahedra.
+ * @brief The angles of two tetrahedra; see NondegenerateTetrahedra.
  *
- * Faces, edges and points come in the order in which CellGeometry takes them: of angles that are the same but for
- * rounding the first one counts.
+ * Faces, edges and points come in the order in which CellGeometry takes them: of angles that are
+ * the same but for rounding the first one counts.
  */
 #ifndef camaron_TetrahedronAngles_h
 #define camaron_TetrahedronAngles_h

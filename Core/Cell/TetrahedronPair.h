@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetrahedronPair
- * @brief Two neighbouring places of a block of tetrahedra; see SoundTetrahedra.
+ * @brief Two neighboring places of a block of tetrahedra; see NondegenerateTetrahedra.
  *
- * Has those members of CellGeometry that need the points only, with the same values to the last bit: a formula
- * that is a template of its cell is evaluated for both at once.
+ * Has those members of CellGeometry that need the points only, with the same values to the last
+ * bit: a formula that is a template of its cell is evaluated for both at once.
  */
 #ifndef camaron_TetrahedronPair_h
 #define camaron_TetrahedronPair_h
 
-#include "Cell/AngleRange.h"
 #include "Base/VectorPair.h"
+#include "Cell/AngleRange.h"
 
 #include <array> // for the edges
 
@@ -42,7 +42,8 @@ public:
   VectorPair GetPoint(int point) const
   {
     const TetrahedronBlock& block = this->Block;
-    return { this->Load(block.X[point - 1]), this->Load(block.Y[point - 1]), this->Load(block.Z[point - 1]) };
+    return { this->Load(block.X[point - 1]), this->Load(block.Y[point - 1]),
+      this->Load(block.Z[point - 1]) };
   }
   Pair GetVolume() const { return this->Load(this->Block.Volumes); }
 

@@ -79,7 +79,7 @@ struct CellConversion
  *   polyhedron whose faces run inward becomes an inverted cell;
  * - 2D cells are cut into triangles, also concave ones;
  * - 3D cells are cut into tetrahedra without new points, all faces and the cell itself from the
- * smallest point id. Neighbours thus fit, if both are cut. Tetrahedra of cells that are not convex
+ * smallest point id. Neighbors thus fit, if both are cut. Tetrahedra of cells that are not convex
  * may have no positive volume; these are warned of.
  *
  * Points that were used by cells, and are not any more, are left out; those of vertices and those

@@ -21,7 +21,8 @@ bool CellCutter::CutPolygon(const vtkIdType* points, vtkIdType size)
 {
   this->Triangles.clear();
   this->Corners.resize(size);
-  std::transform(points, points + size, this->Corners.begin(), [this](vtkIdType id) { return this->GetPlace(id); });
+  std::transform(points, points + size, this->Corners.begin(),
+    [this](vtkIdType id) { return this->GetPlace(id); });
   this->Triangulator.Cut(this->Corners.data(), static_cast<int>(size));
   for (const PolygonTriangulator::Triangle& t : this->Triangulator.GetTriangles())
   {
@@ -29,7 +30,8 @@ bool CellCutter::CutPolygon(const vtkIdType* points, vtkIdType size)
   }
   constexpr double rounding = 1e-5; // of a polygon that touches itself, in single precision
   return size == 3 ||
-    (this->Triangulator.GetArea() > 0 && this->Triangulator.GetOverlap() <= rounding * this->Triangulator.GetArea());
+    (this->Triangulator.GetArea() > 0 &&
+      this->Triangulator.GetOverlap() <= rounding * this->Triangulator.GetArea());
 }
 
 //------------------------------------------------------------------------------
@@ -41,7 +43,8 @@ double CellCutter::GetVolume(const Tetrahedron& t) const
 }
 
 //------------------------------------------------------------------------------
-// Consistent faces run along every edge once in either direction; where parts of a cell meet, as often in either.
+// Consistent faces run along every edge once in either direction; where parts of a cell meet, as
+// often in either.
 bool CellCutter::IsConsistent()
 {
   std::sort(this->Edges.begin(), this->Edges.end());

@@ -9,9 +9,9 @@
 #ifndef camaron_CellCutter_h
 #define camaron_CellCutter_h
 
+#include "Base/Vector.h"
 #include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
-#include "Base/Vector.h"
 
 #include <array>   // for simplices
 #include <utility> // for edges
@@ -27,15 +27,15 @@ public:
 
   explicit CellCutter(const MeshView& mesh);
 
-  /// Triangles of a polygon that run as it does. False if it crosses itself or has no area, so that any choice is as good.
+  /// Triangles of a polygon that run as it does. False if it crosses itself or has no area, so that
+  /// any choice is as good.
   bool CutPolygon(const vtkIdType* points, vtkIdType size);
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
 
   /**
-   * Tetrahedra between the first point of a 3D cell (FirstPoint.h) and the triangles of the faces that do not have
-   * it, fans where these are convex. Of a cell whose faces run
-   * outward they are positive where the cell is convex. If the faces do not run consistently, all
-   * are made positive.
+   * Tetrahedra between the first point of a 3D cell (FirstPoint.h) and the triangles of the faces
+   * that do not have it, fans where these are convex. Of a cell whose faces run outward they are
+   * positive where the cell is convex. If the faces do not run consistently, all are made positive.
    */
   void CutCell(vtkIdType cell);
   const std::vector<Tetrahedron>& GetTetrahedra() const { return this->Tetrahedra; }
@@ -44,7 +44,7 @@ public:
   double GetVolume(const Tetrahedron& tetrahedron) const;
 
   /**
-   * Recognises a polyhedron that is a tetrahedron, pyramid, wedge or hexahedron and finds its nodes
+   * Recognizes a polyhedron that is a tetrahedron, pyramid, wedge or hexahedron and finds its nodes
    * in VTK's order; VTK_POLYHEDRON if it is none of them.
    */
   unsigned char MatchPolyhedron(vtkIdType cell, vtkIdType nodes[8]);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/CellGrid.h"
 
-#include "Scan/PieceArrays.h"
+#include "Scan/PieceRequest.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -29,8 +29,7 @@ void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
   if (mesh.Types.size() != size)
   {
     mesh.Types = Buffer<unsigned char>(size);
-    ParallelFor(size, Grain,
-      [&](vtkIdType begin, vtkIdType end)
+    ParallelFor(size, Grain, [&](vtkIdType begin, vtkIdType end)
       { std::fill(mesh.Types.data() + begin, mesh.Types.data() + end, mesh.CommonType); });
   }
   if (mesh.Offsets.size() != size + 1)
@@ -46,14 +45,14 @@ void SetCells(CellMesh& mesh, vtkUnstructuredGrid* grid)
       });
   }
   vtkNew<vtkCellArray> cells;
-  cells->SetData(mesh.Offsets.TakeArray<vtkTypeInt32Array>(),
-    mesh.Connectivity.TakeArray<vtkTypeInt32Array>());
+  cells->SetData(
+    mesh.Offsets.TakeArray<vtkTypeInt32Array>(), mesh.Connectivity.TakeArray<vtkTypeInt32Array>());
   // SetCells would look for polyhedra.
   grid->SetPolyhedralCells(mesh.Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
 }
 
 //------------------------------------------------------------------------------
-void AddIds(const CellPiece& piece, vtkUnstructuredGrid* grid)
+void AddIds(const CellMeshPiece& piece, vtkUnstructuredGrid* grid)
 {
   const auto add = [](const IdSet& members, vtkDataSetAttributes* attributes, const char* name)
   {
@@ -80,7 +79,8 @@ void AddIds(const CellPiece& piece, vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid)
+void FillGrid(
+  CellMesh& mesh, const CellMeshPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkPoints> gridPoints;
   gridPoints->SetData(points);

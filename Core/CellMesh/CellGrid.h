@@ -7,7 +7,7 @@
 #ifndef camaron_CellGrid_h
 #define camaron_CellGrid_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 
 class vtkDataArray;
 class vtkUnstructuredGrid;
@@ -15,12 +15,13 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 /**
- * Fills @a grid, which must be empty, with @a mesh, the cells of a piece, whose arrays it takes over.
- * A piece that is not the whole mesh has "GlobalPointIds" and "GlobalCellIds", positions in the whole
- * mesh, and "vtkGhostType" if ghosts were asked for.
+ * Fills @a grid, which must be empty, with @a mesh, the cells of a piece, whose arrays it takes
+ * over. A piece that is not the whole mesh has "GlobalPointIds" and "GlobalCellIds", positions in
+ * the whole mesh, and "vtkGhostType" if ghosts were asked for.
  * @param points coordinates of the points of the piece, in its order
  */
-void FillGrid(CellMesh& mesh, const CellPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid);
+void FillGrid(
+  CellMesh& mesh, const CellMeshPiece& piece, vtkDataArray* points, vtkUnstructuredGrid* grid);
 }
 
 #endif

@@ -19,9 +19,9 @@
 namespace camaron
 {
 /**
- * Cells are in the order of the file, their points in VTK's order for their type. Where all cells are of
- * one type, Types is empty and CommonType tells it; where all have as many points, Offsets is empty and
- * CommonSize tells how many.
+ * Cells are in the order of the file, their points in VTK's order for their type. Where all cells
+ * are of one type, Types is empty and CommonType tells it; where all have as many points, Offsets
+ * is empty and CommonSize tells how many.
  */
 struct CellMesh
 {
@@ -32,7 +32,7 @@ struct CellMesh
   Buffer<unsigned char> Types;       ///< one per cell, or none
   Buffer<std::int32_t> Offsets;      ///< one per cell and one more, or none
   Buffer<std::int32_t> Connectivity; ///< indices of points
-  std::optional<Tally> Repeating;    ///< cells with a point twice, if whoever stored them has looked
+  std::optional<Tally> Repeating; ///< cells with a point twice, if whoever stored them has looked
 
   CellMesh() = default;
   /// Cells of one type with @a size points each, whose points are to be filled in.

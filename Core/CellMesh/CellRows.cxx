@@ -35,7 +35,8 @@ bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error)
       {
         CellSink& sink = sinks[s];
         std::copy(sink.Types.begin(), sink.Types.end(), mesh.Types.data() + firstCells[s]);
-        std::copy(sink.Points.begin(), sink.Points.end(), mesh.Connectivity.data() + firstPoints[s]);
+        std::copy(
+          sink.Points.begin(), sink.Points.end(), mesh.Connectivity.data() + firstPoints[s]);
         vtkIdType offset = firstPoints[s];
         std::int32_t* offsets = mesh.Offsets.data() + firstCells[s];
         for (const vtkIdType last : sink.Ends)

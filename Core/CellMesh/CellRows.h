@@ -54,8 +54,8 @@ private:
 };
 
 /**
- * Sets the cells of @a mesh to those of all sinks, which are emptied. False if they have more points than
- * 32 bit offsets can tell.
+ * Sets the cells of @a mesh to those of all sinks, which are emptied. False if they have more
+ * points than 32 bit offsets can tell.
  */
 bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, ScanError& error);
 
@@ -73,9 +73,9 @@ bool FillCells(std::vector<CellSink>& sinks, CellMesh& mesh, Scanner& scanner)
 }
 
 /**
- * Reads @a count rows by @a visit(row, TextRow&, CellSink&), which adds one cell per row, returns false
- * when something is wrong, and may be called by several threads. Sets the cells of @a mesh, not the
- * number of its points. False with the error in the scanner, or if stopped.
+ * Reads @a count rows by @a visit(row, TextRow&, CellSink&), which adds one cell per row, returns
+ * false when something is wrong, and may be called by several threads. Sets the cells of @a mesh,
+ * not the number of its points. False with the error in the scanner, or if stopped.
  * @param lines of the text if it is large enough to read it in parallel, else nullptr
  */
 template <typename Visit>
@@ -88,7 +88,8 @@ bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, Ce
   sinks.resize(section ? static_cast<std::size_t>(lines->GetNumberOfPieces(section)) : 1);
   const bool inParallel = section &&
     VisitRows(*lines, section, scanner.GetComment(), progress,
-      [&](vtkIdType row, vtkIdType piece, TextRow& text) { return visit(row, text, sinks[piece]); });
+      [&](vtkIdType row, vtkIdType piece, TextRow& text)
+      { return visit(row, text, sinks[piece]); });
   if (inParallel)
   {
     scanner.SetPosition(section.End);
@@ -96,7 +97,8 @@ bool ReadCells(TextScanner& scanner, const TextLines* lines, vtkIdType count, Ce
   else
   {
     sinks.assign(1, CellSink());
-    if (!ReadRows(scanner, nullptr, count, progress,
+    if (!ReadRows(
+          scanner, nullptr, count, progress,
           [&](vtkIdType row, TextRow& text) { return visit(row, text, sinks[0]); }, layout))
     {
       return false;

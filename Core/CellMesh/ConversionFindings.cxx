@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/ConversionFindings.h"
 
+#include "Base/Text.h"
 #include "CellMesh/ConversionPlan.h"
 #include "Mesh/CellShape.h"
-#include "Base/CountOf.h"
 #include "Scan/MappedFile.h"
 #include "vtkCamaronCompat.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/ConversionPlan.h"
 
-#include "Mesh/WedgeOrder.h"
 #include "Mesh/CellShape.h"
+#include "Mesh/WedgeOrder.h"
 
 #include "vtkCellType.h"
 

@@ -26,7 +26,7 @@ struct ConversionStep
     Lines,      ///< one per segment
     Vertices,   ///< one per point
     Surface,    ///< faces of a 3D cell
-    Polyhedron, ///< recognised, else cut
+    Polyhedron, ///< recognized, else cut
     Tetrahedra  ///< cut
   };
   Kind What = Kind::None;

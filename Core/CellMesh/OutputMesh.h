@@ -12,8 +12,8 @@
 #ifndef camaron_OutputMesh_h
 #define camaron_OutputMesh_h
 
-#include "Mesh/MeshView.h"
 #include "Base/IdSet.h"
+#include "Mesh/MeshView.h"
 
 #include "vtkDataArray.h"         // for moving the view
 #include "vtkUnsignedCharArray.h" // for moving the view

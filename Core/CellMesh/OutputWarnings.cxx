@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellMesh/OutputWarnings.h"
 
-#include "CellMesh/OutputMesh.h"
-#include "Cell/CellGeometry.h"
-#include "Mesh/MeshView.h"
-#include "Base/Parallel.h"
-#include "Base/CountOf.h"
-#include "Scan/MappedFile.h"
 #include "Base/Number.h"
+#include "Base/Parallel.h"
+#include "Base/Text.h"
+#include "Cell/CellGeometry.h"
+#include "CellMesh/OutputMesh.h"
+#include "Mesh/MeshView.h"
+#include "Scan/MappedFile.h"
 #include "Write/RealFormat.h"
 
 #include "vtkCellData.h"
@@ -29,8 +29,8 @@ namespace camaron
 {
 namespace
 {
-constexpr int MaxComponents = 3; // of what is checked
-constexpr vtkIdType ChunkSize = 1 << 16; // tuples that a thread checks in a row
+constexpr int MaxComponents = 3;                             // of what is checked
+constexpr vtkIdType ChunkSize = 1 << 16;                     // tuples that a thread checks in a row
 constexpr std::uint64_t MaxInteger = std::uint64_t(1) << 53; // up to which a double holds every one
 constexpr const char* TimeArrayName = "TimeValue"; // of field data of readers of time steps
 
@@ -42,7 +42,8 @@ bool HasDigits(double value, int digits)
   {
     return true;
   }
-  // A quotient of integers and powers of ten that are exact is the number nearest to the decimal one.
+  // A quotient of integers and powers of ten that are exact is the number nearest to the decimal
+  // one.
   constexpr int MaxPower = 22;
   const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::fabs(value))));
   if (std::abs(decimals) <= MaxPower)
@@ -74,7 +75,8 @@ bool HasDigits(double value, int digits)
 //------------------------------------------------------------------------------
 bool IsExactInDouble(const vtkVariant& value)
 {
-  const bool isNegative = !value.IsUnsignedLong() && !value.IsUnsignedLongLong() && value.ToTypeInt64() < 0;
+  const bool isNegative =
+    !value.IsUnsignedLong() && !value.IsUnsignedLongLong() && value.ToTypeInt64() < 0;
   const std::uint64_t bits = value.ToTypeUInt64();
   std::uint64_t magnitude = isNegative ? 0 - bits : bits;
   while (magnitude > MaxInteger && magnitude % 2 == 0)
@@ -320,8 +322,8 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
   const int allDigits = MeshView(mesh).HasFloatPoints() ? 9 : 17;
   double bounds[6];
   mesh->GetBounds(bounds);
-  const double greatest = std::fabs(*std::max_element(bounds, bounds + 6,
-    [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
+  const double greatest = std::fabs(*std::max_element(
+    bounds, bounds + 6, [](double a, double b) { return std::fabs(a) < std::fabs(b); }));
   if (digits <= 0 || digits >= allDigits || mesh->GetNumberOfPoints() == 0 || !(greatest > 0) ||
     !std::isfinite(greatest))
   {
@@ -338,9 +340,8 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
     RealFormat::Significant(6).Append(length, size);
     const double sizeDigit = getLastDigit(size); // at the origin
     warnings.Add("coordinates are kept to " + step + " only, of a mesh of size " + length +
-      (sizeDigit > EnoughOfSize * size
-          ? ", as they have " + CountOf(digits, "digit", "digits")
-          : ", as it is far from the origin") +
+      (sizeDigit > EnoughOfSize * size ? ", as they have " + CountOf(digits, "digit", "digits")
+                                       : ", as it is far from the origin") +
       ": set Digits to 17 to keep them");
     return;
   }
@@ -352,8 +353,7 @@ void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnin
   };
   Tally rounded = CountWhere(output.GetNumberOfPoints(), [&] { return isRounded; });
   rounded.First = rounded.Count > 0 ? output.GetInputPoint(rounded.First) : -1;
-  const std::string fate =
-    "rounded to " + std::to_string(digits) + " digits (Digits 17 keeps all)";
+  const std::string fate = "rounded to " + std::to_string(digits) + " digits (Digits 17 keeps all)";
   warnings.Add(rounded, "point", "points", fate.c_str());
 }
 
@@ -362,7 +362,8 @@ void WarnOfInvertedCells(vtkDataSet* mesh, const char* format, Warnings& warning
 {
   const MeshView view(mesh);
   EvaluationOptions options;
-  options.DegeneracyTolerance = 1e-12; // whatever the precision of the points: flat cells have no inside
+  options.DegeneracyTolerance =
+    1e-12; // whatever the precision of the points: flat cells have no inside
   const Tally inverted = CountWhere(view.GetNumberOfCells(),
     [&]
     {

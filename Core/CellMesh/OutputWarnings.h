@@ -46,8 +46,8 @@ void WarnOfArrays(
 ///@}
 
 /**
- * Warns of points whose coordinates are not the same in single precision. False with the error if one
- * is beyond its range.
+ * Warns of points whose coordinates are not the same in single precision. False with the error if
+ * one is beyond its range.
  * @param mesh as for MeshView
  * @param path of the file, for the error
  */
@@ -62,12 +62,14 @@ bool CheckSinglePrecision(
 bool CheckSinglePrecision(vtkDataArray* array, int components, const char* one, const char* many,
   const std::string& path, Warnings& warnings, ScanError& error);
 
-/// Warns of integers that are not the same as numbers in double precision, which formats have for them.
+/// Warns of integers that are not the same as numbers in double precision, which formats have for
+/// them.
 void WarnOfIntegers(vtkDataArray* array, Warnings& warnings);
 
 /**
- * Warns of points that are written and whose coordinates have more than so many significant digits, and where those
- * keep less than a millionth of the size of the mesh, as far from the origin or as they are so few.
+ * Warns of points that are written and whose coordinates have more than so many significant digits,
+ * and where those keep less than a millionth of the size of the mesh, as far from the origin or as
+ * they are so few.
  * @param digits 0 for as many as there are
  */
 void WarnOfDigits(vtkDataSet* mesh, const OutputMesh& output, int digits, Warnings& warnings);

@@ -11,7 +11,7 @@
 #ifndef camaron_PieceRows_h
 #define camaron_PieceRows_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "Scan/TextRows.h"
 
 namespace camaron
@@ -40,7 +40,7 @@ public:
    * with the error in the scanner, or if stopped. Reads nothing if the piece is whole.
    */
   template <typename Visit>
-  bool Find(TextScanner& scanner, const PieceRequest& request, CellPiece& piece,
+  bool Find(TextScanner& scanner, const PieceRequest& request, CellMeshPiece& piece,
     const Progress& progress, Visit&& visit) const;
 
   /**
@@ -48,8 +48,8 @@ public:
    * @a cell is the index in the piece. Moves the scanner behind all rows.
    */
   template <typename Visit>
-  bool Read(TextScanner& scanner, const CellPiece& piece, CellMesh& mesh, const Progress& progress,
-    Visit&& visit) const;
+  bool Read(TextScanner& scanner, const CellMeshPiece& piece, CellMesh& mesh,
+    const Progress& progress, Visit&& visit) const;
 
 private:
   static constexpr int MostPoints = 20; ///< of cells of one type
@@ -64,7 +64,7 @@ private:
 
 //------------------------------------------------------------------------------
 template <typename Visit>
-bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellPiece& piece,
+bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellMeshPiece& piece,
   const Progress& progress, Visit&& visit) const
 {
   piece.Start(this->NumberOfPoints, this->NumberOfCells, request);
@@ -97,7 +97,7 @@ bool PieceRows::Find(TextScanner& scanner, const PieceRequest& request, CellPiec
 
 //------------------------------------------------------------------------------
 template <typename Visit>
-bool PieceRows::Read(TextScanner& scanner, const CellPiece& piece, CellMesh& mesh,
+bool PieceRows::Read(TextScanner& scanner, const CellMeshPiece& piece, CellMesh& mesh,
   const Progress& progress, Visit&& visit) const
 {
   const std::int32_t size = this->Size;
@@ -106,10 +106,8 @@ bool PieceRows::Read(TextScanner& scanner, const CellPiece& piece, CellMesh& mes
   if (piece.IsWhole())
   {
     return ReadRows(
-      scanner, this->Lines, this->NumberOfCells, progress,
-      [&](vtkIdType row, TextRow& text)
-      { return visit(row, text, mesh.Connectivity.data() + size * row, row); },
-      RowLayout::OneLine);
+      scanner, this->Lines, this->NumberOfCells, progress, [&](vtkIdType row, TextRow& text)
+      { return visit(row, text, mesh.Connectivity.data() + size * row, row); }, RowLayout::OneLine);
   }
   return ReadRowsOnce(
     scanner, this->Lines, this->NumberOfCells, progress,

@@ -23,7 +23,7 @@ bool PointRows::Skip(TextScanner& scanner, const Progress& progress)
 
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkDataArray> PointRows::Read(
-  const CellPiece& piece, const Progress& progress) const
+  const CellMeshPiece& piece, const Progress& progress) const
 {
   Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
   TextScanner scanner = this->Start;

@@ -9,7 +9,7 @@
 #ifndef camaron_PointRows_h
 #define camaron_PointRows_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "Scan/TextRows.h"
 
 #include "vtkSmartPointer.h"
@@ -38,10 +38,10 @@ public:
   bool Skip(TextScanner& scanner, const Progress& progress);
 
   /**
-   * Coordinates of the points of a piece, in its order. None if stopped, or if rows are wrong that were
-   * skipped as lines.
+   * Coordinates of the points of a piece, in its order. None if stopped, or if rows are wrong that
+   * were skipped as lines.
    */
-  vtkSmartPointer<vtkDataArray> Read(const CellPiece& piece, const Progress& progress) const;
+  vtkSmartPointer<vtkDataArray> Read(const CellMeshPiece& piece, const Progress& progress) const;
 
 private:
   TextScanner Start;

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Where a cell is in the mesh, and whether it is there twice.
 #include "Criteria/CriterionRows.h"
-#include "Ranks/MeshRegions.h"
-#include "Ranks/PointRegions.h"
-#include "Mesh/FacetLinks.h"
 #include "Mesh/CellFacets.h"
+#include "Mesh/FacetLinks.h"
+#include "Ranks/MeshRegions.h"
 
 #include <algorithm>
 #include <functional>
@@ -47,8 +46,8 @@ void FindLinkedDuplicates(
       links.ForEach(use.Facet(),
         [&](const LinkedCell& other, bool)
         {
-          result = result || (other.Process == cell.Process && other.Piece == cell.Piece &&
-            other.Cell == cell.Cell);
+          result = result ||
+            (other.Process == cell.Process && other.Piece == cell.Piece && other.Cell == cell.Cell);
         });
       return result;
     };
@@ -78,10 +77,9 @@ void RegionId(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* v
     {
       const std::int64_t region = regions[cell];
       // A polyhedron without faces hangs together with nothing.
-      return region == MeshRegions::None ? Null(NullReason::InvalidTopology)
-        : region < 0 || mesh.Options.IsPieceWithoutGhosts
-        ? Null(NullReason::MissingGhosts)
-        : static_cast<double>(region);
+      return region == MeshRegions::None                  ? Null(NullReason::InvalidTopology)
+        : region < 0 || mesh.Options.IsPieceWithoutGhosts ? Null(NullReason::MissingGhosts)
+                                                          : static_cast<double>(region);
     });
 }
 
@@ -95,10 +93,10 @@ void IsBoundary(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double*
       const FacetTable& table = mesh.Topology.GetFacets(dimension);
       const FacetTable::Range uses = table.GetCellFacets(cell);
       const FacetLinks* links = options.Links ? &options.Links->GetFacets(dimension) : nullptr;
-      const bool isAlone = std::any_of(uses.begin(), uses.end(),
-        [&](CellFacet use)
+      const bool isAlone = std::any_of(uses.begin(), uses.end(), [&](CellFacet use)
         { return table.IsBoundary(use.Facet()) && !(links && links->Has(use.Facet())); });
-      return isAlone && options.MayHaveMore(cell) ? Null(NullReason::MissingGhosts) : double(isAlone);
+      return isAlone && options.MayHaveMore(cell) ? Null(NullReason::MissingGhosts)
+                                                  : double(isAlone);
     });
 }
 
@@ -118,8 +116,7 @@ void DuplicateCell(const MeshContext& mesh, vtkIdType begin, vtkIdType end, doub
           options.Links->GetFacets(dimension), linked);
         for (const LinkedCell& other : linked)
         {
-          lowest =
-            std::min(lowest < 0 ? mesh.GetId(cell) : lowest, static_cast<double>(other.Id));
+          lowest = std::min(lowest < 0 ? mesh.GetId(cell) : lowest, static_cast<double>(other.Id));
         }
       }
       return lowest;
@@ -129,8 +126,9 @@ void DuplicateCell(const MeshContext& mesh, vtkIdType begin, vtkIdType end, doub
 //------------------------------------------------------------------------------
 void PointRegionCount(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
-  const std::vector<Index>& counts =
-    mesh.Options.PointGroups ? mesh.Options.PointGroups->Counts : mesh.Topology.GetPointRegionCounts();
+  const std::vector<Index>& counts = mesh.Options.PointGroups
+    ? mesh.Options.PointGroups->Counts
+    : mesh.Topology.GetPointRegionCounts();
   const MeshView& view = mesh.Topology.GetMesh();
   ForFacetCells(mesh, begin, end, values,
     [&](vtkIdType cell, int)
@@ -211,7 +209,7 @@ std::vector<Criterion> ConnectivityCriteria()
       "Maximum number of cells that have a face of the cell (polygons: an edge), itself included; more than 2 where cells "
       "overlap or surfaces meet.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, None, Better::Smaller,
-      { -Infinity, 2 }, "the cell and one neighbour", Cited, Polyhedra, Integer,
+      { -Infinity, 2 }, "the cell and one neighbor", Cited, Polyhedra, Integer,
       Cost::Neighbors, NeedsPoints, CAMARON_MESH(MaxFaceCellCount),
       { "max over the faces of the number of cells with the same points",
         "1 for a cell alone. A cell that is there twice counts twice, and one that has the face twice does, too. Null (piece "

@@ -55,13 +55,14 @@ double CornerScaledJacobian(const CellGeometry& cell)
     {
       edges[i] = &topology.Edges[topology.Spokes[first + i].Edge];
     }
-    // The first face lies between the first two edges. With its next edge first, the third edge is on
-    // the other side of their product, which points outward.
+    // The first face lies between the first two edges. With its next edge first, the third edge is
+    // on the other side of their product, which points outward.
     const int end = edges[0]->Points[edges[0]->Points[0] == point ? 1 : 0];
     const bool isNext = RunsTo(topology, topology.Spokes[first].Face, point, end);
     const Vector next = GetDirection(cell, *edges[isNext ? 0 : 1], point);
     const Vector previous = GetDirection(cell, *edges[isNext ? 1 : 0], point);
-    smallest = std::min(smallest, -Dot(Cross(next, previous), GetDirection(cell, *edges[2], point)));
+    smallest =
+      std::min(smallest, -Dot(Cross(next, previous), GetDirection(cell, *edges[2], point)));
   }
   if (cell.IsZeroLength(cell.GetMinEdgeLength()))
   {
@@ -87,7 +88,7 @@ std::vector<Criterion> CornerCriteria()
         "cell in one point, null (invalid topology) for an open one.",
         "Verdict's scaled Jacobian of a hexahedron where that is smallest at a corner; 1/√2 times it "
         "for tetrahedra, √3/2 times for wedges whose smallest corner it is. Scaled Jacobians of Gmsh "
-        "are normalised otherwise again.",
+        "are normalized otherwise again.",
         "the map of a finite element turns over at a corner: solvers stop" } },
   };
   // clang-format on

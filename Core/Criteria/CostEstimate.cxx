@@ -15,8 +15,8 @@ namespace camaron
 {
 namespace
 {
-// Processor time for each corner of a cell in nanoseconds, of one criterion of a class and of each that is
-// added to it; about what BenchmarkCore prints.
+// Processor time for each corner of a cell in nanoseconds, of one criterion of a class and of each
+// that is added to it; about what BenchmarkCore prints.
 struct ClassCost
 {
   double One;
@@ -29,10 +29,11 @@ constexpr ClassCost Costs[][NumberOfCostGroups] = {
   { { 150, 25 }, { 80, 25 }, { 100, 22 } },  // Cost::Edges
   { { 360, 30 }, { 170, 30 }, { 150, 20 } }, // Cost::Neighbors
   { { 360, 5 }, { 480, 5 }, { 400, 20 } },   // Cost::Iterative: all take one kernel
-  // Cost::Clipping: 200 where polyhedra are convex, 5000 where they are not, which nobody knows before
+  // Cost::Clipping: 200 where polyhedra are convex, 5000 where they are not, which nobody knows
+  // before
   { { 360, 5 }, { 480, 5 }, { 1000, 20 } },
 };
-constexpr ClassCost OfSoundTetrahedra = { 12, 6 }; // of criteria with a TetrahedronFunction
+constexpr ClassCost OfNondegenerateTetrahedra = { 12, 6 }; // of criteria with a TetrahedronFunction
 constexpr ClassCost OfTheirAngles = { 40, 20 };
 
 //------------------------------------------------------------------------------
@@ -47,7 +48,7 @@ bool AppliesTo(const Criterion& criterion, int group)
 // Nanoseconds for each corner of a cell.
 double GetCost(const std::vector<const Criterion*>& criteria, int group)
 {
-  // Criteria of a cell share one pass, those with neighbours another one.
+  // Criteria of a cell share one pass, those with neighbors another one.
   double ofCells = 0, ofNeighbors = 0, added = 0;
   for (const Criterion* criterion : criteria)
   {
@@ -59,7 +60,7 @@ double GetCost(const std::vector<const Criterion*>& criteria, int group)
     }
     const bool isAngle = (criterion->Needs & NeedsAngles) != 0;
     const ClassCost& cost = group == CostOfTetrahedra && criterion->TetrahedronFunction
-      ? (isAngle ? OfTheirAngles : OfSoundTetrahedra)
+      ? (isAngle ? OfTheirAngles : OfNondegenerateTetrahedra)
       : Costs[static_cast<int>(criterion->Cost)][group];
     double& first = criterion->Cost == Cost::Neighbors ? ofNeighbors : ofCells;
     first = std::max(first, cost.One - cost.Another);
@@ -99,8 +100,9 @@ GroupCorners CountCorners(vtkDataSet* mesh)
   GroupCorners corners = {};
   if (auto* surface = vtkPolyData::SafeDownCast(mesh))
   {
-    corners[CostOfPolygons] = static_cast<double>(surface->GetPolys()->GetNumberOfConnectivityIds() +
-      surface->GetStrips()->GetNumberOfConnectivityIds());
+    corners[CostOfPolygons] =
+      static_cast<double>(surface->GetPolys()->GetNumberOfConnectivityIds() +
+        surface->GetStrips()->GetNumberOfConnectivityIds());
     return corners;
   }
   constexpr double ofBox = 8;

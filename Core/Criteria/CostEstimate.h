@@ -28,12 +28,14 @@ enum CostGroup
 /// Length of the lists of points of the cells of each CostGroup.
 using GroupCorners = std::array<double, NumberOfCostGroups>;
 
-/// Those of a mesh; boxes of a data set that lists no cells count as polyhedra. A single pass over the types of cells.
+/// Those of a mesh; boxes of a data set that lists no cells count as polyhedra. A single pass over
+/// the types of cells.
 GroupCorners CountCorners(vtkDataSet* mesh);
 
 /**
  * About how many seconds the evaluation will take: right to a factor of two or three on machines of
- * today; for criteria of Cost::Clipping to one of five, as it depends on how many polyhedra are not convex.
+ * today; for criteria of Cost::Clipping to one of five, as it depends on how many polyhedra are not
+ * convex.
  * @param threads that work at the same time
  */
 double EstimateSeconds(

@@ -23,7 +23,7 @@ namespace camaron
 class CellGeometry;
 class CellNeighborhood;
 class MeshContext;
-class SoundTetrahedra;
+class NondegenerateTetrahedra;
 
 /// Which end of its range is good.
 enum class Better
@@ -37,17 +37,17 @@ enum class ValueKind
 {
   Real,
   Integer, ///< counts and ids: one histogram bin per value
-  Code     ///< integers that no cell lacks to which they apply: arrays of integers, 0 for other cells
+  Code ///< integers that no cell lacks to which they apply: arrays of integers, 0 for other cells
 };
 
 /// How much work a criterion is per cell.
 enum class Cost
 {
-  Faces,      ///< one pass over the cell's own faces
-  Edges,      ///< adjacency of faces and edges inside the cell
-  Neighbors,  ///< the mesh-wide table of facets
-  Iterative,  ///< linear programs
-  Clipping    ///< the kernel as a body, which only polyhedra need
+  Faces,     ///< one pass over the cell's own faces
+  Edges,     ///< adjacency of faces and edges inside the cell
+  Neighbors, ///< the mesh-wide table of facets
+  Iterative, ///< linear programs
+  Clipping   ///< the kernel as a body, which only polyhedra need
 };
 
 /// What the documentation says of a criterion beyond its description; Markdown on one line each.
@@ -55,8 +55,10 @@ struct CriterionNotes
 {
   const char* Formula = "";    ///< definition with its symbols
   const char* Degenerate = ""; ///< answers for collapsed, flat, inverted and open elements
-  const char* Agreement = "";  ///< which programs compute the same, and which something else by that name
-  const char* Consequence = ""; ///< what cells outside of the acceptable range are, and do, in half a sentence
+  const char* Agreement =
+    ""; ///< which programs compute the same, and which something else by that name
+  const char* Consequence =
+    ""; ///< what cells outside of the acceptable range are, and do, in half a sentence
 };
 
 /// One row of the table of criteria. Text ends up in tooltips, tables and documentation.
@@ -67,28 +69,30 @@ struct Criterion
   const char* Description; ///< one sentence: definition, then remarks
   unsigned AppliesTo;      ///< Shapes
   enum camaron::Unit Unit; // there is a function of that name, too
-  double Range[2]; ///< smallest and largest possible value; angles in degrees
-  double Ideal;    ///< value of the perfect cell; NaN if there is none or it depends on the shape
+  double Range[2];         ///< smallest and largest possible value; angles in degrees
+  double Ideal; ///< value of the perfect cell; NaN if there is none or it depends on the shape
   camaron::Better Better;
   double Acceptable[2];         ///< infinite where there is no limit on that side
   const char* AcceptableSource; ///< who says so; empty when no range is given
-  bool AcceptableIsHint;        ///< common practice, not read in a document, or missed on purpose as by stretched cells
-  unsigned AcceptableFor;       ///< Shapes that the source is about; no other cell is inside or outside
+  bool AcceptableIsHint;  ///< common practice, not read in a document, or missed on purpose as by
+                          ///< stretched cells
+  unsigned AcceptableFor; ///< Shapes that the source is about; no other cell is inside or outside
   ValueKind Kind;
   camaron::Cost Cost;
   unsigned Needs;
 
   ///@{
   /**
-   * One of the first three is set. CellFunction fills values for a block of cells whose geometry is there;
-   * MeshFunction fills the values of cells [begin, end) of a mesh with neighbours; NeighborFunction
-   * returns the value of a cell from its geometry and the cells at its faces. TetrahedronFunction, where there is
-   * one, is CellFunction for blocks of cells that need no topology.
+   * One of the first three is set. CellFunction fills values for a block of cells whose geometry is
+   * there; MeshFunction fills the values of cells [begin, end) of a mesh with neighbors;
+   * NeighborFunction returns the value of a cell from its geometry and the cells at its faces.
+   * TetrahedronFunction, where there is one, is CellFunction for blocks of cells that need no
+   * topology.
    */
   void (*CellFunction)(const CellGeometry* cells, int numberOfCells, double* values);
   void (*MeshFunction)(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values);
   double (*NeighborFunction)(const CellNeighborhood& cell);
-  void (*TetrahedronFunction)(const SoundTetrahedra& cells, double* values);
+  void (*TetrahedronFunction)(const NondegenerateTetrahedra& cells, double* values);
   ///@}
 
   CriterionNotes Notes;
@@ -112,7 +116,7 @@ struct Preset
   {
     const char* Criterion;
     double Acceptable[2];
-    bool IsHint = false;             ///< as AcceptableIsHint
+    bool IsHint = false;              ///< as AcceptableIsHint
     unsigned AcceptableFor = AnyCell; ///< as that of Criterion
   };
   const char* Name;

@@ -9,9 +9,9 @@
 
 #include "Cell/CellGeometry.h"
 #include "Cell/CellNeighborhood.h"
+#include "Cell/NondegenerateTetrahedra.h"
 #include "Criteria/Criterion.h"
 #include "Criteria/MeshContext.h"
-#include "Cell/SoundTetrahedra.h"
 
 #include <limits> // for infinity
 
@@ -31,8 +31,9 @@ constexpr ValueKind Real = ValueKind::Real;
 constexpr ValueKind Integer = ValueKind::Integer;
 constexpr ValueKind Code = ValueKind::Code;
 
-// Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range, its
-// source, hint or cited, shapes that it is for, kind of values; cost, needs, function; notes for the documentation.
+// Columns of a row: name, label, description; shapes, unit, range, ideal, better; acceptable range,
+// its source, hint or cited, shapes that it is for, kind of values; cost, needs, function; notes
+// for the documentation.
 
 // `double Function(const CellGeometry&)`, called directly for every cell of a block.
 #define CAMARON_BLOCK(Function)                                                                    \
@@ -44,12 +45,13 @@ constexpr ValueKind Code = ValueKind::Code;
     }                                                                                              \
   }
 #define CAMARON_CELLS(Function) CAMARON_BLOCK(Function), nullptr, nullptr, nullptr
-// The same where a formula that is a template of its cell gives the value of tetrahedra of which nothing is zero: they
-// are evaluated two at a time and without topology.
+// The same where a formula that is a template of its cell gives the value of tetrahedra of which
+// nothing is zero: they are evaluated two at a time and without topology.
 #define CAMARON_CELLS_AND_TETRAHEDRA(Function, Formula)                                            \
-  CAMARON_BLOCK(Function), nullptr, nullptr, [](const SoundTetrahedra& cells, double* values)      \
+  CAMARON_BLOCK(Function), nullptr, nullptr,                                                       \
+    [](const NondegenerateTetrahedra& cells, double* values)                                       \
   { cells.Evaluate([](const TetrahedronPair& pair) { return Formula(pair); }, values); }
-// The same for a function with neighbours, which has the loop itself.
+// The same for a function with neighbors, which has the loop itself.
 #define CAMARON_MESH(Function) nullptr, Function, nullptr, nullptr
 // The same for a function of a cell and the cells at its facets.
 #define CAMARON_NEIGHBORS(Function) nullptr, nullptr, Function, nullptr

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A cell cut at its centroid: into the pyramids over its faces, and into the tetrahedra of the centroid,
-// the centre of a face and an edge of that face; a polygon into the triangles of the centroid and its edges.
+// A cell cut at its centroid: into the pyramids over its faces, and into the tetrahedra of the
+// centroid, the center of a face and an edge of that face; a polygon into the triangles of the
+// centroid and its edges.
 #include "Criteria/CriterionRows.h"
 
 #include <algorithm>
@@ -17,9 +18,10 @@ constexpr double RegularArea = 1.2990381056766580;   // of a triangle of circumr
 constexpr double RootOfThree = 1.7320508075688772;
 
 //------------------------------------------------------------------------------
-// What is left of tetrahedra that are flat: rounded products. Those over short edges of large cells are not, however
-// little they are of the cell.
-bool IsFlat(const CellGeometry& cell, const Vector& center, const Vector& a, const Vector& b, double volume)
+// What is left of tetrahedra that are flat: rounded products. Those over short edges of large cells
+// are not, however little they are of the cell.
+bool IsFlat(
+  const CellGeometry& cell, const Vector& center, const Vector& a, const Vector& b, double volume)
 {
   constexpr double tolerance = 1e-12;
   const double product = tolerance * tolerance * Norm2(center) * Norm2(a) * Norm2(b);
@@ -59,7 +61,8 @@ double MinOfTetrahedra(const CellGeometry& cell, Measure&& measure)
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(a, b, area) for the triangles of a polygon with an area, a and b relative to the centroid.
+// Calls visit(a, b, area) for the triangles of a polygon with an area, a and b relative to the
+// centroid.
 template <typename Visit>
 void ForEachTriangle(const CellGeometry& cell, Visit&& visit)
 {
@@ -75,7 +78,8 @@ void ForEachTriangle(const CellGeometry& cell, Visit&& visit)
 }
 
 //------------------------------------------------------------------------------
-// The smallest measure(a, b, area) of them, where flat ones and those of a polygon without an area have 0.
+// The smallest measure(a, b, area) of them, where flat ones and those of a polygon without an area
+// have 0.
 template <typename Measure>
 double MinOfTriangles(const CellGeometry& cell, Measure&& measure)
 {
@@ -102,8 +106,8 @@ bool IsPolygon(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// The smallest and the largest volume of the pyramids over the faces; of a polygon with an area the areas of its
-// triangles.
+// The smallest and the largest volume of the pyramids over the faces; of a polygon with an area the
+// areas of its triangles.
 struct PyramidVolumes
 {
   double Min = std::numeric_limits<double>::infinity();
@@ -132,7 +136,7 @@ private:
 
 //------------------------------------------------------------------------------
 // One of them, 0 of a polygon without an area.
-double GetPyramidVolume(const CellGeometry& cell, double PyramidVolumes::*which)
+double GetPyramidVolume(const CellGeometry& cell, double PyramidVolumes::* which)
 {
   if (IsPolygon(cell))
   {
@@ -160,8 +164,9 @@ double MinFacePyramidRatio(const CellGeometry& cell)
   if (IsPolygon(cell))
   {
     const double area = cell.GetPolygonArea();
-    return cell.IsZeroArea(area) ? Null(NullReason::Degenerate)
-                                 : PyramidVolumes(cell).Min * cell.GetTopology().GetFaceSize(0) / area;
+    return cell.IsZeroArea(area)
+      ? Null(NullReason::Degenerate)
+      : PyramidVolumes(cell).Min * cell.GetTopology().GetFaceSize(0) / area;
   }
   const double volume = cell.GetVolume();
   if (std::isnan(volume))
@@ -180,8 +185,8 @@ double MinTetVolume(const CellGeometry& cell)
   {
     return MinOfTriangles(cell, [](const Vector&, const Vector&, double area) { return area; });
   }
-  return MinOfTetrahedra(cell,
-    [](const Vector&, const Vector&, const Vector&, double volume) { return volume; });
+  return MinOfTetrahedra(
+    cell, [](const Vector&, const Vector&, const Vector&, double volume) { return volume; });
 }
 
 //------------------------------------------------------------------------------
@@ -192,12 +197,13 @@ double MinTetMeanRatio(const CellGeometry& cell)
     return MinOfTriangles(cell, [](const Vector& a, const Vector& b, double area)
       { return 4 * RootOfThree * area / (Norm2(a) + Norm2(b) + Norm2(b - a)); });
   }
-  // The volume by the power 3/2 of the squared edges is smallest in the same tetrahedron, and so one cube root
-  // is enough.
+  // The volume by the power 3/2 of the squared edges is smallest in the same tetrahedron, and so
+  // one cube root is enough.
   const double smallest = MinOfTetrahedra(cell,
     [](const Vector& a, const Vector& b, const Vector& c, double volume)
     {
-      const double squares = Norm2(a) + Norm2(b) + Norm2(c) + Norm2(a - b) + Norm2(b - c) + Norm2(c - a);
+      const double squares =
+        Norm2(a) + Norm2(b) + Norm2(c) + Norm2(a - b) + Norm2(b - c) + Norm2(c - a);
       return volume / (squares * std::sqrt(squares));
     });
   if (std::isnan(smallest))
@@ -268,7 +274,7 @@ std::vector<Criterion> DecompositionCriteria()
         "No other program here reports it.",
         "centroid outside a face: finite-volume fluxes point the wrong way" } },
     { "MinTetVolume", "Minimum tetrahedron volume of the decomposition",
-      "Volume of the smallest tetrahedron of the centroid, the centre of a face and an edge of it; of a polygon the "
+      "Volume of the smallest tetrahedron of the centroid, the center of a face and an edge of it; of a polygon the "
       "area of the smallest triangle of the centroid and an edge.",
       PolygonsAndPolyhedra, Unit::Volume, { -Infinity, Infinity }, None, Better::Bigger,
       { Positive, Infinity }, "star-shaped about its centroid", Cited, Polyhedra, Real,
@@ -277,10 +283,10 @@ std::vector<Criterion> DecompositionCriteria()
         "`MinFacePyramidVolume`",
         "0 where an edge or a face is collapsed, negative for an inverted cell; null (invalid "
         "topology) for an open one.",
-        "OpenFOAM cuts faces at a vertex of its choice instead of their centre when it has to.",
+        "OpenFOAM cuts faces at a vertex of its choice instead of their center when it has to.",
         "not star-shaped about the centroid: interpolation and particle tracking of finite volumes meet inverted tetrahedra" } },
     { "MinTetMeanRatio", "Minimum mean ratio of the decomposition",
-      "Mean ratio of the worst tetrahedron of the centroid, the centre of a face and an edge of it (of a polygon the "
+      "Mean ratio of the worst tetrahedron of the centroid, the center of a face and an edge of it (of a polygon the "
       "worst triangle of the centroid and an edge); above 0 where the cell is star-shaped about its centroid. Not 1 for "
       "the cube.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
@@ -294,7 +300,7 @@ std::vector<Criterion> DecompositionCriteria()
         "not star-shaped about the centroid: interpolation and particle tracking of finite volumes meet inverted tetrahedra" } },
     { "MinTetQuality", "Minimum OpenFOAM tetrahedron quality",
       "Volume divided by that of the regular tetrahedron with the same circumsphere, of the worst "
-      "tetrahedron of the centroid, the centre of a face and an edge of it; of a polygon area and circumcircle of the "
+      "tetrahedron of the centroid, the center of a face and an edge of it; of a polygon area and circumcircle of the "
       "worst triangle of the centroid and an edge.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, None, Better::Bigger,
       { 1e-15, Infinity }, "OpenFOAM's minTetQuality", Hint, Polyhedra, Real,

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/Evaluation.h"
 
+#include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
+#include "Cell/NondegenerateTetrahedra.h"
+#include "Criteria/MeshContext.h"
 #include "Ranks/LinkedPieces.h"
 #include "Ranks/MeanSizes.h"
-#include "Criteria/MeshContext.h"
 #include "Ranks/MeshRegions.h"
-#include "Cell/SoundTetrahedra.h"
 #include "Ranks/SurfaceSides.h"
-#include "Base/Parallel.h"
 
 #include "vtkSMPThreadLocal.h"
 
@@ -22,8 +22,9 @@ namespace camaron
 {
 namespace
 {
-constexpr int MaxBlockSize = 16;      // cells whose geometry is held at once
-constexpr int MaxBlockPoints = 64;    // about; the geometry of more would not stay in the nearest cache
+constexpr int MaxBlockSize = 16; // cells whose geometry is held at once
+constexpr int MaxBlockPoints =
+  64; // about; the geometry of more would not stay in the nearest cache
 constexpr vtkIdType SlabSize = 65536; // cells between two reports of progress, at least
 constexpr vtkIdType Grain = 1024;
 constexpr vtkIdType NumberOfReports = 100;
@@ -52,7 +53,8 @@ double ToMesh(const CellGeometry& cell, const Criterion& criterion, double value
     case Unit::Area:
       return cell.ToMesh(value, 2);
     case Unit::Volume:
-      return cell.ToMesh(value, (cell.GetShapes() & Polygons) ? 2 : 3); // Jacobians of polygons are areas
+      return cell.ToMesh(
+        value, (cell.GetShapes() & Polygons) ? 2 : 3); // Jacobians of polygons are areas
     default:
       return value;
   }
@@ -62,7 +64,7 @@ double ToMesh(const CellGeometry& cell, const Criterion& criterion, double value
 class CellEvaluation
 {
 public:
-  /// Leaves the centres of the cells in @a centers, if given.
+  /// Leaves the centers of the cells in @a centers, if given.
   CellEvaluation(const MeshView& mesh, const EvaluationOptions& options,
     const std::vector<CriterionValues>& criteria, CellCenters* centers)
     : Mesh(mesh)
@@ -98,19 +100,22 @@ private:
   // Sound tetrahedra by themselves, and what is between them as other cells.
   void EvaluateTetrahedra(std::vector<CellGeometry>& block, vtkIdType begin, vtkIdType end) const
   {
-    SoundTetrahedra tetrahedra;
-    std::array<double, SoundTetrahedra::Size> rest;
-    for (vtkIdType first = begin; first < end; first += SoundTetrahedra::Size)
+    NondegenerateTetrahedra tetrahedra;
+    std::array<double, NondegenerateTetrahedra::Size> rest;
+    for (vtkIdType first = begin; first < end; first += NondegenerateTetrahedra::Size)
     {
-      const int size = static_cast<int>(std::min<vtkIdType>(SoundTetrahedra::Size, end - first));
-      const int numberOfSound = tetrahedra.Load(this->Mesh, first, size, this->Options, this->Needs);
+      const int size =
+        static_cast<int>(std::min<vtkIdType>(NondegenerateTetrahedra::Size, end - first));
+      const int numberOfSound =
+        tetrahedra.Load(this->Mesh, first, size, this->Options, this->Needs);
       if (numberOfSound > 0)
       {
         for (const CriterionValues& row : this->Criteria)
         {
           double* const to = row.Values + first;
-          row.Criterion->TetrahedronFunction(tetrahedra, size == SoundTetrahedra::Size ? to : rest.data());
-          if (size < SoundTetrahedra::Size)
+          row.Criterion->TetrahedronFunction(
+            tetrahedra, size == NondegenerateTetrahedra::Size ? to : rest.data());
+          if (size < NondegenerateTetrahedra::Size)
           {
             std::copy_n(rest.data(), size, to);
           }
@@ -193,7 +198,8 @@ private:
   CellCenters* Centers;
   bool TakesTetrahedra; ///< those that are sound go without topology
   unsigned Needs;
-  mutable vtkSMPThreadLocal<std::vector<CellGeometry>> Blocks; // keep their memory from loop to loop
+  mutable vtkSMPThreadLocal<std::vector<CellGeometry>>
+    Blocks; // keep their memory from loop to loop
 };
 
 //------------------------------------------------------------------------------
@@ -278,14 +284,15 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
   std::vector<CriterionValues> ofCells, ofMesh, ofNeighbors;
   for (const CriterionValues& row : criteria)
   {
-    (row.Criterion->CellFunction           ? ofCells
+    (row.Criterion->CellFunction          ? ofCells
         : row.Criterion->NeighborFunction ? ofNeighbors
                                           : ofMesh)
       .push_back(row);
   }
   const vtkIdType numberOfCells = mesh.GetNumberOfCells();
   const vtkIdType slab = std::max(SlabSize, numberOfCells / NumberOfReports + 1);
-  // Those with neighbours need the centres of all cells, which come along with what else is evaluated of cells.
+  // Those with neighbors need the centers of all cells, which come along with what else is
+  // evaluated of cells.
   const bool hasCellPass = !ofCells.empty() || !ofNeighbors.empty();
   const int passes = hasCellPass + !ofMesh.empty() + !ofNeighbors.empty();
   const double total = static_cast<double>(numberOfCells) * passes;
@@ -300,8 +307,8 @@ bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOption
         return false;
       }
       const vtkIdType size = std::min(slab, numberOfCells - first);
-      ParallelFor(size, Grain,
-        [&](vtkIdType begin, vtkIdType end) { evaluate(first + begin, first + end); });
+      ParallelFor(
+        size, Grain, [&](vtkIdType begin, vtkIdType end) { evaluate(first + begin, first + end); });
       done += static_cast<double>(size);
     }
     return true;

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The faces of a cell: how flat they are, and how they close it.
+#include "Cell/CellDefects.h"
 #include "Criteria/CriterionRows.h"
-#include "Cell/FaceShape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,12 +113,13 @@ double Openness(const CellGeometry& cell)
 namespace
 {
 //------------------------------------------------------------------------------
-// How far the middle of the next edge lies beyond an edge, or that of the edge beyond the next one, in the plane of a
-// polygon with a normal.
+// How far the middle of the next edge lies beyond an edge, or that of the edge beyond the next one,
+// in the plane of a polygon with a normal.
 double GetConcavity(const Vector& from, const Vector& via, const Vector& to, const Vector& normal)
 {
   const Vector way = 0.5 * (to - from); // from one middle to the other
-  return std::max(Dot(Unit(Cross(via - from, normal)), way), Dot(Unit(Cross(to - via, normal)), -way));
+  return std::max(
+    Dot(Unit(Cross(via - from, normal)), way), Dot(Unit(Cross(to - via, normal)), -way));
 }
 
 //------------------------------------------------------------------------------
@@ -176,8 +177,8 @@ double CellConcavity(const CellGeometry& cell)
       if (other >= 0 && own >= 0 && !cell.IsZeroArea(cell.GetFaceArea(own)))
       {
         const Vector offset = cell.GetFaceCenter(other) - cell.GetFaceCenter(own);
-        largest = std::max(
-          largest, sign * Dot(cell.GetFaceVector(own), offset) / cell.GetFaceArea(own));
+        largest =
+          std::max(largest, sign * Dot(cell.GetFaceVector(own), offset) / cell.GetFaceArea(own));
       }
     }
   }
@@ -195,7 +196,7 @@ std::vector<Criterion> FaceCriteria()
   // clang-format off
   return {
     { "MinFaceFlatness", "Minimum face flatness",
-      "Length of the vector area of a face divided by the area of its triangles about the centre, the "
+      "Length of the vector area of a face divided by the area of its triangles about the center, the "
       "smallest of all faces; 1 is planar.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.8, Infinity }, CheckMesh, Cited, Polyhedra, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS(MinFaceFlatness),
@@ -214,7 +215,7 @@ std::vector<Criterion> FaceCriteria()
         "No other program here reports it per cell." } },
     { "MaxWarpage", "Maximum warpage",
       "Maximum distance of a vertex from the mean plane of its face divided by the largest distance from "
-      "the centre of that face.",
+      "the center of that face.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 0.1 }, "planarity limit of VTK's Validate Cells", Hint, PolygonsAndPolyhedra, Real,
       Cost::Faces, NeedsFaces, CAMARON_CELLS(MaxWarpage),
@@ -248,14 +249,14 @@ std::vector<Criterion> FaceCriteria()
       { "as `MaxFaceConcavity`, the smallest of the faces", "As `MaxFaceConcavity`.",
         "No other program here reports it per cell." } },
     { "CellConcavity", "Cell concavity",
-      "Maximum distance of the centre of a face outside the plane of a neighbouring face (of a polygon of the middle of "
-      "an edge beyond a neighbouring edge), divided by the diameter; not above 0 where the cell is convex.",
+      "Maximum distance of the center of a face outside the plane of a neighboring face (of a polygon of the middle of "
+      "an edge beyond a neighboring edge), divided by the diameter; not above 0 where the cell is convex.",
       PolygonsAndPolyhedra, Unit::None, { -Infinity, Infinity }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume, CAMARON_CELLS(CellConcavity),
       { "max of n_f · (c_g − c_f) / h over the pairs of faces f, g with a common edge; of a polygon over the pairs of "
         "edges with a common vertex",
-        "0 for a flat cell; beyond 1 where the centre of a face that crosses itself lies far outside; null "
+        "0 for a flat cell; beyond 1 where the center of a face that crosses itself lies far outside; null "
         "(degenerate) when no face or polygon has an area, null (invalid topology) for an open cell. Inside out or not makes no "
         "difference.",
         "No other program here reports it; Validate Cells of VTK answers yes or no." } },

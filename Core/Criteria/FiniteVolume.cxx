@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What finite volumes ask of a cell and its neighbours, as OpenFOAM's checkMesh and Fluent define it.
-#include "Criteria/CriterionRows.h"
+// What finite volumes ask of a cell and its neighbors, as OpenFOAM's checkMesh and Fluent define
+// it.
 #include "Cell/FacetMeasures.h"
+#include "Criteria/CriterionRows.h"
 #include "Criteria/Moments.h"
 
 #include <algorithm>
@@ -23,8 +24,8 @@ enum class End
 };
 
 //------------------------------------------------------------------------------
-// The smallest or largest of what facets have, or why there is none. A neighbour in another piece, of which nothing is
-// known, might be beyond all others.
+// The smallest or largest of what facets have, or why there is none. A neighbor in another piece,
+// of which nothing is known, might be beyond all others.
 class Extreme
 {
 public:
@@ -36,7 +37,8 @@ public:
   {
     if (!std::isnan(value))
     {
-      this->Value = this->IsEmpty ? value : std::max(this->Sign * value, this->Sign * this->Value) * this->Sign;
+      this->Value =
+        this->IsEmpty ? value : std::max(this->Sign * value, this->Sign * this->Value) * this->Sign;
       this->IsEmpty = false;
     }
     else
@@ -47,7 +49,8 @@ public:
   void AddMissing() { this->IsMissing = true; }
   void AddNonManifold()
   {
-    this->Reason = this->Reason == NullReason::NoNeighbor ? NullReason::InvalidTopology : this->Reason;
+    this->Reason =
+      this->Reason == NullReason::NoNeighbor ? NullReason::InvalidTopology : this->Reason;
   }
   double Get() const
   {
@@ -67,7 +70,7 @@ private:
 //------------------------------------------------------------------------------
 enum Sides : unsigned
 {
-  Inner = 1u,   ///< facets with a cell on the other side
+  Inner = 1u, ///< facets with a cell on the other side
   AtBoundary = 2u
 };
 
@@ -79,7 +82,8 @@ double ExtremeOfFacets(const CellNeighborhood& cell, End end, unsigned sides, Me
   Extreme extreme(end);
   for (const Facet& facet : cell.GetFacets())
   {
-    if ((facet.Other == Side::Cell && (sides & Inner)) || (facet.Other == Side::Boundary && (sides & AtBoundary)))
+    if ((facet.Other == Side::Cell && (sides & Inner)) ||
+      (facet.Other == Side::Boundary && (sides & AtBoundary)))
     {
       extreme.Add(measure(facet));
     }
@@ -218,21 +222,21 @@ std::vector<Criterion> FiniteVolumeCriteria()
   // clang-format off
   return {
     { "MaxNonOrthogonality", "Maximum non-orthogonality",
-      "Maximum angle between the line to the centroid of a neighbour and the normal of the face between; "
+      "Maximum angle between the line to the centroid of a neighbor and the normal of the face between; "
       "above 90 the centroids are on the wrong sides.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, 70 }, "OpenFOAM checkMesh; maxNonOrtho of snappyHexMesh is 65", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(NonOrthogonality<End::Largest>),
-      { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbour N; the "
+      { "∠(d, S) with d = N − P, from the centroid P of the cell to that of the neighbor N; the "
         "largest of the inner faces",
-        "Null (no neighbour) for a cell without neighbours. Collapsed faces, centroids in the same "
-        "place and neighbours with coordinates that are not finite are passed over; null (degenerate) "
+        "Null (no neighbor) for a cell without neighbors. Collapsed faces, centroids in the same "
+        "place and neighbors with coordinates that are not finite are passed over; null (degenerate) "
         "when nothing is left.",
         "checkMesh's for planar convex faces, to the digits it prints. Fluent reports the cosine: see "
         "`OrthogonalQuality`.",
         "finite volumes need correctors, or diverge" } },
     { "MinNonOrthogonality", "Minimum non-orthogonality",
-      "Minimum angle between the line to the centroid of a neighbour and the normal of the face between: "
+      "Minimum angle between the line to the centroid of a neighbor and the normal of the face between: "
       "how good the best face is.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
@@ -240,16 +244,16 @@ std::vector<Criterion> FiniteVolumeCriteria()
       { "as `MaxNonOrthogonality`, the smallest of the inner faces", "As `MaxNonOrthogonality`.",
         "No other program here reports it per cell." } },
     { "MaxBoundaryNonOrthogonality", "Maximum non-orthogonality at the boundary",
-      "Maximum angle between the line to the centre of a boundary face and the normal of that face.",
+      "Maximum angle between the line to the center of a boundary face and the normal of that face.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(BoundaryNonOrthogonality<End::Largest>),
       { "∠(c_f − P, S); the largest of the boundary faces",
-        "90 for a flat tetrahedron, 180 for an inverted cell. Null (no neighbour) for a cell without "
+        "90 for a flat tetrahedron, 180 for an inverted cell. Null (no neighbor) for a cell without "
         "boundary faces, null (degenerate) when all are collapsed.",
         "checkMesh does not look at boundary faces." } },
     { "MinBoundaryNonOrthogonality", "Minimum non-orthogonality at the boundary",
-      "Minimum angle between the line to the centre of a boundary face and the normal of that face: how good "
+      "Minimum angle between the line to the center of a boundary face and the normal of that face: how good "
       "the best one is.",
       PolygonsAndPolyhedra, Unit::Angle, { 0, 180 }, 0, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
@@ -257,7 +261,7 @@ std::vector<Criterion> FiniteVolumeCriteria()
       { "as `MaxBoundaryNonOrthogonality`, the smallest of the boundary faces",
         "Null as `MaxBoundaryNonOrthogonality`.", "No other program here reports it per cell." } },
     { "MaxFaceSkewness", "Maximum face skewness",
-      "Maximum distance of the centre of a face from where the line to the neighbour crosses it, relative "
+      "Maximum distance of the center of a face from where the line to the neighbor crosses it, relative "
       "to the size of the face in that direction; at the boundary as if the cell were mirrored.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, 0, Better::Smaller,
       { -Infinity, 4 }, "OpenFOAM checkMesh; meshQualityDict allows 20 at the boundary", Cited, Polyhedra, Real,
@@ -297,35 +301,35 @@ std::vector<Criterion> FiniteVolumeCriteria()
         "Null as `MinFaceWeight`; 0 where a centroid lies in the plane of every inner face.",
         "No other program here reports it per cell." } },
     { "MinVolumeRatio", "Minimum volume ratio",
-      "Smaller divided by larger volume (area) of the cell and a neighbour, the worst of all neighbours.",
+      "Smaller divided by larger volume (area) of the cell and a neighbor, the worst of all neighbors.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { 0.01, Infinity }, "OpenFOAM's minVolRatio", Cited, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Smallest>),
-      { "min(V_P, V_N) / max(V_P, V_N); the smallest of the neighbours",
-        "0 where one of the two is flat or inverted; null (no neighbour) without neighbours, null "
+      { "min(V_P, V_N) / max(V_P, V_N); the smallest of the neighbors",
+        "0 where one of the two is flat or inverted; null (no neighbor) without neighbors, null "
         "(invalid topology) for an open cell.",
         "checkMesh's \"face volume ratio\", to the digits it prints.",
         "abrupt changes of size: gradients of finite volumes lose accuracy" } },
     { "MaxVolumeRatio", "Maximum volume ratio",
-      "Smaller divided by larger volume (area) of the cell and a neighbour, the best of all neighbours.",
+      "Smaller divided by larger volume (area) of the cell and a neighbor, the best of all neighbors.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(VolumeRatio<End::Largest>),
-      { "min(V_P, V_N) / max(V_P, V_N); the largest of the neighbours",
-        "Null as `MinVolumeRatio`; 0 where the cell is flat or inverted, or all its neighbours are.",
+      { "min(V_P, V_N) / max(V_P, V_N); the largest of the neighbors",
+        "Null as `MinVolumeRatio`; 0 where the cell is flat or inverted, or all its neighbors are.",
         "No other program here reports it per cell." } },
     { "CellVolumeRatio", "Size growth",
-      "Larger divided by smaller volume (area) of the cell and a neighbour, the worst of all neighbours.",
+      "Larger divided by smaller volume (area) of the cell and a neighbor, the worst of all neighbors.",
       PolygonsAndPolyhedra, Unit::None, { 1, Infinity }, 1, Better::Smaller,
       { -Infinity, 2 }, "common practice for transitions; 1.2 in layers", Hint, SimplePolyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(CellVolumeRatio),
       { "1 / MinVolumeRatio",
-        "Infinite where a neighbour or the cell is flat or inverted; else null as `MinVolumeRatio`.",
+        "Infinite where a neighbor or the cell is flat or inverted; else null as `MinVolumeRatio`.",
         "Growth rates of Fluent and others are along layers, and often of lengths.",
         "abrupt changes of size, meant so where cells are refined by halves" } },
     { "OrthogonalQuality", "Orthogonal quality",
       "Minimum cosine of the angles between the normal of a face and the lines from the centroid to the "
-      "centre of the face and to the centroid of the neighbour, as in Fluent.",
+      "center of the face and to the centroid of the neighbor, as in Fluent.",
       PolygonsAndPolyhedra, Unit::None, { -1, 1 }, 1, Better::Bigger,
       { 0.1, Infinity }, "Fluent practice; 0.01 at least", Hint, Polyhedra, Real,
       Cost::Neighbors, NeedsCentroid, CAMARON_NEIGHBORS(OrthogonalQuality),

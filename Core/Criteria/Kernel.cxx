@@ -11,8 +11,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// measure() of a cell with a volume or an area, ifFlat for one without; null for a point and where the
-// cell is not closed.
+// measure() of a cell with a volume or an area, ifFlat for one without; null for a point and where
+// the cell is not closed.
 template <typename Measure>
 double OfSolid(const CellGeometry& cell, double ifFlat, Measure&& measure)
 {
@@ -52,16 +52,14 @@ double IsStarShaped(const CellGeometry& cell)
 //------------------------------------------------------------------------------
 double KernelInradiusRatio(const CellGeometry& cell)
 {
-  return OfSolid(
-    cell, 0, [&] { return cell.GetKernel().GetRadius(cell) / cell.GetDiameter(); });
+  return OfSolid(cell, 0, [&] { return cell.GetKernel().GetRadius(cell) / cell.GetDiameter(); });
 }
 
 //------------------------------------------------------------------------------
 double ShapeRegularity(const CellGeometry& cell)
 {
   CellKernel& kernel = cell.GetKernel();
-  return OfSolid(
-    cell, 0, [&] { return kernel.GetRadius(cell) / kernel.GetEnclosingRadius(cell); });
+  return OfSolid(cell, 0, [&] { return kernel.GetRadius(cell) / kernel.GetEnclosingRadius(cell); });
 }
 
 //------------------------------------------------------------------------------
@@ -99,7 +97,7 @@ std::vector<Criterion> KernelCriteria()
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Clipping, needs, CAMARON_CELLS(KernelRatio),
       { "|K| / |E|, with K what the inner half-spaces of the faces of E have in common; of a warped face those of "
-        "the triangles of its edges and its centre. Of a polygon: half-planes of its edges, in its plane. Half-spaces "
+        "the triangles of its edges and its center. Of a polygon: half-planes of its edges, in its plane. Half-spaces "
         "cut the bounding box of the cell one after the other. Exactly 1 where no point of the cell lies outside of a "
         "half-space.",
         "0 if the largest ball in K counts as zero for the precision of the points; NaN (2) without volume or "

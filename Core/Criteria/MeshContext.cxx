@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Criteria/MeshContext.h"
 
+#include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
 #include "Mesh/DuplicateCells.h"
-#include "Base/Parallel.h"
 
 #include "vtkDataArray.h"
 

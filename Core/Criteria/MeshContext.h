@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MeshContext
- * @brief What a criterion with neighbours reads.
+ * @brief What a criterion with neighbors reads.
  *
- * Tables are made when they are first asked for. A criterion that is asked for no cells at all gets its tables and
- * does nothing else, so that they are made with all threads.
+ * Tables are made when they are first asked for. A criterion that is asked for no cells at all gets
+ * its tables and does nothing else, so that they are made with all threads.
  */
 #ifndef camaron_MeshContext_h
 #define camaron_MeshContext_h

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // How much a cell is stretched, from the second moments of its points and of its face vectors.
-#include "Criteria/CriterionRows.h"
 #include "Criteria/Moments.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,9 +34,8 @@ double PrincipalAspectRatio(const CellGeometry& cell)
   }
   mean = (1.0 / size) * mean;
   const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
-  const Vector normal = isPolygon && !cell.IsZeroArea(cell.GetPolygonArea())
-    ? Unit(cell.GetFaceVector(0))
-    : Vector();
+  const Vector normal =
+    isPolygon && !cell.IsZeroArea(cell.GetPolygonArea()) ? Unit(cell.GetFaceVector(0)) : Vector();
   Moments moments;
   for (int i = 0; i < size; ++i)
   {
@@ -65,7 +64,8 @@ double CellIsotropy(const CellGeometry& cell)
     const int size = cell.GetTopology().GetFaceSize(0);
     for (int i = 0; i < size; ++i)
     {
-      moments.Add(Cross(cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetPoint(ring[i]), normal));
+      moments.Add(
+        Cross(cell.GetPoint(ring[i + 1 < size ? i + 1 : 0]) - cell.GetPoint(ring[i]), normal));
     }
     return LimitToOne(4 * moments.Scaled(1 / moments.GetTrace()).GetSumOfMinors());
   }

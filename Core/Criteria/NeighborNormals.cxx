@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Cell/AngleRange.h"
 #include "Criteria/CriterionRows.h"
-#include "Cell/DihedralAngle.h"
+#include "Mesh/CellFacets.h"
 #include "Mesh/FacetLinks.h"
 #include "Ranks/SurfaceSides.h"
-#include "Mesh/CellFacets.h"
 
 #include "vtkDataSetAttributes.h"
 
@@ -23,11 +23,12 @@ struct Findings
 };
 
 //------------------------------------------------------------------------------
-// Calls visit(vector, isOpposite) for the vector area of every other polygon at an edge of a polygon cell, and
-// whether it runs along the edge in the opposite direction.
+// Calls visit(vector, isOpposite) for the vector area of every other polygon at an edge of a
+// polygon cell, and whether it runs along the edge in the opposite direction.
 template <typename Visitor>
-void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors, const FacetTable& edges,
-  vtkIdType cell, CellFacet edge, std::vector<Index>& cells, Findings& findings, Visitor&& visit)
+void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors,
+  const FacetTable& edges, vtkIdType cell, CellFacet edge, std::vector<Index>& cells,
+  Findings& findings, Visitor&& visit)
 {
   const EvaluationOptions& options = mesh.Options;
   const bool isLinked =
@@ -61,13 +62,13 @@ void ForEachOther(const MeshContext& mesh, const std::vector<Vector>& vectors, c
       });
   }
   findings.HasNeighbor = findings.HasNeighbor || any;
-  findings.IsMissing = findings.IsMissing ||
-    (!any && edges.IsBoundary(edge.Facet()) && options.MayHaveMore(cell));
+  findings.IsMissing =
+    findings.IsMissing || (!any && edges.IsBoundary(edge.Facet()) && options.MayHaveMore(cell));
 }
 
 //------------------------------------------------------------------------------
-// Two polygons agree when they run along the edge in opposite directions; where they do not, one of them
-// counts as flipped.
+// Two polygons agree when they run along the edge in opposite directions; where they do not, one of
+// them counts as flipped.
 template <typename Choose>
 void NeighborNormalAngle(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values, Choose&& choose)
@@ -150,8 +151,7 @@ void SurfaceDihedralAngle(
           {
             if (Norm2(edge) > 0 && Norm2(own) > 0 && Norm2(other) > 0)
             {
-              const double angle =
-                GetInnerAngle(own, other, edge, side == SurfaceSide::Outward);
+              const double angle = GetInnerAngle(own, other, edge, side == SurfaceSide::Outward);
               chosen = chosen < 0 ? angle : choose(chosen, angle);
             }
           });
@@ -162,35 +162,29 @@ void SurfaceDihedralAngle(
 }
 
 //------------------------------------------------------------------------------
-void MinNeighborNormalAngle(
-  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+void MinNeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
-  NeighborNormalAngle(
-    mesh, begin, end, values, [](double a, double b) { return std::min(a, b); });
+  NeighborNormalAngle(mesh, begin, end, values, [](double a, double b) { return std::min(a, b); });
 }
 
 //------------------------------------------------------------------------------
-void MaxNeighborNormalAngle(
-  const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
+void MaxNeighborNormalAngle(const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
-  NeighborNormalAngle(
-    mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
+  NeighborNormalAngle(mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
 }
 
 //------------------------------------------------------------------------------
 void MinSurfaceDihedralAngle(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
-  SurfaceDihedralAngle(
-    mesh, begin, end, values, [](double a, double b) { return std::min(a, b); });
+  SurfaceDihedralAngle(mesh, begin, end, values, [](double a, double b) { return std::min(a, b); });
 }
 
 //------------------------------------------------------------------------------
 void MaxSurfaceDihedralAngle(
   const MeshContext& mesh, vtkIdType begin, vtkIdType end, double* values)
 {
-  SurfaceDihedralAngle(
-    mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
+  SurfaceDihedralAngle(mesh, begin, end, values, [](double a, double b) { return std::max(a, b); });
 }
 
 //------------------------------------------------------------------------------
@@ -205,8 +199,8 @@ std::vector<Criterion> NeighborNormalCriteria()
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces, CAMARON_MESH(MinNeighborNormalAngle),
       { "min of atan2(|S × S′|, ±S · S′) over the polygons S′ that share an edge with S, the sign "
         "making both run along the edge in opposite directions",
-        "Null (no neighbour) without neighbours, null (degenerate) when the polygon or all its "
-        "neighbours are collapsed. An edge of more than two polygons counts with each.",
+        "Null (no neighbor) without neighbors, null (degenerate) when the polygon or all its "
+        "neighbors are collapsed. An edge of more than two polygons counts with each.",
         "Camarón's \"dihedral angle\" of polygons, without its dependence on which way the normals "
         "point." } },
     { "MaxNeighborNormalAngle", "Maximum angle to a neighbor",
@@ -218,19 +212,19 @@ std::vector<Criterion> NeighborNormalCriteria()
         "As `MinNeighborNormalAngle`.",
         "As `MinNeighborNormalAngle`." } },
     { "MinSurfaceDihedralAngle", "Minimum dihedral angle of the surface",
-      "Minimum angle between a polygon of a closed surface and its neighbours, measured inside of what the "
+      "Minimum angle between a polygon of a closed surface and its neighbors, measured inside of what the "
       "surface encloses; 180 is flat, less a ridge, more a valley.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Bigger,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,
       CAMARON_MESH(MinSurfaceDihedralAngle),
       { "min θ with θ = 180° − atan2(e · (n₁ × n₂), n₁ · n₂) over the edges, n₁ and n₂ the outward normals of the "
-        "polygon and its neighbour, e the direction in which the polygon runs along the edge",
+        "polygon and its neighbor, e the direction in which the polygon runs along the edge",
         "Null (invalid topology) where the polygons that hang together over edges are open, have an edge with more than "
-        "two of them, or do not run consistently. Edges without length and neighbours without area are left out; "
+        "two of them, or do not run consistently. Edges without length and neighbors without area are left out; "
         "null (degenerate) where nothing is left.",
         "Camarón's dihedral angle is another one: `MaxNeighborNormalAngle`." } },
     { "MaxSurfaceDihedralAngle", "Maximum dihedral angle of the surface",
-      "Maximum angle between a polygon of a closed surface and its neighbours, measured inside of what the "
+      "Maximum angle between a polygon of a closed surface and its neighbors, measured inside of what the "
       "surface encloses; 180 is flat, less a ridge, more a valley.",
       Polygons, Unit::Angle, { 0, 360 }, None, Better::Smaller,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Neighbors, NeedsFaces | NeedsSurfaceSides,

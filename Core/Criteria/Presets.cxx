@@ -20,9 +20,8 @@ std::vector<Preset::Rule> AsInTable(const std::vector<const char*>& names)
   for (const char* name : names)
   {
     const Criterion& criterion = *FindCriterion(name);
-    rules.push_back(
-      { name, { criterion.Acceptable[0], criterion.Acceptable[1] }, criterion.AcceptableIsHint,
-        criterion.AcceptableFor });
+    rules.push_back({ name, { criterion.Acceptable[0], criterion.Acceptable[1] },
+      criterion.AcceptableIsHint, criterion.AcceptableFor });
   }
   return rules;
 }

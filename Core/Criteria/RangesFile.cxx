@@ -118,8 +118,8 @@ void ReadRule(TextScanner& scanner, std::vector<Preset::Rule>& rules)
   if (std::any_of(rules.begin(), rules.end(),
         [&](const Preset::Rule& rule) { return name == rule.Criterion; }))
   {
-    scanner.FailAt(
-      name.data(), ErrorKind::Syntax, "one range for each criterion", "another one for " + std::string(name));
+    scanner.FailAt(name.data(), ErrorKind::Syntax, "one range for each criterion",
+      "another one for " + std::string(name));
     return;
   }
   Preset::Rule rule = { criterion->Name, { -Infinity, Infinity } };
@@ -130,7 +130,8 @@ void ReadRule(TextScanner& scanner, std::vector<Preset::Rule>& rules)
     if (rule.Acceptable[0] > rule.Acceptable[1] || rule.Acceptable[0] == Infinity ||
       rule.Acceptable[1] == -Infinity)
     {
-      scanner.FailAt(name.data(), ErrorKind::Syntax, "a lower limit that is not above the upper one",
+      scanner.FailAt(name.data(), ErrorKind::Syntax,
+        "a lower limit that is not above the upper one",
         "a range of " + std::string(name) + " without values");
       return;
     }

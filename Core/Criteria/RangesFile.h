@@ -4,7 +4,8 @@
  * @file RangesFile.h
  * @brief Acceptable ranges of a user's own, from a text file.
  *
- * One line for each criterion: its name, the lowest and the highest acceptable value, between blanks.
+ * One line for each criterion: its name, the lowest and the highest acceptable value, between
+ * blanks.
  * `*`, `-` and infinite numbers leave an end open. Angles are in degrees. `#` starts a comment.
  *
  *     MinDihedralAngle  15  *    # of our solver
@@ -22,8 +23,9 @@
 namespace camaron
 {
 /**
- * The ranges in a text, in its order. Errors say file, line, what was expected and what was found: a name
- * that no criterion has, or that was there before, a limit that is no number, a range without values.
+ * The ranges in a text, in its order. Errors say file, line, what was expected and what was found:
+ * a name that no criterion has, or that was there before, a limit that is no number, a range
+ * without values.
  * @param file name for messages
  */
 std::vector<Preset::Rule> ParseRanges(

@@ -63,8 +63,8 @@ double MinPointDistanceRatio(const CellGeometry& cell)
   {
     return Null(NullReason::Degenerate);
   }
-  const double distance =
-    std::min(diameter, std::sqrt(FindSmallestSquaredDistance(&cell.GetPoint(0), cell.GetNumberOfPoints())));
+  const double distance = std::min(
+    diameter, std::sqrt(FindSmallestSquaredDistance(&cell.GetPoint(0), cell.GetNumberOfPoints())));
   return cell.IsZeroLength(distance) ? 0 : distance / diameter;
 }
 
@@ -88,8 +88,7 @@ double IsoperimetricQuotient(const CellGeometry& cell)
   {
     return volume;
   }
-  return cell.IsZeroArea(surface) ? Null(NullReason::Degenerate)
-                                  : GetIsoperimetricQuotient(cell);
+  return cell.IsZeroArea(surface) ? Null(NullReason::Degenerate) : GetIsoperimetricQuotient(cell);
 }
 
 //------------------------------------------------------------------------------
@@ -149,8 +148,8 @@ double RelativeSize(const CellGeometry& cell)
   const bool isPolygon = (cell.GetShapes() & Polygons) != 0;
   const double size =
     isPolygon ? cell.ToMesh(cell.GetPolygonArea(), 2) : cell.ToMesh(cell.GetVolume(), 3);
-  const double mean = cell.GetOptions()
-                        .Means->Of[isPolygon ? MeanSizes::PolygonArea : MeanSizes::PolyhedronVolume];
+  const double mean =
+    cell.GetOptions().Means->Of[isPolygon ? MeanSizes::PolygonArea : MeanSizes::PolyhedronVolume];
   if (std::isnan(size))
   {
     return size;

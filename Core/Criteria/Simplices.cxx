@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Criteria/CriterionRows.h"
 #include "Base/CubeRoot.h"
+#include "Criteria/CriterionRows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ bool IsOnePoint(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, edges from the first
-// point, which is the origin.
+// Circumradius times twelve volumes: |a^2 (b x c) + b^2 (c x a) + c^2 (a x b)|, edges from the
+// first point, which is the origin.
 template <typename Cell>
 auto CircumradiusTimes12Volumes(const Cell& tetrahedron)
 {

@@ -132,8 +132,8 @@ double CellTypeId(const CellGeometry& cell)
 }
 
 //------------------------------------------------------------------------------
-// The linear cell of VTK with the topology of the cell, else with the corners of its type: a tetrahedron
-// of which two points are one remains a tetrahedron.
+// The linear cell of VTK with the topology of the cell, else with the corners of its type: a
+// tetrahedron of which two points are one remains a tetrahedron.
 double CellFamilyId(const CellGeometry& cell)
 {
   const unsigned shapes = cell.GetShapes();
@@ -141,7 +141,7 @@ double CellFamilyId(const CellGeometry& cell)
   const int corners = type.ListsFaces ? 0 : type.NumberOfCorners;
   if (shapes & Polygons)
   {
-    return shapes & Triangles || corners == 3  ? VTK_TRIANGLE
+    return shapes & Triangles || corners == 3   ? VTK_TRIANGLE
       : shapes & Quadrilaterals || corners == 4 ? VTK_QUAD
                                                 : VTK_POLYGON;
   }
@@ -222,7 +222,7 @@ std::vector<Criterion> SizeCriteria()
         "0 for a polygon in one point. An edge along which the polygon runs twice counts twice.",
         "Camarón's and camaron-web's." } },
     { "SurfaceArea", "Surface area",
-      "Sum over the faces of the signed triangle areas about the face centre; of a planar face its area.",
+      "Sum over the faces of the signed triangle areas about the face center; of a planar face its area.",
       Polyhedra, Unit::Area, { 0, Infinity }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Real, Cost::Faces, NeedsFaces, CAMARON_CELLS_AND_TETRAHEDRA(SurfaceArea, SurfaceArea),
       { "Σ over the faces f of ½ Σᵢ ±|(pᵢ − c_f) × (pᵢ₊₁ − c_f)|, the sign being that of the "
@@ -255,7 +255,7 @@ std::vector<Criterion> SizeCriteria()
     { "EdgeCount", "Edges", "Number of distinct edges.",
       PolygonsAndPolyhedra, Unit::None, { 0, Infinity }, None, Better::Neither,
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Edges, NeedsEdges, CAMARON_CELLS_AND_TETRAHEDRA(EdgeCount, EdgeCount),
-      { "number of different pairs of neighbouring points along the faces",
+      { "number of different pairs of neighboring points along the faces",
         "0 for a polygon of fewer than three different points.",
         "camaron-web's." } },
     { "FaceCount", "Faces", "Number of faces with at least three distinct points.",

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Cell/CellIntersections.h"
-#include "Cell/CellStatusBits.h"
+#include "Cell/CellDefects.h"
 #include "Criteria/CriterionRows.h"
-#include "Cell/PinchedPoints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +19,7 @@ double IsStarShaped(const CellGeometry& cell);
 
 namespace
 {
-constexpr unsigned NeedsAll =
-  NeedsEdges | NeedsFaces | NeedsVolume | NeedsAngles | NeedsCentroid;
+constexpr unsigned NeedsAll = NeedsEdges | NeedsFaces | NeedsVolume | NeedsAngles | NeedsCentroid;
 
 constexpr double OpennessLimit = 1e-6;
 constexpr double HalfTurn = 3.141592653589793238462643383279502884;
@@ -66,7 +63,8 @@ unsigned CheckFaces(const CellGeometry& cell)
     isDegenerate = isDegenerate || cell.IsZeroArea(cell.GetFaceArea(f));
   }
   const double tolerance = cell.ToAngleUnit(cell.GetOptions().ConvexityTolerance * HalfTurn / 180);
-  return Flag(isDegenerate, DegenerateFaces) | Flag(HasPointTwiceInFace(topology), NoncontiguousEdges) |
+  return Flag(isDegenerate, DegenerateFaces) |
+    Flag(HasPointTwiceInFace(topology), NoncontiguousEdges) |
     Flag(HasIntersectingEdges(cell), IntersectingEdges | Nonconvex) |
     Flag(MaxWarpage(cell) > cell.GetOptions().PlanarityTolerance, NonPlanarFaces) |
     Flag(MaxFaceConcavity(cell) > tolerance, Nonconvex);
@@ -89,12 +87,13 @@ unsigned CheckPolyhedron(const CellGeometry& cell)
   status |= Flag(hasVolume && (volume < 0 || cell.IsZeroVolume(volume)), InvertedOrZeroVolume);
   status |= Flag(FaceOrientationStatus(cell) > 0, FacesAreOrientedIncorrectly);
   status |= Flag(Openness(cell) > OpennessLimit, OpenCell);
-  // Without a volume no angles tell of edges with several faces, whose ends are not manifold either.
+  // Without a volume no angles tell of edges with several faces, whose ends are not manifold
+  // either.
   status |= Flag(hasVolume ? GetNullReason(cell.GetMinSolidAngle()) == NullReason::InvalidTopology
                            : (status & NonManifoldEdge) || HasPinchedPoints(topology),
     NonManifoldVertex);
-  status |= Flag(cell.GetMaxDihedralAngle() > HalfTurn + tolerance || CellConcavity(cell) > tolerance ||
-      (hasVolume && topology.GetNumberOfShells() > 1),
+  status |= Flag(cell.GetMaxDihedralAngle() > HalfTurn + tolerance ||
+      CellConcavity(cell) > tolerance || (hasVolume && topology.GetNumberOfShells() > 1),
     Nonconvex);
   return status;
 }
@@ -163,7 +162,8 @@ unsigned FindStatus(const CellGeometry& cell)
     // Null where all points are in one place.
     Flag(cell.GetNumberOfPoints() > 1 && !(MinPointDistanceRatio(cell) > 0), CoincidentPoints) |
     Flag(HasRepeatedIds(cell), CoincidentPoints) |
-    Flag(!cell.GetTopology().Edges.empty() && cell.IsZeroLength(cell.GetMinEdgeLength()), ZeroLengthEdge) |
+    Flag(!cell.GetTopology().Edges.empty() && cell.IsZeroLength(cell.GetMinEdgeLength()),
+      ZeroLengthEdge) |
     Flag(cell.GetOptions().ChecksStarShape && IsStarShaped(cell) == 0, NotStarShaped);
   if (cell.GetShapes() & Polygons)
   {
@@ -256,7 +256,7 @@ std::vector<Criterion> ValidityCriteria()
       { -Infinity, Infinity }, NoRange, Cited, NoShapes, Integer, Cost::Edges, NeedsAll, CAMARON_CELLS(IsConvex),
       { "1 if CellStatus has none of 16, 4096, 8192 and 262144, and a polyhedron has a volume and neither 64",
         "1 for flat cells. Faces count by their mean planes as long as they are planar within PlanarityTolerance; where "
-        "one is warped more, the triangles about its centre bend inward, and the cell is not convex: a hexahedron is not "
+        "one is warped more, the triangles about its center bend inward, and the cell is not convex: a hexahedron is not "
         "when its top is twisted by a quarter turn, although the mean planes enclose a box. 0 for open cells, those that cut through themselves, and those of several "
         "surfaces, also where these touch in a point.",
         "Not VTK's vtkPolyhedron::IsConvex, which is not reliable on warped or thin cells." } },

@@ -31,7 +31,8 @@ FaceLengths GetFaceLengths(const CellGeometry& cell, int face)
   for (int i = 0; i < size; ++i)
   {
     corners[i] = cell.GetPoint(points[i]);
-    shortest = std::min(shortest, Norm2(cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - corners[i]));
+    shortest =
+      std::min(shortest, Norm2(cell.GetPoint(points[i + 1 < size ? i + 1 : 0]) - corners[i]));
   }
   const double longest = FindLargestSquaredDistance(corners.data(), corners.size());
   return { std::sqrt(shortest), std::sqrt(longest) };

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The measures of Verdict, of VTK's copy of it, as criteria. They are evaluated for all cells of their shapes,
-// those of general type included, by their corners.
-#include "Mesh/WedgeOrder.h"
-#include "Criteria/CriterionRows.h"
-#include "Ranks/MeanSizes.h"
+// The measures of Verdict, of VTK's copy of it, as criteria. They are evaluated for all cells of
+// their shapes, those of general type included, by their corners.
 #include "Cell/Shapes.h"
+#include "Criteria/CriterionRows.h"
+#include "Mesh/WedgeOrder.h"
+#include "Ranks/MeanSizes.h"
 
 #include "vtk_verdict.h"
 
@@ -22,8 +22,8 @@ namespace
 constexpr double VerdictInfinity = 1e30;
 constexpr double RadianPerDegree = 0.017453292519943295;
 constexpr int NumberOfShapes = 6;
-constexpr unsigned ShapesInOrder[NumberOfShapes] = { Triangles, Quadrilaterals, Tetrahedra, Pyramids,
-  Wedges, Hexahedra };
+constexpr unsigned ShapesInOrder[NumberOfShapes] = { Triangles, Quadrilaterals, Tetrahedra,
+  Pyramids, Wedges, Hexahedra };
 
 using Function = double (*)(int, const double[][3]);
 using SizeFunction = double (*)(int, const double[][3], double);
@@ -46,7 +46,8 @@ double OfUprightWedge(int size, const double corners[][3])
 // Of a quadrilateral without a principal axis Verdict says what the best one has.
 double SkewOfQuadrilateral(int size, const double corners[][3])
 {
-  return verdict::quad_taper(size, corners) >= VerdictInfinity ? VerdictInfinity : verdict::quad_skew(size, corners);
+  return verdict::quad_taper(size, corners) >= VerdictInfinity ? VerdictInfinity
+                                                               : verdict::quad_skew(size, corners);
 }
 
 //------------------------------------------------------------------------------
@@ -68,7 +69,8 @@ struct Measure
 
 /// Those that the manual does not have.
 constexpr std::string_view YoungerThanManual[] = { "VerdictEquiangleSkew", "VerdictEquivolumeSkew",
-  "VerdictMeanRatio", "VerdictNodalJacobianRatio", "VerdictNormalizedInradius", "VerdictSquishIndex" };
+  "VerdictMeanRatio", "VerdictNodalJacobianRatio", "VerdictNormalizedInradius",
+  "VerdictSquishIndex" };
 
 constexpr Measure Measures[] = {
   // clang-format off
@@ -195,7 +197,7 @@ constexpr Measure Measures[] = {
       Better::Bigger, { Positive, Infinity },
       { nullptr, verdict::quad_jacobian, verdict::tet_jacobian,
         verdict::pyramid_jacobian, verdict::wedge_jacobian, verdict::hex_jacobian },
-      { "min det J over the corners (and the centre of a hexahedron)",
+      { "min det J over the corners (and the center of a hexahedron)",
         "0 for a flat cell, negative for an inverted one. Of a tetrahedron six times the volume.",
         "VTK's Mesh Quality and Cell Quality, but for the sign of wedges: see `VerdictVolume`." } },
     { "VerdictMaxAngle", "Verdict maximum angle",
@@ -336,7 +338,7 @@ constexpr Measure Measures[] = {
       { verdict::tri_shape, verdict::quad_shape, verdict::tet_shape,
         verdict::pyramid_shape, verdict::wedge_shape, verdict::hex_shape },
       { "1 / the worst condition number or aspect Frobenius; of a pyramid s cos α min(d/h, h/d) with s the shape of "
-        "the base, d the distance of the apex from the plane at the first corner through the centre of the base, α the "
+        "the base, d the distance of the apex from the plane at the first corner through the center of the base, α the "
         "angle there between the normal and the apex, h the longest edge / √2",
         "0 for a flat, collapsed or inverted cell (10⁻³⁰ for a triangle).",
         "VTK's Mesh Quality and Cell Quality. Of a triangle `BhatiaLawrence`, of a tetrahedron "
@@ -376,7 +378,7 @@ constexpr Measure Measures[] = {
         "VTK's Mesh Quality and Cell Quality. The manual prints 0.5 to 1 as acceptable although a "
         "rectangle has 0." } },
     { "VerdictSquishIndex", "Verdict squish index",
-      "Maximum sine of the angle between a face and the line to its centre.", Unit::None, { 0, 2 }, 0,
+      "Maximum sine of the angle between a face and the line to its center.", Unit::None, { 0, 2 }, 0,
       Better::Smaller, { -Infinity, 0.3 },
       { nullptr, nullptr, verdict::tet_squish_index,
         nullptr, nullptr, nullptr },
@@ -502,14 +504,14 @@ double ReadInfinity(double value)
 }
 
 //------------------------------------------------------------------------------
-// Of a cell with edges near 1: Verdict has limits of its own, such as 1e-30, below which sizes are zero.
+// Of a cell with edges near 1: Verdict has limits of its own, such as 1e-30, below which sizes are
+// zero.
 double EvaluateScaled(const Measure& measure, Function function, const CellGeometry& cell, int size,
   double corners[MaxSimpleNodes][3])
 {
   const int exponent = std::ilogb(cell.GetMaxEdgeLength());
   Scale(corners, size, -exponent);
-  return std::ldexp(
-    ReadInfinity(function(size, corners)), GetDimension(measure, cell) * exponent);
+  return std::ldexp(ReadInfinity(function(size, corners)), GetDimension(measure, cell) * exponent);
 }
 
 //------------------------------------------------------------------------------
@@ -525,11 +527,14 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
     function == verdict::quad_maximum_angle || function == verdict::quad_equiangle_skew;
   if (isOfAngles && cell.IsZeroLength(cell.GetMinEdgeLength()))
   {
-    return Null(NullReason::Degenerate); // of no angle Verdict says 360 for the least and 0 for the largest
+    return Null(
+      NullReason::Degenerate); // of no angle Verdict says 360 for the least and 0 for the largest
   }
-  // Verdict passes over the corners there, or sees a triangle where the last two of a quadrilateral are one.
-  const bool isOfEdges = function == verdict::wedge_scaled_jacobian || function == verdict::quad_scaled_jacobian ||
-    function == verdict::quad_shear || measure.SizeFunctions[index] == verdict::quad_shear_and_size;
+  // Verdict passes over the corners there, or sees a triangle where the last two of a quadrilateral
+  // are one.
+  const bool isOfEdges = function == verdict::wedge_scaled_jacobian ||
+    function == verdict::quad_scaled_jacobian || function == verdict::quad_shear ||
+    measure.SizeFunctions[index] == verdict::quad_shear_and_size;
   if (isOfEdges && cell.IsZeroLength(cell.GetMinEdgeLength()))
   {
     return 0;
@@ -543,8 +548,8 @@ double Evaluate(const Measure& measure, const CellGeometry& cell)
   }
   else
   {
-    // Scaled by a power of two, so that the mean is near 1: Verdict takes roots with 11 digits of 1/3, and sizes
-    // below 1e-30 for zero.
+    // Scaled by a power of two, so that the mean is near 1: Verdict takes roots with 11 digits of
+    // 1/3, and sizes below 1e-30 for zero.
     const double mean = cell.GetOptions().Means->Of[SizeKinds[index]];
     if (!(mean > 0))
     {
@@ -580,8 +585,7 @@ void EvaluateBlock(const CellGeometry* cells, int numberOfCells, double* values)
 }
 
 //------------------------------------------------------------------------------
-Criterion MakeCriterion(
-  const Measure& measure, void (*function)(const CellGeometry*, int, double*))
+Criterion MakeCriterion(const Measure& measure, void (*function)(const CellGeometry*, int, double*))
 {
   unsigned shapes = 0, meanSizes = 0;
   for (int i = 0; i < NumberOfShapes; ++i)
@@ -589,7 +593,8 @@ Criterion MakeCriterion(
     shapes |= measure.Functions[i] || measure.SizeFunctions[i] ? ShapesInOrder[i] : 0u;
     meanSizes = measure.SizeFunctions[i] ? NeedsMeanSizes : meanSizes;
   }
-  const bool hasRange = std::isfinite(measure.Acceptable[0]) || std::isfinite(measure.Acceptable[1]);
+  const bool hasRange =
+    std::isfinite(measure.Acceptable[0]) || std::isfinite(measure.Acceptable[1]);
   const auto* const end = std::end(YoungerThanManual);
   const bool isOfManual = std::find(YoungerThanManual, end, measure.Name) == end;
   const char* const source =
@@ -597,13 +602,13 @@ Criterion MakeCriterion(
   // The manual has no ranges for pyramids and wedges but the sign.
   const bool isOfSign = measure.Acceptable[0] == Positive;
   const unsigned shapesOfRange = !hasRange ? NoShapes
-    : isOfManual && !isOfSign               ? shapes & ~(Pyramids | Wedges)
-                                            : shapes;
+    : isOfManual && !isOfSign              ? shapes & ~(Pyramids | Wedges)
+                                           : shapes;
   Criterion criterion = { measure.Name, measure.Label, measure.Description, shapes, measure.Unit,
     { measure.Range[0], measure.Range[1] }, measure.Ideal, measure.Better,
-    { measure.Acceptable[0], measure.Acceptable[1] },
-    hasRange ? source : NoRange, Hint, shapesOfRange, Real, Cost::Edges,
-    NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function, nullptr, nullptr, nullptr, measure.Notes };
+    { measure.Acceptable[0], measure.Acceptable[1] }, hasRange ? source : NoRange, Hint,
+    shapesOfRange, Real, Cost::Edges, NeedsEdges | NeedsFaces | NeedsVolume | meanSizes, function,
+    nullptr, nullptr, nullptr, measure.Notes };
   return criterion;
 }
 

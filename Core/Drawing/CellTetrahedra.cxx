@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/CellTetrahedra.h"
 
+#include "Base/Hash.h"
+#include "Base/Parallel.h"
+#include "Base/Vector.h"
 #include "Drawing/CurvedFacets.h"
 #include "Drawing/InwardFaces.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Geometry/BoxTree.h"
 #include "Mesh/FirstPoint.h"
-#include "Base/HashMix.h"
 #include "Mesh/MeshView.h"
-#include "Base/Vector.h"
-#include "Base/Parallel.h"
 
 #include "vtkBoundingBox.h"
 
@@ -26,7 +26,8 @@ namespace camaron
 namespace
 {
 constexpr vtkIdType BlocksPerGrain = 64;
-/// Sine of the angle from a line of sight to a face below which this is seen from the side: of what graphics cards round.
+/// Sine of the angle from a line of sight to a face below which this is seen from the side: of what
+/// graphics cards round.
 constexpr double SmallestSine = 1e-6;
 
 vtkIdType GetNumberOfBlocks(const MeshView& mesh)
@@ -51,14 +52,14 @@ public:
 
   vtkIdType Count(vtkIdType cell)
   {
-    if (GetCellShape(this->Mesh.GetCellType(cell)).Dimension != 3 || this->Mesh.GetCellType(cell) == VTK_TETRA)
+    if (GetCellShape(this->Mesh.GetCellType(cell)).Dimension != 3 ||
+      this->Mesh.GetCellType(cell) == VTK_TETRA)
     {
       return this->Mesh.GetCellType(cell) == VTK_TETRA ? 1 : 0;
     }
     const vtkIdType apex = this->FindApex(cell);
     vtkIdType count = 0;
-    this->Facets.ForEachPart(cell,
-      [&](const vtkIdType* points, vtkIdType size)
+    this->Facets.ForEachPart(cell, [&](const vtkIdType* points, vtkIdType size)
       { count += Has(points, size, apex) ? 0 : std::max<vtkIdType>(size - 2, 0); });
     return count;
   }
@@ -92,15 +93,18 @@ public:
                             c = points[triangle.Corners[2]];
             const unsigned int edges = triangle.Edges;
             const std::uint32_t walls = 1 | ((edges & 2) && this->IsAround(b, c)) << 1 |
-              ((edges & 4) && this->IsAround(c, a)) << 2 | ((edges & 1) && this->IsAround(a, b)) << 3;
+              ((edges & 4) && this->IsAround(c, a)) << 2 |
+              ((edges & 1) && this->IsAround(a, b)) << 3;
             const vtkIdType tetrahedron[4] = { apex, a, b, c };
             visit(apex, a, b, c, walls, [&] { return this->FindEdges(cell, tetrahedron, edges); });
           });
       });
   }
 
-  // Moves the negative ones of the tetrahedra from begin to end, which are all of a cell, to begin; false if there are none.
-  bool PutNegativesFirst(vtkIdType cell, CellTetrahedra& made, std::uint32_t begin, std::uint32_t end)
+  // Moves the negative ones of the tetrahedra from begin to end, which are all of a cell, to begin;
+  // false if there are none.
+  bool PutNegativesFirst(
+    vtkIdType cell, CellTetrahedra& made, std::uint32_t begin, std::uint32_t end)
   {
     const std::uint32_t size = end - begin;
     this->Signs.resize(size);
@@ -188,7 +192,8 @@ private:
     return apex;
   }
 
-  // A triangle from the apex to an edge lies in a face of the cell if that face has both, and the triangle runs as the face does.
+  // A triangle from the apex to an edge lies in a face of the cell if that face has both, and the
+  // triangle runs as the face does.
   void FindEdgesAround(vtkIdType cell, vtkIdType apex)
   {
     this->Around.clear();
@@ -279,7 +284,8 @@ private:
     const Vector a = this->GetPlace(points[1]) - apex, b = this->GetPlace(points[2]) - apex,
                  c = this->GetPlace(points[3]) - apex;
     const Vector normal = Cross(b - a, c - a);
-    const double height = Dot(a, normal), least = SmallestSine * std::sqrt(Norm2(a) * Norm2(normal));
+    const double height = Dot(a, normal),
+                 least = SmallestSine * std::sqrt(Norm2(a) * Norm2(normal));
     return height > least ? 1 : height < -least ? -1 : 0;
   }
 
@@ -321,7 +327,8 @@ private:
         const bool isInward = areInward[face++] != 0;
         for (vtkIdType i = Has(points, size, apex) ? size : 2; i < size; ++i, ++next)
         {
-          this->Signs[next] = static_cast<signed char>(isInward ? -this->Signs[next] : this->Signs[next]);
+          this->Signs[next] =
+            static_cast<signed char>(isInward ? -this->Signs[next] : this->Signs[next]);
         }
       });
   }
@@ -341,8 +348,8 @@ private:
         for (int k = i + 1; k < 4; ++k, ++bit)
         {
           const std::pair<vtkIdType, vtkIdType> edge = std::minmax(points[i], points[k]);
-          const bool isEdge =
-            std::find(this->CurvedEdges.begin(), this->CurvedEdges.end(), edge) != this->CurvedEdges.end();
+          const bool isEdge = std::find(this->CurvedEdges.begin(), this->CurvedEdges.end(), edge) !=
+            this->CurvedEdges.end();
           edges &= ~(std::uint32_t(!isEdge) << bit);
         }
       }
@@ -421,7 +428,8 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
       {
         const std::uint32_t first = next;
         tetrahedra.ForEach(cell,
-          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls, const auto& findEdges)
+          [&](vtkIdType a, vtkIdType b, vtkIdType c, vtkIdType d, std::uint32_t walls,
+            const auto& findEdges)
           {
             made.Points[next] = { { static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
               static_cast<std::uint32_t>(c), static_cast<std::uint32_t>(d) } };
@@ -432,12 +440,14 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh)
         if (next - first > 1 && tetrahedra.PutNegativesFirst(cell, made, first, next))
         {
           const std::lock_guard<std::mutex> lock(access);
-          made.FirstNegatives.resize(mesh.GetNumberOfCells(), { { CellTetrahedra::None, CellTetrahedra::None } });
-          made.FirstNegatives[cell] = { { first, static_cast<std::uint32_t>(made.NegativeBoxes.size()) } };
+          made.FirstNegatives.resize(
+            mesh.GetNumberOfCells(), { { CellTetrahedra::None, CellTetrahedra::None } });
+          made.FirstNegatives[cell] = { { first,
+            static_cast<std::uint32_t>(made.NegativeBoxes.size()) } };
           for (const BoxTree::Node& node : tetrahedra.GetTreeOfNegatives().GetNodes())
           {
-            made.NegativeBoxes.push_back(
-              { node.Box, static_cast<std::uint32_t>(node.Next), static_cast<std::uint32_t>(node.Last) });
+            made.NegativeBoxes.push_back({ node.Box, static_cast<std::uint32_t>(node.Next),
+              static_cast<std::uint32_t>(node.Last) });
           }
         }
       }

@@ -22,13 +22,15 @@ namespace camaron
 class MeshView;
 
 /**
- * Tetrahedra of the 3D cells, in the order of these. A cell is a fan from its first point (FirstPoint.h) over the
- * triangles of the faces that do not have it: of a convex face a fan from its own first point, of others those of
- * PolygonTriangulator. Two cells therefore cut the face between them in the same way, also on two processes.
+ * Tetrahedra of the 3D cells, in the order of these. A cell is a fan from its first point
+ * (FirstPoint.h) over the triangles of the faces that do not have it: of a convex face a fan from
+ * its own first point, of others those of PolygonTriangulator. Two cells therefore cut the face
+ * between them in the same way, also on two processes.
  *
- * Of a cell that its first point does not see all of, some tetrahedra are negative: what lies in them is outside of the
- * cell, or in one more of the others. Seen from the first point, a place is in the cell if and only if the first face behind
- * it is that of a tetrahedron that is not negative.
+ * Of a cell that its first point does not see all of, some tetrahedra are negative: what lies in
+ * them is outside of the cell, or in one more of the others. Seen from the first point, a place is
+ * in the cell if and only if the first face behind it is that of a tetrahedron that is not
+ * negative.
  */
 struct CellTetrahedra
 {
@@ -44,16 +46,18 @@ struct CellTetrahedra
   std::vector<std::array<std::uint32_t, 4>> Points;
   /// The cell << WallBits; bit i: the face opposite point i lies in a face of the cell.
   std::vector<std::uint32_t> Cells;
-  /// Bits of the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3): those that are
-  /// edges of the cell.
+  /// Bits of the lines between points (0, 1), (0, 2), (0, 3), (1, 2), (1, 3) and (2, 3): those that
+  /// are edges of the cell.
   std::vector<std::uint8_t> Edges;
-  /// Of every cell its first negative tetrahedron and its first row of NegativeBoxes, or None; empty if there is no such cell.
+  /// Of every cell its first negative tetrahedron and its first row of NegativeBoxes, or None;
+  /// empty if there is no such cell.
   std::vector<std::array<std::uint32_t, 2>> FirstNegatives;
   /**
-   * A tree of boxes around the faces of the cell that its negative tetrahedra have; and the first point, of those that have a face
-   * of the cell at their sides, too. In the order in which they are looked at: Next is where to go on if nothing
-   * in a box is wanted, and one more than its own place for a leaf; Last is the end of the negative ones in it; both count from
-   * those of the cell.
+   * A tree of boxes around the faces of the cell that its negative tetrahedra have; and the first
+   * point, of those that have a face of the cell at their sides, too. In the order in which they
+   * are looked at: Next is where to go on if nothing in a box is wanted, and one more than its own
+   * place for a leaf; Last is the end of the negative ones in it; both count from those of the
+   * cell.
    */
   struct NegativeBox
   {
@@ -72,7 +76,8 @@ CellTetrahedra MakeCellTetrahedra(const MeshView& mesh);
 std::vector<std::array<float, 2>> FindBlockRanges(
   const MeshView& mesh, const std::vector<float>& pointValues);
 
-/// The boxes around each block of cells, (x, x, y, y, z, z) in the unit of coordinates; 1, -1 around no points.
+/// The boxes around each block of cells, (x, x, y, y, z, z) in the unit of coordinates; 1, -1
+/// around no points.
 std::vector<std::array<double, 6>> FindBlockBounds(const MeshView& mesh);
 }
 

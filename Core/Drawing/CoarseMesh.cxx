@@ -145,7 +145,8 @@ private:
       {
         // The ends of a curve come before what is between them.
         const bool isPolyline = this->Mesh.GetCellType(cell) == VTK_POLY_LINE;
-        for (vtkIdType i = 1; i < (isPolyline ? points.Size : std::min<vtkIdType>(points.Size, 2)); ++i)
+        for (vtkIdType i = 1; i < (isPolyline ? points.Size : std::min<vtkIdType>(points.Size, 2));
+          ++i)
         {
           this->Add(this->ThinCells, { { points[i - 1], points[i], -1 }, 2, cell });
         }
@@ -168,8 +169,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-/// Which points become one: those of the outside the one of them that is farthest from the middle, so that convex
-/// edges and corners stay; those inside the first.
+/// Which points become one: those of the outside the one of them that is farthest from the middle,
+/// so that convex edges and corners stay; those inside the first.
 class PointBoxes
 {
 public:
@@ -258,8 +259,7 @@ public:
   template <typename Visitor>
   void ForEach(Visitor&& visit)
   {
-    std::sort(this->Entries.begin(), this->Entries.end(),
-      [](const Entry& a, const Entry& b)
+    std::sort(this->Entries.begin(), this->Entries.end(), [](const Entry& a, const Entry& b)
       { return std::tie(a.Sorted, a.Cell, a.Own) < std::tie(b.Sorted, b.Cell, b.Own); });
     const bool isSolid = this->Size == 4;
     for (auto begin = this->Entries.begin(); begin != this->Entries.end();)
@@ -320,8 +320,8 @@ void ForEachFace(const Corners& tetrahedron, Visitor&& visit)
   for (int face = 0; face < 4; ++face)
   {
     const int* nodes = shape.FacePoints + 3 * face;
-    visit(face,
-      GetSorted({ { tetrahedron[nodes[0]], tetrahedron[nodes[1]], tetrahedron[nodes[2]] } }));
+    visit(
+      face, GetSorted({ { tetrahedron[nodes[0]], tetrahedron[nodes[1]], tetrahedron[nodes[2]] } }));
   }
 }
 
@@ -394,8 +394,7 @@ CoarseMesh MakeCoarseMesh(
   std::vector<Triangle> facesOfSolids, outerFaces;
   for (const Corners& tetrahedron : coarse.Cells)
   {
-    ForEachFace(
-      tetrahedron, [&](int, const Triangle& face) { facesOfSolids.push_back(face); });
+    ForEachFace(tetrahedron, [&](int, const Triangle& face) { facesOfSolids.push_back(face); });
   }
   SortOnce(facesOfSolids);
   CellsLeft sheets(3);
@@ -413,7 +412,10 @@ CoarseMesh MakeCoarseMesh(
   CellsLeft segments(2), vertices(1);
   for (const Part& part : outside.GetThinCells())
   {
-    (part.Size == 3 ? sheets : part.Size == 2 ? segments : vertices).Add(getCorners(part), part.Cell);
+    (part.Size == 3      ? sheets
+        : part.Size == 2 ? segments
+                         : vertices)
+      .Add(getCorners(part), part.Cell);
   }
   for (CellsLeft* left : { &vertices, &segments, &sheets })
   {
@@ -424,8 +426,7 @@ CoarseMesh MakeCoarseMesh(
   for (std::size_t i = 0; i < numberOfSolids; ++i)
   {
     coarse.OuterFacets[i] = 0;
-    ForEachFace(coarse.Cells[i],
-      [&](int face, const Triangle& sorted)
+    ForEachFace(coarse.Cells[i], [&](int face, const Triangle& sorted)
       { coarse.OuterFacets[i] |= Has(outerFaces, sorted) ? GetFacetBit(face) : 0; });
   }
   UseFewerPoints(coarse);

@@ -4,13 +4,14 @@
  * @file CoarseMesh.h
  * @brief A mesh of fewer cells that looks like another one from outside and from inside.
  *
- * Points in the same box of a grid become one of them, and cells that lose no corner by that stay: tetrahedra of
- * the 3D cells, triangles of the 2D cells, segments and vertices. Points of the outside have finer boxes than those
- * inside. Cells that became the same are one; where they are turned against each other as often as not, none. So
- * what tetrahedra are left enclose what the outside of the mesh became (the boundary of the image of a chain is the
- * image of its boundary), without cracks. Outer faces that no tetrahedron is left behind stay as triangles: parts thinner
- * than the boxes become sheets. Source: J. Rossignac, P. Borrel, Multi-resolution 3D approximations for rendering complex
- * scenes (1993), for surfaces.
+ * Points in the same box of a grid become one of them, and cells that lose no corner by that stay:
+ * tetrahedra of the 3D cells, triangles of the 2D cells, segments and vertices. Points of the
+ * outside have finer boxes than those inside. Cells that became the same are one; where they are
+ * turned against each other as often as not, none. So what tetrahedra are left enclose what the
+ * outside of the mesh became (the boundary of the image of a chain is the image of its boundary),
+ * without cracks. Outer faces that no tetrahedron is left behind stay as triangles: parts thinner
+ * than the boxes become sheets. Source: J. Rossignac, P. Borrel, Multi-resolution 3D approximations
+ * for rendering complex scenes (1993), for surfaces.
  */
 #ifndef camaron_CoarseMesh_h
 #define camaron_CoarseMesh_h
@@ -33,7 +34,8 @@ struct CoarseMesh
 
   /// Those of the mesh that stand for the others.
   std::vector<vtkIdType> Points;
-  /// Places in Points, NoPoint after the last; tetrahedra, then cells of one, two and three corners.
+  /// Places in Points, NoPoint after the last; tetrahedra, then cells of one, two and three
+  /// corners.
   std::vector<std::array<std::uint32_t, 4>> Cells;
   /// The cell of the mesh that each is of.
   std::vector<vtkIdType> Origins;

@@ -15,10 +15,10 @@ namespace camaron
 namespace
 {
 // Cells of a fixed number of nodes, with one in the middle of each edge.
-constexpr int CurvedTypes[] = { VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_TRIANGLE, VTK_QUADRATIC_QUAD,
-  VTK_BIQUADRATIC_QUAD, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_TRIQUADRATIC_HEXAHEDRON,
-  VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_PYRAMID, VTK_TRIQUADRATIC_PYRAMID,
-  VTK_QUADRATIC_WEDGE, VTK_BIQUADRATIC_QUADRATIC_WEDGE };
+constexpr int CurvedTypes[] = { VTK_QUADRATIC_TRIANGLE, VTK_BIQUADRATIC_TRIANGLE,
+  VTK_QUADRATIC_QUAD, VTK_BIQUADRATIC_QUAD, VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON,
+  VTK_TRIQUADRATIC_HEXAHEDRON, VTK_BIQUADRATIC_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_PYRAMID,
+  VTK_TRIQUADRATIC_PYRAMID, VTK_QUADRATIC_WEDGE, VTK_BIQUADRATIC_QUADRATIC_WEDGE };
 
 using NodesOfEdges = std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType>;
 
@@ -49,7 +49,10 @@ CurvedFacets::EdgeNodes CurvedFacets::MakeNodes(int cellType)
   EdgeNodes made;
   made.HasNodes = true;
   const auto add = [&](int place, int corner, int next)
-  { made.Nodes[place] = static_cast<signed char>(nodes.at(std::minmax({ vtkIdType(corner), vtkIdType(next) }))); };
+  {
+    made.Nodes[place] =
+      static_cast<signed char>(nodes.at(std::minmax({ vtkIdType(corner), vtkIdType(next) })));
+  };
   for (int i = 0; shape.Dimension == 2 && i < shape.NumberOfCorners; ++i)
   {
     add(i, i, (i + 1) % shape.NumberOfCorners);

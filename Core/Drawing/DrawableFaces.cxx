@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/DrawableFaces.h"
 
+#include "Base/Parallel.h"
 #include "Drawing/CurvedFacets.h"
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
-#include "Mesh/CellFacets.h"
 #include "Geometry/FacetRing.h"
+#include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Parallel.h"
 
 #include "vtkDataSetAttributes.h"
 
@@ -32,7 +32,8 @@ struct Counts
 };
 
 //------------------------------------------------------------------------------
-// Visits the faces that a cell contributes: those it owns, those where it is a third cell, itself if 2D.
+// Visits the faces that a cell contributes: those it owns, those where it is a third cell, itself
+// if 2D.
 class FacesOfCells
 {
 public:
@@ -113,13 +114,18 @@ private:
     return !this->Cells.OuterFacets ||
       (this->Cells.OuterFacets[cell] & GetFacetBit(static_cast<int>(local)));
   }
-  bool IsGhost(vtkIdType cell) const { return this->Has(cell, vtkDataSetAttributes::DUPLICATECELL); }
+  bool IsGhost(vtkIdType cell) const
+  {
+    return this->Has(cell, vtkDataSetAttributes::DUPLICATECELL);
+  }
 
-  // The cell on the other side of a face of `cell`, None, or NotOurs when another cell visits the face.
+  // The cell on the other side of a face of `cell`, None, or NotOurs when another cell visits the
+  // face.
   vtkIdType GetOther(Index face, vtkIdType cell, Index local)
   {
     const FacetTable::CellPair pair = this->Table.GetCells(face);
-    // Points that coincide may have become one on the way here, but cells are no neighbors for that.
+    // Points that coincide may have become one on the way here, but cells are no neighbors for
+    // that.
     if (this->Cells.OuterFacets && local < LastFacetBit && pair.First != pair.Second &&
       this->IsOuter(cell, local))
     {
@@ -219,7 +225,7 @@ DrawableFaces MakeDrawableFaces(
         for (vtkIdType chunk = begin; chunk < end; ++chunk)
         {
           for (vtkIdType cell = chunk * CellChunk;
-               cell < std::min(numberOfCells, (chunk + 1) * CellChunk); ++cell)
+            cell < std::min(numberOfCells, (chunk + 1) * CellChunk); ++cell)
           {
             perChunk(faces, triangles, cell, chunks[chunk]);
           }

@@ -4,10 +4,10 @@
  * @file DrawableFaces.h
  * @brief The faces of a mesh as triangles, in the form that the graphics memory holds.
  *
- * Every face stands once, with the two cells at it. It is seen where one of its cells is drawn and the
- * other is not, so that the outside of the mesh, the outside of any part of its cells and all the walls
- * between them are choices from the same table. The faces that are seen when all cells are drawn come
- * first.
+ * Every face stands once, with the two cells at it. It is seen where one of its cells is drawn and
+ * the other is not, so that the outside of the mesh, the outside of any part of its cells and all
+ * the walls between them are choices from the same table. The faces that are seen when all cells
+ * are drawn come first.
  */
 #ifndef camaron_DrawableFaces_h
 #define camaron_DrawableFaces_h
@@ -33,9 +33,9 @@ struct DrawableFaces
   /// Three points, then the number of the face << EdgeBits | the edges that are the face's own.
   std::vector<std::array<std::uint32_t, 4>> Triangles;
   /**
-   * The cell that the triangles run around outward, and the cell on the other side, NoCell or one elsewhere. Which of
-   * two cells comes first follows from the coordinates of the face alone, so that two pieces agree on it. A face of
-   * three and more cells stands once for every further cell.
+   * The cell that the triangles run around outward, and the cell on the other side, NoCell or one
+   * elsewhere. Which of two cells comes first follows from the coordinates of the face alone, so
+   * that two pieces agree on it. A face of three and more cells stands once for every further cell.
    */
   std::vector<std::array<std::uint32_t, 2>> Faces;
   /// Triangles before these belong to faces with one cell to draw.
@@ -51,8 +51,8 @@ enum class FacesToDraw
 /// What is known of the cells beyond what their topology tells.
 struct CellsToDraw
 {
-  /// vtkGhostType or null. A face between two cells that are another piece's is left out; so are hidden cells, as
-  /// if the mesh did not have them.
+  /// vtkGhostType or null. A face between two cells that are another piece's is left out; so are
+  /// hidden cells, as if the mesh did not have them.
   const unsigned char* Ghosts = nullptr;
   /// See OuterFacets.h; null: faces with one cell are on the outside.
   const std::uint64_t* OuterFacets = nullptr;

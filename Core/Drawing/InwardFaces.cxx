@@ -23,7 +23,8 @@ void InwardFaces::AddFace(const vtkIdType* points, vtkIdType size)
 //------------------------------------------------------------------------------
 const std::vector<unsigned char>& InwardFaces::Find()
 {
-  const auto size = static_cast<int>(this->Ids.size()), numberOfFaces = static_cast<int>(this->Offsets.size()) - 1;
+  const auto size = static_cast<int>(this->Ids.size()),
+             numberOfFaces = static_cast<int>(this->Offsets.size()) - 1;
   this->AreInward.assign(numberOfFaces, 0);
   this->Numbers.resize(size);
   CellTopology& topology = this->Topology;
@@ -47,8 +48,8 @@ const std::vector<unsigned char>& InwardFaces::Find()
   for (int face = 0; face < topology.GetNumberOfFaces(); ++face)
   {
     const int shell = topology.GetShell(face);
-    this->AreInward[topology.FaceNumbers[face]] =
-      static_cast<unsigned char>(topology.IsReversed(face) ^ (shells[shell].GetVolume() < 0) ^ (areVoids[shell] != 0));
+    this->AreInward[topology.FaceNumbers[face]] = static_cast<unsigned char>(
+      topology.IsReversed(face) ^ (shells[shell].GetVolume() < 0) ^ (areVoids[shell] != 0));
   }
   return this->AreInward;
 }

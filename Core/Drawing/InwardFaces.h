@@ -4,14 +4,15 @@
  * @class camaron::InwardFaces
  * @brief Finds the faces of a cell that run inward, whatever the mesh says of them.
  *
- * Faces that hang together are taken to run alike, and outward by the volume that they enclose, or inward if they bound a
- * void. Of a cell that is not closed, what hangs together is. Holds scratch memory: use one per thread.
+ * Faces that hang together are taken to run alike, and outward by the volume that they enclose, or
+ * inward if they bound a void. Of a cell that is not closed, what hangs together is. Holds scratch
+ * memory: use one per thread.
  */
 #ifndef camaron_InwardFaces_h
 #define camaron_InwardFaces_h
 
-#include "Mesh/CellTopology.h"
 #include "Base/LocalNumbers.h"
+#include "Mesh/CellTopology.h"
 #include "Mesh/MeshView.h"
 
 #include <vector> // for scratch

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/OuterFacets.h"
 
+#include "Base/Parallel.h"
 #include "Mesh/FacetLinks.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Parallel.h"
 
 namespace camaron
 {
@@ -21,8 +21,7 @@ std::vector<std::uint64_t> FindOuterFacets(const MeshTopology& topology, const F
         int local = 0;
         for (const CellFacet use : faces.GetCellFacets(cell))
         {
-          const bool isOuter =
-            faces.IsBoundary(use.Facet()) && !(links && links->Has(use.Facet()));
+          const bool isOuter = faces.IsBoundary(use.Facet()) && !(links && links->Has(use.Facet()));
           bits[cell] |= isOuter ? GetFacetBit(local) : 0;
           ++local;
         }

@@ -5,7 +5,8 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-const std::vector<PolygonTriangulator::Triangle>& PolygonTriangles::Cut(const vtkIdType* points, vtkIdType size)
+const std::vector<PolygonTriangulator::Triangle>& PolygonTriangles::Cut(
+  const vtkIdType* points, vtkIdType size)
 {
   this->Corners.resize(size);
   for (vtkIdType i = 0; i < size; ++i)

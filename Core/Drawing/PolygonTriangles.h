@@ -20,7 +20,8 @@ namespace camaron
 class PolygonTriangles
 {
 public:
-  /// Corners of a triangle as places in the polygon; bit i of Edges: corners i, i + 1 are an edge of it.
+  /// Corners of a triangle as places in the polygon; bit i of Edges: corners i, i + 1 are an edge
+  /// of it.
   struct Triangle
   {
     int Corners[3];

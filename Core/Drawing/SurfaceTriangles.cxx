@@ -36,7 +36,8 @@ void CutIntoTriangles(vtkPolyData* surface)
     cells->InsertNextId(other);
   }
   const auto polygons = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal(); polygons->GoToNextCell(), ++cell)
+  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal();
+    polygons->GoToNextCell(), ++cell)
   {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
@@ -44,7 +45,8 @@ void CutIntoTriangles(vtkPolyData* surface)
     triangles.ForEach({ points, size, PolygonTriangles::Form::Straight },
       [&](const PolygonTriangles::Triangle& t)
       {
-        const vtkIdType triangle[3] = { points[t.Corners[0]], points[t.Corners[1]], points[t.Corners[2]] };
+        const vtkIdType triangle[3] = { points[t.Corners[0]], points[t.Corners[1]],
+          points[t.Corners[2]] };
         if (size == 3 || !IsRepeated(triangle))
         {
           cut->InsertNextCell(3, triangle);

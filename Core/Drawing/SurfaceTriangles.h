@@ -11,8 +11,8 @@ class vtkPolyData;
 
 namespace camaron
 {
-/// As PolygonTriangulator cuts them. Triangles have the data of their polygon; those that come to a point
-/// twice, as polygons do that come to a corner again, are left out.
+/// As PolygonTriangulator cuts them. Triangles have the data of their polygon; those that come to a
+/// point twice, as polygons do that come to a corner again, are left out.
 void CutIntoTriangles(vtkPolyData* surface);
 }
 

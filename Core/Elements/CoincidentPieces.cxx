@@ -112,7 +112,7 @@ PieceSummary Summarize(const LinkedPiece& piece, const std::vector<unsigned char
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {
     const Vector place = GetPlace(mesh, point, false);
-    const double size = PlaceGrid::GetSize(place);
+    const double size = PointGrid::GetSize(place);
     if (isLeftOut[point] || !std::isfinite(size))
     {
       continue;
@@ -145,7 +145,7 @@ bool IsNearBox(const Vector& place, const PieceSummary& box, double reach)
 class Judge
 {
 public:
-  Judge(const std::vector<std::vector<PlacedPoint>>& lists, const PlaceGrid& grid, bool hasIds)
+  Judge(const std::vector<std::vector<PlacedPoint>>& lists, const PointGrid& grid, bool hasIds)
     : Grid(grid)
     , HasIds(hasIds)
   {
@@ -166,8 +166,8 @@ public:
       [](const PlacedPoint& known, const Question& wanted)
       { return std::tie(known.Block, known.Bucket) < std::tie(wanted.Block, wanted.Bucket); });
     for (; point != this->Points.end() && point->Block == question.Block &&
-         point->Bucket == question.Bucket && !answer.HasOther;
-         ++point)
+      point->Bucket == question.Bucket && !answer.HasOther;
+      ++point)
     {
       if (this->Grid.AreNear(question.Place, point->Place))
       {
@@ -206,7 +206,7 @@ private:
                         : std::tie(place.X, place.Y, place.Z) == point.GetPlace();
   }
 
-  const PlaceGrid& Grid;
+  const PointGrid& Grid;
   const bool HasIds;
   std::vector<PlacedPoint> Points;
 };
@@ -227,7 +227,7 @@ struct Inquiry
   {
   }
 
-  void Add(const PlaceGrid& grid, const PlacedPoint& point, vtkIdType local)
+  void Add(const PointGrid& grid, const PlacedPoint& point, vtkIdType local)
   {
     const std::size_t numberOfProcesses = this->Points.size();
     this->Points[point.Bucket % numberOfProcesses].push_back(point);
@@ -264,7 +264,7 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
     hasFloats = hasFloats || piece.HasFloats;
     hasIds = hasIds && piece.HasIds;
   }
-  const PlaceGrid grid(tolerance, hasFloats, largest);
+  const PointGrid grid(tolerance, hasFloats, largest);
 
   std::vector<std::vector<vtkIdType>> lowest;
   std::vector<PointNumbers> numbers;
@@ -290,7 +290,7 @@ std::vector<std::vector<vtkIdType>> FindCoincidentPoints(
     for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
     {
       const Vector place = GetPlace(mesh, point, hasFloats);
-      const bool isNear = !areLeftOut[p][point] && std::isfinite(PlaceGrid::GetSize(place)) &&
+      const bool isNear = !areLeftOut[p][point] && std::isfinite(PointGrid::GetSize(place)) &&
         std::any_of(others.begin(), others.end(),
           [&](const PieceSummary& box) { return IsNearBox(place, box, 2 * grid.GetReach()); });
       if (isNear)

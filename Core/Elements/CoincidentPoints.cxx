@@ -37,7 +37,7 @@ struct Entry
 class PointBuckets
 {
 public:
-  PointBuckets(const MeshView& mesh, const PlaceGrid& grid, const PointNumbers& numbers,
+  PointBuckets(const MeshView& mesh, const PointGrid& grid, const PointNumbers& numbers,
     const std::vector<unsigned char>& isLeftOut)
     : Mesh(mesh)
     , Grid(grid)
@@ -50,7 +50,7 @@ public:
         {
           const Vector place = this->GetPoint(point);
           const bool counts =
-            std::isfinite(PlaceGrid::GetSize(place)) && (isLeftOut.empty() || !isLeftOut[point]);
+            std::isfinite(PointGrid::GetSize(place)) && (isLeftOut.empty() || !isLeftOut[point]);
           this->Entries[point] = { counts ? grid.GetHash(place) : 0, numbers(point),
             counts ? point : -1 };
         }
@@ -62,7 +62,7 @@ public:
   vtkIdType FindLowest(vtkIdType point) const
   {
     const Vector place = this->GetPoint(point);
-    if (!std::isfinite(PlaceGrid::GetSize(place)))
+    if (!std::isfinite(PointGrid::GetSize(place)))
     {
       return -1;
     }
@@ -109,7 +109,7 @@ private:
   }
 
   const MeshView& Mesh;
-  const PlaceGrid& Grid;
+  const PointGrid& Grid;
   std::vector<Entry> Entries;
 };
 }
@@ -123,24 +123,23 @@ vtkIdType PointNumbers::operator()(vtkIdType point) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> FindCoincidentPoints(
-  const MeshView& mesh, double tolerance, const PointNumbers& numbers,
-  const std::vector<unsigned char>& isLeftOut)
+std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, double tolerance,
+  const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut)
 {
   double largest = 0;
   for (vtkIdType point = 0; point < mesh.GetNumberOfPoints(); ++point)
   {
     double x[3];
     mesh.GetPoint(point, x);
-    const double size = PlaceGrid::GetSize({ x[0], x[1], x[2] });
+    const double size = PointGrid::GetSize({ x[0], x[1], x[2] });
     largest = std::isfinite(size) ? std::max(largest, size) : largest;
   }
-  const PlaceGrid grid(tolerance, mesh.HasFloatPoints(), largest);
+  const PointGrid grid(tolerance, mesh.HasFloatPoints(), largest);
   return FindCoincidentPoints(mesh, grid, numbers, isLeftOut);
 }
 
 //------------------------------------------------------------------------------
-std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PlaceGrid& grid,
+std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PointGrid& grid,
   const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut)
 {
   const PointBuckets buckets(mesh, grid, numbers, isLeftOut);

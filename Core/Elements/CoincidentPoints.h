@@ -11,9 +11,9 @@
 #ifndef camaron_CoincidentPoints_h
 #define camaron_CoincidentPoints_h
 
-#include "Ranks/LinkedPiece.h"
-#include "Elements/PlaceGrid.h"
+#include "Elements/PointGrid.h"
 #include "Mesh/MeshView.h"
+#include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 
 #include <vector> // for the result
@@ -34,14 +34,14 @@ struct PointNumbers
 
 /**
  * Of one mesh.
- * @param tolerance see PlaceGrid
+ * @param tolerance see PointGrid
  * @param isLeftOut of points that count for nothing; or empty
  */
 std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, double tolerance,
   const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut = {});
 
 /// The same with a given grid.
-std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PlaceGrid& grid,
+std::vector<vtkIdType> FindCoincidentPoints(const MeshView& mesh, const PointGrid& grid,
   const PointNumbers& numbers, const std::vector<unsigned char>& isLeftOut);
 
 /**

@@ -7,9 +7,9 @@
 #ifndef camaron_Counters_h
 #define camaron_Counters_h
 
+#include "Base/Buffer.h"
 #include "Criteria/Criterion.h"
 #include "Mesh/FacetTable.h"
-#include "Base/Buffer.h"
 
 #include <atomic>  // for the numbers
 #include <cmath>   // for rounding
@@ -67,8 +67,9 @@ private:
 };
 
 /**
- * Sums of angles in radian or steradian, kept as integers so that they are the same in whatever order, also of
- * cells in different pieces. A sum is null when a part of it is, or when there are no parts.
+ * Sums of angles in radian or steradian, kept as integers so that they are the same in whatever
+ * order, also of cells in different pieces. A sum is null when a part of it is, or when there are
+ * no parts.
  */
 class AngleSums
 {
@@ -95,7 +96,8 @@ public:
   double Get(vtkIdType i) const
   {
     const unsigned char reason = this->Reasons[i].load(std::memory_order_relaxed);
-    return reason == 0  ? static_cast<double>(this->Sums[i].load(std::memory_order_relaxed)) / Resolution
+    return reason == 0
+      ? static_cast<double>(this->Sums[i].load(std::memory_order_relaxed)) / Resolution
       : reason == NoParts ? Null(NullReason::NotApplicable)
                           : Null(static_cast<NullReason>(reason));
   }

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of edges.
-#include "Cell/DihedralAngle.h"
+#include "Base/Parallel.h"
+#include "Base/Vector.h"
+#include "Cell/AngleRange.h"
 #include "Elements/Counters.h"
 #include "Elements/ElementArray.h"
 #include "Elements/FacetValues.h"
 #include "Elements/NeighborhoodPass.h"
 #include "Mesh/CellFacets.h"
-#include "Base/LengthUnit.h"
-#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <limits>
@@ -74,7 +74,8 @@ void ForSurfaceEdges(const ElementContext& context, Fill&& fill)
         {
           const Index facet = uses[local].Facet();
           const vtkIdType a = polygon[local], b = polygon[local + 1 < uses.size() ? local + 1 : 0];
-          if (a != b && table.GetCells(facet).First == cell && table.GetOwnerLocalFacet(facet) == local)
+          if (a != b && table.GetCells(facet).First == cell &&
+            table.GetOwnerLocalFacet(facet) == local)
           {
             fill(SurfaceEdge{ finder.Find(a, b), { a, b }, facet });
           }
@@ -161,8 +162,8 @@ void IsBoundaryEdge(const ElementContext& context, unsigned char* values)
   ForEdges(context,
     [&](vtkIdType edge)
     {
-      values[edge] = uses.BoundaryFaces[edge] > 0 ||
-        (uses.Polygons[edge] == 1 && uses.Cells[edge] == 1);
+      values[edge] =
+        uses.BoundaryFaces[edge] > 0 || (uses.Polygons[edge] == 1 && uses.Cells[edge] == 1);
     });
 }
 
@@ -266,7 +267,8 @@ void OfFacets(const ElementContext& context, double* values)
       {
         const Index number = uses[facet.Use].Facet();
         const int* ring = cell.GetTopology().GetFace(0);
-        const int next = facet.Number + 1 < cell.GetTopology().GetFaceSize(0) ? facet.Number + 1 : 0;
+        const int next =
+          facet.Number + 1 < cell.GetTopology().GetFaceSize(0) ? facet.Number + 1 : 0;
         const vtkIdType edge =
           finder.Find(cell.GetPointId(ring[facet.Number]), cell.GetPointId(ring[next]));
         const double value = Value(neighborhood, facet);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/ElementArray.h"
 
-#include "Base/Units.h"
 #include "Base/Buffer.h"
+#include "Base/Units.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"

@@ -29,9 +29,9 @@ struct ElementArray
 
   ///@{
   /**
-   * One of them is set. The first three fill an array of the size of the elements; FacetFunction (for faces of 3D
-   * cells) and ShapeFunction (for any faces) return the value of one face and share a pass over the cells. Plane
-   * angles are in radian.
+   * One of them is set. The first three fill an array of the size of the elements; FacetFunction
+   * (for faces of 3D cells) and ShapeFunction (for any faces) return the value of one face and
+   * share a pass over the cells. Plane angles are in radian.
    */
   void (*IdFunction)(const ElementContext& context, vtkIdType* values);
   void (*FlagFunction)(const ElementContext& context, unsigned char* values);
@@ -50,8 +50,8 @@ struct ElementArray
 
 ///@{
 /**
- * All arrays, in the order in which people see them. A name may come twice for different dimensions: then the first
- * row counts that the mesh has cells for.
+ * All arrays, in the order in which people see them. A name may come twice for different
+ * dimensions: then the first row counts that the mesh has cells for.
  */
 const std::vector<ElementArray>& GetFaceArrays();
 const std::vector<ElementArray>& GetEdgeArrays();
@@ -59,8 +59,8 @@ const std::vector<ElementArray>& GetVertexArrays();
 ///@}
 
 /**
- * Adds those of the rows whose names are chosen, as cell arrays with UNITS_LABEL, and the points of the mesh with their
- * data. Nothing is computed for others. Returns ElementContext::GoesOn.
+ * Adds those of the rows whose names are chosen, as cell arrays with UNITS_LABEL, and the points of
+ * the mesh with their data. Nothing is computed for others. Returns ElementContext::GoesOn.
  */
 bool AddElementArrays(const ElementContext& context, const std::vector<ElementArray>& rows,
   const std::vector<std::string>& names, vtkPolyData* elements);

@@ -28,7 +28,8 @@ void MakeUnique(std::vector<vtkIdType>& items)
 }
 
 //------------------------------------------------------------------------------
-// Counts uses by cells and faces: forItems(points, size, visit(item)) tells what a ring of points uses.
+// Counts uses by cells and faces: forItems(points, size, visit(item)) tells what a ring of points
+// uses.
 template <typename ForItems>
 class UseCounter
 {
@@ -54,7 +55,8 @@ public:
   }
   ElementUses Get() const
   {
-    return { this->Cells.Get(), this->Polygons.Get(), this->Faces.Get(), this->BoundaryFaces.Get() };
+    return { this->Cells.Get(), this->Polygons.Get(), this->Faces.Get(),
+      this->BoundaryFaces.Get() };
   }
 
 private:
@@ -168,7 +170,11 @@ EdgeAngles ComputeEdgeAngles(const ElementContext& context)
   angles.Min.reserve(size);
   angles.Max.reserve(size);
   const auto get = [&](double value, double sum)
-  { return std::abs(value) < infinity ? value : std::isnan(sum) ? sum : Null(NullReason::NotApplicable); };
+  {
+    return std::abs(value) < infinity ? value
+      : std::isnan(sum)               ? sum
+                                      : Null(NullReason::NotApplicable);
+  };
   for (vtkIdType edge = 0; edge < static_cast<vtkIdType>(size); ++edge)
   {
     const double sum = sums.Get(edge);
@@ -225,7 +231,8 @@ ElementContext::ElementContext(vtkDataSet* mesh, const MeshTopology& topology,
 //------------------------------------------------------------------------------
 bool ElementContext::GoesOn(double done) const
 {
-  // Tables that several arrays share are made in the step of the first one, maybe in several passes.
+  // Tables that several arrays share are made in the step of the first one, maybe in several
+  // passes.
   this->Done = std::max(this->Done, this->Range[0] + done * (this->Range[1] - this->Range[0]));
   this->IsStopped = this->IsStopped || (this->Progress && !this->Progress(this->Done));
   return !this->IsStopped;
@@ -277,7 +284,8 @@ const ElementUses& ElementContext::GetEdgeUses() const
               visit(finder.Find(a, b));
             }
           }
-        }).Get();
+        })
+        .Get();
     });
 }
 
@@ -294,7 +302,8 @@ const ElementUses& ElementContext::GetVertexUses() const
           {
             visit(points[i]);
           }
-        }).Get();
+        })
+        .Get();
     });
 }
 

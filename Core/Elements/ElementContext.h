@@ -4,17 +4,17 @@
  * @class camaron::ElementContext
  * @brief What the arrays of faces, edges and vertices of a mesh are made from.
  *
- * Tables are made when they are first asked for and then shared by all arrays. Not for several threads: functions
- * of arrays fetch their tables first and go parallel then.
+ * Tables are made when they are first asked for and then shared by all arrays. Not for several
+ * threads: functions of arrays fetch their tables first and go parallel then.
  */
 #ifndef camaron_ElementContext_h
 #define camaron_ElementContext_h
 
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "Cell/CellGeometry.h"
 #include "Elements/EdgeFinder.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Parallel.h"
-#include "Base/Buffer.h"
 
 #include <algorithm>  // for parts of the mesh
 #include <array>      // for steps
@@ -56,9 +56,10 @@ struct EdgeAngles
 /// Where a mesh is the piece of one, with cells of others: see CompletePieces.
 struct ElementSource
 {
-  vtkDataSet* Piece = nullptr;  ///< whose points and their data the elements get; the first ones of the mesh
-  unsigned Dimensions = 0;      ///< CellDimensions that other pieces have
-  bool IsComplete = false;      ///< cells of all pieces are there at all points of the cells of this one
+  vtkDataSet* Piece =
+    nullptr; ///< whose points and their data the elements get; the first ones of the mesh
+  unsigned Dimensions = 0; ///< CellDimensions that other pieces have
+  bool IsComplete = false; ///< cells of all pieces are there at all points of the cells of this one
   ///@{
   /// What is known of all pieces, if it is asked for: see CoincidentPoints.h and MismatchedFaces.h.
   const std::vector<vtkIdType>* CoincidentPoints = nullptr;
@@ -71,15 +72,17 @@ class ElementContext
 public:
   /**
    * @param mesh whose ghosts and global ids count, whatever the options say of them
-   * @param mergeTolerance distance up to which points coincide; 0 for 8 rounding units of their coordinates
+   * @param mergeTolerance distance up to which points coincide; 0 for 8 rounding units of their
+   * coordinates
    */
   ElementContext(vtkDataSet* mesh, const MeshTopology& topology, EvaluationOptions options,
     double mergeTolerance = 0, const ElementSource& source = {});
 
   ///@{
   /**
-   * Whom to tell how much of all is done, 0 to 1; the answer false stops the work. GoesOn says how much of the present
-   * Step is done and whether to go on; once that is false, it stays so, and what is made is worth nothing.
+   * Whom to tell how much of all is done, 0 to 1; the answer false stops the work. GoesOn says how
+   * much of the present Step is done and whether to go on; once that is false, it stays so, and
+   * what is made is worth nothing.
    */
   void SetProgress(std::function<bool(double)> progress) { this->Progress = std::move(progress); }
   bool GoesOn(double done = 0) const;
@@ -113,7 +116,8 @@ public:
     const vtkIdType size = this->GetMesh().GetNumberOfCells();
     const vtkIdType slab = std::max(smallest, size / numberOfReports + 1);
     for (vtkIdType first = 0;
-         first < size && this->GoesOn(static_cast<double>(first) / static_cast<double>(size)); first += slab)
+      first < size && this->GoesOn(static_cast<double>(first) / static_cast<double>(size));
+      first += slab)
     {
       ParallelFor(std::min(slab, size - first), grain,
         [&](vtkIdType begin, vtkIdType end) { function(first + begin, first + end); });

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/ElementNumbers.h"
 
+#include "Base/Parallel.h"
 #include "Elements/Counters.h"
 #include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
-#include "Base/Parallel.h"
 
 #include "vtkDataSetAttributes.h"
 
@@ -38,7 +38,8 @@ void ElementNumbers::MakePieces(const std::vector<vtkIdType>& firstCells)
 {
   const MeshView& mesh = this->Topology.GetMesh();
   const CellFacets facets(mesh);
-  const std::vector<vtkIdType> firsts = firstCells.empty() ? std::vector<vtkIdType>{ 0 } : firstCells;
+  const std::vector<vtkIdType> firsts =
+    firstCells.empty() ? std::vector<vtkIdType>{ 0 } : firstCells;
   for (std::size_t i = 0; i < firsts.size(); ++i)
   {
     const vtkIdType end = i + 1 < firsts.size() ? firsts[i + 1] : mesh.GetNumberOfCells();
@@ -132,7 +133,8 @@ vtkIdType ElementNumbers::GetFace(vtkIdType cell, const vtkIdType points[3]) con
   facets.ForEach(cell,
     [&](const vtkIdType* of, vtkIdType size, vtkIdType local)
     {
-      const auto has = [&](vtkIdType point) { return std::find(of, of + size, point) != of + size; };
+      const auto has = [&](vtkIdType point)
+      { return std::find(of, of + size, point) != of + size; };
       if (found == None && has(points[0]) && has(points[1]) && has(points[2]))
       {
         found = this->Faces[uses[static_cast<Index>(local)].Facet()];
@@ -174,7 +176,8 @@ void ElementNumbers::NumberEdges() const
   Index next = 0;
   for (std::size_t edge = 0; edge < list.size(); ++edge)
   {
-    for (; piece + 1 < this->Pieces.size() && list[edge][0] >= this->Pieces[piece + 1].FirstPoint; ++piece)
+    for (; piece + 1 < this->Pieces.size() && list[edge][0] >= this->Pieces[piece + 1].FirstPoint;
+      ++piece)
     {
       next = 0;
     }
@@ -194,8 +197,8 @@ vtkIdType ElementNumbers::GetEdge(vtkIdType a, vtkIdType b) const
   }
   const EdgeList& list = this->Topology.GetEdges();
   const vtkIdType edge = this->Finder->Find(a, b);
-  const bool isThere = edge < static_cast<vtkIdType>(list.size()) && list[edge][0] == std::min(a, b) &&
-    list[edge][1] == std::max(a, b);
+  const bool isThere = edge < static_cast<vtkIdType>(list.size()) &&
+    list[edge][0] == std::min(a, b) && list[edge][1] == std::max(a, b);
   return isThere ? this->Edges[edge] : None;
 }
 }

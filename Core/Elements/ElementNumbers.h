@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementNumbers
- * @brief The numbers that MakeFaces and MakeEdges give to the elements of a mesh, found by cells and points.
+ * @brief The numbers that MakeFaces and MakeEdges give to the elements of a mesh, found by cells
+ * and points.
  *
- * Elements that only ghost cells have count for nothing. Of a mesh that was put together from pieces, one after the
- * other and with points of their own, elements have the numbers that they have in their piece.
+ * Elements that only ghost cells have count for nothing. Of a mesh that was put together from
+ * pieces, one after the other and with points of their own, elements have the numbers that they
+ * have in their piece.
  */
 #ifndef camaron_ElementNumbers_h
 #define camaron_ElementNumbers_h
@@ -31,7 +33,8 @@ public:
   ElementNumbers(
     vtkDataSet* mesh, const unsigned char* ghosts, const std::vector<vtkIdType>& firstCells = {});
 
-  /// Number of the face of @a cell with three of its points, in whatever order; None if there is none.
+  /// Number of the face of @a cell with three of its points, in whatever order; None if there is
+  /// none.
   vtkIdType GetFace(vtkIdType cell, const vtkIdType points[3]) const;
   /// Number of the edge between two points; None if there is none.
   vtkIdType GetEdge(vtkIdType a, vtkIdType b) const;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The arrays of faces.
-#include "Cell/FaceShape.h"
+#include "Base/Parallel.h"
+#include "Cell/CellDefects.h"
 #include "Elements/ElementArray.h"
 #include "Elements/FacetValues.h"
 #include "Elements/NeighborhoodPass.h"
-#include "Base/Parallel.h"
 
 #include <algorithm>
 
@@ -86,7 +86,8 @@ void FaceMismatch(const ElementContext& context, unsigned char* values)
 template <double (*Measure)(const CellGeometry&, int)>
 double OfShape(const CellGeometry& cell, int face)
 {
-  return cell.IsZeroArea(cell.GetFaceArea(face)) ? Null(NullReason::Degenerate) : Measure(cell, face);
+  return cell.IsZeroArea(cell.GetFaceArea(face)) ? Null(NullReason::Degenerate)
+                                                 : Measure(cell, face);
 }
 
 //------------------------------------------------------------------------------
@@ -124,8 +125,8 @@ void EvaluateFacets(const ElementContext& context, const std::vector<const Eleme
   {
     std::fill_n(array, table.GetNumberOfFacets(), Null(NullReason::Degenerate));
   }
-  const bool needsCorners = std::any_of(
-    rows.begin(), rows.end(), [](const ElementArray* row) { return row->ShapeFunction != nullptr; });
+  const bool needsCorners = std::any_of(rows.begin(), rows.end(),
+    [](const ElementArray* row) { return row->ShapeFunction != nullptr; });
   ForEachNeighborhood(context, table, needsCorners ? NeedsEdges | NeedsCorners : 0u,
     [&](vtkIdType id, const FacetTable::Range& uses, const CellGeometry& cell,
       const CellNeighborhood& neighborhood)
@@ -174,10 +175,10 @@ const std::vector<ElementArray>& GetFaceArrays()
       "Angle between the line of the centroids of both cells and the normal of the face; null at the boundary.",
       OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Inside<GetNonOrthogonality>) },
     { "BoundaryNonOrthogonality",
-      "Angle between the line from the centroid of the cell to the centre of the face and its normal; null inside.",
+      "Angle between the line from the centroid of the cell to the center of the face and its normal; null inside.",
       OfPolyhedra, Unit::Angle, true, CAMARON_FACETS(Boundary<GetBoundaryNonOrthogonality>) },
     { "FaceSkewness",
-      "Distance of the centre of the face from the line of the centroids, relative to its size in that direction.",
+      "Distance of the center of the face from the line of the centroids, relative to its size in that direction.",
       OfPolyhedra, Unit::None, true, CAMARON_FACETS(InsideOrBoundary<GetFaceSkewness>) },
     { "FaceWeight",
       "Smaller distance of the face from the two centroids, along its normal, divided by the sum of both; null at "
@@ -189,13 +190,13 @@ const std::vector<ElementArray>& GetFaceArrays()
       "Volume of the pyramid over the face with the centroid of a cell as apex, the smaller one of both sides.",
       OfPolyhedra, Unit::Volume, true, CAMARON_FACETS((PyramidSize<3>)) },
     { "FaceTwist",
-      "Minimum cosine between the triangles about the centre of the face and the line of the centroids, at the "
-      "boundary the line to the centre of the face.",
+      "Minimum cosine between the triangles about the center of the face and the line of the centroids, at the "
+      "boundary the line to the center of the face.",
       OfPolyhedra, Unit::None, false, CAMARON_FACETS(InsideOrBoundary<GetFaceTwist>) },
-    { "FaceFlatness", "Area of the face projected along its normal, divided by that of the triangles about its centre.",
+    { "FaceFlatness", "Area of the face projected along its normal, divided by that of the triangles about its center.",
       OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceFlatness>) },
     { "Warpage",
-      "Maximum distance of a point of the face from its plane, divided by the largest one from its centre.",
+      "Maximum distance of a point of the face from its plane, divided by the largest one from its center.",
       OfAnyCells, Unit::None, false, CAMARON_SHAPES(OfShape<GetFaceWarpage>) },
     { "FaceConcavity", "By how much the largest angle of the face exceeds 180 degrees; 0 for a convex one.",
       OfAnyCells, Unit::Angle, false, CAMARON_SHAPES(OfShape<GetFaceConcavity>) },

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FacetValues.h
- * @brief What finite volumes ask of a facet, as values of that facet: null, with a reason, where they ask nothing.
+ * @brief What finite volumes ask of a facet, as values of that facet: null, with a reason, where
+ * they ask nothing.
  */
 #ifndef camaron_FacetValues_h
 #define camaron_FacetValues_h
@@ -18,11 +19,11 @@ template <double (*Measure)(const CellNeighborhood&, const CellNeighborhood::Fac
 double Inside(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
 {
   using Side = CellNeighborhood::Side;
-  return facet.Other == Side::Cell ? Measure(cell, facet)
-                                   : Null(facet.Other == Side::Missing ? NullReason::MissingGhosts
-                                         : facet.Other == Side::Boundary
-                                         ? NullReason::NoNeighbor
-                                         : NullReason::InvalidTopology);
+  return facet.Other == Side::Cell
+    ? Measure(cell, facet)
+    : Null(facet.Other == Side::Missing   ? NullReason::MissingGhosts
+          : facet.Other == Side::Boundary ? NullReason::NoNeighbor
+                                          : NullReason::InvalidTopology);
 }
 
 /// A value that takes the boundary into account.
@@ -45,8 +46,9 @@ double Boundary(const CellNeighborhood& cell, const CellNeighborhood::Facet& fac
 template <int Dimension>
 double PyramidSize(const CellNeighborhood& cell, const CellNeighborhood::Facet& facet)
 {
-  return std::isnan(cell.GetSize()) ? cell.GetSize()
-                                    : cell.GetGeometry().ToMesh(GetFacePyramidVolume(cell, facet), Dimension);
+  return std::isnan(cell.GetSize())
+    ? cell.GetSize()
+    : cell.GetGeometry().ToMesh(GetFacePyramidVolume(cell, facet), Dimension);
 }
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/KernelCells.h"
 
+#include "Base/Parallel.h"
 #include "Cell/CellKernel.h"
 #include "Mesh/CellShape.h"
-#include "Base/Parallel.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -232,7 +232,7 @@ bool MakeKernelCells(vtkDataSet* mesh, const EvaluationOptions& options, vtkData
         CellGeometry cell;
         std::vector<Vector> corners;
         for (vtkIdType id = (first + begin) * Chunk;
-             id < std::min(numberOfCells, (first + end) * Chunk); ++id)
+          id < std::min(numberOfCells, (first + end) * Chunk); ++id)
         {
           if (IsOurs(ghosts, id) && (!chosen || chosen->GetComponent(id, 0) != 0))
           {

@@ -21,13 +21,14 @@ class vtkUnstructuredGrid;
 namespace camaron
 {
 /**
- * Fills @a kernels, which must be empty, with the kernels of the 2D and 3D cells of @a mesh that have one
- * and are no ghosts: VTK_POLYGON and VTK_POLYHEDRON, in the order of the cells, each with points of its
- * own, in double precision. The kernel of a convex cell is that cell.
+ * Fills @a kernels, which must be empty, with the kernels of the 2D and 3D cells of @a mesh that
+ * have one and are no ghosts: VTK_POLYGON and VTK_POLYHEDRON, in the order of the cells, each with
+ * points of its own, in double precision. The kernel of a convex cell is that cell.
  *
- * Cell arrays: those of the mesh, "SourceCell" (id of the cell, the global one if the mesh has them) and
- * "KernelRatio". Field array "CellsWithoutKernel": ids in the same sense of the cells that were asked for
- * and have none: cells that are not star-shaped, not closed, or without volume or area.
+ * Cell arrays: those of the mesh, "SourceCell" (id of the cell, the global one if the mesh has
+ * them) and "KernelRatio". Field array "CellsWithoutKernel": ids in the same sense of the cells
+ * that were asked for and have none: cells that are not star-shaped, not closed, or without volume
+ * or area.
  *
  * Memory: the result twice.
  *
@@ -58,10 +59,10 @@ enum class SurfaceKernel
 };
 
 /**
- * Fills @a kernel, which must be empty, with the kernel of what the polygons enclose: one VTK_POLYHEDRON
- * with the cell array "KernelRatio". Corners with the same coordinates are one. The result does not depend
- * on the order of the polygons nor on where they start. The time is n log n for n polygons; with an empty
- * kernel it is linear.
+ * Fills @a kernel, which must be empty, with the kernel of what the polygons enclose: one
+ * VTK_POLYHEDRON with the cell array "KernelRatio". Corners with the same coordinates are one. The
+ * result does not depend on the order of the polygons nor on where they start. The time is n log n
+ * for n polygons; with an empty kernel it is linear.
  */
 SurfaceKernel MakeSurfaceKernel(const SurfacePolygons& polygons, const EvaluationOptions& options,
   const std::function<bool(double)>& goesOn, vtkUnstructuredGrid* kernel);

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/MeshElements.h"
 
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "Cell/CellGeometry.h"
 #include "Elements/Counters.h"
 #include "Elements/OwnFacets.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/UsedPoints.h"
-#include "Base/Parallel.h"
-#include "Base/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -87,8 +87,10 @@ void TurnOutward(const ElementContext& context, const FacetTable& table, vtkCell
   {
     return;
   }
-  const vtkTypeInt64* starts = vtkTypeInt64Array::SafeDownCast(polygons->GetOffsetsArray())->GetPointer(0);
-  vtkTypeInt64* ids = vtkTypeInt64Array::SafeDownCast(polygons->GetConnectivityArray())->GetPointer(0);
+  const vtkTypeInt64* starts =
+    vtkTypeInt64Array::SafeDownCast(polygons->GetOffsetsArray())->GetPointer(0);
+  vtkTypeInt64* ids =
+    vtkTypeInt64Array::SafeDownCast(polygons->GetConnectivityArray())->GetPointer(0);
   context.ForCells(
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -231,8 +233,8 @@ void MarkGhostEdges(
 }
 
 //------------------------------------------------------------------------------
-// Vertices, too; those of no cell as the point says. The copies of a piece, which are not in its completed mesh, may
-// have points that no other cell has.
+// Vertices, too; those of no cell as the point says. The copies of a piece, which are not in its
+// completed mesh, may have points that no other cell has.
 void MarkGhostVertices(
   const ElementContext& context, unsigned char* ghosts, std::vector<unsigned char>& isKept)
 {
@@ -247,7 +249,8 @@ void MarkGhostVertices(
     const auto id = static_cast<vtkIdType>(point);
     const bool isOwn = point < isUsed.size();
     const unsigned char flags = ofPoints && isOwn ? ofPoints->GetValue(id) : 0;
-    ghosts[point] = flags & vtkDataSetAttributes::HIDDENPOINT ? vtkDataSetAttributes::HIDDENCELL : 0;
+    ghosts[point] =
+      flags & vtkDataSetAttributes::HIDDENPOINT ? vtkDataSetAttributes::HIDDENCELL : 0;
     if (cells.empty() || !context.GetOptions().Ghosts)
     {
       ghosts[point] |= flags & vtkDataSetAttributes::DUPLICATEPOINT;

@@ -4,10 +4,11 @@
  * @file MeshElements.h
  * @brief The faces, edges and vertices of a mesh as data sets of their own.
  *
- * Each fills an empty vtkPolyData, which gets the points of the mesh with their data and those of the arrays of
- * ElementArray.h that are named. If the mesh has ghost cells, elements that only copies of cells have are left out, and
- * "vtkGhostType" marks those that belong to another piece: whose cell of the smallest id is a copy (DUPLICATECELL).
- * Each returns ElementContext::GoesOn; if that is false, the elements are not complete.
+ * Each fills an empty vtkPolyData, which gets the points of the mesh with their data and those of
+ * the arrays of ElementArray.h that are named. If the mesh has ghost cells, elements that only
+ * copies of cells have are left out, and "vtkGhostType" marks those that belong to another piece:
+ * whose cell of the smallest id is a copy (DUPLICATECELL). Each returns ElementContext::GoesOn; if
+ * that is false, the elements are not complete.
  */
 #ifndef camaron_MeshElements_h
 #define camaron_MeshElements_h
@@ -22,8 +23,8 @@ class vtkPolyData;
 namespace camaron
 {
 /**
- * Every face of the 3D cells once; face i is facet i of MeshTopology::GetFaces, and runs as its first cell has it.
- * A mesh without 3D cells has its 2D cells for faces.
+ * Every face of the 3D cells once; face i is facet i of MeshTopology::GetFaces, and runs as its
+ * first cell has it. A mesh without 3D cells has its 2D cells for faces.
  */
 bool MakeFaces(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* faces);
@@ -37,8 +38,9 @@ bool MakeVertices(
   const ElementContext& context, const std::vector<std::string>& arrays, vtkPolyData* vertices);
 
 /**
- * Adds to @a vertices of MakeVertices "VertexWorst<Criterion>" for every criterion of which the mesh has a cell array
- * and which has a better end: the worst value of the cells with the point, null if none of them has a value.
+ * Adds to @a vertices of MakeVertices "VertexWorst<Criterion>" for every criterion of which the
+ * mesh has a cell array and which has a better end: the worst value of the cells with the point,
+ * null if none of them has a value.
  */
 bool AddWorstOfCells(const ElementContext& context, vtkPolyData* vertices);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Elements/MismatchedFaces.h"
 
-#include "Elements/PlaceGrid.h"
+#include "Elements/PointGrid.h"
 #include "Mesh/MeshTopology.h"
 
 #include <algorithm>
@@ -17,11 +17,11 @@ namespace camaron
 {
 namespace
 {
-/// A face by its centre, and where its points are in a list.
+/// A face by its center, and where its points are in a list.
 struct PlacedFace
 {
   Vector Center;
-  std::uint64_t Bucket; // a cube that the centre is near
+  std::uint64_t Bucket; // a cube that the center is near
   std::int64_t Number;  // by which the sender knows the face
   std::int64_t FirstPoint;
   std::int32_t Size, Block;
@@ -36,7 +36,7 @@ struct PlacedFaces
 /// What all processes know of a piece.
 struct PieceBox
 {
-  double Low[3], High[3]; // of the centres
+  double Low[3], High[3]; // of the centers
   double Largest;         // of the coordinates
   std::int32_t Process, Piece, Block;
   std::int32_t HasFloats;
@@ -76,7 +76,7 @@ PlacedFaces ListFaces(const PieceOfFaces& piece)
 //------------------------------------------------------------------------------
 bool HasCenter(const PlacedFace& face)
 {
-  return std::isfinite(PlaceGrid::GetSize(face.Center));
+  return std::isfinite(PointGrid::GetSize(face.Center));
 }
 
 //------------------------------------------------------------------------------
@@ -96,7 +96,7 @@ PieceBox GetBox(const PieceOfFaces& piece, const PlacedFaces& list)
   }
   for (const Vector& point : list.Points)
   {
-    const double size = PlaceGrid::GetSize(point);
+    const double size = PointGrid::GetSize(point);
     box.Largest = std::isfinite(size) ? std::max(box.Largest, size) : box.Largest;
   }
   return box;
@@ -120,7 +120,7 @@ class FaceMatcher
 {
 public:
   /// @a centers: by what faces were put into cubes.
-  FaceMatcher(const PlaceGrid& grid, const PlaceGrid& centers)
+  FaceMatcher(const PointGrid& grid, const PointGrid& centers)
     : Grid(grid)
     , Reach(centers.GetReach())
   {
@@ -163,8 +163,8 @@ public:
       // One that is matched already can do no more than match others: those are passed over
       // quickly.
       for (std::size_t j = isMatched[i] ? this->FindNext(i + 1) : i + 1;
-           j < this->Items.size() && this->AreClose(this->Items[i].Face, this->Items[j].Face);
-           j = isMatched[i] ? this->FindNext(j + 1) : j + 1)
+        j < this->Items.size() && this->AreClose(this->Items[i].Face, this->Items[j].Face);
+        j = isMatched[i] ? this->FindNext(j + 1) : j + 1)
       {
         if (this->AreInOnePlace(this->Items[i], this->Items[j]))
         {
@@ -217,7 +217,7 @@ private:
       });
   }
 
-  const PlaceGrid& Grid;
+  const PointGrid& Grid;
   const double Reach;
   std::vector<Item> Items;
   std::vector<std::size_t> Next;
@@ -225,7 +225,7 @@ private:
 
 //------------------------------------------------------------------------------
 // The same faces, each for every cube that it is near.
-std::vector<PlacedFace> PutIntoCubes(const std::vector<PlacedFace>& faces, const PlaceGrid& centers)
+std::vector<PlacedFace> PutIntoCubes(const std::vector<PlacedFace>& faces, const PointGrid& centers)
 {
   std::vector<PlacedFace> result;
   for (const PlacedFace& face : faces)
@@ -265,9 +265,9 @@ std::vector<std::vector<Index>> FindMismatchedFaces(
     largest = std::max(largest, box.Largest);
     hasFloats = hasFloats || box.HasFloats;
   }
-  const PlaceGrid grid(tolerance, hasFloats, largest);
-  // Where points are within reach, so are centres, but for rounding.
-  const PlaceGrid centers(2 * grid.GetReach(), hasFloats, largest);
+  const PointGrid grid(tolerance, hasFloats, largest);
+  // Where points are within reach, so are centers, but for rounding.
+  const PointGrid centers(2 * grid.GetReach(), hasFloats, largest);
 
   const auto numberOfPieces = static_cast<std::int64_t>(pieces.size());
   const auto numberOfProcesses = static_cast<std::size_t>(reducer.GetNumberOfProcesses());
@@ -288,8 +288,7 @@ std::vector<std::vector<Index>> FindMismatchedFaces(
     };
     for (PlacedFace face : faces)
     {
-      const bool isNear = std::any_of(all.begin(), all.end(),
-        [&](const PieceBox& box)
+      const bool isNear = std::any_of(all.begin(), all.end(), [&](const PieceBox& box)
         { return isOther(box) && IsNearBox(face.Center, box, 2 * centers.GetReach()); });
       if (isNear)
       {

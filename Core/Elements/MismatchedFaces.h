@@ -5,7 +5,7 @@
  * @brief Boundary faces of a mesh that lie in one place although they are different.
  *
  * Two faces do that have as many points, each of which coincides with one of the other face, see
- * PlaceGrid. What ids points have makes no difference.
+ * PointGrid. What ids points have makes no difference.
  */
 #ifndef camaron_MismatchedFaces_h
 #define camaron_MismatchedFaces_h
@@ -31,9 +31,9 @@ struct PieceOfFaces
 /**
  * Collective. Of every piece those faces of its own cells that lie in the place of another one,
  * ascending.
- * @param tolerance see PlaceGrid
+ * @param tolerance see PointGrid
  *
- * Faces whose centres lie near the box of another piece are compared by cubes of space, every
+ * Faces whose centers lie near the box of another piece are compared by cubes of space, every
  * process its share.
  */
 std::vector<std::vector<Index>> FindMismatchedFaces(

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file NeighborhoodPass.h
- * @brief One parallel pass over the cells that have facets, each with its geometry and its neighbours.
+ * @brief One parallel pass over the cells that have facets, each with its geometry and its
+ * neighbors.
  */
 #ifndef camaron_NeighborhoodPass_h
 #define camaron_NeighborhoodPass_h
@@ -13,8 +14,9 @@
 namespace camaron
 {
 /**
- * Calls @a visit(id, uses, cell, neighborhood) for the cells with facets in @a table, but for those with coordinates
- * that are not finite, as long as ElementContext::GoesOn. Several threads call it, each for different cells.
+ * Calls @a visit(id, uses, cell, neighborhood) for the cells with facets in @a table, but for those
+ * with coordinates that are not finite, as long as ElementContext::GoesOn. Several threads call it,
+ * each for different cells.
  * @param uses FacetTable::Range of the cell
  * @param cell CellGeometry, normalized, with CellNeighborhood::BaseNeeds and @a needs
  * @param neighborhood CellNeighborhood

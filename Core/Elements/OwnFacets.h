@@ -4,8 +4,9 @@
  * @file OwnFacets.h
  * @brief Facets in the order of the cells that are a piece's own.
  *
- * Cells of other pieces, which may stand between them, change nothing: elements have the same numbers in a piece,
- * with ghost cells or without, and in that piece completed by those of its neighbours.
+ * Cells of other pieces, which may stand between them, change nothing: elements have the same
+ * numbers in a piece, with ghost cells or without, and in that piece completed by those of its
+ * neighbors.
  */
 #ifndef camaron_OwnFacets_h
 #define camaron_OwnFacets_h
@@ -16,7 +17,8 @@
 
 namespace camaron
 {
-/// Calls @a visit(facet, cell) once for each facet that a cell has for which @a isOwn(cell), with the first of these.
+/// Calls @a visit(facet, cell) once for each facet that a cell has for which @a isOwn(cell), with
+/// the first of these.
 template <typename IsOwn, typename Visit>
 void ForEachOwnFacet(const FacetTable& table, IsOwn&& isOwn, Visit&& visit)
 {

@@ -18,7 +18,8 @@ constexpr double Turn = 6.283185307179586476925286766559;
 void VertexCellCount(const ElementContext& context, vtkIdType* values)
 {
   const std::vector<vtkIdType>& offsets = context.GetTopology().GetPointCells().Offsets;
-  std::transform(offsets.begin() + 1, offsets.end(), offsets.begin(), values, std::minus<vtkIdType>());
+  std::transform(
+    offsets.begin() + 1, offsets.end(), offsets.begin(), values, std::minus<vtkIdType>());
 }
 
 //------------------------------------------------------------------------------
@@ -64,7 +65,8 @@ void IsBoundaryVertex(const ElementContext& context, unsigned char* values)
 void UnusedPoint(const ElementContext& context, unsigned char* values)
 {
   const std::vector<vtkIdType>& offsets = context.GetTopology().GetPointCells().Offsets;
-  std::transform(offsets.begin() + 1, offsets.end(), offsets.begin(), values, std::equal_to<vtkIdType>());
+  std::transform(
+    offsets.begin() + 1, offsets.end(), offsets.begin(), values, std::equal_to<vtkIdType>());
 }
 
 //------------------------------------------------------------------------------
@@ -84,7 +86,8 @@ void DuplicatePoint(const ElementContext& context, vtkIdType* values)
 //------------------------------------------------------------------------------
 // Sums at every vertex what addAngles(cell, sums) adds for the cells of some shapes.
 template <typename AddAngles>
-void SumAngles(const ElementContext& context, unsigned shapes, unsigned needs, double* values, AddAngles&& addAngles)
+void SumAngles(const ElementContext& context, unsigned shapes, unsigned needs, double* values,
+  AddAngles&& addAngles)
 {
   const MeshView& mesh = context.GetMesh();
   AngleSums sums(static_cast<std::size_t>(mesh.GetNumberOfPoints()));

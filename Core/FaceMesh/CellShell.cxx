@@ -150,7 +150,8 @@ bool CellShell::PairEdges()
   this->Owners.resize(numberOfCorners);
   if (this->Ids.size() <= MaxSmall && numberOfCorners < UINT8_MAX)
   {
-    std::fill(this->Matrix, this->Matrix + MaxSmall * this->Ids.size(), static_cast<unsigned char>(0));
+    std::fill(
+      this->Matrix, this->Matrix + MaxSmall * this->Ids.size(), static_cast<unsigned char>(0));
     return this->PairEdges(
       [this](std::int32_t corner, std::int32_t a, std::int32_t b)
       {
@@ -166,12 +167,14 @@ bool CellShell::PairEdges()
   return this->PairEdges(
     [&](std::int32_t corner, std::int32_t a, std::int32_t b)
     {
-      std::size_t slot = Hash(static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b)) >> shift;
+      std::size_t slot =
+        Hash(static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b)) >> shift;
       std::int32_t other = this->Table[slot];
       for (; other >= 0; slot = (slot + 1) & mask, other = this->Table[slot])
       {
         const std::int32_t owner = this->Owners[other];
-        const std::int32_t next = other + 1 < this->Begins[owner + 1] ? other + 1 : this->Begins[owner];
+        const std::int32_t next =
+          other + 1 < this->Begins[owner + 1] ? other + 1 : this->Begins[owner];
         const std::int32_t c = this->Corners[other], d = this->Corners[next];
         if (std::min(c, d) == a && std::max(c, d) == b)
         {
@@ -184,8 +187,8 @@ bool CellShell::PairEdges()
 }
 
 //------------------------------------------------------------------------------
-// Six times the volume between the face, cut into triangles, and the first point of the cell; positive
-// if the face as it is stored points away from it.
+// Six times the volume between the face, cut into triangles, and the first point of the cell;
+// positive if the face as it is stored points away from it.
 double CellShell::GetVolumeOfFace(std::int32_t face) const
 {
   const std::int32_t begin = this->Begins[face], end = this->Begins[face + 1];
@@ -221,8 +224,8 @@ void CellShell::LoadPlaces()
 }
 
 //------------------------------------------------------------------------------
-// The usual case in short: where all faces turned away from the mean of the points run consistently and make one
-// sphere, that is what the general way finds. Not so if false.
+// The usual case in short: where all faces turned away from the mean of the points run consistently
+// and make one sphere, that is what the general way finds. Not so if false.
 bool CellShell::TurnFromMean()
 {
   const std::size_t numberOfPoints = this->Ids.size();
@@ -295,8 +298,8 @@ bool CellShell::TurnFromMean()
 }
 
 //------------------------------------------------------------------------------
-// Of a shell that is seen from the mean as a whole. Euler's formula tells one sphere from several ones, but where these
-// have points in common, and so six edges or more there. Then false, too.
+// Of a shell that is seen from the mean as a whole. Euler's formula tells one sphere from several
+// ones, but where these have points in common, and so six edges or more there. Then false, too.
 bool CellShell::IsOneSphere() const
 {
   const std::size_t numberOfPoints = this->Ids.size();

@@ -4,11 +4,11 @@
  * @class camaron::CellShell
  * @brief The shell of one polyhedral cell: its distinct points, and its faces turned outward.
  *
- * A face that two cells share runs outward for one of them at most, and many files do not care at all.
- * If every edge of the cell belongs to two of its faces, the faces of each connected part of the shell
- * are turned to run consistently, and outward by the volume they enclose, or inward if they bound a
- * void; a part of no volume follows its first face. A cell that is not closed in this way, or cannot be
- * oriented, keeps its faces as the mesh has them. Nothing else is repaired.
+ * A face that two cells share runs outward for one of them at most, and many files do not care at
+ * all. If every edge of the cell belongs to two of its faces, the faces of each connected part of
+ * the shell are turned to run consistently, and outward by the volume they enclose, or inward if
+ * they bound a void; a part of no volume follows its first face. A cell that is not closed in this
+ * way, or cannot be oriented, keeps its faces as the mesh has them. Nothing else is repaired.
  *
  * Cost is linear in the number of corners of all faces. Holds scratch memory: use one per thread.
  */
@@ -33,7 +33,8 @@ public:
 
   /// Takes the faces of a cell, which has a list of their ids; faces without points are left out.
   void Load(const IdList& cell, const IdList* faces);
-  /// The same of faces that are somewhere; ids may count from any number, as long as no volume is asked.
+  /// The same of faces that are somewhere; ids may count from any number, as long as no volume is
+  /// asked.
   void Load(const IdList* faces, std::int32_t count);
   /// Turns the faces; false if the cell is not closed.
   bool Orient();
@@ -101,16 +102,16 @@ private:
   std::vector<std::int32_t> Ids;
   std::vector<unsigned char> Turned;
 
-  static constexpr std::size_t MaxSmall = 64;      ///< points of a cell whose edges fit the matrix
-  unsigned char Matrix[MaxSmall * MaxSmall];       ///< per pair of points 1 + the edge between them
-  std::uint64_t Next[MaxSmall];      ///< per point the set of those that the faces run to from there
-  std::vector<std::int32_t> Table;   ///< open hash table of points or edges
-  std::vector<std::int32_t> Mates;   ///< per corner the other use of the edge that starts there
-  std::vector<std::int32_t> Owners;  ///< per corner its face
-  std::vector<std::int32_t> Stack;   ///< faces, of one part of the shell after the other
-  std::vector<std::size_t> Parts;    ///< where they begin in Stack
+  static constexpr std::size_t MaxSmall = 64; ///< points of a cell whose edges fit the matrix
+  unsigned char Matrix[MaxSmall * MaxSmall];  ///< per pair of points 1 + the edge between them
+  std::uint64_t Next[MaxSmall];     ///< per point the set of those that the faces run to from there
+  std::vector<std::int32_t> Table;  ///< open hash table of points or edges
+  std::vector<std::int32_t> Mates;  ///< per corner the other use of the edge that starts there
+  std::vector<std::int32_t> Owners; ///< per corner its face
+  std::vector<std::int32_t> Stack;  ///< faces, of one part of the shell after the other
+  std::vector<std::size_t> Parts;   ///< where they begin in Stack
   std::vector<unsigned char> Seen;
-  std::vector<double> Places;        ///< coordinates of the points, relative to the first
+  std::vector<double> Places; ///< coordinates of the points, relative to the first
 };
 }
 

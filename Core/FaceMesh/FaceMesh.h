@@ -16,7 +16,8 @@
 namespace camaron
 {
 /**
- * Coordinates of type float or double where they are, usually in a mapped file of either byte order.
+ * Coordinates of type float or double where they are, usually in a mapped file of either byte
+ * order.
  */
 struct PointSource
 {
@@ -36,7 +37,9 @@ struct PointSource
     , Count(count)
     , IsDouble(isDouble)
     , Swap(swap)
-    , Stride(stride > 0 ? stride : isDouble ? 24 : 12)
+    , Stride(stride > 0 ? stride
+          : isDouble    ? 24
+                        : 12)
   {
   }
 
@@ -87,9 +90,9 @@ struct FaceMesh
   Buffer<double> Doubles;
   ///@}
   /**
-   * If given, Points has only their number so far, as those of a piece are read when it is known which they are: fills
-   * the coordinates, in single precision, of the members of a numbered set, one after the other; false if they are no
-   * longer there, or if stopped.
+   * If given, Points has only their number so far, as those of a piece are read when it is known
+   * which they are: fills the coordinates, in single precision, of the members of a numbered set,
+   * one after the other; false if they are no longer there, or if stopped.
    */
   std::function<bool(const IdSet& points, float* coordinates, const Progress& progress)> ReadPoints;
   IdLists Faces;

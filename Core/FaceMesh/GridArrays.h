@@ -7,8 +7,8 @@
 #ifndef camaron_GridArrays_h
 #define camaron_GridArrays_h
 
-#include "Mesh/FacetTable.h" // for Index
 #include "Base/Buffer.h"
+#include "Mesh/FacetTable.h" // for Index
 
 #include "vtkCellArray.h"         // for cells
 #include "vtkTypeInt32Array.h"    // for indices

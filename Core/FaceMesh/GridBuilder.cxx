@@ -3,9 +3,9 @@
 #include "FaceMesh/GridBuilder.h"
 
 #include "FaceMesh/CellShell.h"
+#include "FaceMesh/FaceMeshPiece.h"
 #include "FaceMesh/GridArrays.h"
 #include "FaceMesh/GridPoints.h"
-#include "FaceMesh/MeshPiece.h"
 #include "FaceMesh/PrimitiveMatcher.h"
 #include "Mesh/MeshTopology.h"
 
@@ -96,8 +96,8 @@ public:
 private:
   /// @param getSize of face f of the item, whose id it is given, too
   template <typename GetSize>
-  Shape Expect(vtkIdType item, const IdList& cell, const Exception* exception,
-    const GetSize& getSize) const;
+  Shape Expect(
+    vtkIdType item, const IdList& cell, const Exception* exception, const GetSize& getSize) const;
   bool Measure(const Progress& progress);
   bool Fill(const Progress& progress)
   {
@@ -122,8 +122,8 @@ private:
   };
 
   /**
-   * Calls @a visit(i, cell, shape) for the items of one block in order, with the faces of each that is a
-   * cell and what is expected of it. If @a readFaces, @a lists has the item's faces meanwhile.
+   * Calls @a visit(i, cell, shape) for the items of one block in order, with the faces of each that
+   * is a cell and what is expected of it. If @a readFaces, @a lists has the item's faces meanwhile.
    */
   template <typename Visit>
   void ForBlock(vtkIdType block, bool readFaces, Lists& lists, Visit&& visit) const
@@ -150,11 +150,10 @@ private:
       }
       const Exception* const exception = isException ? &*next++ : nullptr;
       visit(i, cell,
-        readFaces
-          ? this->Expect(item, cell, exception,
-              [&](std::int32_t f, vtkIdType) { return lists.Faces[f].Size; })
-          : this->Expect(item, cell, exception,
-              [this](std::int32_t, vtkIdType id) { return this->Mesh.Faces.GetSize(id); }));
+        readFaces ? this->Expect(item, cell, exception,
+                      [&](std::int32_t f, vtkIdType) { return lists.Faces[f].Size; })
+                  : this->Expect(item, cell, exception,
+                      [this](std::int32_t, vtkIdType id) { return this->Mesh.Faces.GetSize(id); }));
     }
   }
   void ReadCells(vtkIdType first, vtkIdType last, IdListGroup& cells) const;
@@ -195,21 +194,21 @@ private:
   vtkUnstructuredGrid* Grid;
   Warnings& Messages;
   ScanError& Error;
-  MeshPiece Piece;
+  FaceMeshPiece Piece;
   vtkIdType NumberOfUniformCells = 0; ///< all cells, if they are all expected to be of one shape
   Shape UniformShape;
   Extent Total;
-  std::vector<Extent> Blocks; ///< where blocks of items begin
-  std::vector<Exception> Exceptions; ///< ascending
+  std::vector<Extent> Blocks;                      ///< where blocks of items begin
+  std::vector<Exception> Exceptions;               ///< ascending
   std::vector<std::array<vtkIdType, 2>> OpenCells; ///< in the mesh and in the piece, ascending
 };
 
 //------------------------------------------------------------------------------
-// What the sizes of its faces say an item is, if all is well with it: a polyhedron is expected to be
-// closed and without handles (Euler: points - edges + faces = 2).
+// What the sizes of its faces say an item is, if all is well with it: a polyhedron is expected to
+// be closed and without handles (Euler: points - edges + faces = 2).
 template <typename GetSize>
-Shape GridBuilder::Expect(vtkIdType item, const IdList& cell, const Exception* exception,
-  const GetSize& getSize) const
+Shape GridBuilder::Expect(
+  vtkIdType item, const IdList& cell, const Exception* exception, const GetSize& getSize) const
 {
   Shape shape;
   const vtkIdType numberOfCells = this->Mesh.Cells.GetCount();
@@ -281,11 +280,11 @@ void GridBuilder::ReadCells(vtkIdType first, vtkIdType last, IdListGroup& cells)
   for (vtkIdType i = first; i < last; ++i)
   {
     // What is no cell has an empty list here.
-    items[static_cast<std::size_t>(i - first)] = static_cast<std::int32_t>(
-      std::min(this->Piece.GetItem(i), numberOfCells));
+    items[static_cast<std::size_t>(i - first)] =
+      static_cast<std::int32_t>(std::min(this->Piece.GetItem(i), numberOfCells));
   }
-  this->Mesh.Cells.Read({ reinterpret_cast<const char*>(items.data()),
-                          static_cast<std::int32_t>(last - first), 0 },
+  this->Mesh.Cells.Read(
+    { reinterpret_cast<const char*>(items.data()), static_cast<std::int32_t>(last - first), 0 },
     cells);
 }
 
@@ -355,11 +354,12 @@ bool GridBuilder::Measure(const Progress& progress)
       "expected cells with fewer than 2147483648 corners, found a larger one" };
     return false;
   }
-  // A face belongs to two cells, rarely to more. A small file that lists large faces again and again
-  // must not eat all memory.
+  // A face belongs to two cells, rarely to more. A small file that lists large faces again and
+  // again must not eat all memory.
   constexpr vtkIdType MaxUses = 16;
   if (finished &&
-    this->Total.PolyhedronFacePoints > MaxUses * std::max(BlockSize, this->Mesh.Faces.GetNumberOfIds()))
+    this->Total.PolyhedronFacePoints >
+      MaxUses * std::max(BlockSize, this->Mesh.Faces.GetNumberOfIds()))
   {
     this->Error = { ErrorKind::Count,
       "expected cells to list a face about twice, found " +
@@ -413,8 +413,7 @@ bool GridBuilder::FillCells(Arrays<Id>& arrays, const Progress& progress)
           }
           if (static_cast<vtkIdType>(points.size()) != shape.Size.Points)
           {
-            localExceptions.push_back(
-              { i, VTK_POLYHEDRON, static_cast<vtkIdType>(points.size()) });
+            localExceptions.push_back({ i, VTK_POLYHEDRON, static_cast<vtkIdType>(points.size()) });
             return;
           }
           if (!shell.Orient())
@@ -561,7 +560,8 @@ void GridBuilder::TurnSecondUses(Arrays<Id>& arrays) const
           if (reversed[number])
           {
             Id* points = arrays.FaceConnectivity.data();
-            std::reverse(points + arrays.FaceOffsets[entry] + 1, points + arrays.FaceOffsets[entry + 1]);
+            std::reverse(
+              points + arrays.FaceOffsets[entry] + 1, points + arrays.FaceOffsets[entry + 1]);
           }
           ++entry;
         }

@@ -18,7 +18,7 @@ namespace camaron
  * source.
  *
  * Cells become VTK_TETRA, VTK_PYRAMID, VTK_WEDGE or VTK_HEXAHEDRON where PrimitiveMatcher
- * recognises them, VTK_EMPTY_CELL where they have no faces, else VTK_POLYHEDRON with faces turned
+ * recognizes them, VTK_EMPTY_CELL where they have no faces, else VTK_POLYHEDRON with faces turned
  * as CellShell does. Cells that it cannot turn take a face as it is if they are the first to have
  * it, reversed if they are the second, and so on. Faces that no cell has follow as VTK_TRIANGLE,
  * VTK_QUAD or VTK_POLYGON (VTK_LINE and VTK_VERTEX for fewer points; none for no points). Without

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FaceMesh/GridPoints.h"
 
-#include "Scan/PieceArrays.h"
+#include "Scan/PieceRequest.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -24,7 +24,7 @@ constexpr vtkIdType BlockSize = 1024;
 
 //------------------------------------------------------------------------------
 template <typename Real, typename Array>
-void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
+void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const FaceMeshPiece& piece,
   vtkUnstructuredGrid* grid, const Progress& progress)
 {
   PointSource& source = mesh.Points;
@@ -62,7 +62,7 @@ void TakePointsAs(FaceMesh& mesh, Buffer<Real>& owned, const MeshPiece& piece,
 
 //------------------------------------------------------------------------------
 bool TakePoints(
-  FaceMesh& mesh, const MeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
+  FaceMesh& mesh, const FaceMeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
 {
   if (mesh.ReadPoints)
   {
@@ -84,7 +84,7 @@ bool TakePoints(
 }
 
 //------------------------------------------------------------------------------
-void AddPieceIds(const MeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid)
+void AddPieceIds(const FaceMeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid)
 {
   if (piece.IsWhole())
   {
@@ -107,13 +107,11 @@ void AddPieceIds(const MeshPiece& piece, const PieceRequest& request, vtkUnstruc
     Buffer<unsigned char> pointGhosts(numberOfPoints), cellGhosts(numberOfCells);
     for (vtkIdType i = 0; i < numberOfPoints; ++i)
     {
-      pointGhosts[i] =
-        piece.IsGhostPoint(points[i]) ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
+      pointGhosts[i] = piece.IsGhostPoint(points[i]) ? vtkDataSetAttributes::DUPLICATEPOINT : 0;
     }
     for (vtkIdType i = 0; i < numberOfCells; ++i)
     {
-      cellGhosts[i] =
-        i < piece.GetNumberOfOwnedItems() ? 0 : vtkDataSetAttributes::DUPLICATECELL;
+      cellGhosts[i] = i < piece.GetNumberOfOwnedItems() ? 0 : vtkDataSetAttributes::DUPLICATECELL;
     }
     SetGhosts(grid->GetPointData(), std::move(pointGhosts));
     SetGhosts(grid->GetCellData(), std::move(cellGhosts));

@@ -7,7 +7,7 @@
 #ifndef camaron_GridPoints_h
 #define camaron_GridPoints_h
 
-#include "FaceMesh/MeshPiece.h"
+#include "FaceMesh/FaceMeshPiece.h"
 
 class vtkUnstructuredGrid;
 
@@ -16,10 +16,11 @@ namespace camaron
 /// Sets the points of @a grid; from then on @a mesh has those of the grid. False if they cannot be
 /// read any more, or if stopped.
 bool TakePoints(
-  FaceMesh& mesh, const MeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
+  FaceMesh& mesh, const FaceMeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
 
 /// Adds global ids to a piece of a mesh, and which points and cells are ghosts.
-void AddPieceIds(const MeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid);
+void AddPieceIds(
+  const FaceMeshPiece& piece, const PieceRequest& request, vtkUnstructuredGrid* grid);
 }
 
 #endif

@@ -95,7 +95,7 @@ const Primitive& GetPrimitive(unsigned char type)
 {
   static const Primitive tetra(VTK_TETRA), hexahedron(VTK_HEXAHEDRON), wedge(VTK_WEDGE),
     pyramid(VTK_PYRAMID);
-  return type == VTK_TETRA ? tetra
+  return type == VTK_TETRA   ? tetra
     : type == VTK_HEXAHEDRON ? hexahedron
     : type == VTK_WEDGE      ? wedge
                              : pyramid;
@@ -238,9 +238,9 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
     else
     {
       // Both ways to cut the quadrilateral into triangles, so that its direction does not matter.
-      volume += 0.5 * (determinant(x[p[0]], x[p[1]], x[p[2]]) +
-        determinant(x[p[0]], x[p[2]], x[p[3]]) + determinant(x[p[0]], x[p[1]], x[p[3]]) +
-        determinant(x[p[1]], x[p[2]], x[p[3]]));
+      volume += 0.5 *
+        (determinant(x[p[0]], x[p[1]], x[p[2]]) + determinant(x[p[0]], x[p[2]], x[p[3]]) +
+          determinant(x[p[0]], x[p[1]], x[p[3]]) + determinant(x[p[1]], x[p[2]], x[p[3]]));
     }
   }
   return volume;
@@ -252,8 +252,8 @@ double PrimitiveMatcher::GetVolume(const Primitive& primitive) const
 template <typename IsMirrored>
 bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirrored)
 {
-  // Without branches where they depend on the mesh: they cost more than all else. First, second and third points of
-  // the faces, so that all faces are looked at together.
+  // Without branches where they depend on the mesh: they cost more than all else. First, second and
+  // third points of the faces, so that all faces are looked at together.
   std::uint32_t a[4], b[4], c[4];
   for (int f = 0; f < 4; ++f)
   {
@@ -296,7 +296,8 @@ bool PrimitiveMatcher::MatchTetrahedron(const IdList* faces, IsMirrored&& isMirr
   const int f = primitive.Mirror[0], g = primitive.Mirror[1];
   this->FaceOf[f] = turn ? g : f;
   this->FaceOf[g] = turn ? f : g;
-  std::int32_t &first = this->Nodes[primitive.OppositeNode[f]], &second = this->Nodes[primitive.OppositeNode[g]];
+  std::int32_t &first = this->Nodes[primitive.OppositeNode[f]],
+               &second = this->Nodes[primitive.OppositeNode[g]];
   const std::int32_t oldFirst = first, oldSecond = second;
   first = turn ? oldSecond : oldFirst;
   second = turn ? oldFirst : oldSecond;
@@ -318,7 +319,8 @@ bool PrimitiveMatcher::MatchAny(unsigned char type, const IdList* faces, IsMirro
     return false;
   }
 
-  // VTK's faces one after the other take the first face of their size that is left, and its opposite.
+  // VTK's faces one after the other take the first face of their size that is left, and its
+  // opposite.
   unsigned int taken = 0;
   std::fill(this->FaceOf, this->FaceOf + numberOfFaces, -1);
   for (int f = 0; f < numberOfFaces; ++f)
@@ -328,8 +330,8 @@ bool PrimitiveMatcher::MatchAny(unsigned char type, const IdList* faces, IsMirro
       continue;
     }
     int first = 0;
-    while (first < numberOfFaces &&
-      ((taken >> first & 1u) || this->Sizes[first] != primitive.Sizes[f]))
+    while (
+      first < numberOfFaces && ((taken >> first & 1u) || this->Sizes[first] != primitive.Sizes[f]))
     {
       ++first;
     }
@@ -384,8 +386,8 @@ bool PrimitiveMatcher::MatchAny(unsigned char type, const IdList* faces, IsMirro
 //------------------------------------------------------------------------------
 bool PrimitiveMatcher::Match(unsigned char type, const IdList* faces)
 {
-  return this->MatchAny(type, faces,
-    [this](const Primitive& primitive) { return this->GetVolume(primitive) < 0; });
+  return this->MatchAny(
+    type, faces, [this](const Primitive& primitive) { return this->GetVolume(primitive) < 0; });
 }
 
 //------------------------------------------------------------------------------

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::PrimitiveMatcher
- * @brief Recognises tetrahedra, pyramids, wedges and hexahedra among cells given by their faces.
+ * @brief Recognizes tetrahedra, pyramids, wedges and hexahedra among cells given by their faces.
  *
- * A cell is one of these if its faces meet as the faces of the VTK cell do, whatever the directions in
- * which they run. Each node is where certain faces meet, so the nodes follow from the order in which
- * the cell lists its faces: a cell that lists them in VTK's order gets VTK's nodes back. As lists of
- * faces do not tell inside from outside, that of the two mirror images is taken whose volume is
- * positive; a cell of no volume stays as it is. Where it is known which way the faces run, they decide,
- * and an inverted cell stays inverted.
+ * A cell is one of these if its faces meet as the faces of the VTK cell do, whatever the directions
+ * in which they run. Each node is where certain faces meet, so the nodes follow from the order in
+ * which the cell lists its faces: a cell that lists them in VTK's order gets VTK's nodes back. As
+ * lists of faces do not tell inside from outside, that of the two mirror images is taken whose
+ * volume is positive; a cell of no volume stays as it is. Where it is known which way the faces
+ * run, they decide, and an inverted cell stays inverted.
  */
 #ifndef camaron_PrimitiveMatcher_h
 #define camaron_PrimitiveMatcher_h
@@ -67,10 +67,10 @@ private:
   std::int32_t Nodes[MaxNodes];
   int FaceOf[MaxFaces];
 
-  std::int32_t Vertices[MaxNodes];     ///< distinct points in order of appearance
-  unsigned char FacesOf[MaxNodes];     ///< set of faces that a vertex is in
-  unsigned char VerticesOf[MaxFaces];  ///< set of vertices of a face
-  unsigned char Corners[MaxFaces][4];  ///< vertices of a face in order
+  std::int32_t Vertices[MaxNodes];    ///< distinct points in order of appearance
+  unsigned char FacesOf[MaxNodes];    ///< set of faces that a vertex is in
+  unsigned char VerticesOf[MaxFaces]; ///< set of vertices of a face
+  unsigned char Corners[MaxFaces][4]; ///< vertices of a face in order
   int Sizes[MaxFaces];
 };
 }

@@ -12,9 +12,9 @@
 #ifndef camaron_SharedFaces_h
 #define camaron_SharedFaces_h
 
+#include "Base/Buffer.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Buffer.h"
 
 #include <array>   // for roles by type
 #include <cstdint> // for the words
@@ -48,7 +48,8 @@ class SharedFaces
 public:
   using RoleTable = std::array<FaceRole, 256>; ///< by type of cells
 
-  /// 3D cells and cells without points as polyhedra, 2D cells as polygons, points and lines as their pieces.
+  /// 3D cells and cells without points as polyhedra, 2D cells as polygons, points and lines as
+  /// their pieces.
   static RoleTable GetUsualRoles();
 
   SharedFaces(vtkDataSet* mesh, const RoleTable& roles);

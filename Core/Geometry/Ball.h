@@ -22,7 +22,7 @@ struct Ball
 };
 
 /**
- * Largest ball within all half-spaces (its centre is that of Chebyshev; where several balls are
+ * Largest ball within all half-spaces (its center is that of Chebyshev; where several balls are
  * equally large, one of them). The radius is negative where the half-spaces have no point in
  * common: then the ball is the one that is least far outside of any.
  *
@@ -30,7 +30,7 @@ struct Ball
  * through once.
  *
  * @param dimension 2 or 3
- * @param around a ball in which the answer has its centre, such as the bounding sphere of the cell
+ * @param around a ball in which the answer has its center, such as the bounding sphere of the cell
  */
 Ball FindLargestBall(const std::vector<HalfSpace>& halfSpaces, int dimension, const Ball& around);
 

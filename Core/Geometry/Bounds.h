@@ -23,7 +23,8 @@ struct Bounds
   bool IsEmpty() const { return !(this->Low.X <= this->High.X); }
   void Add(const Vector& x)
   {
-    this->Low = { std::min(this->Low.X, x.X), std::min(this->Low.Y, x.Y), std::min(this->Low.Z, x.Z) };
+    this->Low = { std::min(this->Low.X, x.X), std::min(this->Low.Y, x.Y),
+      std::min(this->Low.Z, x.Z) };
     this->High = { std::max(this->High.X, x.X), std::max(this->High.Y, x.Y),
       std::max(this->High.Z, x.Z) };
   }
@@ -46,7 +47,8 @@ struct Bounds
   /// Of a point; 0 inside.
   double GetSquaredDistance(const Vector& x) const
   {
-    const auto beyond = [](double low, double high, double at) { return std::max({ low - at, at - high, 0.0 }); };
+    const auto beyond = [](double low, double high, double at)
+    { return std::max({ low - at, at - high, 0.0 }); };
     return Norm2({ beyond(this->Low.X, this->High.X, x.X), beyond(this->Low.Y, this->High.Y, x.Y),
       beyond(this->Low.Z, this->High.Z, x.Z) });
   }

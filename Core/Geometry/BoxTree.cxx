@@ -50,8 +50,7 @@ void BoxTree::AddNodes(const std::vector<Bounds>& boxes, std::size_t first, std:
                                                            : &Vector::Z;
     const std::size_t middle = first + (last - first) / 2;
     const auto begin = this->Order.begin();
-    std::nth_element(begin + first, begin + middle, begin + last,
-      [&](std::size_t a, std::size_t b)
+    std::nth_element(begin + first, begin + middle, begin + last, [&](std::size_t a, std::size_t b)
       { return GetTwiceTheMiddle(boxes[a], side) < GetTwiceTheMiddle(boxes[b], side); });
     this->AddNodes(boxes, first, middle);
     this->AddNodes(boxes, middle, last);

@@ -31,9 +31,10 @@ public:
   void LeaveOut(std::size_t place);
 
   /**
-   * Calls @a visit(place) for the boxes in leaves that are wanted until it returns true, and tells whether it did.
-   * @a wants(const Bounds&) has to be true for a box around one that is wanted. Boxes that are left out, and others in
-   * the same leaf, may be visited.
+   * Calls @a visit(place) for the boxes in leaves that are wanted until it returns true, and tells
+   * whether it did.
+   * @a wants(const Bounds&) has to be true for a box around one that is wanted. Boxes that are left
+   * out, and others in the same leaf, may be visited.
    */
   template <typename Wants, typename Visit>
   bool FindAny(Wants&& wants, Visit&& visit) const
@@ -71,7 +72,8 @@ public:
   struct Node
   {
     Bounds Box;
-    std::size_t Next;        ///< where to go on in the list if nothing in it is wanted; one more than its own place for a leaf
+    std::size_t Next; ///< where to go on in the list if nothing in it is wanted; one more than its
+                      ///< own place for a leaf
     std::size_t First, Last; ///< places
     std::size_t Count;       ///< of those, the ones that are not left out
   };

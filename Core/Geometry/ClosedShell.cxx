@@ -30,8 +30,8 @@ void ClosedShell::Add(const Vector& a, const Vector& b, const Vector& c)
 }
 
 //------------------------------------------------------------------------------
-// How often the shell surrounds a point: the solid angles of its triangles, by Van Oosterom and Strackee. In between
-// for points on the shell.
+// How often the shell surrounds a point: the solid angles of its triangles, by Van Oosterom and
+// Strackee. In between for points on the shell.
 double ClosedShell::GetWinding(const Vector& point) const
 {
   double half = 0;
@@ -40,7 +40,8 @@ double ClosedShell::GetWinding(const Vector& point) const
     const Vector a = triangle[0] - point, b = triangle[1] - point, c = triangle[2] - point;
     const double lengthA = Norm(a), lengthB = Norm(b), lengthC = Norm(c);
     half += std::atan2(Dot(a, Cross(b, c)),
-      lengthA * lengthB * lengthC + Dot(a, b) * lengthC + Dot(b, c) * lengthA + Dot(c, a) * lengthB);
+      lengthA * lengthB * lengthC + Dot(a, b) * lengthC + Dot(b, c) * lengthA +
+        Dot(c, a) * lengthB);
   }
   return 2 * half / FullSphere;
 }
@@ -50,7 +51,8 @@ double ClosedShell::GetWinding(const Vector& point) const
 bool ClosedShell::IsInside(const ClosedShell& outer) const
 {
   const Vector fromLow = this->Low - outer.Low, toHigh = outer.High - this->High;
-  const bool isWithinBox = std::min({ fromLow.X, fromLow.Y, fromLow.Z, toHigh.X, toHigh.Y, toHigh.Z }) >= 0;
+  const bool isWithinBox =
+    std::min({ fromLow.X, fromLow.Y, fromLow.Z, toHigh.X, toHigh.Y, toHigh.Z }) >= 0;
   if (std::abs(this->Volume) >= std::abs(outer.Volume) || !isWithinBox)
   {
     return false;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ClosedShell
- * @brief A closed surface of triangles, one of several that bound a cell; and which of these lie inside of which.
+ * @brief A closed surface of triangles, one of several that bound a cell; and which of these lie
+ * inside of which.
  */
 #ifndef camaron_ClosedShell_h
 #define camaron_ClosedShell_h

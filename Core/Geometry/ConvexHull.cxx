@@ -28,12 +28,13 @@ bool IsSingle(double x)
 }
 
 //------------------------------------------------------------------------------
-// What rounding may have moved the points by. Whether they were single precision once is told by their digits, not by the
-// type that holds them.
+// What rounding may have moved the points by. Whether they were single precision once is told by
+// their digits, not by the type that holds them.
 double GetPrecision(const std::vector<Vector>& points, double largest)
 {
   const bool areSingle = largest < std::numeric_limits<float>::max() &&
-    std::all_of(points.begin(), points.end(),
+    std::all_of(
+      points.begin(), points.end(),
       [](const Vector& p) { return IsSingle(p.X) && IsSingle(p.Y) && IsSingle(p.Z); });
   return RoundingUnits * largest *
     (areSingle ? std::numeric_limits<float>::epsilon() : std::numeric_limits<double>::epsilon());
@@ -47,8 +48,9 @@ void ConvexHull::Compute(const std::vector<Vector>& points)
   if (this->MakeRound(points))
   {
     this->AddHalfSpaces();
-    // No direction is one in which the points reach less far than 1 / Radius: their mean is 0, their variance 1, and it is
-    // at most the product of how far they reach there and back (Bhatia and Davis 2000).
+    // No direction is one in which the points reach less far than 1 / Radius: their mean is 0,
+    // their variance 1, and it is at most the product of how far they reach there and back (Bhatia
+    // and Davis 2000).
     const double size = 2 * this->Radius;
     this->Polar.SetBox({ -size, -size, -size }, { size, size, size });
     this->Polar.Clip(this->HalfSpaces, this->Tolerance, [](double) { return true; });
@@ -57,8 +59,8 @@ void ConvexHull::Compute(const std::vector<Vector>& points)
 }
 
 //------------------------------------------------------------------------------
-// Gives sets, flat and slender ones too, the same size in all directions, which changes nothing about the corners of
-// faces. Returns false for sets without a volume.
+// Gives sets, flat and slender ones too, the same size in all directions, which changes nothing
+// about the corners of faces. Returns false for sets without a volume.
 bool ConvexHull::MakeRound(const std::vector<Vector>& points)
 {
   this->Round = points;
@@ -85,14 +87,16 @@ bool ConvexHull::MakeRound(const std::vector<Vector>& points)
   double* rows[3] = { covariance[0], covariance[1], covariance[2] };
   double* vectors[3] = { axes[0], axes[1], axes[2] };
   vtkMath::Jacobi(rows, squares, vectors); // largest first, vectors in columns
-  Vector along[3] = { { axes[0][0], axes[1][0], axes[2][0] }, { axes[0][1], axes[1][1], axes[2][1] } };
+  Vector along[3] = { { axes[0][0], axes[1][0], axes[2][0] },
+    { axes[0][1], axes[1][1], axes[2][1] } };
   along[2] = Cross(along[0], along[1]); // no mirror, which would turn faces round
   double sizes[3] = {};
   for (int axis = 0; axis < 3; ++axis)
   {
     for (const Vector& point : this->Round) // again: rounding hides small ones in the matrix
     {
-      sizes[axis] += Dot(point, along[axis]) * Dot(point, along[axis]) / static_cast<double>(points.size());
+      sizes[axis] +=
+        Dot(point, along[axis]) * Dot(point, along[axis]) / static_cast<double>(points.size());
     }
     sizes[axis] = std::sqrt(sizes[axis]);
   }
@@ -105,7 +109,8 @@ bool ConvexHull::MakeRound(const std::vector<Vector>& points)
   this->Radius = 0;
   for (Vector& point : this->Round)
   {
-    point = { Dot(point, along[0]) / sizes[0], Dot(point, along[1]) / sizes[1], Dot(point, along[2]) / sizes[2] };
+    point = { Dot(point, along[0]) / sizes[0], Dot(point, along[1]) / sizes[1],
+      Dot(point, along[2]) / sizes[2] };
     this->Radius = std::max(this->Radius, Norm(point));
   }
   return true;
@@ -147,7 +152,8 @@ void ConvexHull::CollectFaces()
       int face = first;
       do
       {
-        points.push_back(polar.GetHalfSpace(face) < 0 ? -1 : this->Sources[polar.GetHalfSpace(face)]);
+        points.push_back(
+          polar.GetHalfSpace(face) < 0 ? -1 : this->Sources[polar.GetHalfSpace(face)]);
         const int* const corners = polar.GetFace(face);
         const auto at = std::find(corners, corners + polar.GetFaceSize(face), center) - corners;
         face = at < polar.GetFaceSize(face) ? polar.GetNeighbors(face)[at] : first;

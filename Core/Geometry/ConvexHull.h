@@ -4,9 +4,9 @@
  * @class camaron::ConvexHull
  * @brief The smallest convex polyhedron around points.
  *
- * Faces are whole polygons, outward; points inside of the hull, of a face or of an edge are no corners. The polyhedron
- * that is polar to it is cut out of half-spaces, one for each point: where several of them meet in a corner, up to the
- * precision of the points, these lie in one face.
+ * Faces are whole polygons, outward; points inside of the hull, of a face or of an edge are no
+ * corners. The polyhedron that is polar to it is cut out of half-spaces, one for each point: where
+ * several of them meet in a corner, up to the precision of the points, these lie in one face.
  *
  * F. P. Preparata, M. I. Shamos, Computational Geometry, 1985, section 7.3.
  */

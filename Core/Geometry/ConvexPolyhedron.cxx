@@ -167,7 +167,8 @@ bool ConvexPolyhedron::FindFacesToCut(int halfSpace)
     for (int corner = face.Begin; corner < face.Begin + face.Size; ++corner)
     {
       const bool isNowInside = isInside(this->Corners[corner]);
-      const int neighbor = this->Neighbors[corner > face.Begin ? corner - 1 : face.Begin + face.Size - 1];
+      const int neighbor =
+        this->Neighbors[corner > face.Begin ? corner - 1 : face.Begin + face.Size - 1];
       if (!(wasInside && isNowInside) && this->Faces[neighbor].Step != this->Step)
       {
         this->Faces[neighbor].Step = this->Step;
@@ -221,7 +222,8 @@ void ConvexPolyhedron::ClipFace(int id)
   }
   face.Size = size;
   std::copy(this->Ring.begin(), this->Ring.end(), this->Corners.begin() + face.Begin);
-  std::copy(this->RingNeighbors.begin(), this->RingNeighbors.end(), this->Neighbors.begin() + face.Begin);
+  std::copy(
+    this->RingNeighbors.begin(), this->RingNeighbors.end(), this->Neighbors.begin() + face.Begin);
   const auto isOn = [&](int p) { return this->Marks[p].Distance >= -this->Tolerance; };
   for (int i = 0; i < size; ++i)
   {
@@ -306,7 +308,8 @@ void ConvexPolyhedron::CloseHole(int halfSpace)
         break;
       }
     }
-    this->Faces.push_back({ begin, static_cast<int>(this->Corners.size()) - begin, -1, this->Step, halfSpace });
+    this->Faces.push_back(
+      { begin, static_cast<int>(this->Corners.size()) - begin, -1, this->Step, halfSpace });
   }
 }
 
@@ -358,7 +361,8 @@ void ConvexPolyhedron::DropUnused()
     }
   }
   this->Faces.resize(faces);
-  this->ForCorners([this](int corner) { this->Neighbors[corner] = this->NewIds[this->Neighbors[corner]]; });
+  this->ForCorners(
+    [this](int corner) { this->Neighbors[corner] = this->NewIds[this->Neighbors[corner]]; });
   this->NewIds.assign(this->Points.size(), -1);
   this->ForCorners([this](int corner) { this->NewIds[this->Corners[corner]] = 0; });
   int points = 0;
@@ -371,7 +375,8 @@ void ConvexPolyhedron::DropUnused()
     }
   }
   this->Points.resize(points);
-  this->ForCorners([this](int corner) { this->Corners[corner] = this->NewIds[this->Corners[corner]]; });
+  this->ForCorners(
+    [this](int corner) { this->Corners[corner] = this->NewIds[this->Corners[corner]]; });
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,7 @@
  * @class camaron::ConvexPolyhedron
  * @brief A convex polyhedron, from which half-spaces cut parts off.
  *
- * Faces are lists of points, outward; neighbours share the points of their edge, so that the
+ * Faces are lists of points, outward; neighbors share the points of their edge, so that the
  * surface is closed whatever rounding does. Holds its memory for the next polyhedron.
  */
 #ifndef camaron_ConvexPolyhedron_h
@@ -44,7 +44,10 @@ public:
   int GetFaceSize(int face) const { return this->Faces[face].Size; }
   const int* GetFace(int face) const { return this->Corners.data() + this->Faces[face].Begin; }
   /// Of every corner of a face, the face across the edge to the next corner.
-  const int* GetNeighbors(int face) const { return this->Neighbors.data() + this->Faces[face].Begin; }
+  const int* GetNeighbors(int face) const
+  {
+    return this->Neighbors.data() + this->Faces[face].Begin;
+  }
   /// The half-space of the last Clip that the face bounds, or -1 if the face was there before.
   int GetHalfSpace(int face) const { return this->Faces[face].HalfSpace; }
   double GetVolume() const;

@@ -75,7 +75,8 @@ double EarCutter::GetQuality(int corner) const
 bool EarCutter::TurnsBack(int corner) const
 {
   const Vector& b = this->Flat[corner];
-  return Dot(this->Flat[this->Corners[corner].Previous] - b, this->Flat[this->Corners[corner].Next] - b) >= 0;
+  return Dot(this->Flat[this->Corners[corner].Previous] - b,
+           this->Flat[this->Corners[corner].Next] - b) >= 0;
 }
 
 //------------------------------------------------------------------------------
@@ -194,8 +195,9 @@ void EarCutter::Queue(int corner)
 }
 
 //------------------------------------------------------------------------------
-// Whether nothing of the polygon lies in an ear. What does has a corner that is not convex where it comes closest to the tip
-// of the ear, away from the opposite side: within, or on one of the other two sides with an edge that leads into the ear.
+// Whether nothing of the polygon lies in an ear. What does has a corner that is not convex where it
+// comes closest to the tip of the ear, away from the opposite side: within, or on one of the other
+// two sides with an edge that leads into the ear.
 bool EarCutter::IsFree(int corner) const
 {
   const Corner& tip = this->Corners[corner];
@@ -205,7 +207,8 @@ bool EarCutter::IsFree(int corner) const
   }
   const int before = tip.Previous, after = tip.Next;
   const Vector &a = this->Flat[before], &b = this->Flat[corner], &c = this->Flat[after];
-  const Side left(a, b, this->Tolerance), right(b, c, this->Tolerance), bottom(c, a, this->Tolerance);
+  const Side left(a, b, this->Tolerance), right(b, c, this->Tolerance),
+    bottom(c, a, this->Tolerance);
   Bounds box;
   box.Add(a);
   box.Add(b);
@@ -215,7 +218,8 @@ bool EarCutter::IsFree(int corner) const
   {
     const int other = this->InTree[this->Tree.GetOrder()[place]];
     const Corner& found = this->Corners[other];
-    if (found.PlaceInTree < 0 || found.IsCut || other == before || other == corner || other == after)
+    if (found.PlaceInTree < 0 || found.IsCut || other == before || other == corner ||
+      other == after)
     {
       return false;
     }
@@ -227,13 +231,17 @@ bool EarCutter::IsFree(int corner) const
     }
     const auto leadsIn = [&](int end)
     {
-      return (ofLeft > 0 || left.Find(this->Flat[end]) > 0) && (ofRight > 0 || right.Find(this->Flat[end]) > 0);
+      return (ofLeft > 0 || left.Find(this->Flat[end]) > 0) &&
+        (ofRight > 0 || right.Find(this->Flat[end]) > 0);
     };
     return leadsIn(found.Previous) || leadsIn(found.Next);
   };
   return !this->Tree.FindAny(
     [&](const Bounds& around)
-    { return around.Meets(box) && left.MayHave(around) && right.MayHave(around) && bottom.MayHave(around); },
+    {
+      return around.Meets(box) && left.MayHave(around) && right.MayHave(around) &&
+        bottom.MayHave(around);
+    },
     isBlocking);
 }
 
@@ -289,8 +297,8 @@ void EarCutter::CutBest()
 }
 
 //------------------------------------------------------------------------------
-void EarCutter::Cut(
-  const Vector* flat, const Vector* places, int size, double tolerance, std::vector<Triangle>& triangles)
+void EarCutter::Cut(const Vector* flat, const Vector* places, int size, double tolerance,
+  std::vector<Triangle>& triangles)
 {
   this->Flat = flat;
   this->Places = places;

@@ -4,13 +4,15 @@
  * @class camaron::EarCutter
  * @brief Cuts a polygon in the plane into triangles, also one that touches itself.
  *
- * The polygon may come to a corner more than once, touch itself along edges, and have bridges to holes, cracks and spikes,
- * but not cross itself: no place lies within it more than once. Triangles that all run the same way then cover
- * it exactly once, however its corners lie. So an ear, the triangle of a corner and the two beside it, may be cut off
- * if nothing of the polygon lies in it. The best of these is cut off first.
+ * The polygon may come to a corner more than once, touch itself along edges, and have bridges to
+ * holes, cracks and spikes, but not cross itself: no place lies within it more than once. Triangles
+ * that all run the same way then cover it exactly once, however its corners lie. So an ear, the
+ * triangle of a corner and the two beside it, may be cut off if nothing of the polygon lies in it.
+ * The best of these is cut off first.
  *
- * Only corners that are not convex can lie in an ear (or on its sides with an edge that leads into it). A tree of boxes
- * finds them: O(n sqrt(n)) at worst in practice, O(n log n) mostly. Holds scratch memory: use one per thread.
+ * Only corners that are not convex can lie in an ear (or on its sides with an edge that leads into
+ * it). A tree of boxes finds them: O(n sqrt(n)) at worst in practice, O(n log n) mostly. Holds
+ * scratch memory: use one per thread.
  */
 #ifndef camaron_EarCutter_h
 #define camaron_EarCutter_h
@@ -18,8 +20,8 @@
 #include "Geometry/BoxTree.h"
 #include "Geometry/OutsideSlits.h"
 
-#include <array>   // for triangles
-#include <vector>  // for scratch
+#include <array>  // for triangles
+#include <vector> // for scratch
 
 namespace camaron
 {
@@ -29,18 +31,19 @@ public:
   using Triangle = std::array<int, 3>;
 
   /**
-   * @a flat: @a size corners, three or more, that run counter-clockwise; Z is 0. Lengths up to @a tolerance are taken
-   * for rounding. @a places: the same corners in space, where triangles are to be good.
-   * There are size - 2 triangles, some without an area if the polygon makes them so. All others run as the polygon does, but where
-   * it crosses itself.
+   * @a flat: @a size corners, three or more, that run counter-clockwise; Z is 0. Lengths up to @a
+   * tolerance are taken for rounding. @a places: the same corners in space, where triangles are to
+   * be good. There are size - 2 triangles, some without an area if the polygon makes them so. All
+   * others run as the polygon does, but where it crosses itself.
    */
-  void Cut(const Vector* flat, const Vector* places, int size, double tolerance, std::vector<Triangle>& triangles);
+  void Cut(const Vector* flat, const Vector* places, int size, double tolerance,
+    std::vector<Triangle>& triangles);
 
 private:
   struct Corner
   {
     int Previous, Next;
-    int Stamp = 0;         ///< of the entry in the queue that is up to date
+    int Stamp = 0;          ///< of the entry in the queue that is up to date
     int PlaceInTree = -1;   ///< of those that are not strictly convex
     bool IsCut = false;     ///< off, and no corner any more
     bool IsFull = false;    ///< all around it is inside: the end of a crack
@@ -53,7 +56,8 @@ private:
     int Corner, Stamp;
     bool operator<(const Entry& other) const
     {
-      return this->Quality != other.Quality ? this->Quality < other.Quality : this->Corner > other.Corner;
+      return this->Quality != other.Quality ? this->Quality < other.Quality
+                                            : this->Corner > other.Corner;
     }
   };
 

@@ -21,8 +21,8 @@ struct FacetPoints
   vtkIdType operator[](vtkIdType i) const { return this->Points[i]; }
 };
 
-/// Where a ring of values, at(0) to at(size - 1), begins if it is read so that it is the first of all in the
-/// dictionary.
+/// Where a ring of values, at(0) to at(size - 1), begins if it is read so that it is the first of
+/// all in the dictionary.
 template <typename At>
 vtkIdType FindLeastRotation(vtkIdType size, At&& at)
 {
@@ -43,8 +43,8 @@ vtkIdType FindLeastRotation(vtkIdType size, At&& at)
   return std::min(a, b);
 }
 
-/// RingRunsDown of a ring that comes to a value more than once: whether it comes later in the dictionary than
-/// the other way round.
+/// RingRunsDown of a ring that comes to a value more than once: whether it comes later in the
+/// dictionary than the other way round.
 template <typename At>
 bool RepeatingRingRunsDown(vtkIdType size, At&& at)
 {
@@ -63,8 +63,9 @@ bool RepeatingRingRunsDown(vtkIdType size, At&& at)
 }
 
 /**
- * True when a ring of more than two values, at(0) to at(size - 1), runs from its smallest one towards the larger of
- * that one's neighbours; so two rings with the same values have equal signs when they run the same way.
+ * True when a ring of more than two values, at(0) to at(size - 1), runs from its smallest one
+ * towards the larger of that one's neighbors; so two rings with the same values have equal signs
+ * when they run the same way.
  */
 template <typename At>
 bool RingRunsDown(vtkIdType size, At&& at)

@@ -62,7 +62,7 @@ bool Solve(std::array<std::array<double, Size>, Size> matrix, std::array<double,
 }
 
 /**
- * Maximises r subject to Normal . x + r <= Offset. A basis is Dimension + 1 half-spaces that the
+ * Maximizes r subject to Normal . x + r <= Offset. A basis is Dimension + 1 half-spaces that the
  * ball touches; its weights, not negative, say how its normals cancel, so that no larger ball
  * touches them.
  */

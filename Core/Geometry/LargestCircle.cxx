@@ -35,7 +35,8 @@ Ball LargestCircle::Find(const std::vector<Vector>& polygon)
   }
   this->Around = { 0.5 * (low + high), 0.5 * Norm(high - low) };
   this->Precision = RelativePrecision * this->Around.Radius;
-  this->AddSquare(this->Around.Center, 0.5 * std::max(high.X - low.X, high.Y - low.Y), 2 * this->Around.Radius);
+  this->AddSquare(
+    this->Around.Center, 0.5 * std::max(high.X - low.X, high.Y - low.Y), 2 * this->Around.Radius);
   for (int i = 0; i < MaxSquares && !this->Squares.empty(); ++i)
   {
     std::pop_heap(this->Squares.begin(), this->Squares.end());
@@ -50,7 +51,8 @@ Ball LargestCircle::Find(const std::vector<Vector>& polygon)
     {
       for (const double y : { -half, half })
       {
-        this->AddSquare(square.Center + Vector{ x, y, 0 }, half, square.Distance + RootOfTwo * half);
+        this->AddSquare(
+          square.Center + Vector{ x, y, 0 }, half, square.Distance + RootOfTwo * half);
       }
     }
   }
@@ -95,7 +97,8 @@ void LargestCircle::AddSquare(const Vector& center, double half, double limit)
 //------------------------------------------------------------------------------
 // Linear functions that the distance from the boundary does not exceed anywhere in the square:
 // those of edges over all of which the square lies to one side, and tangents of the distance from
-// corners, raised by what that distance may bend. Of many edges, those count that are nearest to some place of the square.
+// corners, raised by what that distance may bend. Of many edges, those count that are nearest to
+// some place of the square.
 void LargestCircle::FindFeatures(const Vector& center, double half, double nearest)
 {
   this->Features.clear();
@@ -115,7 +118,8 @@ void LargestCircle::AddFeatures(const Vector& center, double half, const Vector&
   if (distance > reach)
   {
     const Vector normal = (-1 / distance) * fromCorner;
-    this->Features.push_back({ normal, Dot(normal, center) + distance + 0.5 * reach * reach / distance });
+    this->Features.push_back(
+      { normal, Dot(normal, center) + distance + 0.5 * reach * reach / distance });
   }
   if (length > 0)
   {
@@ -125,7 +129,8 @@ void LargestCircle::AddFeatures(const Vector& center, double half, const Vector&
     const double height = along.X * fromCorner.Y - along.Y * fromCorner.X;
     if (position >= extent && position + extent <= length && std::abs(height) >= extent)
     {
-      const Vector inward = height > 0 ? Vector{ -along.Y, along.X, 0 } : Vector{ along.Y, -along.X, 0 };
+      const Vector inward =
+        height > 0 ? Vector{ -along.Y, along.X, 0 } : Vector{ along.Y, -along.X, 0 };
       this->Features.push_back({ -inward, -Dot(inward, a) });
     }
   }

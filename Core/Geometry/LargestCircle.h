@@ -7,7 +7,7 @@
  * Squares are searched, the most promising first, and cut into four. No circle about a point of a
  * square is larger than the one about its middle by more than half a diagonal; nor larger than the
  * largest circle between those edges and reflex corners that bound the distance over the whole
- * square, which ends the search also where equally large circles have their centres along a line.
+ * square, which ends the search also where equally large circles have their centers along a line.
  * Such a circle is also tried.
  *
  * Holds its memory for the next polygon.

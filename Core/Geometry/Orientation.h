@@ -17,8 +17,8 @@ namespace camaron
 double OrientExactly(const Vector& a, const Vector& b, const Vector& c);
 
 /**
- * Twice the area of a triangle in the plane: positive if it runs counter-clockwise, 0 if and only if the points lie on a
- * line. The sign is exact, the value rounded. Z does not count.
+ * Twice the area of a triangle in the plane: positive if it runs counter-clockwise, 0 if and only
+ * if the points lie on a line. The sign is exact, the value rounded. Z does not count.
  */
 inline double Orient(const Vector& a, const Vector& b, const Vector& c)
 {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Geometry/OutsideSlits.h"
 
-#include "Geometry/Orientation.h"
 #include "Base/DisjointSets.h"
+#include "Geometry/Orientation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,25 +46,29 @@ int OutsideSlits::GetNext(int place) const
 bool OutsideSlits::IsSameDirection(const Vector& middle, const Vector& a, const Vector& b) const
 {
   const double longest = std::max({ Norm2(a - middle), Norm2(b - middle), Norm2(b - a) });
-  return Dot(a - middle, b - middle) > 0 && std::abs(Orient(middle, a, b)) <= this->Tolerance * std::sqrt(longest);
+  return Dot(a - middle, b - middle) > 0 &&
+    std::abs(Orient(middle, a, b)) <= this->Tolerance * std::sqrt(longest);
 }
 
 //------------------------------------------------------------------------------
 // Whether the polygon turns back.
 bool OutsideSlits::IsTip(int place) const
 {
-  return this->IsSameDirection(
-    this->GetPoint(place), this->GetPoint(this->GetPrevious(place)), this->GetPoint(this->GetNext(place)));
+  return this->IsSameDirection(this->GetPoint(place), this->GetPoint(this->GetPrevious(place)),
+    this->GetPoint(this->GetNext(place)));
 }
 
 //------------------------------------------------------------------------------
-// Counter-clockwise around a point, the polygon begins at edges that leave it and ends at edges that come to it. False if
-// as many leave as come in each direction, so that nothing is known of the sides of the edges.
+// Counter-clockwise around a point, the polygon begins at edges that leave it and ends at edges
+// that come to it. False if as many leave as come in each direction, so that nothing is known of
+// the sides of the edges.
 bool OutsideSlits::FindSides(const Vector& middle)
 {
   const auto begin = this->Spokes.begin(), end = this->Spokes.end();
-  std::sort(begin, end, [&](const Spoke& a, const Spoke& b) { return IsBefore(middle, *a.End, *b.End); });
-  const auto isOther = [&](const Spoke& a, const Spoke& b) { return !this->IsSameDirection(middle, *a.End, *b.End); };
+  std::sort(
+    begin, end, [&](const Spoke& a, const Spoke& b) { return IsBefore(middle, *a.End, *b.End); });
+  const auto isOther = [&](const Spoke& a, const Spoke& b)
+  { return !this->IsSameDirection(middle, *a.End, *b.End); };
   if (!isOther(this->Spokes.back(), this->Spokes.front()))
   {
     // The direction of the first goes on at the end of the list.
@@ -109,7 +113,8 @@ bool OutsideSlits::FindSides(const Vector& middle)
 }
 
 //------------------------------------------------------------------------------
-const std::vector<int>& OutsideSlits::Find(const Vector* points, const std::vector<int>& ring, double tolerance)
+const std::vector<int>& OutsideSlits::Find(
+  const Vector* points, const std::vector<int>& ring, double tolerance)
 {
   this->Points = points;
   this->Tolerance = tolerance;
@@ -129,8 +134,8 @@ const std::vector<int>& OutsideSlits::Find(const Vector* points, const std::vect
   for (auto begin = this->Order.begin(); begin != this->Order.end();)
   {
     const Vector& middle = this->GetPoint(*begin);
-    const auto end = std::find_if(
-      begin, this->Order.end(), [&](int place) { return !IsSamePlace(this->GetPoint(place), middle); });
+    const auto end = std::find_if(begin, this->Order.end(),
+      [&](int place) { return !IsSamePlace(this->GetPoint(place), middle); });
     if (end - begin == 1 && !this->IsTip(*begin))
     {
       this->Sides[*begin] = this->Sides[this->GetPrevious(*begin)] = 1;

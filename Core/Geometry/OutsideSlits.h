@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OutsideSlits
- * @brief Finds the corners of a polygon in the plane that lie on spikes and on bridges outside of it.
+ * @brief Finds the corners of a polygon in the plane that lie on spikes and on bridges outside of
+ * it.
  *
- * Where a polygon comes and goes along the same edges, and has nothing else there, both sides of them are alike: inside of
- * the polygon, as at a crack or at a bridge to a hole, or outside, as at a spike or at a bridge to another part of
- * it. That shows only at the ends of these edges. Holds scratch memory.
+ * Where a polygon comes and goes along the same edges, and has nothing else there, both sides of
+ * them are alike: inside of the polygon, as at a crack or at a bridge to a hole, or outside, as at
+ * a spike or at a bridge to another part of it. That shows only at the ends of these edges. Holds
+ * scratch memory.
  */
 #ifndef camaron_OutsideSlits_h
 #define camaron_OutsideSlits_h
@@ -20,9 +22,11 @@ namespace camaron
 class OutsideSlits
 {
 public:
-  /// Where in @a ring such corners are, if any; the polygon runs counter-clockwise through @a points of these numbers. Lengths up to
+  /// Where in @a ring such corners are, if any; the polygon runs counter-clockwise through @a
+  /// points of these numbers. Lengths up to
   /// @a tolerance are taken for rounding.
-  const std::vector<int>& Find(const Vector* points, const std::vector<int>& ring, double tolerance);
+  const std::vector<int>& Find(
+    const Vector* points, const std::vector<int>& ring, double tolerance);
 
 private:
   struct Spoke

@@ -15,8 +15,8 @@ namespace
 constexpr std::size_t FewPoints = 64;
 
 //------------------------------------------------------------------------------
-// What choose(a, b) leaves of a first value and the squared distances of all pairs, in any order; several pairs at a
-// time, which do not wait for each other.
+// What choose(a, b) leaves of a first value and the squared distances of all pairs, in any order;
+// several pairs at a time, which do not wait for each other.
 template <typename Choose>
 double ChooseOfPairs(const Vector* points, std::size_t size, double first, Choose&& choose)
 {

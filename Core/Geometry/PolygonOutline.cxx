@@ -73,15 +73,16 @@ double PolygonOutline::FindSquaredDistance(const Vector& point, double limit) co
   while (this->Nodes[n].Next != n + 1)
   {
     const std::size_t left = n + 1, right = this->Nodes[left].Next;
-    const bool isLeft =
-      this->Nodes[left].Box.GetSquaredDistance(point) <= this->Nodes[right].Box.GetSquaredDistance(point);
+    const bool isLeft = this->Nodes[left].Box.GetSquaredDistance(point) <=
+      this->Nodes[right].Box.GetSquaredDistance(point);
     n = isLeft ? left : right;
   }
   for (std::size_t i = this->Nodes[n].First; i < this->Nodes[n].Last; ++i)
   {
     visit(i);
   }
-  this->ForEach([&](const Node& node) { return node.Box.GetSquaredDistance(point) <= nearest; }, visit);
+  this->ForEach(
+    [&](const Node& node) { return node.Box.GetSquaredDistance(point) <= nearest; }, visit);
   return nearest;
 }
 
@@ -101,7 +102,8 @@ bool PolygonOutline::IsInside(const Vector& point) const
       }
       if (box.Low.X > point.X)
       {
-        isInside = isInside != (isAbove(this->GetBegin(node.First)) != isAbove(this->GetEnd(node.Last - 1)));
+        isInside =
+          isInside != (isAbove(this->GetBegin(node.First)) != isAbove(this->GetEnd(node.Last - 1)));
         return false;
       }
       return true;
@@ -109,7 +111,8 @@ bool PolygonOutline::IsInside(const Vector& point) const
     [&](std::size_t i)
     {
       const Vector a = this->GetBegin(i) - point, edge = this->GetEnd(i) - this->GetBegin(i);
-      if (isAbove(this->GetBegin(i)) != isAbove(this->GetEnd(i)) && (a.X * edge.Y - a.Y * edge.X > 0) == (edge.Y > 0))
+      if (isAbove(this->GetBegin(i)) != isAbove(this->GetEnd(i)) &&
+        (a.X * edge.Y - a.Y * edge.X > 0) == (edge.Y > 0))
       {
         isInside = !isInside;
       }

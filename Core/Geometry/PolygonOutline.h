@@ -4,8 +4,8 @@
  * @class camaron::PolygonOutline
  * @brief How far a place in the plane is from the edges of a polygon, and whether it is inside.
  *
- * A tree of boxes around edges that follow each other: of a box beside a place, only where the edges in it begin and end tells
- * whether they go around it. Holds its memory for the next polygon.
+ * A tree of boxes around edges that follow each other: of a box beside a place, only where the
+ * edges in it begin and end tells whether they go around it. Holds its memory for the next polygon.
  */
 #ifndef camaron_PolygonOutline_h
 #define camaron_PolygonOutline_h
@@ -26,16 +26,22 @@ public:
 
   std::size_t GetSize() const { return this->Corners->size(); }
   const Vector& GetBegin(std::size_t edge) const { return (*this->Corners)[edge]; }
-  const Vector& GetEnd(std::size_t edge) const { return (*this->Corners)[edge + 1 < this->GetSize() ? edge + 1 : 0]; }
+  const Vector& GetEnd(std::size_t edge) const
+  {
+    return (*this->Corners)[edge + 1 < this->GetSize() ? edge + 1 : 0];
+  }
 
-  /// Distance from the nearest edge, negative outside. It is known to be less than @a limit, or the limit is 0.
-  double GetSignedDistance(const Vector& point, double limit = std::numeric_limits<double>::infinity()) const;
+  /// Distance from the nearest edge, negative outside. It is known to be less than @a limit, or the
+  /// limit is 0.
+  double GetSignedDistance(
+    const Vector& point, double limit = std::numeric_limits<double>::infinity()) const;
 
   /// Calls @a visit(edge) for all edges within a distance, and for some others.
   template <typename Visit>
   void ForEachNear(const Vector& point, double distance, Visit&& visit) const
   {
-    this->ForEach([&](const Node& node) { return node.Box.GetSquaredDistance(point) <= distance * distance; }, visit);
+    this->ForEach([&](const Node& node)
+      { return node.Box.GetSquaredDistance(point) <= distance * distance; }, visit);
   }
 
 private:

@@ -14,11 +14,13 @@ namespace camaron
 {
 namespace
 {
-/// What is taken for rounding, one after the other until nothing overlaps, where the largest coordinate is 1: of numbers in double
-/// precision, the same far from the origin, in single precision, with six digits.
+/// What is taken for rounding, one after the other until nothing overlaps, where the largest
+/// coordinate is 1: of numbers in double precision, the same far from the origin, in single
+/// precision, with six digits.
 constexpr double Tolerances[] = { 1e-15, 1e-12, 1e-9, 1e-7, 1e-5 };
-/// Area of a triangle of a fan, divided by that of the whole and times the cube of its number of corners, below which
-/// its corners may lie on a line. Corners of regular polygons have 100 and more.
+/// Area of a triangle of a fan, divided by that of the whole and times the cube of its number of
+/// corners, below which its corners may lie on a line. Corners of regular polygons have 100 and
+/// more.
 constexpr double SmallestShare = 1e-9;
 /// And how little a triangle without an area may be turned by rounding.
 constexpr double RoundedShare = -1e-12;
@@ -76,7 +78,8 @@ double PolygonTriangulator::GetLeastShare(int size) const
 }
 
 //------------------------------------------------------------------------------
-// Of the two diagonals the one at the first corner, unless only the other makes triangles that run as the polygon does.
+// Of the two diagonals the one at the first corner, unless only the other makes triangles that run
+// as the polygon does.
 void PolygonTriangulator::CutQuadrilateral(const Vector* corners)
 {
   const int first = FindFirst(corners, 4);
@@ -84,7 +87,8 @@ void PolygonTriangulator::CutQuadrilateral(const Vector* corners)
   const Vector a = corner(1) - corner(0), b = corner(2) - corner(0), c = corner(3) - corner(0);
   const Vector ofFirst[2] = { Cross(a, b), Cross(b, c) };
   const Vector sum = ofFirst[0] + ofFirst[1];
-  const bool cancels = Norm2(sum) <= SmallestSum * SmallestSum * (Norm2(ofFirst[0]) + Norm2(ofFirst[1]));
+  const bool cancels =
+    Norm2(sum) <= SmallestSum * SmallestSum * (Norm2(ofFirst[0]) + Norm2(ofFirst[1]));
   const Vector& normal = cancels ? ofFirst[0] : sum;
   double smallest = std::min(Dot(ofFirst[0], normal), Dot(ofFirst[1], normal));
   int begin = first;
@@ -120,8 +124,8 @@ bool PolygonTriangulator::CutFan(const Vector* corners, int size)
     edge = following;
   }
   const double share = this->GetLeastShare(size) * Norm2(sum);
-  const bool isSeen = std::all_of(
-    this->Normals.begin(), this->Normals.end(), [&](const Vector& normal) { return Dot(normal, sum) > share; });
+  const bool isSeen = std::all_of(this->Normals.begin(), this->Normals.end(),
+    [&](const Vector& normal) { return Dot(normal, sum) > share; });
   if (isSeen)
   {
     this->AddFan(size, first);
@@ -134,12 +138,13 @@ bool PolygonTriangulator::CutFan(const Vector* corners, int size)
 // False if not all coordinates are finite.
 bool PolygonTriangulator::Order(const Vector* corners, int size)
 {
-  if (!std::all_of(corners, corners + size,
-        [](const Vector& x) { return std::isfinite(x.X) && std::isfinite(x.Y) && std::isfinite(x.Z); }))
+  if (!std::all_of(corners, corners + size, [](const Vector& x)
+        { return std::isfinite(x.X) && std::isfinite(x.Y) && std::isfinite(x.Z); }))
   {
     return false;
   }
-  const auto at = [&](vtkIdType i) { return std::make_tuple(corners[i].X, corners[i].Y, corners[i].Z); };
+  const auto at = [&](vtkIdType i)
+  { return std::make_tuple(corners[i].X, corners[i].Y, corners[i].Z); };
   this->RunsBack = RingRunsDown(size, at);
   const auto back = [&](vtkIdType i) { return at(size - 1 - i); };
   const auto first =
@@ -159,15 +164,16 @@ bool PolygonTriangulator::Order(const Vector* corners, int size)
   std::frexp(largest, &exponent);
   for (Vector& place : this->Places)
   {
-    place = { std::ldexp(place.X, -exponent), std::ldexp(place.Y, -exponent), std::ldexp(place.Z, -exponent) };
+    place = { std::ldexp(place.X, -exponent), std::ldexp(place.Y, -exponent),
+      std::ldexp(place.Z, -exponent) };
   }
   this->Unit = std::ldexp(1.0, exponent);
   return std::isfinite(largest);
 }
 
 //------------------------------------------------------------------------------
-// Along the vector area, onto the plane of the two axes to which it is most at right angles, so that what lies in one plane keeps its
-// coordinates. False if all corners are on a line.
+// Along the vector area, onto the plane of the two axes to which it is most at right angles, so
+// that what lies in one plane keeps its coordinates. False if all corners are on a line.
 bool PolygonTriangulator::Project()
 {
   Vector normal, largest;

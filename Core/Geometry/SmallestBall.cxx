@@ -28,7 +28,7 @@ Ball GetBallThrough(const Vector* points, int size)
     return { {}, -1 };
   }
   const Vector& p = points[0];
-  Vector offset; // of the centre from p
+  Vector offset; // of the center from p
   if (size == 2)
   {
     offset = 0.5 * (points[1] - p);

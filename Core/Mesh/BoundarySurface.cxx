@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/BoundarySurface.h"
 
-#include "Mesh/FacetLinks.h"
-#include "Mesh/CellFacets.h"
-#include "Mesh/MeshTopology.h"
-#include "Base/Parallel.h"
 #include "Base/Buffer.h"
+#include "Base/Parallel.h"
+#include "Mesh/CellFacets.h"
+#include "Mesh/FacetLinks.h"
+#include "Mesh/MeshTopology.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -49,8 +49,7 @@ struct Counts
 class SurfaceParts
 {
 public:
-  SurfaceParts(
-    const MeshTopology& topology, const unsigned char* ghosts, const FacetLinks* links)
+  SurfaceParts(const MeshTopology& topology, const unsigned char* ghosts, const FacetLinks* links)
     : Mesh(topology.GetMesh())
     , Faces(topology.GetFaces())
     , Ghosts(ghosts)
@@ -273,7 +272,7 @@ void MakeBoundarySurface(vtkDataSet* mesh, vtkPolyData* surface, const FacetLink
       });
     vtkNew<vtkCellArray> cells;
     cells->SetData(offsets[kind], connectivity[kind]);
-    kind == Vertices ? surface->SetVerts(cells)
+    kind == Vertices  ? surface->SetVerts(cells)
       : kind == Lines ? surface->SetLines(cells)
                       : surface->SetPolys(cells);
   }

@@ -8,7 +8,8 @@ namespace camaron
 {
 namespace
 {
-constexpr vtkIdType ItemsPerBucket = 4096; // what a processor has in its cache with the hash table of the bucket
+constexpr vtkIdType ItemsPerBucket =
+  4096; // what a processor has in its cache with the hash table of the bucket
 constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType MaxChunks = 64;
 }
@@ -23,8 +24,8 @@ CellBuckets::CellBuckets(vtkIdType numberOfCells, vtkIdType maxKey, vtkIdType nu
     ++this->Shift;
   }
   this->NumberOfBuckets = static_cast<Index>(maxKey >> this->Shift) + 1;
-  this->Places.assign((numberOfCells + this->Chunk - 1) / this->Chunk,
-    std::vector<Index>(this->NumberOfBuckets, 0));
+  this->Places.assign(
+    (numberOfCells + this->Chunk - 1) / this->Chunk, std::vector<Index>(this->NumberOfBuckets, 0));
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,8 @@
  * @class camaron::CellFacets
  * @brief Walks over the facets of single cells: faces of 3D cells, edges of 2D cells, as point ids.
  *
- * The one place that knows how each VTK cell type is bounded. Holds scratch memory: use one per thread.
+ * The one place that knows how each VTK cell type is bounded. Holds scratch memory: use one per
+ * thread.
  */
 #ifndef camaron_CellFacets_h
 #define camaron_CellFacets_h
@@ -25,7 +26,10 @@ public:
   {
   }
 
-  int GetDimension(vtkIdType cell) const { return this->Shapes[this->Mesh.GetCellType(cell)].Dimension; }
+  int GetDimension(vtkIdType cell) const
+  {
+    return this->Shapes[this->Mesh.GetCellType(cell)].Dimension;
+  }
 
   /// Number of faces of a 3D cell or edges of a 2D cell; 0 for other cells.
   vtkIdType GetNumberOfFacets(vtkIdType cell) const
@@ -39,7 +43,8 @@ public:
     return shape.Dimension == 2 ? this->GetPolygonSize(type, shape, cell) : 0;
   }
 
-  /// Calls @a visit(const vtkIdType* points, vtkIdType numberOfPoints, vtkIdType local) for each facet.
+  /// Calls @a visit(const vtkIdType* points, vtkIdType numberOfPoints, vtkIdType local) for each
+  /// facet.
   template <typename Visitor>
   void ForEach(vtkIdType cell, Visitor&& visit)
   {
@@ -118,7 +123,10 @@ public:
   }
 
   /// Whether a cell lists its facets, as a polyhedron does, so that they are there without a copy.
-  bool ListsFacets(vtkIdType cell) const { return this->Shapes[this->Mesh.GetCellType(cell)].ListsFaces; }
+  bool ListsFacets(vtkIdType cell) const
+  {
+    return this->Shapes[this->Mesh.GetCellType(cell)].ListsFaces;
+  }
   IndexRange GetListedFacet(vtkIdType cell, vtkIdType wanted) const
   {
     return this->Mesh.GetPolyhedronFacePoints(this->Mesh.GetPolyhedronFaces(cell)[wanted]);
@@ -134,7 +142,8 @@ public:
     {
       this->Points.clear();
       this->AppendListedFace(cell, wanted, this->Points);
-      visit(static_cast<const vtkIdType*>(this->Points.data()), static_cast<vtkIdType>(this->Points.size()));
+      visit(static_cast<const vtkIdType*>(this->Points.data()),
+        static_cast<vtkIdType>(this->Points.size()));
       return;
     }
     const IndexRange points = this->Mesh.GetCellPoints(cell);
@@ -171,8 +180,8 @@ public:
       this->AppendListedFace(cell, wanted, facet); // no scratch memory is needed
       return;
     }
-    this->Visit(cell, wanted,
-      [&facet](const vtkIdType* points, vtkIdType size) { facet.insert(facet.end(), points, points + size); });
+    this->Visit(cell, wanted, [&facet](const vtkIdType* points, vtkIdType size)
+      { facet.insert(facet.end(), points, points + size); });
   }
 
   /// Corners of a 2D cell in order; of a strip its outline.

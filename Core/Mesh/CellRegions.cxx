@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/CellRegions.h"
 
-#include "Mesh/CellFacets.h"
 #include "Base/DisjointSets.h"
+#include "Mesh/CellFacets.h"
 
 #include <algorithm>
 

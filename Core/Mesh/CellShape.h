@@ -5,8 +5,8 @@
  * @brief Corners and faces of VTK's cell types, taken from VTK's own cells.
  *
  * Faces run so that their vector areas point out of a cell whose nodes are in VTK's order. They are
- * asked of VTK once, because VTK changed the order of the wedge between versions and orders quadratic
- * and Lagrange wedges the other way round than the linear one.
+ * asked of VTK once, because VTK changed the order of the wedge between versions and orders
+ * quadratic and Lagrange wedges the other way round than the linear one.
  */
 #ifndef camaron_CellShape_h
 #define camaron_CellShape_h
@@ -24,7 +24,8 @@ struct CellShape
   int NumberOfCorners = 0;
   /// A higher-order type, which is evaluated by its corners.
   bool IsHigherOrder = false;
-  /// A 3D type whose cells list their faces: VTK_POLYHEDRON, and VTK_CONVEX_POINT_SET with its hull.
+  /// A 3D type whose cells list their faces: VTK_POLYHEDRON, and VTK_CONVEX_POINT_SET with its
+  /// hull.
   bool ListsFaces = false;
   /// Faces of any other 3D type: offsets into FacePoints, which are local nodes.
   int NumberOfFaces = 0;

@@ -37,7 +37,8 @@ void CellTopology::AddFace(const int* points, int size)
 }
 
 //------------------------------------------------------------------------------
-void CellTopology::Take(int numberOfPoints, std::vector<int>& faceOffsets, std::vector<int>& facePoints)
+void CellTopology::Take(
+  int numberOfPoints, std::vector<int>& faceOffsets, std::vector<int>& facePoints)
 {
   this->IsAsAdded = false;
   this->NumberOfPoints = numberOfPoints;
@@ -117,9 +118,9 @@ void CellTopology::FindEdges()
 }
 
 //------------------------------------------------------------------------------
-// Whether two faces run along every edge, in opposite directions, and all faces hang together. Only for cells of few
-// points and faces, which sets of bits can hold; false also where faces share points that are no edge of theirs. Costs
-// a third of what it takes to list the edges.
+// Whether two faces run along every edge, in opposite directions, and all faces hang together. Only
+// for cells of few points and faces, which sets of bits can hold; false also where faces share
+// points that are no edge of theirs. Costs a third of what it takes to list the edges.
 bool CellTopology::IsClosedShell() const
 {
   const int size = static_cast<int>(this->FacePoints.size());
@@ -220,8 +221,10 @@ bool CellTopology::DropRepeatedPoints()
 //------------------------------------------------------------------------------
 void CellTopology::ListCorners()
 {
-  const int size = static_cast<int>(this->FacePoints.size()), numberOfFaces = this->GetNumberOfFaces();
-  // How many points a face has is hard to foresee: of each a fixed number is written, and the next one writes over it.
+  const int size = static_cast<int>(this->FacePoints.size()),
+            numberOfFaces = this->GetNumberOfFaces();
+  // How many points a face has is hard to foresee: of each a fixed number is written, and the next
+  // one writes over it.
   constexpr int usual = 8;
   this->NextPoints.resize(size);
   this->CornerFaces.resize(size + usual);
@@ -341,7 +344,8 @@ void CellTopology::FindSecondFaces()
 }
 
 //------------------------------------------------------------------------------
-// Whether every edge is run along as often forwards as backwards. Only for the rare non-manifold cell.
+// Whether every edge is run along as often forwards as backwards. Only for the rare non-manifold
+// cell.
 bool CellTopology::IsBalanced() const
 {
   std::vector<int> balance(this->Edges.size(), 0);
@@ -350,7 +354,8 @@ bool CellTopology::IsBalanced() const
     const int e = this->FaceEdges[i];
     balance[e] += this->FacePoints[i] == this->Edges[e].Points[0] ? 1 : -1;
   }
-  return std::all_of(balance.begin(), balance.end(), [](int difference) { return difference == 0; });
+  return std::all_of(
+    balance.begin(), balance.end(), [](int difference) { return difference == 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -395,7 +400,8 @@ void CellTopology::FindShells(bool makeConsistent)
 }
 
 //------------------------------------------------------------------------------
-// Whether the edges are there, closed by two faces each, and all faces hang together; asked of few faces only.
+// Whether the edges are there, closed by two faces each, and all faces hang together; asked of few
+// faces only.
 bool CellTopology::IsConnectedManifold() const
 {
   const int numberOfFaces = this->GetNumberOfFaces();
@@ -454,7 +460,8 @@ bool CellTopology::FloodShell(int shell, int first, bool makeConsistent)
 }
 
 //------------------------------------------------------------------------------
-// Groups of faces that end at an edge of more than two faces are one shell there. Only for the rare cell.
+// Groups of faces that end at an edge of more than two faces are one shell there. Only for the rare
+// cell.
 void CellTopology::JoinOpenShells()
 {
   std::vector<int> joined(this->NumberOfShells);
@@ -487,7 +494,8 @@ void CellTopology::JoinOpenShells()
   for (std::size_t i = 0, end = 0; i < uses.size(); i = end)
   {
     int balance = 0;
-    for (; end < uses.size() && uses[end].Edge == uses[i].Edge && uses[end].Shell == uses[i].Shell; ++end)
+    for (; end < uses.size() && uses[end].Edge == uses[i].Edge && uses[end].Shell == uses[i].Shell;
+      ++end)
     {
       balance += uses[end].Direction;
     }
@@ -554,8 +562,9 @@ void CellTopology::ReverseShells(const std::vector<unsigned char>& areReversed)
 }
 
 //------------------------------------------------------------------------------
-// Where two faces run along every edge in opposite directions, the next corner of a point lies at the end of its edge
-// in the other face. Nowhere else do the faces at all points form cycles, but where there are none.
+// Where two faces run along every edge in opposite directions, the next corner of a point lies at
+// the end of its edge in the other face. Nowhere else do the faces at all points form cycles, but
+// where there are none.
 void CellTopology::MakeVertexFigures()
 {
   if (this->KnowsVertexFigures)

@@ -22,8 +22,8 @@ public:
   /// An edge with its first two faces; Uses counts all of them.
   struct Edge
   {
-    int Points[2];   ///< the direction in which Faces[0] runs along it
-    int Faces[2];    ///< -1 where missing
+    int Points[2]; ///< the direction in which Faces[0] runs along it
+    int Faces[2];  ///< -1 where missing
     int Uses;
     bool Consistent; ///< two faces that run along it in opposite directions
   };
@@ -48,18 +48,21 @@ public:
   std::vector<int> FaceEdges;   ///< the edge from this point to the next
   std::vector<int> CornerFaces; ///< the face; longer than FacePoints
   ///@}
-  std::vector<Edge> Edges; ///< after FindEdges
+  std::vector<Edge> Edges;         ///< after FindEdges
   std::vector<FacePair> FacePairs; ///< all faces, by size; only after FindFacePairs
-  /// Every edge has two faces, or more of them in balance, which run along it in opposite directions.
+  /// Every edge has two faces, or more of them in balance, which run along it in opposite
+  /// directions.
   bool IsClosed = false;
   /// Every edge has exactly two faces.
   bool IsManifold = false;
 
   ///@{
-  /// Spokes around every vertex, in one cycle; only after MakeVertexFigures, and if HasVertexFigures.
+  /// Spokes around every vertex, in one cycle; only after MakeVertexFigures, and if
+  /// HasVertexFigures.
   std::vector<int> SpokeOffsets;
   std::vector<Spoke> Spokes;
-  /// False when the faces around some vertex do not form exactly one cycle, or some edge has not two faces.
+  /// False when the faces around some vertex do not form exactly one cycle, or some edge has not
+  /// two faces.
   bool HasVertexFigures = false;
   ///@}
 
@@ -71,31 +74,34 @@ public:
   void Clear();
   void AddFace(const int* points, int size);
   ///@{
-  /// In place of Clear and AddFace: takes the lists, and gives those of another cell for them, which can be overwritten.
+  /// In place of Clear and AddFace: takes the lists, and gives those of another cell for them,
+  /// which can be overwritten.
   void Take(int numberOfPoints, std::vector<int>& faceOffsets, std::vector<int>& facePoints);
   /// Whether it is finished with these faces and still has them, or with faces of so many points.
-  bool Knows(
-    int numberOfPoints, const std::vector<int>& faceOffsets, const std::vector<int>& facePoints) const;
+  bool Knows(int numberOfPoints, const std::vector<int>& faceOffsets,
+    const std::vector<int>& facePoints) const;
   bool KnowsSizes(const std::vector<int>& faceOffsets) const;
   ///@}
   /**
-   * Ends a cell. In its faces a point that follows itself counts once, and less than three points are no face.
-   * Finds the edges, unless they can wait for FindEdges or CheckClosed, and with them whether the cell is closed.
+   * Ends a cell. In its faces a point that follows itself counts once, and less than three points
+   * are no face. Finds the edges, unless they can wait for FindEdges or CheckClosed, and with them
+   * whether the cell is closed.
    * @return whether a point followed itself
    */
   bool Finish(bool edgesCanWait = false);
   ///@{
-  /// Find the edges, and whether the cell is closed; the second one without edges where that is possible.
+  /// Find the edges, and whether the cell is closed; the second one without edges where that is
+  /// possible.
   void FindEdges();
   void CheckClosed();
   ///@}
   ///@{
   /**
-   * The shells of the cell: faces that hang together over edges that have exactly two of them, and, where such
-   * a group is not closed for itself, the groups that close it.
+   * The shells of the cell: faces that hang together over edges that have exactly two of them, and,
+   * where such a group is not closed for itself, the groups that close it.
    */
   void FindShells();
-  /// Reverses faces so that neighbours agree; each shell keeps the direction of its first face.
+  /// Reverses faces so that neighbors agree; each shell keeps the direction of its first face.
   void MakeConsistent() { this->FindShells(true); }
   int GetShell(int face) const { return this->Shells[face]; }
   int GetNumberOfShells() const { return this->NumberOfShells; }
@@ -124,19 +130,20 @@ private:
   void JoinOpenShells();
   void ReverseFace(int face);
 
-  bool IsAsAdded = false; // no face was changed since Finish
-  std::vector<int> NextPoints; // parallel to FacePoints
+  bool IsAsAdded = false;                 // no face was changed since Finish
+  std::vector<int> NextPoints;            // parallel to FacePoints
   std::vector<int> FirstFaces, NextFaces; // faces by size, as linked lists
   LocalNumbers EdgeNumbers;
   std::vector<int> EdgeUses, FirstCorners, LastCorners; // of edges
-  std::vector<int> EdgeTable; // by the points of an edge
-  bool HasEdges = false, IsOneShell = false, HasShells = false, HasFacePairs = false, KnowsVertexFigures = false;
+  std::vector<int> EdgeTable;                           // by the points of an edge
+  bool HasEdges = false, IsOneShell = false, HasShells = false, HasFacePairs = false,
+       KnowsVertexFigures = false;
   std::vector<int> Shells, Stack;
   std::vector<unsigned char> Reversed;
   int NumberOfShells = 0;
   std::vector<int> LastCornersOfPoints; // places in FacePoints
-  std::vector<int> CornerCounts; // of every point
-  std::vector<int> Twins;        // of every edge the sum of its two places in FaceEdges
+  std::vector<int> CornerCounts;        // of every point
+  std::vector<int> Twins;               // of every edge the sum of its two places in FaceEdges
 };
 }
 

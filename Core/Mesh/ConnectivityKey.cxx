@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ConnectivityKey.h"
 
-#include "Base/ContentHash.h"
+#include "Base/Hash.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkCellArray.h"

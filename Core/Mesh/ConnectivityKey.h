@@ -4,9 +4,9 @@
  * @class camaron::ConnectivityKey
  * @brief Tells whether the cells of a mesh are those that were seen before.
  *
- * By the arrays that hold them, their times, their sizes and what is in them: cells that are inserted in place, and
- * values that are changed there, leave no trace in the time of an array. The content is looked at only where the data
- * set itself has not been seen at this time.
+ * By the arrays that hold them, their times, their sizes and what is in them: cells that are
+ * inserted in place, and values that are changed there, leave no trace in the time of an array. The
+ * content is looked at only where the data set itself has not been seen at this time.
  */
 #ifndef camaron_ConnectivityKey_h
 #define camaron_ConnectivityKey_h
@@ -37,8 +37,8 @@ public:
   const std::vector<ArrayAt>& GetArrays() const { return this->Arrays; }
 
   /**
-   * Whether the mesh, which must live, has the cells of a key from before. Where that one has not learned its content,
-   * this is taken for it.
+   * Whether the mesh, which must live, has the cells of a key from before. Where that one has not
+   * learned its content, this is taken for it.
    */
   bool IsOf(ConnectivityKey& known);
 

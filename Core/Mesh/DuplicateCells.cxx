@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/DuplicateCells.h"
 
-#include "Mesh/CellFacets.h"
 #include "Base/Parallel.h"
+#include "Mesh/CellFacets.h"
 
 #include "vtkSMPTools.h"
 
@@ -18,7 +18,8 @@ constexpr vtkIdType Grain = 4096;
 
 //------------------------------------------------------------------------------
 // The dimension of a cell and its distinct points, ascending.
-void GetSignature(const MeshView& mesh, vtkIdType cell, int dimension, std::vector<vtkIdType>& signature)
+void GetSignature(
+  const MeshView& mesh, vtkIdType cell, int dimension, std::vector<vtkIdType>& signature)
 {
   const IndexRange points = mesh.GetCellPoints(cell);
   signature.assign(1, dimension);
@@ -79,8 +80,8 @@ std::vector<std::vector<Index>> FindDuplicateCells(
   std::vector<std::pair<std::vector<vtkIdType>, Index>> alike;
   for (auto first = cells.begin(); first != cells.end();)
   {
-    const auto last =
-      std::find_if(first, cells.end(), [&](const HashedCell& cell) { return cell.Hash != first->Hash; });
+    const auto last = std::find_if(
+      first, cells.end(), [&](const HashedCell& cell) { return cell.Hash != first->Hash; });
     // Cells of the same hash come by what they really are.
     alike.clear();
     for (auto cell = first; last - first > 1 && cell != last; ++cell)

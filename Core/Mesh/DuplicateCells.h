@@ -15,8 +15,8 @@
 namespace camaron
 {
 /**
- * Groups of two or more cells of the same dimension that have the same set of point ids; each ascending.
- * Finds them in parallel, in n log(n) time however many cells are alike.
+ * Groups of two or more cells of the same dimension that have the same set of point ids; each
+ * ascending. Finds them in parallel, in n log(n) time however many cells are alike.
  * @param leastDimension of the cells that are looked at
  * @param among only these cells; all if none are given
  */

@@ -9,8 +9,8 @@
 #ifndef camaron_FacetLinks_h
 #define camaron_FacetLinks_h
 
-#include "Mesh/FacetTable.h"
 #include "Base/Vector.h"
+#include "Mesh/FacetTable.h"
 
 #include <cstddef> // for std::size_t
 #include <cstdint> // for ids
@@ -35,8 +35,9 @@ public:
   /// Whether a cell of another piece has this facet.
   bool Has(Index facet) const { return !this->Marks.empty() && this->Marks[facet]; }
 
-  /// Calls @a visit(const LinkedCell&, bool isReversed) for the other cells of a facet, in an order that is
-  /// the same everywhere; isReversed as in CellFacet, with respect to the facet's owner in this piece.
+  /// Calls @a visit(const LinkedCell&, bool isReversed) for the other cells of a facet, in an order
+  /// that is the same everywhere; isReversed as in CellFacet, with respect to the facet's owner in
+  /// this piece.
   template <typename Visit>
   void ForEach(Index facet, Visit&& visit) const
   {

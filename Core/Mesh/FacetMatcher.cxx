@@ -32,8 +32,8 @@ std::vector<vtkIdType> GetDistinct(const Points& points)
 }
 
 //------------------------------------------------------------------------------
-// Whether two facets have the same points, each however often and in whatever order. Nearly always these are the same
-// ring, in this direction or the other.
+// Whether two facets have the same points, each however often and in whatever order. Nearly always
+// these are the same ring, in this direction or the other.
 template <typename Points>
 bool AreSameFacets(const Points& a, const Points& b, bool& isReversed)
 {
@@ -41,7 +41,8 @@ bool AreSameFacets(const Points& a, const Points& b, bool& isReversed)
   if (size == 2 && b.Size == 2)
   {
     isReversed = a[0] != b[0];
-    return std::min(a[0], a[1]) == std::min(b[0], b[1]) && std::max(a[0], a[1]) == std::max(b[0], b[1]);
+    return std::min(a[0], a[1]) == std::min(b[0], b[1]) &&
+      std::max(a[0], a[1]) == std::max(b[0], b[1]);
   }
   if (size == b.Size)
   {
@@ -120,7 +121,8 @@ void FacetMatcher::FindAlike(const Index* uses, Index size)
   {
     const Index hash = this->Table.CellFacets[uses[i]].Packed;
     this->Hashes[i] = hash;
-    std::size_t slot = static_cast<std::size_t>(hash) & mask; // the upper bits are those of the bucket
+    std::size_t slot =
+      static_cast<std::size_t>(hash) & mask; // the upper bits are those of the bucket
     while (this->Slots[slot] >= 0 && this->Hashes[this->Slots[slot]] != hash)
     {
       slot = (slot + 1) & mask;
@@ -135,13 +137,15 @@ void FacetMatcher::FindAlike(const Index* uses, Index size)
 }
 
 //------------------------------------------------------------------------------
-bool FacetMatcher::AreSame(Index use, Index other, vtkIdType cell, vtkIdType otherCell, bool& isReversed)
+bool FacetMatcher::AreSame(
+  Index use, Index other, vtkIdType cell, vtkIdType otherCell, bool& isReversed)
 {
-  const vtkIdType local = use - this->Table.GetOffset(cell), otherLocal = other - this->Table.GetOffset(otherCell);
+  const vtkIdType local = use - this->Table.GetOffset(cell),
+                  otherLocal = other - this->Table.GetOffset(otherCell);
   if (this->Facets.ListsFacets(cell) && this->Facets.ListsFacets(otherCell))
   {
-    return AreSameFacets(
-      this->Facets.GetListedFacet(cell, local), this->Facets.GetListedFacet(otherCell, otherLocal), isReversed);
+    return AreSameFacets(this->Facets.GetListedFacet(cell, local),
+      this->Facets.GetListedFacet(otherCell, otherLocal), isReversed);
   }
   bool areSame = false;
   this->Facets.Visit(cell, local,
@@ -149,7 +153,10 @@ bool FacetMatcher::AreSame(Index use, Index other, vtkIdType cell, vtkIdType oth
     {
       this->OtherFacets.Visit(otherCell, otherLocal,
         [&](const vtkIdType* otherPoints, vtkIdType otherSize)
-        { areSame = AreSameFacets(FacetPoints{ points, size }, FacetPoints{ otherPoints, otherSize }, isReversed); });
+        {
+          areSame = AreSameFacets(
+            FacetPoints{ points, size }, FacetPoints{ otherPoints, otherSize }, isReversed);
+        });
     });
   return areSame;
 }
@@ -161,7 +168,8 @@ vtkIdType FacetMatcher::FindCell(Index use, vtkIdType from) const
   const FacetTable& table = this->Table;
   if (table.Stride)
   {
-    return static_cast<vtkIdType>((use + 0.5) * this->CellsPerUse); // what a division gives, in less time
+    return static_cast<vtkIdType>(
+      (use + 0.5) * this->CellsPerUse); // what a division gives, in less time
   }
   const auto begin = table.CellOffsets.begin() + from, end = table.CellOffsets.end();
   vtkIdType step = 1;
@@ -169,7 +177,8 @@ vtkIdType FacetMatcher::FindCell(Index use, vtkIdType from) const
   {
     step *= 2;
   }
-  const auto next = std::upper_bound(begin + step / 2, begin + std::min<vtkIdType>(step, end - begin), use);
+  const auto next =
+    std::upper_bound(begin + step / 2, begin + std::min<vtkIdType>(step, end - begin), use);
   return next - table.CellOffsets.begin() - 1;
 }
 }

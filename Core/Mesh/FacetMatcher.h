@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::FacetMatcher
- * @brief Compares the uses of one bucket of FacetTableBuilder after the other. Holds its memory for the next bucket.
+ * @brief Compares the uses of one bucket of FacetTableBuilder after the other. Holds its memory for
+ * the next bucket.
  */
 #ifndef camaron_FacetMatcher_h
 #define camaron_FacetMatcher_h
@@ -17,7 +18,8 @@ namespace camaron
 class FacetMatcher
 {
 public:
-  /// Of @a table the offsets are there, and in place of its cell facets hashes of the points of all uses.
+  /// Of @a table the offsets are there, and in place of its cell facets hashes of the points of all
+  /// uses.
   FacetMatcher(const MeshView& mesh, FacetTable& table)
     : Table(table)
     , CellsPerUse(table.Stride > 0 ? 1.0 / table.Stride : 0)
@@ -27,8 +29,9 @@ public:
   }
 
   /**
-   * Leaves in the cell facets of ascending uses the first of these with the same points: a use itself, or the
-   * complement of another one and whether it runs against it. Only those with the same hash are compared.
+   * Leaves in the cell facets of ascending uses the first of these with the same points: a use
+   * itself, or the complement of another one and whether it runs against it. Only those with the
+   * same hash are compared.
    */
   void Match(const Index* uses, Index size);
 

@@ -67,6 +67,7 @@ std::size_t FacetTable::GetMemorySize() const
 {
   return this->CellOffsets.capacity() * sizeof(vtkIdType) +
     this->CellFacets.capacity() * sizeof(CellFacet) +
-    this->FacetCells.capacity() * sizeof(CellPair) + this->ExtraCells.capacity() * sizeof(ExtraCell);
+    this->FacetCells.capacity() * sizeof(CellPair) +
+    this->ExtraCells.capacity() * sizeof(ExtraCell);
 }
 }

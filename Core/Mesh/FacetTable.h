@@ -9,11 +9,12 @@
  * (one on the boundary, two inside, more where the mesh is non-manifold), and the same cell twice.
  *
  * Facets are numbered by their owner, the first cell that has them, and within it by their local
- * number; the numbering is thus the same for any number of threads. A facet runs in the direction of
- * its owner; every other use says whether it runs the same way.
+ * number; the numbering is thus the same for any number of threads. A facet runs in the direction
+ * of its owner; every other use says whether it runs the same way.
  *
- * What is left of a facet with fewer than three different points (an edge: two), and the edges of a polygon with fewer
- * than three, are collapsed: nothing can lie beyond them. No two cells share them, and they are not on the boundary.
+ * What is left of a facet with fewer than three different points (an edge: two), and the edges of a
+ * polygon with fewer than three, are collapsed: nothing can lie beyond them. No two cells share
+ * them, and they are not on the boundary.
  *
  * The table holds no points: those of a facet are those of its owner's local facet.
  */
@@ -114,11 +115,11 @@ private:
   };
 
   Index NumberOfCells = 0;
-  Index Stride = 0;                    ///< facets per cell when all cells have the same, else 0
-  LargeVector<vtkIdType> CellOffsets;  ///< only if Stride is 0
+  Index Stride = 0;                   ///< facets per cell when all cells have the same, else 0
+  LargeVector<vtkIdType> CellOffsets; ///< only if Stride is 0
   LargeVector<CellFacet> CellFacets;
   LargeVector<CellPair> FacetCells;
-  std::vector<ExtraCell> ExtraCells;   ///< third and further cells, sorted
+  std::vector<ExtraCell> ExtraCells; ///< third and further cells, sorted
 };
 }
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/FacetTableBuilder.h"
 
+#include "Base/Hash.h"
+#include "Base/Parallel.h"
+#include "Geometry/FacetRing.h"
 #include "Mesh/CellBuckets.h"
 #include "Mesh/FacetMatcher.h"
-#include "Geometry/FacetRing.h"
-#include "Base/HashMix.h"
 #include "Mesh/TetrahedronFaces.h"
-#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -21,12 +21,13 @@ namespace
 {
 constexpr vtkIdType CellGrain = 4096;
 constexpr vtkIdType UseChunk = 1 << 16;
-constexpr vtkIdType MaxUses = vtkIdType(1) << 30;   // a use must fit CellFacet with its direction bit
+constexpr vtkIdType MaxUses = vtkIdType(1) << 30; // a use must fit CellFacet with its direction bit
 constexpr vtkIdType MaxPoints = vtkIdType(1) << 31; // that Index can number
 
 //------------------------------------------------------------------------------
-// Numbers from 0 on that facets of the same points have in common, in whatever order and each however often. Few
-// others have the same, and facets near each other in a well numbered mesh have numbers near each other.
+// Numbers from 0 on that facets of the same points have in common, in whatever order and each
+// however often. Few others have the same, and facets near each other in a well numbered mesh have
+// numbers near each other.
 class PointHash
 {
 public:
@@ -236,9 +237,10 @@ void FacetTableBuilder::ClearUses()
 }
 
 //------------------------------------------------------------------------------
-// Calls put(use, points, size) for the facets of a cell that are not collapsed, and notes the other ones.
+// Calls put(use, points, size) for the facets of a cell that are not collapsed, and notes the other
+// ones.
 template <typename PutFacet>
-void FacetTableBuilder::ForEachSoundFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put)
+void FacetTableBuilder::ForEachValidFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put)
 {
   if (facets.GetDimension(cell) != this->Dimension)
   {
@@ -263,22 +265,23 @@ void FacetTableBuilder::ForEachSoundFacet(CellFacets& facets, vtkIdType cell, Pu
 }
 
 //------------------------------------------------------------------------------
-// Leaves in CellFacets for every use the first one with the same points: itself, or the complement of another one.
+// Leaves in CellFacets for every use the first one with the same points: itself, or the complement
+// of another one.
 void FacetTableBuilder::MatchUses()
 {
   const PointHash hash(this->Mesh.GetNumberOfPoints());
   const Buckets buckets = this->FillBuckets(hash.GetLargest(),
     [&](CellFacets& facets, vtkIdType cell, auto&& put)
     {
-      this->ForEachSoundFacet(facets, cell,
+      this->ForEachValidFacet(facets, cell,
         [&](Index use, const vtkIdType* points, vtkIdType size) { put(use, hash(points, size)); });
     });
   this->Match(buckets);
 }
 
 //------------------------------------------------------------------------------
-// The same. Only the first use of every given number is compared with the others, and few of these have the same
-// points as another one.
+// The same. Only the first use of every given number is compared with the others, and few of these
+// have the same points as another one.
 void FacetTableBuilder::MatchGiven(const LargeVector<Index>& given, Index numberOfGiven)
 {
   const LargeVector<std::atomic<Index>> firstUses = this->FindFirstUses(given, numberOfGiven);
@@ -287,7 +290,7 @@ void FacetTableBuilder::MatchGiven(const LargeVector<Index>& given, Index number
   const Buckets buckets = this->FillBuckets(hash.GetLargest(),
     [&](CellFacets& facets, vtkIdType cell, auto&& put)
     {
-      this->ForEachSoundFacet(facets, cell,
+      this->ForEachValidFacet(facets, cell,
         [&](Index use, const vtkIdType* points, vtkIdType size)
         {
           down[use] = RunsDown(points, size);
@@ -362,8 +365,8 @@ void FacetTableBuilder::Match(const Buckets& buckets)
 }
 
 //------------------------------------------------------------------------------
-// Every use gets its key first, which says how much every chunk of cells puts into every bucket. putItems(facets, cell,
-// put) calls put(use, key) for the uses of a cell that are to be matched.
+// Every use gets its key first, which says how much every chunk of cells puts into every bucket.
+// putItems(facets, cell, put) calls put(use, key) for the uses of a cell that are to be matched.
 template <typename PutItems>
 FacetTableBuilder::Buckets FacetTableBuilder::FillBuckets(Index maxKey, PutItems&& putItems)
 {
@@ -448,7 +451,8 @@ void FacetTableBuilder::ListCells()
 {
   FacetTable& table = this->Table;
   const vtkIdType numberOfFacets = table.GetNumberOfFacets();
-  // Of threads that meet at a facet with more than two cells one wins; the sum below tells of these.
+  // Of threads that meet at a facet with more than two cells one wins; the sum below tells of
+  // these.
   LargeVector<std::atomic<Index>> seconds(numberOfFacets);
   ParallelFor(numberOfFacets, UseChunk,
     [&](vtkIdType begin, vtkIdType end)
@@ -530,6 +534,7 @@ void FacetTableBuilder::ListExtraCells()
     }
   }
   std::stable_sort(table.ExtraCells.begin(), table.ExtraCells.end(),
-    [](const FacetTable::ExtraCell& a, const FacetTable::ExtraCell& b) { return a.Facet < b.Facet; });
+    [](const FacetTable::ExtraCell& a, const FacetTable::ExtraCell& b)
+    { return a.Facet < b.Facet; });
 }
 }

@@ -4,9 +4,10 @@
  * @class camaron::FacetTableBuilder
  * @brief Finds the unique facets of a mesh.
  *
- * Uses of facets are put into buckets by a hash of their points that is close for neighbours. Those with the same hash
- * are compared within a bucket, which fits into the cache of a processor. So time and memory stay proportional to the
- * mesh however it is numbered; 4 bytes per use are needed meanwhile.
+ * Uses of facets are put into buckets by a hash of their points that is close for neighbors. Those
+ * with the same hash are compared within a bucket, which fits into the cache of a processor. So
+ * time and memory stay proportional to the mesh however it is numbered; 4 bytes per use are needed
+ * meanwhile.
  */
 #ifndef camaron_FacetTableBuilder_h
 #define camaron_FacetTableBuilder_h
@@ -24,8 +25,9 @@ class FacetTableBuilder
 {
 public:
   /**
-   * Facets of the cells of @a dimension (3: faces, 2: edges). @a given is empty or holds for every use
-   * of a facet, cell by cell, a number below @a numberOfGiven; equal numbers are the same facet.
+   * Facets of the cells of @a dimension (3: faces, 2: edges). @a given is empty or holds for every
+   * use of a facet, cell by cell, a number below @a numberOfGiven; equal numbers are the same
+   * facet.
    * @throw std::length_error if there are more than 2^30 uses of facets
    */
   static FacetTable Build(const MeshView& mesh, int dimension, const LargeVector<Index>& given = {},
@@ -44,7 +46,7 @@ private:
   void ListCells();
   void ListExtraCells();
   template <typename PutFacet>
-  void ForEachSoundFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put);
+  void ForEachValidFacet(CellFacets& facets, vtkIdType cell, PutFacet&& put);
   void KeepCollapsed();
   /// Of every given number.
   LargeVector<std::atomic<Index>> FindFirstUses(

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshCheck.h"
 
-#include "Mesh/MeshView.h"
 #include "Base/Parallel.h"
+#include "Mesh/MeshView.h"
 #include "vtkCamaronCompat.h"
 
 #include <algorithm>
@@ -21,12 +21,14 @@ namespace
 constexpr vtkIdType Grain = 1 << 18; // ids
 
 //------------------------------------------------------------------------------
-// Whether there is an id below 0 or from the limit on: then either it or its distance from the last one is below 0.
+// Whether there is an id below 0 or from the limit on: then either it or its distance from the last
+// one is below 0.
 template <typename Id>
 bool HasIdBeyond(const Id* ids, vtkIdType size, vtkIdType limit)
 {
   using Bits = std::make_unsigned_t<Id>;
-  const Bits last = static_cast<Bits>(std::min<std::int64_t>(limit - 1, std::numeric_limits<Id>::max()));
+  const Bits last =
+    static_cast<Bits>(std::min<std::int64_t>(limit - 1, std::numeric_limits<Id>::max()));
   Bits bits = 0;
   for (vtkIdType i = 0; i < size; ++i)
   {

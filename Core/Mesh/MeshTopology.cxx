@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/MeshTopology.h"
 
+#include "Base/Parallel.h"
 #include "Mesh/CellFacets.h"
 #include "Mesh/CellRegions.h"
 #include "Mesh/ConnectivityKey.h"
 #include "Mesh/FacetTableBuilder.h"
-#include "Base/Parallel.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCommand.h"
@@ -26,11 +26,12 @@ namespace
 constexpr vtkIdType CellGrain = 4096;
 
 //------------------------------------------------------------------------------
-// Sorts items into one bucket per point: visit(cell, put) calls put(point, value) for every item of a
-// cell, twice over all cells. Gives the distinct values bucket by bucket, sorted, and the buckets' ends.
+// Sorts items into one bucket per point: visit(cell, put) calls put(point, value) for every item of
+// a cell, twice over all cells. Gives the distinct values bucket by bucket, sorted, and the
+// buckets' ends.
 template <typename Visit>
-void FillBuckets(const MeshView& mesh, Visit&& visit, std::vector<vtkIdType>& ends,
-  std::vector<Index>& values)
+void FillBuckets(
+  const MeshView& mesh, Visit&& visit, std::vector<vtkIdType>& ends, std::vector<Index>& values)
 {
   const vtkIdType numberOfPoints = mesh.GetNumberOfPoints();
   std::unique_ptr<std::atomic<vtkIdType>[]> cursors(new std::atomic<vtkIdType>[numberOfPoints]);
@@ -50,7 +51,8 @@ void FillBuckets(const MeshView& mesh, Visit&& visit, std::vector<vtkIdType>& en
         }
       });
   };
-  forAllItems([&](vtkIdType point, Index) { cursors[point].fetch_add(1, std::memory_order_relaxed); });
+  forAllItems(
+    [&](vtkIdType point, Index) { cursors[point].fetch_add(1, std::memory_order_relaxed); });
   vtkIdType total = 0;
   for (vtkIdType point = 0; point < numberOfPoints; ++point)
   {
@@ -122,7 +124,8 @@ PointCells FindPointCells(const MeshView& mesh)
     mesh,
     [&mesh](CellFacets&, vtkIdType cell, auto&& put)
     {
-      const bool isEmpty = mesh.GetCellType(cell) == VTK_EMPTY_CELL; // a hidden one, whatever its points
+      const bool isEmpty =
+        mesh.GetCellType(cell) == VTK_EMPTY_CELL; // a hidden one, whatever its points
       const IndexRange points = mesh.GetCellPoints(cell);
       for (vtkIdType i = 0; i < points.Size && !isEmpty; ++i)
       {
@@ -182,8 +185,8 @@ public:
       if (!std::binary_search(this->Observed.begin(), this->Observed.end(), array))
       {
         vtkNew<vtkCallbackCommand> command;
-        command->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
-          { Cache::Get().Forget(caller); });
+        command->SetCallback(
+          [](vtkObject* caller, unsigned long, void*, void*) { Cache::Get().Forget(caller); });
         array->AddObserver(vtkCommand::DeleteEvent, command);
         this->Observed.insert(
           std::upper_bound(this->Observed.begin(), this->Observed.end(), array), array);
@@ -268,24 +271,23 @@ const FacetTable& MeshTopology::GetSurfaceEdges() const
 //------------------------------------------------------------------------------
 const EdgeList& MeshTopology::GetEdges() const
 {
-  std::call_once(
-    this->Shared->EdgesOnce, [&] { this->Shared->Edges = FindEdges(this->Mesh); });
+  std::call_once(this->Shared->EdgesOnce, [&] { this->Shared->Edges = FindEdges(this->Mesh); });
   return this->Shared->Edges;
 }
 
 //------------------------------------------------------------------------------
 const PointCells& MeshTopology::GetPointCells() const
 {
-  std::call_once(this->Shared->PointCellsOnce,
-    [&] { this->Shared->PointCells = FindPointCells(this->Mesh); });
+  std::call_once(
+    this->Shared->PointCellsOnce, [&] { this->Shared->PointCells = FindPointCells(this->Mesh); });
   return this->Shared->PointCells;
 }
 
 //------------------------------------------------------------------------------
 const std::vector<Index>& MeshTopology::GetCellRegions() const
 {
-  std::call_once(this->Shared->CellRegionsOnce,
-    [&] { this->Shared->CellRegions = FindCellRegions(*this); });
+  std::call_once(
+    this->Shared->CellRegionsOnce, [&] { this->Shared->CellRegions = FindCellRegions(*this); });
   return this->Shared->CellRegions;
 }
 
@@ -330,7 +332,8 @@ void MeshTopology::GetNeighbors(
   else
   {
     const PointCells& pointCells = this->GetPointCells();
-    const auto first = [&](vtkIdType p) { return pointCells.Cells.begin() + pointCells.Offsets[p]; };
+    const auto first = [&](vtkIdType p)
+    { return pointCells.Cells.begin() + pointCells.Offsets[p]; };
     if (adjacency == Adjacency::Vertex)
     {
       const IndexRange points = this->Mesh.GetCellPoints(cell);
@@ -347,14 +350,14 @@ void MeshTopology::GetNeighbors(
         {
           // Both points in common, and an edge between them there, too.
           candidates.clear();
-          std::set_intersection(first(a), first(a + 1), first(b), first(b + 1),
-            std::back_inserter(candidates));
+          std::set_intersection(
+            first(a), first(a + 1), first(b), first(b + 1), std::back_inserter(candidates));
           for (const Index candidate : candidates)
           {
             bool hasEdge = false;
-            CellFacets(this->Mesh).ForEachEdge(candidate,
-              [&](vtkIdType c, vtkIdType d)
-              { hasEdge = hasEdge || (a == c && b == d) || (a == d && b == c); });
+            CellFacets(this->Mesh)
+              .ForEachEdge(candidate, [&](vtkIdType c, vtkIdType d)
+                { hasEdge = hasEdge || (a == c && b == d) || (a == d && b == c); });
             if (hasEdge)
             {
               neighbors.push_back(candidate);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::MeshTopology
- * @brief Faces, edges and neighbours of a mesh, built once and shared by everybody who sees it.
+ * @brief Faces, edges and neighbors of a mesh, built once and shared by everybody who sees it.
  *
  * Made from a vtkUnstructuredGrid (any mixture of linear types and polyhedra, higher-order types by
- * their corners, any mixture of dimensions) or a vtkPolyData. Every table is built, in parallel and in
- * time and memory proportional to the mesh, when it is first asked for; it is then found again by
- * every MeshTopology of a mesh with the same connectivity arrays (shallow copies included) and
+ * their corners, any mixture of dimensions) or a vtkPolyData. Every table is built, in parallel and
+ * in time and memory proportional to the mesh, when it is first asked for; it is then found again
+ * by every MeshTopology of a mesh with the same connectivity arrays (shallow copies included) and
  * released with these arrays.
  *
  * All methods are safe to call from several threads.
@@ -36,7 +36,7 @@ struct PointCells
 /// Unique edges of all cells; each with the smaller point id first, sorted.
 using EdgeList = std::vector<std::array<Index, 2>>;
 
-/// What two neighbouring cells have in common.
+/// What two neighboring cells have in common.
 enum class Adjacency
 {
   Facet, ///< a face of 3D cells, an edge of 2D cells

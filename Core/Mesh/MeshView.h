@@ -4,9 +4,9 @@
  * @class camaron::MeshView
  * @brief Reads points and cells of a vtkUnstructuredGrid or vtkPolyData without virtual calls.
  *
- * A view is cheap to make and to copy: it borrows the arrays of the mesh (and keeps them alive), and
- * copies only what VTK stores in an unusual form (points that are neither float nor double tuples,
- * implicit cell offsets). All methods are const and safe to call from several threads.
+ * A view is cheap to make and to copy: it borrows the arrays of the mesh (and keeps them alive),
+ * and copies only what VTK stores in an unusual form (points that are neither float nor double
+ * tuples, implicit cell offsets). All methods are const and safe to call from several threads.
  *
  * Cells of a vtkPolyData are numbered as VTK does: vertices, lines, polygons, strips.
  */
@@ -66,7 +66,8 @@ struct IndexLists
   IndexRange GetAll() const
   {
     const vtkIdType begin = this->NumberOfLists > 0 ? this->Offsets[0] : 0;
-    return { this->Values, begin, this->NumberOfLists > 0 ? this->Offsets[this->NumberOfLists] - begin : 0 };
+    return { this->Values, begin,
+      this->NumberOfLists > 0 ? this->Offsets[this->NumberOfLists] - begin : 0 };
   }
 };
 
@@ -74,7 +75,8 @@ class MeshView
 {
 public:
   MeshView() = default;
-  /// @a mesh must be a vtkUnstructuredGrid or a vtkPolyData; any other (or none) gives an empty view.
+  /// @a mesh must be a vtkUnstructuredGrid or a vtkPolyData; any other (or none) gives an empty
+  /// view.
   explicit MeshView(vtkDataSet* mesh);
 
   vtkIdType GetNumberOfPoints() const { return this->NumberOfPoints; }
@@ -96,7 +98,8 @@ public:
     }
   }
 
-  /// Calls @a visit with the coordinates of all points one after the other, const float* or const double*.
+  /// Calls @a visit with the coordinates of all points one after the other, const float* or const
+  /// double*.
   template <typename Visit>
   void VisitCoordinates(Visit&& visit) const
   {
@@ -108,7 +111,8 @@ public:
   {
     return this->Types ? this->Types[cell] : this->GetPolyDataCellType(cell);
   }
-  /// Whether so many cells from @a first on are all of a type; false for polygonal data, which has no list of types.
+  /// Whether so many cells from @a first on are all of a type; false for polygonal data, which has
+  /// no list of types.
   bool AreOfType(unsigned char type, vtkIdType first, int count) const
   {
     if (!this->Types)
@@ -136,7 +140,8 @@ public:
   ///@{
   /**
    * Faces of a cell whose type lists them (CellShape::ListsFaces) as entries of the mesh's list of
-   * polyhedron faces, and the points of such an entry. None for a convex point set without its hull.
+   * polyhedron faces, and the points of such an entry. None for a convex point set without its
+   * hull.
    */
   IndexRange GetPolyhedronFaces(vtkIdType cell) const
   {

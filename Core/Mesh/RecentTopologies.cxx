@@ -30,7 +30,8 @@ CellTopology& RecentTopologies::Find(int numberOfPoints, bool edgesCanWait, bool
 }
 
 //------------------------------------------------------------------------------
-// In order are numbers that are given as they first occur, which those of standard cells that are collapsed are not.
+// In order are numbers that are given as they first occur, which those of standard cells that are
+// collapsed are not.
 void RecentTopologies::FindCorners(Recent& recent)
 {
   const std::vector<int>& numbers = recent.Topology.FacePoints;

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::RecentTopologies
- * @brief Topologies of the cells before, which the next one shares if it has the same faces in local numbers.
+ * @brief Topologies of the cells before, which the next one shares if it has the same faces in
+ * local numbers.
  *
- * Cells of one or two kinds one after the other, as generators make them, so have their points numbered and their edges
- * found once. Only few are kept: where all cells differ, those that are should stay in the nearest cache.
+ * Cells of one or two kinds one after the other, as generators make them, so have their points
+ * numbered and their edges found once. Only few are kept: where all cells differ, those that are
+ * should stay in the nearest cache.
  */
 #ifndef camaron_RecentTopologies_h
 #define camaron_RecentTopologies_h
@@ -23,7 +25,8 @@ public:
   struct Recent
   {
     CellTopology Topology;
-    std::vector<int> PointCorners; ///< of every local number its first corner; of what Recognize returns
+    std::vector<int>
+      PointCorners; ///< of every local number its first corner; of what Recognize returns
     struct Repetition
     {
       int Corner, First; // of the same number
@@ -44,8 +47,9 @@ public:
   CellTopology& Find(int numberOfPoints, bool edgesCanWait, bool& wasRepeated);
 
   /**
-   * The one that Find would find for the corners with these ids, without FacePoints and numbers, or none if there is none
-   * or telling takes too long. No point of its faces follows itself; edges are there only if they were.
+   * The one that Find would find for the corners with these ids, without FacePoints and numbers, or
+   * none if there is none or telling takes too long. No point of its faces follows itself; edges
+   * are there only if they were.
    */
   template <typename Id>
   Recent* Recognize(const Id* ids)
@@ -81,8 +85,8 @@ private:
     return recent.IsInOrder && difference == 0 && this->AreDistinct(ids, recent.PointCorners);
   }
 
-  // Every id writes its number into a table, where it finds another one only if their hashes are the same: then it is
-  // compared with all.
+  // Every id writes its number into a table, where it finds another one only if their hashes are
+  // the same: then it is compared with all.
   template <typename Id>
   bool AreDistinct(const Id* ids, const std::vector<int>& corners)
   {

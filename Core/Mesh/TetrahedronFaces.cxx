@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TetrahedronFaces.h"
 
-#include "Base/Parallel.h"
 #include "Base/Buffer.h"
+#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,8 @@ constexpr Index ItemsPerRound = 1 << 23; // kept at a time, or a quarter of all 
 constexpr vtkIdType UseChunk = 1 << 16;
 
 //------------------------------------------------------------------------------
-// Calls visit(use) for those of [begin, end) with isWanted(use). Where every other one is and no processor can guess
-// which, it is quicker to list some before any is visited.
+// Calls visit(use) for those of [begin, end) with isWanted(use). Where every other one is and no
+// processor can guess which, it is quicker to list some before any is visited.
 template <typename IsWanted, typename Visit>
 void ForEachWanted(vtkIdType begin, vtkIdType end, IsWanted&& isWanted, Visit&& visit)
 {
@@ -86,7 +86,8 @@ struct TetrahedronFaces::Cell
 //------------------------------------------------------------------------------
 TetrahedronFaces::FaceCodes::FaceCodes()
 {
-  constexpr int Faces[FacesPerCell][3] = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 }, { 0, 2, 1 } }; // as VTK has them
+  constexpr int Faces[FacesPerCell][3] = { { 0, 1, 3 }, { 1, 2, 3 }, { 2, 0, 3 },
+    { 0, 2, 1 } }; // as VTK has them
   std::array<int, 4> sorted = { 0, 1, 2, 3 };
   do
   {
@@ -120,11 +121,13 @@ struct TetrahedronFaces::Triangle
 
   bool IsSame(const Triangle& other) const
   {
-    return ((this->Low ^ other.Low) | (this->Middle ^ other.Middle) | (this->High ^ other.High)) == 0;
+    return ((this->Low ^ other.Low) | (this->Middle ^ other.Middle) | (this->High ^ other.High)) ==
+      0;
   }
   std::size_t GetHash() const
   {
-    const auto part = [](Index id) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(id)); };
+    const auto part = [](Index id)
+    { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(id)); };
     const std::uint64_t low = (part(this->Low) << 32 | part(this->Middle)) * 0x9e3779b97f4a7c15ull;
     return (low + part(this->High) * 0xc2b2ae3d27d4eb4full) >> 32;
   }
@@ -170,7 +173,8 @@ bool TetrahedronFaces::Fill(const MeshView& mesh, FacetTable& table)
 TetrahedronFaces::TetrahedronFaces(const MeshView& mesh, FacetTable& table)
   : Mesh(mesh)
   , Table(table)
-  , FanBuckets(mesh.GetNumberOfCells(), mesh.GetNumberOfPoints(), static_cast<vtkIdType>(table.CellFacets.size()))
+  , FanBuckets(mesh.GetNumberOfCells(), mesh.GetNumberOfPoints(),
+      static_cast<vtkIdType>(table.CellFacets.size()))
   , TriangleBuckets(this->FanBuckets)
 {
 }
@@ -202,11 +206,13 @@ bool TetrahedronFaces::CountItems()
 }
 
 //------------------------------------------------------------------------------
-// The first buckets of rounds, which keep about as many items, and behind them the number of buckets.
+// The first buckets of rounds, which keep about as many items, and behind them the number of
+// buckets.
 std::vector<Index> TetrahedronFaces::FindRounds() const
 {
   const Index numberOfBuckets = this->FanBuckets.GetNumberOfBuckets();
-  const auto begin = [this](Index bucket) { return this->FanBegins[bucket] + this->TriangleBegins[bucket]; };
+  const auto begin = [this](Index bucket)
+  { return this->FanBegins[bucket] + this->TriangleBegins[bucket]; };
   const Index limit = std::max(ItemsPerRound, begin(numberOfBuckets) / 4);
   std::vector<Index> rounds{ 0 };
   while (rounds.back() < numberOfBuckets)
@@ -235,7 +241,8 @@ void TetrahedronFaces::FillBuckets(Index first, Index last, Fan* fans, Triangle*
       {
         const Cell cell(this->Mesh, id);
         const Index a = cell.Points[0], b = cell.Points[1], c = cell.Points[2], d = cell.Points[3];
-        const Index ofFan = this->FanBuckets.GetBucket(a), ofTriangle = this->FanBuckets.GetBucket(b);
+        const Index ofFan = this->FanBuckets.GetBucket(a),
+                    ofTriangle = this->FanBuckets.GetBucket(b);
         if (ofFan >= first && ofFan < last)
         {
           fans[fanPlaces[ofFan]++ - firstFan] = { { a, b, c, d }, id, cell.Order };
@@ -258,7 +265,8 @@ void TetrahedronFaces::Match()
   {
     const Index first = rounds[round], last = rounds[round + 1];
     numberOfFans = std::max(numberOfFans, this->FanBegins[last] - this->FanBegins[first]);
-    numberOfTriangles = std::max(numberOfTriangles, this->TriangleBegins[last] - this->TriangleBegins[first]);
+    numberOfTriangles =
+      std::max(numberOfTriangles, this->TriangleBegins[last] - this->TriangleBegins[first]);
   }
   Buffer<Fan> fans(numberOfFans);
   Buffer<Triangle> triangles(numberOfTriangles);
@@ -281,7 +289,8 @@ void TetrahedronFaces::Match()
 }
 
 //------------------------------------------------------------------------------
-void TetrahedronFaces::LoadBucket(Index number, const Fan* fans, const Triangle* triangles, Bucket& bucket) const
+void TetrahedronFaces::LoadBucket(
+  Index number, const Fan* fans, const Triangle* triangles, Bucket& bucket) const
 {
   const Index numberOfFans = this->FanBegins[number + 1] - this->FanBegins[number];
   const Index numberOfTriangles = this->TriangleBegins[number + 1] - this->TriangleBegins[number];
@@ -344,7 +353,8 @@ inline void TetrahedronFaces::Link(CellFacet first, CellFacet second)
 }
 
 //------------------------------------------------------------------------------
-// The uses of a face are not found in ascending order: the lowest two are to be linked, and the others further ones.
+// The uses of a face are not found in ascending order: the lowest two are to be linked, and the
+// others further ones.
 void TetrahedronFaces::OrderFurtherUses()
 {
   std::vector<FurtherUse>& all = this->FurtherUses;
@@ -361,7 +371,8 @@ void TetrahedronFaces::OrderFurtherUses()
     {
       uses.push_back(end->Use);
     }
-    std::sort(uses.begin(), uses.end(), [](CellFacet a, CellFacet b) { return a.Packed < b.Packed; });
+    std::sort(
+      uses.begin(), uses.end(), [](CellFacet a, CellFacet b) { return a.Packed < b.Packed; });
     for (std::size_t i = uses.size() - 1; i > 0; --i)
     {
       this->Link(uses[0], uses[i]); // the second one comes last
@@ -397,7 +408,8 @@ void TetrahedronFaces::NumberFaces()
         [&](Index use)
         {
           const CellFacet link = uses[use];
-          const Index second = link.Packed == NoOther ? FacetTable::NoCell : link.Facet() / FacesPerCell;
+          const Index second =
+            link.Packed == NoOther ? FacetTable::NoCell : link.Facet() / FacesPerCell;
           cells[number] = { use / FacesPerCell, second };
           uses[use] = CellFacet(static_cast<Index>(number++), false);
         });

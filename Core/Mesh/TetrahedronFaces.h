@@ -4,9 +4,9 @@
  * @class camaron::TetrahedronFaces
  * @brief Finds the unique faces of tetrahedra, several times as fast as those of any cells.
  *
- * The points of a cell are sorted. The three faces with the lowest one go into a bucket together, the face of the
- * others into another one, by their lowest points; and equal faces are found within a bucket, which fits into the cache
- * of a processor.
+ * The points of a cell are sorted. The three faces with the lowest one go into a bucket together,
+ * the face of the others into another one, by their lowest points; and equal faces are found within
+ * a bucket, which fits into the cache of a processor.
  */
 #ifndef camaron_TetrahedronFaces_h
 #define camaron_TetrahedronFaces_h
@@ -25,8 +25,8 @@ class TetrahedronFaces
 {
 public:
   /**
-   * Fills a table whose sizes are set, of a mesh of nothing but VTK_TETRA. False if a cell has a point twice; then the
-   * table is as it was.
+   * Fills a table whose sizes are set, of a mesh of nothing but VTK_TETRA. False if a cell has a
+   * point twice; then the table is as it was.
    */
   static bool Fill(const MeshView& mesh, FacetTable& table);
 
@@ -37,7 +37,8 @@ private:
   struct Bucket;
   struct FurtherUse;
 
-  /// Which use of a cell is the face without one of the sorted points, and whether it runs against their order.
+  /// Which use of a cell is the face without one of the sorted points, and whether it runs against
+  /// their order.
   class FaceCodes
   {
   public:
@@ -53,8 +54,9 @@ private:
     unsigned char Codes[64][4] = {};
   };
 
-  // While faces have no numbers, a use has a link in its place in the table: the first use of a face names the second
-  // one, any other one the complement of the first, and with it whether they run against each other.
+  // While faces have no numbers, a use has a link in its place in the table: the first use of a
+  // face names the second one, any other one the complement of the first, and with it whether they
+  // run against each other.
   static constexpr Index NoOther = std::numeric_limits<Index>::min();
   static bool IsFirst(Index link) { return (link >= 0) | (link == NoOther); }
 

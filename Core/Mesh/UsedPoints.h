@@ -13,8 +13,8 @@
 
 namespace camaron
 {
-/// Of every point whether a cell has it that is not a hidden one (VTK_EMPTY_CELL). Ids that are none of a point are
-/// passed over.
+/// Of every point whether a cell has it that is not a hidden one (VTK_EMPTY_CELL). Ids that are
+/// none of a point are passed over.
 std::vector<bool> FindUsedPoints(const MeshView& mesh);
 }
 

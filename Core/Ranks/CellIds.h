@@ -4,13 +4,14 @@
  * @class camaron::CellIds
  * @brief What cells are known by in all pieces of a mesh: different for all cells but copies.
  *
- * It is the global id if all pieces have them. Else cells are counted, block after block and in a block piece after
- * piece, without copies: in a mesh that is split into ranges of cells it is the number in the undivided mesh.
+ * It is the global id if all pieces have them. Else cells are counted, block after block and in a
+ * block piece after piece, without copies: in a mesh that is split into ranges of cells it is the
+ * number in the undivided mesh.
  */
 #ifndef camaron_CellIds_h
 #define camaron_CellIds_h
 
-#include "Ranks/LinkedPiece.h"
+#include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 
 #include <cstdint> // for ids
@@ -38,7 +39,7 @@ private:
   bool HasIds = false;
   // Without ids, by piece:
   std::vector<std::int64_t> First, FirstOfBlock; // number of the first cell
-  std::vector<std::vector<Index>> Places;        // of the cells of a piece with copies among the others
+  std::vector<std::vector<Index>> Places; // of the cells of a piece with copies among the others
 };
 }
 

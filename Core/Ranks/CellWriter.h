@@ -7,8 +7,8 @@
 #ifndef camaron_CellWriter_h
 #define camaron_CellWriter_h
 
-#include "Ranks/SharedPoints.h"
 #include "Mesh/MeshView.h"
+#include "Ranks/SharedPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"

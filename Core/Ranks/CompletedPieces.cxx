@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/CompletedPieces.h"
 
+#include "Mesh/UsedPoints.h"
 #include "Ranks/CellIds.h"
 #include "Ranks/CellWriter.h"
 #include "Ranks/PieceBorders.h"
 #include "Ranks/SharedPoints.h"
-#include "Mesh/UsedPoints.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -48,8 +48,7 @@ struct Place
   bool IsAdded;
   bool operator<(const Place& other) const
   {
-    return std::tie(this->Id, this->From, this->Cell) <
-      std::tie(other.Id, other.From, other.Cell);
+    return std::tie(this->Id, this->From, this->Cell) < std::tie(other.Id, other.From, other.Cell);
   }
 };
 
@@ -197,10 +196,12 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Integers: the pieces, how many cells and points; ids of the points if they have any; cell by cell its id, type
-  // and kind of ghost, its points and its faces. Reals: coordinates, then the values of each cell.
+  // Integers: the pieces, how many cells and points; ids of the points if they have any; cell by
+  // cell its id, type and kind of ghost, its points and its faces. Reals: coordinates, then the
+  // values of each cell.
   void WriteCells(std::size_t piece, std::int32_t target, const std::vector<Index>& cells,
-    std::vector<vtkIdType>& numbers, std::vector<std::int64_t>& integers, std::vector<double>& reals)
+    std::vector<vtkIdType>& numbers, std::vector<std::int64_t>& integers,
+    std::vector<double>& reals)
   {
     const LinkedPiece& from = this->Pieces[piece];
     const MeshView& mesh = from.Topology->GetMesh();
@@ -305,8 +306,7 @@ private:
     for (std::int64_t i = 0; i < numberOfCells; ++i)
     {
       const auto type = static_cast<unsigned char>(item[1]);
-      const auto ghosts =
-        static_cast<unsigned char>(item[2] | vtkDataSetAttributes::DUPLICATECELL);
+      const auto ghosts = static_cast<unsigned char>(item[2] | vtkDataSetAttributes::DUPLICATECELL);
       addition.Cells.push_back(
         { item[0], { process, from }, type, ghosts, item + 3, real, addition.Points.size() });
       item += 3;
@@ -356,7 +356,7 @@ private:
   //----------------------------------------------------------------------------
   std::int64_t GetId(std::size_t piece, vtkIdType cell) const
   {
-    return this->Options.AsksOthers    ? this->Ids.GetInBlock(piece, cell)
+    return this->Options.AsksOthers ? this->Ids.GetInBlock(piece, cell)
       : this->Pieces[piece].CellIds ? this->Pieces[piece].CellIds[cell]
                                     : cell;
   }
@@ -423,8 +423,7 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  void AddArrays(
-    std::size_t piece, const std::vector<Place>& places, vtkCellData* data) const
+  void AddArrays(std::size_t piece, const std::vector<Place>& places, vtkCellData* data) const
   {
     const auto size = static_cast<vtkIdType>(places.size());
     const unsigned char* ownGhosts = this->Pieces[piece].Options.Ghosts;
@@ -446,7 +445,7 @@ private:
       {
         const Place& place = places[i];
         ghosts->SetValue(i,
-          place.IsAdded    ? added[place.Cell].Ghosts
+          place.IsAdded ? added[place.Cell].Ghosts
             : ownGhosts ? ownGhosts[place.Cell]
                         : 0);
       }
@@ -478,10 +477,10 @@ private:
   const std::size_t NumberOfProcesses;
   const PieceBorders Borders;
   const CellIds Ids;
-  std::vector<std::vector<SharedPoint>> Sharings; // by piece
+  std::vector<std::vector<SharedPoint>> Sharings;  // by piece
   std::vector<std::vector<std::int64_t>> Integers; // from each process
   std::vector<std::vector<double>> Reals;
-  std::vector<Addition> Additions;                     // by piece
+  std::vector<Addition> Additions;                    // by piece
   std::vector<std::vector<unsigned char>> IsAtBorder; // cells by piece; empty if none is
 };
 }

@@ -20,8 +20,8 @@ struct ReceivedKey
 };
 
 /**
- * Calls @a visit(const std::vector<ReceivedKey>&) for every group of equal keys, in their order; in a group they are
- * by process, then by number.
+ * Calls @a visit(const std::vector<ReceivedKey>&) for every group of equal keys, in their order; in
+ * a group they are by process, then by number.
  * @param lists keys from every process, things with GetKey(), which is comparable
  */
 template <typename Keyed, typename Visit>
@@ -41,7 +41,8 @@ void ForEachKey(const std::vector<std::vector<Keyed>>& lists, Visit&& visit)
     [&get](const ReceivedKey& a, const ReceivedKey& b)
     {
       const auto keyA = get(a).GetKey(), keyB = get(b).GetKey();
-      return keyA == keyB ? std::tie(a.Process, a.Number) < std::tie(b.Process, b.Number) : keyA < keyB;
+      return keyA == keyB ? std::tie(a.Process, a.Number) < std::tie(b.Process, b.Number)
+                          : keyA < keyB;
     });
   std::vector<ReceivedKey> group;
   for (auto first = all.cbegin(); first != all.cend();)

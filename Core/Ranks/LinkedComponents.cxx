@@ -25,7 +25,8 @@ struct Relabeling
 
 //------------------------------------------------------------------------------
 LinkedComponents::LinkedComponents(const std::vector<LinkedPiece>& pieces,
-  const std::vector<std::vector<Index>>& ofCells, Index numberOfComponents, camaron::Reducer& reducer)
+  const std::vector<std::vector<Index>>& ofCells, Index numberOfComponents,
+  camaron::Reducer& reducer)
   : Reducer(reducer)
 {
   const std::vector<std::int64_t> own = { numberOfComponents };
@@ -73,8 +74,7 @@ void LinkedComponents::FindContacts(
       const std::int64_t own = this->GetOwnFirst() + ofCells[p][i];
       for (const CellFacet use : table.GetCellFacets(cell))
       {
-        links.ForEach(use.Facet(),
-          [&](const LinkedCell& other, bool)
+        links.ForEach(use.Facet(), [&](const LinkedCell& other, bool)
           { touches[other.Process].push_back({ other.Piece, other.Cell, own }); });
       }
     }

@@ -4,8 +4,8 @@
  * @class camaron::LinkedComponents
  * @brief What hangs together in the pieces of a mesh, joined over all pieces.
  *
- * A component is a set of cells of one piece. Those whose cells lead to each other by Options.Links of their
- * pieces get the same label.
+ * A component is a set of cells of one piece. Those whose cells lead to each other by Options.Links
+ * of their pieces get the same label.
  */
 #ifndef camaron_LinkedComponents_h
 #define camaron_LinkedComponents_h
@@ -23,8 +23,9 @@ class LinkedComponents
 public:
   /**
    * Collective.
-   * @param ofCells of every piece and cell its component, numbered from 0 over all pieces of this process;
-   *   negative for cells that take no part. Cells at linked facets take part unless they are copies
+   * @param ofCells of every piece and cell its component, numbered from 0 over all pieces of this
+   * process; negative for cells that take no part. Cells at linked facets take part unless they are
+   * copies
    */
   LinkedComponents(const std::vector<LinkedPiece>& pieces,
     const std::vector<std::vector<Index>>& ofCells, Index numberOfComponents, Reducer& reducer);

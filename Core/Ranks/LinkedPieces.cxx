@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/LinkedPieces.h"
 
-#include "Cell/CellNeighborhood.h"
-#include "Ranks/PieceBorders.h"
-#include "Mesh/CellFacets.h"
 #include "Base/Parallel.h"
+#include "Cell/CellNeighborhood.h"
+#include "Mesh/CellFacets.h"
+#include "Ranks/PieceBorders.h"
 
 #include <algorithm>
 #include <tuple>
@@ -133,8 +133,8 @@ private:
                   std::all_of(points, points + size, [&](vtkIdType p) { return isNear[p]; }) &&
                   table.GetOwnerLocalFacet(facet) == static_cast<Index>(local))
                 {
-                  this->AddCandidate(piece, table, dimension, facet, points, size, pointKeys,
-                    found[chunk]);
+                  this->AddCandidate(
+                    piece, table, dimension, facet, points, size, pointKeys, found[chunk]);
                 }
               });
           }
@@ -234,17 +234,17 @@ private:
       verdicts[process].resize(keys[process].size());
       for (std::size_t i = 0; i < keys[process].size(); ++i)
       {
-        items.push_back({ keys[process][i].Key, static_cast<std::int32_t>(process),
-          keys[process][i].Piece, i });
+        items.push_back(
+          { keys[process][i].Key, static_cast<std::int32_t>(process), keys[process][i].Piece, i });
       }
     }
-    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.Key < b.Key; });
+    std::sort(
+      items.begin(), items.end(), [](const Item& a, const Item& b) { return a.Key < b.Key; });
     for (auto first = items.begin(); first != items.end();)
     {
       const auto last = std::find_if(
         first, items.end(), [&](const Item& item) { return !(item.Key == first->Key); });
-      const bool isShared = std::any_of(first, last,
-        [&](const Item& item)
+      const bool isShared = std::any_of(first, last, [&](const Item& item)
         { return item.Process != first->Process || item.Piece != first->Piece; });
       for (; first != last; ++first)
       {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/MeanSizes.h"
 
-#include "Base/Parallel.h"
 #include "Base/ExactSum.h"
+#include "Base/Parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,8 +103,8 @@ MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
   for (int kind = 0; kind < MeanSizes::NumberOfKinds; ++kind)
   {
     reducer.Sum(limbs[kind].data(), limbs[kind].size());
-    means.Of[kind] = counts[kind] > 0 ? ExactSum::Divide(limbs[kind], counts[kind])
-                                      : Null(NullReason::Degenerate);
+    means.Of[kind] =
+      counts[kind] > 0 ? ExactSum::Divide(limbs[kind], counts[kind]) : Null(NullReason::Degenerate);
   }
   return means;
 }

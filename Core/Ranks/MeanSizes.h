@@ -31,13 +31,14 @@ struct MeanSizes
 };
 
 /**
- * Collective. Means over all pieces of all processes, rounded once, so that they do not depend on how the
- * mesh is split. Ghost cells and cells without a finite size do not count; inverted ones count as negative.
+ * Collective. Means over all pieces of all processes, rounded once, so that they do not depend on
+ * how the mesh is split. Ghost cells and cells without a finite size do not count; inverted ones
+ * count as negative.
  */
 MeanSizes GetMeanSizes(const std::vector<LinkedPiece>& pieces, Reducer& reducer);
 
-/// Size of a triangle, quadrilateral, tetrahedron or hexahedron as Verdict computes it, and its kind; false
-/// for any other cell. The cell has NeedsFaces and NeedsVolume.
+/// Size of a triangle, quadrilateral, tetrahedron or hexahedron as Verdict computes it, and its
+/// kind; false for any other cell. The cell has NeedsFaces and NeedsVolume.
 bool GetVerdictSize(const CellGeometry& cell, MeanSizes::Kind& kind, double& size);
 }
 

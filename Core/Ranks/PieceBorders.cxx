@@ -198,8 +198,9 @@ std::vector<unsigned char> PieceBorders::FindNearPoints(std::size_t piece) const
         this->GetPoint(mesh, point, x);
         // A place that is none tells nothing, but an id does.
         const bool isNowhere = this->HasIds && std::isnan(x[0] + x[1] + x[2]);
-        isNear[point] = isNowhere || std::any_of(
-          others.begin(), others.end(), [&](const Box& box) { return box.Contains(x); });
+        isNear[point] = isNowhere ||
+          std::any_of(
+            others.begin(), others.end(), [&](const Box& box) { return box.Contains(x); });
       }
     });
   return isNear;

@@ -4,13 +4,13 @@
  * @class camaron::PieceBorders
  * @brief Where pieces of a mesh may meet, and what tells their points apart.
  *
- * Points of two pieces are the same when they have the same key: their global ids if all pieces have them, else their
- * coordinates, as float if some piece has floats.
+ * Points of two pieces are the same when they have the same key: their global ids if all pieces
+ * have them, else their coordinates, as float if some piece has floats.
  */
 #ifndef camaron_PieceBorders_h
 #define camaron_PieceBorders_h
 
-#include "Ranks/LinkedPiece.h"
+#include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
 
 #include <array>   // for keys
@@ -19,7 +19,8 @@
 
 namespace camaron
 {
-/// The finalizer of splitmix64 (G. Steele et al., Fast splittable pseudorandom number generators, 2014).
+/// The finalizer of splitmix64 (G. Steele et al., Fast splittable pseudorandom number generators,
+/// 2014).
 inline std::uint64_t Mix(std::uint64_t x)
 {
   x += 0x9e3779b97f4a7c15ull;
@@ -39,7 +40,8 @@ inline std::uint64_t Hash(const PointKey& key)
 class PieceBorders
 {
 public:
-  /// Collective. Borrows the pieces. @a withCopies: whether cells that are copies of others belong to them, too.
+  /// Collective. Borrows the pieces. @a withCopies: whether cells that are copies of others belong
+  /// to them, too.
   PieceBorders(const std::vector<LinkedPiece>& pieces, Reducer& reducer, bool withCopies = false);
 
   /// Whether points are compared by their global ids.
@@ -47,7 +49,8 @@ public:
   PointKey GetKey(std::size_t piece, vtkIdType point) const;
   /// The key of a point of any piece.
   PointKey GetKey(std::int64_t id, const double x[3]) const;
-  /// Of every point whether it lies in the box around the cells of another piece of the block; empty if none does.
+  /// Of every point whether it lies in the box around the cells of another piece of the block;
+  /// empty if none does.
   std::vector<unsigned char> FindNearPoints(std::size_t piece) const;
 
 private:

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Reducer
- * @brief What statistics and neighbours need to hear from other processes.
+ * @brief What statistics and neighbors need to hear from other processes.
  *
  * Every method is collective: all processes call it, in the same order and with the same sizes.
  * Only integers are added, so results do not depend on the number of processes. This implementation

@@ -59,8 +59,8 @@ std::vector<Candidate> FindCandidates(
     {
       if (marks[point] == (isUsed | 1))
       {
-        candidates.push_back({ borders.GetKey(p, point), pieces[p].Block,
-          static_cast<std::int32_t>(p), point });
+        candidates.push_back(
+          { borders.GetKey(p, point), pieces[p].Block, static_cast<std::int32_t>(p), point });
       }
     }
   }
@@ -69,8 +69,7 @@ std::vector<Candidate> FindCandidates(
 
 //------------------------------------------------------------------------------
 // Tells every process which other pieces have its candidates.
-std::vector<std::vector<Verdict>> Judge(
-  const std::vector<std::vector<CandidateKey>>& candidates)
+std::vector<std::vector<Verdict>> Judge(const std::vector<std::vector<CandidateKey>>& candidates)
 {
   std::vector<std::vector<Verdict>> verdicts(candidates.size());
   std::vector<PieceAt> having;
@@ -78,7 +77,10 @@ std::vector<std::vector<Verdict>> Judge(
     [&](const std::vector<ReceivedKey>& group)
     {
       const auto getPiece = [&](const ReceivedKey& at)
-      { return PieceAt{ static_cast<std::int32_t>(at.Process), candidates[at.Process][at.Number].Piece }; };
+      {
+        return PieceAt{ static_cast<std::int32_t>(at.Process),
+          candidates[at.Process][at.Number].Piece };
+      };
       having.clear(); // sorted: processes send their pieces one after the other
       for (const ReceivedKey& at : group)
       {
@@ -117,8 +119,7 @@ std::vector<std::vector<SharedPoint>> FindSharedPoints(
     sent[judge].push_back({ candidate.Key, candidate.Block, candidate.Piece });
     numbers[judge].push_back(i);
   }
-  const auto verdicts =
-    reducer.ExchangeItems(Judge(reducer.ExchangeItems(std::move(sent))));
+  const auto verdicts = reducer.ExchangeItems(Judge(reducer.ExchangeItems(std::move(sent))));
   std::vector<std::vector<SharedPoint>> shared(pieces.size());
   for (std::size_t judge = 0; judge < verdicts.size(); ++judge)
   {
@@ -130,8 +131,7 @@ std::vector<std::vector<SharedPoint>> FindSharedPoints(
   }
   for (std::vector<SharedPoint>& points : shared)
   {
-    std::sort(points.begin(), points.end(),
-      [](const SharedPoint& a, const SharedPoint& b)
+    std::sort(points.begin(), points.end(), [](const SharedPoint& a, const SharedPoint& b)
       { return std::tie(a.Point, a.Other) < std::tie(b.Point, b.Other); });
   }
   return shared;

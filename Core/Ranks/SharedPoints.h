@@ -4,8 +4,8 @@
  * @file SharedPoints.h
  * @brief Which points of a piece of a mesh other pieces have, too.
  *
- * Points within the box of another piece are compared by their keys (see PieceBorders); every process compares its share
- * of them.
+ * Points within the box of another piece are compared by their keys (see PieceBorders); every
+ * process compares its share of them.
  */
 #ifndef camaron_SharedPoints_h
 #define camaron_SharedPoints_h
@@ -38,8 +38,8 @@ struct SharedPoint
   PieceAt Other;
 };
 
-/// Collective. Of every piece the points of its cells, but for copies, that such cells of other pieces of the block
-/// have: sorted, with an entry for each of these pieces.
+/// Collective. Of every piece the points of its cells, but for copies, that such cells of other
+/// pieces of the block have: sorted, with an entry for each of these pieces.
 std::vector<std::vector<SharedPoint>> FindSharedPoints(
   const std::vector<LinkedPiece>& pieces, const PieceBorders& borders, Reducer& reducer);
 }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/SurfaceSides.h"
 
+#include "Base/DisjointSets.h"
 #include "Cell/CellNeighborhood.h"
 #include "Ranks/LinkedComponents.h"
-#include "Base/DisjointSets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,8 @@ namespace camaron
 {
 namespace
 {
-// A number of 90 bits after the point in parts of 30 bits, of which 2^32 can be added without rounding.
+// A number of 90 bits after the point in parts of 30 bits, of which 2^32 can be added without
+// rounding.
 struct FixedSum
 {
   static constexpr int NumberOfParts = 3;
@@ -97,7 +98,8 @@ public:
       result.emplace_back();
       const vtkIdType size = this->Pieces[piece].Topology->GetMesh().GetNumberOfCells();
       result.back().OfCells.assign(size, SurfaceSide::None);
-      for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(this->Components[piece].size()); ++cell)
+      for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(this->Components[piece].size());
+        ++cell)
       {
         const Index component = this->Components[piece][cell];
         result.back().OfCells[cell] = component >= 0 ? sides[component]
@@ -171,11 +173,12 @@ private:
   {
     const auto scale = [](const Vector& v, int exponent)
     {
-      return Vector{ std::ldexp(v.X, exponent), std::ldexp(v.Y, exponent), std::ldexp(v.Z, exponent) };
+      return Vector{ std::ldexp(v.X, exponent), std::ldexp(v.Y, exponent),
+        std::ldexp(v.Z, exponent) };
     };
     const int ofCell = cell.GetLengthExponent() - this->Exponent;
-    const Vector to =
-      scale(cell.GetOrigin() - this->Corner, -this->Exponent) + scale(cell.GetFaceCenter(0), ofCell);
+    const Vector to = scale(cell.GetOrigin() - this->Corner, -this->Exponent) +
+      scale(cell.GetFaceCenter(0), ofCell);
     const Vector area = scale(cell.GetFaceVector(0), 2 * ofCell);
     const double share = Dot(to, area) / 3;
     return std::abs(share) <= 1 ? share : 0;
@@ -218,8 +221,8 @@ private:
             surfaces.Join(cell, other);
             for (const CellFacet theirs : edges.GetCellFacets(other))
             {
-              isOpposite = isOpposite && (theirs.Facet() != edge.Facet() ||
-                theirs.IsReversed() != edge.IsReversed());
+              isOpposite = isOpposite &&
+                (theirs.Facet() != edge.Facet() || theirs.IsReversed() != edge.IsReversed());
             }
           }
         }
@@ -272,7 +275,8 @@ private:
   }
 
   //----------------------------------------------------------------------------
-  // Of every component its side. The process that has the first component of a surface decides for all.
+  // Of every component its side. The process that has the first component of a surface decides for
+  // all.
   std::vector<SurfaceSide> Decide(const LinkedComponents& linked)
   {
     std::vector<std::vector<Report>> reports(this->NumberOfProcesses);
@@ -329,8 +333,7 @@ private:
 }
 
 //------------------------------------------------------------------------------
-std::vector<SurfaceSides> FindSurfaceSides(
-  const std::vector<LinkedPiece>& pieces, Reducer& reducer)
+std::vector<SurfaceSides> FindSurfaceSides(const std::vector<LinkedPiece>& pieces, Reducer& reducer)
 {
   return SideFinder(pieces, reducer).Find();
 }

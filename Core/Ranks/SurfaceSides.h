@@ -19,7 +19,7 @@ enum class SurfaceSide : signed char
   Inward = -1, ///< the polygon's normal points to the inside
   None = 0,    ///< the surface is open, not a manifold, or its polygons do not run consistently
   Outward = 1,
-  Unknown = 2  ///< there may be more of the surface in another piece
+  Unknown = 2 ///< there may be more of the surface in another piece
 };
 
 struct SurfaceSides
@@ -28,9 +28,10 @@ struct SurfaceSides
 };
 
 /**
- * Collective. A surface is what hangs together by edges, over all pieces whose Options.Links lead to each
- * other. It is closed when each edge has two polygons that run along it in opposite directions; inside is what
- * it encloses. The decision is exact: the same however the surface is split.
+ * Collective. A surface is what hangs together by edges, over all pieces whose Options.Links lead
+ * to each other. It is closed when each edge has two polygons that run along it in opposite
+ * directions; inside is what it encloses. The decision is exact: the same however the surface is
+ * split.
  */
 std::vector<SurfaceSides> FindSurfaceSides(
   const std::vector<LinkedPiece>& pieces, Reducer& reducer);

@@ -5,8 +5,7 @@
 namespace camaron
 {
 //------------------------------------------------------------------------------
-void BinaryScanner::FailAtCount(
-  const char* place, std::int32_t count, int bytes, const char* what)
+void BinaryScanner::FailAtCount(const char* place, std::int32_t count, int bytes, const char* what)
 {
   if (count < 0)
   {

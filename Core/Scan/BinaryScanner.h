@@ -75,8 +75,8 @@ public:
   }
 
   /// Sets the error, unless there is one: "name: byte N: expected WHAT, found ..."
-  void FailAt(const char* position, ErrorKind kind, const std::string& expected,
-    const std::string& found);
+  void FailAt(
+    const char* position, ErrorKind kind, const std::string& expected, const std::string& found);
   const ScanError& GetError() const { return this->Error; }
   bool HasFailed() const { return static_cast<bool>(this->Error); }
 

@@ -4,9 +4,9 @@
  * @class camaron::FileStates
  * @brief In which state the files are that this thread opens while the object is there.
  *
- * For processes that read parts of the same files: what they have belongs together only if all found
- * the files in the same state. Each state is summed up in three numbers, whatever the order in which files
- * were opened. Only one object per thread can be there at a time.
+ * For processes that read parts of the same files: what they have belongs together only if all
+ * found the files in the same state. Each state is summed up in three numbers, whatever the order
+ * in which files were opened. Only one object per thread can be there at a time.
  */
 #ifndef camaron_FileStates_h
 #define camaron_FileStates_h
@@ -20,7 +20,7 @@ class FileStates
 public:
   struct State
   {
-    long long Place = 0;    ///< machine and file systems
+    long long Place = 0; ///< machine and file systems
     long long Size = 0;
     long long Identity = 0; ///< which files, and when they were changed, on that machine
   };
@@ -40,8 +40,8 @@ public:
   static void Add(const File& file);
 
   /**
-   * Whether these may be the same states. Sizes have to be the same everywhere. Copies on other machines are
-   * files of their own, which were written at other times.
+   * Whether these may be the same states. Sizes have to be the same everywhere. Copies on other
+   * machines are files of their own, which were written at other times.
    */
   static bool AreSame(const std::vector<State>& states);
 

@@ -64,10 +64,11 @@ bool ColumnFormat::Parse(const char* begin, const char* end)
       }
       for (; repeat > 0; --repeat)
       {
-        this->Columns.push_back({ static_cast<std::int32_t>(place), static_cast<std::int32_t>(width),
-          isReal          ? Kind::Real
-            : letter == 'i' ? Kind::Integer
-                            : Kind::Text });
+        this->Columns.push_back(
+          { static_cast<std::int32_t>(place), static_cast<std::int32_t>(width),
+            isReal            ? Kind::Real
+              : letter == 'i' ? Kind::Integer
+                              : Kind::Text });
         place += width;
       }
     }

@@ -37,8 +37,8 @@ public:
   };
 
   /**
-   * Understands lists of columns [repeat]letter width[.digits[eN]] and of blanks, nX, in any case of
-   * letters; returns whether [begin, end) is one, blanks aside.
+   * Understands lists of columns [repeat]letter width[.digits[eN]] and of blanks, nX, in any case
+   * of letters; returns whether [begin, end) is one, blanks aside.
    */
   bool Parse(const char* begin, const char* end);
 
@@ -91,8 +91,8 @@ bool ParseFixedSlowly(const char* text, const char* end, double& value);
 }
 
 /**
- * Reads the real number in a column, 0 if that is blank; false if something else is in it. Beyond what
- * ParseReal reads, the letter of an exponent may be missing: 1.234-105.
+ * Reads the real number in a column, 0 if that is blank; false if something else is in it. Beyond
+ * what ParseReal reads, the letter of an exponent may be missing: 1.234-105.
  */
 inline bool ParseFixed(const ColumnText& column, double& value)
 {

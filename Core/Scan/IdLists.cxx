@@ -23,9 +23,9 @@ std::string Describe(const IdLists::Expectation& expected, vtkIdType list)
 //------------------------------------------------------------------------------
 std::string DescribeRange(const IdLists::Expectation& expected)
 {
-  return expected.Limit > 0 ? std::string("a ") + expected.Id + " id from 0 to " +
-      std::to_string(expected.Limit - 1)
-                            : std::string("no id of a ") + expected.Id + " (there are none)";
+  return expected.Limit > 0
+    ? std::string("a ") + expected.Id + " id from 0 to " + std::to_string(expected.Limit - 1)
+    : std::string("no id of a ") + expected.Id + " (there are none)";
 }
 
 //------------------------------------------------------------------------------
@@ -55,36 +55,35 @@ bool IdLists::Scan(
 
   // Lists of one length need no table. Whether all have the length of the first is found out on the
   // way, and soon if not.
-  Verdict verdict = Verdict::Uneven;
+  Validity validity = Validity::Uneven;
   if (this->GuessCommonSize(scanner))
   {
     BinaryScanner after = scanner;
     after.Skip(count * this->Stride, expected.List);
-    verdict = this->Check(after, expected, progress.Part(0, 0.5));
-    if (verdict != Verdict::Uneven)
+    validity = this->Check(after, expected, progress.Part(0, 0.5));
+    if (validity != Validity::Uneven)
     {
       scanner = after;
     }
   }
-  if (verdict == Verdict::Uneven && !progress.IsStopped())
+  if (validity == Validity::Uneven && !progress.IsStopped())
   {
     this->CommonSize = -1;
     if (!this->FindStarts(scanner, expected.List))
     {
       return false;
     }
-    verdict = this->Check(scanner, expected, progress.Part(0.5, 1));
+    validity = this->Check(scanner, expected, progress.Part(0.5, 1));
   }
   this->NumberOfIds = (scanner.GetPosition() - this->Data) / 4 - count;
-  return verdict == Verdict::Good && !progress.IsStopped();
+  return validity == Validity::Good && !progress.IsStopped();
 }
 
 //------------------------------------------------------------------------------
 // Takes the length of the first list for that of all; false if they would not fit the file.
 bool IdLists::GuessCommonSize(const BinaryScanner& scanner)
 {
-  const auto size =
-    scanner.GetBytesLeft() >= 4 ? Load<std::int32_t>(this->Data, this->Swap) : -1;
+  const auto size = scanner.GetBytesLeft() >= 4 ? Load<std::int32_t>(this->Data, this->Swap) : -1;
   if (size < 0 || scanner.GetBytesLeft() / 4 / this->Count < vtkIdType(size) + 1)
   {
     return false;
@@ -111,18 +110,17 @@ bool IdLists::FindStarts(BinaryScanner& scanner, const char* what)
     {
       scanner.FailAt(place, size < 0 ? ErrorKind::Count : ErrorKind::Truncated,
         std::string(what) + " " + std::to_string(i) + " of " + std::to_string(this->Count),
-        size < 0 ? "a size of " + std::to_string(size)
-          : size > 0
-          ? "a size of " + std::to_string(size) + " but only " +
+        size < 0     ? "a size of " + std::to_string(size)
+          : size > 0 ? "a size of " + std::to_string(size) + " but only " +
             std::to_string(end - place - 4) + " bytes up to the end of the file"
-          : "the end of the file");
+                     : "the end of the file");
       return false;
     }
     place += 4 + 4 * std::ptrdiff_t(size);
     if ((place - this->Blocks.back()) / 4 > UINT32_MAX)
     {
-      scanner.FailAt(place, ErrorKind::Unsupported,
-        "less than 16 GB for 1024 consecutive lists", "more");
+      scanner.FailAt(
+        place, ErrorKind::Unsupported, "less than 16 GB for 1024 consecutive lists", "more");
       return false;
     }
   }
@@ -131,8 +129,8 @@ bool IdLists::FindStarts(BinaryScanner& scanner, const char* what)
 }
 
 //------------------------------------------------------------------------------
-// Checks the lists of some blocks; returns the first bad one, or how many lists there are. Size is the
-// common size of the lists if it is one of the usual ones, or 0.
+// Checks the lists of some blocks; returns the first bad one, or how many lists there are. Size is
+// the common size of the lists if it is one of the usual ones, or 0.
 template <int Size>
 vtkIdType IdLists::CheckBlocks(
   vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen, bool& even)
@@ -203,7 +201,7 @@ vtkIdType IdLists::CheckBlocks(
 }
 
 //------------------------------------------------------------------------------
-IdLists::Verdict IdLists::Check(
+IdLists::Validity IdLists::Check(
   BinaryScanner& scanner, Expectation& expected, const Progress& progress)
 {
   this->Starts = Buffer<std::uint32_t>();
@@ -227,7 +225,8 @@ IdLists::Verdict IdLists::Check(
       seen.Used = expected.Used;
       seen.FindsRepeating = expected.FindsRepeating;
       bool even = true;
-      const vtkIdType firstBad = this->CommonSize == 3 ? this->CheckBlocks<3>(first, last, seen, even)
+      const vtkIdType firstBad = this->CommonSize == 3
+        ? this->CheckBlocks<3>(first, last, seen, even)
         : this->CommonSize == 4 ? this->CheckBlocks<4>(first, last, seen, even)
         : this->CommonSize == 6 ? this->CheckBlocks<6>(first, last, seen, even)
                                 : this->CheckBlocks<0>(first, last, seen, even);
@@ -247,22 +246,21 @@ IdLists::Verdict IdLists::Check(
     {
       *expected.Used = IdSet(expected.Used->GetLimit());
     }
-    return Verdict::Uneven;
+    return Validity::Uneven;
   }
   if (bad < this->Count)
   {
     this->FailAtList(scanner, bad, expected);
-    return Verdict::Bad;
+    return Validity::Bad;
   }
   expected.Empty = sum.Empty;
   expected.Short = sum.Short;
   expected.Repeating = sum.Repeating;
-  return Verdict::Good;
+  return Validity::Good;
 }
 
 //------------------------------------------------------------------------------
-void IdLists::FailAtList(
-  BinaryScanner& scanner, vtkIdType bad, const Expectation& expected) const
+void IdLists::FailAtList(BinaryScanner& scanner, vtkIdType bad, const Expectation& expected) const
 {
   IdList list = this->At(this->GetBlock(bad / BlockSize));
   for (vtkIdType i = bad / BlockSize * BlockSize; i < bad; ++i)
@@ -304,7 +302,8 @@ bool IdLists::Scan(TextScanner& scanner, const TextLines* lines, vtkIdType count
 }
 
 //------------------------------------------------------------------------------
-// Reads the next number of a line, which must be in [0, limit); false if something is wrong with it.
+// Reads the next number of a line, which must be in [0, limit); false if something is wrong with
+// it.
 inline bool IdLists::ReadNumber(
   const char*& text, const char* end, std::int64_t limit, std::int32_t& number) const
 {
@@ -345,8 +344,8 @@ inline bool IdLists::ReadNumber(
 
 //------------------------------------------------------------------------------
 // False, and nothing is appended, if something is wrong with the list. What follows it is left.
-bool IdLists::ReadLine(const char*& text, const char* end, std::vector<std::int32_t>& words,
-  std::size_t& size) const
+bool IdLists::ReadLine(
+  const char*& text, const char* end, std::vector<std::int32_t>& words, std::size_t& size) const
 {
   std::int32_t count = 0;
   constexpr std::ptrdiff_t Room = 20; // for as many ids as a digit says

@@ -8,20 +8,20 @@
  * length are found by arithmetic. For others the start of every 1024th list is kept, and, once
  * MakeRandomAccess was called or if the reader asks for it, the start of every list that is needed.
  *
- * Lists of text stay text, too, if each has a line, as numbers take much more memory than the two bytes
- * for where a line starts. They are read whenever they are visited or asked for, by Read, say; operator[]
- * is not for them.
+ * Lists of text stay text, too, if each has a line, as numbers take much more memory than the two
+ * bytes for where a line starts. They are read whenever they are visited or asked for, by Read,
+ * say; operator[] is not for them.
  *
- * As the lists are in a file that another program may change, what was checked need not stay true: lists
- * and ids may then be any, but a list is always one that can be read.
+ * As the lists are in a file that another program may change, what was checked need not stay true:
+ * lists and ids may then be any, but a list is always one that can be read.
  */
 #ifndef camaron_IdLists_h
 #define camaron_IdLists_h
 
-#include "Scan/BinaryScanner.h"
 #include "Base/Buffer.h"
 #include "Base/IdSet.h"
 #include "Base/Progress.h"
+#include "Scan/BinaryScanner.h"
 #include "Scan/TextLines.h"
 
 #include <vector> // for starts
@@ -60,25 +60,25 @@ public:
   /// What to expect of the lists, and what was seen.
   struct Expectation
   {
-    const char* List = "";  ///< what a list is, e.g. "polygon"
-    const char* Id = "";    ///< what an id stands for, e.g. "vertex"
-    vtkIdType Limit = 0;    ///< ids must be in [0, Limit)
-    IdSet* Used = nullptr;  ///< if given, all ids found are added to it
-    bool AccessAll = true;  ///< whether any list may be asked for, not only blocks of them
+    const char* List = "";       ///< what a list is, e.g. "polygon"
+    const char* Id = "";         ///< what an id stands for, e.g. "vertex"
+    vtkIdType Limit = 0;         ///< ids must be in [0, Limit)
+    IdSet* Used = nullptr;       ///< if given, all ids found are added to it
+    bool AccessAll = true;       ///< whether any list may be asked for, not only blocks of them
     bool FindsRepeating = false; ///< whether Repeating is of interest
-    Tally Empty;            ///< lists without ids
-    Tally Short;            ///< lists with one or two ids
-    Tally Repeating;        ///< lists of three ids and more with the same one twice
+    Tally Empty;                 ///< lists without ids
+    Tally Short;                 ///< lists with one or two ids
+    Tally Repeating;             ///< lists of three ids and more with the same one twice
   };
 
   /// Takes @a count lists from a binary file; false with the error in the scanner, or if stopped.
-  bool Scan(BinaryScanner& scanner, vtkIdType count, Expectation& expected,
-    const Progress& progress);
+  bool Scan(
+    BinaryScanner& scanner, vtkIdType count, Expectation& expected, const Progress& progress);
 
   /**
    * Takes @a count lists from text; false with the error in the scanner, or if stopped.
-   * @param lines of the text if it is large enough to read it in parallel, else nullptr; they must stay
-   *   alive
+   * @param lines of the text if it is large enough to read it in parallel, else nullptr; they must
+   * stay alive
    * @param dropRest whether the rest of the line after every list is ignored; otherwise only that
    *   after the last one is
    */
@@ -208,7 +208,6 @@ public:
   static constexpr vtkIdType BlockSize = 1024;
 
 private:
-
   bool Has(vtkIdType i) const
   {
     return static_cast<std::uint64_t>(i) < static_cast<std::uint64_t>(this->Count);
@@ -245,13 +244,13 @@ private:
                                  : this->Blocks[block];
   }
   bool FindStarts(BinaryScanner& scanner, const char* what);
-  enum class Verdict
+  enum class Validity
   {
     Good,
     Bad,   ///< an id is out of range; the error is in the scanner
     Uneven ///< lists that were taken to be of one length are not
   };
-  Verdict Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress);
+  Validity Check(BinaryScanner& scanner, Expectation& expected, const Progress& progress);
   template <int Size>
   vtkIdType CheckBlocks(vtkIdType firstBlock, vtkIdType lastBlock, Expectation& seen, bool& even);
   bool GuessCommonSize(const BinaryScanner& scanner);
@@ -266,10 +265,9 @@ private:
     const char*& text, const char* end, std::int64_t limit, std::int32_t& number) const;
   ///@{
   /// Appends a list to the first @a size of some words, which grow if they have to.
-  bool ReadLine(const char*& text, const char* end, std::vector<std::int32_t>& words,
-    std::size_t& size) const;
-  bool ReadNextLine(
-    const char*& text, std::vector<std::int32_t>& words, std::size_t& size) const;
+  bool ReadLine(
+    const char*& text, const char* end, std::vector<std::int32_t>& words, std::size_t& size) const;
+  bool ReadNextLine(const char*& text, std::vector<std::int32_t>& words, std::size_t& size) const;
   ///@}
   /// Whether lines are found by the lower bits of their starts.
   bool AreGroupsSmall() const;
@@ -314,7 +312,7 @@ private:
   std::ptrdiff_t Stride = 0; ///< bytes from list to list if all have the common size
   std::vector<const char*> Blocks;
   const IdSet* Needed = nullptr;
-  Buffer<std::uint32_t> Starts; ///< words from the start of the block
+  Buffer<std::uint32_t> Starts;    ///< words from the start of the block
   std::vector<std::int32_t> Words; ///< the lists, if they came from text of another layout
 };
 }

@@ -17,16 +17,17 @@ namespace camaron
 {
 struct ListRows
 {
-  const char* Begin = nullptr; ///< of the first list
-  std::ptrdiff_t Rest = 0;     ///< bytes of a row that are not of its list
-  bool Swap = false;           ///< if the byte order is not the machine's
-  std::int32_t Size = 0;       ///< of all lists, if there are no offsets
+  const char* Begin = nullptr;           ///< of the first list
+  std::ptrdiff_t Rest = 0;               ///< bytes of a row that are not of its list
+  bool Swap = false;                     ///< if the byte order is not the machine's
+  std::int32_t Size = 0;                 ///< of all lists, if there are no offsets
   const std::int32_t* Offsets = nullptr; ///< of the lists one after the other, and one more
 
   const char* GetPlace(vtkIdType row) const
   {
     return this->Begin + row * this->Rest +
-      std::ptrdiff_t(sizeof(std::int32_t)) * (this->Offsets ? this->Offsets[row] : row * this->Size);
+      std::ptrdiff_t(sizeof(std::int32_t)) *
+      (this->Offsets ? this->Offsets[row] : row * this->Size);
   }
   vtkIdType GetNumberOfIds(vtkIdType first, vtkIdType last) const
   {

@@ -132,9 +132,8 @@ bool MappedFile::GetStamp(int file, Stamp& stamp)
 //------------------------------------------------------------------------------
 bool MappedFile::Map(std::size_t size)
 {
-  void* mapping = MayMap && size > 0
-    ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, this->File, 0)
-    : MAP_FAILED;
+  void* mapping =
+    MayMap && size > 0 ? mmap(nullptr, size, PROT_READ, MAP_PRIVATE, this->File, 0) : MAP_FAILED;
   if (mapping == MAP_FAILED)
   {
     return false;
@@ -162,8 +161,7 @@ bool MappedFile::Open(const std::string& path, ScanError& error)
     const Stamp& stamp = this->Opened;
     if (stamp.IsOfFile)
     {
-      FileStates::Add(
-        { stamp.Device, stamp.Node, stamp.Size, stamp.Seconds, stamp.Nanoseconds });
+      FileStates::Add({ stamp.Device, stamp.Node, stamp.Size, stamp.Seconds, stamp.Nanoseconds });
     }
     const auto size = static_cast<std::size_t>(stamp.IsOfFile ? stamp.Size : 0);
     if (!this->Map(size))

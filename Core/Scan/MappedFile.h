@@ -5,12 +5,13 @@
  * @brief The bytes of a whole file, mapped into memory where the system can.
  *
  * Reading costs no copy and no memory of our own: pages come from the system's cache when they are
- * touched. Where a file cannot be mapped (a pipe, some file systems) it is read as a whole. So it is for
- * AddressSanitizer, which knows where an allocation ends, but not where a mapped file does.
+ * touched. Where a file cannot be mapped (a pipe, some file systems) it is read as a whole. So it
+ * is for AddressSanitizer, which knows where an allocation ends, but not where a mapped file does.
  *
- * Bytes of a file that another program writes meanwhile may change between two looks at them, or all
- * become zero (see MappingGuard). So readers must not rely on what they saw earlier where that could lead
- * out of an array; they ask now and then whether to go on, and at the end whether what they have is of one file.
+ * Bytes of a file that another program writes meanwhile may change between two looks at them, or
+ * all become zero (see MappingGuard). So readers must not rely on what they saw earlier where that
+ * could lead out of an array; they ask now and then whether to go on, and at the end whether what
+ * they have is of one file.
  */
 #ifndef camaron_MappedFile_h
 #define camaron_MappedFile_h

@@ -109,7 +109,8 @@ bool Install()
   ours.sa_sigaction = OnBusError;
   ours.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&ours.sa_mask);
-  IsInstalled = sigaction(SIGBUS, nullptr, &Previous) == 0 && sigaction(SIGBUS, &ours, nullptr) == 0;
+  IsInstalled =
+    sigaction(SIGBUS, nullptr, &Previous) == 0 && sigaction(SIGBUS, &ours, nullptr) == 0;
   return IsInstalled;
 }
 }

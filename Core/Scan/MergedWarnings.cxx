@@ -13,7 +13,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A sentence that Warnings makes of a tally: "3 cells not closed, the first is cell 7", "1 cell not closed: cell 7".
+// A sentence that Warnings makes of a tally: "3 cells not closed, the first is cell 7", "1 cell not
+// closed: cell 7".
 class CountedSentence
 {
 public:
@@ -29,13 +30,15 @@ public:
     constexpr char Many[] = ", the first is ", One[] = ": ";
     const char* const link = this->Found.Count == 1 ? One : Many;
     const std::size_t end = sentence.rfind(link);
-    const std::size_t place = end == std::string::npos ? end : end + std::char_traits<char>::length(link);
+    const std::size_t place =
+      end == std::string::npos ? end : end + std::char_traits<char>::length(link);
     const std::size_t id = place == std::string::npos ? place : sentence.find(' ', place);
     if (id == std::string::npos || end < noun)
     {
       return;
     }
-    const std::size_t idEnd = std::min(sentence.find_first_not_of("0123456789", id + 1), sentence.size());
+    const std::size_t idEnd =
+      std::min(sentence.find_first_not_of("0123456789", id + 1), sentence.size());
     this->IsCounted = ReadNumber(id + 1, idEnd, this->Found.First);
     this->Plural = sentence.substr(count + 1, noun - count - 1);
     this->Singular = sentence.substr(place, id - place);
@@ -45,8 +48,8 @@ public:
 
   bool IsOfKind(const CountedSentence& other) const
   {
-    return this->IsCounted && other.IsCounted && this->Singular == other.Singular && this->What == other.What &&
-      this->Note == other.Note;
+    return this->IsCounted && other.IsCounted && this->Singular == other.Singular &&
+      this->What == other.What && this->Note == other.Note;
   }
   /// Adds what another process counted.
   void Merge(const CountedSentence& other)
@@ -56,7 +59,8 @@ public:
     // Of two processes that found one each, nobody has said how several are called.
     const std::string many = this->Plural == this->Singular ? this->Singular + "s" : this->Plural;
     Warnings wording;
-    wording.Add(this->Found, this->Singular.c_str(), many.c_str(), this->What.c_str(), this->Note.c_str());
+    wording.Add(
+      this->Found, this->Singular.c_str(), many.c_str(), this->What.c_str(), this->Note.c_str());
     this->Text = wording.GetSentences()[0];
   }
 
@@ -89,8 +93,9 @@ std::vector<std::string> MergeWarnings(const std::vector<std::vector<std::string
     for (const std::string& text : sentences)
     {
       const CountedSentence sentence(text);
-      const auto known = std::find_if(merged.begin(), merged.end(),
-        [&](const CountedSentence& other) { return other.Text == text || other.IsOfKind(sentence); });
+      const auto known =
+        std::find_if(merged.begin(), merged.end(), [&](const CountedSentence& other)
+          { return other.Text == text || other.IsOfKind(sentence); });
       const bool isNew = said.insert(text).second;
       if (known != merged.end())
       {

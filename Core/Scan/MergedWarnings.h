@@ -13,10 +13,12 @@
 namespace camaron
 {
 /**
- * The sentences of Warnings that one process would give that had read all of the file. What all processes found in
- * all of it they say in the same words, and that is said once. What each counted in its own piece has other numbers
- * everywhere, as the first of its kind is in one piece only: the counts are added.
- * @param ofProcesses each in the order in which it gave them, which is the same for all but for those that it lacks
+ * The sentences of Warnings that one process would give that had read all of the file. What all
+ * processes found in all of it they say in the same words, and that is said once. What each counted
+ * in its own piece has other numbers everywhere, as the first of its kind is in one piece only: the
+ * counts are added.
+ * @param ofProcesses each in the order in which it gave them, which is the same for all but for
+ * those that it lacks
  */
 std::vector<std::string> MergeWarnings(const std::vector<std::vector<std::string>>& ofProcesses);
 }

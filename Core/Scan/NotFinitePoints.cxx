@@ -55,7 +55,8 @@ Tally FindNotFinitePoints(vtkPointSet* mesh)
     return tally;
   }
   vtkDataArray* const coordinates = mesh->GetPoints()->GetData();
-  auto* const globalIds = vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray("GlobalPointIds"));
+  auto* const globalIds =
+    vtkIdTypeArray::SafeDownCast(mesh->GetPointData()->GetArray("GlobalPointIds"));
   const vtkIdType* const ids = globalIds ? globalIds->GetPointer(0) : nullptr;
   const FindNotFinite find;
   if (!vtkArrayDispatch::DispatchByArray<vtkTypeList::Create<vtkAOSDataArrayTemplate<float>,

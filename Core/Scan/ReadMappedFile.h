@@ -16,8 +16,8 @@
 namespace camaron
 {
 /**
- * Returns what @a read(const MappedFile&) returns, or false with the reason in @a error, which may be that the
- * file was changed while it was read.
+ * Returns what @a read(const MappedFile&) returns, or false with the reason in @a error, which may
+ * be that the file was changed while it was read.
  */
 template <typename Read>
 bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
@@ -27,9 +27,8 @@ bool ReadMappedFile(const std::string& path, ScanError& error, Read&& read)
   WithThreads(
     [&]
     {
-      const auto fail = [&] {
-        error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory for the mesh" };
-      };
+      const auto fail = [&]
+      { error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory for the mesh" }; };
       try
       {
         MappedFile file;

@@ -80,8 +80,10 @@ class Warnings
 {
 public:
   void Add(std::string sentence) { this->Sentences.push_back(std::move(sentence)); }
-  /// "12 polygons with fewer than 3 vertices, the first is polygon 7", and @a note; nothing if the tally is empty.
-  void Add(const Tally& tally, const char* one, const char* many, const char* what, const char* note = "");
+  /// "12 polygons with fewer than 3 vertices, the first is polygon 7", and @a note; nothing if the
+  /// tally is empty.
+  void Add(
+    const Tally& tally, const char* one, const char* many, const char* what, const char* note = "");
 
   const std::vector<std::string>& GetSentences() const { return this->Sentences; }
 

@@ -58,7 +58,7 @@ inline std::uint32_t FindDigits(const char* p)
 /// The number of so many digits, 1 to 8, at the start of a word of digits.
 inline std::int32_t ToNumber(std::uint64_t word, int digits)
 {
-  // Behind zeros, neighbours add up to numbers of two, four and eight digits.
+  // Behind zeros, neighbors add up to numbers of two, four and eight digits.
   constexpr std::uint64_t EveryFourth = 0x000000ff000000ffu;
   word <<= 64 - 8 * digits;
   word = word * 10 + (word >> 8);

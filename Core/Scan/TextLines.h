@@ -4,9 +4,9 @@
  * @class camaron::TextLines
  * @brief Finds and visits lines of a large text in parallel.
  *
- * Counts lines other than blank and comment ones in chunks that end at line feeds, so that the line of
- * a given number is found without reading what lies before it, and many lines can be visited at once,
- * each with its number. What a visitor gets does not depend on chunks or threads.
+ * Counts lines other than blank and comment ones in chunks that end at line feeds, so that the line
+ * of a given number is found without reading what lies before it, and many lines can be visited at
+ * once, each with its number. What a visitor gets does not depend on chunks or threads.
  *
  * Made for formats with one record per line: a reader tries its sections this way, and where a file
  * turns out to be laid out otherwise (a visitor returns false) reads the section again with a
@@ -44,8 +44,8 @@ public:
   };
 
   /**
-   * The next @a count lines from @a begin, the start of a line, or behind the last word of one; an empty
-   * section if there are fewer, or if a lone CR ended the line before.
+   * The next @a count lines from @a begin, the start of a line, or behind the last word of one; an
+   * empty section if there are fewer, or if a lone CR ended the line before.
    */
   Section Find(const char* begin, vtkIdType count) const;
 
@@ -54,8 +54,8 @@ public:
 
   /**
    * Calls @a visit(piece, line, text, end) for every line of a section, @a line counting from 0 and
-   * [text, end) being the line from its first character that is no blank to its line feed; a piece is
-   * visited in order by one thread. Returns whether no visit returned false.
+   * [text, end) being the line from its first character that is no blank to its line feed; a piece
+   * is visited in order by one thread. Returns whether no visit returned false.
    */
   template <typename Visit>
   bool ForEach(const Section& section, const Progress& progress, Visit&& visit) const
@@ -69,9 +69,9 @@ public:
   }
 
   /**
-   * The same for a visitor that comes by the end of the line anyway, which need not be looked for then:
-   * it is given that of the text, and returns the line's own as GetEndOfLine does, or nullptr if
-   * something is wrong.
+   * The same for a visitor that comes by the end of the line anyway, which need not be looked for
+   * then: it is given that of the text, and returns the line's own as GetEndOfLine does, or nullptr
+   * if something is wrong.
    */
   template <typename Visit>
   bool ForEachToEnd(const Section& section, const Progress& progress, Visit&& visit) const
@@ -111,8 +111,8 @@ public:
   }
 
   /**
-   * True if nothing but white space that ends no line, or a comment, is left of a line; false also for
-   * a lone CR, after which a new line begins.
+   * True if nothing but white space that ends no line, or a comment, is left of a line; false also
+   * for a lone CR, after which a new line begins.
    */
   bool IsBlank(const char* text, const char* end) const;
   /// True if no lone CR is left in the line.

@@ -26,9 +26,9 @@ enum class RowLayout
  * @class camaron::TextRow
  * @brief One row of a table: a line of a large text, or what a TextScanner finds next.
  *
- * Of a scanner, what is wrong is worded; of a line, it is enough to say that something is wrong, as the
- * table is then read again with a scanner. @a what says what is
- * read, e.g. "a coordinate of a node".
+ * Of a scanner, what is wrong is worded; of a line, it is enough to say that something is wrong, as
+ * the table is then read again with a scanner. @a what says what is read, e.g. "a coordinate of a
+ * node".
  */
 class TextRow
 {
@@ -109,7 +109,10 @@ public:
 
   ///@{
   /// Where the row is read next.
-  const char* GetPosition() const { return this->Scanner ? this->Scanner->GetPosition() : this->Text; }
+  const char* GetPosition() const
+  {
+    return this->Scanner ? this->Scanner->GetPosition() : this->Text;
+  }
   /// Says what is wrong with the word at a position; returns false.
   bool FailAt(const char* position, ErrorKind kind, const std::string& expected)
   {
@@ -189,8 +192,8 @@ private:
   // A CR is at the end of the line or ends it, and then the scanner has to see to it.
   void SkipBlanks()
   {
-    while (this->Text < this->End && IsSpace(*this->Text) && *this->Text != '\r' &&
-      *this->Text != '\n')
+    while (
+      this->Text < this->End && IsSpace(*this->Text) && *this->Text != '\r' && *this->Text != '\n')
     {
       ++this->Text;
     }
@@ -205,9 +208,9 @@ private:
 };
 
 /**
- * Calls @a visit(row, piece, TextRow&) for the next @a count lines of a large text in parallel; a piece
- * is visited in order by one thread, and there are lines->GetNumberOfPieces(section) of them. Returns
- * false if a visit did, or if stopped.
+ * Calls @a visit(row, piece, TextRow&) for the next @a count lines of a large text in parallel; a
+ * piece is visited in order by one thread, and there are lines->GetNumberOfPieces(section) of them.
+ * Returns false if a visit did, or if stopped.
  */
 template <typename Visit>
 bool VisitRows(const TextLines& lines, const TextLines::Section& section, char comment,
@@ -222,9 +225,9 @@ bool VisitRows(const TextLines& lines, const TextLines::Section& section, char c
 }
 
 /**
- * Reads @a count rows by @a visit(row, TextRow&), which returns false when something is wrong with one
- * and may be called by several threads; the rest of the line after each row is ignored. False with the
- * error in the scanner, or if stopped.
+ * Reads @a count rows by @a visit(row, TextRow&), which returns false when something is wrong with
+ * one and may be called by several threads; the rest of the line after each row is ignored. False
+ * with the error in the scanner, or if stopped.
  * @param lines of the text if it is large enough to read it in parallel, else nullptr
  */
 template <typename Visit>
@@ -254,8 +257,9 @@ bool ReadRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
 }
 
 /**
- * As ReadRows, but visits every row once, so that it can be counted, say. Where there are lines, rows
- * must be one per line; else it fails without an error, and the text has to be read without lines.
+ * As ReadRows, but visits every row once, so that it can be counted, say. Where there are lines,
+ * rows must be one per line; else it fails without an error, and the text has to be read without
+ * lines.
  */
 template <typename Visit>
 bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
@@ -277,8 +281,8 @@ bool ReadRowsOnce(TextScanner& scanner, const TextLines* lines, vtkIdType count,
 }
 
 /**
- * Moves behind @a count rows that are read later, when it is known which of them are needed. If they are
- * not one per line, they are read by @a visit, as ReadRows does, to find their end.
+ * Moves behind @a count rows that are read later, when it is known which of them are needed. If
+ * they are not one per line, they are read by @a visit, as ReadRows does, to find their end.
  */
 template <typename Visit>
 bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
@@ -294,17 +298,16 @@ bool SkipRows(TextScanner& scanner, const TextLines* lines, vtkIdType count,
 }
 
 /**
- * The frame of a reader of text: calls @a read(TextScanner&, const TextLines*, const Progress&), with
- * lines if the text is of two chunks or more. If that fails, it is called once more without, so that what
- * a file means and what is wrong with it does not depend on how its lines are laid out; it must start
- * anew then. False with the reason in @a error, or without one if stopped.
+ * The frame of a reader of text: calls @a read(TextScanner&, const TextLines*, const Progress&),
+ * with lines if the text is of two chunks or more. If that fails, it is called once more without,
+ * so that what a file means and what is wrong with it does not depend on how its lines are laid
+ * out; it must start anew then. False with the reason in @a error, or without one if stopped.
  */
 template <typename Read>
 bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& error,
   const Progress& progress, Read&& read)
 {
-  TextScanner scanner(
-    file.GetName(), file.begin(), FindTextEnd(file.begin(), file.end()), comment);
+  TextScanner scanner(file.GetName(), file.begin(), FindTextEnd(file.begin(), file.end()), comment);
   if (scanner.GetBytesLeft() >= 2 * chunk)
   {
     const TextLines lines(scanner, progress.Part(0, 0.1), chunk);
@@ -320,6 +323,28 @@ bool ReadText(const MappedFile& file, char comment, vtkIdType chunk, ScanError& 
     !progress.IsStopped() && read(scanner, static_cast<const TextLines*>(nullptr), progress);
   error = progress.IsStopped() ? ScanError() : scanner.GetError();
   return good && !error && !progress.IsStopped();
+}
+
+/**
+ * Reads @a rows rows of @a columns real numbers each into @a values; the rest of the line after
+ * each row is ignored. False with the error in the scanner, or if stopped.
+ * @param lines of the text if it is large enough to read it in parallel, else nullptr
+ * @param what a number is, for errors, e.g. "a coordinate of a vertex"
+ */
+template <typename Real>
+bool ReadTable(TextScanner& scanner, const TextLines* lines, vtkIdType rows, int columns,
+  Real* values, const char* what, const Progress& progress)
+{
+  return ReadRows(scanner, lines, rows, progress,
+    [&](vtkIdType row, TextRow& text)
+    {
+      bool good = true;
+      for (int c = 0; c < columns && good; ++c)
+      {
+        good = text.ReadReal(values[row * columns + c], what);
+      }
+      return good;
+    });
 }
 }
 

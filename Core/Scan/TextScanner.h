@@ -4,9 +4,9 @@
  * @class camaron::TextScanner
  * @brief Reads numbers and words from text in memory, skipping white space and comments.
  *
- * Lines end with LF, CRLF or a lone CR. The first error sticks: every later read fails and leaves its
- * value alone, so that callers may check once after a few reads. Line numbers are counted only when an
- * error is worded.
+ * Lines end with LF, CRLF or a lone CR. The first error sticks: every later read fails and leaves
+ * its value alone, so that callers may check once after a few reads. Line numbers are counted only
+ * when an error is worded.
  */
 #ifndef camaron_TextScanner_h
 #define camaron_TextScanner_h
@@ -43,7 +43,8 @@ public:
 
   ///@{
   /**
-   * Reads the next number. @a what says in an error what was expected, e.g. "the number of vertices".
+   * Reads the next number. @a what says in an error what was expected, e.g. "the number of
+   * vertices".
    */
   bool ReadInteger(std::int64_t& value, const char* what);
   bool ReadReal(float& value, const char* what);
@@ -52,16 +53,16 @@ public:
   /// Reads what is between white space; it stays where it is in the text.
   bool ReadWord(std::string_view& word, const char* what);
   /// Reads an integer in [first, last]; else fails with @a kind.
-  bool ReadInteger(std::int64_t& value, std::int64_t first, std::int64_t last, ErrorKind kind,
-    const char* what);
+  bool ReadInteger(
+    std::int64_t& value, std::int64_t first, std::int64_t last, ErrorKind kind, const char* what);
   /// Reads how many records follow, each of at least @a bytes bytes and at most 2^31 - 1 of them.
   bool ReadCount(std::int64_t& value, int bytes, const char* what);
 
   ///@{
   /// Sets the error, unless there is one: "name:line: expected WHAT, found ..."
   void FailAt(const char* position, ErrorKind kind, const std::string& expected);
-  void FailAt(const char* position, ErrorKind kind, const std::string& expected,
-    const std::string& found);
+  void FailAt(
+    const char* position, ErrorKind kind, const std::string& expected, const std::string& found);
   ///@}
   /// Says more about the error, if there is one.
   void AddToError(const std::string& more);
@@ -90,9 +91,9 @@ const char* SkipByteOrderMark(const char* begin, const char* end);
 const char* FindLineEnd(const char* text, const char* end);
 
 /**
- * Where the text of a file ends: before the bytes 0 and 0x1A, if any, that old editors and tapes put behind
- * it, with blanks and line ends between them. Several zeros right behind a number or a name are no end: there
- * a part of the file was lost.
+ * Where the text of a file ends: before the bytes 0 and 0x1A, if any, that old editors and tapes
+ * put behind it, with blanks and line ends between them. Several zeros right behind a number or a
+ * name are no end: there a part of the file was lost.
  */
 const char* FindTextEnd(const char* begin, const char* end);
 }

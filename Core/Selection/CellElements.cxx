@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/CellElements.h"
 
+#include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
 #include "Elements/EdgeFinder.h"
 #include "Mesh/CellShape.h"
-#include "Base/Parallel.h"
 
 namespace camaron
 {
@@ -94,8 +94,7 @@ void CellElements::FindEdges(const MeshTopology& topology)
     [&](vtkIdType begin, vtkIdType end)
     {
       vtkIdType next = this->EdgeOffsets[begin];
-      forEachEdge(begin, end,
-        [&](vtkIdType, vtkIdType a, vtkIdType b)
+      forEachEdge(begin, end, [&](vtkIdType, vtkIdType a, vtkIdType b)
         { this->Edges[next++] = static_cast<Index>(finder.Find(a, b)); });
     });
 }

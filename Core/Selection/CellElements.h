@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CellElements
- * @brief The elements over which cells of a mesh are neighbours: their facets, edges or vertices, numbered.
+ * @brief The elements over which cells of a mesh are neighbors: their facets, edges or vertices,
+ * numbered.
  *
  * Facets are the faces of 3D cells and, after them, the edges of 2D cells.
  */
@@ -50,7 +51,8 @@ public:
     }
   }
 
-  /// Calls @a visit(element, points, numberOfPoints) for the elements of a cell; @a facets is of the same mesh.
+  /// Calls @a visit(element, points, numberOfPoints) for the elements of a cell; @a facets is of
+  /// the same mesh.
   template <typename Visit>
   void ForEach(vtkIdType cell, CellFacets& facets, Visit&& visit) const
   {
@@ -60,9 +62,8 @@ public:
     }
     else if (this->Kind == Adjacency::Edge)
     {
-      vtkIdType next = cell < static_cast<vtkIdType>(this->EdgeOffsets.size()) - 1
-        ? this->EdgeOffsets[cell]
-        : 0;
+      vtkIdType next =
+        cell < static_cast<vtkIdType>(this->EdgeOffsets.size()) - 1 ? this->EdgeOffsets[cell] : 0;
       facets.ForEachEdge(cell,
         [&](vtkIdType a, vtkIdType b)
         {
@@ -89,8 +90,7 @@ public:
 
 private:
   template <typename Visit>
-  static void ForEachFacet(
-    const FacetTable* table, vtkIdType first, vtkIdType cell, Visit&& visit)
+  static void ForEachFacet(const FacetTable* table, vtkIdType first, vtkIdType cell, Visit&& visit)
   {
     if (table)
     {

@@ -69,8 +69,8 @@ public:
         {
           touches = touches ||
             (a != b && this->IsOwn(a) && this->IsOwn(b) &&
-              std::binary_search(
-                this->Edges.begin(), this->Edges.end(), std::pair<vtkIdType, vtkIdType>(std::minmax(a, b))));
+              std::binary_search(this->Edges.begin(), this->Edges.end(),
+                std::pair<vtkIdType, vtkIdType>(std::minmax(a, b))));
         });
     }
     return touches;

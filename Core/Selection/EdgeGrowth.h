@@ -9,7 +9,7 @@
 #ifndef camaron_EdgeGrowth_h
 #define camaron_EdgeGrowth_h
 
-#include "Ranks/LinkedPiece.h"
+#include "Ranks/LinkedPieces.h"
 
 #include <vector> // for marks
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/Growth.h"
 
+#include "Base/DisjointSets.h"
+#include "Base/Parallel.h"
 #include "Cell/CellNeighborhood.h"
 #include "Criteria/MeshContext.h"
-#include "Base/DisjointSets.h"
 #include "Mesh/FacetLinks.h"
-#include "Base/Parallel.h"
 #include "Selection/EdgeGrowth.h"
 #include "Selection/SharedElements.h"
 
@@ -95,8 +95,7 @@ private:
     }
     if (piece.Options.Links)
     {
-      piece.Options.Links->Edges.ForEach(edge,
-        [&](const LinkedCell& cell, bool isReversed)
+      piece.Options.Links->Edges.ForEach(edge, [&](const LinkedCell& cell, bool isReversed)
         { normals.push_back(isReversed ? cell.Area : -cell.Area); });
     }
   }
@@ -128,7 +127,8 @@ private:
 class Bridges
 {
 public:
-  Bridges(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, Reducer& reducer)
+  Bridges(
+    const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborhood, Reducer& reducer)
     : Elements(MakeElements(pieces, neighborhood.Adjacency))
     , Shared(pieces, this->Elements, reducer)
   {
@@ -283,7 +283,10 @@ public:
     return this->Labels[piece][this->Sets[piece].Find(cell)];
   }
   /// The process that has the label.
-  static int GetProcess(std::int64_t label) { return static_cast<int>(label >> CellBits >> PieceBits); }
+  static int GetProcess(std::int64_t label)
+  {
+    return static_cast<int>(label >> CellBits >> PieceBits);
+  }
 
   /// Calls visit(piece, cell) for the cells of the set.
   template <typename Visit>
@@ -334,8 +337,8 @@ private:
   {
     for (std::size_t piece = 0; piece < this->Cells.size(); ++piece)
     {
-      const std::int64_t first =
-        ((static_cast<std::int64_t>(reducer.GetProcess()) << PieceBits) + static_cast<std::int64_t>(piece))
+      const std::int64_t first = ((static_cast<std::int64_t>(reducer.GetProcess()) << PieceBits) +
+                                   static_cast<std::int64_t>(piece))
         << CellBits;
       this->Labels.emplace_back(this->Cells[piece].size());
       for (std::size_t cell = 0; cell < this->Cells[piece].size(); ++cell)
@@ -369,8 +372,8 @@ private:
   }
 
   const CellMarks& Cells;
-  std::vector<DisjointSets> Sets;             // of the cells of each piece
-  std::vector<std::vector<Index>> FirstCells; // of each element
+  std::vector<DisjointSets> Sets;                // of the cells of each piece
+  std::vector<std::vector<Index>> FirstCells;    // of each element
   std::vector<std::vector<std::int64_t>> Labels; // of the sets, at the cells they are known by
 };
 
@@ -471,8 +474,8 @@ void GrowPoints(const std::vector<LinkedPiece>& pieces, Adjacency adjacency, int
         }
         else if (adjacency == Adjacency::Facet)
         {
-          facets.ForEach(cell,
-            [&](const vtkIdType* group, vtkIdType size, vtkIdType) { spread(group, size); });
+          facets.ForEach(
+            cell, [&](const vtkIdType* group, vtkIdType size, vtkIdType) { spread(group, size); });
         }
         else
         {
@@ -511,8 +514,7 @@ void Flood(const std::vector<LinkedPiece>& pieces, const Neighborhood& neighborh
   CellMarks cells = marks;
   for (std::size_t piece = 0; piece < pieces.size(); ++piece)
   {
-    ForEachCell(pieces[piece],
-      [&](vtkIdType cell)
+    ForEachCell(pieces[piece], [&](vtkIdType cell)
       { cells[piece][cell] |= allowed[piece][cell] && !pieces[piece].IsCopy(cell); });
   }
   Parts parts(bridges, cells, reducer);
@@ -593,8 +595,7 @@ std::int64_t KeepPart(const std::vector<LinkedPiece>& pieces, const Neighborhood
   std::sort(largest.begin(), largest.end());
   const std::int64_t label =
     rank <= static_cast<std::int64_t>(largest.size()) ? largest[rank - 1].Label : -1;
-  parts.ForEach(
-    [&](std::size_t piece, vtkIdType cell)
+  parts.ForEach([&](std::size_t piece, vtkIdType cell)
     { marks[piece][cell] = parts.GetLabel(piece, cell) == label; });
   return numberOfParts;
 }

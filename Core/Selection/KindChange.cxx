@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Selection/KindChange.h"
 
-#include "Ranks/PieceBorders.h"
 #include "Base/Parallel.h"
+#include "Ranks/PieceBorders.h"
 
 #include <algorithm>
 #include <numeric>
@@ -153,7 +153,8 @@ std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
 {
   std::vector<PointsHash> hashes(this->Elements[piece].GetSize());
   CellFacets facets(this->Pieces[piece].Topology->GetMesh());
-  for (vtkIdType cell = 0; cell < this->Pieces[piece].Topology->GetMesh().GetNumberOfCells(); ++cell)
+  for (vtkIdType cell = 0; cell < this->Pieces[piece].Topology->GetMesh().GetNumberOfCells();
+    ++cell)
   {
     if (this->TakesPart(piece, cell))
     {
@@ -162,7 +163,8 @@ std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
         {
           if (hashes[element] == PointsHash())
           {
-            std::for_each(points, points + size, [&](vtkIdType point) { hashes[element].Add(point); });
+            std::for_each(
+              points, points + size, [&](vtkIdType point) { hashes[element].Add(point); });
           }
         });
     }
@@ -174,10 +176,12 @@ std::vector<PointsHash> KindChange::HashElements(std::size_t piece) const
 void KindChange::FindBounding(std::size_t piece)
 {
   const std::vector<PointsHash> elements = this->HashElements(piece);
-  const std::vector<PointsHash> cells = HashCells((*this->Bounding.Pieces)[piece], this->Bounding.Dimension);
+  const std::vector<PointsHash> cells =
+    HashCells((*this->Bounding.Pieces)[piece], this->Bounding.Dimension);
   this->First.emplace_back(elements.size(), -1);
   this->Next.emplace_back(cells.size(), -1);
-  // The faces and edges of Mesh Elements come in the order of the elements, where there are no copies.
+  // The faces and edges of Mesh Elements come in the order of the elements, where there are no
+  // copies.
   if (elements == cells)
   {
     std::iota(this->First[piece].begin(), this->First[piece].end(), 0);
@@ -293,7 +297,8 @@ CellMarks KindChange::MarkBounding(const CellMarks& marks, Quantifier quantifier
   for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
   {
     const vtkIdType size = this->Elements[piece].GetSize();
-    bounding.emplace_back(this->Bounding.Pieces ? static_cast<vtkIdType>(this->Next[piece].size()) : size);
+    bounding.emplace_back(
+      this->Bounding.Pieces ? static_cast<vtkIdType>(this->Next[piece].size()) : size);
     ForEachId(size,
       [&](vtkIdType element)
       {

@@ -7,10 +7,10 @@
 #ifndef camaron_SelectBySolid_h
 #define camaron_SelectBySolid_h
 
+#include "Base/Parallel.h"
 #include "Cell/CellGeometry.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshView.h"
-#include "Base/Parallel.h"
 #include "Selection/Solids.h"
 
 #include <algorithm> // for all and any

@@ -13,10 +13,12 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Whether all points of an element are near another piece, and if so, the hash of its points in any order.
+// Whether all points of an element are near another piece, and if so, the hash of its points in any
+// order.
 template <typename Points>
-bool FindHash(const PieceBorders& borders, std::size_t piece, const std::vector<unsigned char>& isNear,
-  const Points& points, vtkIdType size, std::uint64_t (&sums)[2])
+bool FindHash(const PieceBorders& borders, std::size_t piece,
+  const std::vector<unsigned char>& isNear, const Points& points, vtkIdType size,
+  std::uint64_t (&sums)[2])
 {
   sums[0] = sums[1] = 0;
   for (vtkIdType i = 0; i < size; ++i)
@@ -105,7 +107,8 @@ void SharedElements::FindCandidates(const std::vector<LinkedPiece>& pieces,
       elements[p].ForEach(cell, facets,
         [&](vtkIdType element, const vtkIdType* points, vtkIdType size)
         {
-          Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p), element };
+          Candidate candidate = { { 0, 0 }, pieces[p].Block, static_cast<std::int32_t>(p),
+            element };
           if (!isKnown[element] && FindHash(borders, p, isNear, points, size, candidate.Hash))
           {
             isKnown[element] = true;

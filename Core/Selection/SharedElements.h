@@ -2,17 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::SharedElements
- * @brief The facets, edges, vertices or cells that pieces of a mesh have in common, and values that they agree on.
+ * @brief The facets, edges, vertices or cells that pieces of a mesh have in common, and values that
+ * they agree on.
  *
- * Elements are the same when all of their points are; see PieceBorders. They are compared by a hash of 128
- * bits, every process its share. But for cells themselves, cells that are copies of others take no part.
+ * Elements are the same when all of their points are; see PieceBorders. They are compared by a hash
+ * of 128 bits, every process its share. But for cells themselves, cells that are copies of others
+ * take no part.
  */
 #ifndef camaron_SharedElements_h
 #define camaron_SharedElements_h
 
-#include "Ranks/LinkedPiece.h"
-#include "Selection/CellElements.h"
+#include "Ranks/LinkedPieces.h"
 #include "Ranks/Reducer.h"
+#include "Selection/CellElements.h"
 
 #include <cstdint> // for values
 #include <tuple>   // for comparisons
@@ -44,8 +46,8 @@ public:
   /// Collective. Replaces the value of each of Get() by the smallest one that any piece has for it.
   void Minimize(std::vector<std::int64_t>& values);
 
-  /// Collective. Marks in all pieces what is marked in one of them, and returns what was not marked before. @a marks: of
-  /// each piece and element, converted to bool and assigned from it.
+  /// Collective. Marks in all pieces what is marked in one of them, and returns what was not marked
+  /// before. @a marks: of each piece and element, converted to bool and assigned from it.
   template <typename Mark>
   std::vector<Element> Share(std::vector<std::vector<Mark>>& marks)
   {
@@ -85,8 +87,8 @@ private:
   void FindGroups(const std::vector<Candidate>& candidates);
 
   camaron::Reducer& Reducer;
-  std::vector<Element> Elements;     // by the process that compares them
-  std::vector<std::size_t> SentTo;   // of the elements to every process
+  std::vector<Element> Elements;              // by the process that compares them
+  std::vector<std::size_t> SentTo;            // of the elements to every process
   std::vector<std::vector<vtkIdType>> Groups; // of what this process compares, by sender
   vtkIdType NumberOfGroups = 0;
 };

@@ -105,8 +105,9 @@ double GetSquaredDistance(const Vector& a, const Vector& b, const Vector& c, con
   const Vector u = b - a, v = d - c, w = a - c;
   const double uu = Norm2(u), uv = Dot(u, v), vv = Norm2(v);
   const double determinant = uu * vv - uv * uv;
-  double nearest = std::min({ GetSquaredDistanceToSegment(a, c, d), GetSquaredDistanceToSegment(b, c, d),
-    GetSquaredDistanceToSegment(c, a, b), GetSquaredDistanceToSegment(d, a, b) });
+  double nearest =
+    std::min({ GetSquaredDistanceToSegment(a, c, d), GetSquaredDistanceToSegment(b, c, d),
+      GetSquaredDistanceToSegment(c, a, b), GetSquaredDistanceToSegment(d, a, b) });
   if (determinant > 0)
   {
     const double s = (uv * Dot(v, w) - vv * Dot(u, w)) / determinant;
@@ -134,8 +135,8 @@ bool Touch(const Simplex& a, const Simplex& b, double tolerance)
   }
   const auto edgesAreNear = [&](const Vector& p, const Vector& q)
   {
-    return HasEdge(b,
-      [&](const Vector& r, const Vector& s) { return GetSquaredDistance(p, q, r, s) <= limit; });
+    return HasEdge(
+      b, [&](const Vector& r, const Vector& s) { return GetSquaredDistance(p, q, r, s) <= limit; });
   };
   return HasEdge(a, edgesAreNear) || Pierce(a, b);
 }
@@ -146,8 +147,8 @@ bool Pierce(const Simplex& a, const Simplex& b)
   const auto pierces = [](const Simplex& edges, const Simplex& triangle)
   {
     return triangle.Size == 3 &&
-      HasEdge(edges,
-        [&](const Vector& p, const Vector& q) { return SegmentPierces(p, q, triangle); });
+      HasEdge(
+        edges, [&](const Vector& p, const Vector& q) { return SegmentPierces(p, q, triangle); });
   };
   return pierces(a, b) || pierces(b, a);
 }
@@ -155,7 +156,8 @@ bool Pierce(const Simplex& a, const Simplex& b)
 //------------------------------------------------------------------------------
 bool IsAbove(const Simplex& triangle, const Vector& point)
 {
-  // Seen along Z: an edge counts if it crosses the line of the same Y, its lower end included, to the right.
+  // Seen along Z: an edge counts if it crosses the line of the same Y, its lower end included, to
+  // the right.
   bool isInside = false;
   for (int i = 0; i < 3; ++i)
   {

@@ -37,12 +37,14 @@ double GetSquaredDistance(const Vector& a, const Vector& b, const Vector& c, con
 /// Whether they have a point in common, or two that are no further apart than @a tolerance.
 bool Touch(const Simplex& a, const Simplex& b, double tolerance);
 
-/// Whether a segment or an edge of one goes through the inside of the other, a triangle, not just to it.
+/// Whether a segment or an edge of one goes through the inside of the other, a triangle, not just
+/// to it.
 bool Pierce(const Simplex& a, const Simplex& b);
 
 /**
- * Whether the way from a point upwards (along Z) crosses a triangle. Of a closed surface an odd number of
- * triangles is crossed from inside, also where the way leads through their edges and corners.
+ * Whether the way from a point upwards (along Z) crosses a triangle. Of a closed surface an odd
+ * number of triangles is crossed from inside, also where the way leads through their edges and
+ * corners.
  */
 bool IsAbove(const Simplex& triangle, const Vector& point);
 }

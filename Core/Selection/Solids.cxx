@@ -44,8 +44,7 @@ bool BallSolid::MayMeet(const Bounds& box) const
 bool BallSolid::Meets(const CellBoundary& cell) const
 {
   const std::vector<Simplex>& simplices = cell.GetSimplices();
-  return std::any_of(simplices.begin(), simplices.end(),
-           [this](const Simplex& simplex)
+  return std::any_of(simplices.begin(), simplices.end(), [this](const Simplex& simplex)
            { return GetSquaredDistance(this->Center, simplex) <= this->SquaredRadius; }) ||
     (this->SquaredRadius >= 0 && cell.Contains(this->Center));
 }
@@ -92,8 +91,8 @@ HalfSpaceSolid::HalfSpaceSolid(
   , Tolerance(tolerance)
 {
   // If it lies within a cell, so does its largest ball.
-  const Ball largest = FindLargestBall(
-    this->HalfSpaces, 3, { around.GetCenter(), 0.5 * around.GetDiagonal() });
+  const Ball largest =
+    FindLargestBall(this->HalfSpaces, 3, { around.GetCenter(), 0.5 * around.GetDiagonal() });
   this->Inside = largest.Center;
   this->HasInside = this->Contains(this->Inside);
 }
@@ -106,8 +105,7 @@ bool HalfSpaceSolid::MayMeet(const Bounds& box) const
     [&](const HalfSpace& halfSpace)
     {
       const Vector& n = halfSpace.Normal;
-      const double reach =
-        std::abs(n.X) * half.X + std::abs(n.Y) * half.Y + std::abs(n.Z) * half.Z;
+      const double reach = std::abs(n.X) * half.X + std::abs(n.Y) * half.Y + std::abs(n.Z) * half.Z;
       return halfSpace.GetDistance(center) - reach <= this->Tolerance;
     });
 }

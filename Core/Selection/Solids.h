@@ -8,8 +8,8 @@
  * - `Contains(point)`: points on its surface, up to the tolerance, are in it;
  * - `MayMeet(bounds)`: false only if it has no point in the box;
  * - `Meets(cell)`: whether it has a point in common with a cell none of whose corners is in it;
- * - `Crosses(cell)`: whether its surface goes through a cell all of whose corners are in it; never does
- *   it where `IsConvex`.
+ * - `Crosses(cell)`: whether its surface goes through a cell all of whose corners are in it; never
+ * does it where `IsConvex`.
  *
  * Tolerances are lengths.
  */
@@ -72,8 +72,7 @@ class HalfSpaceSolid
 {
 public:
   /// @a around holds all cells that there will be.
-  HalfSpaceSolid(
-    const std::vector<HalfSpace>& halfSpaces, const Bounds& around, double tolerance);
+  HalfSpaceSolid(const std::vector<HalfSpace>& halfSpaces, const Bounds& around, double tolerance);
   bool Contains(const Vector& point) const
   {
     for (const HalfSpace& halfSpace : this->HalfSpaces)

@@ -77,8 +77,7 @@ bool SurfaceSolid::Contains(const Vector& point) const
   {
     return false;
   }
-  if (this->FindAny(around,
-        [&](const Simplex& triangle)
+  if (this->FindAny(around, [&](const Simplex& triangle)
         { return GetSquaredDistance(point, triangle) <= this->Tolerance * this->Tolerance; }))
   {
     return true;

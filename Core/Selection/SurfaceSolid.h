@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::SurfaceSolid
- * @brief What a closed surface of triangles encloses, convex or not, of any number of parts and holes.
+ * @brief What a closed surface of triangles encloses, convex or not, of any number of parts and
+ * holes.
  *
  * A point is inside if the way upwards from it crosses the surface an odd number of times, so the
  * triangles may run either way round. See Solids.h for what the methods mean.
@@ -23,7 +24,8 @@ public:
   /// @a tolerance: distance up to which a point counts as on the surface.
   SurfaceSolid(std::vector<Simplex>&& triangles, double tolerance);
 
-  /// Edges, by the coordinates of their ends, with an odd number of triangles; 0 if the surface is closed.
+  /// Edges, by the coordinates of their ends, with an odd number of triangles; 0 if the surface is
+  /// closed.
   static std::size_t CountOpenEdges(const std::vector<Simplex>& triangles);
 
   bool Contains(const Vector& point) const;

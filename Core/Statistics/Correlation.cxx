@@ -102,8 +102,8 @@ PairMeans<Size> FindMeans(const Population& x, const Population& y, Terms&& term
 //------------------------------------------------------------------------------
 double CorrelateLinearly(const Population& x, const Population& y, Reducer& reducer)
 {
-  const PairMeans<2> means =
-    FindMeans<2>(x, y, [](double a, double b) { return std::array<double, 2>{ { a, b } }; }, reducer);
+  const PairMeans<2> means = FindMeans<2>(
+    x, y, [](double a, double b) { return std::array<double, 2>{ { a, b } }; }, reducer);
   if (means.Count < 2)
   {
     return std::numeric_limits<double>::quiet_NaN();
@@ -111,7 +111,8 @@ double CorrelateLinearly(const Population& x, const Population& y, Reducer& redu
   // In units in which no product of deviations overflows.
   const double units[2] = { GetUnit(means.Largest[0]) / 2, GetUnit(means.Largest[1]) / 2 };
   const double centers[2] = { means.Means[0] * units[0], means.Means[1] * units[1] };
-  const std::array<double, 5> sums = FindMeans<5>(x, y,
+  const std::array<double, 5> sums = FindMeans<5>(
+    x, y,
     [&](double a, double b)
     {
       const double da = a * units[0] - centers[0], db = b * units[1] - centers[1];

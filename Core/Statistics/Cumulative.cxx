@@ -22,8 +22,9 @@ struct Steps
 };
 
 //------------------------------------------------------------------------------
-// What std::lower_bound does, for many values: a table of slots of equal width says where to begin, and the bisection from
-// there, nearly always a step or two, is without branches, which no processor could foresee.
+// What std::lower_bound does, for many values: a table of slots of equal width says where to begin,
+// and the bisection from there, nearly always a step or two, is without branches, which no
+// processor could foresee.
 class PointFinder
 {
 public:
@@ -45,7 +46,8 @@ public:
     {
       ++this->Firsts[this->GetSlot(point) + 1];
     }
-    const auto most = static_cast<std::size_t>(*std::max_element(this->Firsts.begin(), this->Firsts.end()));
+    const auto most =
+      static_cast<std::size_t>(*std::max_element(this->Firsts.begin(), this->Firsts.end()));
     std::partial_sum(this->Firsts.begin(), this->Firsts.end(), this->Firsts.begin());
     while (this->Size <= most)
     {
@@ -54,14 +56,16 @@ public:
     this->Points.resize(ascending.size() + this->Size, std::numeric_limits<double>::infinity());
   }
 
-  // Place of the first point that is not less than the value; of those there are, or one after the last.
+  // Place of the first point that is not less than the value; of those there are, or one after the
+  // last.
   std::size_t Find(double value) const
   {
     auto first = static_cast<std::size_t>(this->Firsts[this->GetSlot(value)]);
     for (std::size_t step = this->Size / 2; step > 0; step /= 2)
     {
       // A choice between two numbers would become a branch.
-      first += step & (std::size_t(0) - static_cast<std::size_t>(this->Points[first + step - 1] < value));
+      first +=
+        step & (std::size_t(0) - static_cast<std::size_t>(this->Points[first + step - 1] < value));
     }
     return first;
   }
@@ -74,7 +78,8 @@ private:
   {
     value = value < this->High ? value : this->High;
     value = value > this->Low ? value : this->Low;
-    return static_cast<int>(std::min(value - this->Low, std::numeric_limits<double>::max()) * this->Scale);
+    return static_cast<int>(
+      std::min(value - this->Low, std::numeric_limits<double>::max()) * this->Scale);
   }
 
   std::vector<double> Points; // and infinity after the last one
@@ -84,7 +89,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-std::vector<std::int64_t> CountUpTo(const std::vector<Steps>& parts, std::size_t size, Reducer& reducer)
+std::vector<std::int64_t> CountUpTo(
+  const std::vector<Steps>& parts, std::size_t size, Reducer& reducer)
 {
   std::vector<std::int64_t> counts(size);
   for (const Steps& part : parts)
@@ -103,7 +109,8 @@ std::vector<std::int64_t> CountUpTo(const std::vector<Steps>& parts, std::size_t
 }
 
 //------------------------------------------------------------------------------
-std::vector<double> WeighUpTo(std::vector<Steps>& parts, std::size_t size, double unit, Reducer& reducer)
+std::vector<double> WeighUpTo(
+  std::vector<Steps>& parts, std::size_t size, double unit, Reducer& reducer)
 {
   constexpr std::size_t numberOfLimbs = std::tuple_size<ExactSum::Limbs>::value;
   std::vector<std::int64_t> limbs(size * numberOfLimbs);
@@ -147,8 +154,9 @@ std::vector<std::int64_t> GetPositionsOfCurve(const Summary& summary, int number
 }
 
 //------------------------------------------------------------------------------
-CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, const OrderStatistics& sorted,
-  int numberOfPoints, const Weights* weights, Reducer& reducer, const std::vector<double>& alsoAt)
+CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary,
+  const OrderStatistics& sorted, int numberOfPoints, const Weights* weights, Reducer& reducer,
+  const std::vector<double>& alsoAt)
 {
   CumulativeCurve curve;
   for (const std::int64_t position : GetPositionsOfCurve(summary, numberOfPoints))

@@ -24,18 +24,20 @@ struct CumulativeCurve
 };
 
 /**
- * Positions of the sorted finite values (see OrderStatistics) with about as many elements between one and the next: the
- * first, the last and up to @a numberOfPoints - 2 others.
+ * Positions of the sorted finite values (see OrderStatistics) with about as many elements between
+ * one and the next: the first, the last and up to @a numberOfPoints - 2 others.
  */
 std::vector<std::int64_t> GetPositionsOfCurve(const Summary& summary, int numberOfPoints);
 
 /**
- * The curve at the values of @a sorted at GetPositionsOfCurve, and at those of @a alsoAt, which may be infinite; a value
- * that comes again and again is one point. Counts and weights are exact (see Weights.h) and include -Inf. Collective;
- * cost: a bisection in the points near its value for each element.
+ * The curve at the values of @a sorted at GetPositionsOfCurve, and at those of @a alsoAt, which may
+ * be infinite; a value that comes again and again is one point. Counts and weights are exact (see
+ * Weights.h) and include -Inf. Collective; cost: a bisection in the points near its value for each
+ * element.
  */
-CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary, const OrderStatistics& sorted,
-  int numberOfPoints, const Weights* weights, Reducer& reducer, const std::vector<double>& alsoAt = {});
+CumulativeCurve MakeCumulativeCurve(const Population& values, const Summary& summary,
+  const OrderStatistics& sorted, int numberOfPoints, const Weights* weights, Reducer& reducer,
+  const std::vector<double>& alsoAt = {});
 }
 
 #endif

@@ -13,7 +13,8 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Counts of each key in two sorted lists.
-std::vector<KeyCounts> CountKeys(const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b)
+std::vector<KeyCounts> CountKeys(
+  const std::vector<std::int64_t>& a, const std::vector<std::int64_t>& b)
 {
   std::vector<KeyCounts> counts;
   auto inA = a.begin(), inB = b.begin();
@@ -36,10 +37,12 @@ std::vector<KeyCounts> CountKeys(const std::vector<std::int64_t>& a, const std::
 }
 
 //------------------------------------------------------------------------------
-DistributionDistance FindDistributionDistance(const Population& a, const Population& b, Reducer& reducer)
+DistributionDistance FindDistributionDistance(
+  const Population& a, const Population& b, Reducer& reducer)
 {
   const std::vector<std::int64_t> keysOfA = SortKeys(a), keysOfB = SortKeys(b);
-  std::int64_t sizes[2] = { static_cast<std::int64_t>(keysOfA.size()), static_cast<std::int64_t>(keysOfB.size()) };
+  std::int64_t sizes[2] = { static_cast<std::int64_t>(keysOfA.size()),
+    static_cast<std::int64_t>(keysOfB.size()) };
   reducer.Sum(sizes, 2);
   if (sizes[0] == 0 || sizes[1] == 0)
   {
@@ -56,7 +59,8 @@ DistributionDistance FindDistributionDistance(const Population& a, const Populat
     double shares[2];
     for (int list = 0; list < 2; ++list)
     {
-      shares[list] = static_cast<double>(ranks[i].Before[list] + ranks[i].Counts[list]) / static_cast<double>(sizes[list]);
+      shares[list] = static_cast<double>(ranks[i].Before[list] + ranks[i].Counts[list]) /
+        static_cast<double>(sizes[list]);
     }
     const double difference = std::abs(shares[0] - shares[1]);
     if (difference > largest || where > own.back().Key)

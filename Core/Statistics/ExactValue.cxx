@@ -19,10 +19,11 @@ namespace
 constexpr double Modulus = 18446744073709551616.0; // 2^64
 
 //------------------------------------------------------------------------------
-// In arithmetic modulo 2^64: the nearest double may be 2^63 or 2^64, which are no integers of these types.
+// In arithmetic modulo 2^64: the nearest double may be 2^63 or 2^64, which are no integers of these
+// types.
 std::uint64_t ToBits(double nearest)
 {
-  return nearest < 0     ? static_cast<std::uint64_t>(static_cast<std::int64_t>(nearest))
+  return nearest < 0    ? static_cast<std::uint64_t>(static_cast<std::int64_t>(nearest))
     : nearest < Modulus ? static_cast<std::uint64_t>(nearest)
                         : 0;
 }
@@ -90,7 +91,7 @@ ExactValue GetExact(vtkDataArray* array, vtkIdType i)
   }
   const vtkVariant value = array->GetVariantValue(i * array->GetNumberOfComponents());
   return IsUnsigned(array) ? ToExact(static_cast<std::uint64_t>(value.ToUnsignedLongLong()))
-                    : ToExact(static_cast<std::int64_t>(value.ToLongLong()));
+                           : ToExact(static_cast<std::int64_t>(value.ToLongLong()));
 }
 
 //------------------------------------------------------------------------------
@@ -126,8 +127,10 @@ std::vector<std::int16_t> GetRests(vtkDataArray* array)
 {
   TakeRests rests;
   const bool isLong = array->IsIntegral() && array->GetDataTypeSize() == sizeof(std::int64_t);
-  if (!isLong || !vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(array, rests) ||
-    std::all_of(rests.Rests.begin(), rests.Rests.end(), [](std::int16_t rest) { return rest == 0; }))
+  if (!isLong ||
+    !vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(array, rests) ||
+    std::all_of(
+      rests.Rests.begin(), rests.Rests.end(), [](std::int16_t rest) { return rest == 0; }))
   {
     return {};
   }

@@ -4,8 +4,8 @@
  * @file ExactValue.h
  * @brief Integers of 64 bits as a double and what that leaves of them.
  *
- * Statistics are made of doubles, which hold integers up to 2^53. What larger ones have beyond the nearest double is a
- * small integer; with it they are compared exactly.
+ * Statistics are made of doubles, which hold integers up to 2^53. What larger ones have beyond the
+ * nearest double is a small integer; with it they are compared exactly.
  */
 #ifndef camaron_ExactValue_h
 #define camaron_ExactValue_h

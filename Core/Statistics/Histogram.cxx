@@ -112,8 +112,7 @@ Bins MakeBins(const Summary& summary, const BinSettings& settings)
   }
   const double first = std::ceil(low), last = std::floor(high);
   if (settings.OfIntegers && !logarithmic && summary.NonIntegerCount == 0 && low < high &&
-    first <= last &&
-    last - first < MaximumOfIntegerBins && std::abs(first) < 1e15)
+    first <= last && last - first < MaximumOfIntegerBins && std::abs(first) < 1e15)
   {
     return Bins::OfIntegers(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last));
   }
@@ -132,7 +131,7 @@ std::int64_t Histogram::GetTotal() const
 class BinCounter
 {
 public:
-  // Neighbouring values often share a bin; counting them in turn in several places does not wait
+  // Neighboring values often share a bin; counting them in turn in several places does not wait
   // for the last increment to be stored.
   static constexpr vtkIdType NumberOfLanes = 4;
   std::vector<std::int64_t> Lanes;

@@ -7,8 +7,8 @@
 #ifndef camaron_Histogram_h
 #define camaron_Histogram_h
 
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 #include "Statistics/Summary.h"
 
 #include <cstdint> // for counts

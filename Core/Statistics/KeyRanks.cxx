@@ -29,7 +29,8 @@ std::vector<std::int64_t> ChooseLimits(const std::vector<KeyCounts>& own, Reduce
     samples.push_back({ own[begin].Key, static_cast<std::int64_t>(end - begin) });
   }
   samples = reducer.GatherItems(samples);
-  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.Key < b.Key; });
+  std::sort(
+    samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.Key < b.Key; });
   std::int64_t total = 0;
   for (const Sample& sample : samples)
   {
@@ -107,7 +108,8 @@ std::vector<std::vector<KeyRank>> RankRange(
     before[1] += rank.Counts[1];
   }
   std::vector<std::vector<KeyRank>> answers(lists.size());
-  forEach([&](std::size_t process, const KeyCounts&, const KeyRank& rank) { answers[process].push_back(rank); });
+  forEach([&](std::size_t process, const KeyCounts&, const KeyRank& rank)
+    { answers[process].push_back(rank); });
   return answers;
 }
 }

@@ -4,14 +4,14 @@
  * @file KeyRanks.h
  * @brief Where keys come in the sorted order of those of all processes.
  *
- * Every process takes over a range of the keys and counts what others send to it; the ranges hold about as many keys each.
- * No process gets all of them. The result does not depend on the ranges.
+ * Every process takes over a range of the keys and counts what others send to it; the ranges hold
+ * about as many keys each. No process gets all of them. The result does not depend on the ranges.
  */
 #ifndef camaron_KeyRanks_h
 #define camaron_KeyRanks_h
 
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 
 #include <array>   // for counts
 #include <cstdint> // for 64 bit integers
@@ -34,8 +34,8 @@ struct KeyRank
 };
 
 /**
- * Collective. The rank of each of @a own, which are ascending and distinct. Cost: of every key on other processes 24 bytes
- * sent and 32 received, and a sort of what the process takes over.
+ * Collective. The rank of each of @a own, which are ascending and distinct. Cost: of every key on
+ * other processes 24 bytes sent and 32 received, and a sort of what the process takes over.
  */
 std::vector<KeyRank> RankKeys(const std::vector<KeyCounts>& own, Reducer& reducer);
 

@@ -7,8 +7,8 @@
 #ifndef camaron_Population_h
 #define camaron_Population_h
 
-#include "Criteria/Criterion.h"
 #include "Base/Parallel.h"
+#include "Criteria/Criterion.h"
 #include "Statistics/ExactValue.h"
 
 #include "vtkType.h" // for vtkIdType
@@ -33,7 +33,8 @@ struct ValueBlock
   /// Identity of each element, unique among all processes; where absent FirstId + index.
   const vtkIdType* Ids = nullptr;
   vtkIdType FirstId = 0;
-  /// Shapes (Criterion.h) of each element, and those that the acceptable range is for; without them it is for all.
+  /// Shapes (Criterion.h) of each element, and those that the acceptable range is for; without them
+  /// it is for all.
   const std::uint16_t* Shapes = nullptr;
   unsigned JudgedShapes = 0;
 
@@ -41,7 +42,10 @@ struct ValueBlock
   int GetRest(vtkIdType i) const { return this->Rests ? this->Rests[i] : 0; }
   ExactValue GetExact(vtkIdType i) const { return { this->Values[i], this->GetRest(i) }; }
   /// Whether the acceptable range is for the element: no other one is inside or outside of it.
-  bool IsJudged(vtkIdType i) const { return !this->Shapes || (this->Shapes[i] & this->JudgedShapes); }
+  bool IsJudged(vtkIdType i) const
+  {
+    return !this->Shapes || (this->Shapes[i] & this->JudgedShapes);
+  }
   /// The same elements with other values, which are doubles.
   ValueBlock WithValues(const double* values) const
   {

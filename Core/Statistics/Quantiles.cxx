@@ -46,7 +46,8 @@ OrderStatistics::OrderStatistics(const Population& population, const Summary& su
   : Positions(std::move(positions))
 {
   std::sort(this->Positions.begin(), this->Positions.end());
-  this->Positions.erase(std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
+  this->Positions.erase(
+    std::unique(this->Positions.begin(), this->Positions.end()), this->Positions.end());
   const std::int64_t count = summary.GetFiniteCount();
   // The ends are known; without them the windows are fewer.
   const std::int64_t low = ToKey(summary.Min), high = ToKey(summary.Max);
@@ -92,7 +93,8 @@ double OrderStatistics::Get(std::int64_t position) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::int64_t> GetPositionsOfQuantiles(const Summary& summary, const std::vector<double>& fractions)
+std::vector<std::int64_t> GetPositionsOfQuantiles(
+  const Summary& summary, const std::vector<double>& fractions)
 {
   std::vector<std::int64_t> positions;
   const std::int64_t count = summary.GetFiniteCount();
@@ -136,7 +138,8 @@ std::vector<double> GetQuantiles(
 std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
   const std::vector<double>& fractions, Reducer& reducer)
 {
-  const OrderStatistics sorted(population, summary, GetPositionsOfQuantiles(summary, fractions), reducer);
+  const OrderStatistics sorted(
+    population, summary, GetPositionsOfQuantiles(summary, fractions), reducer);
   return GetQuantiles(sorted, summary, fractions);
 }
 }

@@ -7,8 +7,8 @@
 #ifndef camaron_Quantiles_h
 #define camaron_Quantiles_h
 
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 #include "Statistics/Summary.h"
 
 #include <cstdint> // for positions
@@ -25,14 +25,14 @@ namespace camaron
 std::vector<double> GetQuantiles(const Population& population, const Summary& summary,
   const std::vector<double>& fractions, Reducer& reducer);
 
-/// The finite values at @a positions of their sorted list: ascending, without repetition, from 0. Collective.
-/// The values at some positions, from 0, of the sorted finite values.
+/// The finite values at @a positions of their sorted list: ascending, without repetition, from 0.
+/// Collective. The values at some positions, from 0, of the sorted finite values.
 class OrderStatistics
 {
 public:
   /// Collective; @a positions in any order, none of them where there is no finite value.
-  OrderStatistics(const Population& population, const Summary& summary, std::vector<std::int64_t> positions,
-    Reducer& reducer);
+  OrderStatistics(const Population& population, const Summary& summary,
+    std::vector<std::int64_t> positions, Reducer& reducer);
 
   /// At one of the positions.
   double Get(std::int64_t position) const;
@@ -43,7 +43,8 @@ private:
 };
 
 /// The positions that the quantiles depend on.
-std::vector<std::int64_t> GetPositionsOfQuantiles(const Summary& summary, const std::vector<double>& fractions);
+std::vector<std::int64_t> GetPositionsOfQuantiles(
+  const Summary& summary, const std::vector<double>& fractions);
 /// Quantiles from the values at these positions.
 std::vector<double> GetQuantiles(
   const OrderStatistics& sorted, const Summary& summary, const std::vector<double>& fractions);

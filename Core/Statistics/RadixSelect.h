@@ -13,8 +13,8 @@
 #ifndef camaron_RadixSelect_h
 #define camaron_RadixSelect_h
 
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 
 #include <cstdint> // for 64 bit integers
 #include <limits>  // for empty ranges

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Statistics/Summary.h"
 
-#include "Criteria/Criterion.h"
 #include "Base/ExactSum.h"
+#include "Criteria/Criterion.h"
 #include "Statistics/OrderedKey.h"
 
 #include <array>
@@ -136,8 +136,8 @@ struct FirstElement
   }
 };
 
-// The second pass: powers of the deviations from the mean in units of 2^exponent, logarithms if all values are
-// positive, and the places of the extremes.
+// The second pass: powers of the deviations from the mean in units of 2^exponent, logarithms if all
+// values are positive, and the places of the extremes.
 struct Deviations
 {
   enum
@@ -153,8 +153,8 @@ struct Deviations
   FirstElement ArgMin, ArgMax;
 };
 
-void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNumber, vtkIdType begin, vtkIdType end,
-  const Summary& summary, double unit)
+void AddDeviations(Deviations& deviations, const ValueBlock& block, int blockNumber,
+  vtkIdType begin, vtkIdType end, const Summary& summary, double unit)
 {
   const double mean = summary.Mean * unit;
   const bool varies = summary.Min < summary.Max; // else no value deviates from the mean
@@ -225,12 +225,14 @@ void SetMoments(const DeviationSums& sums, int exponent, Summary& summary)
   const std::int64_t count = summary.GetFiniteCount();
   // The deviations are from the rounded mean, which is this far from the mean of the values.
   const double d = sums.Divide(Deviations::First, count);
-  const double raw2 = sums.Divide(Deviations::Square, count), raw3 = sums.Divide(Deviations::Cube, count),
+  const double raw2 = sums.Divide(Deviations::Square, count),
+               raw3 = sums.Divide(Deviations::Cube, count),
                raw4 = sums.Divide(Deviations::Fourth, count);
   const double m2 = std::max(raw2 - d * d, 0.0);
   const double m3 = raw3 - 3 * d * raw2 + 2 * d * d * d;
   const double m4 = raw4 - 4 * d * raw3 + 6 * d * d * raw2 - 3 * d * d * d * d;
-  summary.RootMeanSquare = std::ldexp(std::hypot(std::ldexp(summary.Mean, -exponent), std::sqrt(m2)), exponent);
+  summary.RootMeanSquare =
+    std::ldexp(std::hypot(std::ldexp(summary.Mean, -exponent), std::sqrt(m2)), exponent);
   if (summary.Min > 0)
   {
     const double mean =
@@ -327,7 +329,8 @@ Summary Summarize(const Population& population, const ValueRange& acceptable, Re
   std::int64_t rests[2] = { argMin.Rest, argMax.Rest };
   reducer.Min(rests, 2);
   constexpr std::int64_t none = std::numeric_limits<std::int64_t>::max();
-  std::int64_t ids[2] = { argMin.Rest == rests[0] ? argMin.Id : none, argMax.Rest == rests[1] ? argMax.Id : none };
+  std::int64_t ids[2] = { argMin.Rest == rests[0] ? argMin.Id : none,
+    argMax.Rest == rests[1] ? argMax.Id : none };
   const std::int64_t own[2] = { ids[0], ids[1] };
   reducer.Min(ids, 2);
 

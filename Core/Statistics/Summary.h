@@ -5,14 +5,14 @@
  * @brief Counts, extremes and moments of a population.
  *
  * Every number is the same bit for bit for any number of threads and processes and any order of the
- * elements: sums are exact before they are rounded once, deviations are taken from the final mean. Central moments
- * mk are means of the k-th powers of the deviations.
+ * elements: sums are exact before they are rounded once, deviations are taken from the final mean.
+ * Central moments mk are means of the k-th powers of the deviations.
  */
 #ifndef camaron_Summary_h
 #define camaron_Summary_h
 
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 
 #include <cstdint> // for counts
 #include <limits>  // for NaN
@@ -26,7 +26,8 @@ struct ValueRange
   double High = std::numeric_limits<double>::infinity();
 };
 
-/// Where a process has an element: block of the population and place in the block; -1 on other processes.
+/// Where a process has an element: block of the population and place in the block; -1 on other
+/// processes.
 struct ElementPlace
 {
   int Block = -1;
@@ -39,10 +40,12 @@ struct Summary
   std::int64_t NullCount = 0;          ///< NaN
   std::int64_t NotApplicableCount = 0; ///< those nulls whose reason is NotApplicable
   std::int64_t InfCount = 0;           ///< +Inf and -Inf
-  std::int64_t JudgedCount = 0;        ///< of the applicable ones those of shapes that the acceptable range is for
-  std::int64_t BelowCount = 0;         ///< of the judged ones; smaller than the acceptable range, -Inf included
-  std::int64_t AboveCount = 0;         ///< larger than the acceptable range, +Inf included
-  std::int64_t NonIntegerCount = 0;    ///< 0 if every finite value is an integer, else positive
+  std::int64_t JudgedCount =
+    0; ///< of the applicable ones those of shapes that the acceptable range is for
+  std::int64_t BelowCount =
+    0; ///< of the judged ones; smaller than the acceptable range, -Inf included
+  std::int64_t AboveCount = 0;      ///< larger than the acceptable range, +Inf included
+  std::int64_t NonIntegerCount = 0; ///< 0 if every finite value is an integer, else positive
 
   /// Elements for which the value has a meaning.
   std::int64_t GetApplicableCount() const { return this->Count - this->NotApplicableCount; }
@@ -57,10 +60,13 @@ struct Summary
   double Mean = std::numeric_limits<double>::quiet_NaN();
   double StandardDeviation = std::numeric_limits<double>::quiet_NaN(); ///< divisor count - 1
   double Variance = std::numeric_limits<double>::quiet_NaN();
-  double Skewness = std::numeric_limits<double>::quiet_NaN(); ///< m3 / m2^1.5, NaN also of constant values
-  double Kurtosis = std::numeric_limits<double>::quiet_NaN(); ///< m4 / m2^2 - 3, NaN also of constant values
+  double Skewness =
+    std::numeric_limits<double>::quiet_NaN(); ///< m3 / m2^1.5, NaN also of constant values
+  double Kurtosis =
+    std::numeric_limits<double>::quiet_NaN(); ///< m4 / m2^2 - 3, NaN also of constant values
   double RootMeanSquare = std::numeric_limits<double>::quiet_NaN();
-  double GeometricMean = std::numeric_limits<double>::quiet_NaN(); ///< NaN also unless all values are above 0
+  double GeometricMean =
+    std::numeric_limits<double>::quiet_NaN(); ///< NaN also unless all values are above 0
   double Sum = 0;
   ///@}
 

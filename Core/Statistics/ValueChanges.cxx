@@ -9,8 +9,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-void AddChange(
-  const ExactValue& from, const ExactValue& to, Better better, double tolerance, ValueChanges& changes)
+void AddChange(const ExactValue& from, const ExactValue& to, Better better, double tolerance,
+  ValueChanges& changes)
 {
   const double before = from.Value, after = to.Value;
   const bool wasNull = std::isnan(before), isNull = std::isnan(after);
@@ -24,9 +24,11 @@ void AddChange(
     ++(wasNull ? changes.Improved : changes.Worsened);
     return;
   }
-  // Halves, as the difference of two numbers may be out of range; infinities are unchanged if equal.
+  // Halves, as the difference of two numbers may be out of range; infinities are unchanged if
+  // equal.
   const double limit = tolerance * std::max(std::abs(before), std::abs(after)) / 2;
-  const bool areClose = std::isfinite(limit) && std::abs(after / 2 - before / 2 + (to.Rest - from.Rest) / 2.0) <= limit;
+  const bool areClose =
+    std::isfinite(limit) && std::abs(after / 2 - before / 2 + (to.Rest - from.Rest) / 2.0) <= limit;
   if (from == to || areClose)
   {
     ++changes.Unchanged;
@@ -39,8 +41,8 @@ void AddChange(
 }
 
 //------------------------------------------------------------------------------
-ValueChanges CountChanges(const Population& before, const Population& after, Better better, double tolerance,
-  Reducer& reducer)
+ValueChanges CountChanges(const Population& before, const Population& after, Better better,
+  double tolerance, Reducer& reducer)
 {
   std::int64_t counts[4] = {};
   for (const ValueChanges& part : ForEachChunk<ValueChanges>(after,
@@ -66,8 +68,8 @@ ValueChanges CountChanges(const Population& before, const Population& after, Bet
 }
 
 //------------------------------------------------------------------------------
-void FindDifferences(
-  const ValueBlock& before, const ValueBlock& after, vtkIdType begin, vtkIdType end, double* differences)
+void FindDifferences(const ValueBlock& before, const ValueBlock& after, vtkIdType begin,
+  vtkIdType end, double* differences)
 {
   for (vtkIdType i = begin; i < end; ++i)
   {

@@ -8,8 +8,8 @@
 #define camaron_ValueChanges_h
 
 #include "Criteria/Criterion.h"
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 
 #include <cstdint> // for counts
 
@@ -24,15 +24,17 @@ struct ValueChanges
 };
 
 /**
- * Collective. From @a before to @a after, populations with the same blocks; those of @a after say what counts. Values are
- * unchanged if they differ by at most @a tolerance times the larger magnitude; a value is better than none.
+ * Collective. From @a before to @a after, populations with the same blocks; those of @a after say
+ * what counts. Values are unchanged if they differ by at most @a tolerance times the larger
+ * magnitude; a value is better than none.
  */
-ValueChanges CountChanges(const Population& before, const Population& after, Better better, double tolerance,
-  Reducer& reducer);
+ValueChanges CountChanges(const Population& before, const Population& after, Better better,
+  double tolerance, Reducer& reducer);
 
-/// after - before for elements [begin, end); NaN if one of them is, 0 if they are the same infinity.
-void FindDifferences(
-  const ValueBlock& before, const ValueBlock& after, vtkIdType begin, vtkIdType end, double* differences);
+/// after - before for elements [begin, end); NaN if one of them is, 0 if they are the same
+/// infinity.
+void FindDifferences(const ValueBlock& before, const ValueBlock& after, vtkIdType begin,
+  vtkIdType end, double* differences);
 }
 
 #endif

@@ -7,9 +7,9 @@
 #ifndef camaron_WeightUnit_h
 #define camaron_WeightUnit_h
 
+#include "Ranks/Reducer.h"
 #include "Statistics/OrderedKey.h"
 #include "Statistics/Population.h"
-#include "Ranks/Reducer.h"
 
 #include <algorithm> // for std::max
 #include <cmath>     // for magnitudes
@@ -41,7 +41,8 @@ inline double FindWeightUnit(const Population& weights, Reducer& reducer)
            double chunkMaximum = maximum; // threads' own lie side by side
            for (vtkIdType i = begin; i < end; ++i)
            {
-             chunkMaximum = block.Contains(i) ? std::max(chunkMaximum, GetWeight(block, i)) : chunkMaximum;
+             chunkMaximum =
+               block.Contains(i) ? std::max(chunkMaximum, GetWeight(block, i)) : chunkMaximum;
            }
            maximum = chunkMaximum;
          }))

@@ -35,7 +35,8 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
     [&](Sums& sums, const ValueBlock& block, vtkIdType begin, vtkIdType end)
     {
       const ValueBlock& weightBlock = weights.Values[&block - values.data()];
-      for (ExactSum* sum : { &sums.FiniteWeight, &sums.InfiniteWeight, &sums.BadWeight, &sums.Product })
+      for (ExactSum* sum :
+        { &sums.FiniteWeight, &sums.InfiniteWeight, &sums.BadWeight, &sums.Product })
       {
         sum->Reserve(end - begin);
       }
@@ -68,7 +69,8 @@ WeightedSummary SummarizeWeighted(const Population& values, const Summary& summa
   for (Sums& part : parts)
   {
     auto* limb = all.data();
-    for (ExactSum* sum : { &part.FiniteWeight, &part.InfiniteWeight, &part.BadWeight, &part.Product })
+    for (ExactSum* sum :
+      { &part.FiniteWeight, &part.InfiniteWeight, &part.BadWeight, &part.Product })
     {
       for (const std::int64_t value : sum->GetLimbs())
       {

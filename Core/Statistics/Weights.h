@@ -24,14 +24,15 @@ struct WeightedSummary
   double Weight = 0;
   /// Of the finite values; NaN without any that weighs something.
   double Mean = std::numeric_limits<double>::quiet_NaN();
-  /// Share of Weight of the elements with a value outside of the acceptable range, 0 to 1; NaN if nothing weighs.
+  /// Share of Weight of the elements with a value outside of the acceptable range, 0 to 1; NaN if
+  /// nothing weighs.
   double BadFraction = std::numeric_limits<double>::quiet_NaN();
 };
 
 /**
- * Sums are exact and rounded once, each product is rounded before: the result does not depend on the number of threads
- * and processes. A weight counts with its magnitude, as volumes of inverted cells are negative; weights that are not
- * finite count as 0.
+ * Sums are exact and rounded once, each product is rounded before: the result does not depend on
+ * the number of threads and processes. A weight counts with its magnitude, as volumes of inverted
+ * cells are negative; weights that are not finite count as 0.
  * @param summary of @a values
  */
 WeightedSummary SummarizeWeighted(const Population& values, const Summary& summary,

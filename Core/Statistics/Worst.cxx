@@ -163,7 +163,8 @@ bool WorstLimit::Contains(const ValueBlock& block, vtkIdType i) const
   {
     return block.GetId(i) <= this->LastId;
   }
-  return (key != this->Key ? key > this->Key : rest > this->Rest) == (this->End == WorstEnd::Largest);
+  return (key != this->Key ? key > this->Key : rest > this->Rest) ==
+    (this->End == WorstEnd::Largest);
 }
 
 namespace
@@ -176,11 +177,13 @@ struct Choice
 
 // The key at which so many elements, those with the largest or smallest keys, are reached.
 template <typename GetKey>
-Choice Choose(const Population& population, const GetKey& getKey, std::int64_t count, bool largest, Reducer& reducer)
+Choice Choose(const Population& population, const GetKey& getKey, std::int64_t count, bool largest,
+  Reducer& reducer)
 {
   const KeyRange range = FindKeyRange(population, getKey, reducer);
   const std::int64_t position = largest ? range.Count - count : count - 1;
-  const std::int64_t last = SelectKeys(population, getKey, range.Low, range.High, { position }, reducer).front();
+  const std::int64_t last =
+    SelectKeys(population, getKey, range.Low, range.High, { position }, reducer).front();
   const auto isBeyond = [&](const ValueBlock& block, vtkIdType i, std::int64_t& key)
   { return getKey(block, i, key) && key != last && (key > last) == largest; };
   return { last, count - FindKeyRange(population, isBeyond, reducer).Count };
@@ -189,8 +192,8 @@ Choice Choose(const Population& population, const GetKey& getKey, std::int64_t c
 // Collective.
 bool HasRests(const Population& population, Reducer& reducer)
 {
-  std::int64_t hasRests =
-    std::any_of(population.begin(), population.end(), [](const ValueBlock& block) { return block.Rests; });
+  std::int64_t hasRests = std::any_of(
+    population.begin(), population.end(), [](const ValueBlock& block) { return block.Rests; });
   reducer.Max(&hasRests, 1);
   return hasRests != 0;
 }
@@ -238,7 +241,8 @@ WorstLimit FindWorstLimit(
     key = block.GetId(i);
     return isTied(block, i) && block.GetRest(i) == limit.Rest;
   };
-  limit.LastId = static_cast<vtkIdType>(Choose(population, getId, choice.Remaining, false, reducer).Key);
+  limit.LastId =
+    static_cast<vtkIdType>(Choose(population, getId, choice.Remaining, false, reducer).Key);
   return limit;
 }
 }

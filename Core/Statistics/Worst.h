@@ -10,8 +10,8 @@
 #ifndef camaron_Worst_h
 #define camaron_Worst_h
 
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 
 #include <cstdint>    // for counts
 #include <functional> // for the describing function
@@ -33,7 +33,8 @@ struct WorstElement
   int Rest = 0; ///< see ExactValue
   vtkIdType Id = -1;
   ///@{
-  /// Where the process that owns the element has it: block of the population and place in the block.
+  /// Where the process that owns the element has it: block of the population and place in the
+  /// block.
   int Block = 0;
   vtkIdType Index = 0;
   ///@}

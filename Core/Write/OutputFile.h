@@ -5,17 +5,17 @@
  * @brief Writes a file that appears under its name only when it is complete.
  *
  * Everything goes into a temporary file beside the target, which Commit renames. Until then, and if
- * anything fails, a file of that name stays as it was, and no other is left behind. A link stays one. What
- * is no regular file (a device, a pipe) is written directly. A file that is protected against writing is not
- * replaced. The first error sticks.
+ * anything fails, a file of that name stays as it was, and no other is left behind. A link stays
+ * one. What is no regular file (a device, a pipe) is written directly. A file that is protected
+ * against writing is not replaced. The first error sticks.
  */
 #ifndef camaron_OutputFile_h
 #define camaron_OutputFile_h
 
 #include "Scan/ScanError.h"
 
-#include <cstdio>  // for std::FILE
-#include <string>  // for paths
+#include <cstdio> // for std::FILE
+#include <string> // for paths
 
 namespace camaron
 {
@@ -43,7 +43,7 @@ public:
 private:
   void Fail(int code);
 
-  std::string Name;      ///< last part of the path, for messages
+  std::string Name; ///< last part of the path, for messages
   std::string Target;
   std::string Temporary; ///< empty if the target is written directly
   std::FILE* File = nullptr;

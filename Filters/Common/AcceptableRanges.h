@@ -24,7 +24,8 @@ inline const char* GetDefaultRangesName()
   return "Default ranges";
 }
 
-/// A range, and the Shapes of the cells that it is for; AnyCell where it is for all that have values.
+/// A range, and the Shapes of the cells that it is for; AnyCell where it is for all that have
+/// values.
 struct AcceptableRange : ValueRange
 {
   unsigned Shapes = AnyCell;
@@ -35,17 +36,19 @@ class AcceptableRanges
 {
 public:
   /**
-   * Those of a file of the user (RangesFile.h; none if the path is empty), else of the preset, else of
-   * the table of criteria. Throws std::invalid_argument for an unknown preset and std::runtime_error for
-   * a file that cannot be read, on all processes alike: process 0 reads it for all.
+   * Those of a file of the user (RangesFile.h; none if the path is empty), else of the preset, else
+   * of the table of criteria. Throws std::invalid_argument for an unknown preset and
+   * std::runtime_error for a file that cannot be read, on all processes alike: process 0 reads it
+   * for all.
    */
   AcceptableRanges(const std::string& preset, const std::string& file, Reducer& reducer);
 
-  /// The range of a criterion, if there is one. @a unit is that of the values: angles may be in "rad". Those of a file
-  /// are for all cells.
+  /// The range of a criterion, if there is one. @a unit is that of the values: angles may be in
+  /// "rad". Those of a file are for all cells.
   std::optional<AcceptableRange> Find(const std::string& criterion, const std::string& unit) const;
 
-  /// Whether the file or the preset says something of a criterion; without both, whether there is one of that name.
+  /// Whether the file or the preset says something of a criterion; without both, whether there is
+  /// one of that name.
   bool HasRule(const std::string& criterion) const;
 
   /// Whether its range is a hint only; what a file of the user says is not.
@@ -58,7 +61,8 @@ private:
   std::vector<Preset::Rule> Rules; // in the order in which they count
 };
 
-/// Shapes of the cells that the range of the table of criteria is for; AnyCell if it is for all that have values.
+/// Shapes of the cells that the range of the table of criteria is for; AnyCell if it is for all
+/// that have values.
 unsigned GetJudgedShapes(const Criterion& criterion);
 
 /// The rules of a file of ranges; collective, throws std::runtime_error as above.

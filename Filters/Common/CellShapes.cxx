@@ -32,7 +32,10 @@ const ShapesOfTypes& GetShapesOfTypes()
       if (shape.Dimension == 2)
       {
         const int corners = shape.NumberOfCorners;
-        result[type] = Polygons | (corners == 3 ? Triangles : corners == 4 ? Quadrilaterals : NoShapes);
+        result[type] = Polygons |
+          (corners == 3      ? Triangles
+              : corners == 4 ? Quadrilaterals
+                             : NoShapes);
       }
       else if (shape.Dimension == 3)
       {

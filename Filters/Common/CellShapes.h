@@ -17,8 +17,9 @@
 namespace camaron
 {
 /**
- * Shapes (Criterion.h) of every cell, 0 for points and lines. Those of a fixed type are what their type says, even if
- * they are collapsed; polygons and polyhedra what their topology says, whatever their type.
+ * Shapes (Criterion.h) of every cell, 0 for points and lines. Those of a fixed type are what their
+ * type says, even if they are collapsed; polygons and polyhedra what their topology says, whatever
+ * their type.
  */
 std::vector<std::uint16_t> FindCellShapes(vtkDataSet* data);
 

@@ -15,7 +15,8 @@ namespace camaron
 {
 /// Throws std::invalid_argument unless @a value is @a least to @a most, which NaN never is.
 template <typename Number>
-void CheckNumber(const char* property, Number value, Number least, Number most = std::numeric_limits<Number>::max())
+void CheckNumber(const char* property, Number value, Number least,
+  Number most = std::numeric_limits<Number>::max())
 {
   if (value >= least && value <= most)
   {

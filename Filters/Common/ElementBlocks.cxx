@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ElementBlocks.h"
 
+#include "Base/Buffer.h"
 #include "Criteria/Criterion.h"
+#include "DistributedMesh.h"
+#include "DuplicatePoints.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/GhostArrays.h"
-#include "MeshPieces.h"
-#include "RunTogether.h"
-#include "Base/Buffer.h"
-#include "SharedCopies.h"
+#include "Ranks/Collective.h"
 #include "Selection/SharedElements.h"
 #include "Statistics/WeightUnit.h"
 #include "vtkCamaronCompat.h"
@@ -36,10 +36,10 @@ namespace camaron
 //------------------------------------------------------------------------------
 unsigned char GetGhostMask(ElementKind kind)
 {
-  return kind == ElementKind::Cells ? vtkDataSetAttributes::DUPLICATECELL |
-      vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL
-                                    : vtkDataSetAttributes::DUPLICATEPOINT |
-      vtkDataSetAttributes::HIDDENPOINT;
+  return kind == ElementKind::Cells
+    ? vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL |
+      vtkDataSetAttributes::REFINEDCELL
+    : vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
 }
 
 namespace
@@ -176,7 +176,8 @@ vtkSmartPointer<vtkDataArray> ToIds(vtkDataArray* array)
   auto ids = vtkSmartPointer<vtkIdTypeArray>::New();
   ids->DeepCopy(array);
   const vtkIdType *begin = ids->GetPointer(0), *end = begin + ids->GetNumberOfValues();
-  const bool fits = !IsUnsigned(array) || std::all_of(begin, end, [](vtkIdType id) { return id >= 0; });
+  const bool fits =
+    !IsUnsigned(array) || std::all_of(begin, end, [](vtkIdType id) { return id >= 0; });
   return fits ? vtkSmartPointer<vtkDataArray>(ids) : nullptr;
 }
 }
@@ -187,7 +188,7 @@ ElementBlocks::ElementBlocks(vtkDataObject* input, Reducer& reducer, ElementKind
 {
   this->Composite = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   const std::vector<DataSetLeaf> leaves = GetLeaves(input);
-  RunTogether(reducer,
+  RunCollectively(reducer,
     [&]
     {
       for (const DataSetLeaf& leaf : leaves)
@@ -264,7 +265,7 @@ void ElementBlocks::FindCopiesOfPoints(Reducer& reducer)
   {
     return;
   }
-  const MeshPieces pieces({ this->Blocks.begin(), this->Blocks.end() }, EvaluationOptions(),
+  const DistributedMesh pieces({ this->Blocks.begin(), this->Blocks.end() }, EvaluationOptions(),
     reducer.GetNumberOfProcesses(), reducer);
   std::int64_t hasCopies = 0;
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
@@ -357,8 +358,7 @@ void ElementBlocks::FindIndices(Reducer& reducer)
   }
 
   pieces = reducer.GatherItems(pieces);
-  std::sort(pieces.begin(), pieces.end(),
-    [](const Piece& a, const Piece& b)
+  std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b)
     { return std::tie(a.Number, a.Process, a.Order) < std::tie(b.Number, b.Process, b.Order); });
   for (const Piece& piece : pieces)
   {
@@ -427,7 +427,8 @@ vtkSmartPointer<vtkDoubleArray> ToDoubles(vtkDataArray* array)
   ParallelFor(ids->GetNumberOfValues(), grain,
     [=](vtkIdType begin, vtkIdType end)
     {
-      std::transform(from + begin, from + end, to + begin, [](vtkIdType id) { return static_cast<double>(id); });
+      std::transform(
+        from + begin, from + end, to + begin, [](vtkIdType id) { return static_cast<double>(id); });
     });
   return doubles;
 }
@@ -445,7 +446,8 @@ void SetNulls(const ElementBlock& block, vtkDoubleArray* values)
   double* const to = values->GetPointer(0);
   for (vtkIdType cell = 0; cell < values->GetNumberOfValues(); ++cell)
   {
-    const int dimension = GetCellShape(static_cast<unsigned char>(block.Data->GetCellType(cell))).Dimension;
+    const int dimension =
+      GetCellShape(static_cast<unsigned char>(block.Data->GetCellType(cell))).Dimension;
     const unsigned shapes = dimension == 2 ? Polygons : dimension == 3 ? Polyhedra : 0u;
     if (!(criterion->AppliesTo & shapes))
     {
@@ -489,8 +491,8 @@ BlockValues::BlockValues(const ElementBlocks& blocks, const std::string& arrayNa
 //------------------------------------------------------------------------------
 bool BlockValues::HasRests() const
 {
-  return std::any_of(
-    this->Rests.begin(), this->Rests.end(), [](const std::vector<std::int16_t>& rests) { return !rests.empty(); });
+  return std::any_of(this->Rests.begin(), this->Rests.end(),
+    [](const std::vector<std::int16_t>& rests) { return !rests.empty(); });
 }
 
 //------------------------------------------------------------------------------
@@ -537,8 +539,9 @@ Weights BlockWeights::GetWeights(const BlockValues& values) const
   for (std::size_t v = 0; v < values.Get().size(); ++v)
   {
     const auto found = std::find(having.begin(), having.end(), values.GetBlockNumbers()[v]);
-    weights.Values.push_back(values.Get()[v].WithValues(
-      found == having.end() ? this->Zeros.data() : this->Values.Get()[found - having.begin()].Values));
+    weights.Values.push_back(values.Get()[v].WithValues(found == having.end()
+        ? this->Zeros.data()
+        : this->Values.Get()[found - having.begin()].Values));
   }
   return weights;
 }

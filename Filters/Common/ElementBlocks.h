@@ -2,25 +2,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ElementBlocks
- * @brief The cells or points of any input, block by block, with an identity of each among all processes.
+ * @brief The cells or points of any input, block by block, with an identity of each among all
+ * processes.
  *
  * The *index* of a cell counts the cells of block after block, inside a block those of process
  * after process; copies of cells that another process owns (DUPLICATECELL) are not counted. For one
  * data set on one process it is VTK's cell id; for a mesh that is split into ranges of cells it is
- * what that would be. Its *identity* is its global id if all cells have one, else its index. The same
- * holds for points.
+ * what that would be. Its *identity* is its global id if all cells have one, else its index. The
+ * same holds for points.
  *
- * Points that several pieces of a block have are copies in all but one of them, that of the lowest process, and so are
- * points of nothing but copies of cells, whether or not they are marked as such.
+ * Points that several pieces of a block have are copies in all but one of them, that of the lowest
+ * process, and so are points of nothing but copies of cells, whether or not they are marked as
+ * such.
  *
- * Ghosts (vtkGhostType with DUPLICATECELL, HIDDENCELL or REFINEDCELL; DUPLICATEPOINT or HIDDENPOINT)
- * take part in nothing.
+ * Ghosts (vtkGhostType with DUPLICATECELL, HIDDENCELL or REFINEDCELL; DUPLICATEPOINT or
+ * HIDDENPOINT) take part in nothing.
  */
 #ifndef camaron_ElementBlocks_h
 #define camaron_ElementBlocks_h
 
-#include "Statistics/Population.h"
 #include "Ranks/Reducer.h"
+#include "Statistics/Population.h"
 #include "Statistics/Weights.h"
 
 #include "vtkDataObject.h"   // for kinds of elements
@@ -48,8 +50,8 @@ struct DataSetLeaf
 };
 
 /**
- * The data sets of the input on this process in the order of their flat indices, empty ones included; with ghosts in the
- * form that VTK knows (WithGhostBytes).
+ * The data sets of the input on this process in the order of their flat indices, empty ones
+ * included; with ghosts in the form that VTK knows (WithGhostBytes).
  */
 std::vector<DataSetLeaf> GetLeaves(vtkDataObject* input);
 /// The same of an output, which the data sets themselves are in whatever their ghosts are.
@@ -66,9 +68,9 @@ enum class ElementKind
 struct ElementBlock : DataSetLeaf
 {
   ElementKind Kind = ElementKind::Cells;
-  std::vector<unsigned char> Skip;         ///< nonzero for ghosts; empty if there are none
-  vtkIdType FirstIndex = 0;                ///< of the first element
-  std::vector<vtkIdType> Indices;          ///< of all elements if they are not consecutive, else empty
+  std::vector<unsigned char> Skip; ///< nonzero for ghosts; empty if there are none
+  vtkIdType FirstIndex = 0;        ///< of the first element
+  std::vector<vtkIdType> Indices;  ///< of all elements if they are not consecutive, else empty
   vtkSmartPointer<vtkDataArray> GlobalIds; ///< vtkIdTypeArray, none if the identity is the index
 
   vtkIdType GetSize() const;
@@ -140,7 +142,8 @@ public:
   const std::vector<std::size_t>& GetBlockNumbers() const { return this->Numbers; }
   /// Whether there are integers that no double is, on this process.
   bool HasRests() const;
-  /// Borrows the shapes of the elements of all blocks, and names those that the acceptable range is for.
+  /// Borrows the shapes of the elements of all blocks, and names those that the acceptable range is
+  /// for.
   void SetShapes(const std::vector<std::vector<std::uint16_t>>& shapes, unsigned judged);
 
 private:
@@ -162,7 +165,7 @@ public:
 
 private:
   BlockValues Values;
-  double Unit; // of the weights of all elements
+  double Unit;               // of the weights of all elements
   std::vector<double> Zeros; // as many as the largest block has elements
 };
 }

@@ -15,7 +15,8 @@
 
 namespace camaron
 {
-/// Mean of the points of a cell, the same in whatever order the cell has them; or the coordinates of a point.
+/// Mean of the points of a cell, the same in whatever order the cell has them; or the coordinates
+/// of a point.
 void GetPlace(const ElementBlock& block, vtkIdType element, double place[3]);
 
 /// Collective. Places of elements of @a values that one process each has; NaN if none has it.

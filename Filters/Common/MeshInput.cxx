@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshInput.h"
 
+#include "Mesh/GhostArrays.h"
+#include "Mesh/MeshCheck.h"
 #include "Mesh/MeshView.h"
 #include "Mesh/PointSetHulls.h"
-#include "vtkCamaronCompat.h"
+#include "Ranks/Collective.h"
 
 #include "vtkAppendFilter.h"
+#include "vtkCamaronCompat.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -95,7 +98,8 @@ vtkSmartPointer<vtkUnstructuredGrid> SplitStrips(vtkUnstructuredGrid* grid)
   return result;
 }
 
-constexpr unsigned char NoPart = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
+constexpr unsigned char NoPart =
+  vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
 
 //------------------------------------------------------------------------------
 bool HasHidden(vtkDataSet* data)
@@ -107,7 +111,8 @@ bool HasHidden(vtkDataSet* data)
 }
 
 //------------------------------------------------------------------------------
-// Hidden cells, and those that are refined elsewhere, are no part of a mesh, as VTK has it for structured ones.
+// Hidden cells, and those that are refined elsewhere, are no part of a mesh, as VTK has it for
+// structured ones.
 vtkSmartPointer<vtkUnstructuredGrid> WithoutHidden(vtkUnstructuredGrid* grid)
 {
   if (!HasHidden(grid))
@@ -203,5 +208,24 @@ vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* data)
   result->GetFieldData()->ShallowCopy(surface->GetFieldData());
   CopyCellData(surface, sources, result);
   return result;
+}
+
+//------------------------------------------------------------------------------
+void CheckMeshes(const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
+{
+  PolyhedronFaces faces;
+  RunCollectively(reducer,
+    [&]
+    {
+      for (const DataSetLeaf& leaf : leaves)
+      {
+        CheckGhosts(leaf.Data);
+        CheckPointIds(leaf.Data);
+        faces.Add(leaf.Data);
+      }
+    });
+  reducer.Sum(&faces.NumberWithFaces, 1);
+  reducer.Sum(&faces.NumberOfPolyhedra, 1);
+  faces.Check();
 }
 }

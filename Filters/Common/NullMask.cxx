@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NullMask.h"
 
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "Criteria/Criterion.h"
 #include "Mesh/CellShape.h"
-#include "Base/Parallel.h"
-#include "Base/Buffer.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkUnsignedCharArray.h"
@@ -23,7 +23,8 @@ constexpr vtkIdType Grain = 65536;
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnsignedCharArray> MakeNullMask(vtkDoubleArray* values, vtkDataSet* mesh)
 {
-  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh); // others have no cells of higher order
+  auto* const grid =
+    vtkUnstructuredGrid::SafeDownCast(mesh); // others have no cells of higher order
   const auto mask = MakeLargeArray<vtkUnsignedCharArray>(values->GetNumberOfValues());
   mask->SetName((std::string(values->GetName()) + "_Null").c_str());
   const double* from = values->GetPointer(0);

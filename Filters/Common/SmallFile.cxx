@@ -46,8 +46,8 @@ std::vector<char> ReadHere(const std::string& path, const std::string& what)
 std::string ReadSmallFile(const std::string& path, const std::string& what, Reducer& reducer)
 {
   std::vector<std::size_t> sizes;
-  const std::vector<char> bytes = reducer.Gather(
-    reducer.GetProcess() == 0 ? ReadHere(path, what) : std::vector<char>(), sizes);
+  const std::vector<char> bytes =
+    reducer.Gather(reducer.GetProcess() == 0 ? ReadHere(path, what) : std::vector<char>(), sizes);
   if (bytes.empty() || bytes[0] != '\0')
   {
     throw std::runtime_error(std::string(bytes.begin(), bytes.end()));

@@ -14,8 +14,8 @@
 namespace camaron
 {
 /**
- * Collective. Its bytes. Throws std::runtime_error on all processes alike where it cannot be read, or where it is too
- * large for @a what, such as "a file of ranges".
+ * Collective. Its bytes. Throws std::runtime_error on all processes alike where it cannot be read,
+ * or where it is too large for @a what, such as "a file of ranges".
  */
 std::string ReadSmallFile(const std::string& path, const std::string& what, Reducer& reducer);
 }

@@ -21,7 +21,8 @@
 
 namespace camaron
 {
-/// Columns of integers. VTK sends vtkIdTypeArray as integers of 32 bits from server to client, this one as it is.
+/// Columns of integers. VTK sends vtkIdTypeArray as integers of 32 bits from server to client, this
+/// one as it is.
 using IntegerColumn = vtkTypeInt64Array;
 
 template <typename Array>

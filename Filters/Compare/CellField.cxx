@@ -81,12 +81,14 @@ double FindGradient(const std::vector<Sample>& samples)
   double* columns[3] = { vectors[0], vectors[1], vectors[2] };
   double extents[3]; // squares, the largest first
   vtkMath::Jacobi(rows, extents, columns);
-  // Directions in which the points do not extend, as normals of polygons, have no part in the gradient.
+  // Directions in which the points do not extend, as normals of polygons, have no part in the
+  // gradient.
   constexpr double flat = 1e-12; // square of the ratio of extents
   double length = 0;
   for (int i = 0; i < 3; ++i)
   {
-    const double along = vectors[0][i] * right[0] + vectors[1][i] * right[1] + vectors[2][i] * right[2];
+    const double along =
+      vectors[0][i] * right[0] + vectors[1][i] * right[1] + vectors[2][i] * right[2];
     length = extents[i] > flat * extents[0] ? std::hypot(length, along / extents[i]) : length;
   }
   return length;
@@ -132,12 +134,13 @@ std::vector<double> FromCells(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool isOfPoints, bool takesGradient,
-  Reducer& reducer)
+CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool isOfPoints,
+  bool takesGradient, Reducer& reducer)
 {
   if (takesGradient && !isOfPoints)
   {
-    throw std::invalid_argument("a gradient is taken of fields of points only, Cell Data To Point Data makes one");
+    throw std::invalid_argument(
+      "a gradient is taken of fields of points only, Cell Data To Point Data makes one");
   }
   std::int64_t counts[2] = { 0, static_cast<std::int64_t>(blocks.Get().size()) };
   for (const ElementBlock& block : blocks.Get())
@@ -149,13 +152,14 @@ CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool 
     counts[0] += array != nullptr;
     this->Rests = this->Rests || (array && !GetRests(array).empty());
     this->Values.push_back(!array ? std::vector<double>()
-                                  : isOfPoints ? FromPoints(block.Data, array, takesGradient) : FromCells(array));
+        : isOfPoints              ? FromPoints(block.Data, array, takesGradient)
+                                  : FromCells(array));
   }
   reducer.Sum(counts, 2);
   if (counts[0] == 0 && counts[1] > 0)
   {
-    throw std::invalid_argument(
-      "there is no array of " + std::string(isOfPoints ? "points" : "cells") + " named '" + name + "'");
+    throw std::invalid_argument("there is no array of " +
+      std::string(isOfPoints ? "points" : "cells") + " named '" + name + "'");
   }
 }
 }

@@ -133,7 +133,8 @@ void AddComparisonRow(vtkTable* table, const ArrayComparison& comparison)
   row.Add(comparison.Distance.Value);
   const ValueChanges changes = comparison.Changes ? *comparison.Changes : ValueChanges();
   row.Add(std::int64_t(comparison.Changes.has_value()));
-  for (const std::int64_t count : { changes.Compared, changes.Improved, changes.Worsened, changes.Unchanged })
+  for (const std::int64_t count :
+    { changes.Compared, changes.Improved, changes.Worsened, changes.Unchanged })
   {
     row.Add(count);
   }

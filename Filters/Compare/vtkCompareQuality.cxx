@@ -3,17 +3,17 @@
 #include "vtkCompareQuality.h"
 
 #include "AcceptableRanges.h"
-#include "CellShapes.h"
 #include "ArraysOfSteps.h"
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
+#include "CellShapes.h"
 #include "CheckNumber.h"
 #include "ComparisonTables.h"
 #include "ControllerReducer.h"
 #include "ElementBlocks.h"
 #include "Grouping.h"
-#include "MeshCopies.h"
-#include "Base/Parallel.h"
-#include "SameCells.h"
-#include "Base/Buffer.h"
+#include "MatchingCells.h"
+#include "MeshOutputs.h"
 #include "Statistics/Quantiles.h"
 #include "StatisticsArrays.h"
 #include "StatisticsTables.h"
@@ -34,8 +34,10 @@ namespace
 {
 //------------------------------------------------------------------------------
 // Those of both, with the same unit; says of others why they are left out, and adds their names.
-std::vector<camaron::StatisticsArray> FindCommonArrays(const std::vector<camaron::StatisticsArray>& ofA,
-  const std::vector<camaron::StatisticsArray>& ofB, std::string& reasons, std::vector<std::string>& leftOut)
+std::vector<camaron::StatisticsArray> FindCommonArrays(
+  const std::vector<camaron::StatisticsArray>& ofA,
+  const std::vector<camaron::StatisticsArray>& ofB, std::string& reasons,
+  std::vector<std::string>& leftOut)
 {
   std::vector<camaron::StatisticsArray> common;
   for (const camaron::StatisticsArray& array : ofA)
@@ -49,7 +51,8 @@ std::vector<camaron::StatisticsArray> FindCommonArrays(const std::vector<camaron
     if (!array.Unit.empty() && !other->Unit.empty() && array.Unit != other->Unit)
     {
       leftOut.push_back(array.Name);
-      reasons += " " + array.Name + " is in " + array.Unit + " in one mesh and in " + other->Unit + " in the other.";
+      reasons += " " + array.Name + " is in " + array.Unit + " in one mesh and in " + other->Unit +
+        " in the other.";
       continue;
     }
     common.push_back(array);
@@ -86,8 +89,8 @@ struct MatchedValues
   std::vector<std::size_t> BlockNumbers;
 
   /// @a before, @a after: the populations to match, of @a a and @a b.
-  MatchedValues(const camaron::BlockValues& a, const camaron::Population& before, const camaron::BlockValues& b,
-    const camaron::Population& after)
+  MatchedValues(const camaron::BlockValues& a, const camaron::Population& before,
+    const camaron::BlockValues& b, const camaron::Population& after)
   {
     for (std::size_t i = 0; i < after.size(); ++i)
     {
@@ -104,8 +107,8 @@ struct MatchedValues
 };
 
 //------------------------------------------------------------------------------
-void AddDeltas(const std::string& name, const MatchedValues& values, const camaron::ElementBlocks& blocks,
-  camaron::NewCellArrays& deltas)
+void AddDeltas(const std::string& name, const MatchedValues& values,
+  const camaron::ElementBlocks& blocks, camaron::NewCellArrays& deltas)
 {
   for (std::size_t i = 0; i < values.After.size(); ++i)
   {
@@ -114,7 +117,8 @@ void AddDeltas(const std::string& name, const MatchedValues& values, const camar
     camaron::ParallelFor(values.After[i].Size, 1 << 16,
       [&](vtkIdType begin, vtkIdType end)
       {
-        camaron::FindDifferences(values.Before[i], values.After[i], begin, end, delta->GetPointer(0));
+        camaron::FindDifferences(
+          values.Before[i], values.After[i], begin, end, delta->GetPointer(0));
       });
     deltas[blocks.Get()[values.BlockNumbers[i]].FlatIndex].push_back(delta);
   }
@@ -167,7 +171,8 @@ void vtkCompareQuality::MakeColumns(vtkInformationVector* outputVector)
 }
 
 //------------------------------------------------------------------------------
-void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkCompareQuality::AddRows(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   camaron::CheckNumber("Number Of Bins", this->NumberOfBins, 1, 100000);
   camaron::CheckNumber("Tolerance", this->Tolerance, 0.0, 1.0);
@@ -180,7 +185,8 @@ void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformati
     fractions.push_back(percent / 100);
   }
 
-  vtkDataObject *a = vtkDataObject::GetData(inputVector[0]), *b = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject *a = vtkDataObject::GetData(inputVector[0]),
+                *b = vtkDataObject::GetData(inputVector[1]);
   camaron::ControllerReducer reducer;
   const camaron::AcceptableRanges ranges(this->Preset, this->RangesFile, reducer);
   const camaron::ElementBlocks blocks[2] = { { a, reducer }, { b, reducer } };
@@ -195,11 +201,13 @@ void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformati
   this->WarnOfNoGroups(groupings[0].GetArrayName(), groups.size(), isRoot);
 
   camaron::NewCellArrays deltas;
-  camaron::BlockShapes shapes[2] = { camaron::BlockShapes(blocks[0]), camaron::BlockShapes(blocks[1]) };
+  camaron::BlockShapes shapes[2] = { camaron::BlockShapes(blocks[0]),
+    camaron::BlockShapes(blocks[1]) };
   for (std::size_t i = 0; i < arrays.size(); ++i)
   {
     const camaron::Criterion* criterion = camaron::FindCriterion(arrays[i].Name);
-    camaron::BlockValues values[2] = { { blocks[0], arrays[i].Name }, { blocks[1], arrays[i].Name } };
+    camaron::BlockValues values[2] = { { blocks[0], arrays[i].Name },
+      { blocks[1], arrays[i].Name } };
     for (const camaron::BlockValues& ofMesh : values)
     {
       this->NoteRounding(arrays[i].Name, ofMesh.HasRests(), reducer);
@@ -229,18 +237,21 @@ void vtkCompareQuality::AddRows(vtkInformationVector** inputVector, vtkInformati
       if (group.IsAll)
       {
         // All groups share the bins of all cells.
-        comparison.Bins = camaron::MakeBins(Join(comparison.Summaries[0], comparison.Summaries[1]), settings);
+        comparison.Bins =
+          camaron::MakeBins(Join(comparison.Summaries[0], comparison.Summaries[1]), settings);
       }
       for (int mesh = 0; mesh < 2; ++mesh)
       {
-        comparison.Histograms[mesh] = camaron::CountBins(populations[mesh], comparison.Bins, reducer);
+        comparison.Histograms[mesh] =
+          camaron::CountBins(populations[mesh], comparison.Bins, reducer);
       }
-      comparison.Distance = camaron::FindDistributionDistance(populations[0], populations[1], reducer);
+      comparison.Distance =
+        camaron::FindDistributionDistance(populations[0], populations[1], reducer);
       if (sameCells)
       {
         const MatchedValues matched(values[0], populations[0], values[1], populations[1]);
-        comparison.Changes =
-          camaron::CountChanges(matched.Before, matched.After, comparison.Better, this->Tolerance, reducer);
+        comparison.Changes = camaron::CountChanges(
+          matched.Before, matched.After, comparison.Better, this->Tolerance, reducer);
         if (group.IsAll && this->Steps->IsLast())
         {
           AddDeltas(arrays[i].Name, matched, blocks[1], deltas);
@@ -268,9 +279,11 @@ std::vector<camaron::StatisticsArray> vtkCompareQuality::ChooseCommonArrays(
 {
   std::string reasons;
   std::vector<std::string> leftOut, missing;
-  const std::vector<camaron::StatisticsArray> common = FindCommonArrays(
-    camaron::FindArrays(blocks[0], reducer), camaron::FindArrays(blocks[1], reducer), reasons, leftOut);
-  std::vector<camaron::StatisticsArray> arrays = camaron::ChooseArrays(common, this->Arrays, missing);
+  const std::vector<camaron::StatisticsArray> common =
+    FindCommonArrays(camaron::FindArrays(blocks[0], reducer),
+      camaron::FindArrays(blocks[1], reducer), reasons, leftOut);
+  std::vector<camaron::StatisticsArray> arrays =
+    camaron::ChooseArrays(common, this->Arrays, missing);
   const auto isLeftOut = [&](const std::string& name)
   { return std::find(leftOut.begin(), leftOut.end(), name) != leftOut.end(); };
   missing.erase(std::remove_if(missing.begin(), missing.end(), isLeftOut), missing.end());

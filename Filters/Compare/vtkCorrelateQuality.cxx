@@ -3,7 +3,6 @@
 #include "vtkCorrelateQuality.h"
 
 #include "AcceptableRanges.h"
-#include "AgreedName.h"
 #include "ArraysOfSteps.h"
 #include "CellField.h"
 #include "CellShapes.h"
@@ -11,7 +10,8 @@
 #include "Criteria/Criterion.h"
 #include "ElementBlocks.h"
 #include "Grouping.h"
-#include "MeshCopies.h"
+#include "MeshOutputs.h"
+#include "Ranks/Collective.h"
 #include "Statistics/Correlation.h"
 #include "StatisticsArrays.h"
 #include "TableRows.h"
@@ -47,7 +47,8 @@ struct Pairs
   camaron::Population Quality, Field;
 
   /// @a population: of @a values.
-  Pairs(const camaron::Population& population, const camaron::BlockValues& values, const camaron::CellField& field)
+  Pairs(const camaron::Population& population, const camaron::BlockValues& values,
+    const camaron::CellField& field)
   {
     this->Masks.resize(population.size());
     for (std::size_t i = 0; i < population.size(); ++i)
@@ -62,7 +63,8 @@ struct Pairs
       mask.resize(quality.Size);
       for (vtkIdType cell = 0; cell < quality.Size; ++cell)
       {
-        mask[cell] = !quality.Contains(cell) || std::isnan(quality.Values[cell]) || std::isnan(fieldValues[cell]);
+        mask[cell] = !quality.Contains(cell) || std::isnan(quality.Values[cell]) ||
+          std::isnan(fieldValues[cell]);
       }
       quality.Skip = mask.data();
       this->Quality.push_back(quality);
@@ -117,14 +119,15 @@ struct OutsideCells
   std::int64_t Count = 0;
   double MeanInside = Unknown;
   double MeanOutside = Unknown;
-  /// Probability that a cell outside has a larger value of the field than one inside; ties count half.
+  /// Probability that a cell outside has a larger value of the field than one inside; ties count
+  /// half.
   double Above = Unknown;
 };
 
 //------------------------------------------------------------------------------
 // Collective. Sum of the doubled ranks of the cells that a mask does not leave out.
-std::int64_t SumRanks(const camaron::BlockRanks& ranks, const std::vector<std::vector<unsigned char>>& masks,
-  camaron::Reducer& reducer)
+std::int64_t SumRanks(const camaron::BlockRanks& ranks,
+  const std::vector<std::vector<unsigned char>>& masks, camaron::Reducer& reducer)
 {
   std::int64_t sum = 0;
   for (std::size_t b = 0; b < masks.size(); ++b)
@@ -139,11 +142,18 @@ std::int64_t SumRanks(const camaron::BlockRanks& ranks, const std::vector<std::v
 }
 
 //------------------------------------------------------------------------------
-// Collective. @a ranks: of the field. Inside and outside are the cells that the range is for, no others.
+// Collective. @a ranks: of the field. Inside and outside are the cells that the range is for, no
+// others.
 OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ranks,
   const camaron::ValueRange& acceptable, camaron::Reducer& reducer)
 {
-  enum Part { Inside, Outside, Judged, NumberOfParts };
+  enum Part
+  {
+    Inside,
+    Outside,
+    Judged,
+    NumberOfParts
+  };
   std::int64_t counts[NumberOfParts] = {};
   std::int64_t hasOthers = 0;
   camaron::Population parts[NumberOfParts] = { pairs.Field, pairs.Field, pairs.Field };
@@ -160,7 +170,8 @@ OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ran
     {
       if (block.Contains(i) && block.IsJudged(i))
       {
-        const bool isOutside = block.Values[i] < acceptable.Low || block.Values[i] > acceptable.High;
+        const bool isOutside =
+          block.Values[i] < acceptable.Low || block.Values[i] > acceptable.High;
         for (const Part part : { isOutside ? Outside : Inside, Judged })
         {
           ++counts[part];
@@ -182,11 +193,12 @@ OutsideCells FindOutsideCells(const Pairs& pairs, const camaron::BlockRanks& ran
   if (counts[Inside] > 0 && counts[Outside] > 0)
   {
     // The statistic of Mann and Whitney, doubled.
-    const std::int64_t sum = SumRanks(
-      hasOthers ? camaron::FindDoubledRanks(parts[Judged], reducer) : ranks, masks[Outside], reducer);
+    const std::int64_t sum =
+      SumRanks(hasOthers ? camaron::FindDoubledRanks(parts[Judged], reducer) : ranks,
+        masks[Outside], reducer);
     const std::int64_t doubled = sum - counts[Outside] * (counts[Outside] + 1);
-    result.Above =
-      static_cast<double>(doubled) / 2 / static_cast<double>(counts[Inside]) / static_cast<double>(counts[Outside]);
+    result.Above = static_cast<double>(doubled) / 2 / static_cast<double>(counts[Inside]) /
+      static_cast<double>(counts[Outside]);
   }
   return result;
 }
@@ -200,9 +212,11 @@ void AddColumnsOfTable(vtkTable* table, bool hasTime)
   }
   camaron::AddColumns<vtkStringArray>(table, { "Criterion", "Unit", "Group", "Field" });
   camaron::AddColumns<camaron::IntegerColumn>(table, { "Count" });
-  camaron::AddColumns<vtkDoubleArray>(table, { "Pearson", "Spearman", "AcceptableLow", "AcceptableHigh" });
+  camaron::AddColumns<vtkDoubleArray>(
+    table, { "Pearson", "Spearman", "AcceptableLow", "AcceptableHigh" });
   camaron::AddColumns<camaron::IntegerColumn>(table, { "OutsideCount" });
-  camaron::AddColumns<vtkDoubleArray>(table, { "FieldMeanInside", "FieldMeanOutside", "OutsideAbove" });
+  camaron::AddColumns<vtkDoubleArray>(
+    table, { "FieldMeanInside", "FieldMeanOutside", "OutsideAbove" });
 }
 
 //------------------------------------------------------------------------------
@@ -246,8 +260,8 @@ Correlation FindCorrelation(const Pairs& pairs, const camaron::BlockRanks& field
 }
 
 //------------------------------------------------------------------------------
-void AddNumbers(
-  camaron::TableRow& row, const Correlation& correlation, const std::optional<camaron::ValueRange>& acceptable)
+void AddNumbers(camaron::TableRow& row, const Correlation& correlation,
+  const std::optional<camaron::ValueRange>& acceptable)
 {
   row.Add(correlation.Count);
   row.Add(correlation.Pearson);
@@ -271,7 +285,8 @@ std::string GetToldField(vtkInformation* info)
     return "";
   }
   const std::string name = info->Get(vtkDataObject::FIELD_NAME());
-  const bool isOfPoints = info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  const bool isOfPoints =
+    info->Get(vtkDataObject::FIELD_ASSOCIATION()) == vtkDataObject::FIELD_ASSOCIATION_POINTS;
   return name.empty() ? "" : (isOfPoints ? OfPoints : OfCells) + name;
 }
 
@@ -282,9 +297,10 @@ struct ChosenField
   std::string Name;
 };
 
-// Collective. Where no field is told: the active scalars of points, else any array of points, else one of cells that
-// is no criterion.
-ChosenField ChooseField(vtkInformation* info, const camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
+// Collective. Where no field is told: the active scalars of points, else any array of points, else
+// one of cells that is no criterion.
+ChosenField ChooseField(
+  vtkInformation* info, const camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
 {
   std::vector<std::string> active, ofPoints, ofCells;
   for (const camaron::ElementBlock& block : blocks.Get())
@@ -301,13 +317,15 @@ ChosenField ChooseField(vtkInformation* info, const camaron::ElementBlocks& bloc
     vtkCellData* cells = block.Data->GetCellData();
     for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
     {
-      if (cells->GetArray(i) && cells->GetArrayName(i) && !camaron::FindCriterion(cells->GetArrayName(i)))
+      if (cells->GetArray(i) && cells->GetArrayName(i) &&
+        !camaron::FindCriterion(cells->GetArrayName(i)))
       {
         ofCells.push_back(OfCells + std::string(cells->GetArrayName(i)));
       }
     }
   }
-  const std::string name = camaron::AgreeOnName(GetToldField(info), { active, ofPoints, ofCells }, reducer);
+  const std::string name =
+    camaron::AgreeOnName(GetToldField(info), { active, ofPoints, ofCells }, reducer);
   std::int64_t numberOfBlocks = static_cast<std::int64_t>(blocks.Get().size());
   reducer.Sum(&numberOfBlocks, 1);
   if (name.empty() && numberOfBlocks > 0)
@@ -378,7 +396,8 @@ void vtkCorrelateQuality::MakeColumns(vtkInformationVector* outputVector)
 }
 
 //------------------------------------------------------------------------------
-void vtkCorrelateQuality::AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkCorrelateQuality::AddRows(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   camaron::ControllerReducer reducer;
@@ -409,7 +428,8 @@ void vtkCorrelateQuality::AddRows(vtkInformationVector** inputVector, vtkInforma
       const auto acceptable = ranges.Find(arrays[a].Name, arrays[a].Unit);
       shapes.Judge(values, acceptable);
       const Pairs pairs(groups.GetPopulation(group, values), values, field);
-      const Correlation correlation = FindCorrelation(pairs, fieldRanks.Get(pairs, reducer), acceptable, reducer);
+      const Correlation correlation =
+        FindCorrelation(pairs, fieldRanks.Get(pairs, reducer), acceptable, reducer);
       camaron::TableRow row;
       if (const auto time = this->Steps->GetTime())
       {

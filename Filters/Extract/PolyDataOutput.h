@@ -4,7 +4,8 @@
  * @file PolyDataOutput.h
  * @brief Outputs with a vtkPolyData for each data set of the input.
  *
- * For filters whose processes must work together; VTK would run them block by block, each process for its own.
+ * For filters whose processes must work together; VTK would run them block by block, each process
+ * for its own.
  */
 #ifndef camaron_PolyDataOutput_h
 #define camaron_PolyDataOutput_h

@@ -3,9 +3,9 @@
 #include "vtkMeshElements.h"
 
 #include "ControllerReducer.h"
+#include "DistributedMesh.h"
 #include "Elements/MeshElements.h"
 #include "MeshInput.h"
-#include "MeshPieces.h"
 #include "NullMask.h"
 #include "PolyDataOutput.h"
 
@@ -66,7 +66,7 @@ void AddNullMasks(vtkPolyData* elements)
 
 //------------------------------------------------------------------------------
 // The criteria of which pieces of this process have an array.
-std::vector<std::string> FindCriteria(const camaron::MeshPieces& pieces)
+std::vector<std::string> FindCriteria(const camaron::DistributedMesh& pieces)
 {
   std::vector<std::string> names;
   for (const camaron::Criterion& criterion : camaron::GetCriteria())
@@ -100,10 +100,9 @@ vtkMeshElements::~vtkMeshElements() = default;
 void vtkMeshElements::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const std::pair<const char*, vtkDataArraySelection*> selections[] = {
-    { "FaceArrays", this->FaceArrays }, { "EdgeArrays", this->EdgeArrays },
-    { "VertexArrays", this->VertexArrays }
-  };
+  const std::pair<const char*, vtkDataArraySelection*> selections[] = { { "FaceArrays",
+                                                                          this->FaceArrays },
+    { "EdgeArrays", this->EdgeArrays }, { "VertexArrays", this->VertexArrays } };
   for (const auto& selection : selections)
   {
     os << indent << selection.first << ":\n";
@@ -236,7 +235,7 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
   {
     leaf.Data = camaron::WithoutStrips(leaf.Data);
   }
-  camaron::MeshPieces pieces(leaves, common, numberOfPieces, reducer);
+  camaron::DistributedMesh pieces(leaves, common, numberOfPieces, reducer);
   if (this->ConnectBlocks)
   {
     pieces.ConnectBlocks();
@@ -257,11 +256,10 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
     faces = pieces.FindMismatchedFaces(meshes, this->MergeTolerance);
   }
 
-  const std::vector<vtkPolyData*> outputs[] = {
-    camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 0)),
+  const std::vector<vtkPolyData*> outputs[] = { camaron::MakePolyDataLeaves(
+                                                  input, vtkDataObject::GetData(outputVector, 0)),
     camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 1)),
-    camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 2))
-  };
+    camaron::MakePolyDataLeaves(input, vtkDataObject::GetData(outputVector, 2)) };
   for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)
   {
     const camaron::MeshTopology topology(meshes[piece]);
@@ -285,7 +283,8 @@ void vtkMeshElements::TakeElements(vtkDataObject* input, vtkInformationVector* o
       camaron::MakeEdges(context, GetTicked(this->EdgeArrays), outputs[1][piece]);
     }
     const camaron::ElementContext::Step step(context, edgeTime, 1);
-    if (camaron::MakeVertices(context, GetTicked(this->VertexArrays), outputs[2][piece]) && this->WorstOfCells)
+    if (camaron::MakeVertices(context, GetTicked(this->VertexArrays), outputs[2][piece]) &&
+      this->WorstOfCells)
     {
       camaron::AddWorstOfCells(context, outputs[2][piece]);
     }

@@ -4,18 +4,20 @@
  * @class vtkMeshElements
  * @brief Takes the faces, edges and vertices of a mesh as data sets of their own.
  *
- * Input: any vtkDataSet or composite of them. Outputs: vtkPolyData (of blocks: the same blocks of them) of the faces
- * of the 3D cells (port 0; of a surface its polygons), of the edges (port 1) and of the vertices (port 2), each once,
- * in an order that does not depend on the number of threads; see camaron::MakeFaces, MakeEdges and MakeVertices. Points
- * and their data are those of the mesh. Cell arrays tell what belongs to what, what lies at the boundary, and
- * the criteria of faces, edges and vertices; output port 3 of vtkCriteriaTable lists them. Only those that
- * are ticked are computed, and only if the mesh has cells for which they mean something. Criteria of polygons are
+ * Input: any vtkDataSet or composite of them. Outputs: vtkPolyData (of blocks: the same blocks of
+ * them) of the faces of the 3D cells (port 0; of a surface its polygons), of the edges (port 1) and
+ * of the vertices (port 2), each once, in an order that does not depend on the number of threads;
+ * see camaron::MakeFaces, MakeEdges and MakeVertices. Points and their data are those of the mesh.
+ * Cell arrays tell what belongs to what, what lies at the boundary, and the criteria of faces,
+ * edges and vertices; output port 3 of vtkCriteriaTable lists them. Only those that are ticked are
+ * computed, and only if the mesh has cells for which they mean something. Criteria of polygons are
  * evaluated for the faces by vtkElementQuality.
  *
- * Elements and their values are those of the undivided mesh, however it is split over processes and partitions: cells
- * of other pieces of the block are found by their points (global ids, or coordinates) and need not be there as ghost
- * cells. An element between pieces belongs to the one whose cell has the smallest global id, or without ids to the
- * first one; in the others it is marked as a ghost. Blocks have nothing to do with each other unless they are connected.
+ * Elements and their values are those of the undivided mesh, however it is split over processes and
+ * partitions: cells of other pieces of the block are found by their points (global ids, or
+ * coordinates) and need not be there as ghost cells. An element between pieces belongs to the one
+ * whose cell has the smallest global id, or without ids to the first one; in the others it is
+ * marked as a ghost. Blocks have nothing to do with each other unless they are connected.
  */
 #ifndef vtkMeshElements_h
 #define vtkMeshElements_h
@@ -55,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Whether vertices get "VertexWorst<Criterion>", the worst value of the cells around, for every array of a
-   * criterion that the cells of the input have. Default: off.
+   * Whether vertices get "VertexWorst<Criterion>", the worst value of the cells around, for every
+   * array of a criterion that the cells of the input have. Default: off.
    */
   vtkSetMacro(WorstOfCells, bool);
   vtkGetMacro(WorstOfCells, bool);
@@ -65,8 +67,8 @@ public:
 
   ///@{
   /**
-   * Distance up to which points coincide, for DuplicatePoint and FaceMismatch; 0 (default) for 8 rounding
-   * units of their coordinates.
+   * Distance up to which points coincide, for DuplicatePoint and FaceMismatch; 0 (default) for 8
+   * rounding units of their coordinates.
    */
   vtkSetClampMacro(MergeTolerance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MergeTolerance, double);
@@ -86,7 +88,8 @@ public:
   ///@}
 
   ///@{
-  /// Add a mask array per array of real numbers that tells why a value is null, as vtkElementQuality. Default: off.
+  /// Add a mask array per array of real numbers that tells why a value is null, as
+  /// vtkElementQuality. Default: off.
   vtkSetMacro(WriteNullMask, bool);
   vtkGetMacro(WriteNullMask, bool);
   vtkBooleanMacro(WriteNullMask, bool);
@@ -100,15 +103,16 @@ public:
   ///@}
 
   ///@{
-  /// Share of a cell's diameter up to which an edge counts as collapsed, as in vtkElementQuality. Default: 0.
+  /// Share of a cell's diameter up to which an edge counts as collapsed, as in vtkElementQuality.
+  /// Default: 0.
   vtkSetClampMacro(DegeneracyTolerance, double, 0.0, 1.0);
   vtkGetMacro(DegeneracyTolerance, double);
   ///@}
 
   ///@{
   /**
-   * Whether blocks are pieces of one mesh, so that faces between them have a cell on either side, and cells are
-   * numbered through all blocks. Default: off.
+   * Whether blocks are pieces of one mesh, so that faces between them have a cell on either side,
+   * and cells are numbered through all blocks. Default: off.
    */
   vtkSetMacro(ConnectBlocks, bool);
   vtkGetMacro(ConnectBlocks, bool);
@@ -123,8 +127,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

@@ -7,7 +7,6 @@
 #include "ElementBlocks.h"
 #include "Elements/KernelCells.h"
 #include "MeshInput.h"
-#include "MeshInputCheck.h"
 
 #include "vtkAppendFilter.h"
 #include "vtkCellData.h"

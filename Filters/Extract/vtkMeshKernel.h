@@ -4,16 +4,16 @@
  * @class vtkMeshKernel
  * @brief Makes the kernels of cells, or of a closed surface, as cells.
  *
- * The kernel of a shape is the set of points that see all of it: a convex cell itself, a part of other
- * cells, nothing of those that are not star-shaped.
+ * The kernel of a shape is the set of points that see all of it: a convex cell itself, a part of
+ * other cells, nothing of those that are not star-shaped.
  *
  * Input: any vtkDataSet or composite of them. Output: a vtkUnstructuredGrid of VTK_POLYHEDRON and
  * VTK_POLYGON cells, each with points of its own.
  *
- * - Of each cell: cell arrays "SourceCell" and "KernelRatio" and those of the mesh (of blocks those that
- *   all blocks have), field array "CellsWithoutKernel"; see camaron::MakeKernelCells. Of a composite input "SourceBlock"
- *   and "BlocksWithoutKernel" tell the blocks of these cells by VTK's flat index on the process. On every process the kernels of
- *   its own cells.
+ * - Of each cell: cell arrays "SourceCell" and "KernelRatio" and those of the mesh (of blocks those
+ * that all blocks have), field array "CellsWithoutKernel"; see camaron::MakeKernelCells. Of a
+ * composite input "SourceBlock" and "BlocksWithoutKernel" tell the blocks of these cells by VTK's
+ * flat index on the process. On every process the kernels of its own cells.
  * - Of the whole surface: what all polygons of all blocks and processes enclose is one shape. Its
  *   polygons are gathered on the first process, which has the result: the same for any number of
  *   processes, to the last bit. Polygons may run either way round if they hang together.
@@ -56,15 +56,16 @@ public:
 
   ///@{
   /**
-   * Cell array with one component: only cells in which it is not 0 get a kernel. Empty or "All cells"
-   * for all. Default: "All cells". Not for the whole surface.
+   * Cell array with one component: only cells in which it is not 0 get a kernel. Empty or "All
+   * cells" for all. Default: "All cells". Not for the whole surface.
    */
   vtkSetStdStringFromCharMacro(ChosenBy);
   vtkGetCharFromStdStringMacro(ChosenBy);
   ///@}
 
   ///@{
-  /// As of vtkElementQuality, whose KernelRatio is the same with the same of these; not for the whole surface.
+  /// As of vtkElementQuality, whose KernelRatio is the same with the same of these; not for the
+  /// whole surface.
   vtkSetMacro(TrustFaceOrientation, bool);
   vtkGetMacro(TrustFaceOrientation, bool);
   vtkBooleanMacro(TrustFaceOrientation, bool);

@@ -3,10 +3,10 @@
 #include "vtkMeshSurface.h"
 
 #include "ControllerReducer.h"
+#include "DistributedMesh.h"
 #include "Drawing/SurfaceTriangles.h"
 #include "Mesh/BoundarySurface.h"
 #include "MeshInput.h"
-#include "MeshPieces.h"
 #include "PolyDataOutput.h"
 
 #include "vtkInformation.h"
@@ -58,7 +58,7 @@ int vtkMeshSurface::RequestData(
         leaf.Data = withoutStrips.back();
       }
     }
-    camaron::MeshPieces pieces(leaves, {}, numberOfPieces, reducer);
+    camaron::DistributedMesh pieces(leaves, {}, numberOfPieces, reducer);
     pieces.Link();
     const std::vector<vtkPolyData*> surfaces = camaron::MakePolyDataLeaves(input, output);
     for (std::size_t piece = 0; piece < pieces.GetSize(); ++piece)

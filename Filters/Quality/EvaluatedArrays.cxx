@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EvaluatedArrays.h"
 
-#include "Base/ContentHash.h"
+#include "Base/Hash.h"
 
 #include "vtkCellData.h"
 #include "vtkPointData.h"
@@ -29,8 +29,8 @@ bool EvaluatedArrays::Choice::operator==(const Choice& other) const
   {
     const EvaluationOptions& options = of.Options;
     return std::tie(options.Angles, options.TrustFaceOrientation, options.DegeneracyTolerance,
-      options.ConvexityTolerance, options.PlanarityTolerance, options.ChecksStarShape, of.ConnectsBlocks,
-      of.NumberOfPieces);
+      options.ConvexityTolerance, options.PlanarityTolerance, options.ChecksStarShape,
+      of.ConnectsBlocks, of.NumberOfPieces);
   };
   return get(*this) == get(other);
 }
@@ -50,7 +50,8 @@ EvaluatedArrays::Source EvaluatedArrays::GetSource(const DataSetLeaf& leaf)
   if (points && !source.Arrays.empty())
   {
     // Coordinates are looked at, as they are often changed in place.
-    vtkDataArray* const coordinates = points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
+    vtkDataArray* const coordinates =
+      points->GetPoints() ? points->GetPoints()->GetData() : nullptr;
     add(coordinates);
     source.Points = coordinates ? HashContent(coordinates, 1) : 0;
   }
@@ -80,8 +81,8 @@ std::uint64_t EvaluatedArrays::HashValues() const
 }
 
 //------------------------------------------------------------------------------
-void EvaluatedArrays::Check(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
-  bool connectsBlocks, int numberOfPieces, Reducer& reducer)
+void EvaluatedArrays::Check(const std::vector<DataSetLeaf>& leaves,
+  const EvaluationOptions& options, bool connectsBlocks, int numberOfPieces, Reducer& reducer)
 {
   const Choice choice = { options, connectsBlocks, numberOfPieces };
   std::vector<Source> sources;

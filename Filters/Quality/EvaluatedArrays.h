@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::EvaluatedArrays
- * @brief Values of criteria from the last evaluation, as long as the mesh and the options are those of it.
+ * @brief Values of criteria from the last evaluation, as long as the mesh and the options are those
+ * of it.
  *
- * So that one more criterion costs only that one, and none at each time step of a mesh that stays what it is. The arrays
- * are those of the last output, not copies.
+ * So that one more criterion costs only that one, and none at each time step of a mesh that stays
+ * what it is. The arrays are those of the last output, not copies.
  */
 #ifndef camaron_EvaluatedArrays_h
 #define camaron_EvaluatedArrays_h
@@ -32,8 +33,8 @@ public:
   using Arrays = std::vector<vtkSmartPointer<vtkDoubleArray>>;
 
   /// Collective. Forgets all arrays unless they are still right, on all processes.
-  void Check(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options, bool connectsBlocks,
-    int numberOfPieces, Reducer& reducer);
+  void Check(const std::vector<DataSetLeaf>& leaves, const EvaluationOptions& options,
+    bool connectsBlocks, int numberOfPieces, Reducer& reducer);
   void Clear();
 
   /// Those of a criterion; none if it has not been evaluated.

@@ -189,8 +189,8 @@ const Criterion* FindWorstCriterion(const std::vector<const Criterion*>& criteri
     const Criterion& criterion = *criteria[i];
     const bool hasDistance = IdealDistance(criterion, angles).GetIsKnown();
     return std::make_tuple(ranges.IsHint(criterion) ? 0 : counts[i].Outside, counts[i].Outside,
-      hasDistance && acceptable[i] && counts[i].Judged > 0 && counts[i].GetMedianBin() > 0, hasDistance, hasDistance ? counts[i].GetMedianBin() : 0,
-      criterion.Better != Better::Neither);
+      hasDistance && acceptable[i] && counts[i].Judged > 0 && counts[i].GetMedianBin() > 0,
+      hasDistance, hasDistance ? counts[i].GetMedianBin() : 0, criterion.Better != Better::Neither);
   };
   const std::size_t none = criteria.size();
   std::size_t worst = none;

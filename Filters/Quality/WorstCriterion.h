@@ -11,8 +11,8 @@
  * 2. on a tie the one whose median is farthest from the ideal, first among those with an acceptable
  * range;
  * 3. the first one that has a better direction, then the first.
- * Reports take the same one (Scripts/camaron/common/assessment.py), but for medians that differ by less than
- * a bin.
+ * Reports take the same one (Scripts/camaron/common/assessment.py), but for medians that differ by
+ * less than a bin.
  *
  * Cost: one pass over the values of each criterion, and one reduction for all together.
  */

@@ -191,7 +191,8 @@ void ListElementArrays(vtkTable* table, bool isRoot)
   };
   for (const auto& rows : tables)
   {
-    for (const camaron::ElementArray& row : isRoot ? rows.second : std::vector<camaron::ElementArray>())
+    for (const camaron::ElementArray& row :
+      isRoot ? rows.second : std::vector<camaron::ElementArray>())
     {
       element->InsertNextValue(rows.first);
       name->InsertNextValue(row.Name);
@@ -243,8 +244,8 @@ int vtkCriteriaTable::RequestData(
       return 0;
     }
   }
-  ListRanges(vtkTable::GetData(outputVector, 2),
-    isRoot ? ranges : std::vector<camaron::Preset::Rule>());
+  ListRanges(
+    vtkTable::GetData(outputVector, 2), isRoot ? ranges : std::vector<camaron::Preset::Rule>());
   ListElementArrays(vtkTable::GetData(outputVector, 3), isRoot);
   return 1;
 }

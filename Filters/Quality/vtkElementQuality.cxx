@@ -2,19 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElementQuality.h"
 
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
+#include "Base/Units.h"
 #include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "Criteria/CostEstimate.h"
 #include "Criteria/Evaluation.h"
-#include "Base/Units.h"
+#include "DistributedMesh.h"
 #include "EvaluatedArrays.h"
 #include "Mesh/GhostArrays.h"
 #include "MeshInput.h"
-#include "MeshPieces.h"
 #include "NullMask.h"
-#include "Base/Parallel.h"
-#include "RunTogether.h"
-#include "Base/Buffer.h"
+#include "Ranks/Collective.h"
 #include "WorstCriterion.h"
 
 #include "vtkCellData.h"
@@ -208,7 +208,7 @@ int vtkElementQuality::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkInformation* inInfo = inputVector[0]->GetInformationObject(0);
-  // Neighbours in other pieces are asked for; only pieces that no process has cannot be asked.
+  // Neighbors in other pieces are asked for; only pieces that no process has cannot be asked.
   if (this->NeedsNeighbors() &&
     outInfo->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) >
       camaron::ControllerReducer().GetNumberOfProcesses())
@@ -276,10 +276,11 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
 {
   for (const camaron::Criterion* criterion : criteria)
   {
-    arrays[criterion->Name].clear(); // also where there is no data set: all processes know the same criteria
+    arrays[criterion->Name]
+      .clear(); // also where there is no data set: all processes know the same criteria
   }
   camaron::ControllerReducer reducer;
-  camaron::MeshPieces pieces(leaves, options, numberOfPieces, reducer);
+  camaron::DistributedMesh pieces(leaves, options, numberOfPieces, reducer);
   if (this->ConnectBlocks)
   {
     pieces.ConnectBlocks();
@@ -288,13 +289,13 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   { return std::any_of(criteria.begin(), criteria.end(), predicate); };
   const auto need = [&](unsigned needs)
   { return any([needs](auto* criterion) { return (criterion->Needs & needs) != 0; }); };
-  const std::pair<bool, void (camaron::MeshPieces::*)()> ofMesh[] = {
+  const std::pair<bool, void (camaron::DistributedMesh::*)()> ofMesh[] = {
     { any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }),
-      &camaron::MeshPieces::Link },
-    { need(camaron::NeedsMeanSizes), &camaron::MeshPieces::FindMeanSizes },
-    { need(camaron::NeedsSurfaceSides), &camaron::MeshPieces::FindSurfaceSides },
-    { need(camaron::NeedsRegions), &camaron::MeshPieces::FindRegions },
-    { need(camaron::NeedsPointRegions), &camaron::MeshPieces::FindPointRegions },
+      &camaron::DistributedMesh::Link },
+    { need(camaron::NeedsMeanSizes), &camaron::DistributedMesh::FindMeanSizes },
+    { need(camaron::NeedsSurfaceSides), &camaron::DistributedMesh::FindSurfaceSides },
+    { need(camaron::NeedsRegions), &camaron::DistributedMesh::FindRegions },
+    { need(camaron::NeedsPointRegions), &camaron::DistributedMesh::FindPointRegions },
   };
   for (const auto& [isNeeded, find] : ofMesh)
   {
@@ -308,7 +309,7 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
     }
   }
   bool isFinished = true;
-  camaron::RunTogether(reducer,
+  camaron::RunCollectively(reducer,
     [&]
     {
       for (std::size_t piece = 0; piece < pieces.GetSize() && isFinished; ++piece)
@@ -389,7 +390,8 @@ void vtkElementQuality::EvaluateMesh(vtkDataObject* input, vtkDataObject* output
   const std::vector<camaron::DataSetLeaf> leaves = camaron::GetOutputLeaves(output);
   for (const camaron::DataSetLeaf& leaf : leaves)
   {
-    const vtkSmartPointer<vtkDataSet> mesh = camaron::WithoutStrips(camaron::WithGhostBytes(leaf.Data));
+    const vtkSmartPointer<vtkDataSet> mesh =
+      camaron::WithoutStrips(camaron::WithGhostBytes(leaf.Data));
     if (mesh != leaf.Data)
     {
       leaf.Data->ShallowCopy(mesh);

@@ -5,26 +5,30 @@
  * @brief Evaluates quality criteria for every cell of a mesh.
  *
  * Input: any vtkDataSet or composite of them. Output: the same type with one cell array per
- * criterion, named like it, whose vtkDataArray::UNITS_LABEL() is "deg", "rad" or "sr", or not there (units of
- * the mesh); the worst one, see WorstCriterion.h, becomes the active cell scalars, by which the mesh is coloured at
- * first, unless none has a value. The arrays are of double, but those of
- * CellStatus and CellTypeId of vtkIdType, with CellStatus 0 for points and lines. Where a criterion has no meaning or is undefined
- * the value is NaN; where it grows without bound, +infinity. With WriteNullMask an unsigned char array
- * `<Name>_Null` tells why: 0 value, 1 not applicable to this shape, 2 degenerate, 3 invalid topology,
- * 4 no neighbour, 5 neighbour's piece unknown, 6 value of the corners of a higher-order cell.
+ * criterion, named like it, whose vtkDataArray::UNITS_LABEL() is "deg", "rad" or "sr", or not there
+ * (units of the mesh); the worst one, see WorstCriterion.h, becomes the active cell scalars, by
+ * which the mesh is colored at first, unless none has a value. The arrays are of double, but those
+ * of CellStatus and CellTypeId of vtkIdType, with CellStatus 0 for points and lines. Where a
+ * criterion has no meaning or is undefined the value is NaN; where it grows without bound,
+ * +infinity. With WriteNullMask an unsigned char array
+ * `<Name>_Null` tells why: 0 value, 1 not applicable to this shape, 2 degenerate, 3 invalid
+ * topology, 4 no neighbor, 5 neighbor's piece unknown, 6 value of the corners of a higher-order
+ * cell.
  *
- * Every cell is evaluated as the polygon or polyhedron that it is, so a hexahedron has the same values
- * whether it is a VTK_HEXAHEDRON or a VTK_POLYHEDRON. Triangle strips become triangles.
+ * Every cell is evaluated as the polygon or polyhedron that it is, so a hexahedron has the same
+ * values whether it is a VTK_HEXAHEDRON or a VTK_POLYHEDRON. Triangle strips become triangles.
  *
- * Parallel: the values do not depend on how the mesh is split. At the borders of pieces, which may be processes
- * or partitions of one block, criteria with neighbours find the cells of other pieces by the points of their
- * faces: by global ids if all points have them, else by equal coordinates. No ghost cells are needed
- * or made for that, unless the pipeline works in more pieces than there are processes. Those of the input get values,
- * too; where these depend on cells that are not there they are null with reason 5.
+ * Parallel: the values do not depend on how the mesh is split. At the borders of pieces, which may
+ * be processes or partitions of one block, criteria with neighbors find the cells of other pieces
+ * by the points of their faces: by global ids if all points have them, else by equal coordinates.
+ * No ghost cells are needed or made for that, unless the pipeline works in more pieces than there
+ * are processes. Those of the input get values, too; where these depend on cells that are not there
+ * they are null with reason 5.
  *
- * Cost: one pass over the cells for all criteria together; nothing is computed for those not chosen, nor for those
- * that the output has already of the same mesh and options. Criteria with
- * neighbours compare the faces within the boxes of other pieces once, shared out among the processes.
+ * Cost: one pass over the cells for all criteria together; nothing is computed for those not
+ * chosen, nor for those that the output has already of the same mesh and options. Criteria with
+ * neighbors compare the faces within the boxes of other pieces once, shared out among the
+ * processes.
  */
 #ifndef vtkElementQuality_h
 #define vtkElementQuality_h
@@ -78,7 +82,8 @@ public:
   ///@}
 
   ///@{
-  /// Name of a preset whose criteria are evaluated instead of the ticked ones. Default: TickedCriteria.
+  /// Name of a preset whose criteria are evaluated instead of the ticked ones. Default:
+  /// TickedCriteria.
   void SetPreset(const char* name);
   const char* GetPreset() const { return this->Preset.c_str(); }
   ///@}
@@ -98,8 +103,9 @@ public:
 
   ///@{
   /**
-   * Take the faces of polyhedra as they are: directed outward, so that an inverted one has a negative
-   * volume. Off (default): make them consistent and outward first, as files are careless about it.
+   * Take the faces of polyhedra as they are: directed outward, so that an inverted one has a
+   * negative volume. Off (default): make them consistent and outward first, as files are careless
+   * about it.
    */
   vtkSetMacro(TrustFaceOrientation, bool);
   vtkGetMacro(TrustFaceOrientation, bool);
@@ -117,8 +123,8 @@ public:
 
   ///@{
   /**
-   * How far an angle may exceed 180 degrees in a cell that CellStatus and IsConvex take as convex, in
-   * degrees whatever AngleUnits says. Default: 1e-4.
+   * How far an angle may exceed 180 degrees in a cell that CellStatus and IsConvex take as convex,
+   * in degrees whatever AngleUnits says. Default: 1e-4.
    */
   vtkSetMacro(ConvexityTolerance, double);
   vtkGetMacro(ConvexityTolerance, double);
@@ -134,9 +140,9 @@ public:
 
   ///@{
   /**
-   * Of the input that is there now, on this process: how many points the lists of its polygons, its tetrahedra and its
-   * other polyhedra have (see camaron::GroupCorners), and how many threads would work on them. 0 before the input
-   * has run.
+   * Of the input that is there now, on this process: how many points the lists of its polygons, its
+   * tetrahedra and its other polyhedra have (see camaron::GroupCorners), and how many threads would
+   * work on them. 0 before the input has run.
    */
   double* GetNumberOfCorners() VTK_SIZEHINT(3);
   int GetNumberOfThreads();
@@ -147,8 +153,9 @@ public:
 
   ///@{
   /**
-   * Whether cells of different blocks are neighbours where their faces have the same points: by global ids if
-   * all points have them, else by equal coordinates. Partitions of one block always are. Default: off.
+   * Whether cells of different blocks are neighbors where their faces have the same points: by
+   * global ids if all points have them, else by equal coordinates. Partitions of one block always
+   * are. Default: off.
    */
   vtkSetMacro(ConnectBlocks, bool);
   vtkGetMacro(ConnectBlocks, bool);
@@ -162,8 +169,7 @@ protected:
   ~vtkElementQuality() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
@@ -173,14 +179,17 @@ private:
   std::vector<std::string> GetChosenCriteria();
   bool NeedsNeighbors();
   bool FindCriteria(std::vector<const camaron::Criterion*>& criteria);
-  camaron::EvaluationOptions GetOptions(const std::vector<const camaron::Criterion*>& criteria) const;
+  camaron::EvaluationOptions GetOptions(
+    const std::vector<const camaron::Criterion*>& criteria) const;
   /// Collective. False where some process was stopped, or is not finished.
   bool GoOn(double progress, camaron::Reducer& reducer, bool isFinished = true);
   /// Of each criterion by its name those of all data sets.
   using ArraysOfCriteria = std::map<std::string, std::vector<vtkSmartPointer<vtkDoubleArray>>>;
   /// False if it was stopped.
-  bool Evaluate(const std::vector<camaron::DataSetLeaf>& leaves, const camaron::EvaluationOptions& options,
-    const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces, ArraysOfCriteria& arrays);
+  bool Evaluate(const std::vector<camaron::DataSetLeaf>& leaves,
+    const camaron::EvaluationOptions& options,
+    const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces,
+    ArraysOfCriteria& arrays);
   void AddArrays(const std::vector<camaron::DataSetLeaf>& leaves,
     const std::vector<const camaron::Criterion*>& criteria, const ArraysOfCriteria& arrays,
     const camaron::EvaluationOptions& options);

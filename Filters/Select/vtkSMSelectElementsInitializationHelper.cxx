@@ -23,7 +23,8 @@ void RegisterSelection(vtkSMProxy* proxy, const char* kind)
   {
     const std::string name = std::string(kind) + "." + proxy->GetGlobalIDAsString();
     manager->RegisterProxy(group, name.c_str(), proxy);
-#if PARAVIEW_VERSION_NUMBER_QUICK < PARAVIEW_VERSION_CHECK(6, 1, 0) // whose trace takes it for states only
+#if PARAVIEW_VERSION_NUMBER_QUICK <                                                                \
+  PARAVIEW_VERSION_CHECK(6, 1, 0) // whose trace takes it for states only
     SM_SCOPED_TRACE(RegisterSelectionProxy).arg("proxy", proxy);
 #endif
   }

@@ -4,8 +4,9 @@
  * @class vtkSMSelectElementsInitializationHelper
  * @brief Gives Select Elements the active selection of its input when the filter is made.
  *
- * As for Extract Selection; and the copy is registered, so that states of scripts keep it, and traced. ParaView's trace
- * knows Extract Selection by its name and leaves the creation of any other filter with such an input out.
+ * As for Extract Selection; and the copy is registered, so that states of scripts keep it, and
+ * traced. ParaView's trace knows Extract Selection by its name and leaves the creation of any other
+ * filter with such an input out.
  */
 #ifndef vtkSMSelectElementsInitializationHelper_h
 #define vtkSMSelectElementsInitializationHelper_h

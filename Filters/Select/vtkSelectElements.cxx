@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSelectElements.h"
 
-#include "ControllerReducer.h"
-#include "MeshCopies.h"
 #include "Base/Buffer.h"
+#include "ControllerReducer.h"
+#include "MeshOutputs.h"
 #include "Strategies/CurrentSelection.h"
 #include "Strategies/Strategy.h"
 
@@ -56,7 +56,8 @@ vtkSmartPointer<Array> MakeArray(const char* name, const std::vector<Value>& val
 }
 
 //------------------------------------------------------------------------------
-// By global ids if there are any, as these stay what they are when the mesh is split in another way.
+// By global ids if there are any, as these stay what they are when the mesh is split in another
+// way.
 void AddNode(vtkSelection* selection, const camaron::ElementBlocks& blocks, std::size_t number,
   const std::vector<unsigned char>& marks, int process)
 {
@@ -74,8 +75,8 @@ void AddNode(vtkSelection* selection, const camaron::ElementBlocks& blocks, std:
   vtkNew<vtkSelectionNode> node;
   node->SetContentType(
     blocks.HasGlobalIds() ? vtkSelectionNode::GLOBALIDS : vtkSelectionNode::INDICES);
-  node->SetFieldType(block.Kind == camaron::ElementKind::Cells ? vtkSelectionNode::CELL
-                                                               : vtkSelectionNode::POINT);
+  node->SetFieldType(
+    block.Kind == camaron::ElementKind::Cells ? vtkSelectionNode::CELL : vtkSelectionNode::POINT);
   node->SetSelectionList(ids);
   node->GetProperties()->Set(vtkSelectionNode::PROCESS_ID(), process);
   if (blocks.IsComposite())
@@ -350,8 +351,8 @@ int vtkSelectElements::RequestData(
         const bool isEmpty = found == blockOfFlatIndex.end();
         // There is one selection: marks of the other kind go.
         copy->GetAttributes(otherKind)->RemoveArray(GetSelectedArrayName());
-        copy->GetAttributes(kind)->AddArray(MakeArray<vtkUnsignedCharArray>(GetSelectedArrayName(),
-          isEmpty ? std::vector<unsigned char>() : marks[found->second]));
+        copy->GetAttributes(kind)->AddArray(MakeArray<vtkUnsignedCharArray>(
+          GetSelectedArrayName(), isEmpty ? std::vector<unsigned char>() : marks[found->second]));
         if (hasCounts)
         {
           copy->GetAttributes(kind)->AddArray(MakeArray<vtkIntArray>("FailedCriteriaCount",
@@ -385,8 +386,8 @@ camaron::SelectionMarks vtkSelectElements::Select(
   }
   camaron::SelectionMarks marks = camaron::MakeMarks(blocks);
   this->Report = strategy.Select(task, marks);
-  camaron::MarkElements(marks,
-    [&](std::size_t b, vtkIdType i) { return marks[b][i] && !blocks.Get()[b].IsGhost(i); });
+  camaron::MarkElements(
+    marks, [&](std::size_t b, vtkIdType i) { return marks[b][i] && !blocks.Get()[b].IsGhost(i); });
   camaron::CombineSelections(this->Parameters->Combination, task.Current, marks);
   return marks;
 }

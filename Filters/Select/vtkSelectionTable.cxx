@@ -37,7 +37,8 @@ camaron::ElementKind FindKind(vtkDataObject* input, camaron::Reducer& reducer)
   std::int64_t has[2] = { 0, 0 };
   for (const camaron::DataSetLeaf& leaf : camaron::GetLeaves(input))
   {
-    for (const camaron::ElementKind kind : { camaron::ElementKind::Points, camaron::ElementKind::Cells })
+    for (const camaron::ElementKind kind :
+      { camaron::ElementKind::Points, camaron::ElementKind::Cells })
     {
       const int number = static_cast<int>(kind);
       has[number] |= leaf.Data->GetNumberOfElements(number) > 0 &&
@@ -93,7 +94,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Arrays that all blocks of all processes have, in the order of their names, as columns without rows.
+// Arrays that all blocks of all processes have, in the order of their names, as columns without
+// rows.
 std::vector<std::string> FindArrays(const camaron::ElementBlocks& blocks, camaron::Reducer& reducer)
 {
   std::vector<std::string> lacking, names;

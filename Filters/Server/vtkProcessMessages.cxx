@@ -55,7 +55,8 @@ vtkProcessMessages::~vtkProcessMessages()
 }
 
 //------------------------------------------------------------------------------
-void vtkProcessMessages::Observe(unsigned long event, vtkCallbackCommand* observer, std::string& messages)
+void vtkProcessMessages::Observe(
+  unsigned long event, vtkCallbackCommand* observer, std::string& messages)
 {
   observer->SetCallback(Note);
   observer->SetClientData(&messages);

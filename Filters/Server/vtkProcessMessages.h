@@ -4,8 +4,9 @@
  * @class vtkProcessMessages
  * @brief Collects the errors and warnings of all processes.
  *
- * ParaView shows what its first process reports; what readers and filters report on others ends on their standard error
- * at best. As long as this object lives, processes keep their messages instead of printing them, and Gather collects them.
+ * ParaView shows what its first process reports; what readers and filters report on others ends on
+ * their standard error at best. As long as this object lives, processes keep their messages instead
+ * of printing them, and Gather collects them.
  */
 #ifndef vtkProcessMessages_h
 #define vtkProcessMessages_h
@@ -26,7 +27,8 @@ public:
   vtkTypeMacro(vtkProcessMessages, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// Moves what was reported since the last call by other processes than the first to that. Collective.
+  /// Moves what was reported since the last call by other processes than the first to that.
+  /// Collective.
   void Gather();
 
   ///@{

@@ -106,14 +106,16 @@ vtkSmartPointer<vtkAbstractArray> vtkRenameData::Retype(vtkAbstractArray* array)
   auto* const numbers = vtkDataArray::SafeDownCast(array);
   const bool toInt64 = this->LongIntegers == "Int64" && vtkIdTypeArray::SafeDownCast(array);
   const bool toDouble = this->LongIntegers == "Double";
-  if (!numbers || !numbers->IsIntegral() || numbers->GetDataTypeSize() != sizeof(std::int64_t) || (!toInt64 && !toDouble))
+  if (!numbers || !numbers->IsIntegral() || numbers->GetDataTypeSize() != sizeof(std::int64_t) ||
+    (!toInt64 && !toDouble))
   {
     return array;
   }
   for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
   {
     const double* const range = numbers->GetRange(c);
-    if (range[0] < std::numeric_limits<std::int32_t>::min() || range[1] > std::numeric_limits<std::int32_t>::max())
+    if (range[0] < std::numeric_limits<std::int32_t>::min() ||
+      range[1] > std::numeric_limits<std::int32_t>::max())
     {
       auto other = vtkSmartPointer<vtkDataArray>::Take(
         toInt64 ? static_cast<vtkDataArray*>(vtkTypeInt64Array::New()) : vtkDoubleArray::New());
@@ -128,12 +130,14 @@ vtkSmartPointer<vtkAbstractArray> vtkRenameData::Retype(vtkAbstractArray* array)
 void vtkRenameData::RenameFields(vtkFieldData* fields) const
 {
   auto* const attributes = vtkDataSetAttributes::SafeDownCast(fields);
-  std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, int>> arrays; // with what they are active as
+  std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, int>>
+    arrays; // with what they are active as
   bool isRenamed = false;
   for (int i = 0; fields && i < fields->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* const array = fields->GetAbstractArray(i);
-    arrays.emplace_back(this->Rename(this->Retype(array)), attributes ? attributes->IsArrayAnAttribute(i) : -1);
+    arrays.emplace_back(
+      this->Rename(this->Retype(array)), attributes ? attributes->IsArrayAnAttribute(i) : -1);
     isRenamed = isRenamed || arrays.back().first != array;
   }
   if (!isRenamed)

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkRenameData
- * @brief Gives arrays, their components and blocks other names, and integers another type, for writers that cannot
- * write these.
+ * @brief Gives arrays, their components and blocks other names, and integers another type, for
+ * writers that cannot write these.
  *
- * Output: a shallow copy of the input, of the same type. Unlike ParaView's Rename Arrays it takes names of any bytes.
+ * Output: a shallow copy of the input, of the same type. Unlike ParaView's Rename Arrays it takes
+ * names of any bytes.
  */
 #ifndef vtkRenameData_h
 #define vtkRenameData_h
@@ -40,8 +41,9 @@ public:
 
   ///@{
   /**
-   * What becomes of arrays of integers of 64 bits that have values beyond 32 bits: "Keep" (default); "Int64", where
-   * those of vtkIdType become vtkTypeInt64Array, which writers of legacy files do not cut to 32 bits; or "Double".
+   * What becomes of arrays of integers of 64 bits that have values beyond 32 bits: "Keep"
+   * (default); "Int64", where those of vtkIdType become vtkTypeInt64Array, which writers of legacy
+   * files do not cut to 32 bits; or "Double".
    */
   void SetLongIntegers(const char* choice);
   const char* GetLongIntegers() const { return this->LongIntegers.c_str(); }

@@ -11,7 +11,8 @@ vtkStandardNewMacro(vtkSMMeshFilterProxy);
 namespace
 {
 //------------------------------------------------------------------------------
-// Representations believe to be marked since the update that failed, and would not mark what draws them.
+// Representations believe to be marked since the update that failed, and would not mark what draws
+// them.
 void WakeConsumers(vtkSMProxy* producer)
 {
   for (unsigned int i = 0; i < producer->GetNumberOfConsumers(); ++i)

@@ -4,9 +4,9 @@
  * @class vtkSMMeshFilterProxy
  * @brief A filter that is drawn again when what made an update fail has been mended.
  *
- * ParaView's client tells of a change only those that it knows to be up to date. What a failed update leaves behind is
- * not, for good: no later change would reach the view, the selection or the panel. Here such changes wake all
- * representations downstream.
+ * ParaView's client tells of a change only those that it knows to be up to date. What a failed
+ * update leaves behind is not, for good: no later change would reach the view, the selection or the
+ * panel. Here such changes wake all representations downstream.
  */
 #ifndef vtkSMMeshFilterProxy_h
 #define vtkSMMeshFilterProxy_h

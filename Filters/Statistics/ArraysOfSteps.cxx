@@ -34,8 +34,8 @@ void ArraysOfSteps::Clear()
 }
 
 //------------------------------------------------------------------------------
-void ArraysOfSteps::Add(const std::optional<double>& time, const std::vector<StatisticsArray>& arrays,
-  const std::vector<std::string>& missing)
+void ArraysOfSteps::Add(const std::optional<double>& time,
+  const std::vector<StatisticsArray>& arrays, const std::vector<std::string>& missing)
 {
   this->Times.push_back(time.value_or(0));
   for (const StatisticsArray& array : arrays)
@@ -57,7 +57,8 @@ std::string ArraysOfSteps::Describe(const std::string& kind) const
   if (this->TimesOfArrays.empty() && this->Missing.empty())
   {
     return "There are no " + kind +
-      " arrays with one component that are named like a quality criterion: evaluate some with Element Quality, "
+      " arrays with one component that are named like a quality criterion: evaluate some with "
+      "Element Quality, "
       "or choose arrays.";
   }
   std::string text;
@@ -71,11 +72,12 @@ std::string ArraysOfSteps::Describe(const std::string& kind) const
   for (const auto& array : this->TimesOfArrays)
   {
     std::vector<double> without;
-    std::set_difference(this->Times.begin(), this->Times.end(), array.second.begin(), array.second.end(),
-      std::back_inserter(without));
+    std::set_difference(this->Times.begin(), this->Times.end(), array.second.begin(),
+      array.second.end(), std::back_inserter(without));
     if (!without.empty())
     {
-      text += (text.empty() ? "" : " ") + array.first + " is not there at time " + Join(without) + ".";
+      text +=
+        (text.empty() ? "" : " ") + array.first + " is not there at time " + Join(without) + ".";
     }
   }
   return text;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::ArraysOfSteps
- * @brief Keeps account of which arrays are there at which time steps, to tell of those that are not.
+ * @brief Keeps account of which arrays are there at which time steps, to tell of those that are
+ * not.
  */
 #ifndef camaron_ArraysOfSteps_h
 #define camaron_ArraysOfSteps_h
@@ -25,7 +26,8 @@ public:
   void Add(const std::optional<double>& time, const std::vector<StatisticsArray>& arrays,
     const std::vector<std::string>& missing);
 
-  /// Sentences about arrays that are nowhere, and about those that only some steps have; empty if all is there.
+  /// Sentences about arrays that are nowhere, and about those that only some steps have; empty if
+  /// all is there.
   /// @a kind: such as "cell".
   std::string Describe(const std::string& kind) const;
 

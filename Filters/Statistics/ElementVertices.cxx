@@ -47,7 +47,8 @@ ElementVertices::ElementVertices(const ElementBlocks& blocks, camaron::Reducer& 
 //------------------------------------------------------------------------------
 std::string ElementVertices::Describe(const ElementBlock& block, vtkIdType cell) const
 {
-  if (block.Kind == ElementKind::Points || (!this->HaveGlobalIds && this->BlocksInOnePiece.count(block.Number) == 0))
+  if (block.Kind == ElementKind::Points ||
+    (!this->HaveGlobalIds && this->BlocksInOnePiece.count(block.Number) == 0))
   {
     return "";
   }
@@ -84,7 +85,8 @@ std::vector<std::string> ElementVertices::Find(
       char place[width + 1];
       std::snprintf(place, sizeof(place), "%0*u", width, static_cast<unsigned>(i));
       own.push_back(place +
-        this->Describe(this->Blocks.Get()[values.GetBlockNumbers()[elements[i].Block]], elements[i].Index));
+        this->Describe(
+          this->Blocks.Get()[values.GetBlockNumbers()[elements[i].Block]], elements[i].Index));
     }
   }
   std::vector<std::string> vertices(elements.size());

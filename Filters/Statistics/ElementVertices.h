@@ -4,8 +4,9 @@
  * @class camaron::ElementVertices
  * @brief Names the points of cells, told to all processes.
  *
- * A point has its global id if all points have one. Else it has VTK's id in its block, if that is in one piece; the numbers
- * of points in a piece of a block mean nothing to anybody else, so there the points have no names.
+ * A point has its global id if all points have one. Else it has VTK's id in its block, if that is
+ * in one piece; the numbers of points in a piece of a block mean nothing to anybody else, so there
+ * the points have no names.
  */
 #ifndef camaron_ElementVertices_h
 #define camaron_ElementVertices_h
@@ -26,10 +27,12 @@ public:
   ElementVertices(const ElementBlocks& blocks, Reducer& reducer);
 
   /**
-   * Collective. For each element, of @a values, the ids of its points separated by blanks, in the order of the cell; those
-   * of polyhedra, which have none, ascending. Empty without names, and for points.
+   * Collective. For each element, of @a values, the ids of its points separated by blanks, in the
+   * order of the cell; those of polyhedra, which have none, ascending. Empty without names, and for
+   * points.
    */
-  std::vector<std::string> Find(const std::vector<WorstElement>& elements, const BlockValues& values) const;
+  std::vector<std::string> Find(
+    const std::vector<WorstElement>& elements, const BlockValues& values) const;
 
 private:
   std::string Describe(const ElementBlock& block, vtkIdType cell) const;

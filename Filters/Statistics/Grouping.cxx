@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grouping.h"
 
-#include "AgreedName.h"
 #include "Mesh/MeshView.h"
+#include "Ranks/Collective.h"
 #include "StatisticsArrays.h"
 #include "vtkCamaronCompat.h"
 
@@ -70,7 +70,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void NumberCellTypes(const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
+void NumberCellTypes(
+  const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
 {
   const vtkIdType size = block.Data->GetNumberOfCells();
   const MeshView mesh(block.Data);
@@ -122,7 +123,8 @@ std::string GetNumberLabel(const ElementBlock&, const ExactValue& key)
 }
 
 //------------------------------------------------------------------------------
-void NumberBlock(const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
+void NumberBlock(
+  const ElementBlock& block, const std::string&, KeyList& keys, std::vector<int>& numbers)
 {
   numbers.assign(1, keys.GetNumber({ static_cast<double>(block.Number) }));
 }
@@ -138,8 +140,8 @@ struct Way
 {
   const char* Name;
   /// Number of the group of each element, or one for all of them; ghosts need none.
-  void (*SetNumbers)(
-    const ElementBlock& block, const std::string& arrayName, KeyList& keys, std::vector<int>& numbers);
+  void (*SetNumbers)(const ElementBlock& block, const std::string& arrayName, KeyList& keys,
+    std::vector<int>& numbers);
   std::string (*GetLabel)(const ElementBlock& block, const ExactValue& key);
   std::size_t MaxNumberOfGroups; ///< more are an error
   bool IsForPoints;
@@ -148,7 +150,8 @@ const Way Ways[] = {
   { "None", nullptr, nullptr, Any, true },
   { "Cell type", NumberCellTypes, GetTypeLabelOfKey, Any, false },
   { "Block", NumberBlock, GetBlockLabel, Any, true },
-  { "Cell array", NumberArrayValues, GetNumberLabel, 1000, true }, // else these are ids, or were measured
+  { "Cell array", NumberArrayValues, GetNumberLabel, 1000,
+    true }, // else these are ids, or were measured
 };
 
 const Way& FindWay(const std::string& name)
@@ -209,8 +212,8 @@ std::vector<Label> GatherLabels(const std::set<Label>& labels, Reducer& reducer)
 }
 
 //------------------------------------------------------------------------------
-Grouping::Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
-  Reducer& reducer)
+Grouping::Grouping(const std::string& name, const std::string& arrayName,
+  const ElementBlocks& blocks, Reducer& reducer)
   : Blocks(blocks)
   , Groups(1, Group{ true, {}, "All" })
 {
@@ -280,7 +283,8 @@ Population Grouping::GetPopulation(const Group& group, const BlockValues& values
     return values.Get();
   }
   // One past the end for a group of another mesh only.
-  const auto number = static_cast<int>(std::find(this->Groups.begin(), this->Groups.end(), group) - this->Groups.begin());
+  const auto number = static_cast<int>(
+    std::find(this->Groups.begin(), this->Groups.end(), group) - this->Groups.begin());
   this->Masks.assign(values.Get().size(), {});
   Population population;
   for (std::size_t i = 0; i < values.Get().size(); ++i)

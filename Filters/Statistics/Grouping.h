@@ -34,11 +34,11 @@ class Grouping
 {
 public:
   /**
-   * Collective. @a name: "None", "Cell type", "Block" or "Cell array"; throws std::invalid_argument for
-   * any other, and for points by cell type, on all processes alike. By cell array, of points by point
-   * array, there is a group for each whole number of 64 bits that the array @a arrayName with one component holds, or if it is
-   * empty on all processes, the first array of integers, else the first array; throws if there are more than
-   * 1000. Keeps a reference to @a blocks.
+   * Collective. @a name: "None", "Cell type", "Block" or "Cell array"; throws std::invalid_argument
+   * for any other, and for points by cell type, on all processes alike. By cell array, of points by
+   * point array, there is a group for each whole number of 64 bits that the array @a arrayName with
+   * one component holds, or if it is empty on all processes, the first array of integers, else the
+   * first array; throws if there are more than 1000. Keeps a reference to @a blocks.
    */
   Grouping(const std::string& name, const std::string& arrayName, const ElementBlocks& blocks,
     Reducer& reducer);
@@ -46,7 +46,8 @@ public:
   /// That of all elements, then the others by their keys; the same on every process.
   const std::vector<Group>& GetGroups() const { return this->Groups; }
 
-  /// True if there is one group besides that of all elements and all are in it, which then has the same numbers.
+  /// True if there is one group besides that of all elements and all are in it, which then has the
+  /// same numbers.
   bool IsOneGroup() const { return this->OneGroup; }
 
   /// Of the array to group by; the same on every process.
@@ -60,7 +61,8 @@ private:
   std::string ArrayName;
   bool OneGroup = false;
   std::vector<Group> Groups;
-  std::vector<std::vector<int>> GroupNumbers; ///< in Groups, of the elements of each block, or one for all of them
+  std::vector<std::vector<int>>
+    GroupNumbers; ///< in Groups, of the elements of each block, or one for all of them
   std::vector<std::vector<unsigned char>> Masks;
 };
 

@@ -16,7 +16,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Names of the arrays of Mesh Elements that are no ids, counts or flags, without those that criteria have, too.
+// Names of the arrays of Mesh Elements that are no ids, counts or flags, without those that
+// criteria have, too.
 std::vector<std::string> GetMeasuresOfElements()
 {
   std::vector<std::string> names;
@@ -25,7 +26,8 @@ std::vector<std::string> GetMeasuresOfElements()
     for (const ElementArray& row : *rows)
     {
       const bool isMeasure = row.RealFunction || row.FacetFunction || row.ShapeFunction;
-      if (isMeasure && !FindCriterion(row.Name) && std::find(names.begin(), names.end(), row.Name) == names.end())
+      if (isMeasure && !FindCriterion(row.Name) &&
+        std::find(names.begin(), names.end(), row.Name) == names.end())
       {
         names.emplace_back(row.Name);
       }
@@ -39,7 +41,8 @@ std::vector<std::string> GetMeasuresOfElements()
 bool IsOfIntegers(vtkDataArray* array)
 {
   const Criterion* criterion = array->GetName() ? FindCriterion(array->GetName()) : nullptr;
-  return criterion ? criterion->IsInteger() : array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+  return criterion ? criterion->IsInteger()
+                   : array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
 }
 
 //------------------------------------------------------------------------------
@@ -89,8 +92,8 @@ std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& pr
   std::vector<StatisticsArray> chosen;
   const auto find = [](const std::vector<StatisticsArray>& arrays, const std::string& name)
   {
-    return std::find_if(
-      arrays.begin(), arrays.end(), [&](const StatisticsArray& array) { return array.Name == name; });
+    return std::find_if(arrays.begin(), arrays.end(),
+      [&](const StatisticsArray& array) { return array.Name == name; });
   };
   const auto choose = [&](const std::string& name)
   {

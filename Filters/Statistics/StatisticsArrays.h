@@ -25,12 +25,14 @@ struct StatisticsArray
 /// Whether it is of an integer type, or a count of the registry.
 bool IsOfIntegers(vtkDataArray* array);
 
-/// Collective. All numeric arrays with one component that any process has, by name, with their units.
+/// Collective. All numeric arrays with one component that any process has, by name, with their
+/// units.
 std::vector<StatisticsArray> FindArrays(const ElementBlocks& blocks, Reducer& reducer);
 
 /**
- * Those that are wanted, in that order; if none is, those that are named like a criterion, in the order of their table,
- * then those like a measure of faces, edges or vertices that Mesh Elements makes. Each once.
+ * Those that are wanted, in that order; if none is, those that are named like a criterion, in the
+ * order of their table, then those like a measure of faces, edges or vertices that Mesh Elements
+ * makes. Each once.
  * @param missing gets the names of those that are wanted and not there
  */
 std::vector<StatisticsArray> ChooseArrays(const std::vector<StatisticsArray>& present,

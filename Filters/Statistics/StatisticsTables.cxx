@@ -53,7 +53,8 @@ void AddLabelColumns(vtkTable* table, const TableLayout& layout)
 }
 
 //------------------------------------------------------------------------------
-void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std::vector<double>& percents)
+void AddStatisticsColumns(
+  vtkTable* table, const TableLayout& layout, const std::vector<double>& percents)
 {
   AddLabelColumns(table, layout);
   AddColumns<IntegerColumn>(table, { "Count", "NullCount", "InfCount", "ApplicableCount" });
@@ -64,7 +65,8 @@ void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std:
   AddColumns<vtkDoubleArray>(table, { "ArgMaxX", "ArgMaxY", "ArgMaxZ" });
   AddColumns<vtkStringArray>(table, { "IdSpace" });
   AddColumns<vtkDoubleArray>(table,
-    { "Mean", "StdDev", "Variance", "Skewness", "Kurtosis", "RootMeanSquare", "GeometricMean", "Sum" });
+    { "Mean", "StdDev", "Variance", "Skewness", "Kurtosis", "RootMeanSquare", "GeometricMean",
+      "Sum" });
   for (const double percent : percents)
   {
     char name[32];
@@ -83,9 +85,9 @@ void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std:
 }
 
 //------------------------------------------------------------------------------
-void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary, const ExtremePlaces& places,
-  const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable,
-  const std::optional<WeightedSummary>& weighted)
+void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
+  const ExtremePlaces& places, const std::vector<double>& quantiles,
+  const std::optional<ValueRange>& acceptable, const std::optional<WeightedSummary>& weighted)
 {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   Row row(labels);
@@ -117,9 +119,8 @@ void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& s
   row.Add(summary.JudgedCount);
   row.Add(summary.BelowCount);
   row.Add(summary.AboveCount);
-  row.Add(acceptable
-      ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount)
-      : unknown);
+  row.Add(
+    acceptable ? Percent(summary.BelowCount + summary.AboveCount, summary.JudgedCount) : unknown);
   row.Add(ToTextIf(labels.OfIntegers, { summary.Min, summary.MinRest }));
   row.Add(ToTextIf(labels.OfIntegers, { summary.Max, summary.MaxRest }));
   if (weighted)
@@ -198,7 +199,8 @@ void AddWorstColumns(vtkTable* table, const TableLayout& layout)
 
 //------------------------------------------------------------------------------
 void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
-  const std::vector<std::string>& vertices, const std::vector<std::pair<int, std::string>>& blockNames)
+  const std::vector<std::string>& vertices,
+  const std::vector<std::pair<int, std::string>>& blockNames)
 {
   for (std::size_t i = 0; i < worst.size(); ++i)
   {
@@ -210,7 +212,8 @@ void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<Wo
     row.Add(std::int64_t(element.Id));
     row.Add(labels.IdSpace);
     row.Add(block == blockNames.end() ? std::string() : block->second);
-    row.Add(element.CellType == PointCellType ? std::string("Point") : GetCellTypeLabel(element.CellType));
+    row.Add(element.CellType == PointCellType ? std::string("Point")
+                                              : GetCellTypeLabel(element.CellType));
     row.Add(element.Value);
     row.Add(element.Place[0]);
     row.Add(element.Place[1]);
@@ -235,8 +238,8 @@ void AddCurveColumns(vtkTable* table, const TableLayout& layout)
 }
 
 //------------------------------------------------------------------------------
-void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve, const Summary& summary,
-  const std::optional<WeightedSummary>& weighted)
+void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve,
+  const Summary& summary, const std::optional<WeightedSummary>& weighted)
 {
   for (std::size_t point = 0; point < curve.Values.size(); ++point)
   {

@@ -29,11 +29,11 @@ struct RowLabels
   std::string Unit;
   std::string Group;
   std::string IdSpace;
-  bool OfIntegers = false; ///< values are also written with all their digits
+  bool OfIntegers = false;    ///< values are also written with all their digits
   std::optional<double> Time; ///< for tables with that column
 };
 
-/// Centres of the elements with the smallest and the largest value.
+/// Centers of the elements with the smallest and the largest value.
 struct ExtremePlaces
 {
   std::array<double, 3> Min, Max;
@@ -48,23 +48,26 @@ struct TableLayout
 
 ///@{
 /// Give an empty table its columns. @a percents: a column P<percent> for each.
-void AddStatisticsColumns(vtkTable* table, const TableLayout& layout, const std::vector<double>& percents);
+void AddStatisticsColumns(
+  vtkTable* table, const TableLayout& layout, const std::vector<double>& percents);
 void AddHistogramColumns(vtkTable* table, const TableLayout& layout);
 void AddWorstColumns(vtkTable* table, const TableLayout& layout);
 void AddCurveColumns(vtkTable* table, const TableLayout& layout);
 ///@}
 
-void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary, const ExtremePlaces& places,
-  const std::vector<double>& quantiles, const std::optional<ValueRange>& acceptable,
-  const std::optional<WeightedSummary>& weighted);
+void AddStatisticsRow(vtkTable* table, const RowLabels& labels, const Summary& summary,
+  const ExtremePlaces& places, const std::vector<double>& quantiles,
+  const std::optional<ValueRange>& acceptable, const std::optional<WeightedSummary>& weighted);
 void AddHistogramRows(
   vtkTable* table, const RowLabels& labels, const Bins& bins, const Histogram& histogram);
-/// @a vertices: of each element; @a blockNames: by the block number of the elements. A point has PointCellType.
+/// @a vertices: of each element; @a blockNames: by the block number of the elements. A point has
+/// PointCellType.
 void AddWorstRows(vtkTable* table, const RowLabels& labels, const std::vector<WorstElement>& worst,
-  const std::vector<std::string>& vertices, const std::vector<std::pair<int, std::string>>& blockNames);
+  const std::vector<std::string>& vertices,
+  const std::vector<std::pair<int, std::string>>& blockNames);
 /// @a weighted: of the same elements, if the curve has weights.
-void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve, const Summary& summary,
-  const std::optional<WeightedSummary>& weighted);
+void AddCurveRows(vtkTable* table, const RowLabels& labels, const CumulativeCurve& curve,
+  const Summary& summary, const std::optional<WeightedSummary>& weighted);
 
 constexpr int PointCellType = -1;
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TimeSteps
- * @brief Lets a filter evaluate all time steps of its inputs in one update, with one step in memory at a time.
+ * @brief Lets a filter evaluate all time steps of its inputs in one update, with one step in memory
+ * at a time.
  *
- * The filter calls Find, Request and Begin in RequestInformation, RequestUpdateExtent and RequestData, and at the end
- * of RequestData GoOn, which makes the pipeline come back with the next step; after a failure Stop.
+ * The filter calls Find, Request and Begin in RequestInformation, RequestUpdateExtent and
+ * RequestData, and at the end of RequestData GoOn, which makes the pipeline come back with the next
+ * step; after a failure Stop.
  */
 #ifndef camaron_TimeSteps_h
 #define camaron_TimeSteps_h
@@ -21,8 +23,10 @@ namespace camaron
 class TimeSteps
 {
 public:
-  /// The steps are those of the first of the inputs that has any. With @a isOn outputs have none, else the same.
-  void Find(bool isOn, vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs);
+  /// The steps are those of the first of the inputs that has any. With @a isOn outputs have none,
+  /// else the same.
+  void Find(
+    bool isOn, vtkInformationVector** inputs, int numberOfInputs, vtkInformationVector* outputs);
 
   /// Asks all inputs for the step to evaluate.
   void Request(vtkInformationVector** inputs, int numberOfInputs) const;

@@ -3,8 +3,8 @@
 #include "vtkQualityStatistics.h"
 
 #include "AcceptableRanges.h"
-#include "CellShapes.h"
 #include "ArraysOfSteps.h"
+#include "CellShapes.h"
 #include "CheckNumber.h"
 #include "ControllerReducer.h"
 #include "Criteria/Criterion.h"
@@ -51,8 +51,8 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
     if (!(custom[0] <= custom[1]))
     {
       std::ostringstream text;
-      text << "Custom Range goes from the smaller to the larger number, not from " << custom[0] << " to "
-           << custom[1];
+      text << "Custom Range goes from the smaller to the larger number, not from " << custom[0]
+           << " to " << custom[1];
       throw std::invalid_argument(text.str());
     }
     return { custom[0], custom[1] };
@@ -104,8 +104,8 @@ std::vector<std::vector<unsigned char>> FindSelected(
       ++numberOfArrays;
       vtkNew<vtkDoubleArray> values;
       values->DeepCopy(array);
-      std::transform(values->GetPointer(0), values->GetPointer(0) + block.GetSize(), marks.back().begin(),
-        [](double value) { return value != 0 && !std::isnan(value); });
+      std::transform(values->GetPointer(0), values->GetPointer(0) + block.GetSize(),
+        marks.back().begin(), [](double value) { return value != 0 && !std::isnan(value); });
     }
   }
   std::int64_t counts[2] = { numberOfArrays, static_cast<std::int64_t>(marks.size()) };
@@ -120,8 +120,8 @@ std::vector<std::vector<unsigned char>> FindSelected(
 
 //------------------------------------------------------------------------------
 // Collective. @a listsNull: those without a value instead.
-std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& population, bool listsNull,
-  int count, camaron::WorstEnd end, const camaron::ElementBlocks& blocks,
+std::vector<camaron::WorstElement> FindWorstElements(const camaron::Population& population,
+  bool listsNull, int count, camaron::WorstEnd end, const camaron::ElementBlocks& blocks,
   const camaron::BlockValues& values, camaron::Reducer& reducer)
 {
   const camaron::MissingValues missing(listsNull ? population : camaron::Population());
@@ -275,7 +275,8 @@ void vtkQualityStatistics::MakeColumns(vtkInformationVector* outputVector)
 
 //------------------------------------------------------------------------------
 // Collective.
-void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+void vtkQualityStatistics::AddRows(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const Settings settings = this->CheckSettings();
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
@@ -321,8 +322,8 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
         const camaron::Population population = groups.GetPopulation(group, values);
         numbers.Totals = camaron::Summarize(population, limits, reducer);
         const camaron::Summary& summary = numbers.Totals;
-        numbers.Places =
-          camaron::FindPlaces({ summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
+        numbers.Places = camaron::FindPlaces(
+          { summary.ArgMinPlace, summary.ArgMaxPlace }, blocks, values, reducer);
         std::optional<camaron::Weights> weightsOfValues;
         if (weights)
         {
@@ -330,7 +331,8 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
           numbers.Weighted =
             camaron::SummarizeWeighted(population, summary, *weightsOfValues, limits, reducer);
         }
-        std::vector<std::int64_t> positions = camaron::GetPositionsOfQuantiles(summary, settings.Fractions);
+        std::vector<std::int64_t> positions =
+          camaron::GetPositionsOfQuantiles(summary, settings.Fractions);
         const auto ofCurve = camaron::GetPositionsOfCurve(summary, this->CurvePoints);
         positions.insert(positions.end(), ofCurve.begin(), ofCurve.end());
         const camaron::OrderStatistics sorted(population, summary, std::move(positions), reducer);
@@ -341,27 +343,27 @@ void vtkQualityStatistics::AddRows(vtkInformationVector** inputVector, vtkInform
         }
         numbers.Counts = camaron::CountBins(population, bins, reducer);
         assert(numbers.Counts.GetTotal() == summary.Count);
-        numbers.Curve = camaron::MakeCumulativeCurve(
-          population, summary, sorted, this->CurvePoints, weights ? &*weightsOfValues : nullptr, reducer,
-          this->CurveValues);
+        numbers.Curve = camaron::MakeCumulativeCurve(population, summary, sorted, this->CurvePoints,
+          weights ? &*weightsOfValues : nullptr, reducer, this->CurveValues);
         if (worstEnd)
         {
-          numbers.Worst = FindWorstElements(
-            population, settings.ListsNull, this->NumberOfWorst, *worstEnd, blocks, values, reducer);
+          numbers.Worst = FindWorstElements(population, settings.ListsNull, this->NumberOfWorst,
+            *worstEnd, blocks, values, reducer);
         }
         numbers.VerticesOfWorst = vertices.Find(numbers.Worst, values);
       }
       if (isRoot)
       {
-        const camaron::RowLabels labels{ array.Name, array.Unit, group.Label,
-          blocks.GetIdSpace(), array.OfIntegers, this->Steps->GetTime() };
+        const camaron::RowLabels labels{ array.Name, array.Unit, group.Label, blocks.GetIdSpace(),
+          array.OfIntegers, this->Steps->GetTime() };
         camaron::AddStatisticsRow(vtkTable::GetData(outputVector, 0), labels, numbers.Totals,
-          { numbers.Places[0], numbers.Places[1] }, numbers.Quantiles, acceptable, numbers.Weighted);
+          { numbers.Places[0], numbers.Places[1] }, numbers.Quantiles, acceptable,
+          numbers.Weighted);
         camaron::AddHistogramRows(vtkTable::GetData(outputVector, 1), labels, bins, numbers.Counts);
-        camaron::AddWorstRows(
-          vtkTable::GetData(outputVector, 2), labels, numbers.Worst, numbers.VerticesOfWorst, blockNames);
-        camaron::AddCurveRows(
-          vtkTable::GetData(outputVector, 3), labels, numbers.Curve, numbers.Totals, numbers.Weighted);
+        camaron::AddWorstRows(vtkTable::GetData(outputVector, 2), labels, numbers.Worst,
+          numbers.VerticesOfWorst, blockNames);
+        camaron::AddCurveRows(vtkTable::GetData(outputVector, 3), labels, numbers.Curve,
+          numbers.Totals, numbers.Weighted);
       }
     }
     this->UpdateProgress(

@@ -8,8 +8,8 @@
  * quality criterion is evaluated, see AddArray(). Ghost cells (DUPLICATECELL, HIDDENCELL,
  * REFINEDCELL) do not count. Faces, edges and vertices are cells of the outputs of vtkMeshElements.
  * NaN is null: counted, but in no other number. Infinite values are counted apart; they are outside
- * of any acceptable range that ends on their side and may be the worst, but enter no moment, quantile
- * or bin.
+ * of any acceptable range that ends on their side and may be the worst, but enter no moment,
+ * quantile or bin.
  *
  * Outputs, each a vtkTable:
  * 0. statistics, one row per array and group;
@@ -42,8 +42,9 @@ public:
 
   ///@{
   /**
-   * What has statistics: "Cells" (default) or "Points", by their arrays. A point that several pieces have counts once:
-   * as vtkGhostType of the points says, else with the first piece that has it.
+   * What has statistics: "Cells" (default) or "Points", by their arrays. A point that several
+   * pieces have counts once: as vtkGhostType of the points says, else with the first piece that has
+   * it.
    */
   void SetElementType(const char* choice) { this->SetText(this->ElementType, choice); }
   const char* GetElementType() const { return this->ElementType.c_str(); }
@@ -51,15 +52,16 @@ public:
 
   ///@{
   /**
-   * Cell array with one component by which cells count in further columns: "Weight", "WeightedMean" and
-   * "Bad<name>Fraction", the share of it outside of the acceptable range. Default: none.
+   * Cell array with one component by which cells count in further columns: "Weight", "WeightedMean"
+   * and "Bad<name>Fraction", the share of it outside of the acceptable range. Default: none.
    */
   void SetWeightArray(const char* name) { this->SetText(this->WeightArray, name); }
   const char* GetWeightArray() const { return this->WeightArray.c_str(); }
   ///@}
 
   ///@{
-  /// Whether only the elements count whose value of SelectionArray is neither 0 nor NaN. Default: off.
+  /// Whether only the elements count whose value of SelectionArray is neither 0 nor NaN. Default:
+  /// off.
   vtkSetMacro(OnlySelected, bool);
   vtkGetMacro(OnlySelected, bool);
   vtkBooleanMacro(OnlySelected, bool);
@@ -73,8 +75,8 @@ public:
 
   ///@{
   /**
-   * Points of the cumulative curve of each array and group, which are values of elements: the share of the elements,
-   * or of their weight, with values up to there. 0 (default, no curve) to 100000.
+   * Points of the cumulative curve of each array and group, which are values of elements: the share
+   * of the elements, or of their weight, with values up to there. 0 (default, no curve) to 100000.
    */
   vtkSetMacro(CurvePoints, int);
   vtkGetMacro(CurvePoints, int);
@@ -95,7 +97,8 @@ public:
   ///@}
 
   ///@{
-  /// Number of bins per array, 1 to 100000. Default: 50. Integers have one bin each, constant data a single one.
+  /// Number of bins per array, 1 to 100000. Default: 50. Integers have one bin each, constant data
+  /// a single one.
   vtkSetMacro(NumberOfBins, int);
   vtkGetMacro(NumberOfBins, int);
   ///@}
@@ -130,8 +133,8 @@ public:
   ///@{
   /**
    * Which values are worst: "By criterion" (default, the end that the table of criteria calls
-   * worse), "Largest", "Smallest", or "Null": those that are missing though the criterion has a meaning
-   * for the cell, in the order of the ids.
+   * worse), "Largest", "Smallest", or "Null": those that are missing though the criterion has a
+   * meaning for the cell, in the order of the ids.
    */
   void SetWorstValues(const char* choice) { this->SetText(this->WorstValues, choice); }
   const char* GetWorstValues() const { return this->WorstValues.c_str(); }
@@ -145,8 +148,14 @@ protected:
   void MakeColumns(vtkInformationVector* outputVector) override;
   void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   const char* GetFailure() const override { return "The statistics cannot be made"; }
-  const char* GetUnrounded() const override { return "; MinInteger, MaxInteger and ValueInteger have all digits"; }
-  const char* GetKindOfArrays() const override { return this->ElementType == "Points" ? "point" : "cell"; }
+  const char* GetUnrounded() const override
+  {
+    return "; MinInteger, MaxInteger and ValueInteger have all digits";
+  }
+  const char* GetKindOfArrays() const override
+  {
+    return this->ElementType == "Points" ? "point" : "cell";
+  }
 
 private:
   vtkQualityStatistics(const vtkQualityStatistics&) = delete;

@@ -134,15 +134,16 @@ int vtkQualityTables::RequestData(
       {
         names += (names.empty() ? "" : ", ") + name;
       }
-      vtkWarningMacro("There are whole numbers beyond 2^53 in " << names << ": columns of numbers have the nearest doubles"
-        << this->GetUnrounded() << '.');
+      vtkWarningMacro("There are whole numbers beyond 2^53 in "
+        << names << ": columns of numbers have the nearest doubles" << this->GetUnrounded() << '.');
     }
   }
   return 1;
 }
 
 //------------------------------------------------------------------------------
-void vtkQualityTables::NoteRounding(const std::string& name, bool isRounded, camaron::Reducer& reducer)
+void vtkQualityTables::NoteRounding(
+  const std::string& name, bool isRounded, camaron::Reducer& reducer)
 {
   std::int64_t isRoundedAnywhere = isRounded;
   reducer.Max(&isRoundedAnywhere, 1);
@@ -153,11 +154,13 @@ void vtkQualityTables::NoteRounding(const std::string& name, bool isRounded, cam
 }
 
 //------------------------------------------------------------------------------
-void vtkQualityTables::WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot)
+void vtkQualityTables::WarnOfNoGroups(
+  const std::string& arrayName, std::size_t numberOfGroups, bool isRoot)
 {
   if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
   {
-    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers of 64 bits is named '"
+    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers "
+                    "of 64 bits is named '"
       << arrayName << "'.");
   }
 }

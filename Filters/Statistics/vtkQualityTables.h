@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkQualityTables
- * @brief What filters that make tables of arrays have in common: which arrays, ranges, groups and time steps.
+ * @brief What filters that make tables of arrays have in common: which arrays, ranges, groups and
+ * time steps.
  *
- * Inputs are any vtkDataSet or composite of them. With AllTimeSteps the tables have the rows of all time steps, one step
- * after the other, and the column "Time"; outputs that are meshes are those of the last step. One step at a time is in
- * memory. Arrays that are wanted and not there, or not at all steps, are told in a warning.
+ * Inputs are any vtkDataSet or composite of them. With AllTimeSteps the tables have the rows of all
+ * time steps, one step after the other, and the column "Time"; outputs that are meshes are those of
+ * the last step. One step at a time is in memory. Arrays that are wanted and not there, or not at
+ * all steps, are told in a warning.
  */
 #ifndef vtkQualityTables_h
 #define vtkQualityTables_h
@@ -33,8 +35,9 @@ public:
 
   ///@{
   /**
-   * Arrays with one component to evaluate, each once. Default: none, which means every one that is named like a
-   * criterion, or like a measure of faces, edges or vertices that vtkMeshElements makes.
+   * Arrays with one component to evaluate, each once. Default: none, which means every one that is
+   * named like a criterion, or like a measure of faces, edges or vertices that vtkMeshElements
+   * makes.
    */
   void AddArray(const char* name);
   void ClearArrays();
@@ -70,15 +73,16 @@ public:
   ///@{
   /**
    * Cell array with one component to group by, such as a material or a region; up to 1000 different
-   * values. Cells with other values than whole numbers of 64 bits are in no group. Default: empty, the first array
-   * of integers, else the first one.
+   * values. Cells with other values than whole numbers of 64 bits are in no group. Default: empty,
+   * the first array of integers, else the first one.
    */
   void SetGroupArray(const char* name) { this->SetText(this->GroupArray, name); }
   const char* GetGroupArray() const { return this->GroupArray.c_str(); }
   ///@}
 
   ///@{
-  /// Whether all time steps of the input are evaluated, and the tables have a column "Time". Default: off.
+  /// Whether all time steps of the input are evaluated, and the tables have a column "Time".
+  /// Default: off.
   vtkSetMacro(AllTimeSteps, bool);
   vtkGetMacro(AllTimeSteps, bool);
   vtkBooleanMacro(AllTimeSteps, bool);
@@ -96,13 +100,14 @@ protected:
   /// Gives the tables their columns, and no rows.
   virtual void MakeColumns(vtkInformationVector* outputVector) = 0;
   /**
-   * Collective. Adds the rows of a time step, on process 0. What may be wrong with properties is found before the
-   * first exchange, by every process; throws std::exception on all processes or none.
+   * Collective. Adds the rows of a time step, on process 0. What may be wrong with properties is
+   * found before the first exchange, by every process; throws std::exception on all processes or
+   * none.
    */
   virtual void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) = 0;
   /**
-   * Collective. For AddRows: whether an array has integers that no double is, on this process; a warning then says that
-   * columns of numbers have the nearest doubles.
+   * Collective. For AddRows: whether an array has integers that no double is, on this process; a
+   * warning then says that columns of numbers have the nearest doubles.
    */
   void NoteRounding(const std::string& name, bool isRounded, camaron::Reducer& reducer);
   /// End of that warning: where all digits of such integers are, if they are.
@@ -113,7 +118,8 @@ protected:
   virtual const char* GetKindOfArrays() const { return "cell"; }
 
   void SetText(std::string& member, const char* text);
-  /// For AddRows, @a numberOfGroups with that of all: says on the root if there is nothing to group by the array.
+  /// For AddRows, @a numberOfGroups with that of all: says on the root if there is nothing to group
+  /// by the array.
   void WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot);
 
   std::vector<std::string> Arrays;

@@ -100,7 +100,8 @@ pqCriteriaCostDecorator::pqCriteriaCostDecorator(vtkPVXMLElement* xml, pqPropert
   {
     if (vtkSMProperty* property = proxy->GetProperty(name))
     {
-      for (const auto event : { vtkCommand::UncheckedPropertyModifiedEvent, vtkCommand::ModifiedEvent })
+      for (const auto event :
+        { vtkCommand::UncheckedPropertyModifiedEvent, vtkCommand::ModifiedEvent })
       {
         pqCoreUtilities::connect(property, event, this, SLOT(updateText()));
       }

@@ -4,8 +4,9 @@
  * @class pqCriteriaCostDecorator
  * @brief Says below the criteria of Element Quality how long they will take, where that is long.
  *
- * For the properties "Criteria" and "Preset": each shows the line when the criteria come from it. The
- * line follows ticks that are not applied yet. Nothing is shown for what takes less than some seconds.
+ * For the properties "Criteria" and "Preset": each shows the line when the criteria come from it.
+ * The line follows ticks that are not applied yet. Nothing is shown for what takes less than some
+ * seconds.
  */
 #ifndef pqCriteriaCostDecorator_h
 #define pqCriteriaCostDecorator_h

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class pqSelectedCountDecorator
- * @brief Says in the panel of Select Elements how many elements it selects, and what it has to report.
+ * @brief Says in the panel of Select Elements how many elements it selects, and what it has to
+ * report.
  *
  * Below the widget of the property that has it, from an update of the filter until it is changed.
  */

@@ -78,12 +78,12 @@ void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnin
     pieces.ForEachCell(
       [&](const Piece& piece, vtkIdType cell)
       {
-        cellFields.CopyData(static_cast<int>(pieces.GetIndex(piece)),
-          piece.Mesh->GetCellData(), cell, cells, next++);
+        cellFields.CopyData(
+          static_cast<int>(pieces.GetIndex(piece)), piece.Mesh->GetCellData(), cell, cells, next++);
       });
   }
-  for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(points),
-         static_cast<vtkDataSetAttributes*>(cells) })
+  for (vtkDataSetAttributes* data :
+    { static_cast<vtkDataSetAttributes*>(points), static_cast<vtkDataSetAttributes*>(cells) })
   {
     data->RemoveArray(vtkDataSetAttributes::GhostArrayName());
   }
@@ -100,7 +100,7 @@ void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnin
     pointParts.push_back(piece.Mesh->GetPointData());
     cellParts.push_back(piece.Mesh->GetCellData());
   }
-  const auto getSource = [&pieces](vtkIdType id, vtkIdType Piece::*first)
+  const auto getSource = [&pieces](vtkIdType id, vtkIdType Piece::* first)
   {
     const Piece& piece = pieces.FindPiece(id, first);
     return TupleSource{ pieces.GetIndex(piece), id - piece.*first };
@@ -119,7 +119,8 @@ void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnin
   }
   if (!names.empty())
   {
-    warnings.Add("arrays that parts of the mesh lack, or have in another form, are left out: " + names);
+    warnings.Add(
+      "arrays that parts of the mesh lack, or have in another form, are left out: " + names);
   }
 }
 

@@ -14,8 +14,8 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Gives points and cells of @a grid, which is made of the pieces, the values they had there. Arrays
-/// that cannot be joined are told.
+/// Gives points and cells of @a grid, which is made of the pieces, the values they had there.
+/// Arrays that cannot be joined are told.
 void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnings& warnings);
 
 /// Of arrays of the same name, those of the first part.

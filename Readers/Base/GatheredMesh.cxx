@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GatheredMesh.h"
 
-#include "GatheredArrays.h"
 #include "Base/Buffer.h"
-#include "Base/CountOf.h"
+#include "Base/Text.h"
+#include "GatheredArrays.h"
 #include "Scan/ScanError.h"
 
 #include "vtkCellArray.h"
@@ -198,7 +198,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeParts(
   {
     warnings.Add(CountOf(pieces.GetNumberOfTwins(),
       "point of pieces without global ids was taken for that of another piece at the same place",
-      "points of pieces without global ids were taken for those of other pieces at the same place"));
+      "points of pieces without global ids were taken for those of other pieces at the same "
+      "place"));
   }
   if (pieces.GetNumberOfUnclearPlaces() > 0)
   {

@@ -54,9 +54,7 @@ GatheredPieces::GatheredPieces(const std::vector<MeshPart>& parts)
 bool GatheredPieces::IsUnchanged() const
 {
   const auto isWhole = [](const std::vector<vtkIdType>& ids, vtkIdType size)
-  {
-    return static_cast<vtkIdType>(ids.size()) == size && std::is_sorted(ids.begin(), ids.end());
-  };
+  { return static_cast<vtkIdType>(ids.size()) == size && std::is_sorted(ids.begin(), ids.end()); };
   return isWhole(this->OldCells, this->NumberOfCells) &&
     isWhole(this->OldPoints, this->NumberOfPoints);
 }
@@ -155,7 +153,7 @@ void GatheredPieces::NumberPointsById(Iterator begin, Iterator end)
   const auto getId = [&ids, firstPoint](vtkIdType point) { return ids[point - firstPoint]; };
   std::vector<vtkIdType> sorted;
   for (vtkIdType point = firstPoint; point < firstPoint + static_cast<vtkIdType>(ids.size());
-       ++point)
+    ++point)
   {
     if (this->NewPoints[point] >= 0)
     {
@@ -165,8 +163,8 @@ void GatheredPieces::NumberPointsById(Iterator begin, Iterator end)
   std::stable_sort(sorted.begin(), sorted.end(),
     [&getId](vtkIdType a, vtkIdType b) { return getId(a) < getId(b); });
 
-  // Points are the same if their places are, too: blocks of different meshes may use the same ids. More
-  // places than this for one id, and the ids mean nothing.
+  // Points are the same if their places are, too: blocks of different meshes may use the same ids.
+  // More places than this for one id, and the ids mean nothing.
   constexpr std::size_t MaxPlaces = 64;
   std::vector<vtkIdType>& kept = this->OldPoints;
   std::size_t first = kept.size(); // of the kept points with the id at hand
@@ -275,9 +273,7 @@ std::vector<vtkIdType> GatheredPieces::FindBorderPoints(Iterator begin, Iterator
 void GatheredPieces::MergeTwins(const vtkIdType* begin, const vtkIdType* end)
 {
   const auto areOfOnePiece = [this](vtkIdType a, vtkIdType b)
-  {
-    return &this->FindPiece(a, &Piece::FirstPoint) == &this->FindPiece(b, &Piece::FirstPoint);
-  };
+  { return &this->FindPiece(a, &Piece::FirstPoint) == &this->FindPiece(b, &Piece::FirstPoint); };
   if (areOfOnePiece(*begin, *(end - 1)))
   {
     return;

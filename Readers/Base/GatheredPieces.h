@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::GatheredPieces
- * @brief Which cells and points of pieces of meshes stay when they become one mesh, and their order in it.
+ * @brief Which cells and points of pieces of meshes stay when they become one mesh, and their order
+ * in it.
  *
  * See MergeParts for the rules. A point or cell is known by its number among those of all pieces.
  */
@@ -71,7 +72,7 @@ public:
     }
   }
   /// The piece of a point (&Piece::FirstPoint) or cell (&Piece::FirstCell).
-  const Piece& FindPiece(vtkIdType id, vtkIdType Piece::*first) const
+  const Piece& FindPiece(vtkIdType id, vtkIdType Piece::* first) const
   {
     return *(std::upper_bound(this->Pieces.begin(), this->Pieces.end(), id,
                [first](vtkIdType i, const Piece& piece) { return i < piece.*first; }) -

@@ -10,8 +10,8 @@
 #ifndef camaron_Inflation_h
 #define camaron_Inflation_h
 
-#include "Scan/MappedFile.h"
 #include "Base/Progress.h"
+#include "Scan/MappedFile.h"
 
 #include <cstddef> // for std::size_t
 

@@ -69,8 +69,8 @@ std::vector<PartialArray> FindPartialArrays(
         [&name](const PartialArray& other) { return other.Name == name; });
       if (known == found.end())
       {
-        known = found.insert(
-          known, { name, std::vector<vtkAbstractArray*>(parts.size(), nullptr) });
+        known =
+          found.insert(known, { name, std::vector<vtkAbstractArray*>(parts.size(), nullptr) });
       }
       known->OfParts[part] = array;
     }

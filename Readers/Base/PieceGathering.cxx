@@ -21,8 +21,8 @@
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -182,7 +182,8 @@ public:
   /// Throws what is wrong with the leaves of all processes.
   void Check(vtkMultiProcessController* controller) const
   {
-    const std::int64_t own[3] = { this->Faces.NumberWithFaces, this->Faces.NumberOfPolyhedra, !this->Error.empty() };
+    const std::int64_t own[3] = { this->Faces.NumberWithFaces, this->Faces.NumberOfPolyhedra,
+      !this->Error.empty() };
     std::int64_t all[3] = { own[0], own[1], own[2] };
     if (controller && controller->GetNumberOfProcesses() > 1)
     {
@@ -267,7 +268,8 @@ private:
       convert->AddInputData(leaf);
       if (!vtkPointSet::SafeDownCast(leaf))
       {
-        convert->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION); // coordinates are computed
+        convert->SetOutputPointsPrecision(
+          vtkAlgorithm::DOUBLE_PRECISION); // coordinates are computed
       }
       convert->Update();
       this->Parts.push_back({ convert->GetOutput(), this->Block });

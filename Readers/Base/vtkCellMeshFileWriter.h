@@ -4,7 +4,8 @@
  * @class vtkCellMeshFileWriter
  * @brief Common part of the writers of formats that hold cells of certain types only.
  *
- * Adds the choice what becomes of other cells. See camaron::ConvertCells for what is rewritten in any
+ * Adds the choice what becomes of other cells. See camaron::ConvertCells for what is rewritten in
+ any
  * case, and how cells are cut.
  *
  * The XML of every such writer has this property:

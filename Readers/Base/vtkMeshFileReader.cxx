@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshFileReader.h"
 
+#include "Base/PointRanges.h"
+#include "Base/Text.h"
 #include "FaceMesh/FaceMesh.h"
 #include "Scan/FileStates.h"
 #include "Scan/MappedFile.h"
 #include "Scan/MergedWarnings.h"
 #include "Scan/NotFinitePoints.h"
-#include "Base/PointRanges.h"
-#include "Base/Printable.h"
 
 #include "vtkCommunicator.h"
 #include "vtkErrorCode.h"
@@ -92,8 +92,7 @@ void ShareWarnings(vtkMultiProcessController* processes, camaron::Warnings& warn
 
 //------------------------------------------------------------------------------
 // Whether all processes have found the files as this one has.
-bool HaveReadTheSame(
-  vtkMultiProcessController* processes, const camaron::FileStates::State& mine)
+bool HaveReadTheSame(vtkMultiProcessController* processes, const camaron::FileStates::State& mine)
 {
   constexpr int Size = 3;
   const long long own[Size] = { mine.Place, mine.Size, mine.Identity };
@@ -110,8 +109,8 @@ bool HaveReadTheSame(
 
 //------------------------------------------------------------------------------
 // Adds what the first process tells of points whose coordinates are not finite, of all pieces.
-void WarnOfPoints(
-  vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessController* processes, camaron::Warnings& warnings)
+void WarnOfPoints(vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessController* processes,
+  camaron::Warnings& warnings)
 {
   camaron::Tally bad = areFinite ? camaron::Tally() : camaron::FindNotFinitePoints(piece);
   if (processes)
@@ -124,7 +123,8 @@ void WarnOfPoints(
   if (!processes || processes->GetLocalProcessId() == 0)
   {
     warnings.Add(bad, "point", "points", "with a coordinate that is not finite",
-      processes ? " (counted from 0; points that several processes have are counted by each)" : camaron::FromZero);
+      processes ? " (counted from 0; points that several processes have are counted by each)"
+                : camaron::FromZero);
   }
 }
 }
@@ -203,7 +203,8 @@ int vtkMeshFileReader::RequestData(
       hasFailed = true;
       error = { camaron::ErrorKind::Changed,
         camaron::GetFileName(this->FileName) +
-          ": cannot read the file: another program changed it before all processes had opened it; read it again "
+          ": cannot read the file: another program changed it before all processes had opened it; "
+          "read it again "
           "when it is complete" };
     }
   }

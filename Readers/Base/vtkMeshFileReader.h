@@ -4,14 +4,14 @@
  * @class vtkMeshFileReader
  * @brief Common part of the readers of mesh files.
  *
- * A reader of a format says how to recognise and how to read a file; this class does the rest: the
+ * A reader of a format says how to recognize and how to read a file; this class does the rest: the
  * name of the file, pieces and ghost cells, progress and abort, warnings and errors. After an error
  * the output is empty, one message was given and GetErrorCode() tells the kind (vtkErrorCode). The
  * request counts as answered then, so that the pipeline neither adds a message of its own nor reads
  * the file again before something changes.
  *
- * Where every process of the global controller reads the piece of its number, all fail if one does, and
- * process 0 gives the message of the first; it also gives the warnings of all, each once.
+ * Where every process of the global controller reads the piece of its number, all fail if one does,
+ * and process 0 gives the message of the first; it also gives the warnings of all, each once.
  */
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshFileWriter.h"
 
+#include "Base/Progress.h"
+#include "Base/Text.h"
 #include "PieceGathering.h"
 #include "Scan/MappedFile.h"
-#include "Base/Printable.h"
-#include "Base/Progress.h"
 #include "Scan/ScanError.h"
 
 #include "vtkCommand.h"
@@ -64,8 +64,8 @@ unsigned long FindErrorUpstream(vtkAlgorithm* algorithm)
     {
       vtkAlgorithm* const input = algorithm->GetInputAlgorithm(port, i);
       auto* const series = vtkMetaReader::SafeDownCast(input);
-      code = series && series->GetReader() ? series->GetReader()->GetErrorCode()
-                                           : input->GetErrorCode();
+      code =
+        series && series->GetReader() ? series->GetReader()->GetErrorCode() : input->GetErrorCode();
       code = code ? code : FindErrorUpstream(input);
     }
   }
@@ -222,7 +222,8 @@ void vtkMeshFileWriter::WriteTo(
   {
     if (const unsigned long code = FindErrorUpstream(this))
     {
-      vtkErrorMacro(<< camaron::MakePrintable(name) << " is not written: there is no mesh, as its source has failed.");
+      vtkErrorMacro(<< camaron::MakePrintable(name)
+                    << " is not written: there is no mesh, as its source has failed.");
       this->SetErrorCode(code);
       return;
     }

@@ -6,8 +6,8 @@
  * outputs.
  *
  * vtkFileSeriesReader passes on the first output of its reader only, up to and including
- * ParaView 6.0, and tells the times to the output alone that is asked for them first. Here both outputs
- * have the times of the series, and are of one time whichever of them is updated.
+ * ParaView 6.0, and tells the times to the output alone that is asked for them first. Here both
+ * outputs have the times of the series, and are of one time whichever of them is updated.
  */
 #ifndef vtkMeshSeriesReader_h
 #define vtkMeshSeriesReader_h

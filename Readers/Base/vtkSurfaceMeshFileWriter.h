@@ -14,8 +14,8 @@
           <Entry text="Boundary" value="0" />
           <Entry text="Every" value="1" />
         </EnumerationDomain>
-        <Documentation>Which faces of cells of three dimensions are written: those that only one cell
-        has, or every face once. Default: Boundary.</Documentation>
+        <Documentation>Which faces of cells of three dimensions are written: those that only one
+ cell has, or every face once. Default: Boundary.</Documentation>
       </IntVectorProperty>
  * @endcode
  */

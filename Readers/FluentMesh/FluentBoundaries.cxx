@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentBoundaries.h"
 
-#include "Scan/PieceArrays.h"
+#include "Scan/PieceRequest.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -235,8 +235,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(
   if (!globalIds.Points.empty())
   {
     Buffer<vtkIdType> pointIds(static_cast<vtkIdType>(used.size())), cellIds(size);
-    std::transform(used.begin(), used.end(), pointIds.data(),
-      [&](std::int32_t point)
+    std::transform(used.begin(), used.end(), pointIds.data(), [&](std::int32_t point)
       { return globalIds.FirstPoint + globalIds.Points[static_cast<std::size_t>(point)]; });
     std::transform(zone.Faces.begin(), zone.Faces.end(), cellIds.data(),
       [&](vtkIdType face) { return globalIds.FirstFace + face; });

@@ -22,7 +22,7 @@
 
 namespace camaron
 {
-/// The faces into which larger ones were split, for neighbours that were refined.
+/// The faces into which larger ones were split, for neighbors that were refined.
 struct FluentFaceTree
 {
   /// Positions of a part and of the face that was split.

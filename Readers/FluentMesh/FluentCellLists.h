@@ -7,8 +7,8 @@
 #ifndef camaron_FluentCellLists_h
 #define camaron_FluentCellLists_h
 
-#include "FluentCellFaces.h"
 #include "Base/Buffer.h"
+#include "FluentCellFaces.h"
 
 #include <atomic> // for cursors
 #include <vector> // for cursors

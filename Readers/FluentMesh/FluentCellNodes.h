@@ -6,7 +6,7 @@
  *
  * Each function adds a face to what is known of a cell: its nodes, of which there is room for as
  * many as the type has, and a state, which is 0 before the first face. All take ids of nodes other
- * than 0. They are false if the faces are not those of such a cell, or do not run as neighbours do.
+ * than 0. They are false if the faces are not those of such a cell, or do not run as neighbors do.
  */
 #ifndef camaron_FluentCellNodes_h
 #define camaron_FluentCellNodes_h
@@ -84,7 +84,7 @@ inline bool Add(std::int32_t* nodes, FluentCellState& state, const Face& face)
 }
 
 /// Finds the nodes when all faces were added; false if these were not those of a tetrahedron, or
-/// run otherwise than neighbours do. The nodes may be any then. Among millions some checksum is
+/// run otherwise than neighbors do. The nodes may be any then. Among millions some checksum is
 /// that of both directions, in which case the first face decides.
 inline bool Finish(std::int32_t* nodes, FluentCellState state)
 {

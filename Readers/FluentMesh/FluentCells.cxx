@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentCells.h"
 
-#include "FluentText.h"
 #include "Base/Bytes.h"
+#include "FluentText.h"
 
 #include <algorithm>
 
@@ -78,7 +78,8 @@ bool FluentCells::AddRun(FluentFile& file, const FluentSection& section)
   else if (file.DeclaredCells.Count >= 0 && section.Header[2] > file.DeclaredCells.Count)
   {
     file.FailAt(section.Place, ErrorKind::Index,
-      "cells from 1 to " + std::to_string(file.DeclaredCells.Count), std::to_string(section.Header[2]));
+      "cells from 1 to " + std::to_string(file.DeclaredCells.Count),
+      std::to_string(section.Header[2]));
   }
   else if (element > MaxElement)
   {
@@ -121,8 +122,8 @@ bool FluentCells::Load(FluentFile& file, std::int64_t maxCells)
   }
   if (this->Count > maxCells)
   {
-    file.FailAt(place, ErrorKind::Count, "at most " + std::to_string(maxCells) + " cells for its faces",
-      std::to_string(this->Count));
+    file.FailAt(place, ErrorKind::Count,
+      "at most " + std::to_string(maxCells) + " cells for its faces", std::to_string(this->Count));
     return false;
   }
   std::stable_sort(sections.begin(), sections.end(),

@@ -10,8 +10,8 @@
 #ifndef camaron_FluentCells_h
 #define camaron_FluentCells_h
 
+#include "Base/ConsecutiveRanges.h"
 #include "FluentFile.h"
-#include "FluentRuns.h"
 
 #include <vector> // for runs
 
@@ -114,7 +114,7 @@ private:
 
   std::vector<Run> Runs;
   std::vector<std::uint32_t> RunOfLeaves;
-  FluentRuns ById, ByLeaf;
+  ConsecutiveRanges ById, ByLeaf;
   std::int64_t Count = 0;
   vtkIdType NumberOfLeaves = 0;
   vtkIdType Undeclared = 0;

@@ -123,7 +123,8 @@ public:
                 }
                 look(*batch.Of, faces, end - begin);
                 begins[static_cast<std::size_t>(block)] = SortSides(faces, end - begin, shares,
-                  [&](vtkIdType place, vtkIdType face, int side) {
+                  [&](vtkIdType place, vtkIdType face, int side)
+                  {
                     make(
                       batch, begin + face, faces[face], side, sides[block * SidesPerBlock + place]);
                   });

@@ -12,12 +12,12 @@
 #ifndef camaron_FluentFaces_h
 #define camaron_FluentFaces_h
 
-#include "FluentFile.h"
-#include "FluentRuns.h"
 #include "Base/Buffer.h"
 #include "Base/Bytes.h"
-#include "Scan/IdLists.h"
+#include "Base/ConsecutiveRanges.h"
 #include "Base/IdSet.h"
+#include "FluentFile.h"
+#include "Scan/IdLists.h"
 #include "Scan/TextLines.h"
 
 #include <memory> // for lines
@@ -57,7 +57,7 @@ public:
     std::vector<const char*> Blocks; ///< where every 1024th begins if they are of any size
     Buffer<std::uint32_t> Starts;    ///< of each of these, words from the start of its block
     Buffer<std::int32_t> Words;      ///< of text
-    IdSet Kept;                      ///< which of them are there, counted from the first; none for all
+    IdSet Kept; ///< which of them are there, counted from the first; none for all
     std::unique_ptr<TextLines> Lines; ///< of text that is read whenever it is visited
     TextLines::Section Rows;
 
@@ -88,7 +88,8 @@ public:
   bool Stream(const FluentFile& file, std::int64_t nodes, std::int64_t cells, vtkIdType chunk,
     const Progress& progress);
   void StopStreaming();
-  /// Makes these faces accessible, and those that are kept or binary; no others can be visited then.
+  /// Makes these faces accessible, and those that are kept or binary; no others can be visited
+  /// then.
   bool KeepSome(const IdSet& faces, const Progress& progress);
   /// Gives the memory of all faces but those of boundaries back.
   void KeepBoundariesOnly();
@@ -141,7 +142,8 @@ public:
       good = good &&
         (!run.Lines ||
           this->ForEachLineOf(run, nullptr, progress,
-            [&](vtkIdType, vtkIdType face, const FluentFace& record) { visit(run, face, record); }));
+            [&](vtkIdType, vtkIdType face, const FluentFace& record)
+            { visit(run, face, record); }));
     }
     return good;
   }
@@ -238,7 +240,7 @@ private:
   void LeaveOutInterfaces(FluentFile& file);
 
   std::vector<Run> Runs;
-  FluentRuns Finder;
+  ConsecutiveRanges Finder;
   std::int64_t Nodes = 0, Cells = 0; ///< the largest ids, of text that is not kept
   std::vector<Part> Parts;
 };

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentFile.h"
 
-#include "FluentLists.h"
-#include "FluentText.h"
 #include "Base/Bytes.h"
+#include "FluentText.h"
 #include "Scan/TextScanner.h"
 
 #include <algorithm>
@@ -42,8 +41,8 @@ bool DescribesMesh(int plainIndex)
 }
 
 //------------------------------------------------------------------------------
-// Whether there is a list such as (cad/options 1), ("a" 1), ((a . 1)) or (). One that begins with a number is a section,
-// or a damaged one.
+// Whether there is a list such as (cad/options 1), ("a" 1), ((a . 1)) or (). One that begins with a
+// number is a section, or a damaged one.
 bool IsListWithoutNumber(const char* text, const char* end)
 {
   if (text >= end || *text != '(')
@@ -148,8 +147,7 @@ bool FluentFile::SkipRest(int depth, const FluentSection& section)
   // In the words of a comment, a quotation mark may be an inch.
   constexpr int Comments = 1;
   const char* const text = SkipSpaceFrom(this->Position, this->End);
-  const bool isProse =
-    section.Index >= 0 && section.Index <= Comments &&
+  const bool isProse = section.Index >= 0 && section.Index <= Comments &&
     !(text < this->End && (*text == '"' || *text == '('));
   if (this->TrustsQuotes && !isProse && SkipFluentLists(this->Position, this->End, depth, true))
   {
@@ -365,7 +363,8 @@ bool FluentFile::ReadMeshSection(FluentSection& section, int index)
   }
   if (!section.IsText() && isRange)
   {
-    // Cells that are all alike need no data; what some writers put there does not matter, as in text.
+    // Cells that are all alike need no data; what some writers put there does not matter, as in
+    // text.
     const bool areAlike = section.Index == 12 && section.HeaderSize > 4 && section.Header[4] != 0;
     this->SkipSpace();
     const bool hasBody = this->Position < this->End && *this->Position == '(';

@@ -5,9 +5,9 @@
  * @brief The sections of a Fluent mesh or case file: where they are and what their headers say.
  *
  * A file is a sequence of sections `(index ...)`. Those that describe the mesh are collected, all
- * others skipped: text by its parentheses, outside of quotes, such as lists of settings that do not begin
- * with an index; binary sections (index 2000 to 3999) up to their end mark, as parentheses mean
- * nothing in them.
+ * others skipped: text by its parentheses, outside of quotes, such as lists of settings that do not
+ * begin with an index; binary sections (index 2000 to 3999) up to their end mark, as parentheses
+ * mean nothing in them.
  */
 #ifndef camaron_FluentFile_h
 #define camaron_FluentFile_h
@@ -60,7 +60,8 @@ public:
 
   FluentFile(std::string name, const char* begin, const char* end);
 
-  /// Whether these may be the first bytes of such a file, the only one of its extensions that begins with '('.
+  /// Whether these may be the first bytes of such a file, the only one of its extensions that
+  /// begins with '('.
   static bool IsFluent(const char* begin, const char* end);
 
   /**

@@ -3,8 +3,8 @@
 // Binary sections: where their data ends, which only their headers and the data itself say.
 #include "FluentFile.h"
 
-#include "FluentText.h"
 #include "Base/Bytes.h"
+#include "FluentText.h"
 
 #include <cstring>
 #include <string_view>
@@ -47,7 +47,7 @@ bool FluentFile::SkipBinary(const FluentSection& section, int index)
 {
   const std::string_view rest(this->Position, static_cast<std::size_t>(this->End - this->Position));
   for (std::size_t at = rest.find(EndMark); at != std::string_view::npos;
-       at = rest.find(EndMark, at + EndMark.size()))
+    at = rest.find(EndMark, at + EndMark.size()))
   {
     if (const char* next = this->FindEndMark(rest.data() + at, index, false))
     {

@@ -445,7 +445,8 @@ void FluentGridBuilder::HandOverFaces()
 void FluentGridBuilder::Warn()
 {
   Tally empty, broken, other, joined;
-  const auto* const types = vtkUnsignedCharArray::SafeDownCast(GetCellTypes(this->Grid)); // of SetCells
+  const auto* const types =
+    vtkUnsignedCharArray::SafeDownCast(GetCellTypes(this->Grid)); // of SetCells
   for (vtkIdType cell = 0; cell < this->Count; ++cell)
   {
     if (this->Mesh.Piece.IsGhostLeaf(this->Mesh.Piece.GetLeaf(cell)))
@@ -470,10 +471,12 @@ void FluentGridBuilder::Warn()
   this->Messages.Add(empty, "cell", "cells", "without faces");
   this->Messages.Add(broken, "cell", "cells", "whose edges make no ring, left empty");
   this->Messages.Add(other, "cell", "cells",
-    this->Mesh.Dimension == 2 ? "whose edges are not those of the declared type, read as polygons"
-                              : "whose faces are not those of the declared type, read as polyhedra");
+    this->Mesh.Dimension == 2
+      ? "whose edges are not those of the declared type, read as polygons"
+      : "whose faces are not those of the declared type, read as polyhedra");
   this->Messages.Add(joined, "cell", "cells",
-    "beside refined ones, no neighbours of these as their split faces are joined (Join Split Faces)");
+    "beside refined ones, no neighbors of these as their split faces are joined (Join Split "
+    "Faces)");
 }
 }
 

@@ -18,9 +18,9 @@ namespace camaron
  *
  * Faces say which cell is on which of their sides, so cells are oriented by them: an inverted cell
  * stays inverted. Cells of a declared type become that of VTK. If they have more faces, because
- * neighbours were refined, split faces are put together again; if that does not help, they are
+ * neighbors were refined, split faces are put together again; if that does not help, they are
  * polyhedra (polygons). Cells declared as polyhedra are such whatever they look like; cells of
- * unknown type are recognised. Cells without faces, and 2D cells whose edges make no ring, are
+ * unknown type are recognized. Cells without faces, and 2D cells whose edges make no ring, are
  * VTK_EMPTY_CELL.
  *
  * The faces of meshes with polyhedra are handed over to MeshTopology. The grid does not depend on

@@ -10,7 +10,7 @@
 #include "FluentStandardCells.h"
 #include "FluentText.h"
 #include "Inflation.h"
-#include "Scan/PieceArrays.h"
+#include "Scan/PieceRequest.h"
 #include "Scan/ReadMappedFile.h"
 
 #include "vtkCellData.h"
@@ -43,7 +43,7 @@ constexpr std::string_view HDF5("\x89HDF\r\n\x1a\n", 8);
 
 //------------------------------------------------------------------------------
 // Files of other formats that have the same extensions; an empty string for none of them.
-std::string RecogniseOther(const char* begin, const char* end)
+std::string RecognizeOther(const char* begin, const char* end)
 {
   if (BeginsWith(begin, end, HDF5))
   {
@@ -234,8 +234,9 @@ bool FluentMeshReading::ReadCells(
   if (!streams)
   {
     this->Faces.StopStreaming();
-    if (!(isWhole ? this->Faces.KeepBoundaries(this->File, this->Options.Chunk, progress.Part(0, 0.2))
-                  : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
+    if (!(isWhole
+            ? this->Faces.KeepBoundaries(this->File, this->Options.Chunk, progress.Part(0, 0.2))
+            : this->KeepFaces(nodes, progress.Part(0, 0.2))) ||
       !this->Piece.Select(this->Faces, this->Cells, nodes, this->Request, progress.Part(0.2, 0.3)))
     {
       return false;
@@ -302,7 +303,8 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   if (declared.Count > this->Faces.GetCount())
   {
     this->File.FailAt(declared.Place, ErrorKind::Truncated,
-      std::to_string(declared.Count) + " faces, as declared", std::to_string(this->Faces.GetCount()));
+      std::to_string(declared.Count) + " faces, as declared",
+      std::to_string(this->Faces.GetCount()));
     return false;
   }
   this->Faces.KeepBoundariesOnly();
@@ -325,7 +327,8 @@ bool FluentMeshReading::Read(bool otherOrder, vtkUnstructuredGrid* grid,
   }
   if (this->Request.Piece == 0 && this->Cells.GetNumberOfUndeclared() > 0)
   {
-    warnings.Add("cells that are in no section of cells, so that their type and zone are not known: " +
+    warnings.Add(
+      "cells that are in no section of cells, so that their type and zone are not known: " +
       std::to_string(this->Cells.GetNumberOfUndeclared()));
   }
   return true;
@@ -403,7 +406,7 @@ bool ReadContent(const std::string& name, const char* begin, const char* end,
   const PieceRequest& request, const FluentOptions& options, vtkUnstructuredGrid* grid,
   vtkMultiBlockDataSet* boundaries, Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  const std::string other = RecogniseOther(begin, end);
+  const std::string other = RecognizeOther(begin, end);
   if (!other.empty())
   {
     const bool isFluent = BeginsWith(begin, end, HDF5); // but in another format
@@ -495,8 +498,8 @@ bool ReadFluentMesh(const std::string& path, const PieceRequest& request, vtkUns
         begin = inflation.begin();
         end = inflation.end();
       }
-      const bool isRead = ReadContent(file.GetName(), begin, end, request, options, grid, boundaries,
-        warnings, error, progress.Part(isCompressed ? 0.5 : 0, 1));
+      const bool isRead = ReadContent(file.GetName(), begin, end, request, options, grid,
+        boundaries, warnings, error, progress.Part(isCompressed ? 0.5 : 0, 1));
       if (inflation.HasTrailingData() && request.Piece == 0)
       {
         warnings.Add("what follows the compressed data is ignored");

@@ -7,8 +7,8 @@
 #ifndef camaron_FluentMeshReading_h
 #define camaron_FluentMeshReading_h
 
-#include "Scan/PieceRequest.h"
 #include "Base/Progress.h"
+#include "Scan/PieceRequest.h"
 #include "Scan/ScanError.h"
 #include "Scan/TextLines.h"
 

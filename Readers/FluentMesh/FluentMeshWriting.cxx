@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FluentMeshWriting.h"
 
+#include "Base/Bytes.h"
+#include "Base/Parallel.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "FluentOutput.h"
-#include "Base/Parallel.h"
-#include "Base/Bytes.h"
 #include "Scan/MappedFile.h"
 #include "Write/RealFormat.h"
 #include "Write/WriteRows.h"
@@ -307,7 +307,8 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// A mesh of two dimensions must be in a plane of constant z, but for rounding; @a z is what is farthest from zero.
+// A mesh of two dimensions must be in a plane of constant z, but for rounding; @a z is what is
+// farthest from zero.
 bool IsPlanar(const FluentOutput& mesh, double& z)
 {
   constexpr double Rounding = 1e-12; // of the size of the mesh

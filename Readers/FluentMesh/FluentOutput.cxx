@@ -207,7 +207,7 @@ void FluentOutput::MergeCopies()
       const Place place = getPlace(static_cast<vtkIdType>(point));
       for (auto copy =
              std::lower_bound(copies.begin(), copies.end(), std::make_pair(place, vtkIdType(-1)));
-           copy != copies.end() && copy->first == place; ++copy)
+        copy != copies.end() && copy->first == place; ++copy)
       {
         this->Originals.emplace(copy->second, static_cast<vtkIdType>(point));
       }
@@ -291,7 +291,8 @@ bool FluentOutput::FindFaces(Warnings& warnings, std::string& reason, const Prog
       for (auto facet = static_cast<Index>(first * Grain); facet < end; ++facet)
       {
         const FacetTable::CellPair cells = this->Facets.GetCells(facet);
-        Face face{ facet, { this->GetFileCell(cells.First), this->GetFileCell(cells.Second) }, 0, 0 };
+        Face face{ facet, { this->GetFileCell(cells.First), this->GetFileCell(cells.Second) }, 0,
+          0 };
         this->GetNodes(face, nodes);
         face.Size = static_cast<std::int32_t>(nodes.size());
         if (face.Size < least)

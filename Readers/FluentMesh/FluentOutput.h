@@ -8,8 +8,8 @@
  * each starts at its smallest node. So the file does not depend on which of the possible orders of
  * its nodes a cell has. Cells of a lower dimension that are faces of others say in which zone these
  * are, and are not cells of the file; their points may be copies of those of the others, as when
- * blocks were merged. Two of them that are the same face between two cells, one for each side as of thin walls, make
- * two faces of one cell each.
+ * blocks were merged. Two of them that are the same face between two cells, one for each side as of
+ * thin walls, make two faces of one cell each.
  */
 #ifndef camaron_FluentOutput_h
 #define camaron_FluentOutput_h
@@ -86,8 +86,8 @@ public:
   const std::vector<Section>& GetCellSections() const { return this->CellSections; }
   const std::vector<FluentZone>& GetZones() const { return this->Zones; }
 
-  /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten. A point that follows
-  /// itself is there once.
+  /// Nodes of a face in the order of the file, as points of the mesh; @a nodes is overwritten. A
+  /// point that follows itself is there once.
   void GetNodes(const Face& face, std::vector<vtkIdType>& nodes) const;
 
 private:
@@ -131,8 +131,9 @@ private:
   std::vector<std::int32_t> Points, FilePoints;
   std::map<vtkIdType, vtkIdType> Originals; ///< of points that are copies
   std::vector<Face> Faces;
-  std::map<std::pair<Index, std::int32_t>, int> MarkedZones; ///< zones of facets with their first cell
-  std::map<int, int> MarkedTypes;   ///< types of boundary of these zones
+  std::map<std::pair<Index, std::int32_t>, int>
+    MarkedZones;                  ///< zones of facets with their first cell
+  std::map<int, int> MarkedTypes; ///< types of boundary of these zones
   FluentInteriorZones InteriorZones;
   std::vector<Section> FaceSections, CellSections;
   std::vector<FluentZone> Zones, KnownZones;

@@ -177,8 +177,8 @@ std::vector<vtkIdType> FluentOutput::GetMarkNodes(std::int32_t mark) const
 }
 
 //------------------------------------------------------------------------------
-// Whether a cell of a lower dimension runs around a face, which it is, as the reader shows those of the face's first
-// cell.
+// Whether a cell of a lower dimension runs around a face, which it is, as the reader shows those of
+// the face's first cell.
 bool FluentOutput::IsOutward(std::int32_t mark, const Face& face) const
 {
   const std::vector<vtkIdType> nodes = this->GetMarkNodes(mark);
@@ -194,7 +194,8 @@ bool FluentOutput::IsOutward(std::int32_t mark, const Face& face) const
 }
 
 //------------------------------------------------------------------------------
-// A face between two cells that has two marks, each for one side, becomes two. Returns the face, or both.
+// A face between two cells that has two marks, each for one side, becomes two. Returns the face, or
+// both.
 std::vector<std::size_t> FluentOutput::SplitFace(
   std::size_t face, const std::vector<std::int32_t>& marks)
 {
@@ -269,7 +270,7 @@ void FluentOutput::FindMarks(Warnings& warnings)
     const std::vector<std::int32_t>& marks = entry.second;
     std::vector<std::size_t> faces;
     for (std::size_t i = entry.first;
-         i < candidates.size() && candidates[i].first == candidates[entry.first].first; ++i)
+      i < candidates.size() && candidates[i].first == candidates[entry.first].first; ++i)
     {
       faces.push_back(candidates[i].second);
     }
@@ -278,8 +279,8 @@ void FluentOutput::FindMarks(Warnings& warnings)
     {
       // Of two, that for this side.
       const Face& side = this->Faces[face];
-      const auto mark = std::find_if(marks.begin(), marks.end(),
-        [&](std::int32_t m) { return this->IsOutward(m, side); });
+      const auto mark = std::find_if(
+        marks.begin(), marks.end(), [&](std::int32_t m) { return this->IsOutward(m, side); });
       const std::int32_t chosen = mark != marks.end() ? *mark : marks[0];
       const int zone = this->GetZone(chosen);
       this->MarkedZones.emplace(std::make_pair(side.Facet, side.Cells[0]), zone);
@@ -326,7 +327,8 @@ int FluentOutput::GetFreeZone(int least) const
 }
 
 //------------------------------------------------------------------------------
-// The zone for faces that are in none: the only known one of this type, unless it is taken; else nullptr.
+// The zone for faces that are in none: the only known one of this type, unless it is taken; else
+// nullptr.
 const FluentZone* FluentOutput::FindOnlyZone(const std::string& type) const
 {
   const FluentZone* only = nullptr;
@@ -421,8 +423,7 @@ int FluentOutput::GetInteriorZone(const Face& face) const
   const int zone = this->InteriorZones.GetZone(this->GetZone(this->GetMeshCell(face.Cells[0])),
     this->GetZone(this->GetMeshCell(face.Cells[1])), face.Size);
   const bool isKnown = zone > 0 &&
-    std::any_of(this->KnownZones.begin(), this->KnownZones.end(),
-      [zone](const FluentZone& known)
+    std::any_of(this->KnownZones.begin(), this->KnownZones.end(), [zone](const FluentZone& known)
       { return known.Id == zone && GetBoundaryType(known.Type) == FluentBoundary::Interior; });
   return isKnown ? zone : 0;
 }

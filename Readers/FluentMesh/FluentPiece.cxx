@@ -61,21 +61,22 @@ bool FluentPiece::AddGhosts(
           });
       }
     });
-  good = good && faces.ForEach(progress.Part(0.5, 1),
-    [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
-    {
-      if (run.Bounds)
+  good = good &&
+    faces.ForEach(progress.Part(0.5, 1),
+      [&](const FluentFaces::Run& run, vtkIdType, const FluentFace& face)
       {
-        ForLeaves(cells, face,
-          [&](vtkIdType leaf)
-          {
-            if (added.Contains(leaf))
+        if (run.Bounds)
+        {
+          ForLeaves(cells, face,
+            [&](vtkIdType leaf)
             {
-              AddNodes(face, leaf < this->Begin ? this->LowerPoints : this->Points);
-            }
-          });
-      }
-    });
+              if (added.Contains(leaf))
+              {
+                AddNodes(face, leaf < this->Begin ? this->LowerPoints : this->Points);
+              }
+            });
+        }
+      });
   this->Leaves.AddAll(added);
   return good;
 }

@@ -11,9 +11,9 @@
 #ifndef camaron_FluentPiece_h
 #define camaron_FluentPiece_h
 
+#include "Base/IdSet.h"
 #include "FluentCells.h"
 #include "FluentFaces.h"
-#include "Base/IdSet.h"
 #include "Scan/PieceRequest.h"
 
 namespace camaron

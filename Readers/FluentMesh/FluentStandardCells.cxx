@@ -367,8 +367,7 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
   Buffer<FluentCellState> states(this->CommonType != 0 ? 0 : this->Count);
   this->States = this->CommonType != 0 ? reinterpret_cast<FluentCellState*>(this->Offsets.data())
                                        : states.data();
-  ParallelFor(this->Count, Grain,
-    [this](vtkIdType begin, vtkIdType end)
+  ParallelFor(this->Count, Grain, [this](vtkIdType begin, vtkIdType end)
     { std::fill(this->States + begin, this->States + end, FluentCellState(0)); });
   this->Offsets[this->Count] = static_cast<Id>(this->GetOffset(this->Count));
   this->Nodes = Buffer<Id>(this->Offsets[this->Count]);
@@ -384,8 +383,7 @@ bool FluentStandardCells::Build(FluentFaceBatches& batches, FluentInteriorZones&
   const auto nodes = this->Nodes.TakeArray<vtkTypeInt32Array>();
   cells->SetData(offsets.Get(), nodes.Get());
   // SetCells would look for polyhedra.
-  grid->SetPolyhedralCells(
-    this->Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
+  grid->SetPolyhedralCells(this->Types.TakeArray<vtkUnsignedCharArray>(), cells, nullptr, nullptr);
   return true;
 }
 }

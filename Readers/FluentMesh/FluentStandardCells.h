@@ -7,7 +7,7 @@
  * Faces come in the order of their ids, and each adds what it says to the nodes of the cells on its
  * sides, so that no faces have to be kept but those of incomplete pyramids and wedges. Nodes are in
  * the order in which FluentCellFaces finds them. A mesh that has a cell whose faces are not those
- * of its type, or do not run as neighbours do, has to be made by BuildFluentCells.
+ * of its type, or do not run as neighbors do, has to be made by BuildFluentCells.
  */
 #ifndef camaron_FluentStandardCells_h
 #define camaron_FluentStandardCells_h

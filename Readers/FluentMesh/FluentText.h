@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file FluentText.h
- * @brief White space and hexadecimal numbers as Fluent's files have them: either case, no prefix.
+ * @brief Text of Fluent's files: white space, hexadecimal numbers without a prefix, and lists as in
+ * Scheme.
  */
 #ifndef camaron_FluentText_h
 #define camaron_FluentText_h
@@ -94,6 +95,15 @@ inline const char* ParseHexInLine(const char* text, const char* end, std::int64_
   value = number;
   return place;
 }
+
+/**
+ * Moves @a place behind the parenthesis that closes as many as are open and those that open
+ * meanwhile; false at the end of the text, the place being as it was.
+ * @param depth number of open parentheses; 0 if the first is still to come
+ * @param quotes whether parentheses between quotation marks do not count; a backslash takes the
+ * meaning from the character behind it there
+ */
+bool SkipFluentLists(const char*& place, const char* end, int depth, bool quotes);
 }
 
 #endif

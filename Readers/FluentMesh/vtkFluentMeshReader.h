@@ -35,9 +35,9 @@ public:
 
   ///@{
   /**
-   * Whether a cell beside refined ones gets the faces that were split for these, and so the shape of
-   * its declared type. It is no neighbour of the refined cells then. Otherwise it is a polyhedron
-   * (in 2D a polygon) with the parts of these faces. Default: on.
+   * Whether a cell beside refined ones gets the faces that were split for these, and so the shape
+   * of its declared type. It is no neighbor of the refined cells then. Otherwise it is a
+   * polyhedron (in 2D a polygon) with the parts of these faces. Default: on.
    */
   vtkSetMacro(JoinSplitFaces, bool);
   vtkGetMacro(JoinSplitFaces, bool);

@@ -185,7 +185,8 @@ bool M3DElementRows::ReadOneByOne(
   mesh.Connectivity = Buffer<std::int32_t>(sum);
   return ReadRows(
     sizes, nullptr, mesh.NumberOfCells, progress.Part(0.5, 1),
-    [&](vtkIdType i, TextRow& row) {
+    [&](vtkIdType i, TextRow& row)
+    {
       return this->ReadCell(row, mesh.Connectivity.data() + mesh.Offsets[i], materials) != nullptr;
     },
     this->Layout);
@@ -216,7 +217,7 @@ bool M3DElementRows::ReadWhole(TextScanner& scanner, const TextLines* lines, vtk
 
 //------------------------------------------------------------------------------
 bool M3DElementRows::ReadPiece(TextScanner& scanner, const TextLines* lines,
-  const Buffer<unsigned char>& types, const CellPiece& piece, CellMesh& mesh,
+  const Buffer<unsigned char>& types, const CellMeshPiece& piece, CellMesh& mesh,
   MaterialTally& materials, const Progress& progress) const
 {
   const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();
@@ -258,7 +259,7 @@ bool M3DElementRows::ReadPiece(TextScanner& scanner, const TextLines* lines,
 
 //------------------------------------------------------------------------------
 bool M3DElementRows::Read(TextScanner& scanner, const TextLines* lines, vtkIdType count,
-  const PieceRequest& request, CellPiece& piece, CellMesh& mesh, MaterialTally& materials,
+  const PieceRequest& request, CellMeshPiece& piece, CellMesh& mesh, MaterialTally& materials,
   const Progress& progress) const
 {
   piece.Start(this->NumberOfNodes, count, request);

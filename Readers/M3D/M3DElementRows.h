@@ -7,7 +7,7 @@
 #ifndef camaron_M3DElementRows_h
 #define camaron_M3DElementRows_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "M3DElements.h"
 #include "Scan/TextRows.h"
 
@@ -32,7 +32,7 @@ public:
    * stopped.
    */
   bool Read(TextScanner& scanner, const TextLines* lines, vtkIdType count,
-    const PieceRequest& request, CellPiece& piece, CellMesh& mesh, MaterialTally& materials,
+    const PieceRequest& request, CellMeshPiece& piece, CellMesh& mesh, MaterialTally& materials,
     const Progress& progress) const;
 
 private:
@@ -40,7 +40,7 @@ private:
   bool ReadWhole(TextScanner& scanner, const TextLines* lines, vtkIdType count, CellMesh& mesh,
     MaterialTally& materials, const Progress& progress) const;
   bool ReadPiece(TextScanner& scanner, const TextLines* lines, const Buffer<unsigned char>& types,
-    const CellPiece& piece, CellMesh& mesh, MaterialTally& materials,
+    const CellMeshPiece& piece, CellMesh& mesh, MaterialTally& materials,
     const Progress& progress) const;
   const ElementKind* ReadKind(TextRow& row, bool& hasNumber) const;
   const ElementKind* ReadSize(TextRow& row) const;

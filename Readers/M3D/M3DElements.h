@@ -70,7 +70,8 @@ public:
   {
   }
 
-  /// Looks at what follows the nodes of an element, until materials differ: then all are to be read.
+  /// Looks at what follows the nodes of an element, until materials differ: then all are to be
+  /// read.
   void Add(TextRow& row);
   /// Reads what follows the nodes of an element; false if it is missing.
   bool Read(TextRow& row, double* values);

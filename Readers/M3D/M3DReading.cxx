@@ -71,12 +71,12 @@ public:
 private:
   bool ReadCounts(TextScanner& scanner);
   bool ReadElements(TextScanner& scanner, const TextLines* lines, const Progress& progress);
-  bool ReadNodes(
-    TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
-  bool ReadCodes(
-    TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
-  bool ReadMaterials(
-    TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
+  bool ReadNodes(TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece,
+    const Progress& progress);
+  bool ReadCodes(TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece,
+    const Progress& progress);
+  bool ReadMaterials(TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece,
+    const Progress& progress);
   void AddMaterials();
   void WarnOfRest(TextScanner& scanner);
 
@@ -89,7 +89,7 @@ private:
   std::int64_t NumberOfNodes = 0;
   std::int64_t NumberOfElements = 0;
   OtherSections Others;
-  CellPiece Piece;
+  CellMeshPiece Piece;
   CellMesh Mesh;
   std::unique_ptr<MaterialTally> Found;
   const char* NodesEnd = nullptr;
@@ -115,7 +115,7 @@ bool M3DReading::ReadElements(
 //------------------------------------------------------------------------------
 // Of all nodes it is found whether they have codes, coordinates are kept of those of the piece.
 bool M3DReading::ReadNodes(
-  TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+  TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
 {
   Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
   const bool good = ReadRows(
@@ -148,7 +148,7 @@ bool M3DReading::ReadNodes(
 
 //------------------------------------------------------------------------------
 bool M3DReading::ReadCodes(
-  TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+  TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
 {
   Buffer<int> codes(piece.GetNumberOfPoints());
   Buffer<double> projections(3 * piece.GetNumberOfPoints());
@@ -176,7 +176,7 @@ bool M3DReading::ReadCodes(
 //------------------------------------------------------------------------------
 // True without any if some are missing.
 bool M3DReading::ReadMaterials(
-  TextScanner scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+  TextScanner scanner, const TextLines* lines, const CellMeshPiece& piece, const Progress& progress)
 {
   const M3DElementRows rows(this->Dialect, this->NumberOfNodes, this->Layout);
   Buffer<double> materials(MaterialSize * piece.GetNumberOfCells());
@@ -297,7 +297,7 @@ bool M3DReading::Read(
     return false;
   }
 
-  const CellPiece& piece = this->Piece;
+  const CellMeshPiece& piece = this->Piece;
   if (!this->ReadNodes(nodes, lines, piece, progress.Part(0.5, 0.7)) ||
     (this->HasCodes && !this->ReadCodes(nodes, lines, piece, progress.Part(0.7, 0.8))))
   {
@@ -315,7 +315,8 @@ bool M3DReading::Read(
     {
       this->Messages.Add("the material of elements is not read, as some elements have none");
     }
-    piece.WarnOfRepeatedPoints(this->Mesh, this->Messages, progress.Part(0.9, 1), "element", "elements");
+    piece.WarnOfRepeatedPoints(
+      this->Mesh, this->Messages, progress.Part(0.9, 1), "element", "elements");
     this->WarnOfRest(scanner);
   }
   else

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "M3DSections.h"
 
-#include "Base/LowerCase.h"
 #include "Base/Number.h"
+#include "Base/Text.h"
 
 #include <algorithm>
 
@@ -25,7 +25,8 @@ bool BeginsWith(const char* text, const char* end, std::string_view keyword)
 void OtherSections::Add(const char* text, const char* end)
 {
   constexpr int MaxName = 30;
-  for (int i = 0; this->Count == 0 && i < MaxName && text < end && *text != '\r' && *text != '\n'; ++i)
+  for (int i = 0; this->Count == 0 && i < MaxName && text < end && *text != '\r' && *text != '\n';
+    ++i)
   {
     this->First += ToPrintable(*text++);
   }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "M3DWriting.h"
 
+#include "Base/Text.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
-#include "Base/LowerCase.h"
 #include "Write/RealFormat.h"
 #include "Write/WriteRows.h"
 

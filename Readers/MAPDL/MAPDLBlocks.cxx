@@ -69,14 +69,14 @@ bool Measure(const char* begin, const char* end, vtkIdType chunkSize, const Prog
     { return static_cast<double>(text - first) / static_cast<double>(end - first); };
     std::vector<Count> counts(static_cast<std::size_t>(size));
     if (!progress.Part(getFraction(begin), getFraction(starts.back()))
-           .For(size,
-             [&](vtkIdType firstChunk, vtkIdType lastChunk)
-             {
-               for (vtkIdType i = firstChunk; i < lastChunk; ++i)
-               {
-                 countChunk(starts[i], starts[i + 1], counts[i]);
-               }
-             }))
+          .For(size,
+            [&](vtkIdType firstChunk, vtkIdType lastChunk)
+            {
+              for (vtkIdType i = firstChunk; i < lastChunk; ++i)
+              {
+                countChunk(starts[i], starts[i + 1], counts[i]);
+              }
+            }))
     {
       return false;
     }

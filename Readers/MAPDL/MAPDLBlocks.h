@@ -12,8 +12,8 @@
 #ifndef camaron_MAPDLBlocks_h
 #define camaron_MAPDLBlocks_h
 
-#include "MAPDLRows.h"
 #include "Base/Progress.h"
+#include "MAPDLRows.h"
 
 #include <vector> // for chunks
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLComponents.h"
 
-#include "Base/CountOf.h"
+#include "Base/Text.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -150,7 +150,7 @@ void Mark(const std::vector<Range>& ranges, const IdMap& map, const Buffer<std::
 }
 
 //------------------------------------------------------------------------------
-bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const CellPiece& piece,
+bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const CellMeshPiece& piece,
   std::size_t textSize, vtkUnstructuredGrid* grid, Warnings& warnings, MAPDLFault& fault,
   const Progress& progress)
 {
@@ -201,8 +201,7 @@ bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const Cell
   {
     const MAPDLComponent& component = deck.Components[i];
     const bool ofNodes = component.OfNodes;
-    bytes +=
-      static_cast<std::size_t>(ofNodes ? mesh.GetNumberOfPoints() : mesh.GetNumberOfCells());
+    bytes += static_cast<std::size_t>(ofNodes ? mesh.GetNumberOfPoints() : mesh.GetNumberOfCells());
     if (bytes > bound)
     {
       ++leftOut;

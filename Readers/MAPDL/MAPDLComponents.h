@@ -17,7 +17,7 @@ namespace camaron
  * of the same name the last counts.
  * @param textSize bytes of the file, which bound how much memory damaged ones may ask for
  */
-bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const CellPiece& piece,
+bool AddMAPDLComponents(const MAPDLDeck& deck, const MAPDLMesh& mesh, const CellMeshPiece& piece,
   std::size_t textSize, vtkUnstructuredGrid* grid, Warnings& warnings, MAPDLFault& fault,
   const Progress& progress);
 }

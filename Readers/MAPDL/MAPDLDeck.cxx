@@ -72,7 +72,8 @@ bool IsOfAbaqus(const char* field, const char* end)
   const auto isEnd = [](char c) { return c == ',' || IsSpace(c); };
   const std::string word = ToUpperMAPDL(
     std::string_view(field, static_cast<std::size_t>(std::find_if(field, end, isEnd) - field)));
-  return field[1] == '*' || std::find(std::begin(Keywords), std::end(Keywords), word) != std::end(Keywords);
+  return field[1] == '*' ||
+    std::find(std::begin(Keywords), std::end(Keywords), word) != std::end(Keywords);
 }
 }
 

@@ -216,8 +216,7 @@ template <std::size_t Size>
 std::array<unsigned char, Size> TurnWedge(const unsigned char (&nodes)[Size], unsigned char type)
 {
   std::array<unsigned char, Size> points;
-  std::transform(std::begin(nodes), std::end(nodes), points.begin(),
-    [type](unsigned char node)
+  std::transform(std::begin(nodes), std::end(nodes), points.begin(), [type](unsigned char node)
     { return static_cast<unsigned char>(GetExtrusionOrder(type)[node]); });
   return points;
 }
@@ -247,11 +246,16 @@ int GetMAPDLNodes(int element, int shape)
 {
   if (element == MeshOnly)
   {
-    return shape >= 0 && shape < static_cast<int>(std::size(MeshOnlyNodes)) ? MeshOnlyNodes[shape] : 0;
+    return shape >= 0 && shape < static_cast<int>(std::size(MeshOnlyNodes)) ? MeshOnlyNodes[shape]
+                                                                            : 0;
   }
   const auto isOne = [element](const auto& elements)
   { return std::find(std::begin(elements), std::end(elements), element) != std::end(elements); };
-  return isOne(Of4Nodes) ? 4 : isOne(Of8Nodes) ? 8 : isOne(Of10Nodes) ? 10 : isOne(Of20Nodes) ? 20 : 0;
+  return isOne(Of4Nodes) ? 4
+    : isOne(Of8Nodes)    ? 8
+    : isOne(Of10Nodes)   ? 10
+    : isOne(Of20Nodes)   ? 20
+                         : 0;
 }
 
 //------------------------------------------------------------------------------

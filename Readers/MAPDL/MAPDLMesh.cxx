@@ -62,7 +62,7 @@ void MAPDLMesh::Note(const MAPDLFault& fault)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::Read(const PieceRequest& request, CellPiece& piece, const Progress& progress)
+bool MAPDLMesh::Read(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
   if (!this->ReadNodeIds(progress.Part(0, 0.3)))
   {
@@ -113,8 +113,7 @@ bool MAPDLMesh::ReadNodeIds(const Progress& progress)
           if (item.FirstCommand < 0)
           {
             std::int32_t* id = this->NodeIds.data() + item.FirstRow;
-            if (!ForEachMAPDLNode(block.Extent, item.Chunk,
-                  [&](const Line& line, vtkIdType)
+            if (!ForEachMAPDLNode(block.Extent, item.Chunk, [&](const Line& line, vtkIdType)
                   { return block.Format.ReadId(line, *id++, fault); }) &&
               !fault)
             {
@@ -149,7 +148,7 @@ bool MAPDLMesh::ReadNodeIds(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::ReadElements(CellPiece& piece, const Progress& progress)
+bool MAPDLMesh::ReadElements(CellMeshPiece& piece, const Progress& progress)
 {
   const bool isWhole = piece.IsWhole();
   this->ElementIds = Buffer<std::int32_t>(this->NumberOfRows);

@@ -11,10 +11,10 @@
 #ifndef camaron_MAPDLMesh_h
 #define camaron_MAPDLMesh_h
 
-#include "CellMesh/CellPiece.h"
+#include "Base/IdMap.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "MAPDLDeck.h"
 #include "MAPDLReading.h"
-#include "Base/IdMap.h"
 
 #include <algorithm>     // for std::minmax
 #include <array>         // for edges
@@ -30,11 +30,11 @@ public:
   MAPDLMesh(const MAPDLDeck& deck, const MAPDLOptions& options);
 
   /// Finds a piece, whose cells it reads; false with what is wrong in Fault, or if stopped.
-  bool Read(const PieceRequest& request, CellPiece& piece, const Progress& progress);
+  bool Read(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
   /// Coordinates of the points of a piece, x, y, z of each; an empty buffer after a fault.
-  Buffer<double> ReadPoints(const CellPiece& piece, const Progress& progress);
+  Buffer<double> ReadPoints(const CellMeshPiece& piece, const Progress& progress);
   /// Adds the arrays of a piece to its grid.
-  bool AddArrays(const CellPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
+  bool AddArrays(const CellMeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress);
 
   void Warn(Warnings& warnings) const;
 
@@ -114,19 +114,19 @@ private:
   template <typename Visit>
   bool ForEachElementItem(const Progress& progress, Visit&& visit) const;
   bool ReadNodeIds(const Progress& progress);
-  bool ReadElements(CellPiece& piece, const Progress& progress);
+  bool ReadElements(CellMeshPiece& piece, const Progress& progress);
   void ReadItem(const Item& item, Outcome& outcome);
-  void CheckItem(const Item& item, Outcome& outcome, CellPiece& piece);
+  void CheckItem(const Item& item, Outcome& outcome, CellMeshPiece& piece);
   void ReplaceElements();
   void LeaveOut();
   bool NeedsCompacting() const;
   void Compact();
   void FinishWhole();
   void AddMidpoints();
-  bool Show(CellPiece& piece, const Progress& progress) const;
-  bool FindPiece(const PieceRequest& request, CellPiece& piece, const Progress& progress);
-  void AllocatePiece(const CellPiece& piece);
-  bool ReadPiece(const CellPiece& piece, const Progress& progress);
+  bool Show(CellMeshPiece& piece, const Progress& progress) const;
+  bool FindPiece(const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
+  void AllocatePiece(const CellMeshPiece& piece);
+  bool ReadPiece(const CellMeshPiece& piece, const Progress& progress);
   void MakePoints(const MAPDLElement& element, MAPDLCell& cell) const;
 
   const MAPDLDeck& Deck;

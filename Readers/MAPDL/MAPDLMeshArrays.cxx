@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLMesh.h"
 
-#include "Base/CountOf.h"
+#include "Base/Text.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
@@ -25,7 +25,7 @@ void AddArray(vtkDataSetAttributes* attributes, Buffer<int>&& values, const char
 }
 
 //------------------------------------------------------------------------------
-Buffer<double> MAPDLMesh::ReadPoints(const CellPiece& piece, const Progress& progress)
+Buffer<double> MAPDLMesh::ReadPoints(const CellMeshPiece& piece, const Progress& progress)
 {
   Buffer<double> coordinates(3 * piece.GetNumberOfPoints());
   const auto find = [&](vtkIdType row)
@@ -87,7 +87,7 @@ Buffer<double> MAPDLMesh::ReadPoints(const CellPiece& piece, const Progress& pro
 
 //------------------------------------------------------------------------------
 bool MAPDLMesh::AddArrays(
-  const CellPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
+  const CellMeshPiece& piece, vtkUnstructuredGrid* grid, const Progress& progress)
 {
   Buffer<int> nodeIds(piece.GetNumberOfPoints());
   for (vtkIdType node = 0; node < this->GetNumberOfPoints(); ++node)
@@ -175,7 +175,8 @@ void MAPDLMesh::Warn(Warnings& warnings) const
   }
   add(withoutNodes, "element has no nodes and is", "elements have no nodes and are", " left out");
   add(undefined,
-    "element of a type that the deck does not define; its cell follows from the number of its nodes",
+    "element of a type that the deck does not define; its cell follows from the number of its "
+    "nodes",
     "elements of types that the deck does not define; their cells follow from the numbers of their "
     "nodes");
   const char* const replaced = " defined again later; the last definition counts";
@@ -207,7 +208,8 @@ void MAPDLMesh::Warn(Warnings& warnings) const
     add(skipped.Number, one, many, ": " + names);
   };
   addSkipped(this->Deck.Skipped,
-    "command that defines or changes the mesh stands in a branch or loop (*IF, *DO, *CREATE), which "
+    "command that defines or changes the mesh stands in a branch or loop (*IF, *DO, *CREATE), "
+    "which "
     "is skipped",
     "commands that define or change the mesh stand in branches or loops (*IF, *DO, *CREATE), which "
     "are skipped");

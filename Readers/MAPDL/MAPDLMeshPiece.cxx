@@ -10,7 +10,7 @@ namespace camaron
 //------------------------------------------------------------------------------
 // Most decks have a cell in every row and all nodes that these name: then cells are known as they
 // are read first.
-void MAPDLMesh::CheckItem(const Item& item, Outcome& outcome, CellPiece& piece)
+void MAPDLMesh::CheckItem(const Item& item, Outcome& outcome, CellMeshPiece& piece)
 {
   std::int32_t points[MaxMAPDLNodes];
   this->ForEachCell(
@@ -36,7 +36,7 @@ void MAPDLMesh::CheckItem(const Item& item, Outcome& outcome, CellPiece& piece)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::Show(CellPiece& piece, const Progress& progress) const
+bool MAPDLMesh::Show(CellMeshPiece& piece, const Progress& progress) const
 {
   return this->ForEachElementItem(progress,
     [&](vtkIdType i)
@@ -57,7 +57,8 @@ bool MAPDLMesh::Show(CellPiece& piece, const Progress& progress) const
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::FindPiece(const PieceRequest& request, CellPiece& piece, const Progress& progress)
+bool MAPDLMesh::FindPiece(
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
   if (this->Kept.GetLimit() > 0 || !this->Midpoints.empty())
   {
@@ -78,7 +79,7 @@ bool MAPDLMesh::FindPiece(const PieceRequest& request, CellPiece& piece, const P
 }
 
 //------------------------------------------------------------------------------
-void MAPDLMesh::AllocatePiece(const CellPiece& piece)
+void MAPDLMesh::AllocatePiece(const CellMeshPiece& piece)
 {
   const Buffer<unsigned char> types = std::move(this->Cells.Types);
   const Buffer<unsigned char> sizes = std::move(this->Sizes);
@@ -103,7 +104,7 @@ void MAPDLMesh::AllocatePiece(const CellPiece& piece)
 }
 
 //------------------------------------------------------------------------------
-bool MAPDLMesh::ReadPiece(const CellPiece& piece, const Progress& progress)
+bool MAPDLMesh::ReadPiece(const CellMeshPiece& piece, const Progress& progress)
 {
   this->AllocatePiece(piece);
   const auto find = [&](vtkIdType row)

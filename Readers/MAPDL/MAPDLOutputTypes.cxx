@@ -127,7 +127,8 @@ Tally MAPDLOutputTypes::FindOtherTypes() const
     const std::int32_t writtenId = this->GetType(cell).Id;
     const bool isSame = (!this->TypeIds.HasArray() || id == writtenId) &&
       (!this->Elements.HasArray() || element == this->Types.find(writtenId)->second.Element);
-    const bool isToldOf = id != 0 || element != 0 || !this->TypeIds.IsKept(from) || !this->Elements.IsKept(from);
+    const bool isToldOf =
+      id != 0 || element != 0 || !this->TypeIds.IsKept(from) || !this->Elements.IsKept(from);
     if (isToldOf && !isSame && from != last)
     {
       others.Add(from);

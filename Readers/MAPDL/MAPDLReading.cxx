@@ -107,13 +107,14 @@ bool MAPDLReading::Read(vtkIdType chunk, ScanError& error, const Progress& progr
     error = { ErrorKind::NotThisFormat,
       this->File.GetName() + ": expected a deck of Mechanical APDL with nodes (NBLOCK or N)" +
         (deck.NumberOfClearedRows > 0 ? " after the last /CLEAR" : "") +
-        (!deck.SkippedNodes.empty() ? ", found none whose coordinates are numbers or known parameters"
+        (!deck.SkippedNodes.empty()
+            ? ", found none whose coordinates are numbers or known parameters"
             : LooksLikeAbaqus(this->Text.Begin, this->Text.End) ? ", found a deck of Abaqus"
                                                                 : ", found none") };
     return false;
   }
   MAPDLMesh mesh(deck, this->Options);
-  CellPiece piece;
+  CellMeshPiece piece;
   if (!mesh.Read(this->Request, piece, progress.Part(0.1, 0.65)))
   {
     return this->Fail(mesh.Fault, error);
@@ -168,8 +169,7 @@ bool ReadMAPDL(const std::string& path, const MAPDLOptions& options, const Piece
 {
   grid->Initialize();
   Warnings messages;
-  const bool good = ReadMappedFile(path, error,
-    [&](const MappedFile& file)
+  const bool good = ReadMappedFile(path, error, [&](const MappedFile& file)
     { return MAPDLReading(file, options, request, grid, messages).Read(chunk, error, progress); });
   if (!good)
   {

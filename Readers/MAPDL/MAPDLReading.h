@@ -9,8 +9,8 @@
 #ifndef camaron_MAPDLReading_h
 #define camaron_MAPDLReading_h
 
-#include "Scan/PieceRequest.h"
 #include "Base/Progress.h"
+#include "Scan/PieceRequest.h"
 #include "Scan/ScanError.h"
 #include "Scan/TextLines.h"
 

@@ -208,10 +208,10 @@ int MAPDLElementFormat::GetNumberOfFurtherLines(int nodes, std::int64_t type) co
   {
     return nodes > first ? (nodes - first + this->FieldsPerLine - 1) / this->FieldsPerLine : 0;
   }
-  return nodes < first          ? 0
-    : this->IsCompact()         ? this->FurtherLines
+  return nodes < first                 ? 0
+    : this->IsCompact()                ? this->FurtherLines
     : this->GetMostNodes(type) > first ? 1
-                                : 0;
+                                       : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -86,7 +86,8 @@ public:
   }
   ///@}
   /// Says what field @a i, which cannot be read, has instead of what is expected. Returns false.
-  bool SetFault(const Line& line, int i, const char* place, const char* expected, MAPDLFault& fault) const;
+  bool SetFault(
+    const Line& line, int i, const char* place, const char* expected, MAPDLFault& fault) const;
   /// Number of fields up to the last that is not blank, at most @a limit.
   int CountFields(const Line& line, int limit) const;
 

@@ -43,11 +43,13 @@ private:
   void Clear();
   bool ReadNodeBlock();
   bool ReadElementBlock();
-  /// Takes the key of a block, one of @a keys, from 1, or none, 0; false with a fault if it is another.
+  /// Takes the key of a block, one of @a keys, from 1, or none, 0; false with a fault if it is
+  /// another.
   bool TakeKey(const char* command, std::initializer_list<std::string_view> keys, int& key);
   /// Number of fields of the next row of a block.
   int CountFieldsOfRow() const;
-  /// Finds out on how many lines elements of a compact block are; false with a fault if that is not known.
+  /// Finds out on how many lines elements of a compact block are; false with a fault if that is not
+  /// known.
   bool FindFurtherLines(MAPDLElementFormat& format);
   void ReadComponent();
   void ReadTypeBlock();
@@ -58,7 +60,7 @@ private:
   bool AddElementNodes(std::size_t firstField);
   void DefineType();
   void DefineKeyOption();
-  void SetAttribute(std::int32_t MAPDLElement::*attribute);
+  void SetAttribute(std::int32_t MAPDLElement::* attribute);
   std::int32_t GetNextNode();
   std::int32_t GetNextElement();
 

@@ -52,7 +52,8 @@ bool MAPDLWalker::TakeKey(
   expected += "nothing as the key of " + std::string(command);
   if (key == 0 && !word.empty())
   {
-    return this->Fault.Set(field.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(field));
+    return this->Fault.Set(
+      field.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(field));
   }
   // A word anywhere else is a key in the wrong field, or a layout that nobody knows.
   for (const std::size_t other : { KeyField - 1, KeyField + 1, KeyField + 2 })
@@ -62,7 +63,8 @@ bool MAPDLWalker::TakeKey(
     if (this->Parameters.Read(value, ignored) == Value::Unknown)
     {
       expected = "a number or nothing as field " + std::to_string(other) + " of " + command;
-      return this->Fault.Set(value.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(value));
+      return this->Fault.Set(
+        value.data(), ErrorKind::Unsupported, expected.c_str(), QuoteWord(value));
     }
   }
   return true;
@@ -170,8 +172,8 @@ bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
   const std::int32_t id = format.Attributes.Type;
   const auto type = this->Deck.Types.find(id);
   const int most = format.GetMostNodes(id);
-  const bool isKnown = type != this->Deck.Types.end() &&
-    GetMAPDLNodes(type->second.Element, type->second.Shape) > 0;
+  const bool isKnown =
+    type != this->Deck.Types.end() && GetMAPDLNodes(type->second.Element, type->second.Shape) > 0;
   format.FurtherLines = isKnown ? getFurtherLines(most) : 0;
   MAPDLExtent lines;
   if (most > 0 && most <= first)
@@ -212,7 +214,8 @@ bool MAPDLWalker::FindFurtherLines(MAPDLElementFormat& format)
   }
   return !isFull ||
     this->Fault.Set(this->LineBegin, ErrorKind::Unsupported,
-      "a type that the deck defines (ET) before the block, or the number of its elements, as an element may "
+      "a type that the deck defines (ET) before the block, or the number of its elements, as an "
+      "element may "
       "go on in the next line",
       "type " + std::to_string(id));
 }

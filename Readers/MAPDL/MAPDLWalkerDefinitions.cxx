@@ -65,7 +65,7 @@ void MAPDLWalker::DefineKeyOption()
 }
 
 //------------------------------------------------------------------------------
-void MAPDLWalker::SetAttribute(std::int32_t MAPDLElement::*attribute)
+void MAPDLWalker::SetAttribute(std::int32_t MAPDLElement::* attribute)
 {
   std::int32_t value = 1;
   if (this->ReadField(1, value) != Value::Unknown)
@@ -289,7 +289,7 @@ bool MAPDLWalker::AddElementNodes(std::size_t firstField)
   };
   constexpr int NodesPerLine = 8;
   for (vtkIdType i = this->Deck.GetNumberOfNodes(last);
-       i < std::min(NodesPerLine * this->ElementLines, MaxMAPDLNodes); ++i)
+    i < std::min(NodesPerLine * this->ElementLines, MaxMAPDLNodes); ++i)
   {
     addNode(0); // trailing ones that the lines before lack
   }
@@ -300,7 +300,7 @@ bool MAPDLWalker::AddElementNodes(std::size_t firstField)
     --fields;
   }
   for (std::size_t i = firstField; i < fields && this->Deck.GetNumberOfNodes(last) < MaxMAPDLNodes;
-       ++i)
+    ++i)
   {
     std::int32_t node = 0;
     const std::string_view field = this->Command.GetField(i);

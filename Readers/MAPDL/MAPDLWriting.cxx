@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MAPDLWriting.h"
 
+#include "Base/Buffer.h"
+#include "Base/IdMap.h"
+#include "Base/Text.h"
 #include "CellMesh/OutputWarnings.h"
 #include "MAPDLCommands.h"
 #include "MAPDLOutputTypes.h"
-#include "Base/Buffer.h"
-#include "Base/CountOf.h"
-#include "Base/IdMap.h"
 #include "Scan/MappedFile.h"
 #include "Write/RealFormat.h"
 #include "Write/WriteRows.h"
@@ -155,8 +155,8 @@ std::vector<Component> FindComponents(vtkDataSet* mesh, WrittenArrays& written, 
       const auto found = names.emplace(name, own);
       if (!found.second)
       {
-        doubles += (doubles.empty() ? "" : ", ") + own + " (" + name + " is " +
-          found.first->second + ")";
+        doubles +=
+          (doubles.empty() ? "" : ", ") + own + " (" + name + " is " + found.first->second + ")";
         continue;
       }
       components.push_back({ name, ofNodes, flags });
@@ -214,7 +214,8 @@ private:
 //------------------------------------------------------------------------------
 void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warnings) const
 {
-  const auto addIds = [&](vtkDataSetAttributes* attributes, const char* name, std::vector<std::string>& names)
+  const auto addIds =
+    [&](vtkDataSetAttributes* attributes, const char* name, std::vector<std::string>& names)
   {
     if (!this->Options.OriginalIds || MAPDLNumbers(attributes, name, 0).HasArray())
     {
@@ -237,8 +238,8 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
     }
     if (replaced > 0)
     {
-      warnings.Add(CountOf(replaced, "value of ", "values of ") + name +
-        " cannot be in a deck (" + (name == std::string("Material") ? "-1 or " : "") +
+      warnings.Add(CountOf(replaced, "value of ", "values of ") + name + " cannot be in a deck (" +
+        (name == std::string("Material") ? "-1 or " : "") +
         "beyond -999999999 to 2147483647), and 1 is written instead");
     }
   };
@@ -249,17 +250,21 @@ void DeckWriter::Warn(vtkDataSet* mesh, WrittenArrays written, Warnings& warning
   {
     written.Cells.insert(written.Cells.end(), { "TypeId", "ElementType" });
     warnings.Add(this->Types.FindOtherTypes(), "cell", "cells",
-      "written with another TypeId or ElementType, as a deck with theirs would be read as another mesh", FromZero);
+      "written with another TypeId or ElementType, as a deck with theirs would be read as another "
+      "mesh",
+      FromZero);
   }
   written.Fields = { "NodeComponents", "ElementComponents" };
   WarnOfArrays(mesh, "MAPDL", warnings, written);
   if (this->Nodes.IsUnusable())
   {
-    warnings.Add("values of NodeId are not all different and from 1 to 2147483647; nodes are counted from 1");
+    warnings.Add(
+      "values of NodeId are not all different and from 1 to 2147483647; nodes are counted from 1");
   }
   if (this->Elements.IsUnusable())
   {
-    warnings.Add("values of ElementId are not all different and from 1 to 2147483647; elements are counted from 1");
+    warnings.Add("values of ElementId are not all different and from 1 to 2147483647; elements are "
+                 "counted from 1");
   }
 }
 

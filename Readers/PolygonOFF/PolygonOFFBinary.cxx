@@ -78,7 +78,7 @@ OFFColor OFFBinaryReading::ReadColor(const char* place, std::int32_t count) cons
 
 //------------------------------------------------------------------------------
 bool OFFBinaryReading::ReadVertices(
-  const CellPiece& piece, OFFVertices<float>& vertices, const Progress& progress)
+  const CellMeshPiece& piece, OFFVertices<float>& vertices, const Progress& progress)
 {
   const OFFHeader& header = this->Header;
   const std::int64_t bytes = this->GetVertexBytes();
@@ -143,7 +143,7 @@ bool OFFBinaryReading::ReadVertices(
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType vertex = begin * BlockSize; vertex < std::min(end * BlockSize, count);
-           ++vertex)
+        ++vertex)
       {
         if (const vtkIdType point = piece.FindPoint(vertex); point >= 0)
         {
@@ -154,7 +154,7 @@ bool OFFBinaryReading::ReadVertices(
 }
 
 //------------------------------------------------------------------------------
-// After the header, for faces that do not say of how many numbers their colour is: the bytes from
+// After the header, for faces that do not say of how many numbers their color is: the bytes from
 // begin on with a 0 behind each face. Empty if such faces, with good ids, do not just fill the
 // file.
 std::string OFFBinaryReading::AddColorSizes(const char* begin) const
@@ -192,7 +192,7 @@ namespace
 bool ReadMesh(OFFBinaryReading& reading, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, const Progress& progress)
 {
-  CellPiece piece;
+  CellMeshPiece piece;
   const bool isGood = reading.FindFaces(request.NumberOfPieces <= 1, progress.Part(0, 0.3)) &&
     (request.NumberOfPieces > 1 && reading.Header.Faces > 0
         ? reading.ReadPieceOfFaces(request, piece, progress.Part(0.3, 0.65))
@@ -268,7 +268,7 @@ bool ReadBinaryOFF(const MappedFile& file, const char* body, const OFFHeader& ke
     {
       warn(IsLittle);
     }
-    warn("the faces lack the number of components of their colour, as pmp-library writes them");
+    warn("the faces lack the number of components of their color, as pmp-library writes them");
     OFFBinaryReading completed = start(bytes.data(), bytes.data() + bytes.size(), order);
     const bool isGood =
       completed.ReadHeader() && ReadMesh(completed, request, grid, warnings, progress);

@@ -5,7 +5,7 @@
  * @brief Reads what comes after the keyword of a binary OFF file.
  *
  * The format is big endian. A file whose numbers make no sense so, but do as little endian, is read
- * with a warning, and so is one whose faces do not say how many components their colour has.
+ * with a warning, and so is one whose faces do not say how many components their color has.
  */
 #ifndef camaron_PolygonOFFBinary_h
 #define camaron_PolygonOFFBinary_h

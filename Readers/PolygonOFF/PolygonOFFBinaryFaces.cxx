@@ -28,8 +28,9 @@ bool OFFBinaryReading::ArePlainFacesAlike(vtkIdType begin, vtkIdType end) const
 }
 
 //------------------------------------------------------------------------------
-// Takes the size of the first face for that of all; false if it is not, or if they have colours.
-// Where such faces just fill the file it is likely, and may be left to those who read them to check.
+// Takes the size of the first face for that of all; false if it is not, or if they have colors.
+// Where such faces just fill the file it is likely, and may be left to those who read them to
+// check.
 bool OFFBinaryReading::FindFacesOfOneSize(bool guesses, const Progress& progress)
 {
   const vtkIdType count = this->Header.Faces;
@@ -112,8 +113,8 @@ bool OFFBinaryReading::FindFaces(bool guesses, const Progress& progress)
       if (!this->Scanner.ReadCount(size, Word, "the number of vertices of a face") ||
         !this->Scanner.Skip(Word * std::int64_t(size), "the vertices of a face") ||
         !this->Scanner.ReadCount(
-          components, Word, "the number of components of the colour of a face") ||
-        !this->Scanner.Skip(Word * std::int64_t(components), "the colour of a face"))
+          components, Word, "the number of components of the color of a face") ||
+        !this->Scanner.Skip(Word * std::int64_t(components), "the color of a face"))
       {
         return false;
       }
@@ -323,7 +324,7 @@ bool OFFBinaryReading::ReadPlainFaces(const Progress& progress)
       OFFFaceCensus seen;
       Tally repeatingHere;
       for (vtkIdType first = begin * BlockSize; first < std::min(end * BlockSize, count) && isGood;
-           first += BlockSize)
+        first += BlockSize)
       {
         const vtkIdType last = std::min(first + BlockSize, count);
         std::int32_t* const ids = mesh.Connectivity.data() + rows.GetNumberOfIds(0, first);
@@ -392,10 +393,10 @@ bool OFFBinaryReading::ReadFaces(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Keeps the faces of a piece only: goes through all of them once more for every level of ghosts, and
-// again to store them.
+// Keeps the faces of a piece only: goes through all of them once more for every level of ghosts,
+// and again to store them.
 bool OFFBinaryReading::ReadPieceOfFaces(
-  const PieceRequest& request, CellPiece& piece, const Progress& progress)
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
   piece.Start(this->Header.Vertices, this->NumberOfCells, request);
   do
@@ -411,8 +412,8 @@ bool OFFBinaryReading::ReadPieceOfFaces(
   this->Faces.Colors = OFFColors(this->HasFaceColors ? piece.GetNumberOfCells() : 0);
   std::vector<CellSink> sinks(this->Blocks.size());
   if (!this->ForEachFace(false, progress.Part(0.7, 1),
-        [&](vtkIdType block, vtkIdType cell, vtkIdType, const std::int32_t* ids,
-          std::int32_t size, const OFFColor& color)
+        [&](vtkIdType block, vtkIdType cell, vtkIdType, const std::int32_t* ids, std::int32_t size,
+          const OFFColor& color)
         {
           const vtkIdType index = piece.FindCell(cell);
           if (index < 0)

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OFFBinaryReading
- * @brief Reads the parts of a binary OFF file, one after the other; errors are those of its scanner.
+ * @brief Reads the parts of a binary OFF file, one after the other; errors are those of its
+ * scanner.
  */
 #ifndef camaron_PolygonOFFBinaryReading_h
 #define camaron_PolygonOFFBinaryReading_h
@@ -34,10 +35,12 @@ public:
   bool ReadFaces(const Progress& progress);
   /// Instead of ReadFaces, if not all faces are asked for.
   bool ReadPieceOfFaces(
-    const PieceRequest& request, CellPiece& piece, const Progress& progress);
-  bool ReadVertices(const CellPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
+    const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
+  bool ReadVertices(
+    const CellMeshPiece& piece, OFFVertices<float>& vertices, const Progress& progress);
   ///@}
-  /// After ReadHeader the file with what faces of pmp-library lack; empty if they are no such faces.
+  /// After ReadHeader the file with what faces of pmp-library lack; empty if they are no such
+  /// faces.
   std::string AddColorSizes(const char* begin) const;
 
   BinaryScanner Scanner;
@@ -49,7 +52,8 @@ public:
 private:
   static constexpr vtkIdType BlockSize = 4096; // faces or vertices that one thread reads in a row
   static constexpr int Word = 4;               // bytes
-  static constexpr int FaceBytes = 2 * Word;   // its number of vertices and that of components of its colour
+  static constexpr int FaceBytes =
+    2 * Word; // its number of vertices and that of components of its color
 
   struct Block
   {
@@ -85,8 +89,8 @@ private:
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfIds = 0;
   std::int32_t CommonSize = -1;
-  bool AreAlike = false; // faces of one size without colours, so that each place is known
-  Buffer<std::int32_t> Offsets; // of other faces where none is empty or has a colour, for the same
+  bool AreAlike = false;        // faces of one size without colors, so that each place is known
+  Buffer<std::int32_t> Offsets; // of other faces where none is empty or has a color, for the same
   bool HasFaceColors = false;
 };
 }

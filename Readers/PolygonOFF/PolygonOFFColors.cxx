@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFColors.h"
 
-#include "CellMesh/CellPiece.h"
 #include "Base/Parallel.h"
+#include "CellMesh/CellMeshPiece.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIntArray.h"
@@ -49,7 +49,8 @@ bool OFFColor::IsInRange() const
 {
   const double last = this->IsReal ? 1 : Full;
   return this->Count < 3 ||
-    std::all_of(this->Values, this->Values + this->Count, [=](double v) { return v >= 0 && v <= last; });
+    std::all_of(
+      this->Values, this->Values + this->Count, [=](double v) { return v >= 0 && v <= last; });
 }
 
 //------------------------------------------------------------------------------
@@ -148,7 +149,7 @@ void OFFColors::AddTo(vtkDataSetAttributes* attributes, const Census& census, bo
 }
 
 //------------------------------------------------------------------------------
-OFFColors OFFColors::Extract(const CellPiece& piece) const
+OFFColors OFFColors::Extract(const CellMeshPiece& piece) const
 {
   OFFColors part(piece.GetNumberOfCells());
   const std::vector<std::int32_t> cells = piece.GetCells().GetMembers();

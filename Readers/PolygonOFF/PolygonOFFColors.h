@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::OFFColors
- * @brief Colours of vertices or faces of an OFF file, in any of the forms they come in.
+ * @brief Colors of vertices or faces of an OFF file, in any of the forms they come in.
  *
- * A colour is three or four integers from 0 to 255, or three or four real numbers from 0 to 1, or
- * one integer that points into a map of colours. Numbers are real if one of them is written as
+ * A color is three or four integers from 0 to 255, or three or four real numbers from 0 to 1, or
+ * one integer that points into a map of colors. Numbers are real if one of them is written as
  * such. Where all are 0 and 1 and written as integers, the other rows of the file decide; so this
  * is done in the end.
  */
@@ -20,16 +20,16 @@ class vtkDataSetAttributes;
 
 namespace camaron
 {
-class CellPiece;
+class CellMeshPiece;
 
-/// The numbers of one colour.
+/// The numbers of one color.
 struct OFFColor
 {
   double Values[4] = { 0, 0, 0, 0 };
   int Count = 0; ///< 0 for none
   bool IsReal = false;
 
-  /// Whether bytes are up to 255 and real numbers from 0 to 1; true for what is no colour.
+  /// Whether bytes are up to 255 and real numbers from 0 to 1; true for what is no color.
   bool IsInRange() const;
 };
 
@@ -44,7 +44,7 @@ public:
     bool HasReals = false;
     bool HasBytes = false; ///< integers above 1
 
-    /// Counts a colour; false if it is none.
+    /// Counts a color; false if it is none.
     bool Add(const OFFColor& color);
     void Merge(const Census& other);
   };
@@ -57,14 +57,14 @@ public:
   }
   vtkIdType size() const { return this->Kinds.size(); }
 
-  /// Sets a colour; from any thread.
+  /// Sets a color; from any thread.
   void Set(vtkIdType i, const OFFColor& color);
 
-  /// Adds the arrays "RGBA" and "ColorIndex", if the file has such colours.
+  /// Adds the arrays "RGBA" and "ColorIndex", if the file has such colors.
   void AddTo(vtkDataSetAttributes* attributes, const Census& census, bool areSmallReal);
 
-  /// The colours of cells in a piece.
-  OFFColors Extract(const CellPiece& piece) const;
+  /// The colors of cells in a piece.
+  OFFColors Extract(const CellMeshPiece& piece) const;
 
 private:
   enum Kind : unsigned char

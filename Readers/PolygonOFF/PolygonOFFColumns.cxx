@@ -33,7 +33,7 @@ bool IsColor(vtkDataArray* array)
 }
 
 //------------------------------------------------------------------------------
-// Of colours that GetOFFColor takes the nearest for.
+// Of colors that GetOFFColor takes the nearest for.
 void WarnOfColors(vtkDataArray* colors, const char* one, const char* many, Warnings& warnings)
 {
   if (!colors || colors->GetDataType() == VTK_UNSIGNED_CHAR)
@@ -55,11 +55,11 @@ void WarnOfColors(vtkDataArray* colors, const char* one, const char* many, Warni
     }
   }
   warnings.Add(outOfRange, one, many,
-    "with a colour beyond 0 to 255, or 0 to 1 if real, for which the nearest is written");
+    "with a color beyond 0 to 255, or 0 to 1 if real, for which the nearest is written");
 }
 
 //------------------------------------------------------------------------------
-// Arrays that are colours without anybody having said so.
+// Arrays that are colors without anybody having said so.
 void AddColors(vtkDataSetAttributes* data, bool ofCells, std::vector<vtkDataArray*>& arrays)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -92,7 +92,7 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
     if (!name.empty() && !(array && (IsColor(array) || isIndex)))
     {
       error = { ErrorKind::Unsupported,
-        GetFileName(path) + ": colours of " + of + " need an array of three or four components" +
+        GetFileName(path) + ": colors of " + of + " need an array of three or four components" +
           (mayBeIndex ? ", or of one integer" : "") + ", " +
           (array ? "but " + name + " has " + std::to_string(array->GetNumberOfComponents())
                  : "and there is no " + name) };
@@ -166,7 +166,7 @@ bool OFFColumns::Find(vtkDataSet* mesh, const OFFOptions& options, const std::st
   if (!unasked.empty())
   {
     warnings.Add(
-      "normals, texture coordinates and colours are written if options say so; not written: " +
+      "normals, texture coordinates and colors are written if options say so; not written: " +
       unasked);
   }
   WarnOfArrays(mesh, "OFF", warnings, written);

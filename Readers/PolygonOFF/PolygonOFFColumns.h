@@ -30,7 +30,7 @@ public:
   vtkDataArray* Texture = nullptr;
   vtkDataArray* VertexColors = nullptr;
   vtkDataArray* FaceColors = nullptr;  ///< of three or four components
-  vtkDataArray* FaceIndices = nullptr; ///< into a map of colours
+  vtkDataArray* FaceIndices = nullptr; ///< into a map of colors
 };
 
 /// Red, green, blue and alpha from 0 to 255 of an array of integers, or of real numbers from 0

@@ -59,7 +59,8 @@ bool IsInteger(std::string_view word)
 }
 
 //------------------------------------------------------------------------------
-// Takes off the keyword of a polytope, 3OFF or 5OFF. 4OFF is Geomview's, too, and 3OFF is a surface as OFF is.
+// Takes off the keyword of a polytope, 3OFF or 5OFF. 4OFF is Geomview's, too, and 3OFF is a surface
+// as OFF is.
 bool TakePolytopeKeyword(std::string_view& word, OFFHeader& header)
 {
   const std::size_t digits = std::min(word.find("OFF"), word.size());
@@ -77,7 +78,8 @@ bool TakePolytopeKeyword(std::string_view& word, OFFHeader& header)
 }
 
 //------------------------------------------------------------------------------
-// Whether there are four counts up to the end of a line, those of vertices, faces, edges and cells of a polytope.
+// Whether there are four counts up to the end of a line, those of vertices, faces, edges and cells
+// of a polytope.
 bool HasFourCounts(TextScanner scanner)
 {
   std::string_view word;

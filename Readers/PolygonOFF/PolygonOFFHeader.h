@@ -20,11 +20,12 @@ struct OFFHeader
   bool HasNormals = false;
   bool IsHomogeneous = false;
   bool IsBinary = false;
-  /// Whether colours come before normals, as in files of MeshLab, which says NC instead of CN.
+  /// Whether colors come before normals, as in files of MeshLab, which says NC instead of CN.
   bool HasColorsFirst = false;
   bool HasDimension = false;
   std::int64_t Dimension = 3;
-  /// Dimensions of a polytope of Stella4D and Miratope, whose keyword begins with them; 0 for Geomview's files.
+  /// Dimensions of a polytope of Stella4D and Miratope, whose keyword begins with them; 0 for
+  /// Geomview's files.
   std::int64_t PolytopeDimension = 0;
   std::int64_t Vertices = 0;
   std::int64_t Faces = 0;

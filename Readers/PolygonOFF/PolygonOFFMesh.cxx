@@ -60,7 +60,7 @@ void OFFFaces::Begin(vtkIdType cell, vtkIdType firstId, std::int64_t size)
 //------------------------------------------------------------------------------
 template <typename Real>
 void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& faceCensus,
-  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellPiece& piece,
+  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellMeshPiece& piece,
   const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
   const Progress& progress)
 {
@@ -76,16 +76,16 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
     warnings.Add(vertexCensus.WithMore, "vertex", "vertices",
       "with more numbers than the keyword of the file tells of, which are left out");
     warnings.Add(vertexCensus.WithoutColor, "vertex", "vertices",
-      "without a colour, though the keyword of the file tells of one; they are grey");
+      "without a color, though the keyword of the file tells of one; they are gray");
     constexpr char OutOfRange[] =
-      "with a colour beyond 0 to 255, or 0 to 1 if real, for which the nearest is shown";
+      "with a color beyond 0 to 255, or 0 to 1 if real, for which the nearest is shown";
     warnings.Add(vertexCensus.OutOfRange, "vertex", "vertices", OutOfRange);
     warnings.Add(faceCensus.OutOfRange, "face", "faces", OutOfRange);
     warnings.Add(faceCensus.WithoutVertices, "face", "faces", "without vertices, left out");
     warnings.Add(faceCensus.OfOneVertex, "face", "faces", "of one vertex, shown as a vertex");
     warnings.Add(faceCensus.OfTwoVertices, "face", "faces", "of two vertices, shown as a line");
     warnings.Add(faceCensus.WithOddColor, "face", "faces",
-      "with something after the vertices that is no colour, left out");
+      "with something after the vertices that is no color, left out");
     piece.WarnOfRepeatedPoints(faces.Mesh, warnings, progress.Part(0.4, 1), "face", "faces");
   }
 
@@ -122,9 +122,9 @@ void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& 
   }
 }
 template void FillOFFGrid<float>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<float>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  OFFVertices<float>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
   vtkUnstructuredGrid*, Warnings&, const Progress&);
 template void FillOFFGrid<double>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<double>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  OFFVertices<double>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
   vtkUnstructuredGrid*, Warnings&, const Progress&);
 }

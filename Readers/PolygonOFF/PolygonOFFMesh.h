@@ -7,7 +7,7 @@
 #ifndef camaron_PolygonOFFMesh_h
 #define camaron_PolygonOFFMesh_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "PolygonOFFColors.h"
 #include "PolygonOFFHeader.h"
 #include "Scan/PieceRequest.h"
@@ -22,7 +22,7 @@ struct OFFVertexCensus
   OFFColors::Census Colors;
   Tally WithMore;     ///< numbers than the keyword says
   Tally WithoutColor; ///< though the keyword says that there is one
-  Tally OutOfRange;   ///< of colours
+  Tally OutOfRange;   ///< of colors
   void Merge(const OFFVertexCensus& other);
 };
 
@@ -34,7 +34,7 @@ struct OFFFaceCensus
   Tally OfOneVertex;
   Tally OfTwoVertices;
   Tally WithOddColor;
-  Tally OutOfRange; ///< of colours
+  Tally OutOfRange; ///< of colors
   void Merge(const OFFFaceCensus& other);
 
   /// Counts a face by its number of vertices.
@@ -118,14 +118,14 @@ struct OFFFaces
 /// Makes the grid of a piece, and on the first one warnings.
 template <typename Real>
 void FillOFFGrid(const OFFHeader& header, OFFFaces& faces, const OFFFaceCensus& faceCensus,
-  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellPiece& piece,
+  OFFVertices<Real>& vertices, const OFFVertexCensus& vertexCensus, const CellMeshPiece& piece,
   const PieceRequest& request, vtkUnstructuredGrid* grid, Warnings& warnings,
   const Progress& progress);
 extern template void FillOFFGrid<float>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<float>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  OFFVertices<float>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
   vtkUnstructuredGrid*, Warnings&, const Progress&);
 extern template void FillOFFGrid<double>(const OFFHeader&, OFFFaces&, const OFFFaceCensus&,
-  OFFVertices<double>&, const OFFVertexCensus&, const CellPiece&, const PieceRequest&,
+  OFFVertices<double>&, const OFFVertexCensus&, const CellMeshPiece&, const PieceRequest&,
   vtkUnstructuredGrid*, Warnings&, const Progress&);
 }
 

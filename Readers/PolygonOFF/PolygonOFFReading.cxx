@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFReading.h"
 
+#include "Base/Text.h"
 #include "PolygonOFFBinary.h"
 #include "PolygonOFFText.h"
-#include "Base/LowerCase.h"
 #include "Scan/ReadMappedFile.h"
 
 #include "vtkUnstructuredGrid.h"

@@ -13,7 +13,7 @@ namespace
 constexpr char Coordinate[] = "a coordinate of a vertex";
 constexpr char NormalComponent[] = "a component of the normal of a vertex";
 constexpr char TextureCoordinate[] = "a texture coordinate of a vertex";
-constexpr char ColorComponent[] = "a component of the colour of a vertex";
+constexpr char ColorComponent[] = "a component of the color of a vertex";
 constexpr int MaxRest = 16; // numbers kept of the end of a line; no vertex has more in practice
 
 //------------------------------------------------------------------------------
@@ -79,7 +79,7 @@ bool ReadNumbers(TextRow& row, std::int64_t count, double first[3], double& last
 }
 
 //------------------------------------------------------------------------------
-// The colour takes what the rest of the line has beside normal and texture.
+// The color takes what the rest of the line has beside normal and texture.
 bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType point,
   OFFVertices<double>* vertices, OFFVertexCensus& seen)
 {
@@ -101,7 +101,7 @@ bool OFFTextReading::ReadColoredVertex(vtkIdType row, TextRow& text, vtkIdType p
   if (rest.Count < after || rest.Count > MaxRest)
   {
     return text.FailAt(begin, ErrorKind::Syntax,
-      "a colour and " + std::to_string(after) + " more numbers of vertex " + std::to_string(row));
+      "a color and " + std::to_string(after) + " more numbers of vertex " + std::to_string(row));
   }
   const int size = rest.Count - static_cast<int>(after);
   const OFFColor color = rest.GetColor(0, size);
@@ -183,7 +183,7 @@ bool OFFTextReading::ReadVertex(vtkIdType row, TextRow& text, vtkIdType point,
 //------------------------------------------------------------------------------
 // Without vertices to fill, only finds the end of them.
 bool OFFTextReading::ReadVertices(TextScanner& scanner, const TextLines* lines,
-  const CellPiece& piece, OFFVertices<double>* vertices, const Progress& progress)
+  const CellMeshPiece& piece, OFFVertices<double>* vertices, const Progress& progress)
 {
   const bool isPlain = this->Header.IsPlain();
   const auto read = [&](vtkIdType row, TextRow& text, OFFVertexCensus& seen)
@@ -268,7 +268,7 @@ bool OFFTextReading::Read(TextScanner& scanner, const TextLines* lines, const Pr
   // Which vertices a piece needs is known from its faces, which come after them.
   const bool isWhole = this->Request.NumberOfPieces <= 1;
   TextScanner vertexScanner = scanner;
-  CellPiece piece;
+  CellMeshPiece piece;
   OFFVertices<double> vertices;
   if (isWhole)
   {

@@ -32,7 +32,7 @@ private:
   struct Face;
   struct FacePart;
 
-  bool ReadVertices(TextScanner& scanner, const TextLines* lines, const CellPiece& piece,
+  bool ReadVertices(TextScanner& scanner, const TextLines* lines, const CellMeshPiece& piece,
     OFFVertices<double>* vertices, const Progress& progress);
   bool ReadVertex(vtkIdType row, TextRow& text, vtkIdType point, OFFVertices<double>* vertices,
     OFFVertexCensus& seen);
@@ -43,7 +43,7 @@ private:
   bool CountFaces(const TextLines& lines, const TextLines::Section& section,
     std::vector<FacePart>& parts, const Progress& progress) const;
   bool ReadPieceOfFaces(
-    TextScanner& scanner, const TextLines& lines, CellPiece& piece, const Progress& progress);
+    TextScanner& scanner, const TextLines& lines, CellMeshPiece& piece, const Progress& progress);
   bool ReadFacesInOrder(TextScanner& scanner, const Progress& progress);
   bool ReadFace(vtkIdType row, TextRow& text, std::int64_t size, FacePart& part, bool store);
   bool ReadIds(TextRow& text, FacePart& part) const;

@@ -35,7 +35,7 @@ void OFFTextReading::ReadFaceColor(vtkIdType row, TextRow& text, OFFColor& color
   constexpr int MaxColor = 4;
   int count = 0;
   bool isColor = true;
-  for (std::string_view word; text.HasMore() && text.ReadWord(word, "a colour"); ++count)
+  for (std::string_view word; text.HasMore() && text.ReadWord(word, "a color"); ++count)
   {
     const char* const end = word.data() + word.size();
     double value;
@@ -253,7 +253,7 @@ bool OFFTextReading::ReadIds(TextRow& text, FacePart& part) const
 // Faces of one line each, of which those of a piece are kept: all are read to find these, once more
 // for every level of ghosts, and again to store them.
 bool OFFTextReading::ReadPieceOfFaces(
-  TextScanner& scanner, const TextLines& lines, CellPiece& piece, const Progress& progress)
+  TextScanner& scanner, const TextLines& lines, CellMeshPiece& piece, const Progress& progress)
 {
   const TextLines::Section section = lines.Find(scanner.GetPosition(), this->Header.Faces);
   if (!section)
@@ -272,7 +272,8 @@ bool OFFTextReading::ReadPieceOfFaces(
     firstCells.push_back(cells);
     cells += part.Cell;
   }
-  // Calls take(part, row, index of the part, text) for all faces that are cells, whose Ids were read.
+  // Calls take(part, row, index of the part, text) for all faces that are cells, whose Ids were
+  // read.
   const auto visit = [&](const Progress& share, auto&& take)
   {
     for (std::size_t i = 0; i < parts.size(); ++i)
@@ -386,8 +387,8 @@ bool OFFTextReading::ReadFacesInOrder(TextScanner& scanner, const Progress& prog
       scanner = start;
     }
     for (vtkIdType row = 0;
-         row < count && progress.Report((store ? 0.5 : 0) + 0.5 * static_cast<double>(row) / count);
-         ++row)
+      row < count && progress.Report((store ? 0.5 : 0) + 0.5 * static_cast<double>(row) / count);
+      ++row)
     {
       std::int64_t size;
       TextRow text(scanner);

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonOFFWriting.h"
 
+#include "Base/Bytes.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "PolygonOFFColumns.h"
-#include "Base/Bytes.h"
 #include "Scan/MappedFile.h"
 #include "Write/RealFormat.h"
 #include "Write/WriteRows.h"
@@ -20,7 +20,7 @@ namespace camaron
 {
 namespace
 {
-constexpr int Full = 255; // of a colour
+constexpr int Full = 255; // of a color
 
 //------------------------------------------------------------------------------
 // Whether the cells are all points as vertices, in order, as a file without faces gives them.
@@ -258,10 +258,9 @@ bool WritePolygonOFF(const std::string& path, vtkDataSet* mesh, const OFFOptions
   }
   if (isBinary &&
     !(CheckSinglePrecision(mesh, path, warnings, error) &&
+      CheckSinglePrecision(columns.Normals, 3, "normal", "normals", path, warnings, error) &&
       CheckSinglePrecision(
-        columns.Normals, 3, "normal", "normals", path, warnings, error) &&
-      CheckSinglePrecision(columns.Texture, 2, "texture coordinate", "texture coordinates", path,
-        warnings, error)))
+        columns.Texture, 2, "texture coordinate", "texture coordinates", path, warnings, error)))
   {
     return false;
   }

@@ -11,8 +11,8 @@
  * is binary (in the unit of the file, which does not say which one), and its faces in their order
  * and direction: VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, of fewer vertices VTK_LINE or VTK_VERTEX. A
  * file without faces gives one VTK_VERTEX per point. Normals become the point normals "Normals",
- * texture coordinates "TCoords", colours of vertices or faces unsigned char arrays "RGBA", indices
- * into a map of colours int arrays "ColorIndex" (-1 where there is none).
+ * texture coordinates "TCoords", colors of vertices or faces unsigned char arrays "RGBA", indices
+ * into a map of colors int arrays "ColorIndex" (-1 where there is none).
  *
  * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
  * asked for, "GlobalPointIds" and "GlobalCellIds".

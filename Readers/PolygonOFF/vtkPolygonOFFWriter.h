@@ -7,7 +7,7 @@
  * See Readers/PolygonOFF/README.md. The format holds points and polygons; of 3D cells the surface
  * is written, lines and vertices as faces of two vertices and one, other cells as UnsupportedCells
  * says. By default a file has nothing else, which every program reads; normals, texture coordinates
- * and colours are written on request, with the keyword that says so.
+ * and colors are written on request, with the keyword that says so.
  *
  * @sa vtkPolygonOFFReader
  */
@@ -68,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Name of the point array to write as colours (keyword C): three or four components, integers
+   * Name of the point array to write as colors (keyword C): three or four components, integers
    * from 0 to 255 or real numbers from 0 to 1. Empty or "None" for none. Default: empty.
    */
   vtkSetStdStringFromCharMacro(VertexColors);
@@ -77,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Name of the cell array to write as colours of faces: as VertexColors, or one integer, an index
-   * into a map of colours, which is left out where it is negative. Empty or "None" for none.
+   * Name of the cell array to write as colors of faces: as VertexColors, or one integer, an index
+   * into a map of colors, which is left out where it is negative. Empty or "None" for none.
    * Default: empty.
    */
   vtkSetStdStringFromCharMacro(FaceColors);

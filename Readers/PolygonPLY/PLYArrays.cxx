@@ -25,7 +25,7 @@ public:
 
   void AddPoints();
   void AddNormals();
-  void AddColours();
+  void AddColors();
   void AddTextureCoordinates();
   void AddVectors(const std::map<std::string, int>& components);
   void AddScalars();
@@ -122,7 +122,7 @@ void Planner::AddNormals()
 }
 
 //------------------------------------------------------------------------------
-void Planner::AddColours()
+void Planner::AddColors()
 {
   for (const char* prefix : { "", "diffuse_" })
   {
@@ -138,13 +138,13 @@ void Planner::AddColours()
       found = this->FindAll(names);
     }
     // Integers of other types may count from 0 to anything.
-    const bool areColours = !found.empty() && this->HaveOneType(found) &&
+    const bool areColors = !found.empty() && this->HaveOneType(found) &&
       (this->Get(found[0]).Type == PLYType::UInt8 || IsReal(this->Get(found[0]).Type) ||
-        this->Get(found[0]).IsColour);
-    if (areColours)
+        this->Get(found[0]).IsColor);
+    if (areColors)
     {
       this->Add(PLYArrayPlan::Role::Scalars, names.size() == 4 ? "RGBA" : "RGB", PLYType::UInt8,
-        found, PLYConversion::Colour);
+        found, PLYConversion::Color);
       return;
     }
   }
@@ -241,7 +241,8 @@ vtkSmartPointer<vtkDataArray> MakeArray(PLYType type, int components, vtkIdType 
 
 //------------------------------------------------------------------------------
 std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subject,
-  const std::map<std::string, int>& components, std::vector<bool> used, const std::vector<PLYListShape>& lists)
+  const std::map<std::string, int>& components, std::vector<bool> used,
+  const std::vector<PLYListShape>& lists)
 {
   used.resize(element.Properties.size(), false);
   Planner planner(element, used);
@@ -253,7 +254,7 @@ std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subje
   if (subject != PLYSubject::Other)
   {
     planner.AddNormals();
-    planner.AddColours();
+    planner.AddColors();
   }
   planner.AddVectors(components);
   planner.AddScalars();

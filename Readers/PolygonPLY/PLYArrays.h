@@ -20,7 +20,7 @@ class vtkFieldData;
 
 namespace camaron
 {
-/// Exactly sized memory, not initialised.
+/// Exactly sized memory, not initialized.
 vtkSmartPointer<vtkDataArray> MakeArray(PLYType type, int components, vtkIdType tuples);
 
 /// The array that some properties of an element become.
@@ -51,12 +51,13 @@ enum class PLYSubject
 };
 
 /**
- * The arrays that an element has, except of the properties marked in @a used. Coordinates come first and are of points
- * only.
+ * The arrays that an element has, except of the properties marked in @a used. Coordinates come
+ * first and are of points only.
  * @param lists shapes of the properties that are lists
  */
 std::vector<PLYArrayPlan> PlanArrays(const PLYElement& element, PLYSubject subject,
-  const std::map<std::string, int>& components, std::vector<bool> used, const std::vector<PLYListShape>& lists);
+  const std::map<std::string, int>& components, std::vector<bool> used,
+  const std::vector<PLYListShape>& lists);
 
 /**
  * @class camaron::PLYArrays

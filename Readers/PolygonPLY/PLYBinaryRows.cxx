@@ -464,8 +464,8 @@ bool PLYBinaryRows::ReadIdsAs(
     if (!isFast)
     {
       this->GetPlaces(rows, property)
-        .ForEach(rows.Count,
-          [&](int i, const char* place) { visit(rows.First + i, place + header); });
+        .ForEach(
+          rows.Count, [&](int i, const char* place) { visit(rows.First + i, place + header); });
     }
   };
   const auto read = [&](const Block& rows, std::int32_t* ids)
@@ -583,14 +583,13 @@ void PLYBinaryRows::ReadListColumn(
     WithType(column.Type,
       [&](auto out)
       {
-        forEach(out,
-          [&](const char* place, auto& value)
+        forEach(out, [&](const char* place, auto& value)
           { value = static_cast<decltype(out)>(this->LoadLengthOf(property.CountType, place)); });
       });
     return;
   }
   const std::ptrdiff_t header = GetSize(property.CountType);
-  WithConversion(property.Type, column, this->OddColours,
+  WithConversion(property.Type, column, this->OddColors,
     [&](auto in, auto out, auto convert)
     {
       using In = decltype(in);
@@ -600,7 +599,8 @@ void PLYBinaryRows::ReadListColumn(
           if (column.Item < this->LoadLengthOf(property.CountType, place))
           {
             value = convert(camaron::Load<In>(
-              place + header + column.Item * static_cast<std::ptrdiff_t>(sizeof(In)), this->Scanner.IsSwapped()));
+              place + header + column.Item * static_cast<std::ptrdiff_t>(sizeof(In)),
+              this->Scanner.IsSwapped()));
           }
         });
     });
@@ -627,7 +627,7 @@ bool PLYBinaryRows::ReadColumns(
             this->ReadListColumn(rows, column, targets.AreRows() ? nullptr : tuples, targets.First);
             continue;
           }
-          WithConversion(this->Element.Properties[column.Property].Type, column, this->OddColours,
+          WithConversion(this->Element.Properties[column.Property].Type, column, this->OddColors,
             [&](auto in, auto out, auto convert)
             {
               using In = decltype(in);
@@ -637,8 +637,7 @@ bool PLYBinaryRows::ReadColumns(
               if (targets.AreRows())
               {
                 auto* const first = values + (targets.First + rows.First) * stride;
-                places.ForEach(rows.Count,
-                  [&](int i, const char* place)
+                places.ForEach(rows.Count, [&](int i, const char* place)
                   { first[i * stride] = convert(camaron::Load<In>(place, swap)); });
                 return;
               }

@@ -120,7 +120,7 @@ private:
   std::vector<Part> Parts;
   std::vector<Location> Locations;
   const char* Data = nullptr;
-  const char* End = nullptr; ///< of all rows
+  const char* End = nullptr;       ///< of all rows
   std::ptrdiff_t Stride = 0;       ///< bytes from row to row if they have one length
   std::vector<const char*> Starts; ///< of blocks of other rows
   Buffer<std::int32_t>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYCells.h"
 
-#include "PLYLists.h"
 #include "Base/Number.h"
+#include "PLYLists.h"
 
 #include <algorithm>
 #include <mutex>
@@ -171,8 +171,8 @@ bool PLYCells::ReadEdges(PLYPart& part, std::int32_t* ids, const Progress& progr
 {
   const vtkIdType count = part.Rows->GetCount();
   Buffer<double> ends(2 * count);
-  const std::vector<PLYColumn> columns = { { part.Ends[0], -1, PLYConversion::Value, PLYType::Double,
-                                             ends.data(), 2 },
+  const std::vector<PLYColumn> columns = { { part.Ends[0], -1, PLYConversion::Value,
+                                             PLYType::Double, ends.data(), 2 },
     { part.Ends[1], -1, PLYConversion::Value, PLYType::Double, ends.data() + 1, 2 } };
   if (!part.Rows->ReadColumns(columns, PLYTargets(), progress))
   {
@@ -250,8 +250,8 @@ bool PLYCells::FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const 
   else
   {
     Tally repeating;
-    const bool areCells = !this->KeepsEmpty && part.NumberOfCells == mesh.NumberOfCells &&
-      part.Items.size() == 0;
+    const bool areCells =
+      !this->KeepsEmpty && part.NumberOfCells == mesh.NumberOfCells && part.Items.size() == 0;
     const PLYLists lists(extent.Sizes, ids, areCells ? &repeating : nullptr);
     if (!part.Rows->ReadIds(part.List, this->GetExpected(part), lists, progress))
     {
@@ -409,8 +409,8 @@ bool PLYCells::Fill(
 
 //------------------------------------------------------------------------------
 // Shows the cells of a part to a piece, or stores those that it has in the mesh.
-bool PLYCells::PassPart(
-  PLYPart& part, const Extent& extent, CellPiece& piece, CellMesh* mesh, const Progress& progress)
+bool PLYCells::PassPart(PLYPart& part, const Extent& extent, CellMeshPiece& piece, CellMesh* mesh,
+  const Progress& progress)
 {
   const vtkIdType rows = part.Rows->GetCount();
   if (part.Role == PLYRole::Strips)
@@ -448,8 +448,8 @@ bool PLYCells::PassPart(
 }
 
 //------------------------------------------------------------------------------
-void PLYCells::AllocatePiece(
-  const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents, const CellPiece& piece)
+void PLYCells::AllocatePiece(const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents,
+  const CellMeshPiece& piece)
 {
   const vtkIdType points = piece.GetNumberOfPoints(), cells = piece.GetNumberOfCells();
   if (this->HasOneKind(parts, extents))
@@ -485,7 +485,7 @@ void PLYCells::AllocatePiece(
 
 //------------------------------------------------------------------------------
 bool PLYCells::ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints,
-  const PieceRequest& request, CellPiece& piece, const Progress& progress)
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress)
 {
   this->KeepsEmpty = false;
   this->Mesh = CellMesh();

@@ -7,7 +7,7 @@
 #ifndef camaron_PLYCells_h
 #define camaron_PLYCells_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "PLYParts.h"
 
 namespace camaron
@@ -29,7 +29,7 @@ public:
    * cells.
    */
   bool ReadPiece(const std::vector<PLYPart*>& parts, vtkIdType numberOfPoints,
-    const PieceRequest& request, CellPiece& piece, const Progress& progress);
+    const PieceRequest& request, CellMeshPiece& piece, const Progress& progress);
 
   CellMesh Mesh;
   vtkIdType NumberOfCells = 0; ///< of the file
@@ -47,13 +47,13 @@ private:
   bool ReadEdges(PLYPart& part, std::int32_t* ids, const Progress& progress);
   void FillStrips(PLYPart& part, const Extent& extent, std::int32_t* ids);
   bool FillPart(PLYPart& part, Extent& extent, vtkIdType firstId, const Progress& progress);
-  bool PassPart(PLYPart& part, const Extent& extent, CellPiece& piece, CellMesh* mesh,
+  bool PassPart(PLYPart& part, const Extent& extent, CellMeshPiece& piece, CellMesh* mesh,
     const Progress& progress);
   bool HasOneKind(const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents) const;
   bool Fill(
     const std::vector<PLYPart*>& parts, std::vector<Extent>& extents, const Progress& progress);
-  void AllocatePiece(
-    const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents, const CellPiece& piece);
+  void AllocatePiece(const std::vector<PLYPart*>& parts, const std::vector<Extent>& extents,
+    const CellMeshPiece& piece);
   void CountFaces(PLYPart& part, Extent& extent);
 
   vtkIdType NumberOfPoints = 0; ///< of the file

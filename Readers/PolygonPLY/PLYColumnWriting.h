@@ -16,7 +16,7 @@ namespace camaron
 {
 /// One of 0 ... 255.
 template <typename In>
-std::uint8_t ToColour(In value)
+std::uint8_t ToColor(In value)
 {
   if constexpr (std::is_floating_point<In>::value)
   {
@@ -33,9 +33,9 @@ std::uint8_t ToColour(In value)
   }
 }
 
-/// Whether ToColour keeps the value.
+/// Whether ToColor keeps the value.
 template <typename In>
-bool IsColour(In value)
+bool IsColor(In value)
 {
   if constexpr (std::is_floating_point<In>::value)
   {
@@ -48,27 +48,27 @@ bool IsColour(In value)
 }
 
 /**
- * Calls @a function(in, out, convert) with values of the types of a property and of its column; @a oddColours gets how
- * many have no colour.
+ * Calls @a function(in, out, convert) with values of the types of a property and of its column; @a
+ * oddColors gets how many have no color.
  */
 template <typename Function>
-void WithConversion(PLYType type, const PLYColumn& column, std::atomic<vtkIdType>& oddColours,
-  Function&& function)
+void WithConversion(
+  PLYType type, const PLYColumn& column, std::atomic<vtkIdType>& oddColors, Function&& function)
 {
   WithType(type,
     [&](auto in)
     {
       using In = decltype(in);
-      if (column.Conversion == PLYConversion::Colour)
+      if (column.Conversion == PLYConversion::Color)
       {
         function(in, std::uint8_t(),
-          [&oddColours](In value)
+          [&oddColors](In value)
           {
-            if (!IsColour(value))
+            if (!IsColor(value))
             {
-              oddColours.fetch_add(1, std::memory_order_relaxed);
+              oddColors.fetch_add(1, std::memory_order_relaxed);
             }
-            return ToColour(value);
+            return ToColor(value);
           });
       }
       else if (column.Type == type)

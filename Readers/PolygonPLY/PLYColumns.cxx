@@ -55,26 +55,26 @@ std::vector<std::string> GetNames(const std::string& base, int components)
 }
 
 //------------------------------------------------------------------------------
-bool IsColour(vtkDataArray* array)
+bool IsColor(vtkDataArray* array)
 {
   return array && array->GetDataType() == VTK_UNSIGNED_CHAR &&
     (array->GetNumberOfComponents() == 3 || array->GetNumberOfComponents() == 4);
 }
 
 //------------------------------------------------------------------------------
-// The array that is written as colours: the one that the reader would make of them, or the active
+// The array that is written as colors: the one that the reader would make of them, or the active
 // one.
-vtkDataArray* FindColours(vtkDataSetAttributes* attributes)
+vtkDataArray* FindColors(vtkDataSetAttributes* attributes)
 {
   for (const char* name : { "RGBA", "RGB" })
   {
     vtkDataArray* const array = attributes->GetArray(name);
-    if (IsColour(array) && array->GetNumberOfComponents() == (name[3] == 'A' ? 4 : 3))
+    if (IsColor(array) && array->GetNumberOfComponents() == (name[3] == 'A' ? 4 : 3))
     {
       return array;
     }
   }
-  return IsColour(attributes->GetScalars()) ? attributes->GetScalars() : nullptr;
+  return IsColor(attributes->GetScalars()) ? attributes->GetScalars() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -102,20 +102,21 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
     FindReal(attributes->GetNormals(), attributes->GetArray("Normals"), 3);
   vtkDataArray* const textures =
     FindReal(attributes->GetTCoords(), attributes->GetArray("TCoords"), 2);
-  vtkDataArray* const colours = FindColours(attributes);
+  vtkDataArray* const colors = FindColors(attributes);
   if (normals)
   {
     this->AddUsual(normals, "Normals", { "nx", "ny", "nz" });
   }
-  if (colours)
+  if (colors)
   {
     std::vector<std::string> names = { "red", "green", "blue", "alpha" };
-    names.resize(static_cast<std::size_t>(colours->GetNumberOfComponents()));
-    this->AddUsual(colours, names.size() == 4 ? "RGBA" : "RGB", names);
+    names.resize(static_cast<std::size_t>(colors->GetNumberOfComponents()));
+    this->AddUsual(colors, names.size() == 4 ? "RGBA" : "RGB", names);
   }
   if (textures)
   {
-    this->AddUsual(textures, "TCoords", { "texture_u", "texture_v" }); // as ParaView and MeshLab know them
+    this->AddUsual(
+      textures, "TCoords", { "texture_u", "texture_v" }); // as ParaView and MeshLab know them
   }
   std::vector<vtkDataArray*> others;
   for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
@@ -128,7 +129,7 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
     {
       continue;
     }
-    if (array != normals && array != textures && array != colours)
+    if (array != normals && array != textures && array != colors)
     {
       others.push_back(array);
       this->Reserve(array);
@@ -141,9 +142,9 @@ PLYColumns::PLYColumns(vtkDataSetAttributes* attributes, std::set<std::string> r
   }
   if (!this->Renamed.empty())
   {
-    warnings.Add(
-      "arrays are renamed, as names in PLY files are words, some of which mean something else, and normals, colours "
-      "and texture coordinates have no names of their own: " +
+    warnings.Add("arrays are renamed, as names in PLY files are words, some of which mean "
+                 "something else, and normals, colors "
+                 "and texture coordinates have no names of their own: " +
       this->Renamed);
   }
   this->Messages = nullptr;
@@ -210,7 +211,8 @@ void PLYColumns::Add(vtkDataArray* array, const std::vector<std::string>& names)
 
 //------------------------------------------------------------------------------
 // What everybody knows by the names of its properties; @a name is what the reader calls it.
-void PLYColumns::AddUsual(vtkDataArray* array, const char* name, const std::vector<std::string>& names)
+void PLYColumns::AddUsual(
+  vtkDataArray* array, const char* name, const std::vector<std::string>& names)
 {
   if (GetArrayName(array) != name)
   {
@@ -248,8 +250,7 @@ void PLYColumns::AddOther(vtkDataArray* array)
   const auto areFree = [&]
   {
     names = GetNames(base, components);
-    return std::none_of(names.begin(), names.end(),
-      [&](const std::string& name)
+    return std::none_of(names.begin(), names.end(), [&](const std::string& name)
       { return this->Names.count(name) > 0 || (base != own && this->Reserved.count(name) > 0); });
   };
   while (!areFree())
@@ -258,7 +259,8 @@ void PLYColumns::AddOther(vtkDataArray* array)
   }
   if (base != own)
   {
-    this->AddRenamed(array, base + (word != own && word != base ? " (" + word + " is another)" : ""));
+    this->AddRenamed(
+      array, base + (word != own && word != base ? " (" + word + " is another)" : ""));
   }
   if (components > 1)
   {

@@ -7,9 +7,9 @@
 #ifndef camaron_PLYColumns_h
 #define camaron_PLYColumns_h
 
-#include "PLYTypes.h"
 #include "Base/Bytes.h"
 #include "Base/Number.h"
+#include "PLYTypes.h"
 #include "Scan/ScanError.h"
 
 #include "vtkSmartPointer.h" // for arrays that are put in order first
@@ -70,7 +70,7 @@ private:
  * @class camaron::PLYColumns
  * @brief The arrays of points or of cells as properties.
  *
- * Normals, colours and texture coordinates have their usual names. Other arrays have theirs, with
+ * Normals, colors and texture coordinates have their usual names. Other arrays have theirs, with
  * what cannot be in a name replaced by `_`, and more of these where another array has that name,
  * with a warning; those of several components become `name_0`, `name_1`
  * and so on, of which a comment "components name number" tells. Integers of 64 bits become `int` or

@@ -218,8 +218,8 @@ bool HeaderReading::ReadProperty(const std::vector<std::string_view>& words)
   PLYElement& element = this->Header.Elements.back();
   if (element.Find({ property.Name.c_str() }, property.IsList) >= 0)
   {
-    this->Header.Oddities.push_back(
-      "the element " + Quote(element.Name) + " has the property " + Quote(property.Name) + " more than once");
+    this->Header.Oddities.push_back("the element " + Quote(element.Name) + " has the property " +
+      Quote(property.Name) + " more than once");
   }
   element.Properties.push_back(property);
   return this->CheckName(words[type + 1]);

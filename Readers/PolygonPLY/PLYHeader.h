@@ -23,7 +23,7 @@ struct PLYProperty
   PLYType Type;
   bool IsList = false;
   PLYType CountType = PLYType::UInt8; ///< of the length of a list
-  bool IsColour = false;              ///< integers count from 0 to 255, whatever the type
+  bool IsColor = false;               ///< integers count from 0 to 255, whatever the type
 };
 
 struct PLYElement

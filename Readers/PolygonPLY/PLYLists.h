@@ -8,7 +8,7 @@
 #ifndef camaron_PLYLists_h
 #define camaron_PLYLists_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "PLYRows.h"
 
 #include <mutex> // for what threads find
@@ -34,8 +34,8 @@ public:
    * firstCell and the others follow
    * @param mesh whose cells are stored, or nullptr to show them to the piece
    */
-  PLYLists(const PLYSizes& sizes, vtkIdType firstCell, const std::int32_t* items, CellPiece& piece,
-    CellMesh* mesh)
+  PLYLists(const PLYSizes& sizes, vtkIdType firstCell, const std::int32_t* items,
+    CellMeshPiece& piece, CellMesh* mesh)
     : Sizes(sizes)
     , FirstCell(firstCell)
     , Items(items)
@@ -55,7 +55,8 @@ public:
     }
     return needs;
   }
-  /// Where the lists of some rows from one on are to be written, up to the next call by the same thread.
+  /// Where the lists of some rows from one on are to be written, up to the next call by the same
+  /// thread.
   std::int32_t* Provide(vtkIdType row, vtkIdType rows) const
   {
     return this->All ? this->All + this->Sizes.GetOffset(row) : this->ProvideScratch(row, rows);
@@ -66,9 +67,8 @@ public:
     if (this->Repeating)
     {
       Tally local;
-      FindRepeatedPoints(ids,
-        this->Sizes.Common < 0 ? this->Sizes.Offsets.data() + first : nullptr, this->Sizes.Common,
-        first, count, local);
+      FindRepeatedPoints(ids, this->Sizes.Common < 0 ? this->Sizes.Offsets.data() + first : nullptr,
+        this->Sizes.Common, first, count, local);
       if (local.Count > 0)
       {
         const std::lock_guard<std::mutex> lock(this->Mutex);
@@ -124,7 +124,7 @@ private:
   mutable std::mutex Mutex; ///< for this
   vtkIdType FirstCell = 0;
   const std::int32_t* Items = nullptr;
-  CellPiece* Piece = nullptr;
+  CellMeshPiece* Piece = nullptr;
   CellMesh* Mesh = nullptr;
 };
 }

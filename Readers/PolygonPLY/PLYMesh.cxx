@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYMesh.h"
 
+#include "Base/Text.h"
 #include "CellMesh/CellGrid.h"
 #include "FaceMesh/GridBuilder.h"
-#include "Base/CountOf.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -94,7 +94,8 @@ bool PLYMesh::ShapeLists(PLYPart& part, const Progress& progress)
     if (least < most)
     {
       this->Messages.Add(what + " become an array with " + std::to_string(most) +
-        " components, of which shorter lists leave the last ones nan (0 if integers); another array has their lengths");
+        " components, of which shorter lists leave the last ones nan (0 if integers); another "
+        "array has their lengths");
     }
   }
   return true;
@@ -194,7 +195,7 @@ bool PLYMesh::ReadCells(const Progress& progress)
     }
   }
   PLYCells cells;
-  CellPiece piece;
+  CellMeshPiece piece;
   if (!parts.empty() &&
     !cells.ReadPiece(parts, numberOfPoints, this->Request, piece, progress.Part(0, 0.5)))
   {
@@ -492,9 +493,9 @@ bool PLYMesh::Read(const MakeRows& makeRows, const Progress& progress)
     const std::string names = "rows of " + Quote(part.Rows->GetElement().Name);
     this->Messages.Add(part.Rows->GetLongRows(), name.c_str(), names.c_str(),
       "with more values than the header says");
-    if (const vtkIdType odd = part.Rows->CountOddColours())
+    if (const vtkIdType odd = part.Rows->CountOddColors())
     {
-      this->Messages.Add(CountOf(odd, "colour value", "colour values") + " of " +
+      this->Messages.Add(CountOf(odd, "color value", "color values") + " of " +
         Quote(part.Rows->GetElement().Name) +
         " beyond 0 to 1, or 0 to 255 if integers, for which the nearest is shown");
     }

@@ -44,7 +44,7 @@ void CompleteElement(PLYElement& element)
     PLYProperty property;
     property.Name = name;
     property.Type = PLYType::Int32;
-    property.IsColour = name[0] != 'v';
+    property.IsColor = name[0] != 'v';
     element.Properties.push_back(property);
   }
 }

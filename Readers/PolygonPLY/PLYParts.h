@@ -27,10 +27,10 @@ struct PLYPart
 {
   PLYRole Role = PLYRole::None;
   std::unique_ptr<PLYRows> Rows;
-  std::vector<bool> Used;   ///< properties that tell what the element is
+  std::vector<bool> Used;          ///< properties that tell what the element is
   std::vector<PLYListShape> Lists; ///< of properties
-  int List = -1;            ///< of vertices or faces
-  int Ends[2] = { -1, -1 }; ///< of edges
+  int List = -1;                   ///< of vertices or faces
+  int Ends[2] = { -1, -1 };        ///< of edges
 
   ///@{
   /// Of cells: the first one, how many, and which cell a row is where these are not one after the

@@ -10,10 +10,10 @@
 #ifndef camaron_PLYRows_h
 #define camaron_PLYRows_h
 
-#include "PLYHeader.h"
 #include "Base/Buffer.h"
 #include "Base/IdSet.h"
 #include "Base/Progress.h"
+#include "PLYHeader.h"
 
 #include <atomic> // for counts
 #include <memory> // for rows
@@ -27,7 +27,7 @@ class PLYLists;
 enum class PLYConversion : unsigned char
 {
   Value, ///< it stays, perhaps in another type
-  Colour ///< it becomes one of 0 ... 255: integers as they are, real numbers from 0 ... 1
+  Color  ///< it becomes one of 0 ... 255: integers as they are, real numbers from 0 ... 1
 };
 
 /// Where the values of a property go; of a list, those of one of its items, or its length.
@@ -36,12 +36,13 @@ struct PLYColumn
   int Property;
   int Item; ///< of a list; -1 for its length
   PLYConversion Conversion;
-  PLYType Type; ///< of the array: that of the property, a real type, or UInt8 for colours
+  PLYType Type; ///< of the array: that of the property, a real type, or UInt8 for colors
   void* Values; ///< of the component of the first tuple
   int Stride;   ///< values from tuple to tuple
 };
 
-/// What lists that are no points or faces become: an array with as many components as the longest one has items.
+/// What lists that are no points or faces become: an array with as many components as the longest
+/// one has items.
 struct PLYListShape
 {
   std::int32_t Components = 0; ///< 0 for no array
@@ -125,8 +126,8 @@ public:
     const std::string& found) = 0;
   /// Rows that hold more than the header says.
   const Tally& GetLongRows() const { return this->LongRows; }
-  /// Values of colours that have been read for which there is no colour.
-  vtkIdType CountOddColours() const { return this->OddColours; }
+  /// Values of colors that have been read for which there is no color.
+  vtkIdType CountOddColors() const { return this->OddColors; }
 
 protected:
   explicit PLYRows(const PLYElement& element)
@@ -137,7 +138,7 @@ protected:
 
   PLYElement Element;
   Tally LongRows;
-  mutable std::atomic<vtkIdType> OddColours{ 0 };
+  mutable std::atomic<vtkIdType> OddColors{ 0 };
 };
 }
 

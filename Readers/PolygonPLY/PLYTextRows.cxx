@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PLYTextRows.h"
 
+#include "Base/Number.h"
 #include "PLYColumnWriting.h"
 #include "PLYLists.h"
-#include "Base/Number.h"
 
 #include <algorithm>
 #include <charconv>
@@ -342,7 +342,7 @@ bool PLYTextRows::ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tup
   const PLYType type = this->Element.Properties[column.Property].Type;
   const std::string& what = this->Values[column.Property];
   bool good = false;
-  WithConversion(type, column, this->OddColours,
+  WithConversion(type, column, this->OddColors,
     [&](auto in, auto out, auto convert)
     {
       using In = decltype(in);
@@ -397,7 +397,10 @@ bool PLYTextRows::ReadList(
     {
       WithType(column->Type,
         [&](auto out)
-        { static_cast<decltype(out)*>(column->Values)[tuple * column->Stride] = static_cast<decltype(out)>(length); });
+        {
+          static_cast<decltype(out)*>(column->Values)[tuple * column->Stride] =
+            static_cast<decltype(out)>(length);
+        });
     }
     else if (good && column->Item == item && item < length)
     {
@@ -430,7 +433,7 @@ bool PLYTextRows::ReadColumns(
       bool rowIsGood = true;
       for (int i = 0; i < end && rowIsGood; ++i)
       {
-        rowIsGood = wanted[i].empty()           ? this->Skip(text, i)
+        rowIsGood = wanted[i].empty()          ? this->Skip(text, i)
           : this->Element.Properties[i].IsList ? this->ReadList(text, i, wanted[i], tuple)
                                                : this->ReadValue(text, *wanted[i][0], tuple);
       }

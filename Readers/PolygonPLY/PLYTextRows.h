@@ -44,7 +44,8 @@ private:
   bool SkipRest(TextRow& row, int property) const;
   void Finish(vtkIdType row, TextRow& text);
   bool ReadValue(TextRow& row, const PLYColumn& column, vtkIdType tuple) const;
-  bool ReadList(TextRow& row, int property, const std::vector<const PLYColumn*>& columns, vtkIdType tuple) const;
+  bool ReadList(TextRow& row, int property, const std::vector<const PLYColumn*>& columns,
+    vtkIdType tuple) const;
   int GetNumberOfProperties() const { return static_cast<int>(this->Element.Properties.size()); }
 
   TextScanner& Scanner;

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonPLYWriting.h"
 
+#include "Base/Parallel.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "FaceMesh/SharedFaces.h"
 #include "PLYHeader.h"
-#include "Base/Parallel.h"
 #include "Scan/MappedFile.h"
 #include "Write/WriteRows.h"
 
@@ -347,7 +347,7 @@ bool Writing::WriteLists(const WordLists& lists, bool areFaces, const Progress& 
   {
     vtkIdType rows = firstRows.back();
     for (vtkIdType at = lists.Starts[chunk]; at < lists.Starts[chunk + 1];
-         at += 1 + lists.Words[at])
+      at += 1 + lists.Words[at])
     {
       ++rows;
     }

@@ -11,7 +11,7 @@
  * integers of 32 bits (in the unit of the file, which does not say which one). Faces become
  * VTK_TRIANGLE, VTK_QUAD or VTK_POLYGON, strips VTK_TRIANGLE, edges VTK_LINE; a file of vertices
  * alone gives one VTK_VERTEX each. Cells given by faces become tetrahedra, pyramids, wedges or
- * hexahedra where they are such, else VTK_POLYHEDRON. Normals, texture coordinates, and colours
+ * hexahedra where they are such, else VTK_POLYHEDRON. Normals, texture coordinates, and colors
  * ("RGB", "RGBA") become arrays of several components, every other property an array of its name
  * and type.
  *

@@ -6,7 +6,7 @@
  *
  * See Readers/PolygonPLY/README.md. 2D cells become faces, lines edges, a mesh of vertices only
  * points; of 3D cells the surface is written, or they become elements `cell` given by their faces.
- * Arrays of numbers become properties of their type; normals, colours and texture coordinates have
+ * Arrays of numbers become properties of their type; normals, colors and texture coordinates have
  * their usual names.
  *
  * @sa vtkPolygonPLYReader

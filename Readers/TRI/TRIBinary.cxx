@@ -68,8 +68,8 @@ private:
   template <typename Visit>
   bool VisitTriangles(const Progress& progress, Visit&& visit);
   template <typename Array, typename Find>
-  vtkSmartPointer<Array> ReadArray(const Record& record, vtkIdType count, std::int64_t size, vtkIdType kept,
-    const Progress& progress, Find&& find) const;
+  vtkSmartPointer<Array> ReadArray(const Record& record, vtkIdType count, std::int64_t size,
+    vtkIdType kept, const Progress& progress, Find&& find) const;
   vtkSmartPointer<vtkDataArray> ReadReals(
     const Record& record, std::int64_t size, const Progress& progress) const;
 
@@ -94,7 +94,8 @@ bool BinaryReading::ReadRecord(Record& record, const char* what)
   }
   if (length < 0)
   {
-    this->Scanner.FailAt(place, ErrorKind::Unsupported, std::string("a record of at most 2147483647 bytes with ") + what,
+    this->Scanner.FailAt(place, ErrorKind::Unsupported,
+      std::string("a record of at most 2147483647 bytes with ") + what,
       "the length " + std::to_string(length));
     return false;
   }
@@ -108,7 +109,8 @@ bool BinaryReading::ReadRecord(Record& record, const char* what)
   if (last != length)
   {
     this->Scanner.FailAt(end, ErrorKind::Syntax,
-      "the length " + std::to_string(length) + " again at the end of the record with " + what, std::to_string(last));
+      "the length " + std::to_string(length) + " again at the end of the record with " + what,
+      std::to_string(last));
   }
   return !this->Scanner.HasFailed();
 }
@@ -128,8 +130,8 @@ bool BinaryReading::ReadCounts()
     counts[i] = Load<std::int32_t>(place, this->Scanner.IsSwapped());
     if (counts[i] < 0)
     {
-      this->Scanner.FailAt(place, ErrorKind::Count, "the numbers of vertices, triangles and scalars",
-        std::to_string(counts[i]));
+      this->Scanner.FailAt(place, ErrorKind::Count,
+        "the numbers of vertices, triangles and scalars", std::to_string(counts[i]));
       return false;
     }
   }
@@ -146,7 +148,8 @@ bool BinaryReading::FindRecords()
   {
     if (record.Size != size)
     {
-      this->Scanner.FailAt(record.Begin - Word, record.Size < size ? ErrorKind::Truncated : ErrorKind::Count,
+      this->Scanner.FailAt(record.Begin - Word,
+        record.Size < size ? ErrorKind::Truncated : ErrorKind::Count,
         "a record of " + std::to_string(size) + " bytes with " + what, std::to_string(record.Size));
     }
     return !this->Scanner.HasFailed();
@@ -157,7 +160,8 @@ bool BinaryReading::FindRecords()
     return false;
   }
   this->RealBytes = vertices > 0 && this->Coordinates.Size == 3 * 8 * vertices ? 8 : 4;
-  if (!wants(this->Coordinates, 3 * this->RealBytes * vertices, "the coordinates of the vertices") ||
+  if (!wants(
+        this->Coordinates, 3 * this->RealBytes * vertices, "the coordinates of the vertices") ||
     !this->ReadRecord(this->Corners, "the vertices of the triangles") ||
     !wants(this->Corners, 3 * Word * triangles, "the vertices of the triangles"))
   {
@@ -178,16 +182,19 @@ bool BinaryReading::FindRecords()
     {
       return false;
     }
-    const std::int64_t found = this->Values.Size % this->RealBytes == 0 ? this->Values.Size / this->RealBytes : -1;
+    const std::int64_t found =
+      this->Values.Size % this->RealBytes == 0 ? this->Values.Size / this->RealBytes : -1;
     this->ScalarSize = FindScalarSize(this->Scalars, vertices, found);
     return (this->ScalarSize > 0) ||
-      wants(this->Values, this->RealBytes * vertices * this->Scalars, "the scalars of the vertices");
+      wants(
+        this->Values, this->RealBytes * vertices * this->Scalars, "the scalars of the vertices");
   }
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(triangle, points), in any order and by any thread; false with the error, or if stopped.
+// Calls visit(triangle, points), in any order and by any thread; false with the error, or if
+// stopped.
 template <typename Visit>
 bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
 {
@@ -238,7 +245,7 @@ bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
 //------------------------------------------------------------------------------
 bool BinaryReading::ReadCells(const Progress& progress)
 {
-  CellPiece& piece = this->Mesh.Piece;
+  CellMeshPiece& piece = this->Mesh.Piece;
   CellMesh& cells = this->Mesh.Cells;
   if (this->Triangles == 0)
   {
@@ -251,7 +258,8 @@ bool BinaryReading::ReadCells(const Progress& progress)
     do
     {
       if (!this->VisitTriangles(progress.Part(0, 0.5),
-            [&](vtkIdType triangle, const std::int32_t* points) { piece.Show(triangle, points, 3); }))
+            [&](vtkIdType triangle, const std::int32_t* points)
+            { piece.Show(triangle, points, 3); }))
       {
         return false;
       }
@@ -272,8 +280,8 @@ bool BinaryReading::ReadCells(const Progress& progress)
 //------------------------------------------------------------------------------
 // Of @a count rows of a record those that the piece keeps, each where find(row) says.
 template <typename Array, typename Find>
-vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType count, std::int64_t size,
-  vtkIdType kept, const Progress& progress, Find&& find) const
+vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType count,
+  std::int64_t size, vtkIdType kept, const Progress& progress, Find&& find) const
 {
   using Value = typename Array::ValueType;
   Buffer<Value> values(kept * size);
@@ -287,7 +295,8 @@ vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType 
         const vtkIdType place = find(row);
         for (std::int64_t k = 0; k < size && place >= 0; ++k)
         {
-          values[place * size + k] = Load<Value>(record.Begin + (row * size + k) * valueBytes, swap);
+          values[place * size + k] =
+            Load<Value>(record.Begin + (row * size + k) * valueBytes, swap);
         }
       }
     });
@@ -298,13 +307,15 @@ vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType 
 vtkSmartPointer<vtkDataArray> BinaryReading::ReadReals(
   const Record& record, std::int64_t size, const Progress& progress) const
 {
-  const CellPiece& piece = this->Mesh.Piece;
+  const CellMeshPiece& piece = this->Mesh.Piece;
   const auto find = [&](vtkIdType vertex) { return piece.FindPoint(vertex); };
   if (this->RealBytes == 8)
   {
-    return this->ReadArray<vtkDoubleArray>(record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
+    return this->ReadArray<vtkDoubleArray>(
+      record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
   }
-  return this->ReadArray<vtkFloatArray>(record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
+  return this->ReadArray<vtkFloatArray>(
+    record, this->Vertices, size, piece.GetNumberOfPoints(), progress, find);
 }
 
 //------------------------------------------------------------------------------

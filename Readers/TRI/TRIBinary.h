@@ -7,9 +7,9 @@
 #ifndef camaron_TRIBinary_h
 #define camaron_TRIBinary_h
 
+#include "Base/Progress.h"
 #include "Scan/MappedFile.h"
 #include "Scan/PieceRequest.h"
-#include "Base/Progress.h"
 
 class vtkUnstructuredGrid;
 

@@ -18,8 +18,8 @@ std::int64_t FindScalarSize(std::int64_t scalars, std::int64_t vertices, std::in
 }
 
 //------------------------------------------------------------------------------
-void TRIMesh::Finish(const PieceRequest& request, bool hasMore, vtkUnstructuredGrid* grid, Warnings& warnings,
-  const Progress& progress)
+void TRIMesh::Finish(const PieceRequest& request, bool hasMore, vtkUnstructuredGrid* grid,
+  Warnings& warnings, const Progress& progress)
 {
   if (request.Piece == 0)
   {

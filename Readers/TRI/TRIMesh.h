@@ -7,7 +7,7 @@
 #ifndef camaron_TRIMesh_h
 #define camaron_TRIMesh_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 
 #include "vtkDataArray.h"    // for arrays
 #include "vtkSmartPointer.h" // for arrays
@@ -19,19 +19,20 @@ namespace camaron
 struct TRIMesh
 {
   CellMesh Cells;
-  CellPiece Piece;
+  CellMeshPiece Piece;
   vtkSmartPointer<vtkDataArray> Points;     ///< of the piece
   vtkSmartPointer<vtkDataArray> Components; ///< of cells of the piece, or none
   vtkSmartPointer<vtkDataArray> Scalars;    ///< of points of the piece, or none
 
-  /// Moves everything into an empty grid, and warns of what is odd, @a hasMore data after the end included.
-  void Finish(const PieceRequest& request, bool hasMore, vtkUnstructuredGrid* grid, Warnings& warnings,
-    const Progress& progress);
+  /// Moves everything into an empty grid, and warns of what is odd, @a hasMore data after the end
+  /// included.
+  void Finish(const PieceRequest& request, bool hasMore, vtkUnstructuredGrid* grid,
+    Warnings& warnings, const Progress& progress);
 };
 
 /**
- * How many scalars each vertex has, 0 if @a found numbers are none that the counts allow: the documentation of
- * Cart3D counts the pressure coefficient among them, but some programs do not.
+ * How many scalars each vertex has, 0 if @a found numbers are none that the counts allow: the
+ * documentation of Cart3D counts the pressure coefficient among them, but some programs do not.
  */
 std::int64_t FindScalarSize(std::int64_t scalars, std::int64_t vertices, std::int64_t found);
 }

@@ -25,7 +25,8 @@ constexpr int TriangleBytes = 6;
 constexpr int NumberBytes = 2; // a digit and a blank
 
 //------------------------------------------------------------------------------
-// The first line: the number of vertices, or, in files of Cart3D, of vertices and triangles, and of scalars of vertices.
+// The first line: the number of vertices, or, in files of Cart3D, of vertices and triangles, and of
+// scalars of vertices.
 struct Header
 {
   std::int64_t Vertices = 0;
@@ -45,7 +46,7 @@ bool ReadHeader(TextScanner& scanner, Header& header)
   }
   const char* const begin = scanner.GetPosition();
   TextScanner counts = scanner; // how many there can be is asked when it is known what they count
-  std::int64_t count = 0; // the last
+  std::int64_t count = 0;       // the last
   int numbers = 0;
   for (TextRow row(counts); row.HasMore() && numbers <= 3; ++numbers)
   {
@@ -58,7 +59,8 @@ bool ReadHeader(TextScanner& scanner, Header& header)
   if (numbers > 3 || counts.HasFailed() || (numbers == 3 && count < 1))
   {
     scanner.FailAt(begin, ErrorKind::NotThisFormat,
-      "a TRI file, whose first line is one number, or in files of Cart3D two, or three with scalars");
+      "a TRI file, whose first line is one number, or in files of Cart3D two, or three with "
+      "scalars");
     return false;
   }
   if (!scanner.ReadCount(header.Vertices, VertexBytes, "the number of vertices") ||
@@ -209,7 +211,8 @@ bool TRIReading::ReadComponents(
 }
 
 //------------------------------------------------------------------------------
-// So many per vertex, over any number of lines. Programs count them with or without the pressure coefficient.
+// So many per vertex, over any number of lines. Programs count them with or without the pressure
+// coefficient.
 bool TRIReading::ReadScalars(TextScanner& scanner, const Progress& progress)
 {
   constexpr char Scalar[] = "a scalar of a vertex";
@@ -229,9 +232,10 @@ bool TRIReading::ReadScalars(TextScanner& scanner, const Progress& progress)
   const std::int64_t size = FindScalarSize(this->Counts.Scalars, vertices, found);
   if (size == 0)
   {
-    scanner.FailAt(begin, found < vertices * this->Counts.Scalars ? ErrorKind::Truncated : ErrorKind::Count,
-      "the " + std::to_string(this->Counts.Scalars) + " scalars of each of the " + std::to_string(vertices) +
-        " vertices",
+    scanner.FailAt(begin,
+      found < vertices * this->Counts.Scalars ? ErrorKind::Truncated : ErrorKind::Count,
+      "the " + std::to_string(this->Counts.Scalars) + " scalars of each of the " +
+        std::to_string(vertices) + " vertices",
       std::to_string(found) + " numbers");
     return false;
   }
@@ -283,7 +287,8 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
   {
     return false;
   }
-  this->Mesh.Finish(this->Request, scanner.SkipSpace(), this->Grid, this->Messages, progress.Part(0.95, 1));
+  this->Mesh.Finish(
+    this->Request, scanner.SkipSpace(), this->Grid, this->Messages, progress.Part(0.95, 1));
   return !progress.IsStopped();
 }
 }

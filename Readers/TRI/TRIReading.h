@@ -22,8 +22,8 @@ namespace camaron
 bool IsTRI(const std::string& path);
 
 /**
- * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the same
- * grid.
+ * Reads a piece of a file into @a grid, which is emptied first. Any number of threads gives the
+ * same grid.
  * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
  * @return false with the error in @a error, or without one if stopped; the grid is empty then
  */

@@ -30,9 +30,9 @@ struct TRIOptions
 };
 
 /**
- * Writes a vtkUnstructuredGrid or vtkPolyData. Coordinates have the fewest digits that read back as the
- * same number of their type. Files of Cart3D have the components of triangles if the mesh has the cell
- * array "Component".
+ * Writes a vtkUnstructuredGrid or vtkPolyData. Coordinates have the fewest digits that read back as
+ * the same number of their type. Files of Cart3D have the components of triangles if the mesh has
+ * the cell array "Component".
  * @return false with the error in @a error, or without one if stopped; the file is as before then
  */
 bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& options,

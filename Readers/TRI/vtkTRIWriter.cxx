@@ -9,8 +9,8 @@
 vtkStandardNewMacro(vtkTRIWriter);
 
 //------------------------------------------------------------------------------
-bool vtkTRIWriter::WriteMesh(const std::string& path, vtkDataSet* mesh,
-  camaron::Warnings& warnings, camaron::ScanError& error, const camaron::Progress& progress)
+bool vtkTRIWriter::WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
+  camaron::ScanError& error, const camaron::Progress& progress)
 {
   const camaron::TRIOptions options = { static_cast<camaron::TRIDialect>(this->Dialect),
     this->GetOtherCells(), this->GetSurfaceFaces() };

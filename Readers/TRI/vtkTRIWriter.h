@@ -4,9 +4,9 @@
  * @class vtkTRIWriter
  * @brief Writes triangle meshes to TRI files of Camarón or Cart3D.
  *
- * See Readers/TRI/README.md. The format holds points and triangles; of 3D cells the surface is written,
- * other cells as UnsupportedCells says. Coordinates have the fewest digits that read back as the same
- * numbers.
+ * See Readers/TRI/README.md. The format holds points and triangles; of 3D cells the surface is
+ * written, other cells as UnsupportedCells says. Coordinates have the fewest digits that read back
+ * as the same numbers.
  *
  * @sa vtkTRIReader
  */

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TSReading.h"
 
+#include "Base/Text.h"
 #include "CellMesh/CellGrid.h"
 #include "CellMesh/PieceRows.h"
 #include "CellMesh/PointRows.h"
-#include "Base/CountOf.h"
 #include "Scan/ReadMappedFile.h"
 #include "TSurfReading.h"
 
@@ -90,7 +90,7 @@ private:
   PieceRequest Request;
   vtkUnstructuredGrid* Grid;
   Header Counts;
-  CellPiece Piece;
+  CellMeshPiece Piece;
   CellMesh Mesh;
 };
 

@@ -4,9 +4,9 @@
 
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
+#include "TSurfWriting.h"
 #include "Write/RealFormat.h"
 #include "Write/WriteRows.h"
-#include "TSurfWriting.h"
 
 #include "vtkCellType.h"
 

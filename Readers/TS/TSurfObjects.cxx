@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TSurfObjects.h"
 
+#include "Base/Text.h"
 #include "Scan/LineChunks.h"
-#include "Base/LowerCase.h"
 
 #include <algorithm>
 
@@ -237,7 +237,7 @@ const char* FindLine(const char* text, const char* end, std::string_view keyword
 {
   const std::string_view all(text, static_cast<std::size_t>(end - text));
   for (std::size_t at = all.find(keyword); at != std::string_view::npos;
-       at = all.find(keyword, at + 1))
+    at = all.find(keyword, at + 1))
   {
     const std::size_t next = at + keyword.size();
     if (IsFirstOfLine(all, at) && next < all.size() && IsBlank(all[next]))

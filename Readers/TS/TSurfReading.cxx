@@ -43,7 +43,7 @@ bool ReplaceLoneReturns(const MappedFile& file, std::string& copy)
 
 //------------------------------------------------------------------------------
 // Which object, and which face of it, a triangle belongs to.
-void AddParts(const TSurfRecords& records, const CellPiece& piece, vtkUnstructuredGrid* grid)
+void AddParts(const TSurfRecords& records, const CellMeshPiece& piece, vtkUnstructuredGrid* grid)
 {
   Buffer<int> parts(piece.GetNumberOfCells()), faces(piece.GetNumberOfCells());
   ParallelFor(records.GetNumberOfChunks(), 1,
@@ -82,7 +82,7 @@ void AddParts(const TSurfRecords& records, const CellPiece& piece, vtkUnstructur
 
 //------------------------------------------------------------------------------
 // What the file says of its objects, one value each.
-void AddTexts(const std::vector<TSurfObject>& objects, std::string TSurfObject::*text,
+void AddTexts(const std::vector<TSurfObject>& objects, std::string TSurfObject::* text,
   const char* name, vtkUnstructuredGrid* grid)
 {
   vtkNew<vtkStringArray> array;
@@ -120,7 +120,7 @@ bool Read(TextScanner& scanner, const PieceRequest& request, vtkUnstructuredGrid
   {
     mesh = MakeCloud(mesh.NumberOfPoints);
   }
-  CellPiece piece;
+  CellMeshPiece piece;
   if (!piece.Select(mesh, request, progress.Part(0.5, 0.55)))
   {
     return false;

@@ -151,8 +151,7 @@ bool TSurfRecords::ReadIds(CellMesh& mesh, const Progress& progress)
           {
             return true;
           }
-          if (what == TSurfLine::Triangle ? triangle == next.Triangles
-                                          : record == next.Records)
+          if (what == TSurfLine::Triangle ? triangle == next.Triangles : record == next.Records)
           {
             return false; // the file was changed since they were counted
           }
@@ -321,8 +320,7 @@ bool TSurfRecords::MapTriangles(CellMesh& mesh, const Progress& progress)
 void TSurfRecords::ExplainTriangle(const Chunk& chunk, vtkIdType triangle)
 {
   vtkIdType at = chunk.Triangles;
-  const char* const line = ForEachLine(chunk,
-    [&](TSurfLine what, TextRow&, const char*)
+  const char* const line = ForEachLine(chunk, [&](TSurfLine what, TextRow&, const char*)
     { return what != TSurfLine::Triangle || at++ != triangle; });
   this->Explain(line,
     [&](TSurfLine, TextRow& row)

@@ -11,8 +11,8 @@
 #ifndef camaron_TSurfRecords_h
 #define camaron_TSurfRecords_h
 
-#include "CellMesh/CellMesh.h"
 #include "Base/IdMap.h"
+#include "CellMesh/CellMesh.h"
 #include "Scan/LineChunks.h"
 #include "TSurfObjects.h"
 
@@ -147,8 +147,8 @@ private:
   const std::vector<TSurfObject>& Objects;
   std::vector<Chunk> Chunks;
   Buffer<std::int32_t> Ids;
-  Buffer<std::int32_t> Points;         ///< of records, if there are atoms
-  std::vector<IdMap> Maps; ///< of objects, from ids to their records; while these are read
+  Buffer<std::int32_t> Points; ///< of records, if there are atoms
+  std::vector<IdMap> Maps;     ///< of objects, from ids to their records; while these are read
   std::vector<vtkIdType> FirstRecords; ///< of objects, and one more
   std::atomic<bool> Plain{ true };
 };

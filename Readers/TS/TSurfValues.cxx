@@ -184,7 +184,7 @@ bool TSurfValues::ReadVertex(
 
 //------------------------------------------------------------------------------
 const char* TSurfValues::ReadChunk(
-  const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellPiece& piece)
+  const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellMeshPiece& piece)
 {
   const TSurfRecords::Chunk& next = *(&chunk + 1);
   vtkIdType record = chunk.Records, point = chunk.Points, shortRecords = 0, longRecords = 0;
@@ -224,7 +224,7 @@ const char* TSurfValues::ReadChunk(
 
 //------------------------------------------------------------------------------
 // One by one, as several may be of the same vertex. They give it values that it does not have.
-void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellPiece& piece)
+void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellMeshPiece& piece)
 {
   for (const TSurfRecords::Chunk& chunk : records.GetChunks())
   {
@@ -258,7 +258,7 @@ void TSurfValues::ReadAtoms(const TSurfRecords& records, const CellPiece& piece)
 }
 
 //------------------------------------------------------------------------------
-bool TSurfValues::Read(TSurfRecords& records, const CellPiece& piece, const Progress& progress)
+bool TSurfValues::Read(TSurfRecords& records, const CellMeshPiece& piece, const Progress& progress)
 {
   const vtkIdType points = piece.GetNumberOfPoints();
   if (!this->MakeArrays(records, points))

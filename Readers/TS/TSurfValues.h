@@ -9,7 +9,7 @@
 #ifndef camaron_TSurfValues_h
 #define camaron_TSurfValues_h
 
-#include "CellMesh/CellPiece.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "TSurfRecords.h"
 
 class vtkDataArray;
@@ -28,7 +28,7 @@ public:
   }
 
   /// False with the error in the scanner, or if stopped.
-  bool Read(TSurfRecords& records, const CellPiece& piece, const Progress& progress);
+  bool Read(TSurfRecords& records, const CellMeshPiece& piece, const Progress& progress);
 
   void Warn(Warnings& warnings) const;
   ///@{
@@ -46,7 +46,8 @@ private:
   };
 
   bool MakeArrays(const TSurfRecords& records, vtkIdType numberOfPoints);
-  // An array of that name and size, which objects share, but none that this object has used already.
+  // An array of that name and size, which objects share, but none that this object has used
+  // already.
   std::size_t FindArray(const TSurfProperty& property, const std::vector<std::size_t>& used);
   /// Whether a record has as many values as there are properties.
   enum class Fit
@@ -59,8 +60,8 @@ private:
   bool ReadProperties(TextRow& row, std::size_t object, Fit& fit, Take&& take) const;
   bool ReadVertex(TextRow& row, TSurfLine what, std::size_t object, vtkIdType point, Fit& fit);
   const char* ReadChunk(
-    const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellPiece& piece);
-  void ReadAtoms(const TSurfRecords& records, const CellPiece& piece);
+    const TSurfRecords& records, const TSurfRecords::Chunk& chunk, const CellMeshPiece& piece);
+  void ReadAtoms(const TSurfRecords& records, const CellMeshPiece& piece);
 
   TextScanner& Scanner;
   const std::vector<TSurfObject>& Objects;

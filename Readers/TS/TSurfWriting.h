@@ -12,10 +12,10 @@
 #ifndef camaron_TSurfWriting_h
 #define camaron_TSurfWriting_h
 
+#include "Base/Progress.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "Write/OutputFile.h"
-#include "Base/Progress.h"
 
 #include <string> // for names
 #include <vector> // for objects

@@ -57,7 +57,10 @@ public:
     return std::any_of(this->Attributes.begin(), this->Attributes.end(),
       [tuple](const Column& column) { return column.HasValue(tuple); });
   }
-  bool HasMarker(vtkIdType tuple) const { return this->HasMarkers() && this->Marker.HasValue(tuple); }
+  bool HasMarker(vtkIdType tuple) const
+  {
+    return this->HasMarkers() && this->Marker.HasValue(tuple);
+  }
   ///@}
 
   /// Adds the names of arrays that are written.

@@ -30,7 +30,7 @@ public:
 
   /// Points, each of which is a cell.
   bool ReadCloud(const MappedFile& nodes, const Progress& progress);
-  /// Cells of one kind, and their neighbours if that file is given.
+  /// Cells of one kind, and their neighbors if that file is given.
   bool ReadTable(const MappedFile& cells, TetGenKind kind, const MappedFile& nodes,
     const MappedFile* neighbors, const Progress& progress);
   /// Facets, or segments in two dimensions; @a nodes may be the same file.
@@ -60,7 +60,7 @@ private:
   ScanError& Error;
   TetGenNodes Nodes;
   TetGenNeighbors Neighbors;
-  CellPiece Piece;
+  CellMeshPiece Piece;
   std::ptrdiff_t EndOfNodes = 0; ///< in their file
   std::string More;              ///< sentence about data after the end
 };

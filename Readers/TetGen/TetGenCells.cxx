@@ -299,7 +299,7 @@ bool TetGenCells::ReadHeaderAndColumns(
 
 //------------------------------------------------------------------------------
 bool TetGenCells::Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
-  const PieceRequest& request, CellPiece& piece, const Progress& progress, ErrorKind notThis)
+  const PieceRequest& request, CellMeshPiece& piece, const Progress& progress, ErrorKind notThis)
 {
   if (!this->ReadHeaderAndColumns(scanner, nodes, notThis))
   {

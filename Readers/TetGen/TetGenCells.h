@@ -45,7 +45,7 @@ public:
   }
   /// Reads the table from its header to its end, of which the piece is found.
   bool Read(TextScanner& scanner, const TextLines* lines, const TetGenNodes& nodes,
-    const PieceRequest& request, CellPiece& piece, const Progress& progress,
+    const PieceRequest& request, CellMeshPiece& piece, const Progress& progress,
     ErrorKind notThis = ErrorKind::NotThisFormat);
 
   int GetNumberOfCorners() const { return this->Table.Corners; }

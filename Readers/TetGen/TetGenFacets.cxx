@@ -244,7 +244,7 @@ bool TetGenFacets::ReadHole(TextScanner& scanner, vtkIdType facet)
 }
 
 //------------------------------------------------------------------------------
-void TetGenFacets::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+void TetGenFacets::AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece)
 {
   const vtkIdType size = piece.GetNumberOfCells();
   Buffer<std::int32_t> facets(size), markers(this->HasMarkers ? size : 0);

@@ -26,7 +26,7 @@ public:
 
   CellMesh& GetMesh() { return this->Mesh; }
   /// Adds "Facet" and, if there are markers, "BoundaryMarker".
-  void AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece);
+  void AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece);
   /// Adds "FacetHoles" and "FacetOfHole" if there are holes in facets.
   void AddFields(vtkFieldData* fields) const;
   void Warn(Warnings& warnings) const;

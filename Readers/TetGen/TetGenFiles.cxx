@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TetGenFiles.h"
 
-#include "Base/LowerCase.h"
+#include "Base/Text.h"
 
 #include <filesystem>
 

@@ -21,7 +21,7 @@ enum class TetGenKind
   Ele,   ///< tetrahedra or triangles
   Face,  ///< triangles
   Edge,  ///< line segments
-  Neigh, ///< neighbours of elements
+  Neigh, ///< neighbors of elements
   Poly,  ///< facets, or segments in two dimensions
   Smesh, ///< facets of one polygon each
   None   ///< not one of these files

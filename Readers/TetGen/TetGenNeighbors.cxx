@@ -47,7 +47,7 @@ bool TetGenNeighbors::ReadHeader(TextScanner& scanner, Header& header)
 
 //------------------------------------------------------------------------------
 bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
-  const CellPiece& piece, bool all, const IdMap& ids, const Progress& progress)
+  const CellMeshPiece& piece, bool all, const IdMap& ids, const Progress& progress)
 {
   Header header;
   const char* const begin = scanner.GetPosition();
@@ -57,7 +57,8 @@ bool TetGenNeighbors::Read(TextScanner& scanner, const TextLines* lines, const T
   }
   if (header.Corners != cells.GetNumberOfCorners() || header.Count != cells.GetCount())
   {
-    const auto describe = [](std::int64_t count, int corners) {
+    const auto describe = [](std::int64_t count, int corners)
+    {
       return std::to_string(corners) + " neighbors each of " + std::to_string(count) + " elements";
     };
     scanner.FailAt(begin, ErrorKind::Count,
@@ -168,7 +169,7 @@ void TetGenNeighbors::Check(
 }
 
 //------------------------------------------------------------------------------
-void TetGenNeighbors::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+void TetGenNeighbors::AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece)
 {
   const int corners = this->Corners;
   const vtkIdType cells = this->Neighbors.size() / corners;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::TetGenNeighbors
- * @brief The neighbours of elements, from a .neigh file.
+ * @brief The neighbors of elements, from a .neigh file.
  */
 #ifndef camaron_TetGenNeighbors_h
 #define camaron_TetGenNeighbors_h
@@ -22,20 +22,20 @@ public:
   static bool ReadHeader(TextScanner& scanner, Header& header);
 
   /**
-   * Reads the neighbours of the elements of a piece, or of all to check them.
+   * Reads the neighbors of the elements of a piece, or of all to check them.
    * @param ids finds an element by its id
    */
   bool Read(TextScanner& scanner, const TextLines* lines, const TetGenCells& cells,
-    const CellPiece& piece, bool all, const IdMap& ids, const Progress& progress);
+    const CellMeshPiece& piece, bool all, const IdMap& ids, const Progress& progress);
 
   /**
-   * Warns of elements that are no neighbour of a neighbour, or do not share with a neighbour the
+   * Warns of elements that are no neighbor of a neighbor, or do not share with a neighbor the
    * side that is opposite of the corner.
    */
   void Check(const CellMesh& mesh, Warnings& warnings, const Progress& progress) const;
 
   /// Adds "Neighbors", positions of elements in the whole mesh, -1 where there is none.
-  void AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece);
+  void AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece);
 
 private:
   int Corners = 4;

@@ -121,7 +121,8 @@ bool TetGenNodes::Read(
   const char* const rows = scanner.GetPosition();
   if (!ReadRows(
         scanner, lines, count, progress,
-        [&](vtkIdType i, TextRow& row) {
+        [&](vtkIdType i, TextRow& row)
+        {
           return ReadTetGenId(row, this->Ids[i], Id) && (!whole || this->ReadValuesOf(row, i, i));
         },
         RowLayout::OneLine))
@@ -133,8 +134,8 @@ bool TetGenNodes::Read(
 }
 
 //------------------------------------------------------------------------------
-bool TetGenNodes::ReadValues(
-  TextScanner& scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress)
+bool TetGenNodes::ReadValues(TextScanner& scanner, const TextLines* lines,
+  const CellMeshPiece& piece, const Progress& progress)
 {
   Header header;
   if (!ReadHeader(scanner, header))
@@ -215,7 +216,7 @@ vtkSmartPointer<vtkDataArray> TetGenNodes::TakePoints()
 }
 
 //------------------------------------------------------------------------------
-void TetGenNodes::AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece)
+void TetGenNodes::AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece)
 {
   this->Columns.AddTo(grid->GetPointData());
   AddTetGenIds(grid->GetPointData(), "OriginalPointId", this->Ids, piece.GetNumberOfPoints(),

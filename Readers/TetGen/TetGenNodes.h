@@ -34,8 +34,8 @@ public:
   /// Reads the table from its header to its end; with all values if @a whole, else ids only.
   bool Read(TextScanner& scanner, const TextLines* lines, bool whole, const Progress& progress);
   /// Reads the values of the points of a piece, the scanner being at the header.
-  bool ReadValues(
-    TextScanner& scanner, const TextLines* lines, const CellPiece& piece, const Progress& progress);
+  bool ReadValues(TextScanner& scanner, const TextLines* lines, const CellMeshPiece& piece,
+    const Progress& progress);
 
   vtkIdType GetCount() const { return this->Ids.size(); }
   int GetDimension() const { return this->Table.Dimension; }
@@ -66,7 +66,7 @@ public:
   /// Makes points of the coordinates, which are gone then.
   vtkSmartPointer<vtkDataArray> TakePoints();
   /// Adds "attr_i", "BoundaryMarker", and "OriginalPointId" unless ids count from 0.
-  void AddArrays(vtkUnstructuredGrid* grid, const CellPiece& piece);
+  void AddArrays(vtkUnstructuredGrid* grid, const CellMeshPiece& piece);
   void Warn(Warnings& warnings) const { this->Columns.Warn(warnings, "node", "nodes"); }
 
 private:

@@ -20,7 +20,8 @@ bool ReadFiles(const MappedFile& file, MappedFile& nodes, MappedFile& elements,
   {
     error = { ErrorKind::Unsupported,
       file.GetName() +
-        ": expected a mesh, found a part of a Voronoi diagram of TetGen; of its files only .v.node, "
+        ": expected a mesh, found a part of a Voronoi diagram of TetGen; of its files only "
+        ".v.node, "
         "its points, is read" };
     return false;
   }

@@ -7,8 +7,8 @@
 #ifndef camaron_TetGenRows_h
 #define camaron_TetGenRows_h
 
-#include "CellMesh/CellPiece.h"
 #include "Base/IdSet.h"
+#include "CellMesh/CellMeshPiece.h"
 #include "Scan/TextRows.h"
 
 #include <atomic> // for what threads find

@@ -6,11 +6,11 @@
 #include "CellMesh/OutputWarnings.h"
 #include "Mesh/BoundarySurface.h"
 #include "Mesh/CellShape.h"
-#include "Write/RealFormat.h"
-#include "Write/WriteRows.h"
 #include "TetGenArrays.h"
 #include "TetGenFiles.h"
 #include "TetGenMidpoints.h"
+#include "Write/RealFormat.h"
+#include "Write/WriteRows.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -311,7 +311,8 @@ bool TetGenWriting::Write(const std::string& path, ScanError& error, const Progr
 }
 
 //------------------------------------------------------------------------------
-// Where triangles stand beside tetrahedra, a file of elements has no markers, and one of faces nothing else.
+// Where triangles stand beside tetrahedra, a file of elements has no markers, and one of faces
+// nothing else.
 void TetGenWriting::WarnOfLostValues(Warnings& warnings) const
 {
   const auto count = [this](const CellList& list, auto&& isLost)
@@ -334,7 +335,8 @@ void TetGenWriting::WarnOfLostValues(Warnings& warnings) const
   const Tally tetrahedra =
     count(this->Elements, [this](vtkIdType cell) { return this->CellArrays.HasMarker(cell); });
   warnings.Add(triangles, "cell", "cells",
-    "written as a face, with other values than a BoundaryMarker, which faces of TetGen cannot have", FromZero);
+    "written as a face, with other values than a BoundaryMarker, which faces of TetGen cannot have",
+    FromZero);
   warnings.Add(tetrahedra, "cell", "cells",
     "written as an element, with a BoundaryMarker, which elements of TetGen cannot have", FromZero);
 }

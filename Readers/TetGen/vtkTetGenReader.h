@@ -5,7 +5,7 @@
  * @brief Reads meshes from files of TetGen and Triangle.
  *
  * A mesh is several text files of one name: .node (points), .ele (tetrahedra or triangles), .face
- * (triangles), .edge (line segments), .neigh (neighbours), and .poly or .smesh (facets, holes and
+ * (triangles), .edge (line segments), .neigh (neighbors), and .poly or .smesh (facets, holes and
  * regions of the domain). Any of them may be given, the others that it needs are found beside it.
  * See Readers/TetGen/README.md.
  *

@@ -4,7 +4,7 @@
 
 #include "FaceMesh/GridBuilder.h"
 #include "Scan/ReadMappedFile.h"
-#include "Scan/TextTable.h"
+#include "Scan/TextRows.h"
 
 #include "vtkUnstructuredGrid.h"
 
@@ -120,8 +120,8 @@ bool VisfReading::Read(Content& content, const Progress& progress) const
   {
     TextScanner scanner(this->File.GetName(), this->File.begin(), this->File.end());
     scanner.SkipSpace();
-    scanner.FailAt(scanner.GetPosition(), ErrorKind::NotThisFormat,
-      "a Visf file, which begins with 0, 1 or 2");
+    scanner.FailAt(
+      scanner.GetPosition(), ErrorKind::NotThisFormat, "a Visf file, which begins with 0, 1 or 2");
     content.Error = scanner.GetError();
     return false;
   }
@@ -129,16 +129,16 @@ bool VisfReading::Read(Content& content, const Progress& progress) const
   {
     return this->ReadText(content, progress);
   }
-  // The way that uses up the file wins, then the first that finds no fault, then the first that finds
-  // a type.
+  // The way that uses up the file wins, then the first that finds no fault, then the first that
+  // finds a type.
   bool good = false;
   for (const Header& header : headers)
   {
     Content other;
     const bool otherIsGood = this->ReadBinary(header, other, progress);
     const bool isFirst = &header == &headers.front();
-    const bool isBetter = otherIsGood ? !good || !other.HasTrailingData
-                                      : !good && content.Type < 0 && other.Type >= 0;
+    const bool isBetter =
+      otherIsGood ? !good || !other.HasTrailingData : !good && content.Type < 0 && other.Type >= 0;
     if (isFirst || isBetter)
     {
       content = std::move(other);
@@ -173,8 +173,7 @@ void VisfReading::Expect(Content& content, vtkIdType points, vtkIdType faces) co
 }
 
 //------------------------------------------------------------------------------
-bool VisfReading::ReadBinary(
-  const Header& header, Content& content, const Progress& progress) const
+bool VisfReading::ReadBinary(const Header& header, Content& content, const Progress& progress) const
 {
   BinaryScanner scanner(this->File.GetName(), this->File.begin(), this->File.end(), header.Order);
   scanner.SetPosition(header.Body);
@@ -215,14 +214,14 @@ bool VisfReading::ReadBinary(
     if (faces > 0)
     {
       const char* const flagPlace = scanner.GetPosition();
-      if (scanner.ReadInteger(flag, "the flag for neighbours") && (flag < 0 || flag > 1))
+      if (scanner.ReadInteger(flag, "the flag for neighbors") && (flag < 0 || flag > 1))
       {
         scanner.FailAt(
-          flagPlace, ErrorKind::Syntax, "the flag for neighbours, 0 or 1", std::to_string(flag));
+          flagPlace, ErrorKind::Syntax, "the flag for neighbors, 0 or 1", std::to_string(flag));
       }
       IdLists neighbors;
       IdLists::Expectation expected;
-      expected.List = "list of neighbours";
+      expected.List = "list of neighbors";
       expected.Id = "polygon";
       expected.Limit = faces;
       expected.AccessAll = false;
@@ -271,7 +270,10 @@ bool VisfReading::ReadTextPoints(
   FaceMesh& mesh = content.Mesh;
   const TextLines* const lines = content.Lines.get();
   const auto readRow = [](TextRow& text, float x[3])
-  { return text.ReadReal(x[0], Coordinate) && text.ReadReal(x[1], Coordinate) && text.ReadReal(x[2], Coordinate); };
+  {
+    return text.ReadReal(x[0], Coordinate) && text.ReadReal(x[1], Coordinate) &&
+      text.ReadReal(x[2], Coordinate);
+  };
   if (this->InPieces && lines)
   {
     TextScanner attempt = scanner;
@@ -290,7 +292,9 @@ bool VisfReading::ReadTextPoints(
         TextScanner again = start;
         return ReadRowsOnce(again, lines, points, part,
           [&](vtkIdType row, TextRow& text)
-          { return !wanted.Contains(row) || readRow(text, coordinates + 3 * wanted.GetNumber(row)); });
+          {
+            return !wanted.Contains(row) || readRow(text, coordinates + 3 * wanted.GetNumber(row));
+          });
       };
       scanner = attempt;
       return true;
@@ -311,7 +315,8 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
   const auto read = [&]
   {
     std::int64_t encoding = 0, type = 0, points = 0, faces = 0;
-    if (!scanner.ReadInteger(encoding, 2, 2, ErrorKind::NotThisFormat, "the encoding of Visf text") ||
+    if (!scanner.ReadInteger(
+          encoding, 2, 2, ErrorKind::NotThisFormat, "the encoding of Visf text") ||
       !scanner.ReadInteger(type, 0, 2, ErrorKind::NotThisFormat, "a type of Visf mesh"))
     {
       return false;
@@ -329,7 +334,8 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
     {
       lines.reset(new TextLines(scanner, progress.Part(0, 0.1), this->Chunk));
     }
-    if (progress.IsStopped() || !this->ReadTextPoints(scanner, points, content, progress.Part(0.1, 0.4)))
+    if (progress.IsStopped() ||
+      !this->ReadTextPoints(scanner, points, content, progress.Part(0.1, 0.4)))
     {
       return false;
     }
@@ -343,8 +349,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
     }
     scanner.SkipLine();
     this->Expect(content, points, faces);
-    if (!mesh.Faces.Scan(
-          scanner, lines.get(), faces, true, content.Faces, progress.Part(0.4, 0.7)))
+    if (!mesh.Faces.Scan(scanner, lines.get(), faces, true, content.Faces, progress.Part(0.4, 0.7)))
     {
       return false;
     }
@@ -354,12 +359,12 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       if (faces > 0 && content.Type == 2)
       {
         scanner.FailAt(
-          scanner.GetEnd(), ErrorKind::Truncated, "the flag for neighbours and the polyhedra");
+          scanner.GetEnd(), ErrorKind::Truncated, "the flag for neighbors and the polyhedra");
       }
       return !scanner.HasFailed();
     }
 
-    // With the flag for neighbours, or as some write it, without. What uses up the file wins.
+    // With the flag for neighbors, or as some write it, without. What uses up the file wins.
     TextScanner flagless = scanner;
     if (faces > 0)
     {
@@ -374,7 +379,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       this->Expect(other, points, faces);
       const bool otherIsGood =
         this->ReadTextTail(flagless, lines.get(), false, other, progress.Part(0.7, 1));
-      // Neighbours cut off after the first few look like a polyhedron of too few polygons.
+      // Neighbors cut off after the first few look like a polyhedron of too few polygons.
       const bool otherFits = otherIsGood && !other.HasTrailingData &&
         other.Cells.Empty.Count + other.Cells.Short.Count == 0;
       if (!mayBeCount && !otherFits)
@@ -390,7 +395,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       {
         content.WrongFlag = "the " + std::to_string(flag) +
           " after the polygons is taken for the number of polyhedra, as it is no flag for "
-          "neighbours, 0 or 1";
+          "neighbors, 0 or 1";
         scanner.AddToError(" (" + content.WrongFlag + ")");
       }
       return otherIsGood;
@@ -411,19 +416,18 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
   if (withFlag)
   {
     std::int64_t flag = 0;
-    if (!scanner.ReadInteger(flag, 0, 1, ErrorKind::Syntax, "the flag for neighbours"))
+    if (!scanner.ReadInteger(flag, 0, 1, ErrorKind::Syntax, "the flag for neighbors"))
     {
       return false;
     }
     scanner.SkipLine();
     IdLists neighbors;
     IdLists::Expectation expected;
-    expected.List = "list of neighbours";
+    expected.List = "list of neighbors";
     expected.Id = "polygon";
     expected.Limit = faces;
     expected.AccessAll = false;
-    if (flag == 1 &&
-      !neighbors.Scan(scanner, lines, faces, false, expected, progress.Part(0, 0.3)))
+    if (flag == 1 && !neighbors.Scan(scanner, lines, faces, false, expected, progress.Part(0, 0.3)))
     {
       return false;
     }
@@ -465,7 +469,9 @@ void Warn(const Content& content, Warnings& warnings)
   warnings.Add(
     content.Faces.Repeating, "polygon", "polygons", "with the same vertex more than once");
   warnings.Add(content.Cells.Empty, "polyhedron", "polyhedra", "without polygons");
-  const int type = content.Mesh.Cells.GetCount() > 0 ? 2 : content.Mesh.Faces.GetCount() > 0 ? 1 : 0;
+  const int type = content.Mesh.Cells.GetCount() > 0 ? 2
+    : content.Mesh.Faces.GetCount() > 0              ? 1
+                                                     : 0;
   if (type != content.Type && content.Mesh.Points.Count > 0)
   {
     warnings.Add(std::string("the header promises ") + DescribeType(content.Type) +
@@ -473,7 +479,7 @@ void Warn(const Content& content, Warnings& warnings)
   }
   if (!content.HasFlag)
   {
-    warnings.Add("the flag for neighbours is missing at the end of the file");
+    warnings.Add("the flag for neighbors is missing at the end of the file");
   }
   if (content.HasTrailingData)
   {

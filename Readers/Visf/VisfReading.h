@@ -4,7 +4,7 @@
  * @file VisfReading.h
  * @brief Reads Visf mesh files of every known dialect.
  *
- * See Readers/Visf/README.md for the format. All of it is read; the lists of neighbours are
+ * See Readers/Visf/README.md for the format. All of it is read; the lists of neighbors are
  * checked and then dropped, as they follow from the polygons.
  */
 #ifndef camaron_VisfReading_h
@@ -22,8 +22,8 @@ namespace camaron
 bool IsVisf(const std::string& path);
 
 /**
- * Reads a piece of a file into @a grid, which is emptied first; see BuildGrid for what becomes of it.
- * Any number of threads gives the same grid.
+ * Reads a piece of a file into @a grid, which is emptied first; see BuildGrid for what becomes of
+ * it. Any number of threads gives the same grid.
  * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
  * @return false with the error in @a error, or without one if stopped; the grid is empty then
  */

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VisfWriting.h"
 
-#include "CellMesh/OutputWarnings.h"
-#include "FaceMesh/SharedFaces.h"
 #include "Base/Buffer.h"
 #include "Base/Bytes.h"
-#include "Scan/MappedFile.h"
 #include "Base/Number.h"
-#include "Write/WriteChunks.h"
+#include "CellMesh/OutputWarnings.h"
+#include "FaceMesh/SharedFaces.h"
+#include "Scan/MappedFile.h"
+#include "Write/WriteRows.h"
 
 #include "vtkDataSet.h"
 
@@ -36,10 +36,7 @@ public:
     }
   }
 
-  int GetType() const
-  {
-    return this->Polyhedra.Count > 0 ? 2 : this->Polygons.Count > 0 ? 1 : 0;
-  }
+  int GetType() const { return this->Polyhedra.Count > 0 ? 2 : this->Polygons.Count > 0 ? 1 : 0; }
 
 private:
   bool IsCloud(Warnings& warnings) const;
@@ -85,7 +82,8 @@ bool VisfLists::IsCloud(Warnings& warnings) const
     return true;
   }
   warnings.Add(higherOrder, "cell", "cells", "of higher order, written by the corners");
-  warnings.Add(small, "cell", "cells", "of points or lines, written as polygons of one or two vertices");
+  warnings.Add(
+    small, "cell", "cells", "of points or lines, written as polygons of one or two vertices");
   warnings.Add(empty, "cell", "cells", "of too few points for their type, left out");
   warnings.Add(others, "cell", "cells", "of types that Visf cannot hold, left out");
   return false;
@@ -155,8 +153,8 @@ WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
           words.push_back(0);
           for (std::size_t i = 1; i < candidates.size(); ++i)
           {
-            const bool isSecond = candidates[i] == candidates[i - 1] &&
-              (i < 2 || candidates[i] != candidates[i - 2]);
+            const bool isSecond =
+              candidates[i] == candidates[i - 1] && (i < 2 || candidates[i] != candidates[i - 2]);
             if (isSecond && candidates[i] != polygon)
             {
               words.push_back(candidates[i]);
@@ -176,8 +174,8 @@ WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
   neighbors.Words = Buffer<std::int32_t>(neighbors.Starts.back());
   for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk)
   {
-    std::copy(chunks[chunk].begin(), chunks[chunk].end(),
-      neighbors.Words.data() + neighbors.Starts[chunk]);
+    std::copy(
+      chunks[chunk].begin(), chunks[chunk].end(), neighbors.Words.data() + neighbors.Starts[chunk]);
   }
   return neighbors;
 }

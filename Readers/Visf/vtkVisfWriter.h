@@ -5,10 +5,10 @@
  * @brief Writes polygonal and polyhedral meshes to Visf files.
  *
  * Visf is the format of Camarón; see Readers/Visf/README.md. It holds points in single
- * precision, polygons and polyhedra, and no arrays. Faces that two cells share are written once, in the
- * direction of the first. What the reader makes of the file is the same mesh, except that a polyhedron
- * with the faces of a tetrahedron, pyramid, wedge or hexahedron becomes one, that cells given inside
- * out are turned, and that 2D cells come after 3D ones.
+ * precision, polygons and polyhedra, and no arrays. Faces that two cells share are written once, in
+ * the direction of the first. What the reader makes of the file is the same mesh, except that a
+ * polyhedron with the faces of a tetrahedron, pyramid, wedge or hexahedron becomes one, that cells
+ * given inside out are turned, and that 2D cells come after 3D ones.
  *
  * @sa vtkVisfReader
  */
@@ -26,7 +26,7 @@ public:
 
   enum EncodingType
   {
-    ASCII = 0,               ///< version 0.3, text
+    ASCII = 0,                ///< version 0.3, text
     BINARY_LITTLE_ENDIAN = 1, ///< version 0.3
     BINARY_BIG_ENDIAN = 2,    ///< version 0.3
     BINARY_VERSION_02 = 3     ///< version 0.2, little endian, which all releases of Camarón open
@@ -42,8 +42,8 @@ public:
 
   ///@{
   /**
-   * Whether to write for every polygon the polygons that share two or more vertices with it. Readers
-   * find these themselves if need be; the file gets about twice as large. Default: off.
+   * Whether to write for every polygon the polygons that share two or more vertices with it.
+   * Readers find these themselves if need be; the file gets about twice as large. Default: off.
    */
   vtkSetMacro(WriteNeighbors, bool);
   vtkGetMacro(WriteNeighbors, bool);

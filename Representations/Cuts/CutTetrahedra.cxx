@@ -20,7 +20,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A linear function at the middle of a box, and how much it changes at most from there to its corners.
+// A linear function at the middle of a box, and how much it changes at most from there to its
+// corners.
 struct Linear
 {
   Linear(const double* row, const std::array<double, 6>& box)
@@ -37,7 +38,8 @@ struct Linear
 };
 
 //------------------------------------------------------------------------------
-// False if the box is certainly on one side. Shaders are less exact: what they may see from another side counts.
+// False if the box is certainly on one side. Shaders are less exact: what they may see from another
+// side counts.
 bool MayCross(const ConvexShape& shape, const std::array<double, 6>& box)
 {
   constexpr double Slack = 1 + 1e-3;
@@ -108,8 +110,7 @@ bool CutTetrahedra::Update(InspectionMesh& mesh, const InspectionStyle& style)
   this->NumberOfTetrahedra = this->Program.RunToEnd(this->Table,
     [&]
     {
-      this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(),
-        [&](std::size_t block)
+      this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(), [&](std::size_t block)
         { return request.CellsMove || MayCross(style.ExactShape, this->BlockBounds[block]); });
     });
   this->Last = request;

@@ -4,8 +4,8 @@
  * @class camaron::CutTetrahedra
  * @brief Finds the tetrahedra that the boundary of a shape crosses, on the graphics card.
  *
- * Blocks of cells that lie on one side are left out. Runs only when the mesh, the choice of cells or the shape
- * changed; the camera does not matter.
+ * Blocks of cells that lie on one side are left out. Runs only when the mesh, the choice of cells
+ * or the shape changed; the camera does not matter.
  */
 #ifndef camaron_CutTetrahedra_h
 #define camaron_CutTetrahedra_h
@@ -26,7 +26,8 @@ class CutTetrahedra
 {
 public:
   /**
-   * Brings the list up to date. Needs the context current and no program in use; changes texture units.
+   * Brings the list up to date. Needs the context current and no program in use; changes texture
+   * units.
    * @return false when the graphics card refuses; GetError says why
    */
   bool Update(InspectionMesh& mesh, const InspectionStyle& style);

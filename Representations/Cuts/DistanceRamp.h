@@ -14,8 +14,9 @@ class vtkMatrix4x4;
 namespace camaron
 {
 /**
- * Coefficients (a, b, c, d) for which a x + b y + c z + d is 0 at the low end of the range and 1 at the high one, of
- * points relative to @a middle. Without a custom range, the ends are those of @a bounds.
+ * Coefficients (a, b, c, d) for which a x + b y + c z + d is 0 at the low end of the range and 1 at
+ * the high one, of points relative to @a middle. Without a custom range, the ends are those of @a
+ * bounds.
  * @param toView takes the coordinates of the mesh to those of the camera, which looks along -z
  */
 std::array<double, 4> GetDistanceRamp(const InspectionStyle& style, const double bounds[6],

@@ -25,7 +25,8 @@ namespace
 constexpr int MaxPlanes = ConvexShape::MaxPlanes;
 
 //------------------------------------------------------------------------------
-// False for a normal without a direction. The length does not matter, but float must be able to hold it.
+// False for a normal without a direction. The length does not matter, but float must be able to
+// hold it.
 bool AddPlane(const double origin[3], const double normal[3], ConvexShape& shape)
 {
   const double length = std::hypot(normal[0], normal[1], normal[2]);
@@ -45,7 +46,8 @@ bool AddPlane(const double origin[3], const double normal[3], ConvexShape& shape
 }
 
 //------------------------------------------------------------------------------
-// What a plane evaluates has the offset and the axis of ParaView's, which its origin and normal have not.
+// What a plane evaluates has the offset and the axis of ParaView's, which its origin and normal
+// have not.
 bool AddPlane(vtkPlane* plane, ConvexShape& shape)
 {
   double origin[3];
@@ -120,7 +122,8 @@ std::string ConvertShape(vtkImplicitFunction* function, ConvexShape& shape)
   auto* halfSpaces = vtkHalfSpaces::SafeDownCast(function);
   if (halfSpaces && halfSpaces->GetNumberOfNumbers() % 6 != 0)
   {
-    return "Half Spaces: expected a multiple of 6 numbers, a point and a normal for each plane, found " +
+    return "Half Spaces: expected a multiple of 6 numbers, a point and a normal for each plane, "
+           "found " +
       std::to_string(halfSpaces->GetNumberOfNumbers()) + ".";
   }
   ConvexShape converted;
@@ -199,16 +202,17 @@ ConvexShape TransformShape(const ConvexShape& shape, vtkMatrix4x4* toShape)
 ConvexShape MakeExactShape(
   const ConvexShape& shape, bool keepInside, double size, const std::array<double, 6>& bounds)
 {
-  // Shaders have coordinates in float from the middle of the mesh, up to half its size, which are rounded by
-  // 2^-25 of the size, and heights over planes by a few times that: this is well above, and not even a hundredth
-  // of a pixel in a picture of the whole mesh. Files that have points in float round them more, far from 0.
+  // Shaders have coordinates in float from the middle of the mesh, up to half its size, which are
+  // rounded by 2^-25 of the size, and heights over planes by a few times that: this is well above,
+  // and not even a hundredth of a pixel in a picture of the whole mesh. Files that have points in
+  // float round them more, far from 0.
   const double hair = std::ldexp(size, -18);
   if (!(hair > 0) || !std::isfinite(hair))
   {
     return shape;
   }
   ConvexShape exact = shape;
-  exact.HairsBreadth = hair;
+  exact.FaceClearance = hair;
   for (std::array<double, 4>& plane : exact.Planes)
   {
     double height = plane[3], reach = 0;
@@ -232,8 +236,8 @@ ConvexShape MakeExactShape(
       }
     }
     const double growth = 1 + hair * std::sqrt(squares / 3);
-    std::transform(exact.ToUnitSphere.begin(), exact.ToUnitSphere.begin() + 12, exact.ToUnitSphere.begin(),
-      [growth](double x) { return x / growth; });
+    std::transform(exact.ToUnitSphere.begin(), exact.ToUnitSphere.begin() + 12,
+      exact.ToUnitSphere.begin(), [growth](double x) { return x / growth; });
   }
   return exact;
 }

@@ -10,7 +10,10 @@ ShapeUniforms::ShapeUniforms(const ConvexShape& shape, const std::array<double, 
   : NumberOfPlanes(std::min(static_cast<int>(shape.Planes.size()), ConvexShape::MaxPlanes))
 {
   const auto atMiddle = [&](const double* row)
-  { return static_cast<float>(row[3] + row[0] * middle[0] + row[1] * middle[1] + row[2] * middle[2]); };
+  {
+    return static_cast<float>(
+      row[3] + row[0] * middle[0] + row[1] * middle[1] + row[2] * middle[2]);
+  };
   for (int i = 0; i < this->NumberOfPlanes; ++i)
   {
     const double* plane = shape.Planes[i].data();

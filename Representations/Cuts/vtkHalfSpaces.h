@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkHalfSpaces
- * @brief vtkPlanes that are told one by one: the convex polyhedron, open or closed, that is behind all of them.
+ * @brief vtkPlanes that are told one by one: the convex polyhedron, open or closed, that is behind
+ * all of them.
  *
  * @sa vtkMeshInspectionRepresentation::SetCutShape
  */
@@ -20,7 +21,8 @@ public:
   vtkTypeMacro(vtkHalfSpaces, vtkPlanes);
 
   ///@{
-  /// Six numbers are a plane: a point of it and its normal, of any length, which points outward. Default: none.
+  /// Six numbers are a plane: a point of it and its normal, of any length, which points outward.
+  /// Default: none.
   void AddNumber(double number);
   void ClearNumbers();
   std::size_t GetNumberOfNumbers() const { return this->Numbers.size(); }

@@ -101,8 +101,8 @@ void FeedbackProgram::SetUniform(const char* name, float value) const
 void FeedbackProgram::SetShape(const ShapeUniforms& shape) const
 {
   this->SetUniform("numberOfPlanes", shape.NumberOfPlanes);
-  glUniform4fv(glGetUniformLocation(this->Program, "planes"), ConvexShape::MaxPlanes,
-    shape.Planes[0]);
+  glUniform4fv(
+    glGetUniformLocation(this->Program, "planes"), ConvexShape::MaxPlanes, shape.Planes[0]);
   glUniformMatrix4fv(
     glGetUniformLocation(this->Program, "toUnitSphere"), 1, GL_FALSE, shape.ToUnitSphere);
 }

@@ -5,8 +5,8 @@
  * @brief Shaders that compute rows of a table instead of pixels (transform feedback of OpenGL 3.2).
  *
  * VTK's vtkTransformFeedback knows no integer outputs and has its shaders compiled anew for every
- * buffer. All methods need the context of the window current, and none of VTK's programs in use (see
- * vtkOpenGLShaderCache::ReleaseCurrentShader).
+ * buffer. All methods need the context of the window current, and none of VTK's programs in use
+ * (see vtkOpenGLShaderCache::ReleaseCurrentShader).
  */
 #ifndef camaron_FeedbackProgram_h
 #define camaron_FeedbackProgram_h
@@ -48,18 +48,20 @@ public:
   void SetTable(const char* name, const TextureBuffer& table, int unit) const;
 
   /**
-   * Runs the vertex shader for @a numberOfPoints points and writes to the rows of @a output, as many as it
-   * has at most.
+   * Runs the vertex shader for @a numberOfPoints points and writes to the rows of @a output, as
+   * many as it has at most.
    * @return the number of rows written
    */
   std::size_t Run(std::size_t numberOfPoints, TextureBuffer& output) const;
 
   /**
-   * The same for all points that @a draw draws, which calls DrawBlocks and may set uniforms between. When
+   * The same for all points that @a draw draws, which calls DrawBlocks and may set uniforms
+   * between. When
    * @a output has no room for all rows it gets more, and @a draw is called once more.
    */
   std::size_t RunToEnd(TextureBuffer& output, const std::function<void()>& draw) const;
-  /// @param starts where the points of each block begin, and the end; those of wanted neighbours are drawn together
+  /// @param starts where the points of each block begin, and the end; those of wanted neighbors
+  /// are drawn together
   void DrawBlocks(const std::vector<std::uint32_t>& starts,
     const std::function<bool(std::size_t block)>& isWanted) const;
 

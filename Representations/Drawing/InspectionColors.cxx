@@ -13,7 +13,7 @@ namespace camaron
 {
 namespace
 {
-// Luminance, with or without alpha, and colours without alpha become RGBA.
+// Luminance, with or without alpha, and colors without alpha become RGBA.
 std::vector<std::array<unsigned char, 4>> ToRGBA(vtkUnsignedCharArray* colors)
 {
   const int size = colors->GetNumberOfComponents();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::InspectionColors
- * @brief The colours that a mapper made of an array, in graphics memory.
+ * @brief The colors that a mapper made of an array, in graphics memory.
  */
 #ifndef camaron_InspectionColors_h
 #define camaron_InspectionColors_h
@@ -22,8 +22,8 @@ public:
   enum class Kind
   {
     None,
-    Cells,      ///< a colour for each cell
-    Points,     ///< a colour for each point
+    Cells,      ///< a color for each cell
+    Points,     ///< a color for each point
     Coordinates ///< of the points in a texture
   };
 

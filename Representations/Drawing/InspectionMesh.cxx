@@ -5,10 +5,10 @@
 #include "InspectionArrays.h"
 #include "InspectionStyle.h"
 
+#include "Base/Parallel.h"
 #include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Parallel.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkBoundingBox.h"
@@ -66,7 +66,8 @@ void Fill(TextureBuffer& table, vtkIdType size, Function&& value)
 }
 
 //------------------------------------------------------------------------------
-// What is known of a tetrahedron and its lines goes to the upper two bits of its points, which have room for them.
+// What is known of a tetrahedron and its lines goes to the upper two bits of its points, which have
+// room for them.
 void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
 {
   constexpr int Bits = 30;
@@ -90,7 +91,8 @@ void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
 
 //------------------------------------------------------------------------------
 // Two rows each: the lower end and where to go on, the upper end and the end of what is in it.
-std::vector<std::array<float, 4>> PackBoxes(const CellTetrahedra& tetrahedra, const std::array<double, 3>& middle)
+std::vector<std::array<float, 4>> PackBoxes(
+  const CellTetrahedra& tetrahedra, const std::array<double, 3>& middle)
 {
   std::vector<std::array<float, 4>> rows;
   rows.reserve(2 * tetrahedra.NegativeBoxes.size());
@@ -98,8 +100,9 @@ std::vector<std::array<float, 4>> PackBoxes(const CellTetrahedra& tetrahedra, co
   {
     const auto add = [&](const Vector& end, std::uint32_t number)
     {
-      rows.push_back({ { static_cast<float>(end.X - middle[0]), static_cast<float>(end.Y - middle[1]),
-        static_cast<float>(end.Z - middle[2]), static_cast<float>(number) } });
+      rows.push_back(
+        { { static_cast<float>(end.X - middle[0]), static_cast<float>(end.Y - middle[1]),
+          static_cast<float>(end.Z - middle[2]), static_cast<float>(number) } });
     };
     add(node.Box.Low, node.Next);
     add(node.Box.High, node.Last);
@@ -163,11 +166,10 @@ void InspectionMesh::Update()
   {
     vtkCellArray* cells = this->Grid->GetCells();
     geometry = GetVersionOf({ this->Grid->GetPoints()->GetData(), cells->GetOffsetsArray(),
-      cells->GetConnectivityArray(), GetCellTypes(this->Grid),
-      this->Grid->GetCellGhostArray(), this->Grid->GetCellData()->GetArray(OuterFacetsName) });
-    selected =
-      GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),
-        this->Grid->GetCellGhostArray(), this->Grid->GetFieldData()->GetArray(HiddenLeavesName) });
+      cells->GetConnectivityArray(), GetCellTypes(this->Grid), this->Grid->GetCellGhostArray(),
+      this->Grid->GetCellData()->GetArray(OuterFacetsName) });
+    selected = GetVersionOf({ this->Grid->GetCellData()->GetArray(SelectedArrayName),
+      this->Grid->GetCellGhostArray(), this->Grid->GetFieldData()->GetArray(HiddenLeavesName) });
   }
   if (geometry != this->Geometry)
   {
@@ -242,8 +244,7 @@ void InspectionMesh::NeedMarks()
       [&](vtkIdType cell)
       {
         const int ghost = ghosts ? ghosts[cell] : 0;
-        return static_cast<unsigned char>(
-          (ghost & vtkDataSetAttributes::DUPLICATECELL ? 1 : 0) |
+        return static_cast<unsigned char>((ghost & vtkDataSetAttributes::DUPLICATECELL ? 1 : 0) |
           (ghost & vtkDataSetAttributes::HIDDENCELL || isHidden(cell) ? 2 : 0) |
           (selected && selected->GetComponent(cell, 0) != 0 ? 4 : 0));
       });
@@ -329,8 +330,10 @@ void InspectionMesh::NeedTetrahedra()
     this->CellsOfTetrahedra.Upload(tetrahedra.Cells.data(), tetrahedra.Cells.size());
     if (!tetrahedra.FirstNegatives.empty())
     {
-      this->FirstNegatives.Upload(tetrahedra.FirstNegatives.data(), tetrahedra.FirstNegatives.size());
-      this->NegativeBoxes.Upload(PackBoxes(tetrahedra, this->Middle).data(), 2 * tetrahedra.NegativeBoxes.size());
+      this->FirstNegatives.Upload(
+        tetrahedra.FirstNegatives.data(), tetrahedra.FirstNegatives.size());
+      this->NegativeBoxes.Upload(
+        PackBoxes(tetrahedra, this->Middle).data(), 2 * tetrahedra.NegativeBoxes.size());
     }
     this->Blocks = std::move(tetrahedra.Blocks);
   }
@@ -340,9 +343,8 @@ void InspectionMesh::NeedTetrahedra()
 void InspectionMesh::Release()
 {
   for (TextureBuffer* table : { &this->Points, &this->Triangles, &this->Faces, &this->Marks,
-         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Leaves, &this->Tetrahedra,
-         &this->CellsOfTetrahedra, &this->FirstNegatives,
-         &this->NegativeBoxes })
+         &this->Centroids, &this->CellOffsets, &this->CellPoints, &this->Owners, &this->Leaves,
+         &this->Tetrahedra, &this->CellsOfTetrahedra, &this->FirstNegatives, &this->NegativeBoxes })
   {
     table->Release();
   }

@@ -4,8 +4,9 @@
  * @class camaron::InspectionMesh
  * @brief The mesh of a Mesh Inspection in graphics memory, shared by its mappers.
  *
- * Tables are made when somebody first needs them: a mesh that is shown whole has only its outer faces there.
- * They stay until the mesh changes. All Need... methods want the context of the window current.
+ * Tables are made when somebody first needs them: a mesh that is shown whole has only its outer
+ * faces there. They stay until the mesh changes. All Need... methods want the context of the window
+ * current.
  */
 #ifndef camaron_InspectionMesh_h
 #define camaron_InspectionMesh_h
@@ -72,8 +73,11 @@ public:
   TextureBuffer CellOffsets{ TextureBuffer::Row::UInt };
   TextureBuffer CellPoints{ TextureBuffer::Row::UInt };
   TextureBuffer Owners{ TextureBuffer::Row::UInt2 }; ///< process and block of a cell
-  TextureBuffer Leaves{ TextureBuffer::Row::UInt };  ///< the block of a cell, as a row of how blocks look
-  /// Points; bits 30 and 31 of the first three: the edges; bit 30 of the fourth: it is negative, see CellTetrahedra.h.
+  TextureBuffer Leaves{
+    TextureBuffer::Row::UInt
+  }; ///< the block of a cell, as a row of how blocks look
+  /// Points; bits 30 and 31 of the first three: the edges; bit 30 of the fourth: it is negative,
+  /// see CellTetrahedra.h.
   TextureBuffer Tetrahedra{ TextureBuffer::Row::UInt4 };
   TextureBuffer CellsOfTetrahedra{ TextureBuffer::Row::UInt };
   ///@{

@@ -34,7 +34,8 @@ void InspectionTables::UpdateTables(bool isPicking)
     vtkDataArray* array = this->Grid->GetPointData()->GetArray(this->Style.IsosurfaceArray.c_str());
     if (!this->Isosurface.Update(*this->Mesh, array, this->Style.IsosurfaceValues))
     {
-      throw std::runtime_error("The graphics card makes no isosurfaces: " + this->Isosurface.GetError());
+      throw std::runtime_error(
+        "The graphics card makes no isosurfaces: " + this->Isosurface.GetError());
     }
     this->NumberOfTriangles = this->Isosurface.GetNumberOfTriangles();
   }
@@ -96,9 +97,8 @@ void InspectionTables::UpdateNormals(vtkProperty* property)
 vtkFloatArray* InspectionTables::GetLooks() const
 {
   const bool isAlike = !this->Grid || this->Style.Glass || this->Style.DrawsNormals();
-  return isAlike
-    ? nullptr
-    : vtkFloatArray::SafeDownCast(this->Grid->GetFieldData()->GetArray(LeafLooksName));
+  return isAlike ? nullptr
+                 : vtkFloatArray::SafeDownCast(this->Grid->GetFieldData()->GetArray(LeafLooksName));
 }
 
 //------------------------------------------------------------------------------
@@ -131,7 +131,8 @@ InspectionStyle InspectionTables::GetStyleOfPicture(vtkMapper* mapper, bool ofPo
   }
   if (style.ValuesToEmphasize == Emphasis::Unacceptable)
   {
-    const Criterion* criterion = FindCriterion(mapper->GetArrayName() ? mapper->GetArrayName() : "");
+    const Criterion* criterion =
+      FindCriterion(mapper->GetArrayName() ? mapper->GetArrayName() : "");
     if (criterion && criterion->HasAcceptableRange())
     {
       std::copy_n(criterion->Acceptable, 2, style.AcceptableRange.begin());

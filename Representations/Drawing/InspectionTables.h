@@ -4,8 +4,8 @@
  * @class camaron::InspectionTables
  * @brief The tables that a vtkMeshInspectionMapper draws from, and which of them a picture needs.
  *
- * Those of the mesh are shared with the mappers of the same representation. All methods but the constant ones want
- * the context of the window current.
+ * Those of the mesh are shared with the mappers of the same representation. All methods but the
+ * constant ones want the context of the window current.
  */
 #ifndef camaron_InspectionTables_h
 #define camaron_InspectionTables_h
@@ -15,8 +15,8 @@
 #include "InspectionMesh.h"
 #include "InspectionStyle.h"
 #include "InspectionValues.h"
-#include "JudgedValues.h"
 #include "Isosurfaces.h"
+#include "JudgedValues.h"
 #include "PointNormals.h"
 #include "TextureBuffer.h"
 #include "VisibleTriangles.h"
@@ -51,10 +51,10 @@ public:
 
   InspectionColors Colors;
   PointNormals Normals;
-  InspectionValues Values; ///< of the array that colours
+  InspectionValues Values; ///< of the array that colors
   JudgedValues Judged;
   bool HasCellValues = false;
-  InspectionValues Levels; ///< of isolines
+  InspectionValues Levels;                           ///< of isolines
   TextureBuffer Looks{ TextureBuffer::Row::Float4 }; ///< of blocks
   vtkSmartPointer<vtkFloatArray> UploadedLooks;
 

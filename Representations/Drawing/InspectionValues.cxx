@@ -2,14 +2,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InspectionValues.h"
 
-#include "ArrayValues.h"
-
 #include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace camaron
 {
+namespace
+{
+//------------------------------------------------------------------------------
+// Calls visit(value) for every row.
+template <typename Visit>
+void ForEachValue(vtkDataArray* array, int component, Visit&& visit)
+{
+  const int size = array->GetNumberOfComponents();
+  const int wanted = size == 1 || component >= size ? 0 : component;
+  for (const auto tuple : vtk::DataArrayTupleRange(array))
+  {
+    double squares = 0;
+    for (const double value : tuple)
+    {
+      squares += value * value;
+    }
+    visit(wanted < 0 ? std::sqrt(squares) : static_cast<double>(tuple[wanted]));
+  }
+}
+
+//------------------------------------------------------------------------------
+// Differences of values that are no further apart than twofold are exact (P. Sterbenz,
+// Floating-point computation, 1974), so that floats lose nothing.
+double FindOrigin(vtkDataArray* array, int component)
+{
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  ForEachValue(array, component,
+    [&](double value)
+    {
+      if (std::isfinite(value))
+      {
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    });
+  return low > 0 && high <= 2 * low ? low : high < 0 && low >= 2 * high ? high : 0;
+}
+}
+
+//------------------------------------------------------------------------------
+ArrayValues GetArrayValues(vtkDataArray* array, int component)
+{
+  ArrayValues result;
+  result.Origin = FindOrigin(array, component);
+  result.Values.reserve(array->GetNumberOfTuples());
+  ForEachValue(
+    array, component, [&](double value) { result.Values.push_back(result.FromOrigin(value)); });
+  return result;
+}
+
 //------------------------------------------------------------------------------
 void InspectionValues::Update(vtkDataArray* array, int component)
 {

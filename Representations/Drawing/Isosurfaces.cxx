@@ -3,9 +3,9 @@
 #include "Isosurfaces.h"
 
 #include "InspectionMesh.h"
+#include "InspectionValues.h"
 #include "IsosurfaceGS.h"
 #include "IsosurfaceVS.h"
-#include "ArrayValues.h"
 
 #include "Drawing/CellTetrahedra.h"
 #include "Mesh/MeshView.h"
@@ -73,8 +73,7 @@ void Isosurfaces::Draw(const InspectionMesh& mesh, const std::vector<double>& is
   {
     const auto value = static_cast<float>(isovalue - this->Origin);
     this->Program.SetUniform("isovalue", value);
-    this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(),
-      [&](std::size_t block)
+    this->Program.DrawBlocks(mesh.GetTetrahedronBlocks(), [&](std::size_t block)
       { return this->BlockRanges[block][0] < value && this->BlockRanges[block][1] >= value; });
   }
 }

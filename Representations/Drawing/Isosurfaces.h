@@ -4,9 +4,9 @@
  * @class camaron::Isosurfaces
  * @brief Makes the isosurfaces of a mesh on the graphics card, and keeps them there.
  *
- * The cells are cut into tetrahedra once (CellTetrahedra.h); then a geometry shader makes the triangles of each
- * tetrahedron and value. Blocks of cells that a value does not meet are left out. Runs only when the mesh,
- * the array or the values changed; the camera does not matter.
+ * The cells are cut into tetrahedra once (CellTetrahedra.h); then a geometry shader makes the
+ * triangles of each tetrahedron and value. Blocks of cells that a value does not meet are left out.
+ * Runs only when the mesh, the array or the values changed; the camera does not matter.
  */
 #ifndef camaron_Isosurfaces_h
 #define camaron_Isosurfaces_h
@@ -30,13 +30,15 @@ class Isosurfaces
 {
 public:
   /**
-   * Brings the surfaces up to date. Needs the context current and no program in use; changes texture units.
+   * Brings the surfaces up to date. Needs the context current and no program in use; changes
+   * texture units.
    * @param array of the points; of several components the length is taken; null makes no surface
    * @return false when the graphics card refuses; GetError says why
    */
   bool Update(InspectionMesh& mesh, vtkDataArray* array, const std::vector<double>& isovalues);
 
-  /// One row for each corner of a triangle: two points, where between them (of 2^24), the tetrahedron.
+  /// One row for each corner of a triangle: two points, where between them (of 2^24), the
+  /// tetrahedron.
   const TextureBuffer& GetTable() const { return this->Table; }
   std::size_t GetNumberOfTriangles() const { return this->NumberOfTriangles; }
   const std::string& GetError() const { return this->Error; }

@@ -23,7 +23,8 @@ double FindInside(const double (&limits)[2])
   {
     return limits[0] / 2 + limits[1] / 2;
   }
-  return std::isfinite(limits[0]) ? limits[0] + std::abs(limits[0]) + 1 : limits[1] - std::abs(limits[1]) - 1;
+  return std::isfinite(limits[0]) ? limits[0] + std::abs(limits[0]) + 1
+                                  : limits[1] - std::abs(limits[1]) - 1;
 }
 }
 
@@ -33,7 +34,8 @@ vtkDataArray* JudgedValues::Update(vtkDataArray* values, vtkUnstructuredGrid* gr
   const Criterion* const criterion =
     values && values->GetName() ? FindCriterion(values->GetName()) : nullptr;
   const unsigned judged = criterion ? GetJudgedShapes(*criterion) : AnyCell;
-  if ((judged & AnyCell) || !criterion->HasAcceptableRange() || values->GetNumberOfComponents() != 1)
+  if ((judged & AnyCell) || !criterion->HasAcceptableRange() ||
+    values->GetNumberOfComponents() != 1)
   {
     return values;
   }

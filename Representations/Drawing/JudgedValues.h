@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::JudgedValues
- * @brief Values of a criterion in which cells that its acceptable range is not for are inside of it.
+ * @brief Values of a criterion in which cells that its acceptable range is not for are inside of
+ * it.
  */
 #ifndef camaron_JudgedValues_h
 #define camaron_JudgedValues_h
@@ -18,7 +19,8 @@ namespace camaron
 class JudgedValues
 {
 public:
-  /// @a values of the cells of @a grid themselves where the range is for all of them, or there is none.
+  /// @a values of the cells of @a grid themselves where the range is for all of them, or there is
+  /// none.
   vtkDataArray* Update(vtkDataArray* values, vtkUnstructuredGrid* grid);
 
 private:

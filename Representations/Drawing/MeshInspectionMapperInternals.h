@@ -33,7 +33,8 @@ public:
   bool IsOnProcessor() const
   {
     return this->Style.OnProcessor ||
-      (this->Grid && this->Grid == this->RefusedGrid && this->Grid->GetMTime() == this->RefusedTime);
+      (this->Grid && this->Grid == this->RefusedGrid &&
+        this->Grid->GetMTime() == this->RefusedTime);
   }
 };
 

@@ -75,8 +75,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
   Internals& self = *this->Internal;
   const bool isPicking = renderer->GetSelector() != nullptr;
   const bool isPoints = &helper == &this->Primitives[PrimitivePoints];
-  self.Code = GetRenderModeCode(
-    self.GetStyleOfPicture(this, this->DrawsPoints(helper)),
+  self.Code = GetRenderModeCode(self.GetStyleOfPicture(this, this->DrawsPoints(helper)),
     this->PrimitiveInfo[&helper].LastLightComplexity > 0);
   self.Code.Defines += self.Colors.GetDefine();
   if (!self.Values.IsEmpty())
@@ -85,8 +84,7 @@ bool vtkMeshInspectionMapper::GetNeedToRebuildShaders(
       self.HasCellValues ? "#define HAS_CELL_VALUES\n" : "#define HAS_POINT_VALUES\n";
   }
   self.Code.Defines += self.Style.MovesCells() ? "#define HAS_CENTROIDS\n" : "";
-  self.Code.Defines +=
-    self.Style.What == Figure::PointNormals ? "#define HAS_POINT_NORMALS\n" : "";
+  self.Code.Defines += self.Style.What == Figure::PointNormals ? "#define HAS_POINT_NORMALS\n" : "";
   self.Code.Defines += self.Style.What == Figure::Isosurfaces ? "#define IS_ISOSURFACE\n" : "";
   // Points are picked where they are drawn.
   const bool arePoints = isPoints || (this->PointPicking && self.Style.Points);
@@ -121,8 +119,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
   // The modes speak of the uniforms of the material and the camera, which VTK declares last.
   vtkShaderProgram::Substitute(
     fragment, "//VTK::System::Dec", "//VTK::System::Dec\n" + self.Code.Defines);
-  vtkShaderProgram::Substitute(
-    fragment, "//VTK::Edges::Dec", "//VTK::Edges::Dec\n" + declarations);
+  vtkShaderProgram::Substitute(fragment, "//VTK::Edges::Dec", "//VTK::Edges::Dec\n" + declarations);
   vtkShaderProgram::Substitute(fragment, "//VTK::UniformFlow::Impl",
     "//VTK::UniformFlow::Impl\n"
     "#ifdef HAS_ISOLINES\n"
@@ -143,7 +140,7 @@ void vtkMeshInspectionMapper::GetShaderTemplate(
 void vtkMeshInspectionMapper::ReplaceShaderTCoord(
   std::map<vtkShader::Type, vtkShader*>, vtkRenderer*, vtkActor*)
 {
-  // There are no texture coordinates but those of colours, which GetShaderTemplate knows.
+  // There are no texture coordinates but those of colors, which GetShaderTemplate knows.
 }
 
 //------------------------------------------------------------------------------
@@ -188,8 +185,8 @@ void vtkMeshInspectionMapper::ReplaceShaderPicking(
   }
   std::string fragment = shaders[vtkShader::Fragment]->GetSource();
   vtkShaderProgram::Substitute(fragment, "//VTK::Picking::Dec", PickingGLSL);
-  vtkShaderProgram::Substitute(fragment, "//VTK::Picking::Impl",
-    std::string("  gl_FragData[0] = colorOfId(") + id + ");\n");
+  vtkShaderProgram::Substitute(
+    fragment, "//VTK::Picking::Impl", std::string("  gl_FragData[0] = colorOfId(") + id + ");\n");
   shaders[vtkShader::Fragment]->SetSource(fragment);
 }
 

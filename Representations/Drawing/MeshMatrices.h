@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshMatrices.h
- * @brief Where the coordinates of an InspectionMesh, which are relative to its middle, are in a picture.
+ * @brief Where the coordinates of an InspectionMesh, which are relative to its middle, are in a
+ * picture.
  */
 #ifndef camaron_MeshMatrices_h
 #define camaron_MeshMatrices_h

@@ -28,7 +28,8 @@ Row ToRow(const double normal[3])
 }
 
 //------------------------------------------------------------------------------
-// The faces of another process's cells count, too: light shall not change from one process to the next.
+// The faces of another process's cells count, too: light shall not change from one process to the
+// next.
 std::vector<Row> MakeNormals(vtkUnstructuredGrid* grid)
 {
   const MeshTopology topology(grid);

@@ -22,7 +22,8 @@ class PointNormals
 {
 public:
   /**
-   * Makes sure that the table is there. Points that are not on the outside of the mesh have a normal of length 0.
+   * Makes sure that the table is there. Points that are not on the outside of the mesh have a
+   * normal of length 0.
    * @param given an array of three components, or null: means of the outer faces, by their areas
    */
   void Update(const InspectionMesh& mesh, vtkDataArray* given);

@@ -9,9 +9,9 @@
 #include "EdgesAloneGLSL.h"
 #include "EmphasisGLSL.h"
 #include "GlassGLSL.h"
-#include "IsolinesGLSL.h"
 #include "InShapeGLSL.h"
 #include "InputsGLSL.h"
+#include "IsolinesGLSL.h"
 #include "NegativesGLSL.h"
 #include "PlaceGLSL.h"
 #include "PropertyGLSL.h"
@@ -37,8 +37,7 @@ namespace
 void SetNothing(vtkShaderProgram*, const RenderContext&) {}
 
 //------------------------------------------------------------------------------
-void SetRange(
-  vtkShaderProgram* program, const char* name, const Range& range, double origin)
+void SetRange(vtkShaderProgram* program, const char* name, const Range& range, double origin)
 {
   // Infinite ends are none.
   constexpr double largest = std::numeric_limits<float>::max();
@@ -88,7 +87,8 @@ void SetNormalLines(vtkShaderProgram* program, const RenderContext& context)
 void SetIsolines(vtkShaderProgram* program, const RenderContext& context)
 {
   const InspectionStyle& style = context.Style;
-  program->SetUniformf("isolineFirst", static_cast<float>(style.IsolineFirst - context.LevelOrigin));
+  program->SetUniformf(
+    "isolineFirst", static_cast<float>(style.IsolineFirst - context.LevelOrigin));
   program->SetUniformf("isolineSpacing", static_cast<float>(style.IsolineSpacing));
   program->SetUniformf("isolineWidth", static_cast<float>(style.IsolineWidth));
   program->SetUniform3f("isolineColor", style.IsolineColor.data());
@@ -111,7 +111,7 @@ void SetCap(vtkShaderProgram* program, const RenderContext& context)
   float eye[4];
   std::copy(context.Eye.begin(), context.Eye.end(), eye);
   program->SetUniform4f("eye", eye);
-  program->SetUniformf("hairsBreadth", static_cast<float>(context.Style.ExactShape.HairsBreadth));
+  program->SetUniformf("faceClearance", static_cast<float>(context.Style.ExactShape.FaceClearance));
   SetShape(program, context);
 }
 
@@ -136,13 +136,13 @@ const std::vector<RenderMode>& GetRenderModes()
       "property(ambientColor, diffuseColor, opacity);", false, &SetNothing },
     { [](const Style& style) { return style.HasLooks; }, "HAS_LOOKS", BlocksGLSL,
       "blocks(ambientColor, diffuseColor, opacity);", false, &SetNothing },
-    { [](const Style& style) { return style.ColorBy == Coloring::TwoColors && !style.Glass; }, nullptr,
-      RampGLSL, "ramp(ambientColor, diffuseColor, opacity);", false, &SetRamp },
+    { [](const Style& style) { return style.ColorBy == Coloring::TwoColors && !style.Glass; },
+      nullptr, RampGLSL, "ramp(ambientColor, diffuseColor, opacity);", false, &SetRamp },
     { [](const Style& style) { return style.ColorsByDistance() && !style.Glass; }, "HAS_DISTANCE",
       RampGLSL, "ramp(ambientColor, diffuseColor, opacity);", false, &SetRamp },
     { [](const Style& style)
-      { return style.ValuesToEmphasize != Emphasis::Nothing && !style.Glass; },
-      nullptr, EmphasisGLSL, "emphasis(ambientColor, diffuseColor, opacity);", false,
+      { return style.ValuesToEmphasize != Emphasis::Nothing && !style.Glass; }, nullptr,
+      EmphasisGLSL, "emphasis(ambientColor, diffuseColor, opacity);", false,
       [](vtkShaderProgram* program, const Context& context)
       {
         SetRange(program, "acceptableRange", context.Style.AcceptableRange, context.ValueOrigin);
@@ -152,8 +152,8 @@ const std::vector<RenderMode>& GetRenderModes()
       "cutFaces(ambientColor, diffuseColor, opacity);", false,
       [](vtkShaderProgram* program, const Context& context)
       { program->SetUniform3f("cutColor", context.Style.CutColor.data()); } },
-    { [](const Style& style) { return style.Isolines && !style.Glass; }, "HAS_ISOLINES", IsolinesGLSL,
-      "isolines(ambientColor, diffuseColor, opacity);", false, &SetIsolines },
+    { [](const Style& style) { return style.Isolines && !style.Glass; }, "HAS_ISOLINES",
+      IsolinesGLSL, "isolines(ambientColor, diffuseColor, opacity);", false, &SetIsolines },
     { [](const Style& style) { return style.Edges && !style.Glass && !style.DrawsEdgesAlone(); },
       "HAS_LINES", WireframeGLSL, "wireframe(ambientColor, diffuseColor, opacity);", false,
       &SetWireframe },
@@ -173,8 +173,8 @@ const std::vector<RenderMode>& GetRenderModes()
     { [](const Style& style) { return style.DrawsNormals(); }, nullptr, "", "", false,
       &SetNormalLines },
     // After those whose inputs it finds.
-    { [](const Style& style) { return style.What == Figure::Cap; }, "IS_CAP", cap.c_str(), "", false,
-      &SetCap },
+    { [](const Style& style) { return style.What == Figure::Cap; }, "IS_CAP", cap.c_str(), "",
+      false, &SetCap },
   };
   return modes;
 }

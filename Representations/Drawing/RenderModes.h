@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file RenderModes.h
- * @brief The table of what a Mesh Inspection does to the colour of a pixel.
+ * @brief The table of what a Mesh Inspection does to the color of a pixel.
  *
- * A mode is a GLSL file with one function, and a row here. The modes that are on are applied in the order
- * of the table, between VTK's own code for materials and for lights; so any of them go together.
+ * A mode is a GLSL file with one function, and a row here. The modes that are on are applied in the
+ * order of the table, between VTK's own code for materials and for lights; so any of them go
+ * together.
  */
 #ifndef camaron_RenderModes_h
 #define camaron_RenderModes_h
@@ -26,10 +27,10 @@ struct RenderContext
   const InspectionStyle& Style;
   vtkProperty* Property;
   const std::array<double, 4>& Distance; ///< see GetDistanceRamp
-  const int* Viewport; ///< x, y, width, height in pixels
-  const std::array<double, 3>& Middle; ///< what coordinates in shaders are relative to
-  const std::array<double, 4>& Eye;    ///< there; a place (1 at the end) or a direction (0)
-  double ValueOrigin; ///< what values in shaders are relative to, those behind the colours
+  const int* Viewport;                   ///< x, y, width, height in pixels
+  const std::array<double, 3>& Middle;   ///< what coordinates in shaders are relative to
+  const std::array<double, 4>& Eye;      ///< there; a place (1 at the end) or a direction (0)
+  double ValueOrigin; ///< what values in shaders are relative to, those behind the colors
   double LevelOrigin; ///< and those of isolines
 };
 

@@ -20,8 +20,8 @@ namespace camaron
 vtkIdType GetLargestId(vtkDataArray* ids, vtkIdType size);
 
 /**
- * Replaces the painted numbers of the selector's current pass, which is @a lowPass or @a highPass, by the
- * ids that @a ids has for them. Nothing to do without @a ids.
+ * Replaces the painted numbers of the selector's current pass, which is @a lowPass or @a highPass,
+ * by the ids that @a ids has for them. Nothing to do without @a ids.
  */
 void MapSelectorPixels(vtkHardwareSelector* selector, const std::vector<unsigned int>& pixelOffsets,
   int lowPass, int highPass, vtkDataArray* ids);

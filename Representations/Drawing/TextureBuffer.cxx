@@ -45,8 +45,7 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
   {
     this->Release();
     throw std::length_error("Mesh Inspection needs a table of " + std::to_string(numberOfRows) +
-      " rows, but those of this graphics card have up to " + std::to_string(maxRows) +
-      ".");
+      " rows, but those of this graphics card have up to " + std::to_string(maxRows) + ".");
   }
   const bool isNew = this->Buffer == 0;
   if (isNew)
@@ -57,8 +56,8 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
   // An empty table cannot be bound: it gets one row that nobody reads.
   const std::size_t bytes = (numberOfRows > 0 ? numberOfRows : 1) * format.Bytes;
   glBindBuffer(GL_TEXTURE_BUFFER, this->Buffer);
-  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes),
-    numberOfRows > 0 ? rows : nullptr, GL_STATIC_DRAW);
+  glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(bytes), numberOfRows > 0 ? rows : nullptr,
+    GL_STATIC_DRAW);
   glBindBuffer(GL_TEXTURE_BUFFER, 0);
   if (isNew)
   {

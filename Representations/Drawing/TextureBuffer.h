@@ -4,7 +4,8 @@
  * @class camaron::TextureBuffer
  * @brief A table in graphics memory that shaders read by row (a texture buffer of OpenGL 3.1).
  *
- * VTK's own texture buffers have no integer rows. All methods need the context of the window current.
+ * VTK's own texture buffers have no integer rows. All methods need the context of the window
+ * current.
  */
 #ifndef camaron_TextureBuffer_h
 #define camaron_TextureBuffer_h
@@ -42,10 +43,12 @@ public:
    * @throw std::length_error for more rows than the graphics card's textures have
    */
   void Upload(const void* rows, std::size_t numberOfRows);
-  /// Sees to that there are so many rows, perhaps none, for the graphics card to write. @throw as Upload
+  /// Sees to that there are so many rows, perhaps none, for the graphics card to write. @throw as
+  /// Upload
   void Resize(std::size_t numberOfRows);
   /**
-   * Replaces the table by what @a write(rows) writes there, which may be from several threads; it must not read.
+   * Replaces the table by what @a write(rows) writes there, which may be from several threads; it
+   * must not read.
    * @throw std::length_error as Upload, std::runtime_error without memory for it
    */
   void Write(std::size_t numberOfRows, const std::function<void(void*)>& write);

@@ -70,8 +70,7 @@ void VisiblePixels::Draw(vtkOpenGLRenderWindow* window, const Scene& scene)
   state->vtkglBindFramebuffer(GL_FRAMEBUFFER, this->Framebuffer);
   glFramebufferRenderbuffer(
     GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, this->Buffers[0]);
-  glFramebufferRenderbuffer(
-    GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, this->Buffers[1]);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, this->Buffers[1]);
   const GLenum attachment = GL_COLOR_ATTACHMENT0;
   glDrawBuffers(1, &attachment);
   glReadBuffer(attachment);
@@ -92,7 +91,8 @@ void VisiblePixels::Draw(vtkOpenGLRenderWindow* window, const Scene& scene)
     const std::size_t size = static_cast<std::size_t>(scene.Width) * scene.Height;
     this->Entries.resize(size);
     this->Depths.resize(size);
-    state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1); // by the state, which would not set it again for VTK
+    state->vtkglPixelStorei(
+      GL_PACK_ALIGNMENT, 1); // by the state, which would not set it again for VTK
     glReadPixels(
       0, 0, scene.Width, scene.Height, GL_RED_INTEGER, GL_UNSIGNED_INT, this->Entries.data());
     glReadPixels(
@@ -132,7 +132,9 @@ void VisiblePixels::DrawTriangles(vtkOpenGLRenderWindow* window, const Scene& sc
   state->SetEnumState(GL_CULL_FACE, cullsFront || cullsBack);
   if (cullsFront || cullsBack)
   {
-    state->vtkglCullFace(cullsFront && cullsBack ? GL_FRONT_AND_BACK : cullsFront ? GL_FRONT : GL_BACK);
+    state->vtkglCullFace(cullsFront && cullsBack ? GL_FRONT_AND_BACK
+        : cullsFront                             ? GL_FRONT
+                                                 : GL_BACK);
   }
   vtkTextureUnitManager* units = window->GetTextureUnitManager();
   std::vector<int> used;

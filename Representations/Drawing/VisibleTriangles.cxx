@@ -58,7 +58,8 @@ bool VisibleTriangles::Update(InspectionMesh& mesh, const InspectionStyle& style
   this->KeepCells(mesh, style);
 
   const std::size_t numberOfTriangles = mesh.Triangles.GetNumberOfRows();
-  const std::size_t capacity = (walls == Walls::Surface || walls == Walls::Interior ? 1 : 2) * numberOfTriangles;
+  const std::size_t capacity =
+    (walls == Walls::Surface || walls == Walls::Interior ? 1 : 2) * numberOfTriangles;
   this->Table.Resize(capacity);
   this->TriangleProgram.Use();
   this->TriangleProgram.SetTable("triangleTable", mesh.Triangles, 0);

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::VisibleTriangles
- * @brief Finds on the graphics card which triangles of a mesh are seen when only some cells are drawn.
+ * @brief Finds on the graphics card which triangles of a mesh are seen when only some cells are
+ * drawn.
  *
- * First every cell is told to be drawn or not (KeepCells.vs.glsl), then every triangle from which of its
- * cells it is seen (VisibleTriangles.*.glsl); nothing is uploaded. Runs only when the mesh, the shape or the
- * choice changed. Source: W. Canepa et al., Camarón (GRAPP 2016), which tested all faces in every picture.
+ * First every cell is told to be drawn or not (KeepCells.vs.glsl), then every triangle from which
+ * of its cells it is seen (VisibleTriangles.*.glsl); nothing is uploaded. Runs only when the mesh,
+ * the shape or the choice changed. Source: W. Canepa et al., Camarón (GRAPP 2016), which tested all
+ * faces in every picture.
  */
 #ifndef camaron_VisibleTriangles_h
 #define camaron_VisibleTriangles_h
@@ -25,7 +27,8 @@ class VisibleTriangles
 {
 public:
   /**
-   * Brings the list up to date. Needs the context current and no program in use; changes texture units.
+   * Brings the list up to date. Needs the context current and no program in use; changes texture
+   * units.
    * @return false when the graphics card refuses; GetError says why
    */
   bool Update(InspectionMesh& mesh, const InspectionStyle& style);
@@ -53,7 +56,8 @@ private:
     {
       return this->Version == other.Version && this->WallsToDraw == other.WallsToDraw &&
         this->CellsToDraw == other.CellsToDraw && this->Cut == other.Cut &&
-        this->KeepInside == other.KeepInside && this->BordersAreOpen == other.BordersAreOpen && this->Shape == other.Shape;
+        this->KeepInside == other.KeepInside && this->BordersAreOpen == other.BordersAreOpen &&
+        this->Shape == other.Shape;
     }
   };
 

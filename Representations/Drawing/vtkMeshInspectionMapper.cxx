@@ -135,9 +135,8 @@ void vtkMeshInspectionMapper::SetInputDataObject(int port, vtkDataObject* data)
 // The producer has run: ParaView delivers data before it draws.
 void vtkMeshInspectionMapper::SetInputConnection(int port, vtkAlgorithmOutput* connection)
 {
-  vtkDataObject* data = connection
-    ? connection->GetProducer()->GetOutputDataObject(connection->GetIndex())
-    : nullptr;
+  vtkDataObject* data =
+    connection ? connection->GetProducer()->GetOutputDataObject(connection->GetIndex()) : nullptr;
   if (vtkUnstructuredGrid::SafeDownCast(data) || vtkCompositeDataSet::SafeDownCast(data))
   {
     this->SetInputDataObject(port, data);
@@ -248,7 +247,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
     vtkWarningMacro(<< error.what() << " The processor draws the mesh instead.");
   }
 
-  // VTK makes the colours; of points they are either colours or coordinates in a texture.
+  // VTK makes the colors; of points they are either colors or coordinates in a texture.
   int cellFlag = 0;
   vtkUnsignedCharArray* colors = this->MapScalars(grid, 1.0, cellFlag);
   using Kind = InspectionColors::Kind;
@@ -276,7 +275,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
 }
 
 //------------------------------------------------------------------------------
-// The numbers behind the colours, where something is made of them here.
+// The numbers behind the colors, where something is made of them here.
 void vtkMeshInspectionMapper::UpdateValues()
 {
   Internals& self = *this->Internal;
@@ -286,8 +285,8 @@ void vtkMeshInspectionMapper::UpdateValues()
   if (this->ScalarVisibility &&
     (style.ColorBy == Coloring::TwoColors || style.ValuesToEmphasize != Emphasis::Nothing))
   {
-    array = vtkArrayDownCast<vtkDataArray>(vtkAbstractMapper::GetAbstractScalars(
-      self.Grid, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
+    array = vtkArrayDownCast<vtkDataArray>(vtkAbstractMapper::GetAbstractScalars(self.Grid,
+      this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag));
   }
   self.HasCellValues = cellFlag == 1;
   const vtkIdType size =
@@ -419,7 +418,8 @@ void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
   }
   if (this->Internal->IsOnProcessor())
   {
-    this->Internal->Processor.GetMapper()->ProcessSelectorPixelBuffers(selector, pixelOffsets, prop);
+    this->Internal->Processor.GetMapper()->ProcessSelectorPixelBuffers(
+      selector, pixelOffsets, prop);
     return;
   }
   switch (selector->GetCurrentPass())
@@ -440,7 +440,8 @@ void vtkMeshInspectionMapper::ProcessSelectorPixelBuffers(
 }
 
 //------------------------------------------------------------------------------
-// The base class comes back here once it has made the context current; when the window calls, it is already.
+// The base class comes back here once it has made the context current; when the window calls, it is
+// already.
 void vtkMeshInspectionMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Superclass::ReleaseGraphicsResources(window);

@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshInspectionMapper
- * @brief Draws an unstructured grid with all that a Mesh Inspection offers, straight from its topology.
+ * @brief Draws an unstructured grid with all that a Mesh Inspection offers, straight from its
+ * topology.
  *
- * The input is a vtkUnstructuredGrid (SetInputDataObject), not a vtkPolyData: no surface is extracted and
- * no vertices are uploaded. The shaders read the tables of a camaron::InspectionMesh; VTK's own templates around them
- * give lights, materials, depth peeling and picking. What is drawn how is a camaron::InspectionStyle.
+ * The input is a vtkUnstructuredGrid (SetInputDataObject), not a vtkPolyData: no surface is
+ * extracted and no vertices are uploaded. The shaders read the tables of a camaron::InspectionMesh;
+ * VTK's own templates around them give lights, materials, depth peeling and picking. What is drawn
+ * how is a camaron::InspectionStyle.
  *
- * Cells and points are picked by their ids in the input, or by those that vtkInspectionMesh gave them. Needs
- * OpenGL 3.2; where the graphics card cannot, VTK's filters make a surface of what is to be seen, and VTK draws it.
+ * Cells and points are picked by their ids in the input, or by those that vtkInspectionMesh gave
+ * them. Needs OpenGL 3.2; where the graphics card cannot, VTK's filters make a surface of what is
+ * to be seen, and VTK draws it.
  */
 #ifndef vtkMeshInspectionMapper_h
 #define vtkMeshInspectionMapper_h
@@ -51,8 +54,8 @@ public:
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPieceDraw(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
-  void ProcessSelectorPixelBuffers(vtkHardwareSelector* selector,
-    std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
+  void ProcessSelectorPixelBuffers(
+    vtkHardwareSelector* selector, std::vector<unsigned int>& pixelOffsets, vtkProp* prop) override;
   bool HasOpaqueGeometry() override;
   bool HasTranslucentPolygonalGeometry() override;
 
@@ -65,12 +68,12 @@ protected:
   void BuildBufferObjects(vtkRenderer* renderer, vtkActor* actor) override;
   bool GetNeedToRebuildShaders(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
-  void GetShaderTemplate(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
-    vtkActor* actor) override;
-  void ReplaceShaderTCoord(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
-    vtkActor* actor) override;
-  void ReplaceShaderPicking(std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer,
-    vtkActor* actor) override;
+  void GetShaderTemplate(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderTCoord(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderPicking(
+    std::map<vtkShader::Type, vtkShader*> shaders, vtkRenderer* renderer, vtkActor* actor) override;
   void SetMapperShaderParameters(
     vtkOpenGLHelper& helper, vtkRenderer* renderer, vtkActor* actor) override;
   void SetCameraShaderParameters(

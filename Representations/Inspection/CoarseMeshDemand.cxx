@@ -20,8 +20,9 @@ namespace
 // Null on processes that have none: servers.
 vtkSMViewProxy* FindProxy(vtkPVRenderView* view)
 {
-  vtkSMSession* session =
-    vtkSMProxyManager::IsInitialized() ? vtkSMProxyManager::GetProxyManager()->GetActiveSession() : nullptr;
+  vtkSMSession* session = vtkSMProxyManager::IsInitialized()
+    ? vtkSMProxyManager::GetProxyManager()->GetActiveSession()
+    : nullptr;
   if (!session)
   {
     return nullptr;
@@ -44,7 +45,8 @@ vtkSMViewProxy* FindProxy(vtkPVRenderView* view)
 void AskForCoarseMesh(vtkSMViewProxy* view)
 {
   vtkClientServerStream stream;
-  stream << vtkClientServerStream::Invoke << VTKOBJECT(view) << "UpdateLOD" << vtkClientServerStream::End;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(view) << "UpdateLOD"
+         << vtkClientServerStream::End;
   vtkSMSession* session = view->GetSession();
   session->PrepareProgress();
   session->ExecuteStream(view->GetLocation(), stream);

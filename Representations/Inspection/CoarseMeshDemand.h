@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::CoarseMeshDemand
- * @brief Tells when the coarse mesh that is drawn while the camera moves has to be made: when it begins to move.
+ * @brief Tells when the coarse mesh that is drawn while the camera moves has to be made: when it
+ * begins to move.
  *
- * ParaView 6.0 and 6.1 ask for it before the first picture after each update, for which nobody needs it, and do not
- * ask again. The first request after an update is therefore passed over. The client, before its view begins to draw
- * interactively, has the view ask once more if the coarse mesh would be drawn, on all processes: these get the same
- * requests and answer alike.
+ * ParaView 6.0 and 6.1 ask for it before the first picture after each update, for which nobody
+ * needs it, and do not ask again. The first request after an update is therefore passed over. The
+ * client, before its view begins to draw interactively, has the view ask once more if the coarse
+ * mesh would be drawn, on all processes: these get the same requests and answer alike.
  */
 #ifndef camaron_CoarseMeshDemand_h
 #define camaron_CoarseMeshDemand_h

@@ -31,8 +31,8 @@ void SetFieldArray(vtkUnstructuredGrid* grid, const char* name, Array* array)
 {
   auto* old = Array::SafeDownCast(grid->GetFieldData()->GetArray(name));
   if (old && array && old->GetNumberOfValues() == array->GetNumberOfValues() &&
-    std::equal(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues(),
-      old->GetPointer(0)))
+    std::equal(
+      array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues(), old->GetPointer(0)))
   {
     return;
   }
@@ -86,7 +86,8 @@ void FindLooks(vtkDataObject* node, vtkCompositeDataDisplayAttributes* attribute
 }
 
 //------------------------------------------------------------------------------
-// What the arrays of a sample say about its colour; false where cells or points have colours of their own.
+// What the arrays of a sample say about its color; false where cells or points have colors of
+// their own.
 bool GetColorOfArray(
   vtkUnstructuredGrid* sample, vtkMapper* mapper, const double missing[3], double color[3])
 {

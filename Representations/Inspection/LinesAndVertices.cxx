@@ -204,8 +204,7 @@ bool LinesAndVertices::IsDrawn(vtkIdType cell, const InspectionStyle& style) con
 {
   vtkCellData* data = this->Grid->GetCellData();
   vtkUnsignedCharArray* ghosts = this->Grid->GetCellGhostArray();
-  constexpr int unseen =
-    vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  constexpr int unseen = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   if (ghosts && (ghosts->GetValue(cell) & unseen))
   {
     return false;
@@ -223,7 +222,6 @@ bool LinesAndVertices::IsDrawn(vtkIdType cell, const InspectionStyle& style) con
   {
     return false;
   }
-  return style.Cut == CutBy::Nothing ||
-    IsCellInShape(this->Grid, cell, style) == style.KeepInside;
+  return style.Cut == CutBy::Nothing || IsCellInShape(this->Grid, cell, style) == style.KeepInside;
 }
 }

@@ -4,9 +4,9 @@
  * @class camaron::LinesAndVertices
  * @brief The cells of a mesh that have no faces, for an ordinary mapper.
  *
- * Their points are all points of the mesh, so that arrays of points go along without a copy. A cut, which for an exact
- * one is by centroid, and the choice of cells leave out the same cells as elsewhere. Curves go straight from point to
- * point.
+ * Their points are all points of the mesh, so that arrays of points go along without a copy. A cut,
+ * which for an exact one is by centroid, and the choice of cells leave out the same cells as
+ * elsewhere. Curves go straight from point to point.
  */
 #ifndef camaron_LinesAndVertices_h
 #define camaron_LinesAndVertices_h
@@ -30,7 +30,8 @@ public:
   LinesAndVertices();
   ~LinesAndVertices();
 
-  /// Those of the mesh (or null) that are drawn in this style, made again when anything has changed.
+  /// Those of the mesh (or null) that are drawn in this style, made again when anything has
+  /// changed.
   vtkPolyData* Update(vtkUnstructuredGrid* grid, const InspectionStyle& style);
 
 private:

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshInspectionInternals.h
- * @brief What a vtkMeshInspectionRepresentation has: its properties, and what it draws beside the mesh.
+ * @brief What a vtkMeshInspectionRepresentation has: its properties, and what it draws beside the
+ * mesh.
  */
 #ifndef camaron_MeshInspectionInternals_h
 #define camaron_MeshInspectionInternals_h
@@ -57,7 +58,8 @@ public:
   /// What has come to be drawn, whole or coarse.
   struct Delivered
   {
-    vtkSmartPointer<vtkUnstructuredGrid> Blocks; ///< null where there are none; else with their looks
+    vtkSmartPointer<vtkUnstructuredGrid>
+      Blocks; ///< null where there are none; else with their looks
     vtkNew<vtkCompositeDataDisplayAttributes> Attributes; ///< of the samples
     bool AreAttributesOld = true;
 
@@ -120,7 +122,8 @@ public:
   };
 
   camaron::InspectionStyle Style;
-  std::array<double, 6> LocalBounds = { { 1, -1, 1, -1, 1, -1 } }; ///< of the points here that are somewhere
+  std::array<double, 6> LocalBounds = { { 1, -1, 1, -1, 1,
+    -1 } }; ///< of the points here that are somewhere
   Delivered Whole, Coarse;
   ///@{
   /// What is drawn of them.
@@ -141,7 +144,7 @@ public:
   vtkNew<vtkMatrix4x4> FixedView;
   bool HasFixedView = false;
 
-  int NormalsOf = 0;           ///< 1: faces, 2: vertices
+  int NormalsOf = 0;          ///< 1: faces, 2: vertices
   double NormalLength = 0.03; ///< as a part of the diagonal of the bounds
   Companion Lines;
   vtkNew<vtkProperty> LineProperty;

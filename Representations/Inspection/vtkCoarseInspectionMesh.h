@@ -4,8 +4,8 @@
  * @class vtkCoarseInspectionMesh
  * @brief What a Mesh Inspection draws while the camera moves: the mesh with fewer cells.
  *
- * See CoarseMesh.h for which cells are left. Cells and points have all arrays of those that they stand for, so that
- * whatever is drawn of the mesh can be drawn of this, too.
+ * See CoarseMesh.h for which cells are left. Cells and points have all arrays of those that they
+ * stand for, so that whatever is drawn of the mesh can be drawn of this, too.
  */
 #ifndef vtkCoarseInspectionMesh_h
 #define vtkCoarseInspectionMesh_h

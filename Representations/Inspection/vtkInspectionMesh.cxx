@@ -5,13 +5,13 @@
 #include "InspectionArrays.h"
 
 #include "ControllerReducer.h"
+#include "DistributedMesh.h"
 #include "Drawing/OuterFacets.h"
 #include "ElementBlocks.h"
 #include "Mesh/FacetLinks.h"
 #include "Mesh/GhostArrays.h"
 #include "Mesh/MeshCheck.h"
 #include "MeshInput.h"
-#include "MeshPieces.h"
 #include "vtkCamaronCompat.h"
 
 #include "vtkAppendFilter.h"
@@ -169,8 +169,8 @@ void AddOrigins(vtkUnstructuredGrid* grid, bool hasBlocks, unsigned int block)
 }
 
 //------------------------------------------------------------------------------
-// ParaView counts the blocks of a vtkMultiBlockDataSet to colour them, empty ones included; those of the other
-// composites have their own number.
+// ParaView counts the blocks of a vtkMultiBlockDataSet to color them, empty ones included; those
+// of the other composites have their own number.
 std::map<unsigned int, int> NumberBlocks(vtkDataObject* input)
 {
   std::map<unsigned int, int> numbers;
@@ -231,12 +231,12 @@ void FillTree(vtkDataObject* input,
 }
 
 //------------------------------------------------------------------------------
-// Whether what one process has is several pieces of a block, or a data set that points of several may be in.
+// Whether what one process has is several pieces of a block, or a data set that points of several
+// may be in.
 bool MayHavePieces(const std::vector<DataSetLeaf>& leaves)
 {
   std::set<int> blocks;
-  return std::any_of(leaves.begin(), leaves.end(),
-    [&](const DataSetLeaf& leaf)
+  return std::any_of(leaves.begin(), leaves.end(), [&](const DataSetLeaf& leaf)
     { return leaf.Data->GetPointData()->GetGlobalIds() || !blocks.insert(leaf.Number).second; });
 }
 
@@ -359,7 +359,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> vtkInspectionMesh::FindOuterFacets(
   }
   try
   {
-    MeshPieces pieces(leaves, {}, reducer.GetNumberOfProcesses(), reducer);
+    DistributedMesh pieces(leaves, {}, reducer.GetNumberOfProcesses(), reducer);
     if (isAlone && leaves.size() == 1 && pieces.GetFirstCopies(0).empty())
     {
       return found;

@@ -88,7 +88,8 @@ SharedArrays FindArrays(const std::vector<Grid>& samples, int association)
   {
     SharedArray& shared = entry.second;
     const bool isNumber = shared.Type != VTK_STRING && shared.Type != VTK_VARIANT;
-    const bool hasNull = shared.Type == VTK_FLOAT || shared.Type == VTK_DOUBLE || IsByte(shared.Type);
+    const bool hasNull =
+      shared.Type == VTK_FLOAT || shared.Type == VTK_DOUBLE || IsByte(shared.Type);
     if (isNumber && (!shared.IsOfOneType || (shared.NumberOfBlocks < samples.size() && !hasNull)))
     {
       shared.Type = VTK_DOUBLE;
@@ -197,10 +198,10 @@ struct Samples
 };
 
 //------------------------------------------------------------------------------
-// A block has as many pieces as it has in the process with the most. Each is from the first process that has as many:
-// there is one message of it.
-Samples MakeSamples(
-  const std::vector<Block>& blocks, std::size_t numberOfBlocks, vtkMultiProcessController* controller)
+// A block has as many pieces as it has in the process with the most. Each is from the first process
+// that has as many: there is one message of it.
+Samples MakeSamples(const std::vector<Block>& blocks, std::size_t numberOfBlocks,
+  vtkMultiProcessController* controller)
 {
   std::vector<int> sizes(numberOfBlocks, 0);
   std::transform(blocks.begin(), blocks.end(), sizes.begin(),
@@ -263,7 +264,8 @@ Samples MakeSamples(
 }
 
 //------------------------------------------------------------------------------
-// Puts samples where their blocks are, from the one with number @a block on; the structure of @a tree is there.
+// Puts samples where their blocks are, from the one with number @a block on; the structure of @a
+// tree is there.
 void PlaceSamples(vtkDataObjectTree* tree, const Samples& samples, std::size_t& block)
 {
   if (auto* pieces = vtkPartitionedDataSet::SafeDownCast(tree))
@@ -292,7 +294,8 @@ void PlaceSamples(vtkDataObjectTree* tree, const Samples& samples, std::size_t& 
 }
 
 //------------------------------------------------------------------------------
-// The tree of samples is that of the process with the most blocks: one without data may have an empty tree.
+// The tree of samples is that of the process with the most blocks: one without data may have an
+// empty tree.
 Samples PlaceSamples(
   const std::vector<Block>& blocks, vtkDataObjectTree* tree, vtkDataObjectTree* output)
 {
@@ -318,8 +321,7 @@ Samples PlaceSamples(
 }
 
 //------------------------------------------------------------------------------
-void Join(
-  const std::vector<Block>& blocks, const Samples& samples, vtkUnstructuredGrid* output)
+void Join(const std::vector<Block>& blocks, const Samples& samples, vtkUnstructuredGrid* output)
 {
   const SharedArrays ofPoints = FindArrays(samples.Pieces, vtkDataObject::POINT);
   const SharedArrays ofCells = FindArrays(samples.Pieces, vtkDataObject::CELL);
@@ -361,8 +363,8 @@ void Join(
 }
 
 //------------------------------------------------------------------------------
-// Where processes exchange cells, ParaView makes one of points that coincide, though blocks may differ in values there:
-// it goes by global ids where it can.
+// Where processes exchange cells, ParaView makes one of points that coincide, though blocks may
+// differ in values there: it goes by global ids where it can.
 void KeepPointsApart(vtkUnstructuredGrid* mesh)
 {
   vtkMultiProcessController* controller = GetOthers();

@@ -23,10 +23,10 @@
 #include "vtkMath.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
-#include "vtkPoints.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPVRenderViewDataDeliveryManager.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderPass.h"
 #include "vtkRenderer.h"
@@ -48,7 +48,8 @@ namespace
 bool IsRedistributed(vtkPVRenderView* view)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  return view && controller && controller->GetNumberOfProcesses() > 1 && view->GetUseOrderedCompositing();
+  return view && controller && controller->GetNumberOfProcesses() > 1 &&
+    view->GetUseOrderedCompositing();
 }
 }
 
@@ -114,8 +115,9 @@ std::size_t vtkMeshInspectionRepresentation::Internals::CountTriangles(vtkMapper
 }
 
 //------------------------------------------------------------------------------
-// The shape in the coordinates of the mesh. One that stays in the view is as the camera saw it in the first picture after
-// that was asked for, and moves through the mesh as the camera does. @a renderer: null as long as its camera may be old.
+// The shape in the coordinates of the mesh. One that stays in the view is as the camera saw it in
+// the first picture after that was asked for, and moves through the mesh as the camera does. @a
+// renderer: null as long as its camera may be old.
 void vtkMeshInspectionRepresentation::Internals::UpdateShape(
   vtkMeshInspectionRepresentation* self, vtkActor* actor, vtkRenderer* renderer)
 {
@@ -129,7 +131,8 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
     return; // until the picture begins
   }
   const std::string error = ConvertShape(this->CutFunction, this->Style.Shape);
-  // The default shape of an empty mesh, which has no bounds, and one without planes yet are nobody's fault.
+  // The default shape of an empty mesh, which has no bounds, and one without planes yet are
+  // nobody's fault.
   const bool isEmpty = this->Style.Bounds[0] > this->Style.Bounds[1];
   auto* planes = vtkHalfSpaces::SafeDownCast(this->CutFunction);
   const bool isUnfinished = planes && planes->GetNumberOfNumbers() == 0;
@@ -163,8 +166,8 @@ void vtkMeshInspectionRepresentation::Internals::UpdateShape(
 
 //==============================================================================
 vtkMeshInspectionRepresentation::vtkMeshInspectionRepresentation()
-  : Internal(std::make_unique<Internals>([this]
-      { return this->GetVisibility() && this->IsTooMuchToMove(this->Internal->Mesh); }))
+  : Internal(std::make_unique<Internals>(
+      [this] { return this->GetVisibility() && this->IsTooMuchToMove(this->Internal->Mesh); }))
 {
   // Instead of a surface and its mapper, the mesh and ours.
   this->GeometryFilter->Delete();
@@ -236,7 +239,7 @@ bool vtkMeshInspectionRepresentation::AddToView(vtkView* view)
   const bool isAdded = this->Superclass::AddToView(view);
   if (renderView)
   {
-    // After the mesh, whose colours are behind the smooth rims of letters.
+    // After the mesh, whose colors are behind the smooth rims of letters.
     renderView->GetRenderer()->AddActor(this->Internal->IdLabels);
     this->Internal->IdLabels->SetRenderer(renderView->GetRenderer());
     // After the camera has come over from the client.
@@ -285,7 +288,7 @@ vtkDataObject* vtkMeshInspectionRepresentation::GetRenderedDataObject(int)
 }
 
 //------------------------------------------------------------------------------
-// Colours by height and depth need the bounds of all pieces: every process that has one comes here.
+// Colors by height and depth need the bounds of all pieces: every process that has one comes here.
 int vtkMeshInspectionRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -403,7 +406,8 @@ int vtkMeshInspectionRepresentation::ProcessViewRequest(
 }
 
 //------------------------------------------------------------------------------
-// A shape that stays in the view goes by the camera of the picture, which servers know when they begin to draw.
+// A shape that stays in the view goes by the camera of the picture, which servers know when they
+// begin to draw.
 void vtkMeshInspectionRepresentation::FollowCamera(vtkObject* renderer, unsigned long, void*)
 {
   Internals& self = *this->Internal;
@@ -422,12 +426,14 @@ void vtkMeshInspectionRepresentation::UpdateReach()
   for (vtkMapper* mapper : std::initializer_list<vtkMapper*>{
          this->Mapper, this->BackfaceMapper, this->LODMapper, this->LODBackfaceMapper })
   {
-    static_cast<vtkMeshInspectionMapper*>(mapper)->SetReach(this->Internal->Style.ExplodeFactor, length);
+    static_cast<vtkMeshInspectionMapper*>(mapper)->SetReach(
+      this->Internal->Style.ExplodeFactor, length);
   }
 }
 
 //------------------------------------------------------------------------------
-// The blocks themselves travel as one grid. All processes have the same samples, so that one may speak for them.
+// The blocks themselves travel as one grid. All processes have the same samples, so that one may
+// speak for them.
 void vtkMeshInspectionRepresentation::GiveSamples(vtkInformation* inInfo, bool withCoarseMesh)
 {
   vtkDataObject* samples = this->MultiBlockMaker->GetOutputDataObject(Internals::PortOfSamples);
@@ -440,8 +446,8 @@ void vtkMeshInspectionRepresentation::GiveSamples(vtkInformation* inInfo, bool w
     vtkPVView::SetPiece(inInfo, this, samples, 0, Internals::PortOfSamples);
   }
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
-  auto* manager = vtkPVRenderViewDataDeliveryManager::SafeDownCast(
-    view ? view->GetDeliveryManager() : nullptr);
+  auto* manager =
+    vtkPVRenderViewDataDeliveryManager::SafeDownCast(view ? view->GetDeliveryManager() : nullptr);
   if (manager)
   {
     manager->SetDeliverToClientAndRenderingProcesses(
@@ -473,8 +479,9 @@ void vtkMeshInspectionRepresentation::MakeCoarseMesh(vtkInformation* inInfo)
 }
 
 //------------------------------------------------------------------------------
-// ParaView compares its threshold with all of the mesh. Where that is here anyway, what counts is what is drawn of it,
-// as for Surface. Several processes may draw different parts of it, but have to do the same.
+// ParaView compares its threshold with all of the mesh. Where that is here anyway, what counts is
+// what is drawn of it, as for Surface. Several processes may draw different parts of it, but have
+// to do the same.
 bool vtkMeshInspectionRepresentation::DrawsCoarseMesh(vtkInformation* inInfo)
 {
   if (this->SuppressLOD || !inInfo->Has(vtkPVRenderView::USE_LOD()) ||
@@ -496,14 +503,16 @@ bool vtkMeshInspectionRepresentation::IsTooMuchToMove(vtkDataObject* whole)
   {
     return true;
   }
-  constexpr double megabytesOfTriangle = 40.0 / 1024 / 1024; // three ids, an offset and half a point
+  constexpr double megabytesOfTriangle =
+    40.0 / 1024 / 1024; // three ids, an offset and half a point
   return megabytesOfTriangle * static_cast<double>(this->Internal->CountTriangles(this->Mapper)) >=
     view->GetLODRenderingThreshold();
 }
 
 //------------------------------------------------------------------------------
 // Blocks are looked at here, as their looks change without new data.
-vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation* inInfo, bool isCoarse)
+vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(
+  vtkInformation* inInfo, bool isCoarse)
 {
   Internals::Delivered& self = isCoarse ? this->Internal->Coarse : this->Internal->Whole;
   const auto get = [&](int port)
@@ -535,7 +544,8 @@ vtkUnstructuredGrid* vtkMeshInspectionRepresentation::UpdateMesh(vtkInformation*
 }
 
 //------------------------------------------------------------------------------
-// Of the lines that are drawn, 0 without; @a mesh: for where the bounds of the whole are not known, may be null.
+// Of the lines that are drawn, 0 without; @a mesh: for where the bounds of the whole are not known,
+// may be null.
 double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructuredGrid* mesh) const
 {
   vtkBoundingBox box(this->Style.Bounds.data());
@@ -548,7 +558,8 @@ double vtkMeshInspectionRepresentation::Internals::GetNormalLength(vtkUnstructur
 
 //------------------------------------------------------------------------------
 // The same for all pieces where the bounds of the whole are known; @a mesh: else, may be null.
-ConvexShape vtkMeshInspectionRepresentation::Internals::GetExactShape(vtkUnstructuredGrid* mesh) const
+ConvexShape vtkMeshInspectionRepresentation::Internals::GetExactShape(
+  vtkUnstructuredGrid* mesh) const
 {
   const InspectionStyle& style = this->Style;
   std::array<double, 6> bounds = style.Bounds;
@@ -585,8 +596,9 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
     // A ray tracer knows nothing of our shaders.
     if (!self.WarnedOfRayTracing)
     {
-      vtkWarningMacro("Mesh Inspection is ray traced as an ordinary surface: without glass, isolines, normals, "
-                      "inner walls and emphasis.");
+      vtkWarningMacro(
+        "Mesh Inspection is ray traced as an ordinary surface: without glass, isolines, normals, "
+        "inner walls and emphasis.");
     }
     self.WarnedOfRayTracing = true;
     style.OnProcessor = true;
@@ -596,7 +608,8 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
   {
     style.ExactShape = self.GetExactShape(mesh);
   }
-  for (vtkMapper* mapper : { drawn.Mapper, isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper })
+  for (vtkMapper* mapper :
+    { drawn.Mapper, isCoarse ? this->LODBackfaceMapper : this->BackfaceMapper })
   {
     static_cast<vtkMeshInspectionMapper*>(mapper)->SetStyle(style);
   }
@@ -656,4 +669,3 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
     self.Shell.Show(glass, drawn, this->Actor);
   }
 }
-

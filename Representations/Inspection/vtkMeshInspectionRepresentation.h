@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshInspectionRepresentation
- * @brief ParaView's representation "Mesh Inspection": the mesh with all its cells, on the graphics card.
+ * @brief ParaView's representation "Mesh Inspection": the mesh with all its cells, on the graphics
+ * card.
  *
- * Everything that Surface has (colours, lights, opacity, transform, picking) is inherited and works the same.
- * Unlike it, the whole mesh is delivered to where it is drawn, so that cuts, shrunk cells and glass need
- * no new data. Two actors share the tables of one mesh: the mesh itself and, when asked for, a glass shell
- * of its outside. See vtkMeshInspectionMapper for what is drawn and MeshInspection.xml for the properties.
+ * Everything that Surface has (colors, lights, opacity, transform, picking) is inherited and works
+ * the same. Unlike it, the whole mesh is delivered to where it is drawn, so that cuts, shrunk cells
+ * and glass need no new data. Two actors share the tables of one mesh: the mesh itself and, when
+ * asked for, a glass shell of its outside. See vtkMeshInspectionMapper for what is drawn and
+ * MeshInspection.xml for the properties.
  */
 #ifndef vtkMeshInspectionRepresentation_h
 #define vtkMeshInspectionRepresentation_h
@@ -86,8 +88,8 @@ public:
 
   vtkDataObject* GetRenderedDataObject(int port) override;
   void SetVisibility(bool visible) override;
-  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* inInfo,
-    vtkInformation* outInfo) override;
+  int ProcessViewRequest(
+    vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
 protected:
   vtkMeshInspectionRepresentation();

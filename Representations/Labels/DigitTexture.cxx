@@ -21,7 +21,8 @@ constexpr int NumberOfDigits = 11;
 /// Rows of the texture: of each kind the digits, then their rims.
 constexpr int NumberOfRows = 2 * NumberOfLabelKinds;
 
-/// How much of each pixel digits cover, from 0 to 255: all of them side by side, each in a cell of its own.
+/// How much of each pixel digits cover, from 0 to 255: all of them side by side, each in a cell of
+/// its own.
 struct Coverage
 {
   int Width = 0, Height = 0; // of a cell
@@ -167,7 +168,8 @@ void Paint(vtkImageData* image, int row, const Coverage& coverage, const Color& 
 {
   for (int y = 0; y < coverage.Height; ++y)
   {
-    auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(0, row * coverage.Height + y, 0));
+    auto* pixel =
+      static_cast<unsigned char*>(image->GetScalarPointer(0, row * coverage.Height + y, 0));
     for (int x = 0; x < coverage.GetRowSize(); ++x)
     {
       for (int k = 0; k < 3; ++k)

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::DigitTexture
- * @brief The digits of labels as one picture, written by VTK, in the colour of each kind, with a rim around them.
+ * @brief The digits of labels as one picture, written by VTK, in the color of each kind, with a
+ * rim around them.
  *
- * The rim is white for dark colours and black for bright ones, so that a label is readable before anything.
+ * The rim is white for dark colors and black for bright ones, so that a label is readable before
+ * anything.
  */
 #ifndef camaron_DigitTexture_h
 #define camaron_DigitTexture_h

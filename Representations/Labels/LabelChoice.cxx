@@ -17,7 +17,8 @@ namespace
 {
 /// Pixels of the blocks by which it is known where labels are.
 constexpr int Block = 4;
-/// Candidates that are looked at for each label, so that a mesh all covered with them does not take long.
+/// Candidates that are looked at for each label, so that a mesh all covered with them does not take
+/// long.
 constexpr std::size_t TriesPerLabel = 200;
 /// How far a triangle may be from the pixel of one of its corners, which it need not cover.
 constexpr int Reach = 2;
@@ -59,7 +60,7 @@ std::vector<IdLabel> LabelChoice::Choose()
   std::vector<IdLabel> labels;
   const auto size = static_cast<std::size_t>(this->Style.MaxLabels);
   for (std::size_t tries = TriesPerLabel * size;
-       tries > 0 && labels.size() < size && end != this->Candidates.begin(); --tries)
+    tries > 0 && labels.size() < size && end != this->Candidates.begin(); --tries)
   {
     std::pop_heap(this->Candidates.begin(), end, isFarther);
     --end;
@@ -196,7 +197,8 @@ bool LabelChoice::Project(const Place& place, double pixel[2], double& depth) co
   const double from[4] = { place[0], place[1], place[2], 1 };
   double at[4];
   this->Of.ToDisplay->MultiplyPoint(from, at);
-  if (!(at[3] > 0) || !(std::abs(at[0]) < at[3] && std::abs(at[1]) < at[3] && std::abs(at[2]) < at[3]))
+  if (!(at[3] > 0) ||
+    !(std::abs(at[0]) < at[3] && std::abs(at[1]) < at[3] && std::abs(at[2]) < at[3]))
   {
     return false;
   }
@@ -218,7 +220,8 @@ bool LabelChoice::IsPartOf(const Candidate& candidate, std::uint32_t entry) cons
     case LabelKind::Point:
       return has(candidate.First) && (isSameCell || !this->Mesh.MovesCells());
     case LabelKind::Edge:
-      return has(candidate.First) && has(candidate.Second) && (isSameCell || !this->Mesh.MovesCells());
+      return has(candidate.First) && has(candidate.Second) &&
+        (isSameCell || !this->Mesh.MovesCells());
     default:
       return isSameCell && this->Mesh.GetFace(entry) == this->Mesh.GetFace(candidate.Entry);
   }
@@ -232,7 +235,8 @@ bool LabelChoice::IsSeen(const Candidate& candidate, const double pixel[2]) cons
   const std::vector<std::uint32_t>& entries = this->Of.Pixels.GetEntries();
   for (int y = std::max(row - Reach, 0); y <= std::min(row + Reach, this->Of.Height - 1); ++y)
   {
-    for (int x = std::max(column - Reach, 0); x <= std::min(column + Reach, this->Of.Width - 1); ++x)
+    for (int x = std::max(column - Reach, 0); x <= std::min(column + Reach, this->Of.Width - 1);
+      ++x)
     {
       const std::uint32_t entry = entries[static_cast<std::size_t>(y) * this->Of.Width + x];
       if (entry != VisiblePixels::Nothing && this->IsPartOf(candidate, entry - 1))

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LabelChoice
- * @brief Chooses the elements of a mesh that carry their ids in a picture, and where these stand in it.
+ * @brief Chooses the elements of a mesh that carry their ids in a picture, and where these stand in
+ * it.
  *
- * Those nearest to the camera come first; the choice depends on nothing but the mesh, its style and the camera. No
- * label covers another one or leaves the picture. Points have theirs beside them; edges, faces and cells in their
- * middle. Of a mesh that one cannot see through, an element has a label if the place of the label is seen: its point, the
- * middle of the edge, of the face, of a face of the cell. Otherwise all elements of visible faces have one.
+ * Those nearest to the camera come first; the choice depends on nothing but the mesh, its style and
+ * the camera. No label covers another one or leaves the picture. Points have theirs beside them;
+ * edges, faces and cells in their middle. Of a mesh that one cannot see through, an element has a
+ * label if the place of the label is seen: its point, the middle of the edge, of the face, of a
+ * face of the cell. Otherwise all elements of visible faces have one.
  */
 #ifndef camaron_LabelChoice_h
 #define camaron_LabelChoice_h
@@ -26,7 +28,7 @@ struct IdLabel
 {
   LabelKind Kind;
   vtkIdType Id;
-  Place At; ///< what it is the label of, in the coordinates of the data
+  Place At;         ///< what it is the label of, in the coordinates of the data
   int Left, Bottom; ///< pixels, of the first digit
   double Depth;     ///< from 0, near, to 1; in front of all of the mesh behind it
 };
@@ -34,7 +36,7 @@ struct IdLabel
 /// Sizes of what is written, in pixels.
 struct DigitSize
 {
-  int Width = 1;  ///< from one digit to the next
+  int Width = 1; ///< from one digit to the next
   int Height = 1;
   int Margin = 1; ///< around the digits
 };
@@ -50,7 +52,8 @@ public:
     bool IsParallel; ///< the camera looks from infinitely far away
     int Width, Height;
     DigitSize Digits;
-    /// triangle << 1 | side of all that is there, for a mesh that one can see through; null: what the pixels show.
+    /// triangle << 1 | side of all that is there, for a mesh that one can see through; null: what
+    /// the pixels show.
     const std::vector<std::uint32_t>* Entries;
   };
 

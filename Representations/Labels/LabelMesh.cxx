@@ -19,7 +19,8 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Global ids, or else those of the data set where the elements come from, or null: they are numbered here.
+// Global ids, or else those of the data set where the elements come from, or null: they are
+// numbered here.
 vtkDataArray* FindIds(vtkDataSetAttributes* attributes, const char* name)
 {
   vtkDataArray* global = attributes->GetGlobalIds();
@@ -97,7 +98,8 @@ void LabelMesh::Release()
 }
 
 //------------------------------------------------------------------------------
-// Means of their points, as ParaView has centres of cells. The triangles of a face follow each other.
+// Means of their points, as ParaView has centers of cells. The triangles of a face follow each
+// other.
 void LabelMesh::FindFaceCenters()
 {
   this->FaceCenters.resize(this->Faces.size());
@@ -106,9 +108,9 @@ void LabelMesh::FindFaceCenters()
   {
     const std::uint32_t face = this->Triangles[first][3] >> DrawableFaces::EdgeBits;
     points.clear();
-    for (; next < this->Triangles.size() &&
-         this->Triangles[next][3] >> DrawableFaces::EdgeBits == face;
-         ++next)
+    for (;
+      next < this->Triangles.size() && this->Triangles[next][3] >> DrawableFaces::EdgeBits == face;
+      ++next)
     {
       points.insert(points.end(), this->Triangles[next].begin(), this->Triangles[next].begin() + 3);
     }
@@ -140,8 +142,7 @@ std::uint32_t LabelMesh::GetFace(std::uint32_t entry) const
 //------------------------------------------------------------------------------
 bool LabelMesh::IsGhostPoint(vtkIdType point) const
 {
-  return this->PointGhosts &&
-    (this->PointGhosts[point] & vtkDataSetAttributes::DUPLICATEPOINT);
+  return this->PointGhosts && (this->PointGhosts[point] & vtkDataSetAttributes::DUPLICATEPOINT);
 }
 
 //------------------------------------------------------------------------------

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::LabelMesh
- * @brief What labels need to know of the mesh of a Mesh Inspection: places of its elements and their ids.
+ * @brief What labels need to know of the mesh of a Mesh Inspection: places of its elements and
+ * their ids.
  *
- * The triangles are those that the graphics card has, fetched when they change; ids are looked up when they are
- * asked for.
+ * The triangles are those that the graphics card has, fetched when they change; ids are looked up
+ * when they are asked for.
  */
 #ifndef camaron_LabelMesh_h
 #define camaron_LabelMesh_h
@@ -32,8 +33,10 @@ class LabelMesh
 {
 public:
   /**
-   * To be called before each choice, when the tables of the triangles are there and the context is current.
-   * @param hasPieces false: cells have left their pieces, so that nobody knows the numbers of faces and edges
+   * To be called before each choice, when the tables of the triangles are there and the context is
+   * current.
+   * @param hasPieces false: cells have left their pieces, so that nobody knows the numbers of faces
+   * and edges
    */
   void Update(InspectionMesh& mesh, const InspectionStyle& style, bool hasPieces);
   void Release();

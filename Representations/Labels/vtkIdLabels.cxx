@@ -48,7 +48,8 @@ using namespace camaron;
 
 namespace
 {
-/// How far labels are in front of the mesh, from 0 to 1: more than what else is drawn right in front of it.
+/// How far labels are in front of the mesh, from 0 to 1: more than what else is drawn right in
+/// front of it.
 constexpr double DepthBefore = 1e-4;
 /// How far digits are in front of their rims.
 constexpr double DepthBetween = 1e-5;
@@ -64,7 +65,8 @@ public:
   /// Called when it is time to give back what is in graphics memory, with the context current.
   std::function<void()> OnRelease;
 
-  // The base class comes back here once it has made the context current; when the window calls, it is already.
+  // The base class comes back here once it has made the context current; when the window calls, it
+  // is already.
   void ReleaseGraphicsResources(vtkWindow* window) override
   {
     this->Superclass::ReleaseGraphicsResources(window);
@@ -175,7 +177,8 @@ std::vector<std::uint32_t> vtkIdLabels::Internals::GetEntries(
 }
 
 //------------------------------------------------------------------------------
-// How far labels can reach out of the mesh, in its unit, at the place that is farthest from the camera.
+// How far labels can reach out of the mesh, in its unit, at the place that is farthest from the
+// camera.
 double vtkIdLabels::Internals::GetMargin(const vtkBoundingBox& mesh) const
 {
   constexpr int longest = 20; // digits
@@ -187,7 +190,8 @@ double vtkIdLabels::Internals::GetMargin(const vtkBoundingBox& mesh) const
   {
     double middle[3];
     mesh.GetCenter(middle);
-    const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(middle, camera->GetPosition())) +
+    const double distance =
+      std::sqrt(vtkMath::Distance2BetweenPoints(middle, camera->GetPosition())) +
       mesh.GetDiagonalLength() / 2;
     half = distance * std::tan(vtkMath::RadiansFromDegrees(camera->GetViewAngle() / 2));
   }
@@ -348,7 +352,8 @@ void vtkIdLabels::SetRenderer(vtkRenderer* renderer)
 bool vtkIdLabels::GetUseBounds()
 {
   vtkRenderer* renderer = this->Internal->Renderer;
-  return renderer && renderer->GetRenderWindow() && renderer->GetRenderWindow()->CheckInRenderStatus();
+  return renderer && renderer->GetRenderWindow() &&
+    renderer->GetRenderWindow()->CheckInRenderStatus();
 }
 
 //------------------------------------------------------------------------------

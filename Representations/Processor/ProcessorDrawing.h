@@ -32,7 +32,7 @@ public:
   vtkOpenGLPolyDataMapper* GetMapper() { return this->Mapper; }
 
   /// @param actor whose place and looks the surface has
-  /// @param coloring whose colours it has
+  /// @param coloring whose colors it has
   void Draw(vtkRenderer* renderer, vtkActor* actor, vtkMapper* coloring, vtkUnstructuredGrid* grid,
     const InspectionStyle& style);
 

@@ -185,7 +185,8 @@ vtkSmartPointer<vtkPolyData> MakeFaces(Grid grid, const InspectionStyle& style)
 }
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakeIsosurfaces(vtkUnstructuredGrid* grid, const InspectionStyle& style)
+vtkSmartPointer<vtkPolyData> MakeIsosurfaces(
+  vtkUnstructuredGrid* grid, const InspectionStyle& style)
 {
   if (!grid->GetPointData()->HasArray(style.IsosurfaceArray.c_str()))
   {
@@ -210,8 +211,8 @@ bool ProcessorSurface::Request::operator==(const Request& other) const
   const auto key = [](const Request& request)
   {
     const InspectionStyle& style = request.Style;
-    return std::tie(request.Grid, request.Time, style.What, style.Faces, style.Edges, style.Points, style.Glass,
-      style.CellsToDraw, style.ShrinkFactor, style.Cut, style.KeepInside, style.Shape,
+    return std::tie(request.Grid, request.Time, style.What, style.Faces, style.Edges, style.Points,
+      style.Glass, style.CellsToDraw, style.ShrinkFactor, style.Cut, style.KeepInside, style.Shape,
       style.IsosurfaceArray, style.IsosurfaceValues);
   };
   return key(*this) == key(other);

@@ -4,8 +4,8 @@
  * @class camaron::ProcessorSurface
  * @brief What a Mesh Inspection shows as an ordinary surface, made by VTK's filters.
  *
- * For where the shaders cannot draw: tables that are too small, ray tracing. The same cells and faces are seen,
- * but a moving cut costs a new surface each time.
+ * For where the shaders cannot draw: tables that are too small, ray tracing. The same cells and
+ * faces are seen, but a moving cut costs a new surface each time.
  */
 #ifndef camaron_ProcessorSurface_h
 #define camaron_ProcessorSurface_h
@@ -27,8 +27,9 @@ class ProcessorSurface
 {
 public:
   /**
-   * Brings the surface up to date: made anew when the mesh or what of the style it depends on changed.
-   * Its cells and points have the arrays of ids (InspectionArrays.h). Empty for figures that only shaders draw.
+   * Brings the surface up to date: made anew when the mesh or what of the style it depends on
+   * changed. Its cells and points have the arrays of ids (InspectionArrays.h). Empty for figures
+   * that only shaders draw.
    */
   vtkPolyData* Update(vtkUnstructuredGrid* grid, const InspectionStyle& style);
 

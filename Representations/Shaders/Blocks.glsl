@@ -1,4 +1,4 @@
-// The colour and the opacity of a block, where it has any of its own.
+// The color and the opacity of a block, where it has any of its own.
 flat in vec4 lookOfBlock;
 
 void blocks(inout vec3 ambient, inout vec3 diffuse, inout float opacity)

@@ -48,7 +48,7 @@ vec4 vertexMC;
 //VTK::Picking::Dec
 
 #ifdef HAS_LINES
-uniform float hairsBreadth; // as far as the shape may be from a face of a cell that lies in it
+uniform float faceClearance; // as far as the shape may be from a face of a cell that lies in it
 
 // Where the shape lies in a wall, the walls beside it are cut in other tetrahedra, no wider than a hair: here the edges
 // of the wall are drawn in their place, and the wall itself has no line. Edges: bits of the lines between corners
@@ -63,7 +63,7 @@ void showEdgesOfWall(uint edges, vec3 places[4])
     bool isBeside[4];
     for (int i = 0; i < 4; ++i)
     {
-      isBeside[i] = abs(dot(planes[plane], vec4(places[i], 1.0))) < 2.0 * hairsBreadth;
+      isBeside[i] = abs(dot(planes[plane], vec4(places[i], 1.0))) < 2.0 * faceClearance;
       numberBeside += isBeside[i] ? 1 : 0;
     }
     if (numberBeside != 3)

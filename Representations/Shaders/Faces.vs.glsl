@@ -23,7 +23,7 @@ uniform int isListed;                 // 0: all triangles that are stored are vi
 
 #ifdef HAS_LOOKS
 uniform usamplerBuffer leafTable; // the block of a cell
-uniform samplerBuffer lookTable;  // colour or below 0, opacity or below 0, of every block
+uniform samplerBuffer lookTable;  // color or below 0, opacity or below 0, of every block
 flat out vec4 lookOfBlock;
 #endif
 #ifdef HAS_NORMALS

@@ -1,4 +1,4 @@
-// The pass of a hardware selection as a colour; see vtkHardwareSelector.
+// The pass of a hardware selection as a color; see vtkHardwareSelector.
 flat in uint pickedPoint;
 flat in uvec2 pickedOwner;
 

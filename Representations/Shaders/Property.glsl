@@ -1,4 +1,4 @@
-// The colour of the cell or point by the transfer function. What is done with coordinates of a colour texture
+// The color of the cell or point by the transfer function. What is done with coordinates of a color texture
 // (HAS_COLOR_COORDINATES) is VTK's business.
 #ifdef HAS_CELL_COLORS
 uniform samplerBuffer colorTable;

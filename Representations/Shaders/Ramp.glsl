@@ -1,4 +1,4 @@
-// A colour between two: by the value (HAS_..._VALUES) or by the distance from a plane, which the vertex shader
+// A color between two: by the value (HAS_..._VALUES) or by the distance from a plane, which the vertex shader
 // tells in parts of the range (HAS_DISTANCE).
 uniform vec3 lowColor;
 uniform vec3 highColor;

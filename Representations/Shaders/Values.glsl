@@ -5,7 +5,7 @@
 #define VARYING in
 #endif
 
-// The value that the cell or point is coloured by: a number, or not one where it is null.
+// The value that the cell or point is colored by: a number, or not one where it is null.
 #ifdef HAS_CELL_VALUES
 uniform samplerBuffer valueTable;
 float getValue() { return texelFetch(valueTable, int(cellOfFace)).x; }

@@ -3,7 +3,7 @@
 uniform usamplerBuffer triangleTable;
 uniform usamplerBuffer faceTable;
 uniform usamplerBuffer keepTable;
-uniform int bordersAreOpen; // 1: what another process has counts as not drawn, 0: as drawn with its neighbour
+uniform int bordersAreOpen; // 1: what another process has counts as not drawn, 0: as drawn with its neighbor
 uniform int wallsToDraw; // 0: between drawn and not drawn, 1: between two drawn cells, 2: all of drawn cells, 3: as 1, of both
 
 flat out uint triangleOfPoint;

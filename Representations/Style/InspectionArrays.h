@@ -27,7 +27,8 @@ constexpr const char* BlockIdsName = "InspectionBlocks";
 constexpr const char* LeavesName = "InspectionLeaves";
 constexpr const char* JoinedPointIdsName = "InspectionJoinedPoints";
 constexpr const char* HiddenLeavesName = "InspectionHiddenLeaves"; ///< a byte each
-constexpr const char* LeafLooksName = "InspectionLeafLooks"; ///< colour or below 0, opacity or below 0
+constexpr const char* LeafLooksName =
+  "InspectionLeafLooks"; ///< color or below 0, opacity or below 0
 ///@}
 }
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file InspectionStyle.h
- * @brief What a Mesh Inspection shows and how; the properties of the representation, all in one place.
+ * @brief What a Mesh Inspection shows and how; the properties of the representation, all in one
+ * place.
  */
 #ifndef camaron_InspectionStyle_h
 #define camaron_InspectionStyle_h
 
-#include <array>  // for colours and planes
+#include <array>  // for colors and planes
 #include <string> // for array names
 #include <vector> // for planes
 
@@ -40,11 +41,11 @@ enum class CutBy
   Exactly ///< cells are cut through
 };
 
-/// What faces are coloured by.
+/// What faces are colored by.
 enum class Coloring
 {
   TransferFunction, ///< the array, as everywhere in ParaView
-  TwoColors,        ///< the array, between two colours
+  TwoColors,        ///< the array, between two colors
   Height,           ///< the coordinate along a direction
   Depth             ///< the distance from the eye, along the view
 };
@@ -67,7 +68,7 @@ struct ConvexShape
   /// Takes the sphere to the unit sphere; row by row.
   std::array<double, 16> ToUnitSphere = {};
   /// How far it was moved away from faces of cells in it, see MakeExactShape.
-  double HairsBreadth = 0;
+  double FaceClearance = 0;
 
   bool operator==(const ConvexShape& other) const
   {
@@ -113,19 +114,21 @@ struct InspectionStyle
 
   Walls WallsToDraw = Walls::Surface;
   Chosen CellsToDraw = Chosen::All;
-  double ShrinkFactor = 1;  ///< 1: cells as they are, 0: shrunk to their centroid
-  double ExplodeFactor = 0; ///< 0: cells where they are, 1: twice as far from the middle of the mesh
+  double ShrinkFactor = 1; ///< 1: cells as they are, 0: shrunk to their centroid
+  double ExplodeFactor =
+    0; ///< 0: cells where they are, 1: twice as far from the middle of the mesh
 
   CutBy Cut = CutBy::Nothing;
   bool KeepInside = false;
-  /// Faces towards another process are drawn in a part of the mesh: right behind what is opaque, walls behind the rest.
+  /// Faces towards another process are drawn in a part of the mesh: right behind what is opaque,
+  /// walls behind the rest.
   bool BordersAreOpen = true;
-  bool CutFaces = false; ///< walls that the cut opens have their own colour
+  bool CutFaces = false; ///< walls that the cut opens have their own color
   Color CutColor = { { 0.9, 0.75, 0.4 } };
   ConvexShape Shape;
   ConvexShape ExactShape; ///< the one that cuts exactly, see MakeExactShape
 
-  bool HasLooks = false; ///< blocks of the mesh have colours or opacities of their own
+  bool HasLooks = false;     ///< blocks of the mesh have colors or opacities of their own
   bool HasNegatives = false; ///< cells have negative tetrahedra, see CellTetrahedra.h
 
   Coloring ColorBy = Coloring::TransferFunction;
@@ -135,14 +138,16 @@ struct InspectionStyle
   Color NullColor = { { 0.5, 0.5, 0.5 } };
   bool CustomColorRange = false; ///< off: what there is
   Range ColorRange = { { 0, 1 } };
-  std::array<double, 6> Bounds = { { 1, -1, 1, -1, 1, -1 } }; ///< of all pieces; 1, -1: those of the one here
+  std::array<double, 6> Bounds = { { 1, -1, 1, -1, 1,
+    -1 } }; ///< of all pieces; 1, -1: those of the one here
 
   Emphasis ValuesToEmphasize = Emphasis::Nothing;
   Range AcceptableRange = { { 0, 1 } };
-  double Dimming = 0.85; ///< of the others; 0: not at all, 1: all the same grey
+  double Dimming = 0.85; ///< of the others; 0: not at all, 1: all the same gray
 
-  bool Smooth = false;      ///< light as if faces were curved
-  double SmoothAngle = 30; ///< degrees; a corner whose normal is farther from its face's has the latter
+  bool Smooth = false; ///< light as if faces were curved
+  double SmoothAngle =
+    30; ///< degrees; a corner whose normal is farther from its face's has the latter
 
   std::string IsosurfaceArray; ///< of the points; one component or the magnitude
   std::vector<double> IsosurfaceValues;
@@ -172,12 +177,12 @@ struct InspectionStyle
     return style;
   }
   bool DrawsPointsOnly() const { return this->Points && !this->Faces && !this->Edges; }
-  /// True when edges are lines of their own, instead of a colour of the faces beside them.
+  /// True when edges are lines of their own, instead of a color of the faces beside them.
   bool DrawsEdgesAlone() const
   {
     return this->What == Figure::Faces && this->Edges && !this->Faces && !this->Glass;
   }
-  /// True when colours depend on where things are.
+  /// True when colors depend on where things are.
   bool ColorsByDistance() const
   {
     return this->ColorBy == Coloring::Height || this->ColorBy == Coloring::Depth;
@@ -191,7 +196,7 @@ struct InspectionStyle
   }
   /// True when the figure is made of the faces of cells.
   bool DrawsFaces() const { return this->What != Figure::Isosurfaces && this->What != Figure::Cap; }
-  /// True when the figure is made of lines of one colour.
+  /// True when the figure is made of lines of one color.
   bool DrawsNormals() const
   {
     return this->What == Figure::FaceNormals || this->What == Figure::PointNormals;

@@ -32,13 +32,13 @@ struct LabelStyle
   OfLabelKinds<bool> Shows = { { false, false, false, false } };
   int MaxLabels = 300; ///< of all kinds together
   int FontSize = 12;   ///< points
-  OfLabelKinds<Color> Colors = { { { { 0.75, 0, 0 } }, { { 0, 0.4, 0 } }, { { 0, 0, 0.8 } }, { { 0, 0, 0 } } } };
+  OfLabelKinds<Color> Colors = { { { { 0.75, 0, 0 } }, { { 0, 0.4, 0 } }, { { 0, 0, 0.8 } },
+    { { 0, 0, 0 } } } };
 
   bool Has(LabelKind kind) const { return this->Shows[static_cast<int>(kind)]; }
   bool IsEmpty() const
   {
-    return this->MaxLabels <= 0 ||
-      std::count(this->Shows.begin(), this->Shows.end(), true) == 0;
+    return this->MaxLabels <= 0 || std::count(this->Shows.begin(), this->Shows.end(), true) == 0;
   }
 };
 }

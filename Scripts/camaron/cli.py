@@ -198,7 +198,12 @@ def _parser() -> argparse.ArgumentParser:
         help="strategy and properties: 'STRATEGY: NAME=VALUE; NAME=VALUE'; may be repeated",
     )
     select.add_argument(
-        "-o", "--output", action="append", default=[], metavar="FILE", help="what to write; may be repeated"
+        "-o",
+        "--output",
+        action="append",
+        default=[],
+        metavar="FILE",
+        help="what to write; may be repeated",
     )
     _add_common(select)
     select.add_argument("--json", action="store_true", help="print JSON instead of lines")
@@ -228,7 +233,9 @@ def _add_criteria(parser: argparse.ArgumentParser) -> None:
     which = parser.add_mutually_exclusive_group()
     which.add_argument("--preset", metavar="P", help="criteria and acceptable ranges of a preset")
     which.add_argument(
-        "--criteria", metavar="A,B", help="names of criteria, or all; default: those of the preset General"
+        "--criteria",
+        metavar="A,B",
+        help="names of criteria, or all; default: those of the preset General",
     )
     parser.add_argument(
         "--ranges",
@@ -305,7 +312,9 @@ def _close_output() -> None:
 
 def _meshes(options: argparse.Namespace) -> list[str]:
     """The meshes that a command is about."""
-    found = [getattr(options, name) for name in ("mesh", "a", "b", "source") if hasattr(options, name)]
+    found = [
+        getattr(options, name) for name in ("mesh", "a", "b", "source") if hasattr(options, name)
+    ]
     return found + getattr(options, "meshes", [])
 
 
@@ -375,7 +384,9 @@ def _inspect(options: argparse.Namespace, _rest: list[str]) -> int:
     status = 0
     for number, (mesh, folder) in enumerate(zip(options.meshes, folders)):
         try:
-            with _StatusLine() as line, Progress(lambda words: line.show(f"{mesh}: {words}")) as progress:
+            with _StatusLine() as line, Progress(
+                lambda words: line.show(f"{mesh}: {words}")
+            ) as progress:
                 summary = inspect(
                     mesh,
                     folder,
@@ -545,9 +556,9 @@ def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
         ("outside", lambda c: str(c["out_of_range"]) if assessment.is_limited(c) else ""),
         (
             "%",
-            lambda c: text.percent(c["out_of_range"], c["judged"])
-            if assessment.is_limited(c)
-            else "",
+            lambda c: (
+                text.percent(c["out_of_range"], c["judged"]) if assessment.is_limited(c) else ""
+            ),
         ),
     ]
     unneeded = set()
@@ -653,7 +664,9 @@ def _criteria(options: argparse.Namespace, _rest: list[str]) -> int:
             limits = _ascii(text.interval(*c["acceptable"], c["unit"]))
             shapes = "" if c["acceptable_for"] == c["applies_to"] else f" of {c['acceptable_for']}"
             print(f"  acceptable {limits}{shapes} ({c['acceptable_source']})")
-        print(f"  {notes[c['name']]['formula']}\n  Degenerate cells: {notes[c['name']]['degenerate']}")
+        print(
+            f"  {notes[c['name']]['formula']}\n  Degenerate cells: {notes[c['name']]['degenerate']}"
+        )
     return 0
 
 

@@ -57,7 +57,9 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
     """
     path = Path(path)
     if not is_list(path):
-        raise ValueError(f"{path}: expected a name that ends in .csv or .txt, or a set in a folder 'sets'")
+        raise ValueError(
+            f"{path}: expected a name that ends in .csv or .txt, or a set in a folder 'sets'"
+        )
     if _is_set(path) and pipeline.is_composite(select):
         raise ValueError(f"{path}: a set names elements of one mesh, and this one has blocks")
     table = simple.SelectionTable(Input=select)
@@ -66,7 +68,9 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
     finally:
         simple.Delete(table)
     with Staging(path.parent) as staging:
-        (staging.path / path.name).write_text(_content(select, rows, path), encoding="utf-8", newline="")
+        (staging.path / path.name).write_text(
+            _content(select, rows, path), encoding="utf-8", newline=""
+        )
         staging.publish()
     return len(rows)
 
@@ -82,7 +86,9 @@ def _rows(table: Any) -> list[dict[str, Any]]:
             size = column.GetNumberOfComponents()
             for k in range(size):
                 name = column.GetName() if size == 1 else f"{column.GetName()}:{k}"
-                columns[name] = [column.GetValue(i * size + k) for i in range(part.GetNumberOfRows())]
+                columns[name] = [
+                    column.GetValue(i * size + k) for i in range(part.GetNumberOfRows())
+                ]
         rows += [dict(zip(columns, values)) for values in zip(*columns.values())]
     return rows
 

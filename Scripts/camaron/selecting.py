@@ -161,7 +161,9 @@ def _set_property(proxy: Any, name: str, value: str) -> None:
         return
     if "String" in kind:
         available = getattr(prop, "Available", None)
-        setattr(proxy, name, _lookup(value, available, name) if available and name != "Array" else value)
+        setattr(
+            proxy, name, _lookup(value, available, name) if available and name != "Array" else value
+        )
         return
     whole = "Double" not in kind
     numbers = []
@@ -171,9 +173,13 @@ def _set_property(proxy: Any, name: str, value: str) -> None:
             numbers.append(int(word) if whole else float(word))
         except ValueError:
             raise ValueError(f"{name}: expected a number, found '{word}'") from None
-    per_group = prop.SMProperty.GetNumberOfElementsPerCommand() if prop.SMProperty.GetRepeatable() else 1
+    per_group = (
+        prop.SMProperty.GetNumberOfElementsPerCommand() if prop.SMProperty.GetRepeatable() else 1
+    )
     if len(numbers) % per_group:
-        raise ValueError(f"{name}: expected a multiple of {per_group} numbers, found {len(numbers)}")
+        raise ValueError(
+            f"{name}: expected a multiple of {per_group} numbers, found {len(numbers)}"
+        )
     try:
         setattr(proxy, name, numbers if len(numbers) > 1 else numbers[0])
     except OverflowError:
@@ -199,7 +205,9 @@ def _write(evaluated: Evaluation, chain: Any, target: Path, notes: list[str]) ->
         export.write_list(chain, target)
         return
     if chain.GetProperty("ElementType").GetData() != "Cells":
-        raise ValueError(f"{target}: points are no mesh; write .csv or .txt, or change them to cells")
+        raise ValueError(
+            f"{target}: points are no mesh; write .csv or .txt, or change them to cells"
+        )
     cells = evaluated.make_of(
         chain,
         simple.Threshold,

@@ -27,9 +27,15 @@ def set_active_selection(source: Any, port: int = 0) -> None:
     information = source.GetDataInformation(port)
     element_type = source.GetProperty("ElementType")
     is_of_points = bool(element_type) and element_type.GetData() == "Points"
-    arrays = information.GetPointDataInformation() if is_of_points else information.GetCellDataInformation()
+    arrays = (
+        information.GetPointDataInformation()
+        if is_of_points
+        else information.GetCellDataInformation()
+    )
     if arrays.GetArrayInformation("Selected") is None:
-        raise ValueError('the output has no array "Selected": update it, or is it no SelectElements?')
+        raise ValueError(
+            'the output has no array "Selected": update it, or is it no SelectElements?'
+        )
     selected = paraview_selection._createSelection(
         "ThresholdSelectionSource",
         Thresholds=[1, 1],

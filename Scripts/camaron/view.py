@@ -13,6 +13,7 @@ import sys
 from camaron.common import pipeline
 from paraview import simple
 
+
 def show(path: str, view) -> None:
     """Opens a mesh and shows it."""
     if path.endswith(".pvsm"):

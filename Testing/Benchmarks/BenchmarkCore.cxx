@@ -4,11 +4,11 @@
 // Usage: BenchmarkCore [million tetrahedra [million polyhedra]]
 #include "BenchmarkMeshes.h"
 
+#include "Base/Buffer.h"
+#include "Base/Parallel.h"
 #include "Criteria/Evaluation.h"
 #include "Mesh/BoundarySurface.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Parallel.h"
-#include "Base/Buffer.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellSizeFilter.h"
@@ -118,7 +118,8 @@ const std::vector<std::string> AllOfCells = []
   std::vector<std::string> names;
   for (const camaron::Criterion& criterion : camaron::GetCriteria())
   {
-    if (criterion.CellFunction && (criterion.AppliesTo & (camaron::Polyhedra | camaron::Tetrahedra)))
+    if (criterion.CellFunction &&
+      (criterion.AppliesTo & (camaron::Polyhedra | camaron::Tetrahedra)))
     {
       names.push_back(criterion.Name);
     }
@@ -130,22 +131,24 @@ const std::vector<std::string> FiniteVolume = { "MaxNonOrthogonality", "MaxFaceS
   "MinFaceWeight", "MinVolumeRatio", "OrthogonalQuality", "CellDeterminant" };
 
 // What Canepa et al. 2016 evaluate on polyhedra.
-const std::vector<std::string> Paper = { "Volume", "SurfaceArea", "VertexCount", "FaceCount", "EdgeLengthRatio",
-  "MinDihedralAngle", "MaxDihedralAngle", "MinSolidAngle", "MaxSolidAngle" };
+const std::vector<std::string> Paper = { "Volume", "SurfaceArea", "VertexCount", "FaceCount",
+  "EdgeLengthRatio", "MinDihedralAngle", "MaxDihedralAngle", "MinSolidAngle", "MaxSolidAngle" };
 
 // What the specification calls core of tetrahedra by themselves.
-const std::vector<std::string> CoreOfTetrahedra = { "Volume", "SurfaceArea", "VertexCount", "EdgeCount", "FaceCount",
-  "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinFaceAngle", "MaxFaceAngle",
-  "MinDihedralAngle", "MaxDihedralAngle", "MinSolidAngle", "MaxSolidAngle", "EquiangleSkewness",
-  "EdgeLengthRatio", "IsoperimetricQuotient", "TetRadiusEdgeRatio", "TetRadiusRatio", "TetMeanRatio" };
+const std::vector<std::string> CoreOfTetrahedra = { "Volume", "SurfaceArea", "VertexCount",
+  "EdgeCount", "FaceCount", "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter",
+  "MinFaceAngle", "MaxFaceAngle", "MinDihedralAngle", "MaxDihedralAngle", "MinSolidAngle",
+  "MaxSolidAngle", "EquiangleSkewness", "EdgeLengthRatio", "IsoperimetricQuotient",
+  "TetRadiusEdgeRatio", "TetRadiusRatio", "TetMeanRatio" };
 
 // What people who look at polyhedra of all kinds tick.
-const std::vector<std::string> Core = { "Volume", "SurfaceArea", "VertexCount", "EdgeCount", "FaceCount",
-  "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinFaceAngle", "MaxFaceAngle",
-  "MinDihedralAngle", "MaxDihedralAngle", "MinSolidAngle", "MaxSolidAngle", "EquiangleSkewness",
-  "EdgeLengthRatio", "IsoperimetricQuotient", "CellAspectRatio", "MinFaceFlatness", "MaxWarpage",
-  "MaxFaceConcavity", "CellConcavity", "Openness", "MinFacePyramidVolume", "MinTetMeanRatio",
-  "MaxNonOrthogonality", "MaxFaceSkewness", "MinVolumeRatio", "OrthogonalQuality" };
+const std::vector<std::string> Core = { "Volume", "SurfaceArea", "VertexCount", "EdgeCount",
+  "FaceCount", "MinEdgeLength", "MaxEdgeLength", "MeanEdgeLength", "Diameter", "MinFaceAngle",
+  "MaxFaceAngle", "MinDihedralAngle", "MaxDihedralAngle", "MinSolidAngle", "MaxSolidAngle",
+  "EquiangleSkewness", "EdgeLengthRatio", "IsoperimetricQuotient", "CellAspectRatio",
+  "MinFaceFlatness", "MaxWarpage", "MaxFaceConcavity", "CellConcavity", "Openness",
+  "MinFacePyramidVolume", "MinTetMeanRatio", "MaxNonOrthogonality", "MaxFaceSkewness",
+  "MinVolumeRatio", "OrthogonalQuality" };
 
 //------------------------------------------------------------------------------
 // A number of /proc/self/status in bytes; 0 where the system has none.
@@ -191,9 +194,10 @@ void OnTetrahedra(vtkIdType size)
       Touch(grid);
       camaron::MeshTopology(grid).GetFaces();
     });
-  Print("tetrahedra: unique faces and neighbours", cells, seconds, "vtkGeometryFilter",
+  Print("tetrahedra: unique faces and neighbors", cells, seconds, "vtkGeometryFilter",
     SecondsPerCell<vtkGeometryFilter>(grid));
-  Print("", cells, seconds, "vtkDataSetSurfaceFilter", SecondsPerCell<vtkDataSetSurfaceFilter>(grid));
+  Print(
+    "", cells, seconds, "vtkDataSetSurfaceFilter", SecondsPerCell<vtkDataSetSurfaceFilter>(grid));
   seconds = Measure(
     [&]
     {
@@ -215,8 +219,7 @@ void OnTetrahedra(vtkIdType size)
   Print("tetrahedra: EdgeLengthRatio", cells, seconds, "vtkMeshQuality", peer);
   for (const char* name : { "Volume", "TetRadiusEdgeRatio", "TetMeanRatio", "MinSolidAngle" })
   {
-    Print(std::string("tetrahedra: ") + name, cells,
-      Measure([&] { EvaluateOn(grid, { name }); }));
+    Print(std::string("tetrahedra: ") + name, cells, Measure([&] { EvaluateOn(grid, { name }); }));
   }
   Print("tetrahedra: " + std::to_string(CoreOfTetrahedra.size()) + " core criteria", cells,
     Measure([&] { EvaluateOn(grid, CoreOfTetrahedra); }));
@@ -237,7 +240,7 @@ void OnPolyhedra(vtkIdType size)
       Touch(grid);
       camaron::MeshTopology(grid).GetFaces();
     });
-  Print("polyhedra: unique faces and neighbours", cells, seconds);
+  Print("polyhedra: unique faces and neighbors", cells, seconds);
   seconds = Measure(
     [&]
     {
@@ -261,8 +264,7 @@ void OnPolyhedra(vtkIdType size)
   for (const char* name :
     { "Volume", "EdgeLengthRatio", "MinFaceAngle", "MinDihedralAngle", "MinSolidAngle" })
   {
-    Print(std::string("polyhedra: ") + name, cells,
-      Measure([&] { EvaluateOn(grid, { name }); }));
+    Print(std::string("polyhedra: ") + name, cells, Measure([&] { EvaluateOn(grid, { name }); }));
   }
   Print("polyhedra: " + std::to_string(Paper.size()) + " criteria of the paper", cells,
     Measure([&] { EvaluateOn(grid, Paper); }));
@@ -270,21 +272,22 @@ void OnPolyhedra(vtkIdType size)
     Measure([&] { EvaluateOn(grid, AllOfCells); }, 1)); // minutes for a million
   for (const std::vector<std::string>& names : { FiniteVolume, Core })
   {
-    const std::string what =
-      "polyhedra: " + std::to_string(names.size()) + (names == Core ? " core criteria" : " of finite volumes");
+    const std::string what = "polyhedra: " + std::to_string(names.size()) +
+      (names == Core ? " core criteria" : " of finite volumes");
     Print(what, cells, Measure([&] { Touch(grid), EvaluateOn(grid, names); }));
     PrintPeak(what, grid, names);
   }
 }
 
 //------------------------------------------------------------------------------
-// What the constants of Core/Criteria/CostEstimate.cxx are taken from: processor time for each corner of a
-// cell, of one criterion of a class that is defined for one of the shapes and of each that is added.
+// What the constants of Core/Criteria/CostEstimate.cxx are taken from: processor time for each
+// corner of a cell, of one criterion of a class that is defined for one of the shapes and of each
+// that is added.
 void OnClasses(const char* mesh, unsigned shapes, vtkUnstructuredGrid* grid)
 {
   const double corners = static_cast<double>(grid->GetCells()->GetNumberOfConnectivityIds());
   const std::pair<camaron::Cost, const char*> classes[] = { { camaron::Cost::Faces, "faces" },
-    { camaron::Cost::Edges, "edges" }, { camaron::Cost::Neighbors, "neighbours" },
+    { camaron::Cost::Edges, "edges" }, { camaron::Cost::Neighbors, "neighbors" },
     { camaron::Cost::Iterative, "iterative" }, { camaron::Cost::Clipping, "clipping" } };
   for (const auto& [cost, name] : classes)
   {
@@ -303,8 +306,8 @@ void OnClasses(const char* mesh, unsigned shapes, vtkUnstructuredGrid* grid)
       const double number = static_cast<double>(names.size());
       const double all = Measure([&] { Touch(grid), EvaluateOn(grid, names); }, 1).Processor;
       const double added = number > 1 ? (all - one / number) / (number - 1) : 0;
-      std::printf("%s, class %-10s %3.0f criteria: %7.1f ns/corner for one, %6.1f for another\n", mesh,
-        name, number, 1e9 * one / number / corners, 1e9 * added / corners);
+      std::printf("%s, class %-10s %3.0f criteria: %7.1f ns/corner for one, %6.1f for another\n",
+        mesh, name, number, 1e9 * one / number / corners, 1e9 * added / corners);
       std::fflush(stdout);
     }
   }

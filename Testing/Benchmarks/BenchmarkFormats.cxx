@@ -108,7 +108,8 @@ void Run(const Row& row, double million)
   const Cost floor = Measure([&] { camaron::MapAndTouch(path, grid); });
   std::printf("%-26s %9.2f %8.1f %9.3f %9.3f %9.3f %7.0f %9.3f %8.1f %6.2f", row.Name,
     static_cast<double>(mesh->GetNumberOfCells()) / Mega, size / Mega, saving.Wall, opening.Wall,
-    opening.Processor, size / Mega / opening.Processor, floor.Wall, grid / Mega, opening.Peak / grid);
+    opening.Processor, size / Mega / opening.Processor, floor.Wall, grid / Mega,
+    opening.Peak / grid);
   if (row.Peer)
   {
     const Cost peer = Measure([&] { row.Peer(path); });
@@ -144,8 +145,8 @@ int main(int argc, char* argv[])
       Run(row, million);
     }
   }
-  std::printf(
-    "\n* of processor time, all threads together; floor: mapping the file and touching as much fresh "
-    "memory as the grid has; peak: of memory while opening, in grids\n");
+  std::printf("\n* of processor time, all threads together; floor: mapping the file and touching "
+              "as much fresh "
+              "memory as the grid has; peak: of memory while opening, in grids\n");
   return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The kernel of closed surfaces of more and more triangles: balls, every triangle of which is a face
-// of the kernel, and balls with bumps, few of which are. No other program here makes kernels.
+// The kernel of closed surfaces of more and more triangles: balls, every triangle of which is a
+// face of the kernel, and balls with bumps, few of which are. No other program here makes kernels.
 // Usage: BenchmarkKernel [levels]
 #include "BenchmarkCost.h"
 
@@ -93,8 +93,9 @@ void Print(const char* name, int level, double bumps)
       faces = found->GetNumberOfCells();
     });
   const double triangles = static_cast<double>(ball.Get()->GetNumberOfPolys());
-  std::printf("%-16s %8.0f triangles, kernel of %7lld faces %8.3f s, processor %8.3f s %6.1f us/triangle, "
-              "peak %6.1f MB\n",
+  std::printf(
+    "%-16s %8.0f triangles, kernel of %7lld faces %8.3f s, processor %8.3f s %6.1f us/triangle, "
+    "peak %6.1f MB\n",
     name, triangles, static_cast<long long>(faces), cost.Wall, cost.Processor,
     1e6 * cost.Processor / triangles, cost.Peak / 1e6);
   std::fflush(stdout);

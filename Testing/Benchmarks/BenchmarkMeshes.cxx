@@ -70,7 +70,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(vtkIdType numberOfCells)
     if (id < 0)
     {
       id = static_cast<std::int32_t>(coordinates.size());
-      coordinates.push_back({ { p[0] + jitter(random), p[1] + jitter(random), p[2] + jitter(random) } });
+      coordinates.push_back(
+        { { p[0] + jitter(random), p[1] + jitter(random), p[2] + jitter(random) } });
     }
     return id;
   };
@@ -149,8 +150,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeSurface(vtkIdType numberOfCells, bool i
 {
   // Squares of two triangles; of a mixed sheet two in three stay whole.
   const double perSquare = isMixed ? 4. / 3 : 2;
-  const int n =
-    std::max(1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(numberOfCells) / perSquare))));
+  const int n = std::max(
+    1, static_cast<int>(std::lround(std::sqrt(static_cast<double>(numberOfCells) / perSquare))));
   std::mt19937 random(3);
   std::uniform_real_distribution<float> jitter(-0.2f, 0.2f);
   std::vector<Coordinates> coordinates;
@@ -203,7 +204,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeSurface(vtkIdType numberOfCells, bool i
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkUnstructuredGrid> MakeTruncatedOctahedra(vtkIdType numberOfCells)
 {
-  // Cells around the points of a lattice with period 4 and around the centres of its cubes.
+  // Cells around the points of a lattice with period 4 and around the centers of its cubes.
   const int n = static_cast<int>(std::lround(std::cbrt(static_cast<double>(numberOfCells) / 2)));
   std::mt19937 random(2);
   std::uniform_real_distribution<float> jitter(-0.05f, 0.05f);
@@ -262,11 +263,12 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTruncatedOctahedra(vtkIdType numberOfCe
             for (const auto& p : face)
             {
               const std::int64_t x = center[0] + p[0], y = center[1] + p[1], z = center[2] + p[2];
-              const auto known =
-                ids.emplace((z << 42) + (y << 21) + x, static_cast<std::int32_t>(coordinates.size()));
+              const auto known = ids.emplace(
+                (z << 42) + (y << 21) + x, static_cast<std::int32_t>(coordinates.size()));
               if (known.second)
               {
-                coordinates.push_back({ { x + jitter(random), y + jitter(random), z + jitter(random) } });
+                coordinates.push_back(
+                  { { x + jitter(random), y + jitter(random), z + jitter(random) } });
               }
               facePoints.push_back(known.first->second);
               cellPoints.push_back(known.first->second);

@@ -12,13 +12,14 @@
 
 namespace camaron
 {
-/// A ball of about @a numberOfCells jittered tetrahedra, six to a cube, with shuffled cells and points.
+/// A ball of about @a numberOfCells jittered tetrahedra, six to a cube, with shuffled cells and
+/// points.
 vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra(vtkIdType numberOfCells);
-/// A jittered sheet of about @a numberOfCells triangles, or of as many polygons of three and four points,
-/// with shuffled cells.
+/// A jittered sheet of about @a numberOfCells triangles, or of as many polygons of three and four
+/// points, with shuffled cells.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSurface(vtkIdType numberOfCells, bool isMixed = false);
-/// A block of about @a numberOfCells truncated octahedra, the Voronoi cells of a body-centred lattice
-/// (14 faces, 24 points), with jittered points, as VTK_POLYHEDRON.
+/// A block of about @a numberOfCells truncated octahedra, the Voronoi cells of a body-centered
+/// lattice (14 faces, 24 points), with jittered points, as VTK_POLYHEDRON.
 vtkSmartPointer<vtkUnstructuredGrid> MakeTruncatedOctahedra(vtkIdType numberOfCells);
 }
 

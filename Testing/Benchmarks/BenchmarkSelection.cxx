@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Selections of many cells: what lies in a sphere, beside VTK's vtkExtractGeometry; rings of neighbours, beside VTK's
-// vtkExtractSelection with connected layers, which knows neighbours over points only; changes of the kind of elements.
-// Usage: BenchmarkSelection [millions of tetrahedra] [millions of polyhedra]
+// Selections of many cells: what lies in a sphere, beside VTK's vtkExtractGeometry; rings of
+// neighbors, beside VTK's vtkExtractSelection with connected layers, which knows neighbors over
+// points only; changes of the kind of elements. Usage: BenchmarkSelection [millions of tetrahedra]
+// [millions of polyhedra]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 
@@ -48,15 +49,16 @@ public:
   {
     double found = 0;
     const camaron::Cost cost = camaron::Measure([&] { found = work(); });
-    std::printf("  %-36s %-20s %8.3f s %9.1f ns/cell, processor %9.1f, peak %7.1f MB, found %.0f\n", what, by,
-      cost.Wall, 1e9 * cost.Wall / this->Cells, 1e9 * cost.Processor / this->Cells, cost.Peak / 1e6, found);
+    std::printf("  %-36s %-20s %8.3f s %9.1f ns/cell, processor %9.1f, peak %7.1f MB, found %.0f\n",
+      what, by, cost.Wall, 1e9 * cost.Wall / this->Cells, 1e9 * cost.Processor / this->Cells,
+      cost.Peak / 1e6, found);
     std::fflush(stdout);
   }
 
   void PrintPlacements() const
   {
-    for (const char* placement :
-      { "Any vertex inside", "All vertices inside", "Centroid inside", "Intersects", "Cut by boundary" })
+    for (const char* placement : { "Any vertex inside", "All vertices inside", "Centroid inside",
+           "Intersects", "Cut by boundary" })
     {
       this->Print(placement, "Select Elements",
         [&]
@@ -190,6 +192,7 @@ int main(int argc, char* argv[])
   const double tetrahedra = argc > 1 ? std::atof(argv[1]) : 3.5;
   const double polyhedra = argc > 2 ? std::atof(argv[2]) : 0.2;
   Run("tetrahedra", camaron::MakeTetrahedra(static_cast<vtkIdType>(1e6 * tetrahedra)));
-  Run("truncated octahedra", camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(1e6 * polyhedra)));
+  Run("truncated octahedra",
+    camaron::MakeTruncatedOctahedra(static_cast<vtkIdType>(1e6 * polyhedra)));
   return 0;
 }

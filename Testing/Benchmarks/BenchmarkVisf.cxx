@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Opening and saving Visf files, beside the same meshes as raw .vtu files in the same run. Files are
-// in the system's cache. Memory is the peak that the process has to itself, without mapped files.
-// Usage: BenchmarkVisf [million tetrahedra [million polyhedra]]
+// Opening and saving Visf files, beside the same meshes as raw .vtu files in the same run. Files
+// are in the system's cache. Memory is the peak that the process has to itself, without mapped
+// files. Usage: BenchmarkVisf [million tetrahedra [million polyhedra]]
 #include "BenchmarkCost.h"
 #include "BenchmarkMeshes.h"
 
@@ -32,9 +32,10 @@ constexpr double Mega = 1e6;
 void Print(const char* what, vtkIdType cells, const std::string& path, const Cost& cost)
 {
   const double bytes = static_cast<double>(std::filesystem::file_size(path));
-  std::printf("  %-28s %7.1f MB  %7.3f s  processor %7.3f s  %8.1f ns/cell  %8.1f MB/s  peak %7.1f MB\n",
-    what, bytes / Mega, cost.Wall, cost.Processor, 1e9 * cost.Wall / cells, bytes / Mega / cost.Wall,
-    cost.Peak / Mega);
+  std::printf(
+    "  %-28s %7.1f MB  %7.3f s  processor %7.3f s  %8.1f ns/cell  %8.1f MB/s  peak %7.1f MB\n",
+    what, bytes / Mega, cost.Wall, cost.Processor, 1e9 * cost.Wall / cells,
+    bytes / Mega / cost.Wall, cost.Peak / Mega);
   std::fflush(stdout);
 }
 
@@ -43,7 +44,8 @@ void OpenAndSave(const char* kind, vtkUnstructuredGrid* mesh)
 {
   const vtkIdType cells = mesh->GetNumberOfCells();
   const auto folder = std::filesystem::temp_directory_path() /
-    ("camaron-benchmark-" + std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
+    ("camaron-benchmark-" +
+      std::to_string(std::chrono::steady_clock::now().time_since_epoch().count()));
   std::filesystem::create_directories(folder);
   const std::string binary = (folder / "binary.visf").string();
   const std::string text = (folder / "text.visf").string();

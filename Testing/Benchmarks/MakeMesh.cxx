@@ -21,8 +21,8 @@ int main(int argc, char* argv[])
     std::fprintf(stderr, "Usage: MakeMesh tetrahedra|polyhedra CELLS FILE.visf\n");
     return 2;
   }
-  const auto mesh = kind == "tetrahedra" ? camaron::MakeTetrahedra(cells)
-                                         : camaron::MakeTruncatedOctahedra(cells);
+  const auto mesh =
+    kind == "tetrahedra" ? camaron::MakeTetrahedra(cells) : camaron::MakeTruncatedOctahedra(cells);
   vtkNew<vtkVisfWriter> writer;
   writer->SetInputData(mesh);
   writer->SetFileName(argv[3]);

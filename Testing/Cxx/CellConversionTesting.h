@@ -6,9 +6,9 @@
 
 #include "TestMeshes.h"
 
+#include "Base/Vector.h"
 #include "CellMesh/CellConversion.h"
 #include "CellMesh/OutputMesh.h"
-#include "Base/Vector.h"
 
 #include <gtest/gtest.h>
 

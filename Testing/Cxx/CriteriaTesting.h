@@ -56,13 +56,16 @@ inline void ExpectWithin(double expected, double value, double tolerance, const 
   EXPECT_NEAR(expected, value, tolerance) << what;
 }
 
-/// A known value: a small one to as many digits as a large one, and of 0 there is a rest of 1e-12 at most.
+/// A known value: a small one to as many digits as a large one, and of 0 there is a rest of 1e-12
+/// at most.
 inline void ExpectNear(double expected, double value, double relative, const std::string& what)
 {
-  ExpectWithin(expected, value, expected == 0 ? std::min(relative, 1e-12) : relative * std::abs(expected), what);
+  ExpectWithin(expected, value,
+    expected == 0 ? std::min(relative, 1e-12) : relative * std::abs(expected), what);
 }
 
-/// Two values of the same, which below 1 may differ by as much as at 1: many are rests of what should be 0.
+/// Two values of the same, which below 1 may differ by as much as at 1: many are rests of what
+/// should be 0.
 inline void ExpectSame(double a, double b, double relative, const std::string& what)
 {
   ExpectWithin(a, b, relative * std::max(1.0, std::abs(a)), what);
@@ -108,8 +111,11 @@ inline Grid MakePolygon(const Points& points)
     ids[i] = static_cast<vtkIdType>(i);
   }
   const int size = static_cast<int>(points.size());
-  return MakeGrid(
-    points, { { size == 3 ? VTK_TRIANGLE : size == 4 ? VTK_QUAD : VTK_POLYGON, ids } });
+  return MakeGrid(points,
+    { { size == 3   ? VTK_TRIANGLE
+        : size == 4 ? VTK_QUAD
+                    : VTK_POLYGON,
+      ids } });
 }
 }
 }

@@ -108,7 +108,8 @@ inline void Observe(vtkObject* object, unsigned long event, std::vector<std::str
 
 /// What a reader of class @a Reader makes of a file; @a configure sets its options.
 template <typename Reader, typename Configure>
-Result ReadWith(const std::string& path, int piece, int pieces, int ghostLevels, Configure&& configure)
+Result ReadWith(
+  const std::string& path, int piece, int pieces, int ghostLevels, Configure&& configure)
 {
   Result result;
   vtkNew<Reader> reader;
@@ -148,8 +149,8 @@ inline std::string GetBytes(const std::string& path)
 
 /// What a writer of class @a Writer says when it writes a mesh; @a configure sets its options.
 template <typename Writer>
-Written WriteTo(const std::string& path, vtkDataObject* mesh,
-  const std::function<void(Writer*)>& configure = {})
+Written WriteTo(
+  const std::string& path, vtkDataObject* mesh, const std::function<void(Writer*)>& configure = {})
 {
   Written written;
   vtkNew<Writer> writer;
@@ -168,8 +169,8 @@ Written WriteTo(const std::string& path, vtkDataObject* mesh,
 
 /// The same with the bytes of the file, which are "before" if it is not written.
 template <typename Writer>
-Written WriteWith(vtkDataObject* mesh, const std::string& name,
-  const std::function<void(Writer*)>& configure = {})
+Written WriteWith(
+  vtkDataObject* mesh, const std::string& name, const std::function<void(Writer*)>& configure = {})
 {
   const File file("before", name);
   Written written = WriteTo<Writer>(file.Path, mesh, configure);
@@ -182,14 +183,14 @@ inline ::testing::AssertionResult HaveSameValues(vtkDataArray* a, vtkDataArray* 
 {
   if (a->GetDataType() != b->GetDataType() || a->GetNumberOfValues() != b->GetNumberOfValues())
   {
-    return ::testing::AssertionFailure() << a->GetClassName() << " of " << a->GetNumberOfValues()
-                                         << " values, " << b->GetClassName() << " of "
-                                         << b->GetNumberOfValues();
+    return ::testing::AssertionFailure()
+      << a->GetClassName() << " of " << a->GetNumberOfValues() << " values, " << b->GetClassName()
+      << " of " << b->GetNumberOfValues();
   }
   // Bit by bit, as nan is not equal to itself.
   if (a->GetNumberOfValues() > 0 &&
     std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0),
-        static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) != 0)
+      static_cast<std::size_t>(a->GetNumberOfValues()) * a->GetDataTypeSize()) != 0)
   {
     return ::testing::AssertionFailure() << "values differ";
   }
@@ -278,8 +279,8 @@ inline std::vector<std::vector<vtkIdType>> DescribeCell(
 }
 
 //------------------------------------------------------------------------------
-/// Volume of a cell of three dimensions by its plane faces, positive if they run outward; area of one of two in the
-/// plane of x and y, positive if it is counterclockwise.
+/// Volume of a cell of three dimensions by its plane faces, positive if they run outward; area of
+/// one of two in the plane of x and y, positive if it is counterclockwise.
 inline double GetMeasure(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
   const MeshView mesh(grid);
@@ -387,7 +388,8 @@ void ExpectPiecesMakeTheWhole(const std::string& path, int pieces, int ghostLeve
     std::set<vtkIdType> mine, touched;
     for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
     {
-      EXPECT_EQ(DescribeCell(grid, cell, pointIds), DescribeCell(whole.Grid, cellIds[cell], allPoints));
+      EXPECT_EQ(
+        DescribeCell(grid, cell, pointIds), DescribeCell(whole.Grid, cellIds[cell], allPoints));
       if (!ghosts || !ghosts->GetValue(cell))
       {
         EXPECT_TRUE(cells.insert(cellIds[cell]).second) << "cell twice";

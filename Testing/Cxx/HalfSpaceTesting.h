@@ -7,8 +7,8 @@
 #ifndef camaron_HalfSpaceTesting_h
 #define camaron_HalfSpaceTesting_h
 
-#include "Geometry/HalfSpace.h"
 #include "Base/Vector.h"
+#include "Geometry/HalfSpace.h"
 
 #include <cmath>
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file MeshElementsTesting.h
- * @brief What the tests of faces, edges and vertices share: meshes, and all elements of one, with all arrays.
+ * @brief What the tests of faces, edges and vertices share: meshes, and all elements of one, with
+ * all arrays.
  */
 #ifndef camaron_MeshElementsTesting_h
 #define camaron_MeshElementsTesting_h
@@ -75,8 +76,7 @@ inline Grid MakeRow(int cubes)
   }
   for (vtkIdType a = 0; a < 4 * cubes; a += 4)
   {
-    cells.push_back(
-      { VTK_HEXAHEDRON, { a, a + 4, a + 5, a + 1, a + 3, a + 7, a + 6, a + 2 } });
+    cells.push_back({ VTK_HEXAHEDRON, { a, a + 4, a + 5, a + 1, a + 3, a + 7, a + 6, a + 2 } });
   }
   return MakeGrid(points, cells);
 }

@@ -4,7 +4,8 @@
  * @file SharedData.h
  * @brief The folder of collected meshes of other programs, which CAMARON_SHARED_DATA names.
  *
- * A test that includes this gets the label shared-data, by which a folder of meshes can be tried alone.
+ * A test that includes this gets the label shared-data, by which a folder of meshes can be tried
+ * alone.
  */
 #ifndef camaron_SharedData_h
 #define camaron_SharedData_h
@@ -30,15 +31,15 @@ inline std::filesystem::path GetSharedData(const std::string& name = "")
 }
 }
 
-/// Skips a test that is of no use without the collection; where there is one, the file or folder `name`
-/// has to be in it.
-#define CAMARON_NEEDS_SHARED_DATA(name)                                                                 \
-  if (camaron::testing::GetSharedData().empty())                                                        \
-  {                                                                                                     \
-    GTEST_SKIP() << "CAMARON_SHARED_DATA names no folder of meshes";                                    \
-  }                                                                                                     \
-  ASSERT_TRUE(std::filesystem::exists(camaron::testing::GetSharedData(name)) &&                         \
-    !std::filesystem::is_empty(camaron::testing::GetSharedData(name)))                                  \
+/// Skips a test that is of no use without the collection; where there is one, the file or folder
+/// `name` has to be in it.
+#define CAMARON_NEEDS_SHARED_DATA(name)                                                            \
+  if (camaron::testing::GetSharedData().empty())                                                   \
+  {                                                                                                \
+    GTEST_SKIP() << "CAMARON_SHARED_DATA names no folder of meshes";                               \
+  }                                                                                                \
+  ASSERT_TRUE(std::filesystem::exists(camaron::testing::GetSharedData(name)) &&                    \
+    !std::filesystem::is_empty(camaron::testing::GetSharedData(name)))                             \
     << (name) << " is not in " << camaron::testing::GetSharedData()
 
 #endif

@@ -38,11 +38,14 @@ inline Population OneBlock(const std::vector<double>& values)
 }
 
 // The cumulative curve of one population by itself.
-inline CumulativeCurve MakeCurve(const Population& values, const Summary& summary, int numberOfPoints,
-  const Population* weights, Reducer& reducer, const std::vector<double>& alsoAt = {})
+inline CumulativeCurve MakeCurve(const Population& values, const Summary& summary,
+  int numberOfPoints, const Population* weights, Reducer& reducer,
+  const std::vector<double>& alsoAt = {})
 {
-  const OrderStatistics sorted(values, summary, GetPositionsOfCurve(summary, numberOfPoints), reducer);
-  const Weights weighing = { weights ? *weights : Population(), weights ? FindWeightUnit(*weights, reducer) : 1 };
+  const OrderStatistics sorted(
+    values, summary, GetPositionsOfCurve(summary, numberOfPoints), reducer);
+  const Weights weighing = { weights ? *weights : Population(),
+    weights ? FindWeightUnit(*weights, reducer) : 1 };
   return MakeCumulativeCurve(
     values, summary, sorted, numberOfPoints, weights ? &weighing : nullptr, reducer, alsoAt);
 }

@@ -57,16 +57,16 @@ TEST(Balls, SmallestBall)
     const auto consider = [&](const Vector& center, double radius)
     {
       if (radius < best &&
-        std::all_of(points.begin(), points.end(),
+        std::all_of(
+          points.begin(), points.end(),
           [&](const Vector& p) { return Norm(p - center) <= radius + 1e-9; }))
       {
         best = radius;
       }
     };
-    // Centres as far from p as from q lie in a plane; so do those level with three points.
-    const auto level = [](const Vector& p, const Vector& q) -> HalfSpace {
-      return { q - p, 0.5 * (Norm2(q) - Norm2(p)) };
-    };
+    // Centers as far from p as from q lie in a plane; so do those level with three points.
+    const auto level = [](const Vector& p, const Vector& q) -> HalfSpace
+    { return { q - p, 0.5 * (Norm2(q) - Norm2(p)) }; };
     for (int i = 0; i < n; ++i)
     {
       for (int j = 0; j < i; ++j)

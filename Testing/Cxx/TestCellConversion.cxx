@@ -152,8 +152,8 @@ TEST(CellConversion, RewritesWithoutLoss)
 // If this fails, a cell that is left out is said to be written, too.
 TEST(CellConversion, TellsOnceOfCellsThatAreLeftOut)
 {
-  const Grid grid = MakeGrid(
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 }, { .5, .5, 0 }, { 0, .5, 0 } },
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 },
+                               { .5, .5, 0 }, { 0, .5, 0 } },
     { { VTK_QUADRATIC_TRIANGLE, { 0, 1, 2, 4, 5, 6 } }, { VTK_TETRA, { 0, 1, 2, 3 } } });
   for (const UnsupportedCells others : { UnsupportedCells::Skip, UnsupportedCells::Convert })
   {
@@ -224,7 +224,7 @@ TEST(CellConversion, ReducesHigherOrderToCorners)
 
 //------------------------------------------------------------------------------
 // Formats of primitives can hold most meshes of polyhedra, inverted ones included.
-TEST(CellConversion, RecognisesPolyhedra)
+TEST(CellConversion, RecognizesPolyhedra)
 {
   const Grid grid = MakeAllStandardCells();
   const Grid polyhedra = ToPolyhedra(grid);
@@ -291,20 +291,21 @@ TEST(CellConversion, TakesSurfaces)
   ASSERT_EQ(result.Mesh.GetNumberOfCells(), 54);
   EXPECT_EQ(result.Mesh.GetNumberOfPoints(), 56); // without the 8 inner ones
   EXPECT_EQ(result.GetWarnings(),
-    "27 cells of three dimensions written by the faces of their boundary, 54 polygons, which lack 8 "
+    "27 cells of three dimensions written by the faces of their boundary, 54 polygons, which lack "
+    "8 "
     "of the points, the first is cell 0\n");
   for (vtkIdType cell = 0; cell < 54; ++cell)
   {
     const Ids ids = result.Get(cell);
-    const Vector centre = .5 * (result.Place(ids[0]) + result.Place(ids[2]));
+    const Vector center = .5 * (result.Place(ids[0]) + result.Place(ids[2]));
     const Vector normal = Cross(
       result.Place(ids[1]) - result.Place(ids[0]), result.Place(ids[2]) - result.Place(ids[0]));
-    EXPECT_GT(Dot(normal, centre - Vector{ 1.5, 1.5, 1.5 }), 0);
+    EXPECT_GT(Dot(normal, center - Vector{ 1.5, 1.5, 1.5 }), 0);
     double bounds[6];
     grid->GetCell(result.Mesh.GetInputCell(cell))->GetBounds(bounds);
-    EXPECT_TRUE(bounds[0] <= centre.X && centre.X <= bounds[1]);
-    EXPECT_TRUE(bounds[2] <= centre.Y && centre.Y <= bounds[3]);
-    EXPECT_TRUE(bounds[4] <= centre.Z && centre.Z <= bounds[5]);
+    EXPECT_TRUE(bounds[0] <= center.X && center.X <= bounds[1]);
+    EXPECT_TRUE(bounds[2] <= center.Y && center.Y <= bounds[3]);
+    EXPECT_TRUE(bounds[4] <= center.Z && center.Z <= bounds[5]);
   }
   result = Convert(grid, held, UnsupportedCells::Refuse, SurfaceFaces::Every);
   EXPECT_EQ(result.Mesh.GetNumberOfCells(), 108);

@@ -123,7 +123,7 @@ TEST(CellCutting, CutsCellsIntoTetrahedra)
 }
 
 //------------------------------------------------------------------------------
-// Neighbours must cut their common faces in the same way, whatever their types.
+// Neighbors must cut their common faces in the same way, whatever their types.
 TEST(CellCutting, CutsFacesOnce)
 {
   for (const bool asPolyhedra : { false, true })
@@ -191,7 +191,8 @@ TEST(CellCutting, WarnsOfInvertedTetrahedra)
     { { VTK_HEXAHEDRON, { 4, 5, 6, 7, 0, 1, 2, 3 } } });
   const Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Convert);
   EXPECT_NEAR(result.GetVolume(), -1, 1e-12);
-  EXPECT_NE(result.GetWarnings().find("of whose tetrahedra 6 have no positive volume"), std::string::npos)
+  EXPECT_NE(
+    result.GetWarnings().find("of whose tetrahedra 6 have no positive volume"), std::string::npos)
     << result.GetWarnings();
 }
 
@@ -210,7 +211,8 @@ TEST(CellCutting, CutsInconsistentPolyhedra)
 }
 
 //------------------------------------------------------------------------------
-// Two cubes that meet at an edge contradict nothing: what lies behind the apex is negative, and told.
+// Two cubes that meet at an edge contradict nothing: what lies behind the apex is negative, and
+// told.
 TEST(CellCutting, CutsPolyhedraThatMeetThemselves)
 {
   Points points;
@@ -238,5 +240,6 @@ TEST(CellCutting, CutsPolyhedraThatMeetThemselves)
   const Grid grid = MakePolyhedra(MakePoints(points), { faces });
   const Converted result = Convert(grid, { VTK_TETRA }, UnsupportedCells::Convert);
   EXPECT_NEAR(result.GetVolume(), 2, 1e-12);
-  EXPECT_NE(result.GetWarnings().find("have no positive volume"), std::string::npos) << result.GetWarnings();
+  EXPECT_NE(result.GetWarnings().find("have no positive volume"), std::string::npos)
+    << result.GetWarnings();
 }

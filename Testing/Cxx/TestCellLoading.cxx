@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What makes cells fast to evaluate changes none of their values: topologies that cells share, and faces side by side.
-#include "Mesh/RecentTopologies.h"
+// What makes cells fast to evaluate changes none of their values: topologies that cells share, and
+// faces side by side.
 #include "Base/VectorQuad.h"
+#include "Mesh/RecentTopologies.h"
 
 #include "CriteriaTesting.h"
 #include "MeshElementsTesting.h"
@@ -40,14 +41,16 @@ std::vector<std::pair<std::string, Grid>> GetMeshes()
   meshes.emplace_back("warped hexahedra", Warp(MakeHexahedra(3, 3, 3, true), 3));
   meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
   meshes.emplace_back("large", Scale(Warp(MakeHexahedra(3, 3, 3, true), 3), 83));
-  meshes.emplace_back("polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
+  meshes.emplace_back(
+    "polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
   // A pyramid over many corners, one over a line, and one with a place that is none.
   Points points;
   Faces faces = { {} };
   const int corners = 70;
   for (int i = 0; i < corners; ++i)
   {
-    points.push_back({ std::cos(2 * Pi * i / corners), std::sin(2 * Pi * i / corners), 0.01 * (i % 3) });
+    points.push_back(
+      { std::cos(2 * Pi * i / corners), std::sin(2 * Pi * i / corners), 0.01 * (i % 3) });
     faces[0].push_back(i);
     faces.push_back({ corners, (i + 1) % corners, i });
   }
@@ -83,12 +86,12 @@ TEST(CellLoading, FacesInQuadsAsInPairs)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a cell whose points repeat in its faces as those of the cell before do is taken for one like it, although
-// two of the points are the same.
+// If this fails, a cell whose points repeat in its faces as those of the cell before do is taken
+// for one like it, although two of the points are the same.
 TEST(CellLoading, PointsThatAreTheSame)
 {
-  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-    { 1, 1, 1 }, { 0, 1, 1 } };
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   const Faces cube = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
   const auto replace = [&](vtkIdType id, vtkIdType by)
   {
@@ -158,14 +161,16 @@ TEST(CellLoading, CollapsedAfterSound)
     if (criterion.CellFunction && !(criterion.Needs & NeedsMeanSizes))
     {
       ExpectSame(row.second[0], together.at(row.first).back(), 0, row.first);
-      EXPECT_EQ(GetNullReason(row.second[0]), GetNullReason(together.at(row.first).back())) << row.first;
+      EXPECT_EQ(GetNullReason(row.second[0]), GetNullReason(together.at(row.first).back()))
+        << row.first;
     }
   }
   EXPECT_EQ(alone.at("CornerScaledJacobian")[0], 0);
 }
 
 //------------------------------------------------------------------------------
-// Ids whose hashes meet are told apart; numbers that are not given as they first occur are not recognized.
+// Ids whose hashes meet are told apart; numbers that are not given as they first occur are not
+// recognized.
 TEST(CellLoading, Recognize)
 {
   RecentTopologies topologies;

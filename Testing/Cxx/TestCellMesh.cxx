@@ -72,7 +72,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(int cells, const PieceRequest& re
   CellMesh mesh;
   EXPECT_TRUE(ReadPolygons(scanner, nullptr, cells, mesh));
   mesh.NumberOfPoints += 1; // one that no cell has
-  CellPiece piece;
+  CellMeshPiece piece;
   EXPECT_TRUE(piece.Select(mesh, request, Progress()));
   auto points = vtkSmartPointer<vtkDoubleArray>::New();
   points->SetNumberOfComponents(3);
@@ -222,7 +222,7 @@ TEST(CellMesh, APieceOfRowsIsThatOfTheWhole)
   std::string text = "# comment\n\n";
   for (vtkIdType i = 0; i < Cells; ++i)
   {
-    // Neighbours in the file meet, and some that are far apart.
+    // Neighbors in the file meet, and some that are far apart.
     const vtkIdType ids[3] = { i, i + 1, i % 50 == 0 ? (7 * i + 300) % Cells : i + 1 };
     for (int j = 0; j < 3; ++j)
     {
@@ -250,7 +250,7 @@ TEST(CellMesh, APieceOfRowsIsThatOfTheWhole)
       TextScanner scanner("t", text.data(), text.data() + text.size(), '#');
       const TextLines lines(scanner, Progress(), 200);
       const PieceRows rows(scanner, inParallel ? &lines : nullptr, shape);
-      CellPiece piece, expectedPiece;
+      CellMeshPiece piece, expectedPiece;
       CellMesh mesh, expected(whole.NumberOfPoints, Cells, VTK_TRIANGLE, 3);
       std::copy(whole.Connectivity.data(), whole.Connectivity.data() + 3 * Cells,
         expected.Connectivity.data());
@@ -290,7 +290,7 @@ TEST(CellMesh, APieceHasTheErrorOfTheWhole)
   {
     TextScanner scanner("t", text.data(), text.data() + text.size());
     const PieceRows rows(scanner, nullptr, shape);
-    CellPiece piece;
+    CellMeshPiece piece;
     CellMesh mesh;
     const auto read = [](vtkIdType, TextRow& row, std::int32_t* points, vtkIdType = 0)
     { return row.ReadId(points[0], 0, 6, "a point") && row.ReadId(points[1], 0, 6, "a point"); };
@@ -307,7 +307,7 @@ TEST(CellMesh, OddThingsAreCounted)
   const std::int32_t ids[] = { 0, 1, 2, 3, 0, 1, 1, 3, 4, 5, 6, 4 };
   std::copy(ids, ids + 12, mesh.Connectivity.data());
   Warnings warnings;
-  CellPiece piece;
+  CellMeshPiece piece;
   ASSERT_TRUE(piece.Select(mesh, PieceRequest(), Progress()));
   piece.WarnOfRepeatedPoints(mesh, warnings, Progress(), "tetrahedron", "tetrahedra");
   ASSERT_EQ(warnings.GetSentences().size(), 1u);

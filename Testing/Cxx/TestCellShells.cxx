@@ -4,7 +4,7 @@
 // whichever way the faces are given.
 #include "CriteriaTesting.h"
 
-#include "Cell/CellStatusBits.h"
+#include "Cell/CellDefects.h"
 
 #include <algorithm>
 #include <functional>
@@ -78,7 +78,7 @@ struct Solid
   Grid Make() const { return MakePolyhedron(this->Corners, this->Sides); }
 };
 
-/// A cube of side 3 with a cubic void of side 1 off its centre; all faces point out of their cube.
+/// A cube of side 3 with a cubic void of side 1 off its center; all faces point out of their cube.
 Solid MakeHollowCube()
 {
   Solid solid;

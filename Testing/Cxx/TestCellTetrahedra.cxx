@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawing/CellTetrahedra.h"
-#include "Mesh/MeshView.h"
 #include "Base/Vector.h"
 #include "CriteriaTesting.h"
+#include "Drawing/CellTetrahedra.h"
+#include "Mesh/MeshView.h"
 
 #include "vtkCell.h"
 #include "vtkGenericCell.h"
@@ -54,7 +54,8 @@ TEST(CellTetrahedra, FillCells)
     {
       sum += std::abs(GetVolume(grid, points));
     }
-    EXPECT_NEAR(sum, (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) * (bounds[5] - bounds[4]), 1e-12);
+    EXPECT_NEAR(
+      sum, (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]) * (bounds[5] - bounds[4]), 1e-12);
   }
   for (const int type : StandardTypes3D)
   {
@@ -77,8 +78,8 @@ TEST(CellTetrahedra, FillCells)
 }
 
 //------------------------------------------------------------------------------
-// Else isosurfaces would have cracks: every triangle between two cells is one of both. In a block of cells
-// each triangle occurs twice, but for two on each outer face.
+// Else isosurfaces would have cracks: every triangle between two cells is one of both. In a block
+// of cells each triangle occurs twice, but for two on each outer face.
 TEST(CellTetrahedra, FitAtSharedFaces)
 {
   for (const bool asPolyhedra : { false, true })
@@ -90,8 +91,8 @@ TEST(CellTetrahedra, FitAtSharedFaces)
     {
       for (int without = 0; without < 4; ++without)
       {
-        std::array<std::uint32_t, 3> triangle{ { points[(without + 1) % 4], points[(without + 2) % 4],
-          points[(without + 3) % 4] } };
+        std::array<std::uint32_t, 3> triangle{ { points[(without + 1) % 4],
+          points[(without + 2) % 4], points[(without + 3) % 4] } };
         std::sort(triangle.begin(), triangle.end());
         ++triangles[triangle];
       }
@@ -127,7 +128,8 @@ TEST(CellTetrahedra, BlockRanges)
     float low = 1e30f, high = -1e30f;
     for (std::uint32_t t = tetrahedra.Blocks[block]; t < tetrahedra.Blocks[block + 1]; ++t)
     {
-      EXPECT_EQ((tetrahedra.Cells[t] >> CellTetrahedra::WallBits) / CellTetrahedra::CellsPerBlock, block);
+      EXPECT_EQ(
+        (tetrahedra.Cells[t] >> CellTetrahedra::WallBits) / CellTetrahedra::CellsPerBlock, block);
       for (const std::uint32_t point : tetrahedra.Points[t])
       {
         low = std::fmin(low, values[point]);
@@ -185,7 +187,8 @@ TEST(CellTetrahedra, WallsCoverCells)
 }
 
 //------------------------------------------------------------------------------
-// Lines of tetrahedra that are edges of the cell are all of these, and no diagonals. A quadratic cell has two for each.
+// Lines of tetrahedra that are edges of the cell are all of these, and no diagonals. A quadratic
+// cell has two for each.
 TEST(CellTetrahedra, EdgesAreThoseOfCells)
 {
   const auto findEdges = [](vtkUnstructuredGrid* grid)
@@ -214,7 +217,8 @@ TEST(CellTetrahedra, EdgesAreThoseOfCells)
     cells.push_back(MakeStandardCell(type));
     EXPECT_EQ(findEdges(cells.back()), findEdges(ToPolyhedra(cells.back()))) << type;
   }
-  for (const int type : { VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE, VTK_QUADRATIC_PYRAMID })
+  for (const int type :
+    { VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE, VTK_QUADRATIC_PYRAMID })
   {
     vtkNew<vtkGenericCell> unit;
     unit->SetCellType(type);
@@ -238,7 +242,8 @@ TEST(CellTetrahedra, EdgesAreThoseOfCells)
       vtkIdList* ids = ofVTK->GetEdge(e)->GetPointIds();
       const auto add = [&](vtkIdType i, vtkIdType k)
       {
-        const auto a = static_cast<std::uint32_t>(ids->GetId(i)), b = static_cast<std::uint32_t>(ids->GetId(k));
+        const auto a = static_cast<std::uint32_t>(ids->GetId(i)),
+                   b = static_cast<std::uint32_t>(ids->GetId(k));
         expected.emplace(std::min(a, b), std::max(a, b));
       };
       const vtkIdType last = ids->GetNumberOfIds() - 1;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Vector.h"
 #include "Drawing/CoarseMesh.h"
 #include "Drawing/OuterFacets.h"
 #include "Mesh/CellShape.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Vector.h"
 #include "TestMeshes.h"
 
 #include "vtkDataSetAttributes.h"
@@ -49,8 +49,9 @@ double GetVolume(vtkUnstructuredGrid* grid, const CoarseMesh& mesh)
     if (GetSize(cell) == 4)
     {
       const Vector origin = GetCorner(grid, mesh, cell[0]);
-      volume += Dot(GetCorner(grid, mesh, cell[1]) - origin,
-                  Cross(GetCorner(grid, mesh, cell[2]) - origin, GetCorner(grid, mesh, cell[3]) - origin)) /
+      volume +=
+        Dot(GetCorner(grid, mesh, cell[1]) - origin,
+          Cross(GetCorner(grid, mesh, cell[2]) - origin, GetCorner(grid, mesh, cell[3]) - origin)) /
         6;
     }
   }
@@ -102,8 +103,8 @@ TEST(CoarseMesh, FillsTheSameBox)
 }
 
 //------------------------------------------------------------------------------
-// Without cracks: a face is between two tetrahedra or outside, and what says so goes with the cells. Here boxes are so
-// large that tetrahedra fold over each other.
+// Without cracks: a face is between two tetrahedra or outside, and what says so goes with the
+// cells. Here boxes are so large that tetrahedra fold over each other.
 TEST(CoarseMesh, HasNoCracks)
 {
   const Grid grid = MakeHexagonalPrisms(9);
@@ -135,17 +136,20 @@ TEST(CoarseMesh, KeepsThinParts)
     ASSERT_EQ(GetSize(cell), 3);
     const Vector origin = GetCorner(grid, coarse, cell[0]);
     area += 0.5 *
-      Norm(Cross(GetCorner(grid, coarse, cell[1]) - origin, GetCorner(grid, coarse, cell[2]) - origin));
+      Norm(Cross(
+        GetCorner(grid, coarse, cell[1]) - origin, GetCorner(grid, coarse, cell[2]) - origin));
   }
   const double* bounds = grid->GetBounds();
   EXPECT_GT(area, 0.9 * (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]));
 }
 
 //------------------------------------------------------------------------------
-// Cells of all dimensions become such with as many corners as they need; ghosts and hidden cells are not there.
+// Cells of all dimensions become such with as many corners as they need; ghosts and hidden cells
+// are not there.
 TEST(CoarseMesh, TakesCellsOfAllDimensions)
 {
-  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 9 } };
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 0, 0, 9 } };
   const Grid grid = MakeGrid(points,
     { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_POLY_LINE, { 3, 4, 5 } }, { VTK_VERTEX, { 5 } },
       { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TRIANGLE, { 1, 2, 4 } }, { VTK_LINE, { 0, 5 } } });
@@ -159,8 +163,9 @@ TEST(CoarseMesh, TakesCellsOfAllDimensions)
   {
     found.emplace(GetSize(coarse.Cells[i]), coarse.Origins[i]);
   }
-  const std::multiset<std::pair<int, vtkIdType>> expected = { { 4, 3 }, { 3, 0 }, { 3, 0 }, { 2, 1 },
-    { 2, 1 }, { 1, 2 } };
-  // One of the triangles of the quadrilateral lies under the tetrahedron and is its own cell all the same.
+  const std::multiset<std::pair<int, vtkIdType>> expected = { { 4, 3 }, { 3, 0 }, { 3, 0 },
+    { 2, 1 }, { 2, 1 }, { 1, 2 } };
+  // One of the triangles of the quadrilateral lies under the tetrahedron and is its own cell all
+  // the same.
   EXPECT_EQ(found, expected);
 }

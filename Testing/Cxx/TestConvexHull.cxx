@@ -20,8 +20,8 @@ using Points = std::vector<Vector>;
 const double Pi = std::acos(-1.0);
 
 //------------------------------------------------------------------------------
-// The sizes of the faces, in order. Every edge is used once in each direction, the surface is a sphere (Euler), and no
-// point is outside of a face.
+// The sizes of the faces, in order. Every edge is used once in each direction, the surface is a
+// sphere (Euler), and no point is outside of a face.
 std::vector<std::size_t> CheckHull(const Points& points, double tolerance)
 {
   ConvexHull hull;
@@ -88,7 +88,8 @@ Points Map(Points points, const std::function<Vector(const Vector&)>& map)
 }
 
 //------------------------------------------------------------------------------
-// A rotation about an axis that is none of the coordinates', and the same rounded to single precision.
+// A rotation about an axis that is none of the coordinates', and the same rounded to single
+// precision.
 Vector Turn(const Vector& p)
 {
   const double c = std::cos(0.7), s = std::sin(0.7);
@@ -119,7 +120,8 @@ TEST(ConvexHull, WholeFaces)
           const Vector q = scale * Turn({ p.X, p.Y, slender * p.Z });
           return Vector{ q.X + scale * offset, q.Y, q.Z };
         };
-        SCOPED_TRACE(std::to_string(scale) + " " + std::to_string(offset) + " " + std::to_string(slender));
+        SCOPED_TRACE(
+          std::to_string(scale) + " " + std::to_string(offset) + " " + std::to_string(slender));
         const Points points = Map(MakeLattice(2), place);
         EXPECT_EQ(CheckHull(points, 1e-12 * scale * (1 + offset)), cube);
         EXPECT_EQ(CheckHull(Map(points, ToFloat), 2e-6 * scale * (20 + offset)), cube);
@@ -154,15 +156,18 @@ TEST(ConvexHull, RegularPolyhedra)
     {
       dodecahedron.insert(dodecahedron.end(), { { a, b, 1 }, { a, b, -1 } });
       dodecahedron.insert(dodecahedron.end(),
-        { { 0, a * golden, b / golden }, { a * golden, b / golden, 0 }, { b / golden, 0, a * golden } });
+        { { 0, a * golden, b / golden }, { a * golden, b / golden, 0 },
+          { b / golden, 0, a * golden } });
     }
   }
   EXPECT_EQ(CheckHull(dodecahedron, 1e-12), std::vector<std::size_t>(12, 5));
-  EXPECT_EQ(CheckHull(Map(Map(dodecahedron, Turn), ToFloat), 1e-5), std::vector<std::size_t>(12, 5));
+  EXPECT_EQ(
+    CheckHull(Map(Map(dodecahedron, Turn), ToFloat), 1e-5), std::vector<std::size_t>(12, 5));
 }
 
 //------------------------------------------------------------------------------
-// Points inside of the hull, of faces and of edges, and points that are there twice, are no corners.
+// Points inside of the hull, of faces and of edges, and points that are there twice, are no
+// corners.
 TEST(ConvexHull, PointsThatAreNoCorners)
 {
   const std::vector<std::size_t> cube(6, 4);
@@ -207,7 +212,8 @@ TEST(ConvexHull, ManyPoints)
         const Vector p = Unit({ x, y, z });
         points.push_back({ p.X, p.Y, flat * p.Z });
       }
-      EXPECT_EQ(CheckHull(points, 1e-9), std::vector<std::size_t>(2 * n - 4, 3)) << n << " " << flat;
+      EXPECT_EQ(CheckHull(points, 1e-9), std::vector<std::size_t>(2 * n - 4, 3))
+        << n << " " << flat;
     }
   }
 }

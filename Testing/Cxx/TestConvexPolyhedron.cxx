@@ -56,8 +56,8 @@ void ExpectClosed(const ConvexPolyhedron& polyhedron)
   }
   if (!polyhedron.IsEmpty())
   {
-    EXPECT_EQ(static_cast<int>(polyhedron.GetPoints().size()) -
-        static_cast<int>(edges.size()) / 2 + polyhedron.GetNumberOfFaces(),
+    EXPECT_EQ(static_cast<int>(polyhedron.GetPoints().size()) - static_cast<int>(edges.size()) / 2 +
+        polyhedron.GetNumberOfFaces(),
       2);
   }
 }
@@ -67,9 +67,8 @@ std::vector<Vector> GetSortedPoints(const ConvexPolyhedron& polyhedron)
 {
   std::vector<Vector> points = polyhedron.GetPoints();
   // By numbers that rounding does not change the order of.
-  const auto key = [](const Vector& p) -> std::array<double, 3> {
-    return { std::round(1e7 * p.X), std::round(1e7 * p.Y), std::round(1e7 * p.Z) };
-  };
+  const auto key = [](const Vector& p) -> std::array<double, 3>
+  { return { std::round(1e7 * p.X), std::round(1e7 * p.Y), std::round(1e7 * p.Z) }; };
   std::sort(points.begin(), points.end(),
     [&](const Vector& p, const Vector& q) { return key(p) < key(q); });
   return points;
@@ -141,8 +140,8 @@ TEST(ConvexPolyhedron, ClippedParts)
   }
 }
 
-// Random planes, most of which cut nothing; many planes through one corner, along one direction, and
-// equal but for rounding. If this fails, a kernel depends on the order of the faces.
+// Random planes, most of which cut nothing; many planes through one corner, along one direction,
+// and equal but for rounding. If this fails, a kernel depends on the order of the faces.
 TEST(ConvexPolyhedron, TogetherAndOneByOne)
 {
   std::mt19937 random(19);

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the criteria against tables that an independent program computed from closed forms, and against
-// themselves under what must not change them.
+// Values of the criteria against tables that an independent program computed from closed forms, and
+// against themselves under what must not change them.
+#include "Cell/CellDefects.h"
 #include "Cell/CellGeometry.h"
-#include "Cell/CellStatusBits.h"
 
 #include "CriteriaTesting.h"
 #include "ReferenceShapes.h"
@@ -70,8 +70,8 @@ TEST(Criteria, ReferenceSimplices)
     const Values values = EvaluateAll(MakePolygon(row.Triangle));
     ExpectNear(row.RadiusRatio, values.at("TriangleRadiusRatio")[0], 1e-10, "TriangleRadiusRatio");
     ExpectNear(row.BhatiaLawrence, values.at("BhatiaLawrence")[0], 1e-10, "BhatiaLawrence");
-    ExpectNear(
-      row.RadiusEdgeRatio, values.at("TriangleRadiusEdgeRatio")[0], 1e-10, "TriangleRadiusEdgeRatio");
+    ExpectNear(row.RadiusEdgeRatio, values.at("TriangleRadiusEdgeRatio")[0], 1e-10,
+      "TriangleRadiusEdgeRatio");
   }
   const struct
   {
@@ -80,7 +80,8 @@ TEST(Criteria, ReferenceSimplices)
   } tetrahedra[] = { { "regular tetrahedron", 1, 0.6123724356958, 1, 1, 1 },
     { "right-corner tetrahedron", 0.7320508075689, 0.8660254037844, 0.8399473665966, 1.299038105677,
       1.366025403784 },
-    { "flat sliver", 0.02999250221178, 0.7070714320336, 0.08771176097029, 38.495791593, 40.83299319586 } };
+    { "flat sliver", 0.02999250221178, 0.7070714320336, 0.08771176097029, 38.495791593,
+      40.83299319586 } };
   for (const auto& row : tetrahedra)
   {
     const ReferenceShape& shape = FindReferenceShape(row.Name);
@@ -96,9 +97,9 @@ TEST(Criteria, ReferenceSimplices)
   }
 }
 
-// A cell of every standard type has the same values as its faces written as a polyhedron, also when it
-// is warped; its volume is positive in VTK's node order.
-// Three measures of Verdict depend on the order of the nodes.
+// A cell of every standard type has the same values as its faces written as a polyhedron, also when
+// it is warped; its volume is positive in VTK's node order. Three measures of Verdict depend on the
+// order of the nodes.
 TEST(Criteria, StandardTypesEqualPolyhedra)
 {
   std::mt19937 random(7);
@@ -106,8 +107,7 @@ TEST(Criteria, StandardTypesEqualPolyhedra)
   for (const int type : StandardTypes3D)
   {
     const Grid healthy = MakeStandardCell(type);
-    const Grid warped = Transform(healthy,
-      [&](const Point& p)
+    const Grid warped = Transform(healthy, [&](const Point& p)
       { return Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) }; });
     for (const Grid& grid : { healthy, warped })
     {
@@ -119,20 +119,23 @@ TEST(Criteria, StandardTypesEqualPolyhedra)
   }
 }
 
-// The node order is the orientation: of a cell inside out the volume is below zero, of whatever type.
+// The node order is the orientation: of a cell inside out the volume is below zero, of whatever
+// type.
 TEST(Criteria, StandardTypesInsideOut)
 {
   for (const int type : StandardTypes3D)
   {
     const Grid cell = MakeStandardCell(type);
-    const Grid turned = Transform(cell, [](const Point& p) { return Point{ -p[0] - 0.3 * p[2], p[1], p[2] }; });
+    const Grid turned =
+      Transform(cell, [](const Point& p) { return Point{ -p[0] - 0.3 * p[2], p[1], p[2] }; });
     const double volume = EvaluateAll(cell).at("Volume")[0];
     EXPECT_NEAR(EvaluateAll(turned).at("Volume")[0], -volume, 1e-12) << type;
     EXPECT_NEAR(EvaluateAll(ToPolyhedra(turned)).at("Volume")[0], volume, 1e-12) << type;
   }
 }
 
-// Girard: of a corner of planar faces the solid angle is the sum of the dihedral angles of its n edges less (n - 2) pi.
+// Girard: of a corner of planar faces the solid angle is the sum of the dihedral angles of its n
+// edges less (n - 2) pi.
 TEST(Criteria, SolidAnglesOfCornersByGirard)
 {
   for (const ReferenceShape& shape : GetReferenceShapes())
@@ -179,31 +182,34 @@ TEST(Criteria, ValuesByHand)
   const std::map<std::string, std::map<std::string, double>> expected = {
     { "unit cube",
       { { "EdgeRatio", 1 }, { "EdgeDiameterRatio", 1 / r3 }, { "MinPointDistanceRatio", 1 / r3 },
-        { "PrincipalAspectRatio", 1 }, { "Sphericity", std::cbrt(Pi / 6) }, { "VolumeEdgeRatio", 1 },
-        { "CornerScaledJacobian", 1 }, { "MaxWarpage", 0 }, { "MaxFaceConcavity", 0 },
-        { "CellConcavity", -0.5 / r3 }, { "MinFacePyramidRatio", 1 }, { "MinTetVolume", 1.0 / 24 },
-        { "MinTetMeanRatio", 0.8 }, { "MinTetQuality", 1.8 / std::sqrt(15.0) }, // circumradius sqrt(5 / 16)
-        { "EquivalentRadius", std::cbrt(0.75 / Pi) },
-        { "MinFaceArea", 1 }, { "MaxFaceArea", 1 }, { "MinFaceVertexCount", 4 },
-        { "MaxFaceVertexCount", 4 }, { "TetQualityFoam", none } } },
+        { "PrincipalAspectRatio", 1 }, { "Sphericity", std::cbrt(Pi / 6) },
+        { "VolumeEdgeRatio", 1 }, { "CornerScaledJacobian", 1 }, { "MaxWarpage", 0 },
+        { "MaxFaceConcavity", 0 }, { "CellConcavity", -0.5 / r3 }, { "MinFacePyramidRatio", 1 },
+        { "MinTetVolume", 1.0 / 24 }, { "MinTetMeanRatio", 0.8 },
+        { "MinTetQuality", 1.8 / std::sqrt(15.0) }, // circumradius sqrt(5 / 16)
+        { "EquivalentRadius", std::cbrt(0.75 / Pi) }, { "MinFaceArea", 1 }, { "MaxFaceArea", 1 },
+        { "MinFaceVertexCount", 4 }, { "MaxFaceVertexCount", 4 }, { "TetQualityFoam", none } } },
     { "regular tetrahedron",
       { { "CornerScaledJacobian", std::sqrt(0.5) }, { "TetQualityFoam", 1 },
-        { "PrincipalAspectRatio", 1 }, { "MinFacePyramidRatio", 1 }, // circumradius sqrt(11 / 32) of a twelfth
+        { "PrincipalAspectRatio", 1 },
+        { "MinFacePyramidRatio", 1 }, // circumradius sqrt(11 / 32) of a twelfth
         { "MinTetQuality", std::sqrt(2.0) / 144 / (8 * r3 / 27 * std::pow(11.0 / 32, 1.5)) } } },
     { "regular octahedron", { { "MinTetQuality", 1.0 / 6 }, { "MeanEdgeLength", 1 } } },
     { "right-corner tetrahedron",
       { { "TetQualityFoam", 0.5 }, { "MeanEdgeLength", (1 + std::sqrt(2.0)) / 2 } } },
-    { "flat sliver", { { "TetQualityFoam", 0.0259768654863 }, { "EdgeRatio", 1 / 0.7071774883295 } } },
+    { "flat sliver",
+      { { "TetQualityFoam", 0.0259768654863 }, { "EdgeRatio", 1 / 0.7071774883295 } } },
     { "square pyramid",
       { { "CornerScaledJacobian", none }, { "MinFaceVertexCount", 3 }, { "MaxFaceVertexCount", 4 },
         { "MinFaceArea", r3 / 4 }, { "MaxFaceArea", 1 } } },
     { "box",
-      { { "PrincipalAspectRatio", 0.25 }, { "EdgeRatio", 4 }, { "VolumeEdgeRatio", 8 / std::pow(7, 1.5) },
-        { "EdgeDiameterRatio", 1 / std::sqrt(21.0) }, { "MeanEdgeLength", 7.0 / 3 } } },
+      { { "PrincipalAspectRatio", 0.25 }, { "EdgeRatio", 4 },
+        { "VolumeEdgeRatio", 8 / std::pow(7, 1.5) }, { "EdgeDiameterRatio", 1 / std::sqrt(21.0) },
+        { "MeanEdgeLength", 7.0 / 3 } } },
     { "sheared hex", { { "CornerScaledJacobian", std::sqrt(0.5) } } },
     { "L-prism",
-      { { "CornerScaledJacobian", -1 }, { "MinFaceConcavity", 0 }, { "MaxFaceConcavity", 90 }, { "CellConcavity", 1.0 / 6 },
-        { "MinFaceVertexCount", 4 }, { "MaxFaceVertexCount", 6 } } },
+      { { "CornerScaledJacobian", -1 }, { "MinFaceConcavity", 0 }, { "MaxFaceConcavity", 90 },
+        { "CellConcavity", 1.0 / 6 }, { "MinFaceVertexCount", 4 }, { "MaxFaceVertexCount", 6 } } },
   };
   for (const auto& shape : expected)
   {
@@ -224,8 +230,8 @@ TEST(Criteria, ValuesByHand)
     { { 0, 0, 5 }, { 2, 0, 5 }, { 2, 1, 5 }, { 0, 1, 5 } }, { { VTK_QUAD, { 0, 1, 2, 3 } } }));
   ExpectNear(0.5, rectangle.at("PrincipalAspectRatio")[0], 1e-12, "rectangle");
   ExpectNear(std::sqrt(2 / Pi), rectangle.at("EquivalentRadius")[0], 1e-12, "rectangle");
-  const Values triangle =
-    EvaluateAll(MakeGrid({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
+  const Values triangle = EvaluateAll(
+    MakeGrid({ { 0, 0, 0 }, { 3, 0, 0 }, { 0, 4, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
   ExpectNear(4, triangle.at("MeanEdgeLength")[0], 1e-12, "triangle");
 
   // The faces of a cube but one: all of that axis is open.
@@ -256,7 +262,8 @@ TEST(Criteria, AloneAsTogether)
       const double expected = together.at(criterion.Name)[0];
       const bool isSame = alone == expected || (std::isnan(alone) && std::isnan(expected)) ||
         (criterion.Name == std::string("CellStatus") && alone + NotStarShaped == expected);
-      EXPECT_TRUE(isSame) << criterion.Name << " of " << shape.Name << ": " << alone << ' ' << expected;
+      EXPECT_TRUE(isSame) << criterion.Name << " of " << shape.Name << ": " << alone << ' '
+                          << expected;
     }
   }
 }
@@ -284,14 +291,14 @@ TEST(Criteria, Invariance)
     const Grid& grid = shape.Polyhedron;
     const Values values = EvaluateAll(grid);
     ExpectSame(values,
-      EvaluateAll(Transform(
-        grid, [](const Point& p) { return Point{ p[0] + 100, p[1] - 30, p[2] + 7 }; })),
-      1e-10, std::string(shape.Name) + " moved");
-    ExpectSame(values, EvaluateAll(Transform(grid, turn)), 1e-10, std::string(shape.Name) + " turned",
-      { "CellAspectRatio" });
-    ExpectSame(values,
       EvaluateAll(
-        Transform(grid, [](const Point& p) { return Point{ 1e-3 * p[0], 1e-3 * p[1], 1e-3 * p[2] }; })),
+        Transform(grid, [](const Point& p) { return Point{ p[0] + 100, p[1] - 30, p[2] + 7 }; })),
+      1e-10, std::string(shape.Name) + " moved");
+    ExpectSame(values, EvaluateAll(Transform(grid, turn)), 1e-10,
+      std::string(shape.Name) + " turned", { "CellAspectRatio" });
+    ExpectSame(values,
+      EvaluateAll(Transform(
+        grid, [](const Point& p) { return Point{ 1e-3 * p[0], 1e-3 * p[1], 1e-3 * p[2] }; })),
       1e-10, std::string(shape.Name) + " scaled", ofLength);
 
     // Points in another order, faces started elsewhere, every second one backwards.
@@ -332,8 +339,8 @@ TEST(Criteria, AngleUnits)
   for (const Criterion& criterion : GetCriteria())
   {
     const double factor = criterion.Unit == Unit::Angle ? Pi / 180 : 1;
-    ExpectNear(factor * degrees.at(criterion.Name)[0], values.at(criterion.Name)[0], 1e-12,
-      criterion.Name);
+    ExpectNear(
+      factor * degrees.at(criterion.Name)[0], values.at(criterion.Name)[0], 1e-12, criterion.Name);
   }
 }
 
@@ -341,14 +348,15 @@ TEST(Criteria, AngleUnits)
 TEST(Criteria, HigherOrder)
 {
   const Grid linear = MakeStandardCell(VTK_TETRA);
-  const Grid quadratic = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .3, 0 },
-                                    { .5, .5, 0 }, { 0, .5, 0 }, { 0, 0, .5 }, { .5, 0, .5 },
-                                    { 0, .5, .5 } },
-    { { VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } } });
+  const Grid quadratic =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, .3, 0 }, { .5, .5, 0 },
+               { 0, .5, 0 }, { 0, 0, .5 }, { .5, 0, .5 }, { 0, .5, .5 } },
+      { { VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } } });
   ExpectSame(EvaluateAll(linear), EvaluateAll(quadratic), 0, "quadratic", { "CellTypeId" });
 }
 
-// Volumes of a warped mesh add up to that of the domain, because neighbours see the same face centres.
+// Volumes of a warped mesh add up to that of the domain, because neighbors see the same face
+// centers.
 TEST(Criteria, VolumesFillTheDomain)
 {
   std::mt19937 random(11);
@@ -401,15 +409,17 @@ TEST(Criteria, IndependentOfThreadsAndCompany)
   }
 }
 
-// Sound tetrahedra go without topology: if this fails, a value depends on whether they do, and so on what else is asked
-// for. Among them are flat and inverted ones, one with a point used twice, huge and tiny ones, one that is not a number,
-// regular ones, whose angles differ by rounding, one with a point in the middle of an edge, and other cells.
+// Sound tetrahedra go without topology: if this fails, a value depends on whether they do, and so
+// on what else is asked for. Among them are flat and inverted ones, one with a point used twice,
+// huge and tiny ones, one that is not a number, regular ones, whose angles differ by rounding, one
+// with a point in the middle of an edge, and other cells.
 TEST(Criteria, TetrahedraWithoutTopology)
 {
   std::mt19937 random(5);
   Points points;
   Cells cells;
-  const double huge = std::numeric_limits<double>::max(), nan = std::numeric_limits<double>::quiet_NaN();
+  const double huge = std::numeric_limits<double>::max(),
+               nan = std::numeric_limits<double>::quiet_NaN();
   for (const double size : { 1.0, 1e-3, 1e6, 1e-40, 1e40, huge, nan })
   {
     for (const double height : { 1.0, -1.0, 1e-5, 1e-7, 3e-12, 1e-13, 0.0 })
@@ -464,7 +474,8 @@ TEST(Criteria, TetrahedraWithoutTopology)
       }
       ++tried;
       std::vector<double> alone(grid->GetNumberOfCells());
-      Evaluate(MeshTopology(grid), options, { { &criterion, alone.data() } }, [](double) { return true; });
+      Evaluate(
+        MeshTopology(grid), options, { { &criterion, alone.data() } }, [](double) { return true; });
       const std::vector<double>& expected = together.at(criterion.Name);
       for (std::size_t i = 0; i < alone.size(); ++i)
       {
@@ -507,7 +518,8 @@ TEST(Criteria, ProgressAndAbort)
     for (int last = 1; last <= static_cast<int>(reports.size()); ++last)
     {
       int calls = 0;
-      EXPECT_FALSE(Evaluate(MeshTopology(grid), {}, rows, [&](double) { return ++calls < last; })) << name;
+      EXPECT_FALSE(Evaluate(MeshTopology(grid), {}, rows, [&](double) { return ++calls < last; }))
+        << name;
       EXPECT_EQ(calls, last) << name;
     }
   }
@@ -528,7 +540,8 @@ TEST(Criteria, Registry)
     EXPECT_EQ(criterion.HasAcceptableRange(),
       std::isfinite(criterion.Acceptable[0]) || std::isfinite(criterion.Acceptable[1]))
       << criterion.Name;
-    // A range is for some cells to which the criterion applies, and reports say what those outside of it are.
+    // A range is for some cells to which the criterion applies, and reports say what those outside
+    // of it are.
     unsigned appliesTo = criterion.AppliesTo;
     appliesTo |= appliesTo & Polygons ? SimplePolygons : NoShapes;
     appliesTo |= appliesTo & Polyhedra ? SimplePolyhedra : NoShapes;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What cells have to do with each other: parts of a mesh, pinched points, cells that are there twice.
-#include "Ranks/LinkedPieces.h"
-#include "Ranks/PointRegions.h"
+// What cells have to do with each other: parts of a mesh, pinched points, cells that are there
+// twice.
 #include "CriteriaTesting.h"
+#include "Ranks/LinkedPieces.h"
+#include "Ranks/MeshRegions.h"
 
 #include "vtkIdTypeArray.h"
 
@@ -53,7 +54,8 @@ Grid MakeSquares(int size, const std::vector<std::array<int, 2>>& places)
 }
 
 //------------------------------------------------------------------------------
-// Cells of two pieces that share a face find each other by global ids where a point of it is nowhere.
+// Cells of two pieces that share a face find each other by global ids where a point of it is
+// nowhere.
 TEST(CriteriaConnectivity, PiecesWithAPointNowhere)
 {
   const Grid block = MakeHexahedra(2, 1, 1, false);
@@ -114,22 +116,23 @@ TEST(CriteriaConnectivity, SolidWithItsBoundary)
 }
 
 //------------------------------------------------------------------------------
-// A cell that lies upon another one is seen in both, and in the neighbour of both.
+// A cell that lies upon another one is seen in both, and in the neighbor of both.
 TEST(CriteriaConnectivity, CellsAtAFace)
 {
   for (const bool asPolyhedra : { false, true })
   {
-    const Grid cubes =
-      MakeCubes(4, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 0, 0 }, { 3, 3, 3 } }, asPolyhedra);
+    const Grid cubes = MakeCubes(
+      4, { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 0, 0, 0 }, { 3, 3, 3 } }, asPolyhedra);
     EXPECT_EQ(EvaluateAll(cubes).at("MaxFaceCellCount"), std::vector<double>({ 3, 3, 2, 3, 1 }));
   }
   // Three squares with an edge in common, and a line.
-  const Grid fan = MakeGrid({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 1 }, { 0, 1, 0 }, { 0, 1, 1 },
-                              { -1, 0, 0 }, { -1, 0, 1 } },
+  const Grid fan = MakeGrid({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 1, 0, 1 }, { 0, 1, 0 },
+                              { 0, 1, 1 }, { -1, 0, 0 }, { -1, 0, 1 } },
     { { VTK_QUAD, { 0, 1, 3, 2 } }, { VTK_QUAD, { 0, 1, 5, 4 } }, { VTK_QUAD, { 0, 1, 7, 6 } },
       { VTK_TRIANGLE, { 2, 3, 5 } }, { VTK_LINE, { 0, 1 } } });
   const auto counts = EvaluateAll(fan).at("MaxFaceCellCount");
-  EXPECT_EQ(std::vector<double>(counts.begin(), counts.end() - 1), std::vector<double>({ 3, 3, 3, 2 }));
+  EXPECT_EQ(
+    std::vector<double>(counts.begin(), counts.end() - 1), std::vector<double>({ 3, 3, 3, 2 }));
   EXPECT_EQ(GetNullReason(counts[4]), NullReason::NotApplicable);
 }
 
@@ -140,15 +143,17 @@ TEST(CriteriaConnectivity, Regions)
   for (const bool asPolyhedra : { false, true })
   {
     // Two cubes side by side, one over an edge, one over a point of that one, one beside the first.
-    const Values values = EvaluateAll(MakeCubes(
-      3, { { { 0, 0, 0 } }, { { 1, 1, 0 } }, { { 2, 2, 1 } }, { { 0, 0, 1 } }, { { 2, 1, 0 } } }, asPolyhedra));
+    const Values values = EvaluateAll(MakeCubes(3,
+      { { { 0, 0, 0 } }, { { 1, 1, 0 } }, { { 2, 2, 1 } }, { { 0, 0, 1 } }, { { 2, 1, 0 } } },
+      asPolyhedra));
     EXPECT_EQ(values.at("RegionId"), (std::vector<double>{ 0, 1, 2, 0, 1 }));
     EXPECT_EQ(values.at("PointRegionCount"), std::vector<double>(5, 2));
   }
 }
 
 //------------------------------------------------------------------------------
-// The same for pieces of a cube or two each, which know of each other by the places of their points only.
+// The same for pieces of a cube or two each, which know of each other by the places of their points
+// only.
 TEST(CriteriaConnectivity, PinchedBetweenPieces)
 {
   using Places = std::vector<std::array<int, 3>>;
@@ -200,7 +205,8 @@ TEST(CriteriaConnectivity, PinchedBetweenPieces)
 TEST(CriteriaConnectivity, PinchedWithinARegion)
 {
   Values values = EvaluateAll(MakeSquares(4,
-    { { { 1, 1 } }, { { 1, 0 } }, { { 2, 0 } }, { { 3, 0 } }, { { 3, 1 } }, { { 3, 2 } }, { { 2, 2 } } }));
+    { { { 1, 1 } }, { { 1, 0 } }, { { 2, 0 } }, { { 3, 0 } }, { { 3, 1 } }, { { 3, 2 } },
+      { { 2, 2 } } }));
   EXPECT_EQ(values["RegionId"], std::vector<double>(7, 0));
   EXPECT_EQ(values["PointRegionCount"], (std::vector<double>{ 2, 1, 1, 1, 1, 1, 2 }));
   values = EvaluateAll(MakeSquares(2, { { { 0, 0 } }, { { 1, 1 } }, { { 1, 0 } } }));
@@ -223,14 +229,15 @@ TEST(CriteriaConnectivity, MixedDimensions)
 }
 
 //------------------------------------------------------------------------------
-// The same points in another order or as another type are the same cell; a flat cell of the same points and
-// cells that share all points but one are not.
+// The same points in another order or as another type are the same cell; a flat cell of the same
+// points and cells that share all points but one are not.
 TEST(CriteriaConnectivity, Duplicates)
 {
   const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 1 }, { 0, 0, 2 } };
   const Grid grid = MakeGrid(points,
     { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } },
-      { VTK_TETRA, { 3, 1, 0, 2 } }, { VTK_POLYGON, { 3, 2, 1, 0 } }, { VTK_TETRA, { 2, 1, 0, 3 } } });
+      { VTK_TETRA, { 3, 1, 0, 2 } }, { VTK_POLYGON, { 3, 2, 1, 0 } },
+      { VTK_TETRA, { 2, 1, 0, 3 } } });
   EXPECT_EQ(EvaluateAll(grid).at("DuplicateCell"), (std::vector<double>{ 0, 1, -1, 1, 0, 1 }));
 
   vtkNew<vtkIdTypeArray> ids;
@@ -240,8 +247,8 @@ TEST(CriteriaConnectivity, Duplicates)
   }
   EvaluationOptions options;
   options.GlobalIds = ids;
-  EXPECT_EQ(
-    EvaluateAll(grid, options).at("DuplicateCell"), (std::vector<double>{ 30, 40, -1, 40, 30, 40 }));
+  EXPECT_EQ(EvaluateAll(grid, options).at("DuplicateCell"),
+    (std::vector<double>{ 30, 40, -1, 40, 30, 40 }));
 
   // As many copies as there are cells must not take all day.
   const std::size_t many = 300000;
@@ -253,7 +260,8 @@ TEST(CriteriaConnectivity, Duplicates)
 }
 
 //------------------------------------------------------------------------------
-// Every cell of a block of cubes but the innermost; what lies beyond a ghost or a piece is not known.
+// Every cell of a block of cubes but the innermost; what lies beyond a ghost or a piece is not
+// known.
 TEST(CriteriaConnectivity, Boundary)
 {
   const Grid block = MakeHexahedra(3, 3, 3, false);
@@ -264,7 +272,8 @@ TEST(CriteriaConnectivity, Boundary)
   ghosts[0] = 1;
   EvaluationOptions options;
   options.Ghosts = ghosts.data();
-  EXPECT_EQ(GetNullReason(EvaluateAll(block, options).at("IsBoundary")[0]), NullReason::MissingGhosts);
+  EXPECT_EQ(
+    GetNullReason(EvaluateAll(block, options).at("IsBoundary")[0]), NullReason::MissingGhosts);
   EXPECT_EQ(EvaluateAll(block, options).at("IsBoundary")[1], 1);
   options = EvaluationOptions();
   options.IsPieceWithoutGhosts = true;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Criteria that look at the neighbours of a cell, or at all cells of the mesh.
+// Criteria that look at the neighbors of a cell, or at all cells of the mesh.
 #include "CriteriaTesting.h"
 #include "MeshElementsTesting.h"
 #include "ReferenceShapes.h"
@@ -18,28 +18,34 @@ TEST(CriteriaNeighbors, Neighbors)
       { 1, 1, 1 }, { 0, 1, 1 } };
     points.insert(points.end(), second.begin(), second.end());
     return MakeGrid(points,
-      { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_HEXAHEDRON, { 1, 8, 9, 2, 5, 10, 11, 6 } } });
+      { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } },
+        { VTK_HEXAHEDRON, { 1, 8, 9, 2, 5, 10, 11, 6 } } });
   };
   const auto shear = [](const Point& p) { return Point{ p[0], p[1] + p[0], p[2] }; };
   const double d = std::sqrt(0.5);
-  // What the inner face has, but the quality of the worse cell and the skewness of the second, whose other faces count.
+  // What the inner face has, but the quality of the worse cell and the skewness of the second,
+  // whose other faces count.
   const struct
   {
     const char* Name;
     Grid Mesh;
     double NonOrthogonality, Quality, InnerSkewness, Skewness, Weight, Ratio;
   } pairs[] = {
-    { "two unit cubes", hexahedra({ { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 2, 1, 1 } }), 0, 1, 0, 0, 0.5, 1 },
-    { "cube and box", hexahedra({ { 3, 0, 0 }, { 3, 1, 0 }, { 3, 0, 1 }, { 3, 1, 1 } }), 0, 1, 0, 0, 1.0 / 3,
-      0.5 },
+    { "two unit cubes", hexahedra({ { 2, 0, 0 }, { 2, 1, 0 }, { 2, 0, 1 }, { 2, 1, 1 } }), 0, 1, 0,
+      0, 0.5, 1 },
+    { "cube and box", hexahedra({ { 3, 0, 0 }, { 3, 1, 0 }, { 3, 0, 1 }, { 3, 1, 1 } }), 0, 1, 0, 0,
+      1.0 / 3, 0.5 },
     { "cube and sheared cube", hexahedra({ { 2, 1, 0 }, { 2, 2, 0 }, { 2, 1, 1 }, { 2, 2, 1 } }),
       std::atan(0.5) * 180 / Pi, d, 0.5, 1, 0.5, 1 },
-    { "two sheared cubes, x-face", Transform(MakeHexahedra(2, 1, 1, false), shear), 45, d, 0, 1, 0.5, 1 },
-    { "two sheared cubes, y-face", Transform(MakeHexahedra(1, 2, 1, false), shear), 45, d, 0, 1, 0.5, 1 },
-    // The slanted sides of the wedge have lines to the centre (1/6, -1/4) and normals (1/2, -1), and count.
+    { "two sheared cubes, x-face", Transform(MakeHexahedra(2, 1, 1, false), shear), 45, d, 0, 1,
+      0.5, 1 },
+    { "two sheared cubes, y-face", Transform(MakeHexahedra(1, 2, 1, false), shear), 45, d, 0, 1,
+      0.5, 1 },
+    // The slanted sides of the wedge have lines to the center (1/6, -1/4) and normals (1/2, -1),
+    // and count.
     { "cube and wedge",
-      MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
-                 { 0, 1, 1 }, { 2, 0.5, 0 }, { 2, 0.5, 1 } },
+      MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+                 { 1, 1, 1 }, { 0, 1, 1 }, { 2, 0.5, 0 }, { 2, 0.5, 1 } },
         { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_WEDGE, { 1, 2, 8, 5, 6, 9 } } }),
       0, 8 / std::sqrt(65.0), 0, 1.0 / 15, 0.4, 0.5 },
   };
@@ -56,14 +62,16 @@ TEST(CriteriaNeighbors, Neighbors)
         ExpectNear(1 / pair.Ratio, values.at("CellVolumeRatio")[cell], 1e-10, pair.Name);
       }
       ExpectNear(pair.Quality,
-        std::min(values.at("OrthogonalQuality")[0], values.at("OrthogonalQuality")[1]), 1e-10, pair.Name);
+        std::min(values.at("OrthogonalQuality")[0], values.at("OrthogonalQuality")[1]), 1e-10,
+        pair.Name);
       ExpectNear(pair.Skewness, values.at("MaxFaceSkewness")[1], 1e-10, pair.Name);
       const Elements elements(grid);
       for (vtkIdType face = 0; face < elements.Faces->GetNumberOfCells(); ++face)
       {
         if (Get(elements.Faces, "IsBoundary", face) == 0)
         {
-          ExpectNear(pair.InnerSkewness, Get(elements.Faces, "FaceSkewness", face), 1e-10, pair.Name);
+          ExpectNear(
+            pair.InnerSkewness, Get(elements.Faces, "FaceSkewness", face), 1e-10, pair.Name);
         }
       }
     }
@@ -80,8 +88,7 @@ TEST(CriteriaNeighbors, Neighbors)
   for (int i = 0; i < 27; ++i)
   {
     const vtkIdType a = i % 3 + 4 * (i / 3 % 3) + 16 * (i / 9);
-    cells.push_back(
-      { VTK_HEXAHEDRON, { a, a + 1, a + 5, a + 4, a + 16, a + 17, a + 21, a + 20 } });
+    cells.push_back({ VTK_HEXAHEDRON, { a, a + 1, a + 5, a + 4, a + 16, a + 17, a + 21, a + 20 } });
   }
   const Values cube = EvaluateAll(MakeGrid(points, cells));
   ExpectNear(1, cube.at("CellDeterminant")[13], 1e-12, "middle");
@@ -90,18 +97,27 @@ TEST(CriteriaNeighbors, Neighbors)
 
   // Alone: nothing to compare with.
   const Values alone = EvaluateAll(FindReferenceShape("unit cube").Polyhedron);
-  for (const char* name : { "MaxNonOrthogonality", "MinFaceWeight", "MinVolumeRatio", "CellVolumeRatio" })
+  for (const char* name :
+    { "MaxNonOrthogonality", "MinFaceWeight", "MinVolumeRatio", "CellVolumeRatio" })
   {
     EXPECT_EQ(GetNullReason(alone.at(name)[0]), NullReason::NoNeighbor) << name;
   }
   ExpectNear(0, alone.at("CellDeterminant")[0], 1e-12, "alone");
   const std::map<std::string, std::array<double, 2>> boundary = {
-    { "unit cube", { 0, 1 } }, { "regular tetrahedron", { 0, 1 } }, { "right triangular prism", { 0, 1 } },
-    { "regular octahedron", { 0, 1 } }, { "regular dodecahedron", { 0, 1 } },
-    { "truncated octahedron", { 0, 1 } }, { "box", { 0, 1 } }, { "hexagonal prism", { 0, 1 } },
-    { "right-corner tetrahedron", { 0.25, 0.9045340337333 } }, { "square pyramid", { 0.25, 0.9045340337333 } },
-    { "sheared hex", { 1, 0.7071067811865 } }, { "flat sliver", { 0.499700119952, 0.02999250221178 } },
-    { "L-prism", { 1.333333333333, 0.2425356250363 } }, { "warped hex", { 0.2248677248677, 0.9502584924607 } },
+    { "unit cube", { 0, 1 } },
+    { "regular tetrahedron", { 0, 1 } },
+    { "right triangular prism", { 0, 1 } },
+    { "regular octahedron", { 0, 1 } },
+    { "regular dodecahedron", { 0, 1 } },
+    { "truncated octahedron", { 0, 1 } },
+    { "box", { 0, 1 } },
+    { "hexagonal prism", { 0, 1 } },
+    { "right-corner tetrahedron", { 0.25, 0.9045340337333 } },
+    { "square pyramid", { 0.25, 0.9045340337333 } },
+    { "sheared hex", { 1, 0.7071067811865 } },
+    { "flat sliver", { 0.499700119952, 0.02999250221178 } },
+    { "L-prism", { 1.333333333333, 0.2425356250363 } },
+    { "warped hex", { 0.2248677248677, 0.9502584924607 } },
   };
   for (const auto& shape : boundary)
   {
@@ -124,17 +140,17 @@ TEST(CriteriaNeighbors, Neighbors)
   EXPECT_EQ(GetNullReason(withGhost.at("MaxNonOrthogonality")[1]), NullReason::MissingGhosts);
 
   // Polygons in a plane, with edges for faces.
-  const Values squares = EvaluateAll(MakeGrid(
-    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 3, 1, 0 }, { 3, 2, 0 } },
-    { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_QUAD, { 2, 1, 4, 5 } } }));
+  const Values squares = EvaluateAll(
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 3, 1, 0 }, { 3, 2, 0 } },
+      { { VTK_QUAD, { 0, 1, 2, 3 } }, { VTK_QUAD, { 2, 1, 4, 5 } } }));
   ExpectNear(2, squares.at("CellVolumeRatio")[0], 1e-12, "areas");
   ExpectNear(1.0 / 3, squares.at("MinFaceWeight")[1], 1e-12, "weights");
   ExpectNear(std::atan2(0.5, 1.5) * 180 / Pi, squares.at("MaxNonOrthogonality")[0], 1e-10, "angle");
 }
 
 //------------------------------------------------------------------------------
-// If this fails, polygons get the determinant of the three directions of space, which is 0, or another one in planes
-// that are not those of the axes.
+// If this fails, polygons get the determinant of the three directions of space, which is 0, or
+// another one in planes that are not those of the axes.
 TEST(CriteriaNeighbors, DeterminantOfPolygons)
 {
   Points points;
@@ -157,8 +173,8 @@ TEST(CriteriaNeighbors, DeterminantOfPolygons)
 }
 
 //------------------------------------------------------------------------------
-// The published table takes all faces for inner ones, which those of a cell are that is there twice, and is of the
-// determinant that is 8 for a cube. If this fails, ours is not OpenFOAM's.
+// The published table takes all faces for inner ones, which those of a cell are that is there
+// twice, and is of the determinant that is 8 for a cube. If this fails, ours is not OpenFOAM's.
 TEST(CriteriaNeighbors, DeterminantOfReferenceShapes)
 {
   const std::map<std::string, double> expected = {
@@ -180,17 +196,19 @@ TEST(CriteriaNeighbors, DeterminantOfReferenceShapes)
   for (const ReferenceShape& shape : GetReferenceShapes())
   {
     const Faces faces = GetFaces(shape.Polyhedron, 0);
-    const Values values = EvaluateAll(MakePolyhedra(shape.Polyhedron->GetPoints(), { faces, faces }));
+    const Values values =
+      EvaluateAll(MakePolyhedra(shape.Polyhedron->GetPoints(), { faces, faces }));
     for (const std::size_t cell : { 0, 1 })
     {
-      ExpectNear(expected.at(shape.Name) / 8, values.at("CellDeterminant")[cell], 1e-10, shape.Name);
+      ExpectNear(
+        expected.at(shape.Name) / 8, values.at("CellDeterminant")[cell], 1e-10, shape.Name);
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the centroid of a cell with coordinates that are not finite is taken to lie somewhere, and its
-// neighbours get numbers that depend on where the mesh lies.
+// If this fails, the centroid of a cell with coordinates that are not finite is taken to lie
+// somewhere, and its neighbors get numbers that depend on where the mesh lies.
 TEST(CriteriaNeighbors, NonFiniteNeighbor)
 {
   const Grid row = MakeHexahedra(3, 1, 1, false); // cubes along x
@@ -219,7 +237,7 @@ TEST(CriteriaNeighbors, NonFiniteNeighbor)
 }
 
 //------------------------------------------------------------------------------
-// Every cell of a split surface sees its neighbours; folds and inconsistent neighbours count right.
+// Every cell of a split surface sees its neighbors; folds and inconsistent neighbors count right.
 TEST(CriteriaNeighbors, NeighborNormals)
 {
   // A flat square of two triangles and a wall standing on its edge; the second wall runs backwards.
@@ -227,8 +245,8 @@ TEST(CriteriaNeighbors, NeighborNormals)
     { 1, 0, 1 } };
   for (const bool backwards : { false, true })
   {
-    const std::vector<vtkIdType> wall = backwards ? std::vector<vtkIdType>{ 0, 1, 5, 4 }
-                                                  : std::vector<vtkIdType>{ 1, 0, 4, 5 };
+    const std::vector<vtkIdType> wall =
+      backwards ? std::vector<vtkIdType>{ 0, 1, 5, 4 } : std::vector<vtkIdType>{ 1, 0, 4, 5 };
     Values values = EvaluateAll(MakeGrid(points,
       { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 2, 3 } }, { VTK_QUAD, wall } }));
     EXPECT_NEAR(values["MinNeighborNormalAngle"][0], 0, 1e-12);
@@ -268,8 +286,8 @@ TEST(CriteriaNeighbors, RelativeSize)
 }
 
 //------------------------------------------------------------------------------
-// The boundary of a solid has the dihedral angles of the solid. If this fails, the outer side of a surface is
-// mistaken, or what is open counts as closed.
+// The boundary of a solid has the dihedral angles of the solid. If this fails, the outer side of a
+// surface is mistaken, or what is open counts as closed.
 TEST(CriteriaNeighbors, SurfaceDihedralAngles)
 {
   for (const auto& shape : GetReferenceShapes())
@@ -316,12 +334,13 @@ TEST(CriteriaNeighbors, SurfaceDihedralAngles)
 }
 
 //------------------------------------------------------------------------------
-// Polygons of fewer than three points have no facets; if this fails, a mesh that begins with one crashes.
+// Polygons of fewer than three points have no facets; if this fails, a mesh that begins with one
+// crashes.
 TEST(CriteriaNeighbors, PolygonsWithoutFacets)
 {
   const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } };
-  const Values values = EvaluateAll(
-    MakeGrid(points, { { VTK_POLYGON, { 0, 1 } }, { VTK_TRIANGLE, { 0, 1, 1 } }, { VTK_QUAD, { 0, 1, 2, 3 } } }));
+  const Values values = EvaluateAll(MakeGrid(points,
+    { { VTK_POLYGON, { 0, 1 } }, { VTK_TRIANGLE, { 0, 1, 1 } }, { VTK_QUAD, { 0, 1, 2, 3 } } }));
   for (const int cell : { 0, 1 })
   {
     EXPECT_EQ(GetNullReason(values.at("OrthogonalQuality")[cell]), NullReason::Degenerate);

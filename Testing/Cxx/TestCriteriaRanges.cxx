@@ -30,16 +30,16 @@ TEST(CriteriaRanges, ValuesInRange)
     expectInRange(EvaluateAll(shape.Polyhedron), shape.Name);
     if (shape.Standard)
     {
-      expectInRange(EvaluateAll(Transform(shape.Standard,
-                      [](const Point& p) { return Point{ -p[0], p[1], p[2] }; })),
+      expectInRange(EvaluateAll(Transform(
+                      shape.Standard, [](const Point& p) { return Point{ -p[0], p[1], p[2] }; })),
         std::string(shape.Name) + " inside out");
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// The same of cells of which no mesh should be made: any points in any order, on a grid where many coincide or lie in
-// a plane or line. What is null is so with a reason.
+// The same of cells of which no mesh should be made: any points in any order, on a grid where many
+// coincide or lie in a plane or line. What is null is so with a reason.
 TEST(CriteriaRanges, ValuesOfTangledCellsInRange)
 {
   constexpr int NumberOfCells = 600, NumberOfKinds = 7;
@@ -51,7 +51,10 @@ TEST(CriteriaRanges, ValuesOfTangledCellsInRange)
   {
     const int kind = cell % NumberOfKinds, corners = 3 + cell / NumberOfKinds % 4;
     const int size = kind < 5 ? Sizes[kind] : kind == 5 ? corners + 2 : 2 * corners;
-    const double steps = cell % 3 == 0 ? 2 : 1 << 20, height = cell % 5 == 0 ? 1e-9 : cell % 5 == 1 ? 0 : 1;
+    const double steps = cell % 3 == 0 ? 2 : 1 << 20,
+                 height = cell % 5 == 0 ? 1e-9
+      : cell % 5 == 1                   ? 0
+                                        : 1;
     Points points;
     std::vector<vtkIdType> ids;
     for (int i = 0; i < size; ++i)
@@ -111,8 +114,8 @@ TEST(CriteriaRanges, IsotropyOfAnySize)
 }
 
 //------------------------------------------------------------------------------
-// Lengths whose products leave the range of numbers: what has no unit is the same as of usual size, what has one grows
-// with it, and where that is no number any more it is null.
+// Lengths whose products leave the range of numbers: what has no unit is the same as of usual size,
+// what has one grows with it, and where that is no number any more it is null.
 TEST(CriteriaRanges, ExtremeSizes)
 {
   std::vector<std::pair<std::string, Grid>> meshes;
@@ -127,14 +130,15 @@ TEST(CriteriaRanges, ExtremeSizes)
   meshes.emplace_back("hexahedra", MakeHexahedra(3, 2, 2, false));
   meshes.emplace_back("polyhedra", MakeHexahedra(3, 2, 2, true));
   meshes.emplace_back("prisms", MakeHexagonalPrisms(3));
-  meshes.emplace_back("polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
-  // Those that compare sizes of cells are null where these are no numbers; Verdict's have only 11 digits of 1/3.
+  meshes.emplace_back(
+    "polygon", MakePolygon({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 2, 0.25 }, { 1, 1, 0 }, { 0, 2, 0 } }));
+  // Those that compare sizes of cells are null where these are no numbers; Verdict's have only 11
+  // digits of 1/3.
   const std::set<std::string> comparing = { "RelativeSize", "MinVolumeRatio", "MaxVolumeRatio",
     "CellVolumeRatio", "VerdictRelativeSizeSquared", "VerdictShapeAndSize", "VerdictShearAndSize" };
   for (const auto& mesh : meshes)
   {
-    const auto scaled = [&mesh](int exponent)
-    { return EvaluateAll(Scale(mesh.second, exponent)); };
+    const auto scaled = [&mesh](int exponent) { return EvaluateAll(Scale(mesh.second, exponent)); };
     const Values usual = scaled(0);
     for (const int exponent : { 299, -332, 400, -400, 10, -10 }) // 1e90, 1e-100, 1e120, 1e-120
     {
@@ -155,9 +159,11 @@ TEST(CriteriaRanges, ExtremeSizes)
           const bool isComparing = comparing.count(criterion.Name) > 0;
           if (isComparing && std::abs(exponent) >= 400 && std::isnan(value))
           {
-            EXPECT_TRUE(std::isnan(before) || GetNullReason(value) == NullReason::Degenerate) << what;
+            EXPECT_TRUE(std::isnan(before) || GetNullReason(value) == NullReason::Degenerate)
+              << what;
           }
-          else if (std::isnan(before) || (std::isfinite(expected) && (expected != 0) == (before != 0)))
+          else if (std::isnan(before) ||
+            (std::isfinite(expected) && (expected != 0) == (before != 0)))
           {
             EXPECT_EQ(GetNullReason(value), GetNullReason(before)) << what;
             ExpectSame(

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What is wrong with cells, and the criteria of cells that are degenerate, broken or without finite coordinates.
-#include "Cell/CellStatusBits.h"
+// What is wrong with cells, and the criteria of cells that are degenerate, broken or without finite
+// coordinates.
+#include "Cell/CellDefects.h"
 #include "Mesh/PointSetHulls.h"
 
 #include "CriteriaTesting.h"
@@ -22,7 +23,7 @@ TEST(CriteriaValidity, Validity)
   {
     const unsigned expected = shape.Name == std::string("L-prism") ? Nonconvex
       : shape.Name == std::string("warped hex")                    ? NonPlanarFaces
-                                                                    : 0u;
+                                                                   : 0u;
     EXPECT_EQ(status(shape.Polyhedron), expected) << shape.Name;
     const Values values = EvaluateAll(shape.Polyhedron);
     EXPECT_EQ(values.at("IsConvex")[0], !(expected & (Nonconvex | NonPlanarFaces))) << shape.Name;
@@ -30,8 +31,8 @@ TEST(CriteriaValidity, Validity)
     EXPECT_EQ(values.at("FaceOrientationStatus")[0], 0) << shape.Name;
   }
 
-  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-    { 1, 1, 1 }, { 0, 1, 1 } };
+  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   const Faces outward = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
   Faces faces = outward;
   faces.pop_back();
@@ -48,26 +49,30 @@ TEST(CriteriaValidity, Validity)
   std::reverse(faces[2].begin(), faces[2].end());
   EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("FaceOrientationStatus")[0], 2);
 
-  // A tetrahemihexahedron, of four triangles and the three squares between the points of an octahedron: every edge has
-  // two faces, but they have one side only.
-  const Grid oneSided =
-    MakePolyhedron({ { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
-      { { 0, 1, 2 }, { 0, 4, 5 }, { 3, 1, 5 }, { 3, 4, 2 }, { 0, 1, 3, 4 }, { 0, 2, 3, 5 }, { 1, 2, 4, 5 } });
+  // A tetrahemihexahedron, of four triangles and the three squares between the points of an
+  // octahedron: every edge has two faces, but they have one side only.
+  const Grid oneSided = MakePolyhedron(
+    { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, -1 } },
+    { { 0, 1, 2 }, { 0, 4, 5 }, { 3, 1, 5 }, { 3, 4, 2 }, { 0, 1, 3, 4 }, { 0, 2, 3, 5 },
+      { 1, 2, 4, 5 } });
   EvaluationOptions trust;
   trust.TrustFaceOrientation = true;
   for (const EvaluationOptions& options : { EvaluationOptions(), trust })
   {
     EXPECT_EQ(EvaluateAll(oneSided, options).at("FaceOrientationStatus")[0], 3);
     EXPECT_EQ(EvaluateAll(oneSided, options).at("IsConvex")[0], 0);
-    EXPECT_NE(static_cast<unsigned>(EvaluateAll(oneSided, options).at("CellStatus")[0]) & IntersectingFaces, 0u);
+    EXPECT_NE(
+      static_cast<unsigned>(EvaluateAll(oneSided, options).at("CellStatus")[0]) & IntersectingFaces,
+      0u);
   }
   EXPECT_EQ(GetNullReason(EvaluateAll(oneSided).at("Volume")[0]), NullReason::InvalidTopology);
   EXPECT_EQ(status(oneSided) & (FacesAreOrientedIncorrectly | NotWatertight | NonManifoldEdge),
     FacesAreOrientedIncorrectly);
 
   // A tetrahedron with a point in the middle of an edge, where a face without an area closes it.
-  const Grid sliver = MakePolyhedron({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 0, 0 } },
-    { { 0, 2, 1 }, { 0, 4, 1, 3 }, { 0, 1, 4 }, { 0, 3, 2 }, { 1, 2, 3 } });
+  const Grid sliver =
+    MakePolyhedron({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.5, 0, 0 } },
+      { { 0, 2, 1 }, { 0, 4, 1, 3 }, { 0, 1, 4 }, { 0, 3, 2 }, { 1, 2, 3 } });
   EXPECT_EQ(status(sliver) &
       (DegenerateFaces | ZeroLengthEdge | CoincidentPoints | NotWatertight | InvertedOrZeroVolume),
     DegenerateFaces);
@@ -107,7 +112,8 @@ TEST(CriteriaValidity, Validity)
   points = corners;
   points[6][2] = -0.5;
   EXPECT_NE(status(MakePolyhedron(points, outward)) & IntersectingFaces, 0u);
-  // Open ones: with a corner pushed down through the middle of the bottom, unless that is the face that is not there.
+  // Open ones: with a corner pushed down through the middle of the bottom, unless that is the face
+  // that is not there.
   points[6] = { 0.5, 0.5, -0.5 };
   for (const auto& missing : outward)
   {
@@ -117,7 +123,8 @@ TEST(CriteriaValidity, Validity)
     EXPECT_EQ((status(MakePolyhedron(points, open)) & IntersectingFaces) != 0, !isBottom);
     EXPECT_EQ(status(MakePolyhedron(corners, open)) & IntersectingFaces, 0u);
   }
-  // Faces that meet everywhere but share no points, as a cube of loose squares, or of one and two rectangles at a side.
+  // Faces that meet everywhere but share no points, as a cube of loose squares, or of one and two
+  // rectangles at a side.
   Points loose;
   Faces looseFaces;
   for (const auto& face : outward)
@@ -129,33 +136,36 @@ TEST(CriteriaValidity, Validity)
       loose.push_back(corners[id]);
     }
   }
-  EXPECT_EQ(status(MakePolyhedron(loose, looseFaces)) & (IntersectingFaces | NotWatertight), NotWatertight);
+  EXPECT_EQ(
+    status(MakePolyhedron(loose, looseFaces)) & (IntersectingFaces | NotWatertight), NotWatertight);
   // Squares with two opposite corners in common, which cross between them.
-  EXPECT_NE(status(MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0.7 }, { 0.5, 0.5, -0.7 } },
+  EXPECT_NE(status(MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 },
+                                    { 0.5, 0.5, 0.7 }, { 0.5, 0.5, -0.7 } },
               { { 0, 2, 1, 3 }, { 0, 4, 1, 5 } })) &
       IntersectingFaces,
     0u);
   // Walls that cross from their lower edges to their upper ones, without a floor and a ceiling.
-  EXPECT_NE(status(MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 },
-                                    { 1, 0, 1 }, { 0, 1, 1 } },
+  EXPECT_NE(status(MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+                                    { 1, 1, 1 }, { 1, 0, 1 }, { 0, 1, 1 } },
               { { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 } })) &
       IntersectingFaces,
     0u);
   points = corners;
   points.insert(points.end(), { { 0.5, 0, 0 }, { 0.5, 0, 1 } });
   EXPECT_EQ(status(MakePolyhedron(points,
-              { { 0, 8, 9, 4 }, { 8, 1, 5, 9 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 4, 7, 3 }, { 1, 2, 6, 5 },
-                { 2, 3, 7, 6 } })) &
+              { { 0, 8, 9, 4 }, { 8, 1, 5, 9 }, { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 4, 7, 3 },
+                { 1, 2, 6, 5 }, { 2, 3, 7, 6 } })) &
       (IntersectingFaces | NotWatertight),
     NotWatertight);
   // The top in three strips, which the walls in front and behind do not know of, in any direction.
   points = corners;
-  points.insert(points.end(), { { 1. / 3, 0, 1 }, { 2. / 3, 0, 1 }, { 1. / 3, 1, 1 }, { 2. / 3, 1, 1 } });
+  points.insert(
+    points.end(), { { 1. / 3, 0, 1 }, { 2. / 3, 0, 1 }, { 1. / 3, 1, 1 }, { 2. / 3, 1, 1 } });
   const Grid strips = MakePolyhedron(points,
-    { { 0, 3, 2, 1 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 }, { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 4, 8, 10, 7 },
-      { 8, 9, 11, 10 }, { 9, 5, 6, 11 } });
-  const Grid squares = MakePolyhedron({ { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0.7 },
-                                        { 0.5, 0.5, -0.7 } },
+    { { 0, 3, 2, 1 }, { 0, 1, 5, 4 }, { 2, 3, 7, 6 }, { 0, 4, 7, 3 }, { 1, 2, 6, 5 },
+      { 4, 8, 10, 7 }, { 8, 9, 11, 10 }, { 9, 5, 6, 11 } });
+  const Grid squares = MakePolyhedron(
+    { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0.7 }, { 0.5, 0.5, -0.7 } },
     { { 0, 2, 1, 3 }, { 0, 4, 1, 5 } });
   std::mt19937 random(3);
   std::uniform_real_distribution<double> angle(0, 2 * Pi);
@@ -164,10 +174,12 @@ TEST(CriteriaValidity, Validity)
     const double a = angle(random), b = angle(random);
     const auto turn = [&](const Point& p)
     {
-      const double x = std::cos(a) * p[0] - std::sin(a) * p[1], y = std::sin(a) * p[0] + std::cos(a) * p[1];
+      const double x = std::cos(a) * p[0] - std::sin(a) * p[1],
+                   y = std::sin(a) * p[0] + std::cos(a) * p[1];
       return Point{ x, std::cos(b) * y - std::sin(b) * p[2], std::sin(b) * y + std::cos(b) * p[2] };
     };
-    ASSERT_EQ(status(Transform(strips, turn)) & (IntersectingFaces | NotWatertight), NotWatertight) << a << ' ' << b;
+    ASSERT_EQ(status(Transform(strips, turn)) & (IntersectingFaces | NotWatertight), NotWatertight)
+      << a << ' ' << b;
     ASSERT_NE(status(Transform(squares, turn)) & IntersectingFaces, 0u) << a << ' ' << b;
   }
 
@@ -177,38 +189,45 @@ TEST(CriteriaValidity, Validity)
   Faces withLine = outward;
   withLine.push_back({ 0, 1 });
   EXPECT_EQ(status(MakePolyhedron(corners, withLine)), 0u);
-  EXPECT_NE(status(MakeGrid(corners, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 0, 7 } } })) & CoincidentPoints, 0u);
+  EXPECT_NE(status(MakeGrid(corners, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 0, 7 } } })) &
+      CoincidentPoints,
+    0u);
 
   // Two tetrahedra that meet in one point, as one cell.
-  const Points pair = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 }, { 0, -1, 0 },
-    { 0, 0, -1 } };
+  const Points pair = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { -1, 0, 0 },
+    { 0, -1, 0 }, { 0, 0, -1 } };
   EXPECT_EQ(status(MakePolyhedron(pair,
-              { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 4, 5 }, { 0, 5, 6 }, { 0, 6, 4 },
-                { 4, 6, 5 } })) &
+              { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 4, 5 }, { 0, 5, 6 },
+                { 0, 6, 4 }, { 4, 6, 5 } })) &
       (NonManifoldVertex | NotWatertight),
     NonManifoldVertex);
 
   // The same with one of them open, or both; and one with an edge of three faces and open ones.
-  const Faces ofPair = { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 0, 4, 5 }, { 0, 5, 6 }, { 0, 6, 4 }, { 4, 6, 5 } };
-  const unsigned ofTopology = NonManifoldVertex | NotWatertight | NonManifoldEdge | IntersectingFaces;
+  const Faces ofPair = { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 0, 4, 5 }, { 0, 5, 6 },
+    { 0, 6, 4 }, { 4, 6, 5 } };
+  const unsigned ofTopology =
+    NonManifoldVertex | NotWatertight | NonManifoldEdge | IntersectingFaces;
   EXPECT_EQ(status(MakePolyhedron(pair, ofPair)) & ofTopology, NonManifoldVertex | NotWatertight);
   EXPECT_EQ(status(MakePolyhedron(pair, Faces(ofPair.begin(), ofPair.end() - 1))) & ofTopology,
     NonManifoldVertex | NotWatertight);
-  EXPECT_EQ(status(MakePolyhedron(pair, { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 0, 1, 4 } })) & ofTopology,
+  EXPECT_EQ(status(MakePolyhedron(pair, { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 0, 1, 4 } })) &
+      ofTopology,
     NonManifoldVertex | NotWatertight | NonManifoldEdge);
-  EXPECT_EQ(status(MakePolyhedron(pair, Faces(ofPair.begin(), ofPair.begin() + 3))) & ofTopology, NotWatertight);
+  EXPECT_EQ(status(MakePolyhedron(pair, Faces(ofPair.begin(), ofPair.begin() + 3))) & ofTopology,
+    NotWatertight);
 
   // Two that meet in an edge, which then has four faces.
   const Grid hinge = MakePolyhedron(pair,
-    { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 5, 4 }, { 0, 4, 3 }, { 0, 3, 5 }, { 4, 5, 3 } });
+    { { 0, 2, 1 }, { 0, 1, 3 }, { 0, 3, 2 }, { 1, 2, 3 }, { 0, 5, 4 }, { 0, 4, 3 }, { 0, 3, 5 },
+      { 4, 5, 3 } });
   EXPECT_EQ(status(hinge) & (NonManifoldEdge | NotWatertight), NonManifoldEdge);
   EXPECT_EQ(EvaluateAll(hinge).at("IsConvex")[0], 0);
   EXPECT_EQ(EvaluateAll(hinge).at("IsValid")[0], 0);
 }
 
 //------------------------------------------------------------------------------
-// An octahemioctahedron: the triangles of a cuboctahedron and the four hexagons through its centre, which cross between
-// points that they share, also when these are moved.
+// An octahemioctahedron: the triangles of a cuboctahedron and the four hexagons through its center,
+// which cross between points that they share, also when these are moved.
 TEST(CriteriaValidity, FacesThatCrossBetweenTheirPoints)
 {
   Points points;
@@ -225,7 +244,8 @@ TEST(CriteriaValidity, FacesThatCrossBetweenTheirPoints)
       }
     }
   }
-  // Those of a plane through signs * (1, 1, 1) at a distance, in the order in which they lie around it.
+  // Those of a plane through signs * (1, 1, 1) at a distance, in the order in which they lie around
+  // it.
   const auto getFace = [&](const Point& signs, double distance)
   {
     const Vector normal = { signs[0], signs[1], signs[2] };
@@ -259,8 +279,8 @@ TEST(CriteriaValidity, FacesThatCrossBetweenTheirPoints)
   std::mt19937 random(5);
   std::uniform_real_distribution<double> noise(-0.01, 0.01);
   const Grid exact = MakePolyhedron(points, faces);
-  const Grid moved = Transform(exact,
-    [&](const Point& p) { return Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) }; });
+  const Grid moved = Transform(exact, [&](const Point& p)
+    { return Point{ p[0] + noise(random), p[1] + noise(random), p[2] + noise(random) }; });
   for (const Grid& mesh : { exact, moved })
   {
     const Values values = EvaluateAll(mesh);
@@ -273,12 +293,12 @@ TEST(CriteriaValidity, FacesThatCrossBetweenTheirPoints)
 }
 
 //------------------------------------------------------------------------------
-// What has as many points, edges and faces as a hexahedron is none if a face comes to a point twice, or if there are two
-// pieces: quadrilaterals over all points of a tetrahedron.
+// What has as many points, edges and faces as a hexahedron is none if a face comes to a point
+// twice, or if there are two pieces: quadrilaterals over all points of a tetrahedron.
 TEST(CriteriaValidity, NoHexahedra)
 {
-  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 },
-    { 0, 1, 1 } };
+  const Points corners = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   Faces twice = GetFaces(FindReferenceShape("unit cube").Polyhedron, 0);
   for (std::size_t face = 0; face < twice.size(); ++face)
   {
@@ -288,14 +308,16 @@ TEST(CriteriaValidity, NoHexahedra)
     EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("CellFamilyId")[0], VTK_POLYHEDRON);
   }
   // Faces that are there twice, for others that are not.
-  for (const Faces& faces : { Faces{ { 0, 2, 1 }, { 0, 1, 2 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } },
-         Faces{ { 0, 3, 2, 1 }, { 0, 1, 4 }, { 0, 1, 4 }, { 2, 3, 4 }, { 2, 3, 4 } },
-         Faces{ { 0, 1, 2 }, { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 3 } } })
+  for (const Faces& faces :
+    { Faces{ { 0, 2, 1 }, { 0, 1, 2 }, { 0, 1, 4, 3 }, { 1, 2, 5, 4 }, { 2, 0, 3, 5 } },
+      Faces{ { 0, 3, 2, 1 }, { 0, 1, 4 }, { 0, 1, 4 }, { 2, 3, 4 }, { 2, 3, 4 } },
+      Faces{ { 0, 1, 2 }, { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 3 } } })
   {
     EXPECT_EQ(EvaluateAll(MakePolyhedron(corners, faces)).at("CellFamilyId")[0], VTK_POLYHEDRON);
   }
-  const Grid two = MakePolyhedron(corners, { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 0, 1, 3, 2 }, { 4, 5, 6, 7 },
-                                             { 4, 6, 5, 7 }, { 4, 5, 7, 6 } });
+  const Grid two = MakePolyhedron(corners,
+    { { 0, 1, 2, 3 }, { 0, 2, 1, 3 }, { 0, 1, 3, 2 }, { 4, 5, 6, 7 }, { 4, 6, 5, 7 },
+      { 4, 5, 7, 6 } });
   EXPECT_EQ(EvaluateAll(two).at("CellFamilyId")[0], VTK_POLYHEDRON);
 }
 
@@ -305,8 +327,9 @@ TEST(CriteriaValidity, PointSetsThatAreNotFinite)
 {
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(), Infinity })
   {
-    const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, bad } },
-      { { VTK_CONVEX_POINT_SET, { 0, 1, 2, 3, 4 } } });
+    const Grid grid =
+      MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, bad } },
+        { { VTK_CONVEX_POINT_SET, { 0, 1, 2, 3, 4 } } });
     const Values values = EvaluateAll(WithHulls(grid, VTK_CONVEX_POINT_SET));
     EXPECT_EQ(values.at("CellStatus")[0], NonFinitePoint);
     EXPECT_TRUE(std::isnan(values.at("Volume")[0]));
@@ -315,8 +338,9 @@ TEST(CriteriaValidity, PointSetsThatAreNotFinite)
 }
 
 //------------------------------------------------------------------------------
-// A cube whose top is turned about its axis. Its mean planes enclose a box, but the triangles of its sides bend inward as
-// soon as they are not planar: it is convex within the tolerance for that only. Of a polygon the mean plane counts.
+// A cube whose top is turned about its axis. Its mean planes enclose a box, but the triangles of
+// its sides bend inward as soon as they are not planar: it is convex within the tolerance for that
+// only. Of a polygon the mean plane counts.
 TEST(CriteriaValidity, ConvexityOfTwistedCells)
 {
   const auto evaluate = [](double degrees, double tolerance)
@@ -327,7 +351,9 @@ TEST(CriteriaValidity, ConvexityOfTwistedCells)
       [&](const Point& p)
       {
         const double x = p[0] - 0.5, y = p[1] - 0.5;
-        return p[2] > 0.5 ? Point{ { 0.5 + cosine * x - sine * y, 0.5 + sine * x + cosine * y, p[2] } } : p;
+        return p[2] > 0.5
+          ? Point{ { 0.5 + cosine * x - sine * y, 0.5 + sine * x + cosine * y, p[2] } }
+          : p;
       });
     EvaluationOptions options;
     options.PlanarityTolerance = tolerance;
@@ -359,7 +385,8 @@ TEST(CriteriaValidity, DegeneratePolygons)
     double EdgeLengthRatio, MinAngle, MaxAngle, RadiusRatio, RadiusEdgeRatio, BhatiaLawrence, Area;
   } rows[] = {
     { "collinear", { { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } }, 0.5, 0, 180, 0, Infinity, 0, 0 },
-    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, Infinity, 0, 0 },
+    { "two equal points", { { 0, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0 } }, 0, nan, nan, 0, Infinity, 0,
+      0 },
     { "one point", { { 1, 2, 3 }, { 1, 2, 3 }, { 1, 2, 3 } }, nan, nan, nan, nan, nan, nan, 0 },
   };
   for (const auto& row : rows)
@@ -375,17 +402,18 @@ TEST(CriteriaValidity, DegeneratePolygons)
     expect("BhatiaLawrence", row.BhatiaLawrence);
     expect("Area", row.Area);
   }
-  const Values quad = EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }));
-  for (const char* name :
-    { "TriangleRadiusRatio", "TriangleRadiusEdgeRatio", "BhatiaLawrence", "TetRadiusRatio", "Volume" })
+  const Values quad =
+    EvaluateAll(MakePolygon({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }));
+  for (const char* name : { "TriangleRadiusRatio", "TriangleRadiusEdgeRatio", "BhatiaLawrence",
+         "TetRadiusRatio", "Volume" })
   {
     EXPECT_EQ(GetNullReason(quad.at(name)[0]), NullReason::NotApplicable) << name;
   }
 }
 
 //------------------------------------------------------------------------------
-// If this fails, flat tetrahedra, in many of which three or four points lie in a line, have solid angles that no convex
-// cell has, or others when they are polyhedra.
+// If this fails, flat tetrahedra, in many of which three or four points lie in a line, have solid
+// angles that no convex cell has, or others when they are polyhedra.
 TEST(CriteriaValidity, SolidAnglesOfFlatTetrahedra)
 {
   std::mt19937 random(6);
@@ -421,7 +449,8 @@ TEST(CriteriaValidity, SolidAnglesOfFlatTetrahedra)
       if (!std::isnan(value))
       {
         EXPECT_NEAR(value, other, 1e-9) << name << " of cell " << i;
-        EXPECT_TRUE(std::abs(value) < 1e-9 || std::abs(value - 2 * Pi) < 1e-9) << name << " of cell " << i << ": " << value;
+        EXPECT_TRUE(std::abs(value) < 1e-9 || std::abs(value - 2 * Pi) < 1e-9)
+          << name << " of cell " << i << ": " << value;
       }
     }
   }
@@ -432,8 +461,8 @@ TEST(CriteriaValidity, SolidAnglesOfFlatTetrahedra)
 TEST(CriteriaValidity, DegeneratePolyhedra)
 {
   // Flat: the corners of the unit square.
-  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
-    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Grid flat = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
   Values values = EvaluateAll(flat);
   EXPECT_EQ(values["Volume"][0], 0);
   EXPECT_EQ(values["TetRadiusEdgeRatio"][0], Infinity);
@@ -446,8 +475,8 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   EXPECT_EQ(values["CellAspectRatio"][0], Infinity);
 
   // Inverted: the volume says so, nothing else does.
-  const Grid inverted = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
-    { { VTK_TETRA, { 0, 2, 1, 3 } } });
+  const Grid inverted = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 2, 1, 3 } } });
   values = EvaluateAll(inverted);
   EXPECT_NEAR(values["Volume"][0], -1.0 / 6, 1e-15);
   const double root3 = std::sqrt(3.0);
@@ -483,17 +512,19 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
   faces = GetFaces(cube.Polyhedron, 0);
   faces.pop_back();
   values = EvaluateAll(MakePolyhedra(cube.Polyhedron->GetPoints(), { faces }));
-  for (const char* name : { "Volume", "MinDihedralAngle", "MinSolidAngle", "IsoperimetricQuotient" })
+  for (const char* name :
+    { "Volume", "MinDihedralAngle", "MinSolidAngle", "IsoperimetricQuotient" })
   {
     EXPECT_EQ(GetNullReason(values[name][0]), NullReason::InvalidTopology) << name;
   }
   EXPECT_NEAR(values["SurfaceArea"][0], 5, 1e-12);
   EXPECT_EQ(values["FaceCount"][0], 5);
 
-  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains. Its side at x = 0 is warped,
-  // with vector area (-1, 1/2, 1/2) and centre (5/18, 19/36, 19/36); at its edges the angles are those of mean planes.
-  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-    { 1, 1, 1 }, { 1, 1, 1 } };
+  // A collapsed edge, as a repeated id and as two ids in one place: the cell that remains. Its side
+  // at x = 0 is warped, with vector area (-1, 1/2, 1/2) and center (5/18, 19/36, 19/36); at its
+  // edges the angles are those of mean planes.
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 1, 1, 1 } };
   for (const vtkIdType last : { 6, 7 })
   {
     const Grid grid = MakeGrid(points, { { VTK_HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, last } } });
@@ -503,7 +534,9 @@ TEST(CriteriaValidity, DegeneratePolyhedra)
     EXPECT_EQ(values["EdgeLengthRatio"][0], 0);
     EXPECT_NEAR(values["Volume"][0], 0.75, 1e-10) << last;
     EXPECT_NEAR(values["MinDihedralAngle"][0], std::atan(2.0) * 180 / Pi, 1e-10) << last;
-    EXPECT_NEAR(values["MaxDihedralAngle"][0], 180 - std::atan(3 / std::sqrt(2.0)) * 180 / Pi, 1e-10) << last;
+    EXPECT_NEAR(
+      values["MaxDihedralAngle"][0], 180 - std::atan(3 / std::sqrt(2.0)) * 180 / Pi, 1e-10)
+      << last;
     EXPECT_NEAR(values["MinSolidAngle"][0], Pi / 4, 1e-10) << last;
     EXPECT_NEAR(values["MaxSolidAngle"][0], Pi / 2, 1e-10) << last;
     EXPECT_EQ(static_cast<unsigned>(values["CellStatus"][0]) & (ZeroLengthEdge | CoincidentPoints),
@@ -544,10 +577,10 @@ TEST(CriteriaValidity, NonFinitePoints)
           const Criterion* criterion = FindCriterion(row.first);
           if (criterion->AppliesTo & Polyhedra)
           {
-            const bool hasValue =
-              criterion->IsInteger() && row.first != "FaceOrientationStatus"; // which needs a volume
-            EXPECT_EQ(GetNullReason(row.second[0]),
-              hasValue ? NullReason::Value : NullReason::Degenerate)
+            const bool hasValue = criterion->IsInteger() &&
+              row.first != "FaceOrientationStatus"; // which needs a volume
+            EXPECT_EQ(
+              GetNullReason(row.second[0]), hasValue ? NullReason::Value : NullReason::Degenerate)
               << row.first;
           }
         }
@@ -560,8 +593,7 @@ TEST(CriteriaValidity, NonFinitePoints)
 // A triangle with a repeated id has a collapsed edge.
 TEST(CriteriaValidity, RepeatedIdInTriangle)
 {
-  const Grid grid =
-    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_TRIANGLE, { 0, 0, 1 } } });
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 } }, { { VTK_TRIANGLE, { 0, 0, 1 } } });
   const Values values = EvaluateAll(grid);
   EXPECT_EQ(values.at("EdgeLengthRatio")[0], 0);
   EXPECT_EQ(values.at("Area")[0], 0);
@@ -574,7 +606,8 @@ TEST(CriteriaValidity, BrokenPolyhedra)
 {
   const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   for (const Faces& faces : { Faces{}, Faces{ { 0, 1, 2 } }, Faces{ { 0 }, { 1, 2 }, {} },
-         Faces{ { 0, 1, 2 }, { 0, 1, 2 } }, Faces{ { 0, 0, 0 }, { 1, 1, 2 }, { 3, 3, 3 }, { 2, 2, 2 } },
+         Faces{ { 0, 1, 2 }, { 0, 1, 2 } },
+         Faces{ { 0, 0, 0 }, { 1, 1, 2 }, { 3, 3, 3 }, { 2, 2, 2 } },
          Faces{ { 0, 1, 2 }, { 0, 1, 3 }, { 0, 1, 2 }, { 2, 3, 0 }, { 1, 3, 2 } } })
   {
     Values values = EvaluateAll(MakePolyhedron(points, faces));
@@ -583,7 +616,8 @@ TEST(CriteriaValidity, BrokenPolyhedra)
 }
 
 //------------------------------------------------------------------------------
-// A face listed twice, once in each direction, is a fin inside the cell and leaves its volume alone.
+// A face listed twice, once in each direction, is a fin inside the cell and leaves its volume
+// alone.
 TEST(CriteriaValidity, Fin)
 {
   const ReferenceShape& cube = FindReferenceShape("unit cube");

@@ -19,14 +19,16 @@ using namespace camaron;
 using namespace camaron::testing;
 
 //------------------------------------------------------------------------------
-// Distances of Kolmogorov and Smirnov by their definition, on any number of processes, one of them without values.
+// Distances of Kolmogorov and Smirnov by their definition, on any number of processes, one of them
+// without values.
 TEST(Statistics, DistributionDistance)
 {
   const auto lists = DifficultLists(300);
   const auto share = [](const std::vector<double>& list, double x)
   {
     const auto isNull = [](double value) { return std::isnan(value); };
-    const auto upTo = std::count_if(list.begin(), list.end(), [x](double value) { return value <= x; });
+    const auto upTo =
+      std::count_if(list.begin(), list.end(), [x](double value) { return value <= x; });
     const auto size = list.size() - std::count_if(list.begin(), list.end(), isNull);
     return static_cast<double>(upTo) / static_cast<double>(size);
   };
@@ -97,8 +99,10 @@ TEST(Statistics, DistributionDistance)
 TEST(Statistics, ValueChanges)
 {
   Reducer serial;
-  const std::vector<double> before = { 1, 1, 1, 1, NaN, NaN, 1, Infinity, Infinity, 0, -1.7e308, 7 };
-  const std::vector<double> after = { 2, 0, 1, 1 + 1e-12, NaN, 1, NaN, Infinity, 1, 1e-300, 1.7e308, 8 };
+  const std::vector<double> before = { 1, 1, 1, 1, NaN, NaN, 1, Infinity, Infinity, 0, -1.7e308,
+    7 };
+  const std::vector<double> after = { 2, 0, 1, 1 + 1e-12, NaN, 1, NaN, Infinity, 1, 1e-300, 1.7e308,
+    8 };
   Population a = OneBlock(before), b = OneBlock(after);
   const std::vector<unsigned char> skip = { 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1 };
   b.front().Skip = skip.data();
@@ -117,7 +121,8 @@ TEST(Statistics, ValueChanges)
 }
 
 //------------------------------------------------------------------------------
-// A curve that skips values, counts ties twice or loses infinite ones would not be the distribution function.
+// A curve that skips values, counts ties twice or loses infinite ones would not be the distribution
+// function.
 TEST(Statistics, CumulativeCurve)
 {
   Reducer serial;

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Base/Vector.h"
 #include "Drawing/CellTetrahedra.h"
 #include "Drawing/DrawableFaces.h"
 #include "Drawing/OuterFacets.h"
 #include "Drawing/PolygonTriangles.h"
 #include "Mesh/MeshTopology.h"
-#include "Base/Vector.h"
 #include "TestMeshes.h"
 
 #include "vtkDataSetAttributes.h"
@@ -28,7 +28,8 @@ using namespace camaron::testing;
 
 namespace
 {
-DrawableFaces Make(vtkUnstructuredGrid* grid, FacesToDraw which, const std::vector<unsigned char>& ghosts = {})
+DrawableFaces Make(
+  vtkUnstructuredGrid* grid, FacesToDraw which, const std::vector<unsigned char>& ghosts = {})
 {
   const MeshTopology topology(grid);
   CellsToDraw cells;
@@ -51,8 +52,8 @@ double GetVolume(vtkUnstructuredGrid* grid, const DrawableFaces& faces, IsSeen&&
   for (const auto& triangle : faces.Triangles)
   {
     const auto& cells = faces.Faces[triangle[3] >> DrawableFaces::EdgeBits];
-    const double part = Dot(GetPoint(grid, triangle[0]),
-      Cross(GetPoint(grid, triangle[1]), GetPoint(grid, triangle[2])));
+    const double part = Dot(
+      GetPoint(grid, triangle[0]), Cross(GetPoint(grid, triangle[1]), GetPoint(grid, triangle[2])));
     volume += isSeen(cells[0]) ? part : 0;
     volume -= cells[1] != DrawableFaces::NoCell && isSeen(cells[1]) ? part : 0;
   }
@@ -61,7 +62,8 @@ double GetVolume(vtkUnstructuredGrid* grid, const DrawableFaces& faces, IsSeen&&
 }
 
 //------------------------------------------------------------------------------
-// Outer faces first, all of them with one cell; what Outer makes is the beginning of what All makes.
+// Outer faces first, all of them with one cell; what Outer makes is the beginning of what All
+// makes.
 TEST(DrawableFaces, OfHexahedra)
 {
   for (const bool asPolyhedra : { false, true })
@@ -133,7 +135,8 @@ TEST(DrawableFaces, EdgesArePolygonEdges)
 }
 
 //------------------------------------------------------------------------------
-// Faces between two ghosts are of no use here; those of hidden cells are gone, and open their neighbours.
+// Faces between two ghosts are of no use here; those of hidden cells are gone, and open their
+// neighbors.
 TEST(DrawableFaces, GhostAndHiddenCells)
 {
   const Grid grid = MakeHexahedra(3, 1, 1, false);
@@ -162,7 +165,8 @@ TEST(DrawableFaces, HalfOfAMesh)
     }
     EXPECT_EQ(count, 2 * (2 * 3 + 3 * 1 + 2 * 1));
     const double middle = 0.5 * (whole->GetBounds()[0] + whole->GetBounds()[1]) + 0.1;
-    std::map<std::set<vtkIdType>, std::vector<std::uint32_t>> shared; // by its points in the whole mesh
+    std::map<std::set<vtkIdType>, std::vector<std::uint32_t>>
+      shared; // by its points in the whole mesh
     for (const bool isLeft : { false, true })
     {
       vtkNew<vtkIdList> half;
@@ -217,9 +221,11 @@ TEST(DrawableFaces, HalfOfAMesh)
 // A face of three cells is there for each of them.
 TEST(DrawableFaces, NonManifold)
 {
-  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 2 }, { 0, 0, -1 } };
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, 2 },
+    { 0, 0, -1 } };
   const Grid grid = MakeGrid(points,
-    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } }, { VTK_TETRA, { 0, 2, 1, 5 } } });
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 1, 2, 4 } },
+      { VTK_TETRA, { 0, 2, 1, 5 } } });
   const DrawableFaces faces = Make(grid, FacesToDraw::All);
   EXPECT_EQ(faces.Faces.size(), 9u + 2u);
   EXPECT_EQ(faces.NumberOfOuterTriangles, 9u);
@@ -250,7 +256,8 @@ Grid MakeCurvedCell(int cellType)
 }
 
 //------------------------------------------------------------------------------
-// Triangles go through the nodes on edges and close around the cell, and its tetrahedra fill just what they enclose.
+// Triangles go through the nodes on edges and close around the cell, and its tetrahedra fill just
+// what they enclose.
 TEST(DrawableFaces, OfCurvedCells)
 {
   for (const int cellType : { VTK_QUADRATIC_TETRA, VTK_QUADRATIC_HEXAHEDRON, VTK_QUADRATIC_WEDGE,
@@ -281,10 +288,12 @@ TEST(DrawableFaces, OfCurvedCells)
     {
       const Vector apex = GetPoint(grid, points[0]);
       filled += Dot(GetPoint(grid, points[1]) - apex,
-                  Cross(GetPoint(grid, points[2]) - apex, GetPoint(grid, points[3]) - apex)) / 6;
+                  Cross(GetPoint(grid, points[2]) - apex, GetPoint(grid, points[3]) - apex)) /
+        6;
     }
     EXPECT_GT(volume, 0.05);
-    EXPECT_NEAR(filled, volume, cellType == VTK_QUADRATIC_TETRA ? 1e-12 : 0.02); // quads may be cut either way
+    EXPECT_NEAR(filled, volume,
+      cellType == VTK_QUADRATIC_TETRA ? 1e-12 : 0.02); // quads may be cut either way
   }
 }
 
@@ -304,7 +313,8 @@ TEST(DrawableFaces, OfQuadraticTetrahedronAsVTK)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, strips are drawn as the polygon around them, which is another shape where they bend.
+// If this fails, strips are drawn as the polygon around them, which is another shape where they
+// bend.
 TEST(DrawableFaces, OfStrips)
 {
   const Grid grid =
@@ -324,7 +334,8 @@ TEST(DrawableFaces, OfStrips)
 // An L: a fan from its first corner would leave it. The triangles cover its area, once.
 TEST(PolygonTriangles, OfConcavePolygon)
 {
-  const Points corners = { { 0, 0, 1 }, { 2, 0, 1 }, { 2, 1, 1 }, { 1, 1, 1 }, { 1, 2, 1 }, { 0, 2, 1 } };
+  const Points corners = { { 0, 0, 1 }, { 2, 0, 1 }, { 2, 1, 1 }, { 1, 1, 1 }, { 1, 2, 1 },
+    { 0, 2, 1 } };
   for (int start = 0; start < 6; ++start)
   {
     std::vector<vtkIdType> polygon(6);

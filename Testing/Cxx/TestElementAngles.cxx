@@ -13,7 +13,8 @@ using namespace camaron;
 using namespace camaron::testing;
 
 //------------------------------------------------------------------------------
-// Around an inner edge the cells fill 360 degrees, around an inner vertex 4 pi; neither at the boundary.
+// Around an inner edge the cells fill 360 degrees, around an inner vertex 4 pi; neither at the
+// boundary.
 TEST(ElementAngles, AnglesAroundInnerElements)
 {
   const double pi = std::acos(-1.0);
@@ -30,7 +31,8 @@ TEST(ElementAngles, AnglesAroundInnerElements)
       EXPECT_NEAR(sum, isBoundary ? std::min(sum, 300.0) : 360, 1e-9);
       EXPECT_LE(Get(elements.Edges, "EdgeMinDihedralAngle", i), sum);
       EXPECT_LE(Get(elements.Edges, "EdgeMaxDihedralAngle", i), sum);
-      EXPECT_GE(Get(elements.Edges, "EdgeMaxDihedralAngle", i) * Get(elements.Edges, "EdgeCellCount", i),
+      EXPECT_GE(
+        Get(elements.Edges, "EdgeMaxDihedralAngle", i) * Get(elements.Edges, "EdgeCellCount", i),
         sum - 1e-9);
     }
     EXPECT_GT(inner, 100);
@@ -58,8 +60,8 @@ TEST(ElementAngles, AnglesAroundInnerElements)
 // Of a closed surface the angles that are missing to 360 degrees are two full circles together.
 TEST(ElementAngles, AngleDefects)
 {
-  const Points cube = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-    { 1, 1, 1 }, { 0, 1, 1 } };
+  const Points cube = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
   const Elements closed(MakeGrid(cube,
     { { VTK_QUAD, { 0, 3, 2, 1 } }, { VTK_QUAD, { 0, 1, 5, 4 } }, { VTK_QUAD, { 1, 2, 6, 5 } },
       { VTK_QUAD, { 2, 3, 7, 6 } }, { VTK_PIXEL, { 3, 0, 7, 4 } }, { VTK_TRIANGLE, { 4, 5, 6 } },
@@ -70,7 +72,8 @@ TEST(ElementAngles, AngleDefects)
   // A reflex corner, and three polygons at one edge.
   const Elements open(MakeGrid(
     { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 }, { 1, 0, 1 } },
-    { { VTK_POLYGON, { 0, 1, 2, 3, 4, 5 } }, { VTK_TRIANGLE, { 0, 6, 1 } }, { VTK_TRIANGLE, { 0, 1, 6 } } }));
+    { { VTK_POLYGON, { 0, 1, 2, 3, 4, 5 } }, { VTK_TRIANGLE, { 0, 6, 1 } },
+      { VTK_TRIANGLE, { 0, 1, 6 } } }));
   EXPECT_NEAR(Get(open.Vertices, "VertexAngleSum", 3), 270, 1e-9);
   EXPECT_NEAR(Get(open.Vertices, "VertexAngleSum", 0), 90 + 45 + 45, 1e-9);
   EXPECT_EQ(Sum(open.Edges, "NonManifoldEdge"), 1);
@@ -98,9 +101,9 @@ TEST(ElementAngles, PinchedPointsAndFlatCells)
   EXPECT_EQ(Sum(pinched.Vertices, "UnusedPoint"), 12);
 
   // A wedge with a collapsed edge: no angle there, and none at the ends of it.
-  const Elements collapsed(MakeGrid(
-    { { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 1 }, { 1, 0, 1 } },
-    { { VTK_WEDGE, { 0, 1, 2, 3, 4, 5 } } }));
+  const Elements collapsed(
+    MakeGrid({ { 0, 0, 0 }, { 0, 1, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 0, 1, 1 }, { 1, 0, 1 } },
+      { { VTK_WEDGE, { 0, 1, 2, 3, 4, 5 } } }));
   EXPECT_TRUE(std::isnan(Get(collapsed.Vertices, "VertexAngleSum", 0)));
   EXPECT_TRUE(std::isnan(Get(collapsed.Vertices, "VertexAngleSum", 3)));
   EXPECT_FALSE(std::isnan(Get(collapsed.Vertices, "VertexAngleSum", 5)));

@@ -119,13 +119,15 @@ TEST(ElementNumbers, OfPieces)
 // Cells of a surface are its faces, but not beside cells with a volume.
 TEST(ElementNumbers, OfPolygons)
 {
-  const Points points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } };
-  const Grid surface = MakeGrid(
-    points, { { VTK_LINE, { 0, 1 } }, { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_QUAD, { 0, 2, 3, 4 } } });
+  const Points points = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } }, { { 0, 1, 0 } },
+    { { 0, 0, 1 } } };
+  const Grid surface = MakeGrid(points,
+    { { VTK_LINE, { 0, 1 } }, { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_QUAD, { 0, 2, 3, 4 } } });
   ExpectNumbers(surface, ElementNumbers(surface, nullptr), Elements(surface));
   const vtkIdType corners[3] = { 0, 1, 2 };
   EXPECT_EQ(ElementNumbers(surface, nullptr).GetFace(1, corners), 0);
-  const Grid mixed = MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TETRA, { 0, 1, 2, 4 } } });
+  const Grid mixed =
+    MakeGrid(points, { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TETRA, { 0, 1, 2, 4 } } });
   EXPECT_EQ(ElementNumbers(mixed, nullptr).GetFace(0, corners), ElementNumbers::None);
   EXPECT_NE(ElementNumbers(mixed, nullptr).GetFace(1, corners), ElementNumbers::None);
 }

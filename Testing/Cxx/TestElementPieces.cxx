@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces, edges and vertices of meshes in pieces: each once, and none at a boundary that is not there.
-#include "Ranks/CompletedPieces.h"
+// Faces, edges and vertices of meshes in pieces: each once, and none at a boundary that is not
+// there.
 #include "MeshElementsTesting.h"
+#include "Ranks/CompletedPieces.h"
 
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
@@ -24,7 +25,8 @@ TEST(ElementPieces, BelongToThePieceOfTheSmallestCell)
   double owned[3] = { 0, 0, 0 };
   for (int p = 0; p < 2; ++p)
   {
-    // Cells 0 and 1 of three in the first piece, 1 and 2 in the second; cell 1 belongs to the first.
+    // Cells 0 and 1 of three in the first piece, 1 and 2 in the second; cell 1 belongs to the
+    // first.
     vtkNew<vtkIdTypeArray> ids;
     ids->SetName("GlobalCellIds");
     ids->InsertNextValue(p);
@@ -50,8 +52,8 @@ TEST(ElementPieces, BelongToThePieceOfTheSmallestCell)
 }
 
 //------------------------------------------------------------------------------
-// Cubes of a block of 2 x 2 x 2, each a piece of its own that knows nothing of the others. If this fails, elements
-// between pieces count twice, or lie at the boundary of the mesh.
+// Cubes of a block of 2 x 2 x 2, each a piece of its own that knows nothing of the others. If this
+// fails, elements between pieces count twice, or lie at the boundary of the mesh.
 TEST(ElementPieces, OfPiecesWithoutGhosts)
 {
   const double pi = std::acos(-1.0);
@@ -93,7 +95,7 @@ TEST(ElementPieces, OfPiecesWithoutGhosts)
     }
     return elements;
   };
-  const auto sum = [&](const auto& elements, vtkNew<vtkPolyData> Elements::*set, const char* name)
+  const auto sum = [&](const auto& elements, vtkNew<vtkPolyData> Elements::* set, const char* name)
   {
     double result = 0;
     for (const auto& piece : elements)

@@ -45,8 +45,8 @@ FaceMesh MakeTetrahedron(const PointSource& points)
   static const std::int32_t cells[] = { 4, 0, 1, 2, 3 };
   FaceMesh mesh;
   mesh.Points = points;
-  const auto scan = [](const std::int32_t* words, std::size_t size, vtkIdType count, vtkIdType limit,
-                      IdSet* used, IdLists& lists)
+  const auto scan = [](const std::int32_t* words, std::size_t size, vtkIdType count,
+                      vtkIdType limit, IdSet* used, IdLists& lists)
   {
     const char* bytes = reinterpret_cast<const char*>(words);
     BinaryScanner scanner("", bytes, bytes + size, GetByteOrder());
@@ -90,8 +90,8 @@ void TestSources(int type)
     for (const std::size_t gap : { 0, 5 })
     {
       const std::string bytes = PackPoints<Real>(swap, gap, 2 * gap);
-      const PointSource points(bytes.data() + gap, 4, type == VTK_DOUBLE, swap,
-        gap > 0 ? 3 * sizeof(Real) + 3 * gap : 0);
+      const PointSource points(
+        bytes.data() + gap, 4, type == VTK_DOUBLE, swap, gap > 0 ? 3 * sizeof(Real) + 3 * gap : 0);
       ExpectTetrahedron<Real>(MakeTetrahedron(points), type);
     }
   }
@@ -109,8 +109,8 @@ TEST(FaceMesh, TheGridTakesOwnedCoordinates)
 {
   Buffer<double> coordinates(12);
   std::copy(&Places[0][0], &Places[0][0] + 12, coordinates.data());
-  FaceMesh mesh = MakeTetrahedron(
-    PointSource(reinterpret_cast<const char*>(coordinates.data()), 4, true));
+  FaceMesh mesh =
+    MakeTetrahedron(PointSource(reinterpret_cast<const char*>(coordinates.data()), 4, true));
   const double* memory = coordinates.data();
   mesh.Doubles = std::move(coordinates);
   vtkNew<vtkUnstructuredGrid> grid;

@@ -63,7 +63,8 @@ TEST(GatheredMesh, KeepsTheOrderAndTheRoleOfArrays)
   std::vector<MeshPart> pieces;
   for (int p = 0; p < 2; ++p)
   {
-    grids.push_back(MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
+    grids.push_back(
+      MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } }));
     for (const char* name : { "zeta", "alpha", "mid" })
     {
       vtkNew<vtkDoubleArray> ofPoints, ofCells;
@@ -95,7 +96,8 @@ TEST(GatheredMesh, KeepsTheOrderAndTheRoleOfArrays)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of pieces that share no points have another order than those of the whole mesh.
+// If this fails, files of pieces that share no points have another order than those of the whole
+// mesh.
 TEST(GatheredMesh, SortsByGlobalIds)
 {
   const Grid first = MakeSquares({ 4 });
@@ -124,7 +126,8 @@ TEST(GatheredMesh, SortsByGlobalIds)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, meshes without ids are torn where processes met, or healed where they were meant to be open.
+// If this fails, meshes without ids are torn where processes met, or healed where they were meant
+// to be open.
 TEST(GatheredMesh, MergesPiecesByPlace)
 {
   Warnings warnings;

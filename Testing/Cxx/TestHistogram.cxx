@@ -36,7 +36,7 @@ TEST(Statistics, LogarithmicBins)
 }
 
 //------------------------------------------------------------------------------
-// Integers get bins of their own, centred on them, and constant data a single point.
+// Integers get bins of their own, centered on them, and constant data a single point.
 TEST(Statistics, BinsOfIntegersAndConstants)
 {
   Reducer serial;
@@ -48,7 +48,8 @@ TEST(Statistics, BinsOfIntegersAndConstants)
   EXPECT_EQ(bins.GetCenter(0), 4);
   EXPECT_EQ(CountBins(OneBlock(counts), bins, serial).Counts,
     (std::vector<std::int64_t>{ 1, 1, 3, 0, 0, 0, 0, 0, 1 }));
-  bins = MakeBins(Summarize(OneBlock(counts), {}, serial), { 50, BinScale::Linear, { 4.5, 6 }, true });
+  bins =
+    MakeBins(Summarize(OneBlock(counts), {}, serial), { 50, BinScale::Linear, { 4.5, 6 }, true });
   const Histogram custom = CountBins(OneBlock(counts), bins, serial);
   EXPECT_EQ(custom.Counts, (std::vector<std::int64_t>{ 1, 3 }));
   EXPECT_EQ(custom.Underflow, 1);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Kernels of cells against the published tables, against trying everything, and on cells
 // that are not what they should be.
-#include "Cell/CellStatusBits.h"
+#include "Cell/CellDefects.h"
 #include "Criteria/Evaluation.h"
 #include "Elements/KernelCells.h"
 
-#include "HalfSpaceTesting.h"
 #include "CriteriaTesting.h"
+#include "HalfSpaceTesting.h"
 #include "ReferenceShapes.h"
 #include "TestMeshes.h"
 
@@ -115,9 +115,8 @@ struct SpikyBall
     std::vector<HalfSpace> result;
     for (const auto& t : this->Triangles)
     {
-      const auto at = [&](int i) -> Vector {
-        return { this->Corners[t[i]][0], this->Corners[t[i]][1], this->Corners[t[i]][2] };
-      };
+      const auto at = [&](int i) -> Vector
+      { return { this->Corners[t[i]][0], this->Corners[t[i]][1], this->Corners[t[i]][2] }; };
       const Vector normal = Unit(Cross(at(1) - at(0), at(2) - at(0)));
       result.push_back({ normal, Dot(normal, at(0)) });
     }
@@ -142,9 +141,7 @@ Points FindCorners(const std::vector<HalfSpace>& halfSpaces)
           std::any_of(halfSpaces.begin(), halfSpaces.end(),
             [&](const HalfSpace& h) { return h.GetDistance(p) > 1e-9; }) ||
           std::any_of(corners.begin(), corners.end(),
-            [&](const Point& q) {
-              return Norm(p - Vector{ q[0], q[1], q[2] }) < 1e-8;
-            }))
+            [&](const Point& q) { return Norm(p - Vector{ q[0], q[1], q[2] }) < 1e-8; }))
         {
           continue;
         }
@@ -184,8 +181,7 @@ TEST(Kernel, MeshesOfExtremeSizes)
       {
         for (int k = 0; k < 3; ++k)
         {
-          EXPECT_NEAR(
-            std::ldexp(extreme->GetPoint(i)[k], -exponent), usual->GetPoint(i)[k], 1e-12);
+          EXPECT_NEAR(std::ldexp(extreme->GetPoint(i)[k], -exponent), usual->GetPoint(i)[k], 1e-12);
         }
       }
     }
@@ -265,7 +261,8 @@ TEST(Kernel, ReferencePolyhedra)
         for (int i = 0; i < 6; ++i)
         {
           // The table has ten digits.
-          ExpectNear(row.second[i], values[names[i]][0], 5e-10, row.first + std::string(" ") + names[i]);
+          ExpectNear(
+            row.second[i], values[names[i]][0], 5e-10, row.first + std::string(" ") + names[i]);
         }
         EXPECT_EQ(values["IsStarShaped"][0], 1) << row.first;
         if (row.second[1] == 1)
@@ -428,18 +425,9 @@ TEST(Kernel, Invariance)
         return Point{ q[0], c * q[1] - s * q[2], s * q[1] + c * q[2] };
       },
       1e-9 },
-    { [](const Point& p) {
-       return Point{ p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 };
-     },
-      1e-7 },
-    { [](const Point& p) {
-       return Point{ 1e-6 * p[0], 1e-6 * p[1], 1e-6 * p[2] };
-     },
-      1e-9 },
-    { [](const Point& p) {
-       return Point{ 1e9 * p[0], 1e9 * p[1], 1e9 * p[2] };
-     },
-      1e-9 },
+    { [](const Point& p) { return Point{ p[0] + 1e6, p[1] - 1e6, p[2] + 1e6 }; }, 1e-7 },
+    { [](const Point& p) { return Point{ 1e-6 * p[0], 1e-6 * p[1], 1e-6 * p[2] }; }, 1e-9 },
+    { [](const Point& p) { return Point{ 1e9 * p[0], 1e9 * p[1], 1e9 * p[2] }; }, 1e-9 },
   };
   for (const auto& cell : cells)
   {

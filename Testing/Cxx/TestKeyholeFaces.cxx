@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Polyhedra with faces that have a bridge to a hole: a block with a hole through it, whose top and bottom are keyholes.
+// Polyhedra with faces that have a bridge to a hole: a block with a hole through it, whose top and
+// bottom are keyholes.
+#include "Cell/CellDefects.h"
 #include "CellMesh/CellCutter.h"
-#include "Cell/CellStatusBits.h"
 #include "Drawing/SurfaceTriangles.h"
 #include "Mesh/BoundarySurface.h"
 
@@ -43,7 +44,8 @@ Body MakeBlock(const Ring& outside, const Ring& hole, const Ring& upperHole)
       body.Corners.push_back({ corner[0], corner[1], z });
     }
   }
-  const auto outer = static_cast<vtkIdType>(outside.size()), inner = static_cast<vtkIdType>(hole.size());
+  const auto outer = static_cast<vtkIdType>(outside.size()),
+             inner = static_cast<vtkIdType>(hole.size());
   const vtkIdType all = outer + inner;
   std::vector<vtkIdType> top;
   for (vtkIdType i = 0; i <= outer; ++i)
@@ -91,8 +93,8 @@ Body AddRod(Body body, double x, double y, double side)
       body.Corners.push_back({ corner[0], corner[1], z });
     }
   }
-  for (const std::vector<vtkIdType>& face : Faces{ { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
-         { 2, 3, 7, 6 }, { 3, 0, 4, 7 } })
+  for (const std::vector<vtkIdType>& face : Faces{ { 0, 3, 2, 1 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 },
+         { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 } })
   {
     body.Walls.push_back(face);
     for (vtkIdType& id : body.Walls.back())
@@ -111,8 +113,10 @@ Grid MakeTurned(const Body& body, int turn)
   return Transform(MakePolyhedron(body.Corners, body.Walls),
     [&](const Point& p)
     {
-      const double x = std::cos(a) * p[0] - std::sin(a) * p[1], y = std::sin(a) * p[0] + std::cos(a) * p[1];
-      return Point{ x + turn, std::cos(b) * y - std::sin(b) * p[2], std::sin(b) * y + std::cos(b) * p[2] };
+      const double x = std::cos(a) * p[0] - std::sin(a) * p[1],
+                   y = std::sin(a) * p[0] + std::cos(a) * p[1];
+      return Point{ x + turn, std::cos(b) * y - std::sin(b) * p[2],
+        std::sin(b) * y + std::cos(b) * p[2] };
     });
 }
 
@@ -123,8 +127,8 @@ unsigned GetStatus(const Values& values)
 }
 
 //------------------------------------------------------------------------------
-// The bridge has two uses in one face, which is closed and manifold. If this fails, blocks with holes are said to be broken, or
-// their volume, area or angles are wrong.
+// The bridge has two uses in one face, which is closed and manifold. If this fails, blocks with
+// holes are said to be broken, or their volume, area or angles are wrong.
 TEST(KeyholeFaces, AreClosed)
 {
   const struct
@@ -149,14 +153,15 @@ TEST(KeyholeFaces, AreClosed)
       EXPECT_EQ(values.at("IsWatertight")[0], 1);
       EXPECT_EQ(values.at("FaceOrientationStatus")[0], 0);
       EXPECT_EQ(values.at("KernelRatio")[0], 0);
-      EXPECT_EQ(GetStatus(values), unsigned(NoncontiguousEdges | Nonconvex | NotStarShaped)) << turn;
+      EXPECT_EQ(GetStatus(values), unsigned(NoncontiguousEdges | Nonconvex | NotStarShaped))
+        << turn;
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// The hole of a face is no part of it. If this fails, what passes through a hole is said to cross the face, or what crosses the
-// face is not found.
+// The hole of a face is no part of it. If this fails, what passes through a hole is said to cross
+// the face, or what crosses the face is not found.
 TEST(KeyholeFaces, IntersectWhereTheyAre)
 {
   for (const Ring& outside : { Square, Angle })
@@ -170,7 +175,8 @@ TEST(KeyholeFaces, IntersectWhereTheyAre)
       EXPECT_FALSE(intersect(block)) << turn;
       EXPECT_FALSE(intersect(AddRod(block, 1.25, 1.25, 0.5))) << turn << ": through the hole";
       EXPECT_TRUE(intersect(AddRod(block, 0.25, 0.25, 0.5))) << turn << ": across the bridge";
-      EXPECT_TRUE(intersect(AddRod(block, 2.25, 2.25, 0.5))) << turn << ": through the top and the bottom";
+      EXPECT_TRUE(intersect(AddRod(block, 2.25, 2.25, 0.5)))
+        << turn << ": through the top and the bottom";
       EXPECT_TRUE(intersect(AddRod(block, 0.5, 0.5, 2))) << turn << ": around the hole";
       EXPECT_FALSE(intersect(AddRod(block, 3.5, 3.5, 0.5))) << turn << ": beside it";
       // A hole that leaves the block between its ends.
@@ -183,10 +189,10 @@ TEST(KeyholeFaces, IntersectWhereTheyAre)
 // A square on a cube as a face of its own: a convex body of which one face is a keyhole.
 TEST(KeyholeFaces, OfAConvexBody)
 {
-  const Points corners = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 }, { 0, 0, 3 }, { 3, 0, 3 }, { 3, 3, 3 },
-    { 0, 3, 3 }, { 1, 1, 3 }, { 2, 1, 3 }, { 2, 2, 3 }, { 1, 2, 3 } };
-  const Faces faces = { { 0, 3, 2, 1 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 }, { 3, 0, 4, 7 },
-    { 4, 5, 6, 7, 4, 8, 11, 10, 9, 8 }, { 8, 9, 10, 11 } };
+  const Points corners = { { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 }, { 0, 0, 3 },
+    { 3, 0, 3 }, { 3, 3, 3 }, { 0, 3, 3 }, { 1, 1, 3 }, { 2, 1, 3 }, { 2, 2, 3 }, { 1, 2, 3 } };
+  const Faces faces = { { 0, 3, 2, 1 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 }, { 2, 3, 7, 6 },
+    { 3, 0, 4, 7 }, { 4, 5, 6, 7, 4, 8, 11, 10, 9, 8 }, { 8, 9, 10, 11 } };
   for (int turn = 0; turn < 10; ++turn)
   {
     const Values values = EvaluateAll(MakeTurned({ corners, faces }, turn));
@@ -200,7 +206,8 @@ TEST(KeyholeFaces, OfAConvexBody)
 }
 
 //------------------------------------------------------------------------------
-// The outside has the area of the criterion, and the tetrahedra have the volume; those that run the other way have to be told of.
+// The outside has the area of the criterion, and the tetrahedra have the volume; those that run the
+// other way have to be told of.
 TEST(KeyholeFaces, AreCutRight)
 {
   for (const Ring& outside : { Square, Angle })

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of ids in rows of binary files, and what is looked for in them.
-#include "CellMesh/CellMesh.h"
 #include "Base/Bytes.h"
-#include "Scan/ListRows.h"
 #include "Base/RepeatedIds.h"
+#include "CellMesh/CellMesh.h"
+#include "Scan/ListRows.h"
 
 #include <gtest/gtest.h>
 

@@ -12,14 +12,16 @@
 
 using namespace camaron;
 
-// As a map gives them, for lists of all lengths one after the other, whatever places the keys hash to.
+// As a map gives them, for lists of all lengths one after the other, whatever places the keys hash
+// to.
 TEST(LocalNumbers, OrderOfFirstOccurrence)
 {
   std::mt19937_64 random(1);
   LocalNumbers numbering;
   for (const int size : { 0, 1, 2, 7, 80, 3, 500, 80, 20000, 5 })
   {
-    for (const std::uint64_t spread : { std::uint64_t(1), std::uint64_t(30), std::uint64_t(1) << 62 })
+    for (const std::uint64_t spread :
+      { std::uint64_t(1), std::uint64_t(30), std::uint64_t(1) << 62 })
     {
       std::vector<std::int64_t> keys;
       std::map<std::int64_t, int> expected;
@@ -33,8 +35,7 @@ TEST(LocalNumbers, OrderOfFirstOccurrence)
         }
       }
       std::vector<int> numbers(size);
-      const int count = numbering.Number(
-        size, [&](int i) { return keys[i]; }, numbers.data());
+      const int count = numbering.Number(size, [&](int i) { return keys[i]; }, numbers.data());
       ASSERT_EQ(count, static_cast<int>(expected.size()));
       for (int i = 0; i < size; ++i)
       {

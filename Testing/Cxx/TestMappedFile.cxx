@@ -114,8 +114,8 @@ TEST_F(MappedFileTest, WrittenAnew)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faults that are none of our business do not reach those who wait for them, or who waited for
-// them before a file was open does not any more afterwards.
+// If this fails, faults that are none of our business do not reach those who wait for them, or who
+// waited for them before a file was open does not any more afterwards.
 TEST_F(MappedFileTest, OtherHandlers)
 {
   struct sigaction theirs = {}, before, after;
@@ -151,7 +151,8 @@ TEST_F(MappedFileTest, OtherHandlers)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a file is mapped that is not guarded, as somebody else took the signal over meanwhile.
+// If this fails, a file is mapped that is not guarded, as somebody else took the signal over
+// meanwhile.
 TEST_F(MappedFileTest, HandlerOnTop)
 {
   const TestFile test(Size);

@@ -32,11 +32,15 @@ using Sentences = std::vector<std::string>;
 TEST(MergedWarnings, AddsWhatPiecesCounted)
 {
   const std::string all = Describe({ 3, 10, 12, 17, 40, 41, 99 });
-  EXPECT_EQ(MergeWarnings({ { Describe({ 3, 10 }) }, { Describe({ 12, 17, 40 }) }, { Describe({ 41, 99 }) } }),
+  EXPECT_EQ(MergeWarnings(
+              { { Describe({ 3, 10 }) }, { Describe({ 12, 17, 40 }) }, { Describe({ 41, 99 }) } }),
     Sentences{ all });
-  EXPECT_EQ(MergeWarnings({ {}, { Describe({ 41, 99 }) }, { Describe({ 3, 10, 12, 17, 40 }) } }), Sentences{ all });
-  EXPECT_EQ(MergeWarnings({ { Describe({ 8 }) }, { Describe({ 5 }) } }), Sentences{ Describe({ 5, 8 }) });
-  EXPECT_EQ(MergeWarnings({ { Describe({ 8 }) }, {}, { Describe({ 9, 10 }) } }), Sentences{ Describe({ 8, 9, 10 }) });
+  EXPECT_EQ(MergeWarnings({ {}, { Describe({ 41, 99 }) }, { Describe({ 3, 10, 12, 17, 40 }) } }),
+    Sentences{ all });
+  EXPECT_EQ(
+    MergeWarnings({ { Describe({ 8 }) }, { Describe({ 5 }) } }), Sentences{ Describe({ 5, 8 }) });
+  EXPECT_EQ(MergeWarnings({ { Describe({ 8 }) }, {}, { Describe({ 9, 10 }) } }),
+    Sentences{ Describe({ 8, 9, 10 }) });
   EXPECT_EQ(MergeWarnings({ {}, {}, { Describe({ 8 }) } }), Sentences{ Describe({ 8 }) });
 }
 
@@ -48,7 +52,8 @@ TEST(MergedWarnings, SaysTheSameOnce)
   EXPECT_EQ(MergeWarnings({ { whole }, { whole }, { whole } }), Sentences{ whole });
   EXPECT_EQ(MergeWarnings({ { "1 polygon odd: polygon 7" }, { "1 polygon odd: polygon 7" } }),
     Sentences{ "1 polygon odd: polygon 7" });
-  const Sentences texts = { "a", "3 is a number", "the file is of version 4, the first is version 3", "" };
+  const Sentences texts = { "a", "3 is a number",
+    "the file is of version 4, the first is version 3", "" };
   EXPECT_EQ(MergeWarnings({ texts, texts }), texts);
 }
 
@@ -57,8 +62,12 @@ TEST(MergedWarnings, SaysTheSameOnce)
 TEST(MergedWarnings, KeepsTheOrder)
 {
   const Sentences order = { "a", Describe({ 1, 5 }), "b", "c" };
-  EXPECT_EQ(MergeWarnings({ { "a", "c" }, { Describe({ 1 }), "b", "c" }, { "a", Describe({ 5 }), "c" } }).size(), 4u);
-  EXPECT_EQ(MergeWarnings({ { "a", Describe({ 1 }), "c" }, { "a", Describe({ 5 }), "b", "c" } }), order);
+  EXPECT_EQ(
+    MergeWarnings({ { "a", "c" }, { Describe({ 1 }), "b", "c" }, { "a", Describe({ 5 }), "c" } })
+      .size(),
+    4u);
+  EXPECT_EQ(
+    MergeWarnings({ { "a", Describe({ 1 }), "c" }, { "a", Describe({ 5 }), "b", "c" } }), order);
   EXPECT_EQ(MergeWarnings({ { "b" }, { "a", "b" } }), (Sentences{ "a", "b" }));
   EXPECT_TRUE(MergeWarnings({ {}, {} }).empty());
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces, edges and vertices of meshes small enough to count them by hand, and sums that hold in every mesh.
+// Faces, edges and vertices of meshes small enough to count them by hand, and sums that hold in
+// every mesh.
 #include "Criteria/Evaluation.h"
 #include "MeshElementsTesting.h"
 
@@ -23,7 +24,8 @@ using namespace camaron::testing;
 // Progress runs from 0 to 1; wherever it is stopped, nothing more is asked and nothing breaks.
 TEST(MeshElements, ProgressAndAbort)
 {
-  const Grid grid = MakeHexahedra(45, 45, 45, false); // more cells than are done between two reports
+  const Grid grid =
+    MakeHexahedra(45, 45, 45, false); // more cells than are done between two reports
   const MeshTopology topology(grid);
   std::vector<double> reports;
   std::size_t limit = 0;
@@ -107,11 +109,12 @@ TEST(MeshElements, OfARowOfCubes)
 // The surface of a cube, with one face turned and one missing.
 TEST(MeshElements, OfASurface)
 {
-  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-    { 1, 1, 1 }, { 0, 1, 1 }, { 5, 5, 5 } };
+  const Points points = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 0, 1 },
+    { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 }, { 5, 5, 5 } };
   const Grid surface = MakeGrid(points,
     { { VTK_QUAD, { 0, 3, 2, 1 } }, { VTK_QUAD, { 0, 1, 5, 4 } }, { VTK_QUAD, { 1, 2, 6, 5 } },
-      { VTK_QUAD, { 2, 3, 7, 6 } }, { VTK_QUAD, { 0, 3, 7, 4 } } }); // the last one runs the other way
+      { VTK_QUAD, { 2, 3, 7, 6 } },
+      { VTK_QUAD, { 0, 3, 7, 4 } } }); // the last one runs the other way
   const Elements elements(surface);
   EXPECT_EQ(elements.Faces->GetNumberOfCells(), 5);
   vtkPolyData* edges = elements.Edges;
@@ -134,8 +137,8 @@ TEST(MeshElements, OfASurface)
 }
 
 //------------------------------------------------------------------------------
-// Edges between polygons are to 2D meshes what faces are to 3D ones. By hand for a square and a sheared one
-// of twice the area; for any sheet the worst edge of all is the worst one of a polygon.
+// Edges between polygons are to 2D meshes what faces are to 3D ones. By hand for a square and a
+// sheared one of twice the area; for any sheet the worst edge of all is the worst one of a polygon.
 TEST(MeshElements, FiniteVolumesOfPolygons)
 {
   const double pi = std::acos(-1.0);
@@ -150,7 +153,8 @@ TEST(MeshElements, FiniteVolumesOfPolygons)
     inner += isInner;
     for (const char* name : { "NonOrthogonality", "FaceWeight", "VolumeRatio" })
     {
-      EXPECT_EQ(GetNullReason(Get(two.Edges, name, i)), isInner ? NullReason::Value : NullReason::NoNeighbor);
+      EXPECT_EQ(GetNullReason(Get(two.Edges, name, i)),
+        isInner ? NullReason::Value : NullReason::NoNeighbor);
     }
     EXPECT_EQ(std::isnan(Get(two.Edges, "BoundaryNonOrthogonality", i)), isInner);
     if (isInner)
@@ -186,8 +190,8 @@ TEST(MeshElements, FiniteVolumesOfPolygons)
     bool IsLargest;
   } rows[] = { { "NonOrthogonality", "MaxNonOrthogonality", true },
     { "BoundaryNonOrthogonality", "MaxBoundaryNonOrthogonality", true },
-    { "FaceSkewness", "MaxFaceSkewness", true },
-    { "FaceWeight", "MinFaceWeight", false }, { "VolumeRatio", "MinVolumeRatio", false },
+    { "FaceSkewness", "MaxFaceSkewness", true }, { "FaceWeight", "MinFaceWeight", false },
+    { "VolumeRatio", "MinVolumeRatio", false },
     { "FacePyramidVolume", "MinFacePyramidVolume", false } };
   for (const auto& row : rows)
   {
@@ -256,8 +260,8 @@ TEST(MeshElements, BothEndsOfTheFacesOfCells)
       << name;
     return values;
   };
-  for (const std::string name : { "NonOrthogonality", "BoundaryNonOrthogonality", "FaceSkewness", "FaceWeight",
-         "VolumeRatio", "FaceFlatness", "Warpage", "FaceConcavity" })
+  for (const std::string name : { "NonOrthogonality", "BoundaryNonOrthogonality", "FaceSkewness",
+         "FaceWeight", "VolumeRatio", "FaceFlatness", "Warpage", "FaceConcavity" })
   {
     std::vector<double> smallest(numberOfCells, std::numeric_limits<double>::quiet_NaN());
     std::vector<double> largest = smallest;
@@ -307,18 +311,20 @@ TEST(MeshElements, BothEndsOfTheFacesOfCells)
 // If this fails, arrays of very large or small meshes are made of squares that are 0 or infinite.
 TEST(MeshElements, ExtremeSizes)
 {
-  const Grid surface = MakeGrid({ { 0, 0, 0 }, { 2, 0, 0.5 }, { 1, 1, 0 }, { 0, 1.5, 0 }, { 3, 1, 1 } },
-    { { VTK_POLYGON, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 2, 1, 4 } } });
+  const Grid surface =
+    MakeGrid({ { 0, 0, 0 }, { 2, 0, 0.5 }, { 1, 1, 0 }, { 0, 1.5, 0 }, { 3, 1, 1 } },
+      { { VTK_POLYGON, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 2, 1, 4 } } });
   for (const Grid& mesh : { Warp(MakeHexahedra(3, 2, 2, true), 3), surface })
   {
     const auto scaled = [&mesh](int exponent)
     { return std::make_unique<Elements>(Scale(mesh, exponent)); };
     const auto usual = scaled(0);
-    for (const int exponent : { 330, -330 }) // 1e99, 1e-99: volumes are numbers, their squares are not
+    for (const int exponent :
+      { 330, -330 }) // 1e99, 1e-99: volumes are numbers, their squares are not
     {
       const auto extreme = scaled(exponent);
-      const auto compare = [exponent](vtkPolyData* expected, vtkPolyData* found,
-                             const std::vector<ElementArray>& rows)
+      const auto compare =
+        [exponent](vtkPolyData* expected, vtkPolyData* found, const std::vector<ElementArray>& rows)
       {
         for (const ElementArray& row : rows)
         {
@@ -326,14 +332,16 @@ TEST(MeshElements, ExtremeSizes)
             : row.Unit == Unit::Area                     ? 2
             : row.Unit == Unit::Volume                   ? 3
                                                          : 0;
-          for (vtkIdType i = 0; expected->GetCellData()->HasArray(row.Name) && i < expected->GetNumberOfCells(); ++i)
+          for (vtkIdType i = 0;
+            expected->GetCellData()->HasArray(row.Name) && i < expected->GetNumberOfCells(); ++i)
           {
             const double value = std::ldexp(Get(found, row.Name, i), -exponent * dimension);
             const double before = Get(expected, row.Name, i);
             EXPECT_EQ(std::isnan(value), std::isnan(before)) << row.Name << " of " << i;
             if (!std::isnan(before))
             {
-              EXPECT_NEAR(value, before, 1e-12 * std::max(1.0, std::abs(before))) << row.Name << " of " << i;
+              EXPECT_NEAR(value, before, 1e-12 * std::max(1.0, std::abs(before)))
+                << row.Name << " of " << i;
             }
           }
         }
@@ -358,7 +366,8 @@ TEST(MeshElements, IndependentOfThreads)
       {
         const Elements elements(grid);
         std::vector<std::vector<double>> values;
-        for (vtkPolyData* data : { elements.Faces.Get(), elements.Edges.Get(), elements.Vertices.Get() })
+        for (vtkPolyData* data :
+          { elements.Faces.Get(), elements.Edges.Get(), elements.Vertices.Get() })
         {
           for (int a = 0; a < data->GetCellData()->GetNumberOfArrays(); ++a)
           {

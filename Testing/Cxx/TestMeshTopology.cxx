@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Faces, edges and neighbours: everything that counts, borders or walks over cells stands on them.
+// Faces, edges and neighbors: everything that counts, borders or walks over cells stands on them.
 #include "Geometry/FacetRing.h"
 #include "Mesh/MeshTopology.h"
 
@@ -101,9 +101,10 @@ TEST(MeshTopology, StandardTypesEqualPolyhedra)
 // Three tetrahedra on one triangle: the face is kept with all of its cells.
 TEST(MeshTopology, NonManifoldFace)
 {
-  const auto grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 },
-                               { 1, 1, 1 } },
-    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } }, { VTK_TETRA, { 0, 1, 2, 5 } } });
+  const auto grid =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0, 0, -1 }, { 1, 1, 1 } },
+      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 0, 2, 1, 4 } },
+        { VTK_TETRA, { 0, 1, 2, 5 } } });
   const FacetTable& faces = MeshTopology(grid).GetFaces();
   EXPECT_EQ(faces.GetNumberOfFacets(), 10);
   const Index shared = faces.GetCellFacets(0)[3].Facet();
@@ -113,7 +114,8 @@ TEST(MeshTopology, NonManifoldFace)
   EXPECT_EQ(cells, (std::vector<Index>{ 0, 1, 2 }));
 }
 
-// A boundary triangle lying on a tetrahedron is an element of its own, not a second cell of the face.
+// A boundary triangle lying on a tetrahedron is an element of its own, not a second cell of the
+// face.
 TEST(MeshTopology, MixedDimensions)
 {
   const auto grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
@@ -130,9 +132,9 @@ TEST(MeshTopology, MixedDimensions)
 // Higher-order cells are known by their corners and so meet linear ones.
 TEST(MeshTopology, HigherOrderByCorners)
 {
-  const auto grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 },
-                               { .5, .5, 0 }, { 0, .5, 0 }, { 0, 0, .5 }, { .5, 0, .5 },
-                               { 0, .5, .5 }, { 0, 0, -1 } },
+  const auto grid = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { .5, 0, 0 }, { .5, .5, 0 }, { 0, .5, 0 },
+      { 0, 0, .5 }, { .5, 0, .5 }, { 0, .5, .5 }, { 0, 0, -1 } },
     { { VTK_QUADRATIC_TETRA, { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 } }, { VTK_TETRA, { 0, 2, 1, 10 } } });
   EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 7);
 }
@@ -167,7 +169,8 @@ TEST(MeshTopology, LargeFaces)
   EXPECT_EQ(CountBoundary(MeshTopology(polyhedra).GetFaces()), 4 * 8 - 6);
 }
 
-// The same face is a set of points, whether listed along a ring, with a point twice or in another order.
+// The same face is a set of points, whether listed along a ring, with a point twice or in another
+// order.
 TEST(MeshTopology, LargeFacesAreSets)
 {
   Points points;
@@ -176,7 +179,8 @@ TEST(MeshTopology, LargeFacesAreSets)
     points.push_back({ 1. * i, 1. * i * i, 1. * i * i * i });
   }
   const std::vector<std::vector<vtkIdType>> bases = { { 0, 1, 2, 3, 4 }, { 2, 1, 0, 4, 3 },
-    { 3, 4, 0, 1, 2 }, { 0, 1, 1, 2, 3, 4 }, { 0, 2, 4, 1, 3 }, { 4, 0, 2, 1, 3 }, { 0, 1, 2, 3, 13 } };
+    { 3, 4, 0, 1, 2 }, { 0, 1, 1, 2, 3, 4 }, { 0, 2, 4, 1, 3 }, { 4, 0, 2, 1, 3 },
+    { 0, 1, 2, 3, 13 } };
   std::vector<Faces> cells;
   for (std::size_t c = 0; c < bases.size(); ++c)
   {
@@ -195,7 +199,8 @@ TEST(MeshTopology, LargeFacesAreSets)
   EXPECT_EQ(sharing, (std::vector<Index>{ 0, 1, 2, 3, 4, 5 }));
 }
 
-// More faces than are compared at once, numbered at random, many with more than two cells: as found one by one.
+// More faces than are compared at once, numbered at random, many with more than two cells: as found
+// one by one.
 static void ExpectFacesOfTangle(bool onlyTetrahedra, bool repeatPoints)
 {
   constexpr vtkIdType numberOfPoints = 3000, numberOfCells = 9000, window = 16;
@@ -261,7 +266,8 @@ static void ExpectFacesOfTangle(bool onlyTetrahedra, bool repeatPoints)
       ASSERT_EQ(facet.Facet(), found.Number) << c << ' ' << f;
       if (points.size() == 3)
       {
-        ASSERT_NE(facet.IsReversed(), runsAlong(faces[f], found.Ring[0], found.Ring[1])) << c << ' ' << f;
+        ASSERT_NE(facet.IsReversed(), runsAlong(faces[f], found.Ring[0], found.Ring[1]))
+          << c << ' ' << f;
       }
     }
   }
@@ -293,8 +299,10 @@ TEST(MeshTopology, SameForAnyThreadsAndGivenFaces)
   const auto grid = MakeHexahedra(17, 13, 11, true);
   std::vector<CellFacet> reference;
   const auto all = [](const FacetTable& table)
-  { return std::vector<CellFacet>(table.GetCellFacets(0).begin(),
-      table.GetCellFacets(table.GetNumberOfCells() - 1).end()); };
+  {
+    return std::vector<CellFacet>(
+      table.GetCellFacets(0).begin(), table.GetCellFacets(table.GetNumberOfCells() - 1).end());
+  };
   const auto packed = [](const std::vector<CellFacet>& facets)
   {
     std::vector<Index> values;
@@ -326,7 +334,8 @@ TEST(MeshTopology, SameForAnyThreadsAndGivenFaces)
   for (const CellFacet facet : reference)
   {
     const bool second = !seen.insert(facet.Facet()).second;
-    given.push_back(numberOfFaces - 1 - facet.Facet() + (second && facet.Facet() % 3 == 0 ? numberOfFaces : 0));
+    given.push_back(
+      numberOfFaces - 1 - facet.Facet() + (second && facet.Facet() % 3 == 0 ? numberOfFaces : 0));
   }
   vtkNew<vtkUnstructuredGrid> copy;
   copy->DeepCopy(grid);
@@ -349,8 +358,8 @@ TEST(MeshTopology, SharedByConnectivity)
 // Also of a ring that comes to its smallest point twice, wherever it begins.
 TEST(MeshTopology, DirectionOfRings)
 {
-  for (const std::vector<vtkIdType>& ring : std::vector<std::vector<vtkIdType>>{
-         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 }, { 0, 1, 5, 4, 4, 1 } })
+  for (const std::vector<vtkIdType>& ring : std::vector<std::vector<vtkIdType>>{ { 0, 1, 3, 0, 1 },
+         { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 }, { 0, 1, 5, 4, 4, 1 } })
   {
     const auto size = static_cast<vtkIdType>(ring.size());
     const bool down = RunsDown(ring.data(), size);
@@ -369,15 +378,16 @@ TEST(MeshTopology, DirectionOfRings)
 TEST(MeshTopology, DirectionOfFacesThatRepeatPoints)
 {
   const Points points(16, Point{ 0, 0, 0 });
-  for (const std::vector<vtkIdType>& ring : std::vector<std::vector<vtkIdType>>{
-         { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 }, { 4, 8, 6, 7 }, { 0, 1, 5, 4, 4, 1 },
-         { 4, 0, 4, 5 }, { 0, 4, 5, 4 } })
+  for (const std::vector<vtkIdType>& ring :
+    std::vector<std::vector<vtkIdType>>{ { 0, 1, 3, 0, 1 }, { 5, 2, 7, 2, 9 }, { 1, 1, 2, 3 },
+      { 4, 8, 6, 7 }, { 0, 1, 5, 4, 4, 1 }, { 4, 0, 4, 5 }, { 0, 4, 5, 4 } })
   {
     std::vector<Faces> cells;
     for (std::size_t start = 0; start < ring.size(); ++start)
     {
       std::vector<vtkIdType> turned(ring);
-      std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+      std::rotate(
+        turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
       cells.push_back({ turned, { 10, 11, 12 } });
       std::reverse(turned.begin(), turned.end());
       cells.push_back({ turned, { 10, 11, 13 } });
@@ -390,7 +400,8 @@ TEST(MeshTopology, DirectionOfFacesThatRepeatPoints)
       const std::vector<vtkIdType>& own = cells[cell][0];
       const CellFacet facet = faces.GetCellFacets(static_cast<vtkIdType>(cell))[0];
       EXPECT_EQ(facet.Facet(), faces.GetCellFacets(0)[0].Facet());
-      EXPECT_EQ(facet.IsReversed(), RunsDown(own.data(), static_cast<vtkIdType>(own.size())) != down);
+      EXPECT_EQ(
+        facet.IsReversed(), RunsDown(own.data(), static_cast<vtkIdType>(own.size())) != down);
     }
   }
 }
@@ -413,8 +424,8 @@ TEST(MeshTopology, ChangedInPlace)
   EXPECT_EQ(MeshTopology(grid).GetFaces().GetNumberOfFacets(), 6 + 4);
 }
 
-// Rings of a corner cell and of the centre cell: selection-and-statistics cases G1 and G2, which count
-// the cell itself.
+// Rings of a corner cell and of the center cell: selection-and-statistics cases G1 and G2, which
+// count the cell itself.
 TEST(MeshTopology, Neighbors)
 {
   const auto count = [](const MeshTopology& topology, vtkIdType cell, Adjacency adjacency)
@@ -441,9 +452,10 @@ TEST(MeshTopology, Neighbors)
 // Two triangles that share an edge, and a third one that only touches a corner.
 TEST(MeshTopology, NeighborsOnSurface)
 {
-  const auto grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 2, 1, 0 },
-                               { 2, 2, 0 } },
-    { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 2, 3 } }, { VTK_TRIANGLE, { 2, 4, 5 } } });
+  const auto grid =
+    MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 2, 1, 0 }, { 2, 2, 0 } },
+      { { VTK_TRIANGLE, { 0, 1, 2 } }, { VTK_TRIANGLE, { 0, 2, 3 } },
+        { VTK_TRIANGLE, { 2, 4, 5 } } });
   const MeshTopology topology(grid);
   std::vector<Index> neighbors;
   topology.GetNeighbors(0, Adjacency::Facet, neighbors);

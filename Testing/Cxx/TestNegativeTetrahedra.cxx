@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Tetrahedra of cells that their first point does not see all of: which places are in such a cell.
+#include "Base/Vector.h"
 #include "Drawing/CellTetrahedra.h"
 #include "Mesh/MeshView.h"
-#include "Base/Vector.h"
 
 #include "CriteriaTesting.h"
 
@@ -25,13 +25,17 @@ using Ring = std::vector<std::array<double, 2>>;
 
 const std::map<std::string, Ring> Outlines = {
   { "convex", { { 0, 0 }, { 3, 0 }, { 4, 2 }, { 2, 3 }, { 0, 2 } } },
-  { "keyhole", { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 }, { 0, 0 }, { 1, 1 }, { 1, 2 }, { 2, 2 }, { 2, 1 }, { 1, 1 } } },
-  { "two holes", { { 0, 0 }, { 7, 0 }, { 7, 3 }, { 0, 3 }, { 0, 0 }, { 1, 1 }, { 1, 2 }, { 2, 2 }, { 4, 2 }, { 5, 2 },
-                   { 5, 1 }, { 4, 1 }, { 4, 2 }, { 2, 2 }, { 2, 1 }, { 1, 1 } } },
+  { "keyhole",
+    { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 0, 3 }, { 0, 0 }, { 1, 1 }, { 1, 2 }, { 2, 2 }, { 2, 1 },
+      { 1, 1 } } },
+  { "two holes",
+    { { 0, 0 }, { 7, 0 }, { 7, 3 }, { 0, 3 }, { 0, 0 }, { 1, 1 }, { 1, 2 }, { 2, 2 }, { 4, 2 },
+      { 5, 2 }, { 5, 1 }, { 4, 1 }, { 4, 2 }, { 2, 2 }, { 2, 1 }, { 1, 1 } } },
   { "vertex", { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 2, 1 }, { 2, 2 }, { 1, 2 }, { 1, 1 }, { 0, 1 } } },
   { "C", { { 0, 0 }, { 4, 0 }, { 4, 1 }, { 1, 1 }, { 1, 3 }, { 4, 3 }, { 4, 4 }, { 0, 4 } } },
-  { "spiral", { { 0, 0 }, { 6, 0 }, { 6, 6 }, { 1, 6 }, { 1, 2 }, { 4, 2 }, { 4, 4 }, { 3, 4 }, { 3, 3 }, { 2, 3 },
-                { 2, 5 }, { 5, 5 }, { 5, 1 }, { 0, 1 } } },
+  { "spiral",
+    { { 0, 0 }, { 6, 0 }, { 6, 6 }, { 1, 6 }, { 1, 2 }, { 4, 2 }, { 4, 4 }, { 3, 4 }, { 3, 3 },
+      { 2, 3 }, { 2, 5 }, { 5, 5 }, { 5, 1 }, { 0, 1 } } },
 };
 
 //------------------------------------------------------------------------------
@@ -78,7 +82,8 @@ Prism MakePrism(const Ring& outline)
   {
     id += size;
   }
-  prism.Walls.insert(prism.Walls.begin(), { std::vector<vtkIdType>(bottom.rbegin(), bottom.rend()), top });
+  prism.Walls.insert(
+    prism.Walls.begin(), { std::vector<vtkIdType>(bottom.rbegin(), bottom.rend()), top });
   return prism;
 }
 
@@ -86,8 +91,8 @@ Prism MakePrism(const Ring& outline)
 Grid MakeTurned(const Prism& prism, double angle)
 {
   const double x = std::cos(angle), y = std::sin(angle);
-  return Transform(MakePolyhedron(prism.Corners, prism.Walls),
-    [&](const Point& p) { return Point{ x * p[0] - y * p[1], y * p[0] + x * p[1], p[2] + 0.1 * p[0] }; });
+  return Transform(MakePolyhedron(prism.Corners, prism.Walls), [&](const Point& p)
+    { return Point{ x * p[0] - y * p[1], y * p[0] + x * p[1], p[2] + 0.1 * p[0] }; });
 }
 
 bool IsInside(const Ring& outline, double x, double y)
@@ -106,7 +111,8 @@ bool IsInside(const Ring& outline, double x, double y)
 
 //------------------------------------------------------------------------------
 // Weights of the corners of a tetrahedron at a place.
-std::array<double, 4> GetWeights(vtkUnstructuredGrid* grid, const std::array<std::uint32_t, 4>& points, const Vector& place)
+std::array<double, 4> GetWeights(
+  vtkUnstructuredGrid* grid, const std::array<std::uint32_t, 4>& points, const Vector& place)
 {
   Vector x[4];
   for (int i = 0; i < 4; ++i)
@@ -117,14 +123,16 @@ std::array<double, 4> GetWeights(vtkUnstructuredGrid* grid, const std::array<std
   }
   const Vector a = x[1] - x[0], b = x[2] - x[0], c = x[3] - x[0], to = place - x[0];
   const double volume = Dot(a, Cross(b, c));
-  const double ofA = Dot(to, Cross(b, c)) / volume, ofB = Dot(to, Cross(c, a)) / volume, ofC = Dot(to, Cross(a, b)) / volume;
+  const double ofA = Dot(to, Cross(b, c)) / volume, ofB = Dot(to, Cross(c, a)) / volume,
+               ofC = Dot(to, Cross(a, b)) / volume;
   return { { 1 - ofA - ofB - ofC, ofA, ofB, ofC } };
 }
 
 // In how many tetrahedra a place is seen, as the shaders do it.
 int CountVisible(vtkUnstructuredGrid* grid, const CellTetrahedra& tetrahedra, const Vector& place)
 {
-  const auto isIn = [](const std::array<double, 4>& weights) { return *std::min_element(weights.begin(), weights.end()) >= 0; };
+  const auto isIn = [](const std::array<double, 4>& weights)
+  { return *std::min_element(weights.begin(), weights.end()) >= 0; };
   int count = 0;
   for (std::size_t t = 0; t < tetrahedra.Points.size(); ++t)
   {
@@ -137,7 +145,8 @@ int CountVisible(vtkUnstructuredGrid* grid, const CellTetrahedra& tetrahedra, co
     for (std::size_t n = 0; n < tetrahedra.Points.size(); ++n)
     {
       const std::array<double, 4> other = GetWeights(grid, tetrahedra.Points[n], place);
-      isHidden |= (tetrahedra.Edges[n] & CellTetrahedra::Negative) && isIn(other) && other[0] < weights[0] - 1e-9;
+      isHidden |= (tetrahedra.Edges[n] & CellTetrahedra::Negative) && isIn(other) &&
+        other[0] < weights[0] - 1e-9;
     }
     count += !isHidden;
   }
@@ -146,7 +155,8 @@ int CountVisible(vtkUnstructuredGrid* grid, const CellTetrahedra& tetrahedra, co
 }
 
 //------------------------------------------------------------------------------
-// A place in the cell is seen once, others are not, whichever point is the first one and whichever way the faces run.
+// A place in the cell is seen once, others are not, whichever point is the first one and whichever
+// way the faces run.
 TEST(NegativeTetrahedra, ShowWhatIsInside)
 {
   std::mt19937 random(1);
@@ -170,8 +180,10 @@ TEST(NegativeTetrahedra, ShowWhatIsInside)
       int wrong = 0;
       for (int i = 0; i < 100; ++i)
       {
-        const double x = 8 * uniform(random) - 0.5, y = 7 * uniform(random) - 0.5, z = 1.4 * uniform(random) - 0.2;
-        const Vector place = { std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y, z + 0.1 * x };
+        const double x = 8 * uniform(random) - 0.5, y = 7 * uniform(random) - 0.5,
+                     z = 1.4 * uniform(random) - 0.2;
+        const Vector place = { std::cos(angle) * x - std::sin(angle) * y,
+          std::sin(angle) * x + std::cos(angle) * y, z + 0.1 * x };
         const bool isInside = z > 0 && z < 1 && IsInside(outline, x, y);
         wrong += CountVisible(grid, tetrahedra, place) != int(isInside);
       }

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // The ranges that a reader leaves with the points are those that VTK computes.
-#include "Scan/NotFinitePoints.h"
 #include "Base/PointRanges.h"
+#include "Scan/NotFinitePoints.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
-#include "vtkInformation.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"

@@ -21,7 +21,8 @@ using Corners = std::vector<Vector>;
 constexpr double Pi = 3.141592653589793;
 
 //------------------------------------------------------------------------------
-Vector SumTriangles(const Corners& corners, const std::vector<PolygonTriangulator::Triangle>& triangles)
+Vector SumTriangles(
+  const Corners& corners, const std::vector<PolygonTriangulator::Triangle>& triangles)
 {
   Vector sum;
   for (const auto& t : triangles)
@@ -50,7 +51,8 @@ void ExpectArea(const Corners& corners, double area, double tolerance, const std
   triangulator.Cut(corners.data(), static_cast<int>(corners.size()));
   ASSERT_EQ(triangulator.GetTriangles().size(), corners.size() - 2) << name;
   EXPECT_NEAR(SumAreas(corners, triangulator.GetTriangles()), area, tolerance * area) << name;
-  EXPECT_NEAR(Norm(SumTriangles(corners, triangulator.GetTriangles())), area, tolerance * area) << name;
+  EXPECT_NEAR(Norm(SumTriangles(corners, triangulator.GetTriangles())), area, tolerance * area)
+    << name;
   EXPECT_LE(triangulator.GetOverlap(), tolerance * area) << name;
   EXPECT_NEAR(triangulator.GetArea(), area, tolerance * area) << name;
 }
@@ -86,14 +88,16 @@ struct Frame
 };
 Frame DrawFrame(TouchingPolygons& random)
 {
-  const auto draw = [&] { return Vector{ random.DrawReal(), random.DrawReal(), random.DrawReal() }; };
+  const auto draw = [&]
+  { return Vector{ random.DrawReal(), random.DrawReal(), random.DrawReal() }; };
   const Vector x = Unit(draw()), y = Unit(Cross(x, draw()));
   return { 10.0 * draw(), x, y };
 }
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a polygon that touches itself loses a part, or a hole is filled. The area is known from how it was made.
+// If this fails, a polygon that touches itself loses a part, or a hole is filled. The area is known
+// from how it was made.
 TEST(PolygonTriangulator, CoversPolygonsThatTouchThemselves)
 {
   constexpr int count = 1500;
@@ -117,7 +121,8 @@ TEST(PolygonTriangulator, CoversPolygonsThatTouchThemselves)
     {
       turned.push_back(frame.Origin + corner.X * frame.X + corner.Y * frame.Y);
       const Vector& last = turned.back();
-      single.push_back({ static_cast<float>(last.X), static_cast<float>(last.Y), static_cast<float>(last.Z) });
+      single.push_back(
+        { static_cast<float>(last.X), static_cast<float>(last.Y), static_cast<float>(last.Z) });
       const double height = 0.02 * std::sin(3 * corner.X) * std::sin(2 * corner.Y);
       warped.push_back(last + height * Cross(frame.X, frame.Y));
     }
@@ -165,20 +170,21 @@ TEST(PolygonTriangulator, DependsOnPlacesOnly)
 // Polygons that people report: the area is that of the formula.
 TEST(PolygonTriangulator, CutsNotedPolygons)
 {
-  ExpectArea({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 0, 2, 0 }, { 0.5, 0.5, 0 }, { 0, 0, 0 } }, 1.5, 1e-15,
-    "the first corner again at the end");
+  ExpectArea({ { 0, 0, 0 }, { 2, 0, 0 }, { 1, 1, 0 }, { 0, 2, 0 }, { 0.5, 0.5, 0 }, { 0, 0, 0 } },
+    1.5, 1e-15, "the first corner again at the end");
   // A square of 3 with a hole of 1, and a bridge.
-  ExpectArea({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 }, { 0, 0, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 2, 2, 0 },
-               { 2, 1, 0 }, { 1, 1, 0 } },
+  ExpectArea({ { 0, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 0, 3, 0 }, { 0, 0, 0 }, { 1, 1, 0 },
+               { 1, 2, 0 }, { 2, 2, 0 }, { 2, 1, 0 }, { 1, 1, 0 } },
     8, 1e-15, "a keyhole");
   // Two triangles, joined by a bent line.
-  ExpectArea({ { 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 4, 3, 0 }, { 4, 4, 0 }, { 3, 3, 0 }, { 3, 0, 0 },
-               { 1, 0, 0 }, { 1, 1, 0 } },
+  ExpectArea({ { 0, 0, 0 }, { 1, 0, 0 }, { 3, 0, 0 }, { 3, 3, 0 }, { 4, 3, 0 }, { 4, 4, 0 },
+               { 3, 3, 0 }, { 3, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } },
     1, 1e-15, "a bridge outside");
   // An L in large coordinates and with large numbers.
   for (const double scale : { 1e-150, 1.0, 1e120 })
   {
-    Corners corners = { { 0, 0, 1 }, { 2, 0, 1 }, { 2, 1, 1 }, { 1, 1, 1 }, { 1, 2, 1 }, { 0, 2, 1 } };
+    Corners corners = { { 0, 0, 1 }, { 2, 0, 1 }, { 2, 1, 1 }, { 1, 1, 1 }, { 1, 2, 1 },
+      { 0, 2, 1 } };
     for (Vector& corner : corners)
     {
       corner = scale * corner;
@@ -197,7 +203,8 @@ TEST(PolygonTriangulator, CutsNotedPolygons)
 // Any triangles will do, but as many as ever, and soon.
 TEST(PolygonTriangulator, EndsWhateverTheCorners)
 {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN(),
+                   infinity = std::numeric_limits<double>::infinity();
   const auto count = [](const Corners& corners)
   {
     PolygonTriangulator triangulator;

@@ -58,7 +58,8 @@ void ExpectRangesOfVtk(const std::vector<double>& values)
   for (vtkIdType i = 0; i < size; ++i)
   {
     ours->SetValue(i, static_cast<typename Array::ValueType>(values[i]));
-    const unsigned char marks[] = { 0, vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::DUPLICATECELL };
+    const unsigned char marks[] = { 0, vtkDataSetAttributes::HIDDENCELL,
+      vtkDataSetAttributes::DUPLICATECELL };
     ghosts->SetValue(i, marks[i % 3]);
   }
   vtkNew<Array> theirs;
@@ -69,8 +70,8 @@ void ExpectRangesOfVtk(const std::vector<double>& values)
 }
 
 //------------------------------------------------------------------------------
-// A range that is not VTK's would give colours and histograms of other values; sizes are below and above what one
-// thread does, and no multiple of the lanes.
+// A range that is not VTK's would give colors and histograms of other values; sizes are below and
+// above what one thread does, and no multiple of the lanes.
 TEST(RangedArray, HasRangesOfVtk)
 {
   std::mt19937_64 random(3);
@@ -102,8 +103,8 @@ TEST(RangedArray, HasRangesOfVtk)
 }
 
 //------------------------------------------------------------------------------
-// Whoever gets the array may use it as any other one: a range that stays as it was, or is found of what is no
-// longer there, would be wrong.
+// Whoever gets the array may use it as any other one: a range that stays as it was, or is found of
+// what is no longer there, would be wrong.
 TEST(RangedArray, IsAnArrayLikeAnyOther)
 {
   const auto array = MakeLargeArray<vtkDoubleArray>(2);

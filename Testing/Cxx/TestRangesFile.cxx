@@ -54,20 +54,28 @@ TEST(RangesFile, ErrorsSayWhereAndWhat)
 {
   const std::pair<const char*, const char*> cases[] = {
     { "Volume 1 2\n\nMinDihedralAngel 1 2\n",
-      "my.txt:3: expected the name of a criterion, found 'MinDihedralAngel'; did you mean MinDihedralAngle?" },
-    { "volume 1 2", "my.txt:1: expected the name of a criterion, found 'volume'; did you mean Volume?" },
+      "my.txt:3: expected the name of a criterion, found 'MinDihedralAngel'; did you mean "
+      "MinDihedralAngle?" },
+    { "volume 1 2",
+      "my.txt:1: expected the name of a criterion, found 'volume'; did you mean Volume?" },
     { "Nonsense 1 2", "my.txt:1: expected the name of a criterion, found 'Nonsense'" },
-    { "Volume 1", "my.txt:1: expected the upper limit: a number, or * for none, found end of line" },
-    { "Volume\n1 2", "my.txt:1: expected the lower limit: a number, or * for none, found end of line" },
-    { "Volume # 1 2\nArea 1 2", "my.txt:1: expected the lower limit: a number, or * for none, found end of line" },
+    { "Volume 1",
+      "my.txt:1: expected the upper limit: a number, or * for none, found end of line" },
+    { "Volume\n1 2",
+      "my.txt:1: expected the lower limit: a number, or * for none, found end of line" },
+    { "Volume # 1 2\nArea 1 2",
+      "my.txt:1: expected the lower limit: a number, or * for none, found end of line" },
     { "Volume 1 two", "my.txt:1: expected the upper limit: a number, or * for none, found 'two'" },
     { "Volume nan 2", "my.txt:1: expected the lower limit: a number, or * for none, found 'nan'" },
     { "Volume 1 2 3", "my.txt:1: expected end of line, found '3'" },
     { "Volume 2 1",
-      "my.txt:1: expected a lower limit that is not above the upper one, found a range of Volume without values" },
+      "my.txt:1: expected a lower limit that is not above the upper one, found a range of Volume "
+      "without values" },
     { "Volume inf inf",
-      "my.txt:1: expected a lower limit that is not above the upper one, found a range of Volume without values" },
-    { "Volume 1 2\nVolume 1 3", "my.txt:2: expected one range for each criterion, found another one for Volume" },
+      "my.txt:1: expected a lower limit that is not above the upper one, found a range of Volume "
+      "without values" },
+    { "Volume 1 2\nVolume 1 3",
+      "my.txt:2: expected one range for each criterion, found another one for Volume" },
   };
   for (const auto& [text, message] : cases)
   {

@@ -41,8 +41,8 @@ Results ComputeAll(const Population& population, Reducer& reducer)
   Results results;
   const Summary summary = Summarize(population, { 0.25, 0.75 }, reducer);
   results.Numbers = { summary.Min, summary.Max, summary.MinPositive, summary.Mean,
-    summary.StandardDeviation, summary.Variance, summary.Skewness, summary.Kurtosis, summary.RootMeanSquare,
-    summary.GeometricMean, summary.Sum };
+    summary.StandardDeviation, summary.Variance, summary.Skewness, summary.Kurtosis,
+    summary.RootMeanSquare, summary.GeometricMean, summary.Sum };
   results.Integers = { summary.Count, summary.NullCount, summary.NotApplicableCount,
     summary.InfCount, summary.BelowCount, summary.AboveCount, summary.NonIntegerCount != 0,
     summary.ArgMin, summary.ArgMax };

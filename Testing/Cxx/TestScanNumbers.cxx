@@ -49,13 +49,14 @@ void ExpectAsLibrary(const std::string& text)
 // If this fails, coordinates are not the nearest to what the file says.
 TEST(ScanNumbers, RealsAsTheLibraryReadsThem)
 {
-  for (const char* text : { "0", "-0", "1", "+1", "1.", ".5", "-.5", "0.1", "1e0", "1e22", "1e23",
-         "123456789012345678", "1234567890123456789", "12345678901234567890", "9007199254740993",
-         "0.000000000000000000000000000001", "1e-400", "1e400", "-1e400", "5e-324", "2e-324", "1e-45",
-         "1.17549435e-38", "3.4028235e38", "3.4028236e38", "1.7976931348623159e308", "16777217",
-         "16777216.99999999999999999", "0.500000029802322387695312", "0.500000029802322387695313",
-         "2.2250738585072011e-308", "1e00000000000000000000001", "0e999999999999",
-         "1e-99999999999999999999", "1e99999999999999999999", "00000000000000000000000000000001.5" })
+  for (const char* text :
+    { "0", "-0", "1", "+1", "1.", ".5", "-.5", "0.1", "1e0", "1e22", "1e23", "123456789012345678",
+      "1234567890123456789", "12345678901234567890", "9007199254740993",
+      "0.000000000000000000000000000001", "1e-400", "1e400", "-1e400", "5e-324", "2e-324", "1e-45",
+      "1.17549435e-38", "3.4028235e38", "3.4028236e38", "1.7976931348623159e308", "16777217",
+      "16777216.99999999999999999", "0.500000029802322387695312", "0.500000029802322387695313",
+      "2.2250738585072011e-308", "1e00000000000000000000001", "0e999999999999",
+      "1e-99999999999999999999", "1e99999999999999999999", "00000000000000000000000000000001.5" })
   {
     ExpectAsLibrary(text);
   }
@@ -98,7 +99,8 @@ TEST(ScanNumbers, RealsAsTheLibraryReadsThem)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, other notations of programs are refused, or text that is no number is taken for one.
+// If this fails, other notations of programs are refused, or text that is no number is taken for
+// one.
 TEST(ScanNumbers, Notations)
 {
   const auto parse = [](const std::string& text, double& value)
@@ -128,8 +130,8 @@ TEST(ScanNumbers, Notations)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, what old Microsoft run-time libraries print for infinity and no number is read as 1 with
-// a comment behind it.
+// If this fails, what old Microsoft run-time libraries print for infinity and no number is read as
+// 1 with a comment behind it.
 TEST(ScanNumbers, SpellingsOfMicrosoft)
 {
   const auto check = [](auto value, const std::string& text, double expected, std::size_t size)
@@ -171,8 +173,8 @@ TEST(ScanNumbers, SpellingsOfMicrosoft)
     EXPECT_EQ(value, 5) << text;
   }
   // Nothing of the kind.
-  const std::pair<const char*, int> others[] = { { "1.# a comment", 2 }, { "1.#", 2 }, { "1.#5", 2 },
-    { "1.5#INF", 3 }, { "1#INF", 1 }, { "1.0#QNAN", 3 }, { "1.##INF", 2 } };
+  const std::pair<const char*, int> others[] = { { "1.# a comment", 2 }, { "1.#", 2 },
+    { "1.#5", 2 }, { "1.5#INF", 3 }, { "1#INF", 1 }, { "1.0#QNAN", 3 }, { "1.##INF", 2 } };
   for (const auto& [text, size] : others)
   {
     double value = 0;

@@ -4,7 +4,6 @@
 #include "Base/IdSet.h"
 #include "Scan/TextLines.h"
 #include "Scan/TextRows.h"
-#include "Scan/TextTable.h"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +29,14 @@ TEST(ScanText, EndsBeforePadding)
   for (const std::string& padding : { ""s, "\x1a"s, "\0"s, "\x1a\x1a\x1a"s, std::string(5000, '\0'),
          "\x1a\r\n"s, "\0\n \0\x1a\t\0"s })
   {
-    for (const std::string& text : { ""s, ")"s, "a\n"s, "a\0b\n\n"s, "\x1a" "1 \r\n"s })
+    for (const std::string& text : { ""s, ")"s, "a\n"s, "a\0b\n\n"s,
+           "\x1a"
+           "1 \r\n"s })
     {
       const std::string whole = text + padding;
       const char* const end = FindTextEnd(whole.data(), whole.data() + whole.size());
-      EXPECT_EQ(end - whole.data(), static_cast<std::ptrdiff_t>(text.size())) << text << '|' << padding;
+      EXPECT_EQ(end - whole.data(), static_cast<std::ptrdiff_t>(text.size()))
+        << text << '|' << padding;
     }
   }
 }
@@ -171,7 +173,8 @@ TEST(ScanText, LinesDoNotDependOnChunks)
             seen[line] = content;
             return true;
           }));
-        EXPECT_EQ(seen, std::vector<std::string>(lines.begin() + first, lines.begin() + first + count));
+        EXPECT_EQ(
+          seen, std::vector<std::string>(lines.begin() + first, lines.begin() + first + count));
         place = section.End;
         first += static_cast<std::size_t>(count);
         if (count == 0 && random() % 3 == 0)
@@ -185,7 +188,8 @@ TEST(ScanText, LinesDoNotDependOnChunks)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, lines of which some end with a lone CR are visited twice, and so one more than asked for.
+// If this fails, lines of which some end with a lone CR are visited twice, and so one more than
+// asked for.
 TEST(ScanText, LinesBehindLoneCarriageReturns)
 {
   const std::string text = "header\r1\n2\n3\n4\n5\n6\n";
@@ -200,8 +204,8 @@ TEST(ScanText, LinesBehindLoneCarriageReturns)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, readers that stand behind a number of lines read these one by one, in twice the time, or take the
-// rest of that line for one of them.
+// If this fails, readers that stand behind a number of lines read these one by one, in twice the
+// time, or take the rest of that line for one of them.
 TEST(ScanText, LinesBehindANumber)
 {
   for (const std::string head : { "x\n3\n", "x\n3 \t\r\n", "3\n", "x\n3 # lines\n\n" })

@@ -142,8 +142,7 @@ TEST(Statistics, AgreesWithBruteForce)
           order.push_back(static_cast<vtkIdType>(i));
         }
       }
-      std::stable_sort(order.begin(), order.end(),
-        [&](vtkIdType a, vtkIdType b)
+      std::stable_sort(order.begin(), order.end(), [&](vtkIdType a, vtkIdType b)
         { return end == WorstEnd::Largest ? values[a] > values[b] : values[a] < values[b]; });
       for (const std::size_t count : { 1, 12, 1000, 100000 })
       {
@@ -201,7 +200,8 @@ TEST(Statistics, MomentsAreStable)
 }
 
 //------------------------------------------------------------------------------
-// Moments of known distributions, also far from 0, where powers of the values would lose all digits.
+// Moments of known distributions, also far from 0, where powers of the values would lose all
+// digits.
 TEST(Statistics, HigherMoments)
 {
   Reducer serial;

@@ -28,7 +28,8 @@ std::string ReadProperty(const std::string& proxy, const std::string& property)
   std::ifstream file;
   for (const char* folder : { "Compare", "Statistics" })
   {
-    const std::string path = std::string(CAMARON_SOURCE_DIR "/Filters/") + folder + "/" + proxy + ".xml";
+    const std::string path =
+      std::string(CAMARON_SOURCE_DIR "/Filters/") + folder + "/" + proxy + ".xml";
     if (std::filesystem::exists(path))
     {
       file.open(path, std::ios::binary);

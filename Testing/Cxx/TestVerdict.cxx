@@ -269,7 +269,8 @@ TEST(Verdict, PitfallsAreMended)
   hexahedron->GetPoint(0, x);
   hexahedron->GetPoints()->SetPoint(1, x);
   EXPECT_LE(EvaluateOne(hexahedron, "VerdictScaledJacobian"), 0);
-  // Verdict passes over the corners of a collapsed edge of a wedge, and does not see that a wedge is inverted.
+  // Verdict passes over the corners of a collapsed edge of a wedge, and does not see that a wedge
+  // is inverted.
   Grid wedge = MakeStandardCell(VTK_WEDGE);
   wedge->GetPoint(0, x);
   wedge->GetPoints()->SetPoint(1, x);
@@ -282,23 +283,27 @@ TEST(Verdict, PitfallsAreMended)
   }
   EXPECT_LT(EvaluateOne(wedge, "VerdictVolume"), 0);
   EXPECT_LT(EvaluateOne(wedge, "VerdictScaledJacobian"), 0);
-  for (const char* name : { "VerdictCondition", "VerdictMaxAspectFrobenius", "VerdictMeanAspectFrobenius" })
+  for (const char* name :
+    { "VerdictCondition", "VerdictMaxAspectFrobenius", "VerdictMeanAspectFrobenius" })
   {
     EXPECT_EQ(EvaluateOne(wedge, name), std::numeric_limits<double>::infinity()) << name;
   }
   // A flat tetrahedron is infinitely bad.
-  const Grid flat = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
-    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Grid flat = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
   EXPECT_EQ(EvaluateOne(flat, "VerdictAspectRatio"), std::numeric_limits<double>::infinity());
-  // Verdict's condition of an inverted tetrahedron is below 0, which is not less than 4 in the good sense.
-  const Grid inverted = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
-    { { VTK_TETRA, { 0, 2, 1, 3 } } });
-  EXPECT_LT(EvaluateOne(inverted, "VerdictCondition"), FindCriterion("VerdictCondition")->Acceptable[0]);
+  // Verdict's condition of an inverted tetrahedron is below 0, which is not less than 4 in the good
+  // sense.
+  const Grid inverted = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 2, 1, 3 } } });
+  EXPECT_LT(
+    EvaluateOne(inverted, "VerdictCondition"), FindCriterion("VerdictCondition")->Acceptable[0]);
   // What has no such measure is null, and not -1.
   EXPECT_EQ(GetNullReason(EvaluateOne(flat, "VerdictMaxAngle")), NullReason::NotApplicable);
-  // Of a quadrilateral with a collapsed edge Verdict's smallest angle is 360, and its skew below that of a square.
-  const Grid collapsed = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
-    { { VTK_QUAD, { 0, 1, 2, 3 } } });
+  // Of a quadrilateral with a collapsed edge Verdict's smallest angle is 360, and its skew below
+  // that of a square.
+  const Grid collapsed = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_QUAD, { 0, 1, 2, 3 } } });
   for (const char* name : { "VerdictMinAngle", "VerdictMaxAngle", "VerdictEquiangleSkew" })
   {
     EXPECT_EQ(GetNullReason(EvaluateOne(collapsed, name)), NullReason::Degenerate) << name;
@@ -315,12 +320,13 @@ TEST(Verdict, PitfallsAreMended)
     }
   }
   // One that crosses itself may lack a principal axis, of which Verdict makes the best skew.
-  const Grid crossed = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } },
-    { { VTK_QUAD, { 0, 1, 2, 3 } } });
+  const Grid crossed = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }, { { VTK_QUAD, { 0, 1, 2, 3 } } });
   EXPECT_EQ(EvaluateOne(crossed, "VerdictSkew"), std::numeric_limits<double>::infinity());
   // A tetrahedron is one whatever its VTK type.
   const Grid healthy = MakeStandardCell(VTK_TETRA);
-  EXPECT_NEAR(EvaluateOne(ToPolyhedra(healthy), "VerdictShape"), EvaluateOne(healthy, "VerdictShape"), 1e-12);
+  EXPECT_NEAR(
+    EvaluateOne(ToPolyhedra(healthy), "VerdictShape"), EvaluateOne(healthy, "VerdictShape"), 1e-12);
   // Angles come in the unit that was asked for.
   EvaluationOptions radians;
   radians.Angles = AngleUnit::Radians;
@@ -333,8 +339,8 @@ TEST(Verdict, PitfallsAreMended)
 // If this fails, voxels have values of their own in measures that depend on the order of the nodes.
 TEST(Verdict, VoxelsAreHexahedra)
 {
-  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 3, 0 }, { 2, 3, 0 }, { 0, 0, 5 }, { 2, 0, 5 },
-                               { 0, 3, 5 }, { 2, 3, 5 } },
+  const Grid grid = MakeGrid({ { 0, 0, 0 }, { 2, 0, 0 }, { 0, 3, 0 }, { 2, 3, 0 }, { 0, 0, 5 },
+                               { 2, 0, 5 }, { 0, 3, 5 }, { 2, 3, 5 } },
     { { VTK_VOXEL, { 0, 1, 2, 3, 4, 5, 6, 7 } }, { VTK_HEXAHEDRON, { 0, 1, 3, 2, 4, 5, 7, 6 } } });
   auto values = EvaluateAll(grid);
   EXPECT_EQ(values["VerdictEdgeRatio"][0], 1.5);
@@ -360,7 +366,8 @@ Grid MakeRegularCell(int type)
     case VTK_TRIANGLE:
       return MakeGrid(triangle, { { VTK_TRIANGLE, { 0, 1, 2 } } });
     case VTK_TETRA:
-      return MakeGrid({ triangle[0], triangle[1], triangle[2], { 0.5, height / 3, std::sqrt(2.0 / 3) } },
+      return MakeGrid(
+        { triangle[0], triangle[1], triangle[2], { 0.5, height / 3, std::sqrt(2.0 / 3) } },
         { { VTK_TETRA, { 0, 1, 2, 3 } } });
     default:
       return MakeCell(type); // the unit square and cube
@@ -369,11 +376,12 @@ Grid MakeRegularCell(int type)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a perfect cell is called bad: the registry and VTK mean opposite things by a measure.
+// If this fails, a perfect cell is called bad: the registry and VTK mean opposite things by a
+// measure.
 TEST(Verdict, IdealIsThatOfRegularCells)
 {
-  const std::pair<int, unsigned> shapes[] = { { VTK_TRIANGLE, Triangles }, { VTK_QUAD, Quadrilaterals },
-    { VTK_TETRA, Tetrahedra }, { VTK_HEXAHEDRON, Hexahedra } };
+  const std::pair<int, unsigned> shapes[] = { { VTK_TRIANGLE, Triangles },
+    { VTK_QUAD, Quadrilaterals }, { VTK_TETRA, Tetrahedra }, { VTK_HEXAHEDRON, Hexahedra } };
   for (const Criterion& criterion : GetCriteria())
   {
     for (const auto& shape : shapes)
@@ -381,7 +389,8 @@ TEST(Verdict, IdealIsThatOfRegularCells)
       const bool isVerdict = std::string_view(criterion.Name).substr(0, 7) == "Verdict";
       if (isVerdict && (criterion.AppliesTo & shape.second) && std::isfinite(criterion.Ideal))
       {
-        EXPECT_NEAR(EvaluateOne(MakeRegularCell(shape.first), criterion.Name), criterion.Ideal, 1e-6)
+        EXPECT_NEAR(
+          EvaluateOne(MakeRegularCell(shape.first), criterion.Name), criterion.Ideal, 1e-6)
           << criterion.Name << " of type " << shape.first;
       }
     }
@@ -389,8 +398,8 @@ TEST(Verdict, IdealIsThatOfRegularCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, Verdict takes small cells for collapsed ones, and large values for infinite: the same cell in other
-// units has the same quality, and sizes in these units.
+// If this fails, Verdict takes small cells for collapsed ones, and large values for infinite: the
+// same cell in other units has the same quality, and sizes in these units.
 TEST(Verdict, AnySize)
 {
   const auto getDimension = [](const Criterion& criterion, bool isPolygon)

@@ -3,9 +3,9 @@
 // In which order programs and VTK have the nodes of wedges.
 #include "TestMeshes.h"
 
-#include "Mesh/WedgeOrder.h"
-#include "Mesh/CellFacets.h"
 #include "Base/Vector.h"
+#include "Mesh/CellFacets.h"
+#include "Mesh/WedgeOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -56,9 +56,8 @@ TEST(WedgeOrder, TurnsExtrusions)
     CellFacets(mesh).ForEach(0,
       [&](const vtkIdType* p, vtkIdType faceSize, vtkIdType)
       {
-        const auto at = [&](vtkIdType i) {
-          return Vector{ inVTK[p[i]][0], inVTK[p[i]][1], inVTK[p[i]][2] };
-        };
+        const auto at = [&](vtkIdType i)
+        { return Vector{ inVTK[p[i]][0], inVTK[p[i]][1], inVTK[p[i]][2] }; };
         for (vtkIdType i = 1; i + 1 < faceSize; ++i)
         {
           volume += Dot(at(0), Cross(at(i), at(i + 1))) / 6;

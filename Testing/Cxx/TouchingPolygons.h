@@ -4,9 +4,10 @@
  * @file TouchingPolygons.h
  * @brief Random polygons that touch themselves in every way without crossing, and know their area.
  *
- * Squares of a grid are glued together along some of their common edges, so that they form a tree; the polygon is the walk
- * around it. Where squares are side by side but not glued it runs along their edge twice, around a hole it
- * comes back to where it left, and squares that meet in a corner share that one. Cracks and spikes are added.
+ * Squares of a grid are glued together along some of their common edges, so that they form a tree;
+ * the polygon is the walk around it. Where squares are side by side but not glued it runs along
+ * their edge twice, around a hole it comes back to where it left, and squares that meet in a corner
+ * share that one. Cracks and spikes are added.
  */
 #ifndef TouchingPolygons_h
 #define TouchingPolygons_h
@@ -40,7 +41,8 @@ public:
     double Area = 0;
   };
 
-  /// @a jitter: how far corners of the grid are moved, 0 to 0.3. With 0, corners between two in a line are left out at random.
+  /// @a jitter: how far corners of the grid are moved, 0 to 0.3. With 0, corners between two in a
+  /// line are left out at random.
   Polygon Make(int numberOfSquares, double jitter, bool hasSpikes)
   {
     this->Nodes.clear();
@@ -50,7 +52,8 @@ public:
     Polygon polygon;
     for (std::size_t i = 0; i < walk.size(); ++i)
     {
-      const Node &before = walk[(i + walk.size() - 1) % walk.size()], &after = walk[(i + 1) % walk.size()];
+      const Node &before = walk[(i + walk.size() - 1) % walk.size()],
+                 &after = walk[(i + 1) % walk.size()];
       const Node& node = walk[i];
       const bool isStraight = node.first - before.first == after.first - node.first &&
         node.second - before.second == after.second - node.second;
@@ -84,7 +87,8 @@ private:
     constexpr int x[] = { 1, 0, -1, 0 }, y[] = { 0, 1, 0, -1 };
     return { node.first + x[side], node.second + y[side] };
   }
-  /// The square on the other side of one of the four edges, which start at the lower one and run counter-clockwise.
+  /// The square on the other side of one of the four edges, which start at the lower one and run
+  /// counter-clockwise.
   static Node GetNeighbor(const Node& square, int edge) { return Step(square, (edge + 3) % 4); }
   static Node GetCorner(const Node& square, int corner)
   {
@@ -133,7 +137,8 @@ private:
     auto found = this->Nodes.find(node);
     if (found == this->Nodes.end())
     {
-      const Vector place = { node.first + jitter * this->DrawReal(), node.second + jitter * this->DrawReal(), 0 };
+      const Vector place = { node.first + jitter * this->DrawReal(),
+        node.second + jitter * this->DrawReal(), 0 };
       found = this->Nodes.emplace(node, place).first;
     }
     return found->second;
@@ -171,8 +176,10 @@ private:
     double sum = 0;
     for (const auto& square : this->Glued)
     {
-      const Vector a = this->Place(GetCorner(square.first, 0), jitter), b = this->Place(GetCorner(square.first, 1), jitter),
-                   c = this->Place(GetCorner(square.first, 2), jitter), d = this->Place(GetCorner(square.first, 3), jitter);
+      const Vector a = this->Place(GetCorner(square.first, 0), jitter),
+                   b = this->Place(GetCorner(square.first, 1), jitter),
+                   c = this->Place(GetCorner(square.first, 2), jitter),
+                   d = this->Place(GetCorner(square.first, 3), jitter);
       sum += 0.5 * Cross(c - a, d - b).Z;
     }
     return sum;

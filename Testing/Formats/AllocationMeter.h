@@ -4,8 +4,8 @@
  * @class camaron::testing::AllocationMeter
  * @brief Measures how much memory the whole program asks for, in all threads and libraries.
  *
- * Counts what malloc and its relatives give, whether it is touched or not: with glibc by standing in for
- * them, under a sanitizer through its hooks. Elsewhere nothing is measured.
+ * Counts what malloc and its relatives give, whether it is touched or not: with glibc by standing
+ * in for them, under a sanitizer through its hooks. Elsewhere nothing is measured.
  */
 #ifndef camaron_AllocationMeter_h
 #define camaron_AllocationMeter_h

@@ -39,7 +39,8 @@ std::string Say(const Parts&... parts)
 }
 
 //------------------------------------------------------------------------------
-/// How many points a cell of a type has; 0 if any number, -1 for types that no reader of ours makes.
+/// How many points a cell of a type has; 0 if any number, -1 for types that no reader of ours
+/// makes.
 int GetNumberOfPoints(int type)
 {
   switch (type)
@@ -89,7 +90,8 @@ std::string FindFault(vtkCellArray* lists, vtkIdType limit, const char* what)
   vtkDataArray* offsets = lists->GetOffsetsArray();
   vtkDataArray* ids = lists->GetConnectivityArray();
   const vtkIdType count = lists->GetNumberOfCells();
-  if (offsets->GetNumberOfValues() != count + 1 && !(count == 0 && offsets->GetNumberOfValues() == 0))
+  if (offsets->GetNumberOfValues() != count + 1 &&
+    !(count == 0 && offsets->GetNumberOfValues() == 0))
   {
     return Say(what, ": ", offsets->GetNumberOfValues(), " offsets of ", count, " lists");
   }
@@ -141,7 +143,8 @@ std::string FindFault(vtkFieldData* fields, vtkIdType tuples, const char* what)
     }
     if (tuples >= 0 && array->GetNumberOfTuples() != tuples)
     {
-      return Say(what, " array ", name, " has ", array->GetNumberOfTuples(), " tuples, not ", tuples);
+      return Say(
+        what, " array ", name, " has ", array->GetNumberOfTuples(), " tuples, not ", tuples);
     }
     if (array->GetNumberOfComponents() < 1)
     {
@@ -239,15 +242,17 @@ std::string FindDifference(vtkDataArray* a, vtkDataArray* b)
   const bool isSame = a->GetDataType() == b->GetDataType() &&
     a->GetNumberOfValues() == b->GetNumberOfValues() &&
     (size == 0 || std::memcmp(a->GetVoidPointer(0), b->GetVoidPointer(0), size) == 0);
-  return isSame ? std::string()
-                : FindDifference(static_cast<vtkAbstractArray*>(a), static_cast<vtkAbstractArray*>(b)) +
+  return isSame
+    ? std::string()
+    : FindDifference(static_cast<vtkAbstractArray*>(a), static_cast<vtkAbstractArray*>(b)) +
       " (compared bit by bit)";
 }
 
 //------------------------------------------------------------------------------
 std::string FindDifference(vtkCellArray* a, vtkCellArray* b, const char* what)
 {
-  const vtkIdType countOfA = a ? a->GetNumberOfCells() : 0, countOfB = b ? b->GetNumberOfCells() : 0;
+  const vtkIdType countOfA = a ? a->GetNumberOfCells() : 0,
+                  countOfB = b ? b->GetNumberOfCells() : 0;
   if (countOfA != countOfB)
   {
     return Say(countOfA, " and ", countOfB, " lists of ", what);

@@ -17,9 +17,9 @@ namespace camaron
 namespace testing
 {
 /**
- * What is wrong with a mesh, or nothing: ids in range, offsets that ascend and end where the list ends,
- * cells with as many points as their type has, polyhedra whose faces exist, arrays of the right length.
- * Reads every value of every array.
+ * What is wrong with a mesh, or nothing: ids in range, offsets that ascend and end where the list
+ * ends, cells with as many points as their type has, polyhedra whose faces exist, arrays of the
+ * right length. Reads every value of every array.
  */
 std::string FindFault(vtkUnstructuredGrid* grid);
 

@@ -19,7 +19,8 @@ namespace
 const std::string Mark = "//// ";
 
 //------------------------------------------------------------------------------
-// The extension of the format that a line such as "//// ele" names, or nothing; moves behind the line.
+// The extension of the format that a line such as "//// ele" names, or nothing; moves behind the
+// line.
 std::string ReadMark(const std::string& bytes, std::size_t& at, const FormatUnderTest& format)
 {
   if (bytes.compare(at, Mark.size(), Mark) == 0)

@@ -4,8 +4,8 @@
  * @file MeshFiles.h
  * @brief The files that make up one mesh, in memory, in a folder, or packed into one string.
  *
- * Packed is what a fuzzer changes. A mesh in one file of its format's usual extension is packed as it is;
- * otherwise every file follows a line with its extension, the file that is opened first:
+ * Packed is what a fuzzer changes. A mesh in one file of its format's usual extension is packed as
+ * it is; otherwise every file follows a line with its extension, the file that is opened first:
  *
  *     //// ele
  *     1 4 0
@@ -39,11 +39,13 @@ struct MeshFile
 using MeshFiles = std::vector<MeshFile>;
 
 std::size_t GetTotalSize(const MeshFiles& files);
-/// The most that files can be when they are inflated, for readers that take gzip: 100 times as much.
+/// The most that files can be when they are inflated, for readers that take gzip: 100 times as
+/// much.
 std::size_t GetInflatedSize(const MeshFiles& files);
 
 std::string Pack(const MeshFiles& files, const FormatUnderTest& format);
-/// Only extensions of the format make a new file; of several files with the same one the first counts.
+/// Only extensions of the format make a new file; of several files with the same one the first
+/// counts.
 MeshFiles Unpack(const std::string& bytes, const FormatUnderTest& format);
 
 /// The file and those beside it with the same name and another extension of the format.

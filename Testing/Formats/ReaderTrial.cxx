@@ -4,8 +4,8 @@
 
 #include "AllocationMeter.h"
 #include "MeshChecks.h"
-#include "ScopedValue.h"
 #include "Scan/TextLines.h"
+#include "ScopedValue.h"
 #include "vtkMeshFileReader.h"
 #include "vtkMeshFileWriter.h"
 
@@ -122,8 +122,9 @@ bool IsEmpty(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// How often each byte occurs: the same for files that differ only in the order of a cell's points or faces.
-// Where a reader turns cells by their volume, those of no volume may be turned to and fro by rounding.
+// How often each byte occurs: the same for files that differ only in the order of a cell's points
+// or faces. Where a reader turns cells by their volume, those of no volume may be turned to and fro
+// by rounding.
 std::array<std::size_t, 256> CountBytes(const std::string& bytes)
 {
   std::array<std::size_t, 256> counts{};
@@ -207,8 +208,8 @@ Reading ReaderTrial::Read(
   const std::size_t allowed = MaxAllocation * size + BaseAllocation;
   if (peak > allowed || largest > allowed)
   {
-    fail(std::to_string(peak) + " bytes in use, " + std::to_string(largest) + " at once, for files of " +
-      std::to_string(size));
+    fail(std::to_string(peak) + " bytes in use, " + std::to_string(largest) +
+      " at once, for files of " + std::to_string(size));
   }
   for (const std::string& message : reading.Errors)
   {
@@ -286,7 +287,8 @@ std::string ReaderTrial::FindFaultInStopping(const std::string& path) const
       return "progress goes back, or beyond its end";
     }
     if (stopper.At >= 0 &&
-      (!errors.empty() || !IsEmpty(vtkUnstructuredGrid::SafeDownCast(reader->GetOutputDataObject(0)))))
+      (!errors.empty() ||
+        !IsEmpty(vtkUnstructuredGrid::SafeDownCast(reader->GetOutputDataObject(0)))))
     {
       return "stopped at " + std::to_string(stopper.At) +
         (errors.empty() ? ": there is an output" : ": " + Quote(errors[0]));
@@ -299,8 +301,8 @@ std::string ReaderTrial::FindFaultInStopping(const std::string& path) const
 std::string ReaderTrial::FindFaultInParallel(
   const std::string& path, std::size_t size, const Reading& expected) const
 {
-  // Pieces of a line or two, but no more pieces than are good for finding faults. What many pieces need of
-  // their own is nothing in proportion to pieces of the usual size.
+  // Pieces of a line or two, but no more pieces than are good for finding faults. What many pieces
+  // need of their own is nothing in proportion to pieces of the usual size.
   const ScopedValue<vtkIdType> chunk(
     TextLines::DefaultChunk, std::max<vtkIdType>(16, static_cast<vtkIdType>(size / 1000)));
   const Reading reading = this->Read(path, 64 * size);
@@ -337,10 +339,9 @@ std::string ReaderTrial::FindFaultInPieces(
     }
     cells += CountOwnCells(reading.Grid);
   }
-  return cells == whole.Grid->GetNumberOfCells()
-    ? std::string()
-    : "pieces have " + std::to_string(cells) + " cells, the whole " +
-      std::to_string(whole.Grid->GetNumberOfCells());
+  return cells == whole.Grid->GetNumberOfCells() ? std::string()
+                                                 : "pieces have " + std::to_string(cells) +
+      " cells, the whole " + std::to_string(whole.Grid->GetNumberOfCells());
 }
 
 //------------------------------------------------------------------------------
@@ -369,10 +370,12 @@ std::string ReaderTrial::FindFaultInWriting(const Reading& reading) const
     if (!good)
     {
       // What a format cannot hold is refused; what came from it a moment ago is not.
-      const std::string fault = round > 0 ? "the writer refuses what it wrote: " + Quote(errors.at(0))
-        : errors.size() != 1              ? "the writer has " + std::to_string(errors.size()) + " errors"
-        : !std::filesystem::is_empty(this->Output.GetPath()) ? "the writer left a file after an error"
-                                                              : FindFaultOfMessage(errors[0], path);
+      const std::string fault = round > 0
+        ? "the writer refuses what it wrote: " + Quote(errors.at(0))
+        : errors.size() != 1 ? "the writer has " + std::to_string(errors.size()) + " errors"
+        : !std::filesystem::is_empty(this->Output.GetPath())
+        ? "the writer left a file after an error"
+        : FindFaultOfMessage(errors[0], path);
       return fault;
     }
     if (!std::filesystem::exists(path))

@@ -4,15 +4,14 @@
  * @class camaron::testing::ReaderTrial
  * @brief Has the format's reader read files that may be damaged, and finds fault with what it does.
  *
- * Whatever the bytes are, a reader either gives a mesh that filters can work with, or one error that
- * names the file, with its kind and an empty output; and it takes neither long nor memory out of all
- * proportion to the file.
+ * Whatever the bytes are, a reader either gives a mesh that filters can work with, or one error
+ * that names the file, with its kind and an empty output; and it takes neither long nor memory out
+ * of all proportion to the file.
  */
 #ifndef camaron_ReaderTrial_h
 #define camaron_ReaderTrial_h
 
 #include "MeshFiles.h"
-
 
 class vtkUnstructuredGrid;
 
@@ -51,7 +50,8 @@ public:
   static constexpr double MaxSeconds = 5;
 #endif
   ///@{
-  /// Bytes that reading may have in use: so many times the files', and what small files need anyway.
+  /// Bytes that reading may have in use: so many times the files', and what small files need
+  /// anyway.
   static constexpr std::size_t MaxAllocation = 10;
   static constexpr std::size_t BaseAllocation = std::size_t(1) << 20;
   ///@}

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader of a format does with files that another program changes while they are read. One program per
-// format; the files are the format's seeds.
+// What the reader of a format does with files that another program changes while they are read. One
+// program per format; the files are the format's seeds.
 #include "LastWords.h"
 #include "MeshFiles.h"
 #include "ScopedValue.h"
@@ -80,8 +80,8 @@ void Change(const fs::path& path, const std::string& bytes, int change, std::mt1
       fs::resize_file(path, bytes.size() / 2);
       return;
     case 2:
-      std::rotate(other.begin(), other.begin() + static_cast<std::ptrdiff_t>(other.size() / 3),
-        other.end());
+      std::rotate(
+        other.begin(), other.begin() + static_cast<std::ptrdiff_t>(other.size() / 3), other.end());
       Overwrite(path, other, true);
       return;
     case 3:
@@ -106,13 +106,12 @@ void Change(const fs::path& path, const std::string& bytes, int change, std::mt1
 
 //------------------------------------------------------------------------------
 /// False if the reader was through before the change.
-bool Try(const MeshFiles& files, std::size_t which, int change, int wait, int pieces,
-  std::mt19937& random)
+bool Try(
+  const MeshFiles& files, std::size_t which, int change, int wait, int pieces, std::mt19937& random)
 {
   const Folder folder;
   const std::string path = folder.Write(files);
-  const fs::path changed =
-    fs::path(path).replace_extension("." + files[which].Extension);
+  const fs::path changed = fs::path(path).replace_extension("." + files[which].Extension);
   // Changes are told apart by time: this file is from long ago.
   fs::last_write_time(changed, fs::last_write_time(changed) - std::chrono::hours(1));
 
@@ -145,8 +144,8 @@ bool Try(const MeshFiles& files, std::size_t which, int change, int wait, int pi
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a program that writes a mesh anew while ParaView reads it takes ParaView with it, or half of
-// the mesh is shown.
+// If this fails, a program that writes a mesh anew while ParaView reads it takes ParaView with it,
+// or half of the mesh is shown.
 TEST(Changes, WhileAFileIsRead)
 {
   const ScopedValue<bool> map(MappedFile::MayMap, true);

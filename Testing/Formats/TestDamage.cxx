@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the reader of a format does with good files, with files that are cut off, and with files some of
-// whose bytes are wrong. One program per format; the files are the format's seeds and, where
-// CAMARON_SHARED_DATA names a folder of meshes, those of this format.
+// What the reader of a format does with good files, with files that are cut off, and with files
+// some of whose bytes are wrong. One program per format; the files are the format's seeds and,
+// where CAMARON_SHARED_DATA names a folder of meshes, those of this format.
 #include "LastWords.h"
 #include "ReaderTrial.h"
 #include "SharedData.h"
@@ -98,8 +98,8 @@ private:
   {
     namespace fs = std::filesystem;
     const fs::path kept = fs::temp_directory_path() / "camaron-damage" /
-      (GetFormat().Name + "-" + ::testing::UnitTest::GetInstance()->current_test_info()->name() + "-" +
-        std::to_string(this->Faults));
+      (GetFormat().Name + "-" + ::testing::UnitTest::GetInstance()->current_test_info()->name() +
+        "-" + std::to_string(this->Faults));
     std::error_code error;
     fs::remove_all(kept, error);
     fs::create_directories(kept, error);
@@ -169,8 +169,8 @@ std::set<unsigned long> FindExpectedCodes(const std::string& readMe, const std::
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the other tests here damage what was not good to begin with, or good files are read
-// wrongly: in parallel, in pieces, or after they were written.
+// If this fails, the other tests here damage what was not good to begin with, or good files are
+// read wrongly: in parallel, in pieces, or after they were written.
 TEST(Damage, GoodFilesAreGood)
 {
   Trials trials;
@@ -187,7 +187,8 @@ TEST(Damage, GoodFilesAreGood)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, real files that are no good are read, or refused for another reason than is theirs.
+// If this fails, real files that are no good are read, or refused for another reason than is
+// theirs.
 TEST(Damage, MalformedFiles)
 {
   CAMARON_NEEDS_SHARED_DATA("malformed");
@@ -291,7 +292,8 @@ TEST(Damage, WrongBytes)
       samples.push_back(&sample);
     }
   }
-  for (int trial = 0; trial < NumberOfTrials && !samples.empty() && !trials.HasSeenEnough(); ++trial)
+  for (int trial = 0; trial < NumberOfTrials && !samples.empty() && !trials.HasSeenEnough();
+    ++trial)
   {
     const Sample& sample = *samples[random() % samples.size()];
     MeshFiles files = sample.Files;

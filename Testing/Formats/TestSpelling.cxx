@@ -148,7 +148,8 @@ TEST(Spelling, NumbersOfMicrosoft)
         const std::string place = sample.Name + ", byte " + std::to_string(reals[i].first) +
           " of ." + files[f].Extension + " is " + theirs;
         EXPECT_EQ(reading.Fault, "") << place;
-        // In the place of an integer nan may be a name, and a zone or a component with a name of its own.
+        // In the place of an integer nan may be a name, and a zone or a component with a name of
+        // its own.
         if (bytes.find('.', reals[i].first) >= reals[i].second)
         {
           continue;

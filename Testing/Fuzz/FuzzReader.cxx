@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A libFuzzer target: what it is given are packed files (Testing/Formats/MeshFiles.h) for the reader of a
-// format. One program per format. Whatever is wrong with what the reader does ends it.
+// A libFuzzer target: what it is given are packed files (Testing/Formats/MeshFiles.h) for the
+// reader of a format. One program per format. Whatever is wrong with what the reader does ends it.
 //
-// FuzzVisf [OPTION...] [CORPUS_FOLDER...], as libFuzzer has it; FuzzVisf FILE... tries packed files again,
-// under all laws if the environment has CAMARON_FUZZ_ALL_LAWS.
+// FuzzVisf [OPTION...] [CORPUS_FOLDER...], as libFuzzer has it; FuzzVisf FILE... tries packed files
+// again, under all laws if the environment has CAMARON_FUZZ_ALL_LAWS.
 #include "ReaderTrial.h"
 
 #include "vtkSMPTools.h"
@@ -36,10 +36,11 @@ void Print(const std::string& bytes)
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments)
 {
   static std::vector<std::string> all = {
-    "-timeout=60", // seconds for one input, of which it may wait any; ReaderTrial counts those of the processor
-    "-rss_limit_mb=2048", // of the whole program, sanitizer and corpus included
+    "-timeout=60", // seconds for one input, of which it may wait any; ReaderTrial counts those of
+                   // the processor
+    "-rss_limit_mb=2048",  // of the whole program, sanitizer and corpus included
     "-malloc_limit_mb=64", // for one request; inputs are far smaller
-    "-max_len=16384",    // enough for some hundred rows of anything
+    "-max_len=16384",      // enough for some hundred rows of anything
   };
   if (std::filesystem::exists(GetFormat().Dictionary))
   {
@@ -68,8 +69,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static ReaderTrial trial;
   const std::string bytes(reinterpret_cast<const char*>(data), size);
 
-  // Under which further law an input is tried depends on its bytes, so that a finding is one again when
-  // its bytes are tried alone.
+  // Under which further law an input is tried depends on its bytes, so that a finding is one again
+  // when its bytes are tried alone.
   std::uint32_t hash = 2166136261u; // Fowler, Noll and Vo's hash, FNV-1a
   for (const char byte : bytes)
   {

@@ -39,10 +39,12 @@ int main(int count, char* arguments[])
       continue;
     }
     std::ifstream stream(path, std::ios::binary);
-    const std::string bytes((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+    const std::string bytes(
+      (std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
     for (const MeshFile& file : Unpack(bytes, format))
     {
-      const std::filesystem::path unpacked = folder / (path.filename().string() + "." + file.Extension);
+      const std::filesystem::path unpacked =
+        folder / (path.filename().string() + "." + file.Extension);
       std::ofstream(unpacked, std::ios::binary) << file.Bytes;
       std::printf("%s\n", unpacked.c_str());
     }

@@ -38,13 +38,17 @@ ROUNDING = 1e-9  # of MaxWarpage
 #: Why VTK says something else. It ...
 IDS = "counts ids, also the same one twice, where we count points"
 RING = "makes the edges of a polygon from its list of points, so that they always hang together"
-WHOLE = "looks at all edges of the cell, we at those of each face: opposite edges of a flat cell cross"
+WHOLE = (
+    "looks at all edges of the cell, we at those of each face: opposite edges of a flat cell cross"
+)
 TETRA = "does not look how the faces of a tetrahedron are oriented"
 INWARD = "measures angles from faces as they run: inside out, a cell bends inward everywhere"
 FIRST = "calls the faces of a cell badly oriented as soon as one of them is not convex or crosses itself"
 MISSED = "lets faces of which two edges cross pass for faces that do not intersect"
 MEETING = "takes triangles with coincident corners for triangles that intersect"
-SADDLE = "takes warped faces (64 here) for bent inward where a corner sticks out of the plane of a face"
+SADDLE = (
+    "takes warped faces (64 here) for bent inward where a corner sticks out of the plane of a face"
+)
 ANGLES = "measures angles between faces, of which a face without an area has none"
 PIECES = "measures angles between faces, which are those of convex cells also where a cell is in two pieces"
 
@@ -95,7 +99,15 @@ SHAPES = (
     ("L", VTK_POLYGON, flat(L), None, CONVEX, 0, ()),
     ("dart", VTK_QUAD, moved(SQUARE, 2, (0.3, 0.3, 0)), None, CONVEX, 0, ()),
     ("bow tie", VTK_QUAD, SQUARE, (0, 2, 1, 3), EDGES | CONVEX, 0, ()),
-    ("crossed polygon", VTK_POLYGON, [*SQUARE, (0.5, 2, 0)], (0, 1, 3, 2, 4), EDGES | CONVEX, 0, ()),
+    (
+        "crossed polygon",
+        VTK_POLYGON,
+        [*SQUARE, (0.5, 2, 0)],
+        (0, 1, 3, 2, 4),
+        EDGES | CONVEX,
+        0,
+        (),
+    ),
     ("collinear", VTK_TRIANGLE, [(0, 0, 0), (1, 0, 0), (2, 0, 0)], None, 0, 0, ()),
     ("two equal points", VTK_TRIANGLE, [(0, 0, 0), (0, 0, 0), (1, 0, 0)], None, 0, 0, ()),
     ("one place", VTK_TRIANGLE, [(0, 0, 0)] * 3, None, 0, 0, ()),
@@ -115,7 +127,15 @@ SHAPES = (
     ("the same of faces", VTK_POLYHEDRON, prism(ring(6)), prism_faces(6), 0, 0, ()),
     ("sheared", VTK_HEXAHEDRON, [(x + z, y, z) for x, y, z in CUBE], None, 0, 0, ()),
     ("box", VTK_HEXAHEDRON, [(4 * x, 2 * y, z) for x, y, z in CUBE], None, 0, 0, ()),
-    ("sliver", VTK_TETRA, [(1, 0, 0.01), (-1, 0, 0.01), (0, 1, -0.01), (0, -1, -0.01)], None, 0, 0, ()),
+    (
+        "sliver",
+        VTK_TETRA,
+        [(1, 0, 0.01), (-1, 0, 0.01), (0, 1, -0.01), (0, -1, -0.01)],
+        None,
+        0,
+        0,
+        (),
+    ),
     ("warped", VTK_HEXAHEDRON, moved(CUBE, 6, (1, 1, 1.5)), None, 0, 0, ()),
     ("L-prism", VTK_POLYHEDRON, prism(L), prism_faces(6), CONVEX, TURNED, FIRST),
     ("flat", VTK_TETRA, SQUARE, None, 0, EDGES, WHOLE),
@@ -129,7 +149,15 @@ SHAPES = (
     ("no edge length", VTK_HEXAHEDRON, moved(CUBE, 7, CUBE[6]), None, 0, FACES, MEETING),
     ("hexahedron, id twice", VTK_HEXAHEDRON, CUBE, (0, 1, 2, 3, 4, 5, 6, 6), 0, FACES, MEETING),
     ("dented", VTK_HEXAHEDRON, moved(CUBE, 6, (0.3, 0.3, 0.3)), None, CONVEX, TURNED, FIRST),
-    ("dented, of faces", VTK_POLYHEDRON, moved(CUBE, 6, (0.3, 0.3, 0.3)), SIDES, CONVEX, TURNED, FIRST),
+    (
+        "dented, of faces",
+        VTK_POLYHEDRON,
+        moved(CUBE, 6, (0.3, 0.3, 0.3)),
+        SIDES,
+        CONVEX,
+        TURNED,
+        FIRST,
+    ),
     ("a quarter turn", VTK_HEXAHEDRON, CUBE, (0, 1, 2, 3, 5, 6, 7, 4), 0, CONVEX | TURNED, SADDLE),
     ("a third turn", VTK_WEDGE, WEDGE, (0, 1, 2, 4, 5, 3), 0, CONVEX | TURNED, SADDLE),
     (
@@ -263,7 +291,9 @@ MANY = (many_hexahedra, many_wedges, many_pyramids, many_tetrahedra, many_polyhe
 
 def evaluate(source):
     """The data with our arrays, one data set."""
-    quality = simple.ElementQuality(Input=source, Criteria=["CellStatus", "MaxWarpage", "KernelRatio"])
+    quality = simple.ElementQuality(
+        Input=source, Criteria=["CellStatus", "MaxWarpage", "KernelRatio"]
+    )
     with pipeline.Messages() as messages:
         data = servermanager.Fetch(quality)
     assert not messages.errors, messages.errors

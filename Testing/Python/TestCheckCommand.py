@@ -68,26 +68,36 @@ class TestCommand(camaron_testing.TestCase):
     def test_warnings(self):
         """Hints of a preset warn; written out as a rule they fail."""
         sliver = camaron_testing.write_vtk(
-            self.folder / "sliver.vtk", [(0, 0, 0), (1.998, 0, 0), (0.999, 0.05, 0)], [(5, [0, 1, 2])]
+            self.folder / "sliver.vtk",
+            [(0, 0, 0), (1.998, 0, 0), (0.999, 0.05, 0)],
+            [(5, [0, 1, 2])],
         )
         warned = self.run_check(sliver, "--preset", "Overview", "--junit", "warned.xml")
         self.assertEqual(warned.returncode, 0, warned.stderr)
         self.assertRegex(
-            warned.stdout, r"(?m)^WARN +EquiangleSkewness +<= 0\.9 +of triangles, [a-z, ]+ 1 +1 +100"
+            warned.stdout,
+            r"(?m)^WARN +EquiangleSkewness +<= 0\.9 +of triangles, [a-z, ]+ 1 +1 +100",
         )
         self.assertRegex(
-            warned.stdout, r"EquiangleSkewness <= 0\.9 of triangles, [a-z, ]+: 1 of 1 cell \(100 %\) fails\n"
+            warned.stdout,
+            r"EquiangleSkewness <= 0\.9 of triangles, [a-z, ]+: 1 of 1 cell \(100 %\) fails\n",
         )
         self.assertIn("WARN: 1 of 2 rules\n", warned.stdout)
         self.assertIn('failures="0"', (self.folder / "warned.xml").read_text())
         result = check(sliver, preset="Overview")
         self.assertEqual(result["verdict"], "warn")
-        self.assertEqual([(c["hint"], c["verdict"]) for c in result["checks"]], [(True, "empty"), (True, "warn")])
+        self.assertEqual(
+            [(c["hint"], c["verdict"]) for c in result["checks"]], [(True, "empty"), (True, "warn")]
+        )
         rules = self.rules("preset Overview", "EquiangleSkewness <= 0.9")
         failed = self.run_check(sliver, "--rules", rules)
-        self.assertEqual((failed.returncode, failed.stdout.splitlines()[-1]), (1, "FAIL: 1 of 2 rules"))
+        self.assertEqual(
+            (failed.returncode, failed.stdout.splitlines()[-1]), (1, "FAIL: 1 of 2 rules")
+        )
         square = camaron_testing.write_vtk(
-            self.folder / "square.vtk", [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)], [(9, [0, 1, 2, 3])]
+            self.folder / "square.vtk",
+            [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)],
+            [(9, [0, 1, 2, 3])],
         )
         both = self.run_check(sliver, square, "--preset", "Overview", "--json")
         self.assertEqual((both.returncode, json.loads(both.stdout)["verdict"]), (0, "warn"))

@@ -95,7 +95,10 @@ class TestCheckMesh(camaron_testing.TestCase):
             self.assertIn(limit, rules[name], name)
             self.assertIn(limit, known[name]["acceptable"], name)
         limit = float(entries["maxNonOrtho"])
-        self.assertIn(f"maxNonOrtho of snappyHexMesh is {limit:g}", known["MaxNonOrthogonality"]["acceptable_source"])
+        self.assertIn(
+            f"maxNonOrtho of snappyHexMesh is {limit:g}",
+            known["MaxNonOrthogonality"]["acceptable_source"],
+        )
 
     def test_voronoi(self):
         """Faces are planar as far as single precision goes, which moves centroids by 1e-8."""

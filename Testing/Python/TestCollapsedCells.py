@@ -69,7 +69,7 @@ class TestCollapsedCells(camaron_testing.TestCase):
         numpy.testing.assert_allclose(found["Volume"], -1 / 6, rtol=1e-14)
 
     def test_triangle_as_quadrilateral(self):
-        """Neighbours of an edge after a point that follows itself, wherever in the list."""
+        """Neighbors of an edge after a point that follows itself, wherever in the list."""
         points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 0, 0), (2, 1, 0)]
         others = [(VTK_TRIANGLE, [0, 2, 3]), (VTK_QUAD, [1, 4, 5, 2])]
         expected = None
@@ -86,7 +86,9 @@ class TestCollapsedCells(camaron_testing.TestCase):
             found["boundary"] = self.array(edges, "IsBoundary")
             expected = expected or found
             for name, values in found.items():
-                numpy.testing.assert_allclose(values, expected[name], 1e-14, err_msg=f"{ids} {name}")
+                numpy.testing.assert_allclose(
+                    values, expected[name], 1e-14, err_msg=f"{ids} {name}"
+                )
         self.assertGreater(expected["MaxNonOrthogonality"][0], 11)
 
     def test_faces_of_two_points(self):
@@ -186,12 +188,19 @@ class TestCollapsedCells(camaron_testing.TestCase):
         cells = [(VTK_QUAD, list(range(4 * i, 4 * i + 4))) for i in range(len(turns))]
         found = self.evaluate(
             gallery.make_grid(points.tolist(), cells, turns=False),
-            ["MaxBoundaryNonOrthogonality", "MaxFaceSkewness", "OrthogonalQuality", "PrincipalAspectRatio"],
+            [
+                "MaxBoundaryNonOrthogonality",
+                "MaxFaceSkewness",
+                "OrthogonalQuality",
+                "PrincipalAspectRatio",
+            ],
         )
         self.assertTrue(numpy.isnan(found["MaxBoundaryNonOrthogonality"]).all())
         self.assertTrue(numpy.isnan(found["MaxFaceSkewness"]).all())
         self.assertFalse(found["OrthogonalQuality"].any())
-        numpy.testing.assert_allclose(found["PrincipalAspectRatio"], found["PrincipalAspectRatio"][0])
+        numpy.testing.assert_allclose(
+            found["PrincipalAspectRatio"], found["PrincipalAspectRatio"][0]
+        )
 
         swapped = numpy.array([CUBE[i] for i in (1, 0, 2, 3, 4, 5, 6, 7)])
         points = numpy.concatenate([swapped @ turn.T for turn in turns])
@@ -220,7 +229,11 @@ class TestCollapsedCells(camaron_testing.TestCase):
         random = numpy.random.default_rng(7)
         for kinds, corners, name in (
             ((VTK_QUADRATIC_HEXAHEDRON, VTK_HEXAHEDRON, 20), CUBE, "VerdictEdgeRatio"),
-            ((VTK_QUADRATIC_TETRA, VTK_TETRA, 10), [CUBE[i] for i in (0, 1, 3, 4)], "VerdictMinAngle"),
+            (
+                (VTK_QUADRATIC_TETRA, VTK_TETRA, 10),
+                [CUBE[i] for i in (0, 1, 3, 4)],
+                "VerdictMinAngle",
+            ),
         ):
             points, cells = [], []
             for _ in range(5):
@@ -238,7 +251,11 @@ class TestCollapsedCells(camaron_testing.TestCase):
         strip = gallery.make_grid(points, [(VTK_TRIANGLE_STRIP, list(range(6)))], turns=False)
         triangles = [[0, 1, 2], [1, 3, 2], [2, 3, 4], [3, 5, 4]]
         same = gallery.make_grid(points, [(VTK_TRIANGLE, ids) for ids in triangles], turns=False)
-        for port, name, size in ((0, "OwnerCell", 4), (1, "EdgeDihedralAngle", 9), (2, "VertexCellCount", 6)):
+        for port, name, size in (
+            (0, "OwnerCell", 4),
+            (1, "EdgeDihedralAngle", 9),
+            (2, "VertexCellCount", 6),
+        ):
             values = [self.array(self.elements(mesh, port), name) for mesh in (strip, same)]
             self.assertEqual(len(values[0]), size)
             numpy.testing.assert_array_equal(*values, err_msg=name)
@@ -246,8 +263,17 @@ class TestCollapsedCells(camaron_testing.TestCase):
     def test_edges_of_polygons_of_other_pieces(self):
         """Of an edge that belongs to a piece with 3D cells only, the polygons of other pieces are known."""
         points = [*CUBE[:6], (1, 1.2, 1), CUBE[7], (2.5, 0.3, 0), (2, 1, 0)]
-        cells = [(VTK_HEXAHEDRON, list(range(8))), (VTK_QUAD, [0, 1, 2, 3]), (VTK_QUAD, [1, 8, 9, 2])]
-        names = ["BoundaryNonOrthogonality", "FaceSkewness", "NonOrthogonality", "EdgeDihedralAngle"]
+        cells = [
+            (VTK_HEXAHEDRON, list(range(8))),
+            (VTK_QUAD, [0, 1, 2, 3]),
+            (VTK_QUAD, [1, 8, 9, 2]),
+        ]
+        names = [
+            "BoundaryNonOrthogonality",
+            "FaceSkewness",
+            "NonOrthogonality",
+            "EdgeDihedralAngle",
+        ]
         whole = gallery.make_grid(points, cells, turns=False)
         pieces = vtkPartitionedDataSetCollection()
         for i, chosen in enumerate((cells[:1], cells[1:2], cells[2:])):
@@ -257,7 +283,9 @@ class TestCollapsedCells(camaron_testing.TestCase):
             found = {}
             elements = simple.MeshElements(Input=mesh_parts.producer(data), EdgeArrays=names)
             elements.UpdatePipeline()
-            for edges in camaron_testing.leaves(elements.GetClientSideObject().GetOutputDataObject(1)):
+            for edges in camaron_testing.leaves(
+                elements.GetClientSideObject().GetOutputDataObject(1)
+            ):
                 arrays = [self.array(edges, name) for name in names]
                 ghosts = edges.GetCellData().GetArray("vtkGhostType")
                 for edge in range(edges.GetNumberOfCells()):
@@ -273,7 +301,7 @@ class TestCollapsedCells(camaron_testing.TestCase):
             numpy.testing.assert_array_equal(found[place], values, str(place))
 
     def test_facets_of_three_cells_only(self):
-        """They are told of as what is wrong with the mesh by all criteria with neighbours."""
+        """They are told of as what is wrong with the mesh by all criteria with neighbors."""
         cells = [(VTK_QUAD, [0, 1, 2, 3])] * 3
         quality = simple.ElementQuality(
             Input=mesh_parts.producer(gallery.make_grid(CUBE[:4], cells)),
@@ -285,7 +313,7 @@ class TestCollapsedCells(camaron_testing.TestCase):
             self.assertEqual(self.array(found, name + "_Null").tolist(), [3, 3, 3], name)
 
     def test_hidden_cells(self):
-        """They are no neighbours, in grids of any class."""
+        """They are no neighbors, in grids of any class."""
         structured = vtkStructuredGrid()
         structured.SetDimensions(4, 4, 4)
         points = vtkPoints()
@@ -310,10 +338,12 @@ class TestCollapsedCells(camaron_testing.TestCase):
             self.assertEqual(int(self.array(self.elements(grid, 0), "IsBoundary").sum()), 54 + 6)
 
     def test_hidden_polygons(self):
-        """They are no neighbours in surfaces either: the values are those of the surface without them."""
+        """They are no neighbors in surfaces either: the values are those of the surface without them."""
         names = [*OF_NEIGHBORS, "MinVolumeRatio", "MaxNeighborNormalAngle", "RegionId"]
         points = numpy.array([(i + 0.3 * j * j, j, 0.5 * (i == 2)) for j, i in numpy.ndindex(4, 4)])
-        quads = [[4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4] for j, i in numpy.ndindex(3, 3)]
+        quads = [
+            [4 * j + i, 4 * j + i + 1, 4 * j + i + 5, 4 * j + i + 4] for j, i in numpy.ndindex(3, 3)
+        ]
 
         def make_surface(quads):
             surface = vtkPolyData()
@@ -331,7 +361,9 @@ class TestCollapsedCells(camaron_testing.TestCase):
         found = self.evaluate(surface, names)
         for name in names:
             self.assertTrue(numpy.isnan(found[name][hidden]), name)
-            numpy.testing.assert_array_equal(numpy.delete(found[name], hidden), expected[name], err_msg=name)
+            numpy.testing.assert_array_equal(
+                numpy.delete(found[name], hidden), expected[name], err_msg=name
+            )
 
     def test_tolerances(self):
         """Numbers that no tolerance can be are errors."""
@@ -341,7 +373,9 @@ class TestCollapsedCells(camaron_testing.TestCase):
                 quality = simple.ElementQuality(Input=source, **{name: value})
                 with camaron_testing.pipeline.Messages() as messages:
                     quality.UpdatePipeline()
-                self.assertTrue(any("Tolerance is 0 to" in error for error in messages.errors), (name, value))
+                self.assertTrue(
+                    any("Tolerance is 0 to" in error for error in messages.errors), (name, value)
+                )
 
     def test_cells_added_in_place(self):
         """As scripts do that keep a grid: what was known of it before is of no use."""

@@ -51,7 +51,16 @@ class TestCompare(camaron_testing.TestCase):
             facts = [{**m, "memory": 0} for m in (summary[mesh], alone["mesh"])]
             self.assertEqual(*facts)
             for row, expected in zip(summary["criteria"], alone["criteria"]):
-                for key in ("count", "null", "inf", "min", "max", "mean", "std_dev", "out_of_range"):
+                for key in (
+                    "count",
+                    "null",
+                    "inf",
+                    "min",
+                    "max",
+                    "mean",
+                    "std_dev",
+                    "out_of_range",
+                ):
                     self.assertEqual(row[mesh][key], expected[key], key)
                 self.assertEqual(row[mesh]["median"], expected["quantiles"]["50"])
                 self.assertEqual(row["acceptable"], expected["acceptable"])
@@ -72,7 +81,11 @@ class TestCompare(camaron_testing.TestCase):
         self.assertAlmostEqual(
             rows["MinDihedralAngle"]["distance"], abs(shares[0] - shares[1]).max(), delta=1e-15
         )
-        bad = [row["name"] for row in summary["criteria"] if row["b"]["out_of_range"] > row["a"]["out_of_range"]]
+        bad = [
+            row["name"]
+            for row in summary["criteria"]
+            if row["b"]["out_of_range"] > row["a"]["out_of_range"]
+        ]
         self.assertEqual(summary["worse"], bad)
 
     def test_itself(self):
@@ -93,18 +106,25 @@ class TestCompare(camaron_testing.TestCase):
             self.assertTrue(summary["same_cells"])
             self.assertGreater(len(summary["criteria"]), 10)
             for row in summary["criteria"]:
-                self.assertEqual((row["distance"], row["unchanged"]), (0, row["compared"]), row["name"])
+                self.assertEqual(
+                    (row["distance"], row["unchanged"]), (0, row["compared"]), row["name"]
+                )
 
     def test_files(self):
         summary = compare(BALL, FLANGE, self.folder / "both", criteria=["all"], bins=20)
         self.assertFalse(summary["same_cells"])
         self.assertEqual(sorted(os.listdir(self.folder / "both")), ["report.html", "summary.json"])
         written = json.loads((self.folder / "both" / "summary.json").read_text("utf-8"))
-        self.assertEqual([c["name"] for c in written["criteria"]], [c["name"] for c in summary["criteria"]])
+        self.assertEqual(
+            [c["name"] for c in written["criteria"]], [c["name"] for c in summary["criteria"]]
+        )
         page = (self.folder / "both" / "report.html").read_text("utf-8")
         self.assertFalse(re.search(r"(src|href)=[\"'](?!#|data:)", page), "nothing from elsewhere")
-        ElementTree.fromstring(page.replace("<!DOCTYPE html>", "").replace('<meta charset="utf-8">', "")
-            .replace('<meta name="viewport" content="width=device-width, initial-scale=1">', ""))
+        ElementTree.fromstring(
+            page.replace("<!DOCTYPE html>", "")
+            .replace('<meta charset="utf-8">', "")
+            .replace('<meta name="viewport" content="width=device-width, initial-scale=1">', "")
+        )
         for row in summary["criteria"]:
             self.assertIn(f'id="criterion-{row["name"]}"', page)
         anchors = set(re.findall(r'href="#([^"]+)"', page))
@@ -132,13 +152,17 @@ class TestCompare(camaron_testing.TestCase):
     def test_groups(self):
         """Groups have the cells that the facts about the meshes tell, and together their extremes."""
         summary = compare(FLANGE, BALL, self.folder / "both", criteria=CRITERIA, group_by="type")
-        types = {mesh: {t["name"]: t["count"] for t in summary[mesh]["cell_types"]} for mesh in "ab"}
+        types = {
+            mesh: {t["name"]: t["count"] for t in summary[mesh]["cell_types"]} for mesh in "ab"
+        }
         self.assertGreater(len(types["a"]), 1)
         for row in summary["criteria"]:
             for mesh in "ab":
                 counts = {group["group"]: group[mesh]["count"] for group in row["groups"]}
                 self.assertEqual({name: n for name, n in counts.items() if n}, types[mesh])
-                lows = [group[mesh]["min"] for group in row["groups"] if group[mesh]["min"] is not None]
+                lows = [
+                    group[mesh]["min"] for group in row["groups"] if group[mesh]["min"] is not None
+                ]
                 self.assertEqual(min(lows), row[mesh]["min"])
         page = (self.folder / "both" / "report.html").read_text("utf-8")
         self.assertEqual(page.count("<summary>Groups</summary>"), len(CRITERIA))
@@ -146,7 +170,9 @@ class TestCompare(camaron_testing.TestCase):
         status, out, err = self.run_compare(FLANGE, FLANGE, *arguments, "facecount")
         self.assertEqual((status, "did you mean" in err), (2, False), err)  # no array of the file
         evaluated = self.folder / "evaluated.vtu"
-        simple.SaveData(str(evaluated), simple.ElementQuality(Input=self.open(FLANGE), Criteria=["FaceCount"]))
+        simple.SaveData(
+            str(evaluated), simple.ElementQuality(Input=self.open(FLANGE), Criteria=["FaceCount"])
+        )
         status, out, err = self.run_compare(evaluated, evaluated, *arguments, "facecount")
         self.assertEqual((status, err), (0, ""))
         self.assertRegex(out, r"(?m)^    6 +")

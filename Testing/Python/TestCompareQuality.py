@@ -125,7 +125,9 @@ class TestCompareQuality(camaron_testing.TestCase):
                 counts = numpy.histogram(values[numpy.isfinite(values)], edges)[0]
                 self.assertEqual([row["Count" + mesh] for row in bins], counts.tolist())
                 known = (~numpy.isnan(values)).sum()
-                self.assertEqual([row["Fraction" + mesh] for row in bins], (counts / known).tolist())
+                self.assertEqual(
+                    [row["Fraction" + mesh] for row in bins], (counts / known).tolist()
+                )
 
     def test_redistributed(self):
         """The same mesh elsewhere has the same distributions."""
@@ -140,6 +142,7 @@ class TestCompareQuality(camaron_testing.TestCase):
 
     def test_blocks(self):
         """Blocks are matched by their place; the sizes of all blocks count together."""
+
         def blocks(first, second):
             return simple.GroupDatasets(
                 Input=[first, second], OutputType="vtkPartitionedDataSetCollection"
@@ -222,7 +225,8 @@ class TestCompareQuality(camaron_testing.TestCase):
                     self.assertEqual(str(here), str(expected))
             one.UpdatePipeline(times[-1])
             counts = [
-                simple.OutputPort(f, 2).GetDataInformation().GetNumberOfCells() for f in (every, one)
+                simple.OutputPort(f, 2).GetDataInformation().GetNumberOfCells()
+                for f in (every, one)
             ]
             self.assertEqual(counts[0], counts[1])
 

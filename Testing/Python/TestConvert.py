@@ -103,7 +103,10 @@ class TestConvert(camaron_testing.TestCase):
             ({"data_mod": "ascii"}, "--data-mode ascii|binary|appended (appended)"),
             ({"data_mode": "asci"}, "one of ascii, binary, appended"),
             ({"encode_appended_data": "maybe"}, "is on or off, not maybe"),
-            ({"time_step_stride": "two"}, "time_step_stride is a whole number of at least 1, not two"),
+            (
+                {"time_step_stride": "two"},
+                "time_step_stride is a whole number of at least 1, not two",
+            ),
             ({"file_name_suffix": "-%d", "time_step_stride": 0}, "of at least 1, not 0"),
         ):
             with self.assertRaisesRegex(ValueError, re.escape(reason)):
@@ -139,7 +142,10 @@ class TestConvert(camaron_testing.TestCase):
                 ({"point-data-arrays": "pp"}, "no array of points is named pp (did you mean p?)"),
                 ({"cell-data-arrays": "a,p"}, "no array of cells is named p; there are a, b"),
                 ({"cell-data-arrays": "A"}, "there are a, b"),
-                ({"field-data-arrays": "x"}, "unknown option" if "ply" in target else "there are none"),
+                (
+                    {"field-data-arrays": "x"},
+                    "unknown option" if "ply" in target else "there are none",
+                ),
             ):
                 with self.assertRaisesRegex(ValueError, re.escape(reason)):
                     convert(source, self.folder / target, **options)
@@ -251,7 +257,10 @@ class TestConvert(camaron_testing.TestCase):
             ("x.coff", "write x.off with --vertex-colors NAME,"),
             ("x.noff", "write x.off with --write-normals,"),
             ("x.4off", "write x.off, which"),
-            ("x.stcnoff", "x.off with --write-texture-coordinates --vertex-colors NAME --write-normals,"),
+            (
+                "x.stcnoff",
+                "x.off with --write-texture-coordinates --vertex-colors NAME --write-normals,",
+            ),
             ("x.face", "write x.ele with --write-boundary-faces,"),
             *((f"x.{kind}", "write x.ele, which") for kind in ("edge", "neigh", "poly", "smesh")),
         ):
@@ -281,7 +290,9 @@ class TestConvert(camaron_testing.TestCase):
         for name in ("poly.e", "poly.exo", "poly.vtkhdf"):
             target = self.folder / name
             target.write_text("old")
-            with self.assertRaisesRegex(ValueError, f"{name}: .* polyhedra, of which the mesh has 1: choose .vtu"):
+            with self.assertRaisesRegex(
+                ValueError, f"{name}: .* polyhedra, of which the mesh has 1: choose .vtu"
+            ):
                 convert(source, target)
             self.assertEqual(target.read_text(), "old")
         polygon = camaron_testing.write_vtk(self.folder / "polygon.vtk", CUBE, [(7, (0, 1, 2, 3))])
@@ -384,7 +395,9 @@ class TestConvert(camaron_testing.TestCase):
         source = self.folder / "source.vtu"
         convert(camaron_testing.EXAMPLES / "flange.visf", source)
         convert(source, self.folder / "surface.vtp")
-        targets = "source.case source.xmf source.vtk surface.obj surface.geo surface.csv surface.vtp"
+        targets = (
+            "source.case source.xmf source.vtk surface.obj surface.geo surface.csv surface.vtp"
+        )
         if (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion()) < (9, 6):
             targets += " source.vtkhdf"  # the HDF5 of later ones ends the program
         for name in targets.split():
@@ -406,7 +419,9 @@ class TestConvert(camaron_testing.TestCase):
     def test_too_little_space(self):
         """Formats whose writer would end the program on a full disk are not begun."""
         with unittest.mock.patch("camaron.common.files.free_space", return_value=100):
-            with self.assertRaisesRegex(RuntimeError, "x.exo: the disk has 100 B free, and the mesh"):
+            with self.assertRaisesRegex(
+                RuntimeError, "x.exo: the disk has 100 B free, and the mesh"
+            ):
                 convert(self.mesh(), self.folder / "x.exo")
             with self.assertRaisesRegex(RuntimeError, "x.obj: .*the disk is full"):
                 convert(self.mesh(), self.folder / "x.obj")
@@ -428,7 +443,9 @@ class TestConvert(camaron_testing.TestCase):
         self.assertFalse((self.folder / "n.0.case").exists())
         # Nor those of the mesh itself; and what stays of another one is told.
         before = [(self.folder / name).read_bytes() for name in ("m.node", "m.ele")]
-        with self.assertRaisesRegex(RuntimeError, "m.node: .*m.ele, .*belongs to the mesh of .*m.ele"):
+        with self.assertRaisesRegex(
+            RuntimeError, "m.node: .*m.ele, .*belongs to the mesh of .*m.ele"
+        ):
             convert(self.folder / "m.ele", self.folder / "m.node", first_id=1)
         after = [(self.folder / name).read_bytes() for name in ("m.node", "m.ele")]
         self.assertEqual(after, before)
@@ -493,7 +510,9 @@ self.GetOutput().GetCellData().AddArray(array)
         )
         for suffix, digits in (("m3d", 9), ("cdb", 14)):
             (note,) = convert(source, self.folder / f"d.{suffix}")
-            self.assertIn(f"1 point rounded to {digits} digits (Digits 17 keeps all): point 2", note)
+            self.assertIn(
+                f"1 point rounded to {digits} digits (Digits 17 keeps all): point 2", note
+            )
             self.assertEqual(convert(source, self.folder / f"e.{suffix}", digits=17), [])
 
     def test_command(self):

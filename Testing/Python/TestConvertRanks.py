@@ -80,7 +80,9 @@ class TestConvertRanks(camaron_testing.TestCase):
             ("m.cgns", ".pvtu"),
             ("m.obj", ".pvtu"),
         ):
-            reason = f"by one process: leave out --ranks, or choose {instead} or a format of the plugin"
+            reason = (
+                f"by one process: leave out --ranks, or choose {instead} or a format of the plugin"
+            )
             with self.assertRaisesRegex(ValueError, re.escape(reason)):
                 convert(source, self.folder / name)
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -16,7 +16,8 @@ from vtkmodules.vtkCommonDataModel import VTK_TETRA
 
 GRID = mesh_parts.make_mesh()
 WHOLE = {
-    name: data.astype(float) for name, data in mesh_parts.make_values(GRID.GetNumberOfCells()).items()
+    name: data.astype(float)
+    for name, data in mesh_parts.make_values(GRID.GetNumberOfCells()).items()
 }
 POINTS = vtk_to_numpy(GRID.GetPoints().GetData())
 EVERYWHERE = numpy.full(GRID.GetNumberOfCells(), True)
@@ -91,10 +92,14 @@ class TestCorrelateQuality(camaron_testing.TestCase):
                     for row in rows.values():
                         self.check_row(row, WHOLE[field])
             self.assertEqual(rows["FaceCount"]["Field"], "Material_Cells")
-        _, rows = self.correlate(source, ["CELLS", "Volume"], Arrays=["Volume", "Constant", "AllNull"])
+        _, rows = self.correlate(
+            source, ["CELLS", "Volume"], Arrays=["Volume", "Constant", "AllNull"]
+        )
         self.assertEqual((rows["Volume"]["Pearson"], rows["Volume"]["Spearman"]), (1, 1))
         for name in ("Constant", "AllNull"):
-            self.assertTrue(math.isnan(rows[name]["Pearson"]) and math.isnan(rows[name]["Spearman"]))
+            self.assertTrue(
+                math.isnan(rows[name]["Pearson"]) and math.isnan(rows[name]["Spearman"])
+            )
 
     def test_groups(self):
         """Each group by itself, also where cells without a value differ between criteria."""

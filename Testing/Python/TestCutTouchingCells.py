@@ -38,7 +38,10 @@ TURNS = (20, 110, 200, 290)
 def turn(outline, degrees):
     angle = math.radians(degrees)
     x, y = numpy.array(outline, float).T
-    return numpy.stack([math.cos(angle) * x - math.sin(angle) * y, math.sin(angle) * x + math.cos(angle) * y], axis=1)
+    return numpy.stack(
+        [math.cos(angle) * x - math.sin(angle) * y, math.sin(angle) * x + math.cos(angle) * y],
+        axis=1,
+    )
 
 
 def edges(outline):
@@ -149,7 +152,13 @@ class TestCutTouchingCells(camaron_testing.TestCase):
             thin = 1e-6
             self.cut("Plane", "Outside", Origin=[0, y, 0], Normal=[0, 1, 0])
             strip = (-1, y), (TILE * (self.columns + 1), y + thin)
-            self.check(lambda outline: shoelace(clip(outline, *strip)) / thin, [row], (0, -1, 0), (0, 0, 1), 12)
+            self.check(
+                lambda outline: shoelace(clip(outline, *strip)) / thin,
+                [row],
+                (0, -1, 0),
+                (0, 0, 1),
+                12,
+            )
 
     def test_box(self):
         """Its upper side is seen in what it cuts out, its floor in what is left."""
@@ -173,7 +182,10 @@ class TestCutTouchingCells(camaron_testing.TestCase):
     def test_isosurface(self):
         """Of a linear array: the section of the prism."""
         elevation = simple.Elevation(Input=make_prisms(*(outline for _, outline, _ in self.tiles)))
-        elevation.LowPoint, elevation.HighPoint = [*self.middle, -0.5], [*(self.middle + [0.01, 0.02]), 1.5]
+        elevation.LowPoint, elevation.HighPoint = [*self.middle, -0.5], [
+            *(self.middle + [0.01, 0.02]),
+            1.5,
+        ]
         display = self.show(elevation, DrawFaces=0, DrawIsosurfaces=1)
         simple.ColorBy(display, None)
         display.AmbientColor = display.DiffuseColor = [0, 0, 0]

@@ -76,7 +76,9 @@ class TestDocumentation(camaron_testing.TestCase):
         specification.loader.exec_module(make_criteria)
         expected = make_criteria.files()
         for path, page in expected.items():
-            self.assertEqual((folder / path).read_text("utf-8"), page, f"{path}: run make_criteria.py")
+            self.assertEqual(
+                (folder / path).read_text("utf-8"), page, f"{path}: run make_criteria.py"
+            )
         for part in ("criteria", "images/criteria"):
             for path in (folder / part).iterdir():
                 self.assertIn(path.relative_to(folder).as_posix(), expected)

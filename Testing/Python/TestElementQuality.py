@@ -100,7 +100,14 @@ class TestElementQuality(camaron_testing.TestCase):
             return grid
 
         def polyhedron(ids):
-            sides = (0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7)
+            sides = (
+                (0, 3, 2, 1),
+                (4, 5, 6, 7),
+                (0, 1, 5, 4),
+                (1, 2, 6, 5),
+                (2, 3, 7, 6),
+                (3, 0, 4, 7),
+            )
             return [[ids[i] for i in side] for side in sides]
 
         points, cubes = gallery.lattice(3, 2, 1)
@@ -123,28 +130,32 @@ class TestElementQuality(camaron_testing.TestCase):
                 self.assertEqual(found[name], [expected[name][i] for i in order], (kind, name))
 
     def test_defaults_show_something(self):
-        """The first Apply evaluates criteria that no polygon or polyhedron lacks, and colours by one."""
+        """The first Apply evaluates criteria that no polygon or polyhedron lacks, and colors by one."""
         data = self.fetch(simple.ElementQuality(Input=simple.Sphere()))
         values = arrays(data)
         for name in ("EdgeLengthRatio", "EquiangleSkewness", "IsoperimetricQuotient"):
             self.assertFalse(any(map(math.isnan, values[name])), name)
         self.assertIn(data.GetCellData().GetScalars().GetName(), values)
 
-    def test_coloured_by_the_worst(self):
-        """A criterion without values is never the colour; of the others the one with most cells outside its range."""
+    def test_colored_by_the_worst(self):
+        """A criterion without values is never the color; of the others the one with most cells outside its range."""
 
-        def colour(source, **properties):
-            scalars = self.fetch(simple.ElementQuality(Input=source, **properties)).GetCellData().GetScalars()
+        def color(source, **properties):
+            scalars = (
+                self.fetch(simple.ElementQuality(Input=source, **properties))
+                .GetCellData()
+                .GetScalars()
+            )
             return scalars and scalars.GetName()
 
         ball = self.open(camaron_testing.EXAMPLES / "voronoi-ball.visf")
-        self.assertEqual(colour(ball, Criteria=["Area", "EdgeLengthRatio"]), "EdgeLengthRatio")
+        self.assertEqual(color(ball, Criteria=["Area", "EdgeLengthRatio"]), "EdgeLengthRatio")
         for criteria in (["Volume", "Area"], ["Area", "BhatiaLawrence", "Volume"]):
-            self.assertEqual(colour(ball, Criteria=criteria), "Volume")
-        self.assertIsNone(colour(ball, Criteria=["Area"]))  # polygons alone have one
-        self.assertIsNone(colour(ball, Criteria=[]))
+            self.assertEqual(color(ball, Criteria=criteria), "Volume")
+        self.assertIsNone(color(ball, Criteria=["Area"]))  # polygons alone have one
+        self.assertIsNone(color(ball, Criteria=[]))
         names = list(tables.known_criteria())
-        self.assertEqual(colour(ball, Criteria=names), "MinTetQuality")
+        self.assertEqual(color(ball, Criteria=names), "MinTetQuality")
 
         # A needle beside a good tetrahedron, and cubes, none of which is outside of a range, in either unit.
         corners = [(0, 0, 0), (1, 0, 0), (0.5, 0.9, 0), (0.5, 0.3, 0.8), (0.5, 0.3, 1e-3)]
@@ -152,22 +163,26 @@ class TestElementQuality(camaron_testing.TestCase):
         needle = mesh_parts.producer(gallery.make_grid(corners, cells))
         for units in ("Degrees", "Radians"):
             limited = ["Volume", "MinDihedralAngle"]
-            self.assertEqual(colour(needle, Criteria=limited, AngleUnits=units), "MinDihedralAngle")
+            self.assertEqual(color(needle, Criteria=limited, AngleUnits=units), "MinDihedralAngle")
             flat = ["EdgeLengthRatio", "EquiangleSkewness"]
-            self.assertEqual(colour(simple.Wavelet(), Criteria=flat, AngleUnits=units), flat[1])  # has a range
+            self.assertEqual(
+                color(simple.Wavelet(), Criteria=flat, AngleUnits=units), flat[1]
+            )  # has a range
 
         # Cells with a volume come before the polygons between them.
         quarter = [(0, 0, 0), (1, 0, 0), (1, 1e-3, 0), (0, 1e-3, 1)]
-        mixed = mesh_parts.producer(gallery.make_grid(quarter, [(VTK_TETRA, range(4)), (5, (0, 1, 2))] * 2))
-        self.assertEqual(colour(mixed, Criteria=["Area", "Volume"]), "Volume")
+        mixed = mesh_parts.producer(
+            gallery.make_grid(quarter, [(VTK_TETRA, range(4)), (5, (0, 1, 2))] * 2)
+        )
+        self.assertEqual(color(mixed, Criteria=["Area", "Volume"]), "Volume")
 
-    def test_colour_is_the_worst_of_reports(self):
+    def test_color_is_the_worst_of_reports(self):
         mesh = self.open(camaron_testing.EXAMPLES / "flange.visf")
         for preset in ("General", "FEM tetrahedra", "VEM"):
             quality = simple.ElementQuality(Input=mesh, Preset=preset)
             rows = tables.read(simple.QualityStatistics(Input=quality, Preset=preset), preset)
-            colour = self.fetch(quality).GetCellData().GetScalars().GetName()
-            self.assertEqual(colour, assessment.worst_criterion(rows)["name"], preset)
+            color = self.fetch(quality).GetCellData().GetScalars().GetName()
+            self.assertEqual(color, assessment.worst_criterion(rows)["name"], preset)
 
     def test_only_what_is_ticked(self):
         values = self.evaluate(simple.Wavelet(), Criteria=["Volume", "MinDihedralAngle"])
@@ -224,12 +239,32 @@ class TestElementQuality(camaron_testing.TestCase):
 
     def test_status_of_stars(self):
         """What CellStatus tells depends on whether IsStarShaped is ticked, before it or after it."""
-        spiral = [(0, 0), (9, 0), (9, 9), (2, 9), (2, 4), (5, 4), (5, 6), (4, 6), (4, 8), (8, 8), (8, 1), (0, 1)]
+        spiral = [
+            (0, 0),
+            (9, 0),
+            (9, 9),
+            (2, 9),
+            (2, 4),
+            (5, 4),
+            (5, 6),
+            (4, 6),
+            (4, 8),
+            (8, 8),
+            (8, 1),
+            (0, 1),
+        ]
         points = [(x, y, 0) for x, y in spiral]
-        source = mesh_parts.producer(gallery.make_grid(points, [(VTK_POLYGON, list(range(12)))], turns=False))
+        source = mesh_parts.producer(
+            gallery.make_grid(points, [(VTK_POLYGON, list(range(12)))], turns=False)
+        )
         quality = simple.ElementQuality(Input=source)
         found = []
-        for criteria in (["CellStatus"], ["IsStarShaped"], ["CellStatus", "IsStarShaped"], ["CellStatus"]):
+        for criteria in (
+            ["CellStatus"],
+            ["IsStarShaped"],
+            ["CellStatus", "IsStarShaped"],
+            ["CellStatus"],
+        ):
             quality.Criteria = criteria
             found.append(arrays(self.fetch(quality)).get("CellStatus"))
         self.assertEqual(int(found[2][0]) - int(found[0][0]), 0x20000)
@@ -238,7 +273,10 @@ class TestElementQuality(camaron_testing.TestCase):
     def test_stopped(self):
         """Stopped while it evaluates or prepares to, it adds nothing; asked again, everything."""
         source = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
-        for criteria in (["Volume"], ["MaxNonOrthogonality", "RegionId", "MinSurfaceDihedralAngle"]):
+        for criteria in (
+            ["Volume"],
+            ["MaxNonOrthogonality", "RegionId", "MinSurfaceDihedralAngle"],
+        ):
             quality = simple.ElementQuality(Input=source, Criteria=criteria)
             filter_ = quality.GetClientSideObject()
             observer = filter_.AddObserver("ProgressEvent", lambda *_: filter_.AbortExecuteOn())
@@ -293,7 +331,9 @@ class TestElementQuality(camaron_testing.TestCase):
     def test_units(self):
         for choice, unit, value in (("Degrees", "deg", 90), ("Radians", "rad", math.pi / 2)):
             quality = simple.ElementQuality(
-                Input=simple.Wavelet(), AngleUnits=choice, Criteria=["MinDihedralAngle", "MinSolidAngle"]
+                Input=simple.Wavelet(),
+                AngleUnits=choice,
+                Criteria=["MinDihedralAngle", "MinSolidAngle"],
             )
             cell_data = self.fetch(quality).GetCellData()
             angle = cell_data.GetArray("MinDihedralAngle")
@@ -344,7 +384,9 @@ class TestElementQuality(camaron_testing.TestCase):
         self.assertEqual(values["VertexCount"], [3, 3, 8, 8])
         self.assertAlmostEqual(values["Volume"][2], 1, 12)
         surface = self.fetch(simple.MeshSurface(Input=self.open(path)))
-        self.assertEqual(surface.GetNumberOfPolys(), 1)  # the set and the hexahedron share all faces
+        self.assertEqual(
+            surface.GetNumberOfPolys(), 1
+        )  # the set and the hexahedron share all faces
 
     def test_strips_keep_global_ids(self):
         """Those of the other cells, and each triangle that of its strip."""
@@ -357,7 +399,10 @@ class TestElementQuality(camaron_testing.TestCase):
         surface.GetStrips().InsertNextCell(4, [0, 1, 2, 3])
         surface.SetPolys(vtkCellArray())
         surface.GetPolys().InsertNextCell(3, [1, 4, 3])
-        for mesh, given, expected in ((grid, [70, 80], [70, 70, 80]), (surface, [80, 70], [80, 70, 70])):
+        for mesh, given, expected in (
+            (grid, [70, 80], [70, 70, 80]),
+            (surface, [80, 70], [80, 70, 70]),
+        ):
             ids = vtkIdTypeArray()
             ids.SetName("Ids")
             for value in given:
@@ -365,7 +410,9 @@ class TestElementQuality(camaron_testing.TestCase):
             mesh.GetCellData().SetGlobalIds(ids)
             producer = simple.TrivialProducer()
             producer.GetClientSideObject().SetOutput(mesh)
-            output = self.fetch(simple.ElementQuality(Input=producer, Criteria=["Area"])).GetCellData()
+            output = self.fetch(
+                simple.ElementQuality(Input=producer, Criteria=["Area"])
+            ).GetCellData()
             self.assertEqual(vtk_to_numpy(output.GetGlobalIds()).tolist(), expected)
 
     def test_blocks(self):
@@ -399,14 +446,18 @@ class TestElementQuality(camaron_testing.TestCase):
         camaron_testing.pipeline.load_plugin()
         runpy.run_path(str(script))
         replayed = next(
-            proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "ElementQuality"
+            proxy
+            for proxy in simple.GetSources().values()
+            if proxy.GetXMLName() == "ElementQuality"
         )
         replayed.UpdatePipeline()
         self.assertEqual(set(arrays(self.fetch(replayed))), {"Volume", "MaxSolidAngle"})
         self.assertEqual(replayed.AngleUnits, "Radians")
 
     def test_state_loads_again(self):
-        quality = simple.ElementQuality(Input=simple.Wavelet(), Criteria=["Diameter"], WriteNullMask=1)
+        quality = simple.ElementQuality(
+            Input=simple.Wavelet(), Criteria=["Diameter"], WriteNullMask=1
+        )
         quality.UpdatePipeline()
         state = self.folder / "state.pvsm"
         simple.SaveState(str(state))
@@ -414,7 +465,9 @@ class TestElementQuality(camaron_testing.TestCase):
         camaron_testing.pipeline.load_plugin()
         simple.LoadState(str(state))
         loaded = next(
-            proxy for proxy in simple.GetSources().values() if proxy.GetXMLName() == "ElementQuality"
+            proxy
+            for proxy in simple.GetSources().values()
+            if proxy.GetXMLName() == "ElementQuality"
         )
         loaded.UpdatePipeline()
         self.assertEqual(loaded.Criteria[:], ["Diameter"])
@@ -454,7 +507,8 @@ class TestMeshSurface(camaron_testing.TestCase):
         )
         surface = self.fetch(simple.MeshSurface(Input=self.open(path)))
         self.assertEqual(
-            (surface.GetNumberOfVerts(), surface.GetNumberOfLines(), surface.GetNumberOfPolys()), (1, 1, 4)
+            (surface.GetNumberOfVerts(), surface.GetNumberOfLines(), surface.GetNumberOfPolys()),
+            (1, 1, 4),
         )
         ids = surface.GetCellData().GetArray("vtkOriginalCellIds")
         self.assertEqual([ids.GetValue(i) for i in range(6)], [0, 1, 2, 2, 2, 2])

@@ -171,7 +171,9 @@ class TestElementsRanks(camaron_testing.TestCase):
             for name, values in expected[1].items():
                 wrong = numpy.flatnonzero(own[1][name] != values)
                 if not same_order:
-                    if name == "EdgeDihedralAngle":  # where polygons disagree, the first one says on which side
+                    if (
+                        name == "EdgeDihedralAngle"
+                    ):  # where polygons disagree, the first one says on which side
                         wrong = wrong[expected[1]["InconsistentEdge"][wrong] == 0]
                     a, b = own[1][name][wrong].view(float), values[wrong].view(float)
                     near = abs(a - b) < 1e-11 * numpy.maximum(1, abs(b))
@@ -224,7 +226,13 @@ class TestElementsRanks(camaron_testing.TestCase):
 
     def test_appended(self):
         """Several pieces in one data set: points of their borders are there more than once, with ghosts cells, too."""
-        meshes = ("voronoi", False), ("mixed", False), ("surfaces", False), ("voronoi", True), ("mixed", True)
+        meshes = (
+            ("voronoi", False),
+            ("mixed", False),
+            ("surfaces", False),
+            ("voronoi", True),
+            ("mixed", True),
+        )
         for mesh, ghosts in meshes:
             source = rank_meshes.split_source(
                 mesh, ghosts=ghosts, global_ids=True, scattered=True, appended=3
@@ -244,7 +252,9 @@ class TestElementsRanks(camaron_testing.TestCase):
     def test_stray_points(self):
         """A point that a piece has for none of its cells is a vertex once, where others have cells at it."""
         source = rank_meshes.source("make_stray", "vtkUnstructuredGrid")
-        vertices = simple.OutputPort(simple.MeshElements(Input=source, VertexArrays=["UnusedPoint"]), 2)
+        vertices = simple.OutputPort(
+            simple.MeshElements(Input=source, VertexArrays=["UnusedPoint"]), 2
+        )
         statistics = simple.QualityStatistics(Input=vertices, Arrays=["UnusedPoint"])
         table = servermanager.Fetch(statistics, idx=0)
         self.assertEqual(table.GetValueByName(0, "Count").ToInt(), 5)

@@ -42,7 +42,9 @@ class TestEnds(camaron_testing.TestCase):
             timeout=240,
         )
         name = done.stdout.strip()
-        self.assertEqual(done.stderr, f"camaron: the display {name} went away while pictures were taken\n")
+        self.assertEqual(
+            done.stderr, f"camaron: the display {name} went away while pictures were taken\n"
+        )
         self.assertEqual(done.returncode, 2)
 
     def test_names(self):

@@ -48,7 +48,7 @@ class TestExactCut(PictureTestCase):
         )
 
     def test_plane(self):
-        """As Clip does it, with whatever colours, on either side, through hexahedra and polyhedra."""
+        """As Clip does it, with whatever colors, on either side, through hexahedra and polyhedra."""
         for name, mesh, scale in (("hexahedra", hexahedra(), 8), ("polyhedra", polyhedra(), 1)):
             mesh = self.heights(mesh, scale)
             frame = simple.Outline(Input=mesh)
@@ -76,7 +76,9 @@ class TestExactCut(PictureTestCase):
             with self.subTest(keeps=keeps):
                 display = self.show(mesh, color=("POINTS", "Elevation"), CutKeeps=keeps)
                 made = self.take(frame)
-                clip = simple.Clip(Input=mesh, ClipType="Box", Invert=int(keeps == "Inside"), Exact=1)
+                clip = simple.Clip(
+                    Input=mesh, ClipType="Box", Invert=int(keeps == "Inside"), Exact=1
+                )
                 for name, value in shape.items():
                     setattr(clip.ClipType, name, value)
                 self.show(clip, "Surface", ("POINTS", "Elevation"))
@@ -87,7 +89,9 @@ class TestExactCut(PictureTestCase):
         """Round, however coarse the mesh: inside of it what stays is a sphere; with both projections, and scaled."""
         mesh = self.heights(hexahedra(), 8)
         frame = simple.Outline(Input=mesh)
-        sphere = simple.Sphere(Center=[0.5, -0.4, 0.6], Radius=3.5, ThetaResolution=200, PhiResolution=200)
+        sphere = simple.Sphere(
+            Center=[0.5, -0.4, 0.6], Radius=3.5, ThetaResolution=200, PhiResolution=200
+        )
         ball = self.heights(sphere, 8)
         color = ("POINTS", "Elevation")
         for parallel in (0, 1):
@@ -96,7 +100,9 @@ class TestExactCut(PictureTestCase):
                     self.view.CameraParallelProjection = parallel
                     self.show(ball, "Surface", color, Interpolation="Gouraud", Scale=scale)
                     expected = self.take(frame)
-                    display = self.show(mesh, color=color, CutBy="Exactly", CutShape="Sphere", Scale=scale)
+                    display = self.show(
+                        mesh, color=color, CutBy="Exactly", CutShape="Sphere", Scale=scale
+                    )
                     display.CutShape.Center, display.CutShape.Radius = [0.5, -0.4, 0.6], 3.5
                     display.CutKeeps = "Inside"
                     self.same(expected, self.take(frame), 0.006)
@@ -162,7 +168,9 @@ class TestExactCut(PictureTestCase):
                             if shape == "Plane":
                                 display.CutShape.Origin = [0, 0, 0]
                                 # The camera looks at the cut.
-                                display.CutShape.Normal = normal if keeps == "Inside" else [-x for x in normal]
+                                display.CutShape.Normal = (
+                                    normal if keeps == "Inside" else [-x for x in normal]
+                                )
                             else:
                                 for key, value in box.items():
                                     setattr(display.CutShape, key, value)
@@ -217,7 +225,7 @@ class TestExactCut(PictureTestCase):
         self.same(expected, self.take(frame), 0.01)
 
     def test_choice_of_cells(self):
-        """The cut shows the insides of cells that are drawn only, in its own colour if it has one."""
+        """The cut shows the insides of cells that are drawn only, in its own color if it has one."""
         mesh = hexahedra()
         frame = simple.Outline(Input=mesh)
         chosen = simple.ProgrammableFilter(Input=mesh)
@@ -225,7 +233,9 @@ class TestExactCut(PictureTestCase):
             "ids = inputs[0].CellData['CellIds']\n"
             "output.CellData.append((ids % 3 > 0).astype('uint8'), 'Selected')"
         )
-        some = simple.Threshold(Input=chosen, Scalars=["CELLS", "Selected"], LowerThreshold=1, UpperThreshold=1)
+        some = simple.Threshold(
+            Input=chosen, Scalars=["CELLS", "Selected"], LowerThreshold=1, UpperThreshold=1
+        )
         pictures = []
         for source, cells in ((some, "All"), (chosen, "Selected")):
             display = self.show(source, CellsToDraw=cells, CutBy="Exactly", CutShape="Plane")
@@ -276,7 +286,9 @@ class TestExactCut(PictureTestCase):
         cuts = [source for source in sources if "HAS_ISOLINES" in source and "discard" in source]
         self.assertEqual(len(cuts), 2)  # of faces, and of what is inside
         for source in cuts:
-            rates, discards = places(source, {"dFdx", "dFdy", "fwidth"}), places(source, {"discard"})
+            rates, discards = places(source, {"dFdx", "dFdy", "fwidth"}), places(
+                source, {"discard"}
+            )
             self.assertTrue(rates and discards)
             self.assertLess(max(rates), min(discards))
 

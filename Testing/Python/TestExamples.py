@@ -64,7 +64,7 @@ class TestExamples(camaron_testing.TestCase):
 @camaron_testing.require_display()
 class TestPictures(camaron_testing.TestCase):
     def test_pictures(self):
-        """Scripts of Mesh Inspection make their pictures, of something coloured in front of white."""
+        """Scripts of Mesh Inspection make their pictures, of something colored in front of white."""
         for name in ("cut_under_glass", "isolines", "isosurfaces"):
             with self.subTest(name):
                 picture = self.folder / f"{name}.png"

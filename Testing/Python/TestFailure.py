@@ -56,7 +56,10 @@ class TestFailure(camaron_testing.TestCase):
             (folder / name).mkdir()
             shutil.copy(BALL, folder / name / "mesh.visf")
         points = [f"{i} {i * i} {i * i * i}" for i in range(8)]
-        for name, changes in (("two", {0: "0 nan 0", 7: "1 0 inf"}), ("three", {3: "1 0 inf", 7: "1 0 inf"})):
+        for name, changes in (
+            ("two", {0: "0 nan 0", 7: "1 0 inf"}),
+            ("three", {3: "1 0 inf", 7: "1 0 inf"}),
+        ):
             rows = [changes.get(i, point) for i, point in enumerate(points)]
             triangles = [f"{i} {i + 1} {i + 2}" for i in range(6)]
             (folder / f"{name}.tri").write_text("\n".join(["8", *rows, "6", *triangles, ""]))
@@ -71,7 +74,16 @@ class TestFailure(camaron_testing.TestCase):
         }
         script = folder / "script.py"
         script.write_text(SCRIPT)
-        command = [mpiexec, "-n", "2", pvbatch, "--sym", str(script), str(folder), json.dumps(jobs, default=str)]
+        command = [
+            mpiexec,
+            "-n",
+            "2",
+            pvbatch,
+            "--sym",
+            str(script),
+            str(folder),
+            json.dumps(jobs, default=str),
+        ]
         run = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=400)
         cls.status, cls.errors = run.returncode, run.stderr
 
@@ -99,7 +111,9 @@ class TestFailure(camaron_testing.TestCase):
 
     def test_ranks_read_different_states(self):
         """Parts of two meshes are no mesh: a file that was replaced before the second rank opened it."""
-        self.check_read("replaced", "mesh.visf: cannot read the file: another program", FILE_NOT_OPENED)
+        self.check_read(
+            "replaced", "mesh.visf: cannot read the file: another program", FILE_NOT_OPENED
+        )
 
     def test_one_warning_of_all_ranks(self):
         """Also of points that only the second rank has; a point of both counts for each."""
@@ -137,7 +151,9 @@ class TestMending(camaron_testing.TestCase):
     def test_filter(self):
         sphere = simple.Sphere()
         ids = simple.SelectElements(Input=sphere, Strategy="By id", Ids="1 2")
-        chosen = simple.Threshold(Input=ids, Scalars=["CELLS", "Selected"], LowerThreshold=1, UpperThreshold=1)
+        chosen = simple.Threshold(
+            Input=ids, Scalars=["CELLS", "Selected"], LowerThreshold=1, UpperThreshold=1
+        )
         view = simple.CreateRenderView()
         for source in (ids, chosen):
             simple.Show(source, view)

@@ -113,7 +113,11 @@ class TestFiltersServer(camaron_testing.TestCase):
         return counts, lists
 
     def test_servers(self):
-        tables_alone, (statistics, *others, worst), chosen = compare(), analyze(), self.select_all_ways()
+        tables_alone, (statistics, *others, worst), chosen = (
+            compare(),
+            analyze(),
+            self.select_all_ways(),
+        )
         self.assertIn("'SameCells': 1", tables_alone[0])
         self.assertEqual(tables_alone[3][0], CELLS)
         self.assertGreater(tables_alone[3][2], 0)

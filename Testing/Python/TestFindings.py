@@ -92,7 +92,9 @@ def octree():
     """Eight cubes of which one is refined: its neighbors have a face of four parts, and corners on edges."""
     lattice = Lattice(lambda *p: tuple(x / 2 for x in p))
     boxes = [
-        (tuple(o), 2) for o in numpy.ndindex(4, 4, 4) if not any(x % 2 for x in o) and o != (0, 0, 0)
+        (tuple(o), 2)
+        for o in numpy.ndindex(4, 4, 4)
+        if not any(x % 2 for x in o) and o != (0, 0, 0)
     ]
     boxes += [(tuple(o), 1) for o in numpy.ndindex(2, 2, 2)]
     for (x, y, z), size in boxes:
@@ -161,7 +163,9 @@ def surface(is_triangle):
 
 def stretched_triangles():
     """A tube of triangles a hundred times as long as wide, as along a leading edge."""
-    lattice = Lattice(lambda i, j: (math.cos(i * math.pi / 16), math.sin(i * math.pi / 16), 20.0 * j))
+    lattice = Lattice(
+        lambda i, j: (math.cos(i * math.pi / 16), math.sin(i * math.pi / 16), 20.0 * j)
+    )
     cells = []
     for i, j in numpy.ndindex(32, 4):
         a, b = lattice(i, j), lattice((i + 1) % 32, j)
@@ -263,8 +267,12 @@ class TestFindings(camaron_testing.TestCase):
         flat = box(lambda i, j, m: (i, j, 0.3 * m + 0.1 * ((i + j) % 2)), tetrahedra, turns=True)
         counts = []
         for grid in (flat, as_polyhedra(flat)):
-            summary = inspect(self.write(grid), "report", with_pictures=False, preset="FEM tetrahedra")
-            counts.append([(c["name"], c["judged"], c["out_of_range"]) for c in summary["criteria"]])
+            summary = inspect(
+                self.write(grid), "report", with_pictures=False, preset="FEM tetrahedra"
+            )
+            counts.append(
+                [(c["name"], c["judged"], c["out_of_range"]) for c in summary["criteria"]]
+            )
         self.assertEqual(*counts)
         self.assertEqual({judged for _, judged, _ in counts[0]}, {flat.GetNumberOfCells()})
         self.assertTrue(any(outside for _, _, outside in counts[0]))

@@ -13,7 +13,15 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import VTK_HEXAHEDRON
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
-INTEGERS = [numpy.int8, numpy.uint8, numpy.int16, numpy.uint16, numpy.int32, numpy.int64, numpy.uint64]
+INTEGERS = [
+    numpy.int8,
+    numpy.uint8,
+    numpy.int16,
+    numpy.uint16,
+    numpy.int32,
+    numpy.int64,
+    numpy.uint64,
+]
 COPIES = [0] * 6 + [1] * 4
 
 
@@ -54,7 +62,9 @@ class TestGhostArrays(camaron_testing.TestCase):
             self.assertEqual(int(camaron_testing.own_cells(faces).sum()), 29, kind)
             self.assertEqual(self.fetch(quality).GetCellGhostArray().GetNumberOfValues(), 10)
             # The input stays as it was.
-            self.assertEqual(grid.GetCellData().GetArray("vtkGhostType").GetDataTypeSize(), kind().itemsize)
+            self.assertEqual(
+                grid.GetCellData().GetArray("vtkGhostType").GetDataTypeSize(), kind().itemsize
+            )
 
     def test_points(self):
         for kind in INTEGERS:

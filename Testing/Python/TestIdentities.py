@@ -132,7 +132,7 @@ def to_polyhedra(grid):
 
 
 def enclosed_volume(rings):
-    """By the divergence theorem, over the triangles about the centre of every face."""
+    """By the divergence theorem, over the triangles about the center of every face."""
     origin = rings[0][0]
     total = 0.0
     for ring in rings:
@@ -142,10 +142,10 @@ def enclosed_volume(rings):
         area = numpy.cross(ring, following).sum(axis=0) / 2
         mean = ring.mean(axis=0)
         weights = numpy.cross(ring - mean, following - mean) @ area
-        centre = mean
+        center = mean
         if weights.sum() > 0:
-            centre = weights @ (ring + following + mean) / (3 * weights.sum())
-        total += area @ (centre + corner - origin) / 3
+            center = weights @ (ring + following + mean) / (3 * weights.sum())
+        total += area @ (center + corner - origin) / 3
     return total
 
 
@@ -193,7 +193,7 @@ def evaluate(source, names):
 
 class TestIdentities(camaron_testing.TestCase):
     def test_volumes_fill_the_surface(self):
-        """Neighbours see the same centre of a warped face, so that nothing is counted twice or lost."""
+        """Neighbors see the same center of a warped face, so that nothing is counted twice or lost."""
         for make in STANDARD:
             grid = make()
             for mesh in (grid, to_polyhedra(grid)):
@@ -220,7 +220,7 @@ class TestIdentities(camaron_testing.TestCase):
             simple.Delete(source)
 
     def test_angles_fill_the_sphere(self):
-        """Around an inner vertex 4 pi also where faces are warped, as neighbours share the edges."""
+        """Around an inner vertex 4 pi also where faces are warped, as neighbors share the edges."""
         for make in (tetrahedra, hexahedra, wedges, pyramids):
             grid = make()
             for mesh in (grid, to_polyhedra(grid)):
@@ -258,7 +258,7 @@ class TestIdentities(camaron_testing.TestCase):
     def test_standard_cells_are_polyhedra(self):
         """A cell and the polyhedron of its faces have the same value of every criterion there is.
 
-        Here with neighbours; every criterion of 3D cells must have had a value to compare.
+        Here with neighbors; every criterion of 3D cells must have had a value to compare.
         """
         names = set(tables.known_criteria()) - OF_NODE_ORDER
         compared = set()

@@ -108,7 +108,9 @@ class TestInspect(camaron_testing.TestCase):
         outside = (values < (-numpy.inf if low is None else low)) | (
             values > (numpy.inf if high is None else high)
         )
-        judged = criterion["judged"] == criterion["applicable"]  # else the range is for other shapes
+        judged = (
+            criterion["judged"] == criterion["applicable"]
+        )  # else the range is for other shapes
         self.assertEqual(criterion["out_of_range"], int(outside.sum()) if judged else 0)
         if criterion["better"] != "neither":
             order = numpy.argsort(
@@ -145,7 +147,7 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(mesh["cell_types"], [{"name": "polyhedra", "count": 800}])
 
     def test_mixed_cells(self):
-        """Criteria are of the cells that they have a meaning for; types are recognised."""
+        """Criteria are of the cells that they have a meaning for; types are recognized."""
         _, _, cells = camaron_testing.read_visf(FLANGE)
         summary = self.inspect(FLANGE)
         types = {t["name"]: t["count"] for t in summary["mesh"]["cell_types"]}
@@ -259,7 +261,11 @@ class TestInspect(camaron_testing.TestCase):
         self.assertRegex(page, r"<td>hexahedra</td><td>528</td>")
         mesh = self.folder / "report" / "mesh.vtu"
         summary = inspect(
-            mesh, self.folder / "other", criteria=["Volume"], group_by="facecount", with_pictures=False
+            mesh,
+            self.folder / "other",
+            criteria=["Volume"],
+            group_by="facecount",
+            with_pictures=False,
         )
         counts = {g["group"]: g["count"] for g in summary["criteria"][0]["groups"]}
         self.assertEqual(counts, {str(n): (sizes == n).sum() for n in numpy.unique(sizes)})
@@ -323,7 +329,9 @@ class TestInspect(camaron_testing.TestCase):
         self.assertEqual(limits["MaxNonOrthogonality"], [None, 70.0])
         of_preset = self.inspect(FLANGE, preset="FEM tetrahedra")["criteria"]
         angle = next(c for c in of_preset if c["name"] == "MinDihedralAngle")
-        self.assertEqual(angle["acceptable"], [40.0, None], "the preset's limit, not the default of 20")
+        self.assertEqual(
+            angle["acceptable"], [40.0, None], "the preset's limit, not the default of 20"
+        )
 
     def test_ranges(self):
         """Ranges of a file come before those of the preset; its criteria are evaluated, too."""
@@ -336,7 +344,9 @@ class TestInspect(camaron_testing.TestCase):
             self.assertEqual(criteria["MaxNonOrthogonality"]["acceptable"], [None, 33])
             self.assertEqual(criteria["MaxNonOrthogonality"]["acceptable_source"], "solver.txt")
             angle = criteria["MinSolidAngle"]
-            self.assertEqual((angle["acceptable"], angle["acceptable_is_hint"]), ([1.5, None], False))
+            self.assertEqual(
+                (angle["acceptable"], angle["acceptable_is_hint"]), ([1.5, None], False)
+            )
             quality = simple.ElementQuality(Input=self.open(BALL), Criteria=["MinSolidAngle"])
             angles = vtk_to_numpy(self.fetch(quality).GetCellData().GetArray("MinSolidAngle"))
             self.assertEqual(angle["below"], int((angles < 1.5).sum()))
@@ -379,7 +389,9 @@ class TestInspect(camaron_testing.TestCase):
         pipe = self.folder / "pipe"
         os.mkfifo(pipe)
         for special in (pipe, "/dev/zero"):
-            with self.assertRaisesRegex(RuntimeError, "expected a file of ranges, found a pipe or a device"):
+            with self.assertRaisesRegex(
+                RuntimeError, "expected a file of ranges, found a pipe or a device"
+            ):
                 self.inspect(BALL, ranges=special)
 
     def test_errors(self):
@@ -431,16 +443,23 @@ class TestInspect(camaron_testing.TestCase):
         """Each says what it took, and what is left out takes nothing."""
         said = []
         summary = self.inspect(BALL, verbose=True, with_mesh=False, say=said.append)
-        names = [re.fullmatch(r"(.+) took \d+\.\d\d s \(\d+\.\d\d s of processor time\)", line)[1] for line in said]
+        names = [
+            re.fullmatch(r"(.+) took \d+\.\d\d s \(\d+\.\d\d s of processor time\)", line)[1]
+            for line in said
+        ]
         self.assertEqual(
             names,
-            "loading the plugin,reading,evaluating,statistics,boundary and totals,writing the report".split(","),
+            "loading the plugin,reading,evaluating,statistics,boundary and totals,writing the report".split(
+                ","
+            ),
         )
         self.assertNotIn("mesh", summary["files"])
         self.assertFalse((self.folder / "report" / "mesh.vtu").exists())
         said.clear()
         self.inspect(BALL, verbose=True, say=said.append)
-        self.assertIn("writing the mesh", said[-2])  # before the report, which notes names that are changed
+        self.assertIn(
+            "writing the mesh", said[-2]
+        )  # before the report, which notes names that are changed
         self.assertIn("writing the report", said[-1])
         said.clear()
         self.inspect(BALL, say=said.append)
@@ -452,7 +471,9 @@ class TestInspect(camaron_testing.TestCase):
         with Progress(said.append) as progress:
             self.inspect(BALL, progress=progress)
         stages = [*dict.fromkeys(words.split(",")[0] for words in said)]
-        expected = "loading the plugin,reading,evaluating,statistics,boundary and totals,writing the mesh"
+        expected = (
+            "loading the plugin,reading,evaluating,statistics,boundary and totals,writing the mesh"
+        )
         self.assertEqual(stages, [*expected.split(","), "writing the report"])
         for words in said[said.index(next(w for w in said if w.startswith("evaluating"))) :]:
             self.assertRegex(words, r"^[a-z ]+, about \d+ s left$")
@@ -462,7 +483,9 @@ class TestInspect(camaron_testing.TestCase):
             progress.begin("evaluating")
             progress.share = 0.25
             progress.began -= 50  # half as fast as expected
-            self.assertAlmostEqual(progress.seconds_left(), 150 + 2 * (sum(progress.expected.values()) - 100), -1)
+            self.assertAlmostEqual(
+                progress.seconds_left(), 150 + 2 * (sum(progress.expected.values()) - 100), -1
+            )
 
     def test_without_display(self):
         """The report is written all the same, and says why there are no pictures."""
@@ -488,7 +511,9 @@ class TestInspect(camaron_testing.TestCase):
         )
         table = run(BALL, "--criteria", "Volume,EdgeLengthRatio")
         self.assertEqual((table.returncode, table.stderr), (0, ""))
-        self.assertRegex(table.stdout, r"(?m)^  EdgeLengthRatio +800 [^>]*$", "no range for polyhedra")
+        self.assertRegex(
+            table.stdout, r"(?m)^  EdgeLengthRatio +800 [^>]*$", "no range for polyhedra"
+        )
         self.assertRegex(table.stdout, r"(?m)^  Volume +800 ")
         self.assertIn("No cell is outside the acceptable range.", table.stdout)
         (self.folder / "own.txt").write_text("EdgeLengthRatio 0.9 *")
@@ -526,16 +551,16 @@ class TestPictures(camaron_testing.TestCase):
         return pixels
 
     def test_pictures(self):
-        """Pictures filled by the mesh or a part of it, in the colours of the map."""
+        """Pictures filled by the mesh or a part of it, in the colors of the map."""
         for mesh in (BALL, FLANGE, RING):
-            coloured, worst, close = self.pictures(mesh)
-            for picture in (coloured, worst, close):
+            colored, worst, close = self.pictures(mesh)
+            for picture in (colored, worst, close):
                 self.assertEqual(picture.shape, (900, 1200, 3))
                 drawn = numpy.any(picture < 250, axis=2)
                 columns, rows = numpy.flatnonzero(drawn.any(axis=0)), numpy.flatnonzero(
                     drawn.any(axis=1)
                 )
-                if picture is not close:  # a cell and its neighbours may stand upright
+                if picture is not close:  # a cell and its neighbors may stand upright
                     self.assertLess(columns[0], 100, mesh)
                 self.assertGreater(drawn.mean(), 0.2, mesh)
                 self.assertGreater(
@@ -544,7 +569,7 @@ class TestPictures(camaron_testing.TestCase):
             # Red, as only bad cells are: some in the first, few in the second.
             red = [
                 ((p[..., 0] > 90) & (p[..., 1] < 70) & (p[..., 2] < 70)).mean()
-                for p in (coloured, worst, close)
+                for p in (colored, worst, close)
             ]
             self.assertGreater(min(red), 0.001, mesh)
             self.assertLess(max(red[1:]), 0.2, mesh)

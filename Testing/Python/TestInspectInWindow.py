@@ -6,9 +6,20 @@ an empty window, gives the same shapes."""
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
-from window_testing import FRAME, PANEL, WindowTestCase, apply, edit, event, open_example, save_state
+from window_testing import (
+    FRAME,
+    PANEL,
+    WindowTestCase,
+    apply,
+    edit,
+    event,
+    open_example,
+    save_state,
+)
 
-DISPLAY = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/DisplayFrame/ProxyPanel"
+DISPLAY = (
+    f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/DisplayFrame/ProxyPanel"
+)
 VIEWPORT = f"{FRAME}/CentralWidgetFrame/Viewport"
 
 #: From where to where each shape is dragged: the plane by its arrow.
@@ -51,7 +62,9 @@ def cut(*edits):
 def shapes(state):
     """The shapes of the only representation in a state file: the type of the one that cuts, and the numbers of all."""
     proxies = {proxy.get("id"): proxy for proxy in ElementTree.parse(state).iter("Proxy")}
-    (display,) = (proxy for proxy in proxies.values() if proxy.get("type") == "UnstructuredGridRepresentation")
+    (display,) = (
+        proxy for proxy in proxies.values() if proxy.get("type") == "UnstructuredGridRepresentation"
+    )
     chosen = display.find("Property[@name='CutShape']")
     numbers = {}
     for choice in chosen.find("Domain[@name='proxy_list']"):
@@ -59,13 +72,17 @@ def shapes(state):
         for name in PLACES:
             elements = shape.findall(f"Property[@name='{name}']/Element")
             if elements:
-                numbers[shape.get("type"), name] = [float(element.get("value")) for element in elements]
+                numbers[shape.get("type"), name] = [
+                    float(element.get("value")) for element in elements
+                ]
     return proxies[chosen.find("Proxy").get("value")].get("type"), numbers
 
 
 class TestInspectInWindow(WindowTestCase):
     def test_undo(self):
-        state = self.folder / "undone.pvsm"  # at the end, as saving one forgets what could be undone
+        state = (
+            self.folder / "undone.pvsm"
+        )  # at the end, as saving one forgets what could be undone
         self.play(*cut("Undo"), *save_state(state))
         last, numbers = shapes(state)
         self.assertEqual(last, "CuttingBox")
@@ -84,7 +101,9 @@ class TestInspectInWindow(WindowTestCase):
         self.assertEqual(last, "CuttingBox")
         self.assertNotEqual(numbers["Plane", "Normal"], [1, 0, 0])
         self.assertNotEqual(numbers["CuttingBox", "Rotation"], [0, 0, 0])
-        self.assertLess(numbers["CuttingSphere", "Center"][1], numbers["CuttingBox", "Length"][1] / 2 - 0.1)
+        self.assertLess(
+            numbers["CuttingSphere", "Center"][1], numbers["CuttingBox", "Length"][1] / 2 - 0.1
+        )
         again = self.folder / "replayed.pvsm"
         self.replay(trace, f"SaveState({str(again)!r})\n")
         last, replayed = shapes(again)

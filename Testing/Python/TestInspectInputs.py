@@ -135,9 +135,7 @@ class TestInspectInputs(camaron_testing.TestCase):
             self.folder / "mesh-in.vtk",
         )
         json.loads(printed.stdout, parse_constant=self.fail)
-        self.assertEqual(
-            summary["worst_criterion"], "IsValid", "of those that all cells fail"
-        )
+        self.assertEqual(summary["worst_criterion"], "IsValid", "of those that all cells fail")
 
     def test_inverted(self):
         """A hexahedron inside out has a negative volume, which is not acceptable."""

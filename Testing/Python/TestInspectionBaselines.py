@@ -55,11 +55,15 @@ class TestInspectionBaselines(camaron_testing.TestCase):
                 if part >= TOLERANCE:
                     inspection_scenes.write(Path.cwd() / f"{name}-found.png", found)
                 self.assertLess(part, TOLERANCE)
-                self.assertGreater(difference(expected, expected * 0 + 255), 0.03)  # there is something
+                self.assertGreater(
+                    difference(expected, expected * 0 + 255), 0.03
+                )  # there is something
 
     @unittest.skipIf(IS_SOFTPIPE, "the stored pictures are the same for all drivers")
     def test_each_scene_shows_something_else(self):
-        stored = {path.stem: read_picture(path) for path in inspection_scenes.BASELINES.glob("*.png")}
+        stored = {
+            path.stem: read_picture(path) for path in inspection_scenes.BASELINES.glob("*.png")
+        }
         self.assertEqual(set(stored), set(inspection_scenes.SCENES))
         for name, other in itertools.combinations(sorted(stored), 2):
             with self.subTest(name, other=other):

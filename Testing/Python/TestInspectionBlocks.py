@@ -142,7 +142,7 @@ class TestInspectionBlocks(camaron_testing.TestCase):
         return pictures[1]
 
     def test_arrays_of_some_blocks(self):
-        """They colour the blocks that have them, and the others are solid, or null."""
+        """They color the blocks that have them, and the others are solid, or null."""
         view = make_view()
         self.addCleanup(simple.ResetSession)
         for source in (self.tree(), self.collection()):
@@ -156,7 +156,7 @@ class TestInspectionBlocks(camaron_testing.TestCase):
             self.compare(view, source, ("FIELD", "vtkBlockColors"))
 
     def test_looks_of_blocks(self):
-        """Hidden, coloured and translucent blocks; hidden ones are not selected, and cannot be cut open."""
+        """Hidden, colored and translucent blocks; hidden ones are not selected, and cannot be cut open."""
         view = make_view()
         self.addCleanup(simple.ResetSession)
         source = self.tree()

@@ -142,7 +142,7 @@ class TestInspectionIds(camaron_testing.TestCase):
             parts.append(((image[:, :, 0] > 180) & (image[:, :, 1:].max(axis=2) < 90)).mean())
         self.assertGreater(parts[0], 0.005)
         self.assertGreater(parts[1] / parts[0], 0.6)
-        self.assertLess(parts[1] / parts[0], 2)  # smooth rims are another colour
+        self.assertLess(parts[1] / parts[0], 2)  # smooth rims are another color
 
     def test_ids_are_where_elements_are(self):
         """A number that is another element's, or stands elsewhere, would mislead."""
@@ -162,7 +162,9 @@ class TestInspectionIds(camaron_testing.TestCase):
                     self.assertLess(numpy.abs(corner - middle).max(), 6)
                     if kind == CELL:
                         # On a face of the cell; in the cell where one sees through.
-                        gaps = numpy.linalg.norm(places[FACE][None] - at[:, None], axis=2).min(axis=1)
+                        gaps = numpy.linalg.norm(places[FACE][None] - at[:, None], axis=2).min(
+                            axis=1
+                        )
                         self.assertLess(gaps.max(), tolerance)
                         display.DrawFaces = 0
                         kinds, ids, at, pixels = self.labels()
@@ -292,8 +294,10 @@ class TestInspectionIds(camaron_testing.TestCase):
         """Where there are any, they are written."""
         mesh = tetrahedra(1)
         data = self.fetch(mesh)
-        for attributes, size in ((data.GetPointData(), data.GetNumberOfPoints()),
-                                 (data.GetCellData(), data.GetNumberOfCells())):
+        for attributes, size in (
+            (data.GetPointData(), data.GetNumberOfPoints()),
+            (data.GetCellData(), data.GetNumberOfCells()),
+        ):
             ids = numpy_to_vtk(1000 + numpy.arange(size), deep=True)
             ids.SetName("Ids")
             attributes.SetGlobalIds(ids)

@@ -98,7 +98,9 @@ class TestInspectionInteraction(PictureTestCase):
         display = self.show(blocks, color=None)
         display.BlockColors = ["/Root/B", "1", "0", "0"]
         for image in self.compare():
-            self.assertGreater(((image[:, :, 0] > 100) & (image[:, :, 1:].max(axis=2) < 50)).sum(), 1000)
+            self.assertGreater(
+                ((image[:, :, 0] > 100) & (image[:, :, 1:].max(axis=2) < 50)).sum(), 1000
+            )
         display.BlockSelectors = ["/Root/B"]
         self.compare()
 
@@ -139,7 +141,9 @@ class TestInspectionInteraction(PictureTestCase):
         self.view.UseOutlineForLODRendering = 1
         whole = self.take()
         outline = interactive_picture(self.view)
-        self.assertLess(difference(outline, outline * 0 + 255), 0.1 * difference(whole, whole * 0 + 255))
+        self.assertLess(
+            difference(outline, outline * 0 + 255), 0.1 * difference(whole, whole * 0 + 255)
+        )
         self.assertGreater(difference(outline, outline * 0 + 255), 0)
 
 

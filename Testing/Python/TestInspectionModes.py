@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 LOW, HIGH, NULL = [0.9, 0.1, 0.1], [0.1, 0.2, 1.0], [0.0, 0.6, 0.0]
-GREY = [0.8, 0.8, 0.8]
+GRAY = [0.8, 0.8, 0.8]
 BLACK, RED = [0, 0, 0], [1, 0, 0]
 
 
@@ -37,7 +37,7 @@ def unlike(one, other):
 
 
 def table_of(display, low, high):
-    """The transfer function of what colours a display, as a ramp from LOW to HIGH."""
+    """The transfer function of what colors a display, as a ramp from LOW to HIGH."""
     table = display.LookupTable
     table.AutomaticRescaleRangeMode = "Never"
     table.ColorSpace, table.NumberOfTableValues = "RGB", 1024
@@ -84,13 +84,17 @@ class TestInspectionModes(PictureTestCase):
         eye = numpy.array(self.view.CameraPosition)
         look = numpy.array(self.view.CameraFocalPoint) - eye
         look /= numpy.linalg.norm(look)
-        distances = [(numpy.array([x, y, z]) - eye) @ look for x in (-5, 5) for y in (-5, 5) for z in (-5, 5)]
+        distances = [
+            (numpy.array([x, y, z]) - eye) @ look for x in (-5, 5) for y in (-5, 5) for z in (-5, 5)
+        ]
         ends = [list(eye + distance * look) for distance in (min(distances), max(distances))]
         self.same(depth, self.elevation(mesh, *ends))
 
     def test_two_colors(self):
-        """Between the ends of the transfer function, whatever it looks like; null has its own colour."""
-        mesh = simple.Calculator(Input=tetrahedra(), Function="sqrt(coordsX)", ResultArrayName="Root")
+        """Between the ends of the transfer function, whatever it looks like; null has its own color."""
+        mesh = simple.Calculator(
+            Input=tetrahedra(), Function="sqrt(coordsX)", ResultArrayName="Root"
+        )
         for kind in ("POINTS", "CELLS"):
             with self.subTest(kind):
                 source = simple.PointDatatoCellData(Input=mesh) if kind == "CELLS" else mesh
@@ -116,12 +120,16 @@ class TestInspectionModes(PictureTestCase):
                 self.view.CameraPosition = [60, 40, 90]
                 setattr(display, name, value)
                 first = picture(self.view)
-                display.SpecularPower = 100 + value  # anything that makes the view look at the bounds again
+                display.SpecularPower = (
+                    100 + value
+                )  # anything that makes the view look at the bounds again
                 self.assertLess(difference(first, picture(self.view)), 0.0005)
 
     def test_values_far_from_zero(self):
         """Doubles that differ little, as pressures do, look as those around zero."""
-        near = simple.Calculator(Input=tetrahedra(), Function="coordsX + coordsY/8", ResultArrayName="Near")
+        near = simple.Calculator(
+            Input=tetrahedra(), Function="coordsX + coordsY/8", ResultArrayName="Near"
+        )
         far = simple.Calculator(Input=near, Function="Near - 1000000000", ResultArrayName="Far")
         pictures = {"Near": [], "Far": []}
         for name, origin in (("Near", 0), ("Far", -1e9)):
@@ -148,7 +156,7 @@ class TestInspectionModes(PictureTestCase):
             self.assertGreater(difference(pictures["Near"][i], pictures["Near"][i + 1]), 0.05)
 
     def test_emphasis(self):
-        """Cells out of the range keep their colour, all others are as grey as if the array were."""
+        """Cells out of the range keep their color, all others are as gray as if the array were."""
         source = tetrahedra()
         source.UpdatePipeline()
         number = source.GetDataInformation().GetNumberOfCells()
@@ -164,7 +172,7 @@ class TestInspectionModes(PictureTestCase):
         display = self.show(inside, "Surface", ("CELLS", "Result"), Ambient=1, Diffuse=0)
         table_of(display, 0, 1).RGBPoints = [0, 0, 0, 0, 1, 1, 1, 1]
         is_inside = self.take().min(axis=2) > 128  # or background, which is white everywhere
-        self.show(source, "Surface", AmbientColor=GREY, DiffuseColor=GREY)
+        self.show(source, "Surface", AmbientColor=GRAY, DiffuseColor=GRAY)
         expected = numpy.where(is_inside[:, :, None], self.take(), plain)
         self.assertGreater(difference(expected, plain), 0.05)
         self.same(emphasized, expected)
@@ -263,7 +271,9 @@ class TestInspectionModes(PictureTestCase):
                         display.DrawEdges, display.DrawFaces = 1, 0
                     turn(self.view)
                     self.view.CameraPosition = place or self.view.CameraPosition
-                    pictures.append(picture(self.view).min(axis=2) < 160)  # more than a third of a pixel
+                    pictures.append(
+                        picture(self.view).min(axis=2) < 160
+                    )  # more than a third of a pixel
                 self.assertLess(unlike(*pictures), 0.01)
                 shown[width] = pictures[1].sum()
         self.assertGreater(min(shown.values()), 3000)
@@ -293,7 +303,9 @@ class TestInspectionModes(PictureTestCase):
         """One line for each polygon of a polyhedron, from the centroid of its area."""
         mesh = producer(gallery.polyhedra())
         shared = {"LineWidth": 2, "DiffuseColor": BLACK, "AmbientColor": BLACK}
-        self.show(mesh, DrawFaces=0, DrawNormals="Faces", NormalLength=0.1, NormalColor=RED, **shared)
+        self.show(
+            mesh, DrawFaces=0, DrawNormals="Faces", NormalLength=0.1, NormalColor=RED, **shared
+        )
         found = self.take()
         surface = self.fetch(simple.ExtractSurface(Input=mesh))
         points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
@@ -314,7 +326,7 @@ class TestInspectionModes(PictureTestCase):
         self.assertGreater(red(found).sum(), 500)
 
     def test_points(self):
-        """All points of the cells that are drawn, those inside too, coloured as everything."""
+        """All points of the cells that are drawn, those inside too, colored as everything."""
         mesh = tetrahedra()
         cloud = simple.MaskPoints(Input=mesh, OnRatio=1, MaximumNumberofPoints=10000)
         cloud.GenerateVertices = cloud.SingleVertexPerCell = 1

@@ -77,7 +77,7 @@ class TestInspectionPanel(camaron_testing.TestCase):
                 self.assertGreater(difference(pictures[0], pictures[0] * 0 + 255, 12), 0.02)
 
     def test_edge_opacity(self):
-        """Half opaque black edges over white faces are grey."""
+        """Half opaque black edges over white faces are gray."""
         cube = simple.Box()
         display = simple.Show(cube, self.view)
         display.SetRepresentationType("Mesh Inspection")

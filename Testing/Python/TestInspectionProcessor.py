@@ -19,7 +19,9 @@ def hexahedra():
 
 def polyhedra():
     mesh = simple.OpenDataFile(str(camaron_testing.EXAMPLES / "voronoi-ball.visf"))
-    return simple.Elevation(Input=mesh, LowPoint=[-1, -1, -1], HighPoint=[1, 1, 1], ScalarRange=[-1.0, 1.0])
+    return simple.Elevation(
+        Input=mesh, LowPoint=[-1, -1, -1], HighPoint=[1, 1, 1], ScalarRange=[-1.0, 1.0]
+    )
 
 
 @camaron_testing.require_display()
@@ -52,7 +54,11 @@ class TestInspectionProcessor(PictureTestCase):
         for mesh in (hexahedra(), polyhedra()):
             display = self.show(mesh, CutShape="Sphere")
             scale = 0.2 * mesh.GetDataInformation().GetBounds()[1]
-            display.CutShape.Center, display.CutShape.Radius = [2 * scale, scale, 5 * scale], 3.6 * scale
+            display.CutShape.Center, display.CutShape.Radius = [
+                2 * scale,
+                scale,
+                5 * scale,
+            ], 3.6 * scale
             for cut in ("Centroid", "Any vertex", "All vertices", "Exactly"):
                 for keeps in ("Inside", "Outside"):
                     with self.subTest(cut=cut, keeps=keeps):

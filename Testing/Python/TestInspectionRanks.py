@@ -9,7 +9,14 @@ import TestClientServer
 from inspection_testing import difference
 from paraview import simple
 
-SCENES = ("complete-shrunk", "exploded", "interior", "interior-shrunk", "normals-of-vertices", "smooth-shading")
+SCENES = (
+    "complete-shrunk",
+    "exploded",
+    "interior",
+    "interior-shrunk",
+    "normals-of-vertices",
+    "smooth-shading",
+)
 
 
 class ScenesOfFile(inspection_scenes.Scenes):

@@ -106,7 +106,9 @@ class TestInspectionServer(camaron_testing.TestCase):
         with self.subTest("a state file of another server"):
             simple.LoadState(str(path))
             self.assertLess(difference(cut, picture(simple.GetActiveView())), 0.004)
-        for what, expected, made in zip(("translucent", "normals"), found, self.check_server(alone)):
+        for what, expected, made in zip(
+            ("translucent", "normals"), found, self.check_server(alone)
+        ):
             with self.subTest(what):
                 self.assertLess(difference(expected, made), 0.004)
         simple.Disconnect()

@@ -49,7 +49,7 @@ class TestIsosurfaces(camaron_testing.TestCase):
         return simple.Tetrahedralize(Input=wavelet)
 
     def test_tetrahedra(self):
-        """In a mesh of tetrahedra they are exactly those of Contour, whatever colours them."""
+        """In a mesh of tetrahedra they are exactly those of Contour, whatever colors them."""
         source = self.tetrahedra()
         for color in (None, ("POINTS", "RTData")):
             contour = simple.Contour(
@@ -109,7 +109,9 @@ class TestIsosurfaces(camaron_testing.TestCase):
         for _, _, cell in cells:
             points = data.GetCell(cell).GetPointIds()
             values = [array.GetValue(points.GetId(i)) for i in range(points.GetNumberOfIds())]
-            self.assertTrue(any(sorted(values)[0] < value <= sorted(values)[-1] for value in VALUES))
+            self.assertTrue(
+                any(sorted(values)[0] < value <= sorted(values)[-1] for value in VALUES)
+            )
 
 
 if __name__ == "__main__":

@@ -50,7 +50,11 @@ def all_limits():
 
 def some_limits():
     """The largest and the smallest of every type, for what takes long."""
-    return [*dict.fromkeys((kind, limit(starts)) for kind, starts in LIMITS.items() for limit in (min, max))]
+    return [
+        *dict.fromkeys(
+            (kind, limit(starts)) for kind, starts in LIMITS.items() for limit in (min, max)
+        )
+    ]
 
 
 class TestLongIntegers(camaron_testing.FormatTestCase):
@@ -68,7 +72,9 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
             writer.SetInputData(mesh_parts.extract(grid, part * 4, (4, len(values))[part]))
             writer.Write()
         number = "UInt64" if kind is numpy.uint64 else "Int64"
-        arrays = f'<PDataArray type="{number}" Name="{name}" {"IdType='1'" if kind is IDS else ""}/>'
+        arrays = (
+            f'<PDataArray type="{number}" Name="{name}" {"IdType='1'" if kind is IDS else ""}/>'
+        )
         attributes = f'GlobalIds="{name}"' if global_ids else ""
         self.path = folder / "mesh.pvtu"
         self.path.write_text(PVTU.format(arrays=arrays, attributes=attributes))
@@ -111,11 +117,19 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
         for kind, start in all_limits():
             for order in (STEPS, [3, 5, 0, 3, 1, 2]):
                 values = [start + step for step in order]
-                statistics = simple.QualityStatistics(Input=self.make_mesh(values, kind), Arrays=["snow"])
+                statistics = simple.QualityStatistics(
+                    Input=self.make_mesh(values, kind), Arrays=["snow"]
+                )
                 (row,) = self.rows(statistics)
-                self.assertEqual((row["ArgMin"], row["ArgMax"]), (order.index(0), order.index(5)), values)
-                self.assertEqual((row["MinInteger"], row["MaxInteger"]), (str(start), str(start + 5)))
-                self.assertEqual((row["Sum"], row["Mean"]), (float(sum(values)), sum(values) / 6), values)
+                self.assertEqual(
+                    (row["ArgMin"], row["ArgMax"]), (order.index(0), order.index(5)), values
+                )
+                self.assertEqual(
+                    (row["MinInteger"], row["MaxInteger"]), (str(start), str(start + 5))
+                )
+                self.assertEqual(
+                    (row["Sum"], row["Mean"]), (float(sum(values)), sum(values) / 6), values
+                )
                 self.assertEqual(len(self.warnings), 1)
                 self.assertIn("beyond 2^53 in snow", self.warnings[0])
 
@@ -135,7 +149,9 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
             for count, expected in ((1, [5]), (2, [3, 5]), (3, [3, 4, 5]), (5, [1, 2, 3, 4, 5])):
                 found = self.selected(source, NumberOfWorst=count, WorstValues="Largest", **worst)
                 self.assertEqual(found, expected, start)
-            self.assertEqual(self.selected(source, NumberOfWorst=2, WorstValues="Smallest", **worst), [0, 1])
+            self.assertEqual(
+                self.selected(source, NumberOfWorst=2, WorstValues="Smallest", **worst), [0, 1]
+            )
             for end, steps in (("Largest", [5, 3, 3]), ("Smallest", [0, 1, 2])):
                 statistics = simple.QualityStatistics(
                     Input=source, Arrays=["snow"], WorstValues=end, NumberOfWorst=3
@@ -157,21 +173,34 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
         for kind, start in some_limits():
             source = self.make_mesh([start + step for step in (5, 3, 3, 0, 1, 2)], kind)
             quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
-            by = {"Input": quality, "GroupBy": "Cell array", "GroupArray": "snow", "Arrays": ["Volume"]}
-            expected = [("All", 6)] + [(str(start + step), 1 + (step == 3)) for step in (0, 1, 2, 3, 5)]
+            by = {
+                "Input": quality,
+                "GroupBy": "Cell array",
+                "GroupArray": "snow",
+                "Arrays": ["Volume"],
+            }
+            expected = [("All", 6)] + [
+                (str(start + step), 1 + (step == 3)) for step in (0, 1, 2, 3, 5)
+            ]
             for table in (
                 simple.QualityStatistics(**by),
                 simple.CompareQuality(**by, Other=quality),
                 simple.CorrelateQuality(**by, Field=["CELLS", "snow"]),
             ):
                 rows = self.rows(table)
-                found = [(row["Group"], row["CountA"] if "CountA" in row else row["Count"]) for row in rows]
+                found = [
+                    (row["Group"], row["CountA"] if "CountA" in row else row["Count"])
+                    for row in rows
+                ]
                 self.assertEqual(found, expected)
 
     def test_groups_of_two_meshes(self):
         """Each cell is in its group there, also where a mesh lacks a group of the other."""
         start = 2**53
-        meshes = [self.make_mesh([start + i for i in steps], numpy.int64) for steps in (STEPS, [1, 1, 7, 7, 7, 0])]
+        meshes = [
+            self.make_mesh([start + i for i in steps], numpy.int64)
+            for steps in (STEPS, [1, 1, 7, 7, 7, 0])
+        ]
         qualities = [simple.ElementQuality(Input=mesh, Criteria=["Volume"]) for mesh in meshes]
         compared = simple.CompareQuality(
             Input=qualities[0],
@@ -182,16 +211,24 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
         )
         found = {row["Group"]: (row["CountA"], row["CountB"]) for row in self.rows(compared)}
         counts = {0: (1, 1), 1: (1, 2), 2: (1, 0), 3: (2, 0), 5: (1, 0), 7: (0, 3)}
-        self.assertEqual(found, {"All": (6, 6), **{str(start + i): both for i, both in counts.items()}})
+        self.assertEqual(
+            found, {"All": (6, 6), **{str(start + i): both for i, both in counts.items()}}
+        )
 
     def test_ids(self):
         for kind, start in all_limits():
             source = self.make_mesh([start + i for i in (0, 1, 2, 3, 4, 5)], kind, "number", True)
             by = {"Strategy": "By id", "IdSpace": "Global id"}
             self.assertEqual(self.selected(source, Ids=str(start + 1), **by), [1], start)
-            self.assertEqual(self.selected(source, Ids=f"{start + 3}, {start}", **by), [0, 3], start)
-            self.assertEqual(self.selected(source, Ids=f"{start + 1}-{start + 4}", **by), [1, 2, 3, 4], start)
-            self.assertEqual(self.selected(source, Ids=f"{start - 9}", **by) if start > 9 else [], [], start)
+            self.assertEqual(
+                self.selected(source, Ids=f"{start + 3}, {start}", **by), [0, 3], start
+            )
+            self.assertEqual(
+                self.selected(source, Ids=f"{start + 1}-{start + 4}", **by), [1, 2, 3, 4], start
+            )
+            self.assertEqual(
+                self.selected(source, Ids=f"{start - 9}", **by) if start > 9 else [], [], start
+            )
             chosen = simple.SelectElements(Input=source, Ids=f"{start + 2}", **by)
             (row,) = export._rows(simple.SelectionTable(Input=chosen))
             # What is beyond vtkIdType names no cell; its index does.
@@ -209,8 +246,13 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
 
     def test_differences(self):
         for kind, start in all_limits():
-            meshes = [self.make_mesh([start + step for step in steps], kind) for steps in (STEPS, [3, 1, 3, 3, 2, 0])]
-            compared = simple.CompareQuality(Input=meshes[0], Other=meshes[1], Arrays=["snow"], Tolerance=0)
+            meshes = [
+                self.make_mesh([start + step for step in steps], kind)
+                for steps in (STEPS, [3, 1, 3, 3, 2, 0])
+            ]
+            compared = simple.CompareQuality(
+                Input=meshes[0], Other=meshes[1], Arrays=["snow"], Tolerance=0
+            )
             (row,) = self.rows(compared)
             self.assertEqual((row["ComparedCount"], row["UnchangedCount"]), (6, 2))
             self.assertEqual(len(self.warnings), 1)
@@ -221,7 +263,9 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
         values = [2**62 + 511 * step * (-1) ** step for step in range(6)]
         source = self.make_mesh(values, numpy.int64)
         quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
-        correlation = simple.CorrelateQuality(Input=quality, Field=["CELLS", "snow"], Arrays=["snow", "Volume"])
+        correlation = simple.CorrelateQuality(
+            Input=quality, Field=["CELLS", "snow"], Arrays=["snow", "Volume"]
+        )
         itself, other = self.rows(correlation)
         self.assertAlmostEqual(itself["Pearson"], 1, 12)
         self.assertAlmostEqual(itself["Spearman"], 1, 12)
@@ -234,7 +278,9 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
         """An array is weighed by another one, not by what it has beyond doubles."""
         source = self.make_mesh([2**53 + step for step in STEPS], numpy.int64)
         quality = simple.ElementQuality(Input=source, Criteria=["Volume"])
-        statistics = simple.QualityStatistics(Input=quality, Arrays=["snow", "Volume"], WeightArray="Volume")
+        statistics = simple.QualityStatistics(
+            Input=quality, Arrays=["snow", "Volume"], WeightArray="Volume"
+        )
         snow, volume = self.rows(statistics)
         self.assertEqual(snow["Weight"], volume["Sum"])
 
@@ -257,7 +303,9 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
                 self.assertEqual(len(rounded), suffix not in exact, suffix)
                 source = pipeline.open_mesh(self.path.parent / f"new.{suffix}").source
                 found = []
-                for leaf in camaron_testing.leaves(source.GetClientSideObject().GetOutputDataObject(0)):
+                for leaf in camaron_testing.leaves(
+                    source.GetClientSideObject().GetOutputDataObject(0)
+                ):
                     data = leaf.GetCellData()
                     array = data.GetArray("snow") or data.GetArray("snow_c")
                     found += [array.GetValue(i) for i in range(array.GetNumberOfValues())]
@@ -275,18 +323,29 @@ class TestLongIntegers(camaron_testing.FormatTestCase):
             path, folder = self.path, self.path.parent
             labels = [str(start + step) for step in (0, 1, 2, 3, 5)]
             summary = camaron.inspect(
-                path, folder / "report", criteria=["Volume"], group_by="snow", with_pictures=False, with_mesh=False
+                path,
+                folder / "report",
+                criteria=["Volume"],
+                group_by="snow",
+                with_pictures=False,
+                with_mesh=False,
             )
             self.assertEqual([group["group"] for group in summary["criteria"][0]["groups"]], labels)
             rules = [f"Volume > 0 where snow = {start + step}" for step in (0, 1, 3, 4)]
             checks = camaron.check(path, rules)["checks"]
             self.assertEqual([check["cells"] for check in checks], [1, 1, 2, 0])
             self.assertEqual([check["rule"] for check in checks], rules)
-            compared = camaron.compare(path, path, folder / "comparison", criteria=["Volume"], group_by="snow")
-            self.assertEqual([group["group"] for group in compared["criteria"][0]["groups"]], labels)
+            compared = camaron.compare(
+                path, path, folder / "comparison", criteria=["Volume"], group_by="snow"
+            )
+            self.assertEqual(
+                [group["group"] for group in compared["criteria"][0]["groups"]], labels
+            )
             step = f"By criterion: Array=snow; LowerLimit={start + 1}; UpperLimit={start + 1}; Side=Inside"
             self.assertEqual(camaron.select(path, [step], [folder / "one.csv"])["selected"], 1)
-            self.assertTrue((folder / "one.csv").read_text().splitlines()[1].endswith(f",{start + 1}"))
+            self.assertTrue(
+                (folder / "one.csv").read_text().splitlines()[1].endswith(f",{start + 1}")
+            )
 
 
 camaron_testing.main()

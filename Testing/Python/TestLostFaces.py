@@ -46,7 +46,9 @@ class TestLostFaces(camaron_testing.TestCase):
         path = self.folder / "layout.vtu"
         path.write_text(LAYOUT)
         other = self.folder / "other.vtk"
-        camaron_testing.write_vtk(other, [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(10, [0, 1, 2, 3])])
+        camaron_testing.write_vtk(
+            other, [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [(10, [0, 1, 2, 3])]
+        )
         rules = self.folder / "rules"
         rules.write_text("Volume > 0.5\n")
         written = self.folder / "out.visf"

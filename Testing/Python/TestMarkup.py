@@ -84,7 +84,9 @@ class TestMarkup(camaron_testing.TestCase):
             writer.SetInputData(grid)
             writer.SetFileName(f"{number}.vtu")
             writer.Write()
-            blocks.append(markup.html('<DataSet index="{0}" name="{1}" file="{0}.vtu"/>', number, name))
+            blocks.append(
+                markup.html('<DataSet index="{0}" name="{1}" file="{0}.vtu"/>', number, name)
+            )
         start = '<?xml version="1.0"?><VTKFile type="vtkMultiBlockDataSet" version="1.0"><vtkMultiBlockDataSet>'
         Path(FILE).write_text(f"{start}{''.join(blocks)}</vtkMultiBlockDataSet></VTKFile>")
         return FILE
@@ -168,7 +170,8 @@ class TestMarkup(camaron_testing.TestCase):
         values = [
             node.value
             for node in ast.walk(ast.parse(Path(module.__file__).read_text("utf-8")))
-            if isinstance(node, ast.Assign) and [getattr(t, "id", None) for t in node.targets] == [name.id]
+            if isinstance(node, ast.Assign)
+            and [getattr(t, "id", None) for t in node.targets] == [name.id]
         ]
         self.assertTrue(values)
         self.assertTrue(all(isinstance(value, ast.Constant) for value in values), name.id)

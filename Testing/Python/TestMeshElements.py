@@ -106,7 +106,14 @@ class TestMeshElements(camaron_testing.TestCase):
         for i in range(8):
             points.InsertNextPoint(i & 1, i >> 1 & 1, i >> 2)
         grid.SetPoints(points)
-        inward = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+        inward = [
+            (0, 1, 3, 2),
+            (4, 6, 7, 5),
+            (0, 4, 5, 1),
+            (2, 3, 7, 6),
+            (0, 2, 6, 4),
+            (1, 5, 7, 3),
+        ]
         stream = vtkIdList()
         for word in (6, *(word for face in inward for word in (4, *face))):
             stream.InsertNextId(word)
@@ -123,11 +130,15 @@ class TestMeshElements(camaron_testing.TestCase):
             faces = self.information(elements, 0)
             (value, _) = self.range_of(faces, "FacePyramidVolume")
             self.assertAlmostEqual(value, sign / 6)
-            self.assertEqual(self.range_of(quality.GetDataInformation(), "MinFacePyramidVolume")[0], value)
+            self.assertEqual(
+                self.range_of(quality.GetDataInformation(), "MinFacePyramidVolume")[0], value
+            )
             self.assertEqual(self.range_of(faces, "FacePyramidVolume_Null"), (0.0, 0.0))
             self.assertEqual(self.range_of(faces, "NonOrthogonality_Null"), (4.0, 4.0))
             self.assertIsNone(faces.GetCellDataInformation().GetArrayInformation("OwnerCell_Null"))
-            self.assertEqual(self.range_of(self.information(elements, 1), "EdgeLength_Null"), (0.0, 0.0))
+            self.assertEqual(
+                self.range_of(self.information(elements, 1), "EdgeLength_Null"), (0.0, 0.0)
+            )
         # Where an edge as long as half of the cube has no length, no face has an area.
         flat = simple.MeshElements(
             Input=cube, DegeneracyTolerance=0.6, FaceArrays=["FaceSkewness"], WriteNullMask=1
@@ -137,7 +148,9 @@ class TestMeshElements(camaron_testing.TestCase):
     def test_polygon_criteria_of_faces(self):
         mesh = simple.OpenDataFile(str(EXAMPLES / "flange.visf"))
         elements = simple.MeshElements(Input=mesh, FaceArrays=["OwnerCell"])
-        quality = simple.ElementQuality(Input=OutputPort(elements, 0), Criteria=["Area", "MaxWarpage"])
+        quality = simple.ElementQuality(
+            Input=OutputPort(elements, 0), Criteria=["Area", "MaxWarpage"]
+        )
         information = self.information(quality, 0)
         self.assertGreater(self.range_of(information, "Area")[0], 0.0)
         self.assertIsNone(
@@ -170,7 +183,9 @@ class TestMeshElements(camaron_testing.TestCase):
     def inner_sums(self, mesh, port, name):
         """Sums of angles around edges (port 1) or points (port 2) that are not at the boundary."""
         elements = simple.MeshElements(
-            Input=mesh, EdgeArrays=["IsBoundary", name], VertexArrays=["IsBoundary", "UnusedPoint", name]
+            Input=mesh,
+            EdgeArrays=["IsBoundary", name],
+            VertexArrays=["IsBoundary", "UnusedPoint", name],
         )
         data = self.fetch(elements, port).GetCellData()
         inner = vtk_to_numpy(data.GetArray("IsBoundary")) == 0

@@ -73,7 +73,9 @@ class TestMeshInspection(camaron_testing.TestCase):
             Input=simple.Sphere(ThetaResolution=20, PhiResolution=20)
         )
         sphere = simple.Sphere(ThetaResolution=20, PhiResolution=20, Center=[9, 0, 0], Radius=4)
-        yield "blocks", simple.GroupDatasets(Input=[tetrahedra(), simple.PointAndCellIds(Input=sphere)])
+        yield "blocks", simple.GroupDatasets(
+            Input=[tetrahedra(), simple.PointAndCellIds(Input=sphere)]
+        )
 
     def test_same_picture_and_selection_as_surface(self):
         for name, source in self.inputs():
@@ -136,7 +138,6 @@ class TestMeshInspection(camaron_testing.TestCase):
                     simple.Hide(source, self.view)
                     display.CutBy = "No cut"
 
-
     def test_half_spaces(self):
         """Planes of a table cut as the box that they make, and none cut nothing."""
         source = tetrahedra()
@@ -161,7 +162,9 @@ class TestMeshInspection(camaron_testing.TestCase):
         display.CutShape.Planes = planes[:-1]
         with camaron_testing.messages() as told:
             self.assertEqual(difference(uncut, picture(self.view)), 0)
-        self.assertIn("a multiple of 6 numbers, a point and a normal for each plane, found 35", told())
+        self.assertIn(
+            "a multiple of 6 numbers, a point and a normal for each plane, found 35", told()
+        )
 
     def test_unit_of_coordinates(self):
         """Edges and normals are the same in any unit, and far from the origin: squares of them would not fit float."""
@@ -206,7 +209,7 @@ class TestMeshInspection(camaron_testing.TestCase):
         return simple.PointAndCellIds(Input=producer(grid))
 
     def test_lines_and_vertices(self):
-        """Cells without faces are drawn, coloured, selected and cut as the others."""
+        """Cells without faces are drawn, colored, selected and cut as the others."""
         source = self.wires()
         simple.UpdatePipeline(proxy=source)
         sets = []
@@ -271,7 +274,9 @@ class TestMeshInspection(camaron_testing.TestCase):
                 ):
                     mesh = data.NewInstance()
                     mesh.ShallowCopy(data)
-                    ghosts = numpy_to_vtk(numpy.where(marks, value, 0).astype(numpy.uint8), deep=True)
+                    ghosts = numpy_to_vtk(
+                        numpy.where(marks, value, 0).astype(numpy.uint8), deep=True
+                    )
                     ghosts.SetName("vtkGhostType")
                     kind = 0 if marks is points else 1
                     mesh.GetAttributes(kind).AddArray(ghosts)

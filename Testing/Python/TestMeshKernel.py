@@ -114,7 +114,9 @@ class TestMeshKernel(camaron_testing.TestCase):
             self.assertEqual(self.bounds_of(kernel), (0.0, 1.0, 0.0, 1.0, 0.0, 1.0))
             self.assertAlmostEqual(self.values(kernel, "KernelRatio")[0], 1 / 3, places=12)
             pieces = self.pieces(kernel)
-            self.assertEqual([piece.GetNumberOfCells() for piece in pieces], [1] + [0] * (RANKS - 1))
+            self.assertEqual(
+                [piece.GetNumberOfCells() for piece in pieces], [1] + [0] * (RANKS - 1)
+            )
             self.assertEqual(pieces[0].GetCellType(0), VTK_POLYHEDRON)
             self.assertEqual(pieces[0].GetNumberOfPoints(), 8)
             self.assertEqual(pieces[0].GetCell(0).GetNumberOfFaces(), 6)
@@ -197,7 +199,9 @@ class TestMeshKernel(camaron_testing.TestCase):
         faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
         turned = [faces[0][::-1], *faces[1:]]
         stream = lambda cell: (42, [6, *(number for face in cell for number in (4, *face))])
-        path = camaron_testing.write_vtk(self.folder / "thin.vtk", points, [stream(faces), stream(turned)])
+        path = camaron_testing.write_vtk(
+            self.folder / "thin.vtk", points, [stream(faces), stream(turned)]
+        )
         source = simple.LegacyVTKReader(FileNames=[str(path)])
         for options, without in (
             ({}, []),
@@ -206,8 +210,12 @@ class TestMeshKernel(camaron_testing.TestCase):
         ):
             kernels = self.fetch(simple.MeshKernel(Input=source, **options))
             found = kernels.GetFieldData().GetArray("CellsWithoutKernel")
-            self.assertEqual(vtk_to_numpy(found).tolist() if found.GetNumberOfTuples() else [], without)
-            quality = self.fetch(simple.ElementQuality(Input=source, Criteria=["KernelRatio"], **options))
+            self.assertEqual(
+                vtk_to_numpy(found).tolist() if found.GetNumberOfTuples() else [], without
+            )
+            quality = self.fetch(
+                simple.ElementQuality(Input=source, Criteria=["KernelRatio"], **options)
+            )
             ratios = vtk_to_numpy(quality.GetCellData().GetArray("KernelRatio"))
             self.assertEqual(numpy.flatnonzero(~(ratios > 0)).tolist(), without)
             self.assertFalse(kernels.GetCellData().HasArray("SourceBlock"))
@@ -221,7 +229,9 @@ class TestMeshKernel(camaron_testing.TestCase):
         self.assertEqual(values(cells, "SourceBlock"), values(fields, "BlocksWithoutKernel"))
         self.assertEqual(len(set(values(cells, "SourceBlock"))), 2)
 
-    @camaron_testing.unittest.skipIf(RANKS > 1, "the filter is stopped by the process that it is in")
+    @camaron_testing.unittest.skipIf(
+        RANKS > 1, "the filter is stopped by the process that it is in"
+    )
     def test_stopped(self):
         """Stopped before the end, nothing comes out; asked again, all of it."""
         mesh = simple.OpenDataFile(str(EXAMPLES / "voronoi-ball.visf"))

@@ -11,7 +11,12 @@ from camaron import cli, convert, inspect
 from camaron import conversion
 from camaron.common import pipeline, text
 from paraview import simple
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIntArray, vtkStringArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import (
+    vtkDoubleArray,
+    vtkIntArray,
+    vtkStringArray,
+    vtkUnsignedCharArray,
+)
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkUnstructuredGrid
 
 PLY = """ply
@@ -49,10 +54,22 @@ FIELD FieldData 2
 4 5 6
 """
 #: Names that XML can hold, if they are escaped.
-MARKS = ("a<b&\"c", "a&lt;b", "'a'>b", "&amp;", "<img/src=x>")
+MARKS = ('a<b&"c', "a&lt;b", "'a'>b", "&amp;", "<img/src=x>")
 FORMATS = (".vtu", ".pvtu", ".pvd", ".vtkhdf", ".vtk", ".xmf", ".ply")
 #: Names that some format or other cannot hold.
-ODD = ("]]>", "ctl\x01\x1b[31m", "new\nline", "  blank  ", "caf\udce9", "a b", '"q"', "(y)", "#x", "end", "")
+ODD = (
+    "]]>",
+    "ctl\x01\x1b[31m",
+    "new\nline",
+    "  blank  ",
+    "caf\udce9",
+    "a b",
+    '"q"',
+    "(y)",
+    "#x",
+    "end",
+    "",
+)
 #: The plugin's formats that have names, with options.
 OWN = {"ply": {}, "ts": {"dialect": "GOCAD"}, "cdb": {}, "msh": {}}
 
@@ -78,7 +95,9 @@ class TestNames(camaron_testing.TestCase):
             for suffix in FORMATS:
                 target = self.folder / f"{suffix[1:]}{i}{suffix}"
                 kept = name.replace("/", "_") if suffix == ".vtkhdf" else name
-                self.assertEqual(len(convert(path, target)), int(kept != name), f"{name} in {suffix}")
+                self.assertEqual(
+                    len(convert(path, target)), int(kept != name), f"{name} in {suffix}"
+                )
                 again = self.open(target)
                 self.assertEqual(self.names(again)[:1], [kept], suffix)
                 self.assertIn(kept + "2", self.names(again), suffix)
@@ -203,7 +222,9 @@ class TestNames(camaron_testing.TestCase):
         conversion.write_source(source, self.folder / "target.vtm", notes)
         self.assertEqual(len(notes), 1, notes)
         reader = self.open(self.folder / "target.vtm")
-        again = reader.GetClientSideObject().GetOutputDataObject(0)  # on its way here it gets another name in 6.1
+        again = reader.GetClientSideObject().GetOutputDataObject(
+            0
+        )  # on its way here it gets another name in 6.1
         self.assertEqual(again.GetMetaData(0).Get(again.NAME()), "in<let_")
         found = again.GetBlock(0).GetPointData().GetArray("x<y")
         self.assertEqual(found.GetComponentName(0), "u&v")
@@ -215,7 +236,9 @@ class TestNames(camaron_testing.TestCase):
         summary = inspect(path, self.folder / "report", criteria=["Area"], with_pictures=False)
         again = self.open(self.folder / "report" / summary["files"]["mesh"])
         self.assertIn(MARKS[0], self.names(again))
-        self.assertEqual(sum("cannot hold" in note for note in summary["notes"]), 1, summary["notes"])
+        self.assertEqual(
+            sum("cannot hold" in note for note in summary["notes"]), 1, summary["notes"]
+        )
 
     def test_terminal(self):
         """Neither errors nor tables pass on control characters, wherever they come from."""

@@ -11,7 +11,13 @@ from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkDataSet
 
 OWN = ("Examples/*.visf", "Readers/*/Testing/Seeds/*")
 MESHES = (".visf", ".msh", ".cas", ".m3d", ".cdb", ".ply", ".off", ".tri", ".ts", ".ele")
-PATTERNS = ("ansys_fluent/*.cas", "ansys_fluent/*.msh", "m3d/*.m3d", "ansys_cdb/*.cdb", "ansys_cdb/*.dat")
+PATTERNS = (
+    "ansys_fluent/*.cas",
+    "ansys_fluent/*.msh",
+    "m3d/*.m3d",
+    "ansys_cdb/*.cdb",
+    "ansys_cdb/*.dat",
+)
 #: Reasons, as the mask writes them.
 VALUE, NOT_APPLICABLE, DEGENERATE, INVALID, NO_NEIGHBOR, MISSING, HIGHER_ORDER = range(7)
 #: Bits of CellStatus that explain a quotient 0/0, and those that explain a cell without inside and outside.
@@ -59,7 +65,9 @@ class TestNulls(camaron_testing.TestCase):
                 unexplained &= ~((mask == INVALID) & is_open_surface)
             cells = numpy.flatnonzero(unexplained)
             self.assertEqual(
-                len(cells), 0, f"{name} of cells {cells[:5]}: {mask[cells[:5]]}, {status[cells[:5]]}"
+                len(cells),
+                0,
+                f"{name} of cells {cells[:5]}: {mask[cells[:5]]}, {status[cells[:5]]}",
             )
             if criterion["applies_to"] == "polygons and polyhedra":
                 left_out = is_2d_or_3d & (mask == NOT_APPLICABLE) & (status & NOT_STAR_SHAPED == 0)
@@ -76,7 +84,9 @@ class TestNulls(camaron_testing.TestCase):
     def test_every_null_is_explained(self):
         own = [path for pattern in OWN for path in sorted(camaron_testing.ROOT.glob(pattern))]
         self.assertGreater(len(own), 20)
-        paths = [path for path in own if path.suffix in MESHES and path.stem[:4] != "bad-"] + self.real(*PATTERNS)
+        paths = [
+            path for path in own if path.suffix in MESHES and path.stem[:4] != "bad-"
+        ] + self.real(*PATTERNS)
         criteria = tables.known_criteria()
         checked = 0
         for path in paths:

@@ -82,7 +82,13 @@ class TestPointSets(camaron_testing.TestCase):
                 tolerance = 1e-5 if kind == numpy.float32 else 1e-8
                 for cells in (mixed, [(VTK_CONVEX_POINT_SET, cube) for cube in cubes]):
                     grid = with_points(gallery.make_grid(points, cells), places)
-                    names = ["FaceCount", "MaxNonOrthogonality", "OrthogonalQuality", "MaxFaceSkewness", "CellStatus"]
+                    names = [
+                        "FaceCount",
+                        "MaxNonOrthogonality",
+                        "OrthogonalQuality",
+                        "MaxFaceSkewness",
+                        "CellStatus",
+                    ]
                     found, expected = self.values(grid, names), self.values(same, names)
                     for name in names:
                         numpy.testing.assert_allclose(

@@ -56,9 +56,7 @@ MISSING_GHOSTS = 5
 
 
 def evaluate(source, **properties):
-    return simple.ElementQuality(
-        Input=source, Criteria=CRITERIA, WriteNullMask=1, **properties
-    )
+    return simple.ElementQuality(Input=source, Criteria=CRITERIA, WriteNullMask=1, **properties)
 
 
 def fetch_all(source):
@@ -79,7 +77,11 @@ def values_of(data_of_ranks):
             arrays[name] = vtk_to_numpy(cells.GetArray(name)).view(numpy.int64)
             arrays[name + "_Null"] = vtk_to_numpy(cells.GetArray(name + "_Null"))
         ghosts = cells.GetArray("vtkGhostType")
-        own = numpy.ones(leaf.GetNumberOfCells(), bool) if ghosts is None else vtk_to_numpy(ghosts) == 0
+        own = (
+            numpy.ones(leaf.GetNumberOfCells(), bool)
+            if ghosts is None
+            else vtk_to_numpy(ghosts) == 0
+        )
         parts.append({name: values[own] for name, values in arrays.items()})
     joined = {name: numpy.concatenate([part[name] for part in parts]) for name in parts[0]}
     order = numpy.argsort(joined["Number"], kind="stable")
@@ -92,7 +94,7 @@ def values_of(data_of_ranks):
 
 
 def colors_of(data_of_ranks):
-    """The names of the arrays that are offered as the colour, of all blocks and ranks with cells."""
+    """The names of the arrays that are offered as the color, of all blocks and ranks with cells."""
     leaves = [leaf for data in data_of_ranks for leaf in camaron_testing.leaves(data)]
     return {leaf.GetCellData().GetScalars().GetName() for leaf in leaves if leaf.GetNumberOfCells()}
 
@@ -111,7 +113,9 @@ def surface_of(source):
 
 def statistics_of(quality, folder):
     """The rows of the table of statistics as text."""
-    names = [name for name in CRITERIA if name not in ("RegionId", "DuplicateCell")]  # ids of pieces
+    names = [
+        name for name in CRITERIA if name not in ("RegionId", "DuplicateCell")
+    ]  # ids of pieces
     statistics = simple.QualityStatistics(Input=quality, Arrays=names)
     path = folder / "statistics.csv"
     simple.SaveData(str(path), proxy=statistics, Precision=17)
@@ -191,7 +195,7 @@ class TestQualityRanks(camaron_testing.TestCase):
         self.assertGreater(count("surfaces", "MaxNeighborNormalAngle", 0), 100)
 
     def test_pieces(self):
-        """Neither ghosts nor ids: neighbours are found by their points."""
+        """Neither ghosts nor ids: neighbors are found by their points."""
         for mesh in rank_meshes.MESHES:
             with_statistics = mesh in ("voronoi", "surfaces")
             self.check(mesh, rank_meshes.split_source(mesh), "pieces", with_statistics)
@@ -209,7 +213,9 @@ class TestQualityRanks(camaron_testing.TestCase):
             for data in fetch_all(evaluate(rank_meshes.split_source("overlapping", ghosts=ghosts))):
                 own = camaron_testing.own_cells(data)
                 cells = data.GetCellData()
-                arrays = [vtk_to_numpy(cells.GetArray(name)) for name in ("Number", "DuplicateCell")]
+                arrays = [
+                    vtk_to_numpy(cells.GetArray(name)) for name in ("Number", "DuplicateCell")
+                ]
                 found.update(zip(arrays[0][own].tolist(), arrays[1][own].tolist()))
             self.assertEqual([found[i] for i in range(len(expected))], expected, ghosts)
 
@@ -236,7 +242,12 @@ class TestQualityRanks(camaron_testing.TestCase):
 
     def test_appended(self):
         """Several pieces in one data set: points of their borders are there more than once, with ghosts cells, too."""
-        for mesh, ghosts in (("voronoi", False), ("surfaces", False), ("voronoi", True), ("surfaces", True)):
+        for mesh, ghosts in (
+            ("voronoi", False),
+            ("surfaces", False),
+            ("voronoi", True),
+            ("surfaces", True),
+        ):
             source = rank_meshes.split_source(
                 mesh, ghosts=ghosts, global_ids=True, scattered=True, appended=3
             )
@@ -278,7 +289,7 @@ class TestQualityRanks(camaron_testing.TestCase):
             self.check(mesh, source, "connected blocks", ConnectBlocks=1)
 
     def test_mixed_precision(self):
-        """Neighbours find each other where one has points in single precision and the other in double.
+        """Neighbors find each other where one has points in single precision and the other in double.
 
         The points of the polyhedra are single anyway, so that nothing changes but what is too small to
         count, unless that is given; those of the tetrahedra are rounded, and values with them.
@@ -298,11 +309,19 @@ class TestQualityRanks(camaron_testing.TestCase):
             found = values_of(fetch_all(evaluate(source, **properties)))
             for name in CRITERIA:
                 reasons = found[name + "_Null"]
-                numpy.testing.assert_array_equal(reasons, expected[name + "_Null"], f"{name}, {text}")
+                numpy.testing.assert_array_equal(
+                    reasons, expected[name + "_Null"], f"{name}, {text}"
+                )
                 if name not in ("RegionId", "DuplicateCell"):
-                    values, others = (of[name].view(float)[reasons == 0] for of in (found, expected))
-                    rounding = 1e-4 if name.endswith("NonOrthogonality") else 1e-5  # degrees of small angles
-                    numpy.testing.assert_allclose(values, others, rtol=1e-4, atol=rounding, err_msg=name)
+                    values, others = (
+                        of[name].view(float)[reasons == 0] for of in (found, expected)
+                    )
+                    rounding = (
+                        1e-4 if name.endswith("NonOrthogonality") else 1e-5
+                    )  # degrees of small angles
+                    numpy.testing.assert_allclose(
+                        values, others, rtol=1e-4, atol=rounding, err_msg=name
+                    )
 
     def test_blocks_differ(self):
         """The option changes something, and only at cells between blocks."""

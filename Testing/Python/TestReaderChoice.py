@@ -21,7 +21,10 @@ OURS = [
 OTHERS = {
     "gmsh.msh": ("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n", "FLUENTReader"),
     "abaqus.inp": ("*HEADING\n*NODE\n1, 0., 0., 0.\n*ELEMENT, TYPE=C3D4\n", "AVSucdSeriesReader"),
-    "tecplot.dat": ('TITLE = "t"\nVARIABLES = "X", "Y"\nZONE I=2, F=POINT\n0 0\n1 1\n', "TecplotReader"),
+    "tecplot.dat": (
+        'TITLE = "t"\nVARIABLES = "X", "Y"\nZONE I=2, F=POINT\n0 0\n1 1\n',
+        "TecplotReader",
+    ),
     "hdf5.cas": ("\x89HDF\r\n\x1a\n", "FLUENTReader"),
 }
 #: Names of readers before they had to come first.
@@ -115,7 +118,9 @@ class TestReaderChoice(camaron_testing.TestCase):
     def test_former_names(self):
         """States that have one open; the names are in no list of readers and in no menu."""
         for kind, former in FORMER.items():
-            path = self.write(f"m.{kind}", gallery.triangles if kind == "ply" else gallery.tetrahedra, {})
+            path = self.write(
+                f"m.{kind}", gallery.triangles if kind == "ply" else gallery.tetrahedra, {}
+            )
             (own,) = formats.own_readers(path)
             source = simple.OpenDataFile(str(path))
             source.UpdatePipeline()

@@ -119,7 +119,9 @@ class TestReplay(camaron_testing.TestCase):
     def number_selected(self):
         selected = simple.FindSource("Selected")
         selected.UpdatePipeline()
-        return servermanager.Fetch(selected, idx=1).GetNode(0).GetSelectionList().GetNumberOfTuples()
+        return (
+            servermanager.Fetch(selected, idx=1).GetNode(0).GetSelectionList().GetNumberOfTuples()
+        )
 
     def test_active_selection(self):
         for way in ("trace", "state"):

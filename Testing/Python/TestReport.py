@@ -107,14 +107,19 @@ class TestReport(camaron_testing.TestCase):
         whole = "No cell is outside the acceptable range."
         hint = criterion("Hint", [0.1] * 4, limits=(0.5, None), acceptable_is_hint=True)
         found = assessment.findings({**summary, "criteria": [good, hint]})
-        self.assertEqual([(f["text"] == whole, f["hint"]) for f in found], [(True, False), (False, True)])
+        self.assertEqual(
+            [(f["text"] == whole, f["hint"]) for f in found], [(True, False), (False, True)]
+        )
         other = criterion("Other", [0.1] * 4, limits=(0.5, None), judged=0, out_of_range=0)
         self.assertEqual(say(good, other), [whole], "a range for other shapes")
         few = criterion("Few", [0.1] + [0.9] * 3, limits=(0.5, None), is_validity=True)
         few.update(judged=2, acceptable_for="tetrahedra", consequence="flat")
         most = criterion("Most", [0.1] * 4, limits=(0.5, None))
         self.assertEqual(
-            [f["criteria"][0]["name"] for f in assessment.findings({**summary, "criteria": [most, few]})],
+            [
+                f["criteria"][0]["name"]
+                for f in assessment.findings({**summary, "criteria": [most, few]})
+            ],
             ["Few", "Most"],
             "what nothing can use comes first",
         )
@@ -136,7 +141,7 @@ class TestReport(camaron_testing.TestCase):
         self.assertEqual(assessment.picture_criterion([rare])["name"], "Rare")
 
     def shapes(self, c):
-        """Bars of a histogram by colour: list of (x, width, height)."""
+        """Bars of a histogram by color: list of (x, width, height)."""
         root = ElementTree.fromstring(svg.histogram(c, "clip"))
         bars = {}
         for group in root.iter("g"):
@@ -147,7 +152,7 @@ class TestReport(camaron_testing.TestCase):
         return root, bars
 
     def test_histogram(self):
-        """Heights are in proportion; a bin across the limit has both colours, clipped there."""
+        """Heights are in proportion; a bin across the limit has both colors, clipped there."""
         histogram = {
             "edges": [0.0, 1.0, 2.0, 3.0],
             "counts": [10, 20, 5],

@@ -15,7 +15,11 @@ from camaron.checking.rules import Parser, RulesError, Scope, Tolerance
 
 CRITERIA = ["Volume", "MinDihedralAngle", "EdgeLengthRatio", "FaceCount"]
 PRESETS = {
-    "Finite volume": {"rules": {"Volume": [2e-308, None], "EdgeLengthRatio": [None, None]}, "hints": [], "shapes": {}},
+    "Finite volume": {
+        "rules": {"Volume": [2e-308, None], "EdgeLengthRatio": [None, None]},
+        "hints": [],
+        "shapes": {},
+    },
     "Shape": {
         "rules": {"EdgeLengthRatio": [0.25, None], "Volume": [0.5, None]},
         "hints": ["EdgeLengthRatio"],
@@ -129,7 +133,9 @@ class TestRules(camaron_testing.TestCase):
         pipe = self.folder / "pipe"
         os.mkfifo(pipe)
         for special in (pipe, "/dev/zero"):
-            with self.assertRaisesRegex(RulesError, "expected a file of rules, found a pipe or a device"):
+            with self.assertRaisesRegex(
+                RulesError, "expected a file of rules, found a pipe or a device"
+            ):
                 parser().read(special)
         with self.assertRaisesRegex(RulesError, "Is a directory"):
             parser().read(self.folder)
@@ -160,7 +166,9 @@ class TestRules(camaron_testing.TestCase):
             self.assertEqual(parse(str(rule))[0].scope, rule.scope, "what it says is read again")
         with self.assertRaisesRegex(rules.RulesError, "expected type, or a shape"):
             parse("Volume >= 7 of wedges,")
-        presets = {"P": {"rules": {"Volume": [1, None]}, "hints": [], "shapes": {"Volume": "wedges"}}}
+        presets = {
+            "P": {"rules": {"Volume": [1, None]}, "hints": [], "shapes": {"Volume": "wedges"}}
+        }
         limited = lambda *lines: [str(r) for r in Parser(CRITERIA, presets, []).parse(lines)]
         self.assertEqual(limited("preset P"), ["Volume >= 1 of wedges"])
         self.assertEqual(limited("preset P", "Volume >= 2"), ["Volume >= 2"])
@@ -184,7 +192,9 @@ class TestRules(camaron_testing.TestCase):
         )
         self.assertEqual(names("preset Shape", "Volume * *"), [ratio])
         hints = lambda *lines: [rule.criterion for rule in parse(*lines) if rule.hint]
-        self.assertEqual(hints("preset Shape of wedges", 'preset "Finite volume"'), ["EdgeLengthRatio"])
+        self.assertEqual(
+            hints("preset Shape of wedges", 'preset "Finite volume"'), ["EdgeLengthRatio"]
+        )
         self.assertEqual(hints("preset Shape", "EdgeLengthRatio >= 0.25"), [])
         (rule, _) = parse("preset Shape of wedges tolerate 3 null passes")
         self.assertEqual(
@@ -288,8 +298,14 @@ class TestRules(camaron_testing.TestCase):
             ("Volume > 0 where Material > 3", "expected = after Material, found '>'"),
             ("Volume > 0 where Material = steel", "expected a whole number, found 'steel'"),
             ("Volume > 0 where Material = 3.5", "expected a whole number of 64 bits, found '3.5'"),
-            ("Volume > 0 where Material = 2e19", "expected a whole number of 64 bits, found '2e19'"),
-            ("Volume > 0 where Material = 9007199254740992.5", "expected a whole number of 64 bits, found '9007199254740992.5'"),
+            (
+                "Volume > 0 where Material = 2e19",
+                "expected a whole number of 64 bits, found '2e19'",
+            ),
+            (
+                "Volume > 0 where Material = 9007199254740992.5",
+                "expected a whole number of 64 bits, found '9007199254740992.5'",
+            ),
             ("Volume > 0 where Material = inf", "expected a whole number of 64 bits, found 'inf'"),
             (
                 "Volume > 0 tolerate",
@@ -314,7 +330,10 @@ class TestRules(camaron_testing.TestCase):
                 "expected fails or passes after null, found 'pass'; did you mean passes?",
             ),
             ("Volume > 0 tolerat 1%", CLAUSES + ", found 'tolerat'; did you mean tolerate?"),
-            ("Volume > 0 of wedges in x", "expected one of the words of, in and where, found another: 'in'"),
+            (
+                "Volume > 0 of wedges in x",
+                "expected one of the words of, in and where, found another: 'in'",
+            ),
             (
                 "Volume > 0 tolerate 1 tolerate 1",
                 "expected one tolerate, found another: 'tolerate'",
@@ -360,7 +379,9 @@ class TestRules(camaron_testing.TestCase):
 
     def test_whatever_the_text(self):
         """Any line is a rule or an error, never another exception."""
-        words = "Volume > >= = 1 * - inf of in where null % ' \" # type tolerate preset \0 é".split()
+        words = (
+            "Volume > >= = 1 * - inf of in where null % ' \" # type tolerate preset \0 é".split()
+        )
         choose = random.Random(3)
         known = parser()
         outcomes = set()

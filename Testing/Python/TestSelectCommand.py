@@ -60,7 +60,17 @@ class TestSelectCommand(camaron_testing.TestCase):
         expected = numpy.flatnonzero(angles <= 60).tolist()
         self.assertTrue(expected)
         done = self.run_select(
-            BALL, "--by", SMALL_ANGLES, "-o", "bad.csv", "-o", "bad.txt", "-o", "sets/bad", "-o", "bad.visf"
+            BALL,
+            "--by",
+            SMALL_ANGLES,
+            "-o",
+            "bad.csv",
+            "-o",
+            "bad.txt",
+            "-o",
+            "sets/bad",
+            "-o",
+            "bad.visf",
         )
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn(f"{len(expected)} cells", done.stdout)
@@ -73,17 +83,25 @@ class TestSelectCommand(camaron_testing.TestCase):
         grid = self.fetch(self.open(BALL))
         for row in rows:
             points = grid.GetCell(int(row["Id"])).GetPoints()
-            middle = numpy.mean([points.GetPoint(i) for i in range(points.GetNumberOfPoints())], axis=0)
+            middle = numpy.mean(
+                [points.GetPoint(i) for i in range(points.GetNumberOfPoints())], axis=0
+            )
             self.assertLess(
-                numpy.abs(middle - [float(row[c]) for c in "XYZ"]).max(), 1e-12, "mean of the points"
+                numpy.abs(middle - [float(row[c]) for c in "XYZ"]).max(),
+                1e-12,
+                "mean of the points",
             )
             self.assertEqual(row["CellType"], "Polyhedron")
         self.assertEqual((self.folder / "bad.txt").read_text().split(), [str(i) for i in expected])
         lines = (self.folder / "sets" / "bad").read_text().split("\n")
         self.assertIn("    class       cellSet;", lines)
         body = lines[lines.index("(") + 1 : lines.index(")")]
-        self.assertEqual((lines[lines.index("(") - 1], body), (str(len(body)), [str(i) for i in expected]))
-        self.assertEqual(self.open(self.folder / "bad.visf").GetDataInformation().GetNumberOfCells(), len(body))
+        self.assertEqual(
+            (lines[lines.index("(") - 1], body), (str(len(body)), [str(i) for i in expected])
+        )
+        self.assertEqual(
+            self.open(self.folder / "bad.visf").GetDataInformation().GetNumberOfCells(), len(body)
+        )
 
     def test_steps(self):
         """Each goes on from the one before, and they are what the filter does."""
@@ -133,7 +151,10 @@ class TestSelectCommand(camaron_testing.TestCase):
                 "Worst N: Array=Volume; NumberOfWorst=3000000000",
                 "NumberOfWorst: expected a smaller number, found '3000000000'",
             ),
-            ("Half-spaces: Planes=0,0,0,1,0,0,0", "Planes: expected a multiple of 6 numbers, found 7"),
+            (
+                "Half-spaces: Planes=0,0,0,1,0,0,0",
+                "Planes: expected a multiple of 6 numbers, found 7",
+            ),
             ("Shape: Shape=Sphere; Center=0,0", "Center: "),
             ("Worst N: Array=Volum", "named 'Volum'"),
             ("By id: Ids=4-2", "Ids: 4-2 runs backwards"),
@@ -155,13 +176,19 @@ class TestSelectCommand(camaron_testing.TestCase):
 
     def test_number_of_elements(self):
         source = self.open(BALL)
-        for counted, criterion in (("Faces", "FaceCount"), ("Edges", "EdgeCount"), ("Vertices", "VertexCount")):
+        for counted, criterion in (
+            ("Faces", "FaceCount"),
+            ("Edges", "EdgeCount"),
+            ("Vertices", "VertexCount"),
+        ):
             counts = self.values(criterion)
             for text, wanted in (("14", {14}), ("13-15, 18", {13, 14, 15, 18}), ("24", {24})):
                 _, found = self.select(
                     source, Strategy="Number of elements", Counted=counted, Counts=text
                 )
-                self.assertEqual(found, {i for i, n in enumerate(counts) if n in wanted}, (counted, text))
+                self.assertEqual(
+                    found, {i for i, n in enumerate(counts) if n in wanted}, (counted, text)
+                )
 
     def test_failed_criteria(self):
         """Counted like the rules of the preset say, of the arrays that are there."""
@@ -198,11 +225,14 @@ class TestSelectCommand(camaron_testing.TestCase):
         self.assertEqual(export.write_list(points, self.folder / "points.csv"), 2)
         with open(self.folder / "points.csv", newline="") as file:
             self.assertEqual(
-                [(row["Id"], row["CellType"]) for row in csv.DictReader(file)], [("3", "Point"), ("5", "Point")]
+                [(row["Id"], row["CellType"]) for row in csv.DictReader(file)],
+                [("3", "Point"), ("5", "Point")],
             )
         export.write_list(points, self.folder / "sets" / "points")
         self.assertIn("pointSet", (self.folder / "sets" / "points").read_text())
-        two = simple.GroupDatasets(Input=[self.open(BALL), mesh_parts.producer(mesh_parts.make_mesh())])
+        two = simple.GroupDatasets(
+            Input=[self.open(BALL), mesh_parts.producer(mesh_parts.make_mesh())]
+        )
         both = simple.SelectElements(Input=two, Strategy="By id", Ids="0,800")
         both.UpdatePipeline()
         self.assertEqual(export.write_list(both, self.folder / "both.csv"), 2)

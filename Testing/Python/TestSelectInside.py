@@ -303,7 +303,11 @@ class TestSelectInside(camaron_testing.TestCase):
             self.assertIn(reason, messages.errors[0])
         for shape in ("Sphere", "Cylinder"):
             for radius in (-1, math.nan):
-                if shape == "Cylinder" and radius == -1 and camaron_testing.paraview_version() >= (6, 1):
+                if (
+                    shape == "Cylinder"
+                    and radius == -1
+                    and camaron_testing.paraview_version() >= (6, 1)
+                ):
                     continue  # whose vtkCylinder takes 0 for it
                 select = simple.SelectElements(Input=source, Strategy="Shape", Shape=shape)
                 select.Shape.Radius = radius
@@ -334,13 +338,18 @@ class TestSelectInside(camaron_testing.TestCase):
                     corners.append("{} {} {}".format(*corner))
                 polygons.append(", ".join(corners))
         for placement in PLACEMENTS:
-            ball = simple.SelectElements(Input=mesh, Strategy="Shape", Shape="Sphere", Placement=placement)
+            ball = simple.SelectElements(
+                Input=mesh, Strategy="Shape", Shape="Sphere", Placement=placement
+            )
             ball.Shape.Center, ball.Shape.Radius = [0.1, -0.2, 0.3], 0.4
             ball.UpdatePipeline()
             marks = vtk_to_numpy(self.fetch(ball).GetCellData().GetArray("Selected"))
             expected = set(numpy.flatnonzero(marks).tolist())
             self.assertTrue(0 < len(expected) < 800)
-            for text in ("sphere 0.1 -0.2 0.3 0.4", "Sphere\nCenter = [0.1, -0.2, 0.3]\nRadius = 0.4\nVertices = 1000"):
+            for text in (
+                "sphere 0.1 -0.2 0.3 0.4",
+                "Sphere\nCenter = [0.1, -0.2, 0.3]\nRadius = 0.4\nVertices = 1000",
+            ):
                 found = self.select(mesh, Placement=placement, **self.shape_file(text))
                 self.assertEqual(found, expected, placement)
             expected = self.select(mesh, Strategy="Half-spaces", Planes=planes, Placement=placement)
@@ -353,22 +362,37 @@ class TestSelectInside(camaron_testing.TestCase):
         source = simple.Wavelet(WholeExtent=[0, 2] * 3)
         for text, reason in (
             ("", "shape.txt: expected sphere, normals or polygons, found end of file"),
-            ("# nothing\ncube 1", "shape.txt:2: expected sphere, normals or polygons, found 'cube'"),
+            (
+                "# nothing\ncube 1",
+                "shape.txt:2: expected sphere, normals or polygons, found 'cube'",
+            ),
             ("sphere", "shape.txt: expected numbers, found end of file"),
-            ("sphere 1 2 3", "shape.txt:1: expected 4 numbers, the center of the sphere and its radius, found 3"),
+            (
+                "sphere 1 2 3",
+                "shape.txt:1: expected 4 numbers, the center of the sphere and its radius, found 3",
+            ),
             ("sphere 1 2 3 x", "shape.txt:1: expected a number, found 'x'"),
             ("sphere 1 2 nan 1", "shape.txt:1: expected a number, found 'nan'"),
             ("sphere 1 2 3 -4", "Radius is 0 or more, not -4"),
-            ("normals\n1 0 0 0 0 0\n1 0 0 0 0", "shape.txt:3: expected 6 numbers, a normal and a point"),
+            (
+                "normals\n1 0 0 0 0 0\n1 0 0 0 0",
+                "shape.txt:3: expected 6 numbers, a normal and a point",
+            ),
             ("normals\n0 0 0 1 1 1", "a plane has no normal"),
-            ("polygons\n0 0 0 1 0 0", "shape.txt:2: expected 3 numbers for each of 3 or more points"),
+            (
+                "polygons\n0 0 0 1 0 0",
+                "shape.txt:2: expected 3 numbers for each of 3 or more points",
+            ),
             ("polygons\n0 0 0 1 0 0 0 1 0", "shape.txt: the polygons are not closed: 3 edges have"),
         ):
             select = simple.SelectElements(Input=source, **self.shape_file(text))
             with camaron_testing.pipeline.Messages() as messages:
                 select.UpdatePipeline()
             self.assertIn(reason, messages.errors[0])
-        for path, reason in (("", "there is no Shape File"), (str(self.folder / "none.txt"), "none.txt")):
+        for path, reason in (
+            ("", "there is no Shape File"),
+            (str(self.folder / "none.txt"), "none.txt"),
+        ):
             select = simple.SelectElements(Input=source, Strategy="Shape file", ShapeFile=path)
             with camaron_testing.pipeline.Messages() as messages:
                 select.UpdatePipeline()

@@ -187,7 +187,9 @@ class TestSelectKinds(camaron_testing.TestCase):
                         Input=points, Strategy="Change kind", Quantifier=back_quantifier
                     )
                     self.assertEqual(
-                        self.cells(back), bounded(mesh, "Points", expected, back_quantifier), message
+                        self.cells(back),
+                        bounded(mesh, "Points", expected, back_quantifier),
+                        message,
                     )
 
     def test_laws(self):

@@ -1,7 +1,7 @@
 # ranks: 1 3
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rings of neighbours and what hangs together, against sets in Python, however the mesh is split.
+"""Rings of neighbors and what hangs together, against sets in Python, however the mesh is split.
 
 No min and max here: programmable sources replace them in the main module.
 """
@@ -57,7 +57,7 @@ def elements_of(mesh):
 
 
 def rings(mesh, kind, seeds, count, allowed=None):
-    """The seeds with rings of neighbours; count None for all of them."""
+    """The seeds with rings of neighbors; count None for all of them."""
     elements = elements_of(mesh)
     found = set(seeds)
     while count is None or count > 0:
@@ -65,9 +65,7 @@ def rings(mesh, kind, seeds, count, allowed=None):
         new = {
             i
             for i in range(len(elements))
-            if i not in found
-            and (allowed is None or i in allowed)
-            and elements[i][kind] & reached
+            if i not in found and (allowed is None or i in allowed) and elements[i][kind] & reached
         }
         if not new:
             break
@@ -133,7 +131,9 @@ class TestSelectNeighbors(camaron_testing.TestCase):
                     found = self.numbers(
                         simple.SelectElements(Input=some, Strategy="Expand", **options)
                     )
-                    expected = rings(mesh, kind, range(middle, sorted((middle + 4, count))[0]), number)
+                    expected = rings(
+                        mesh, kind, range(middle, sorted((middle + 4, count))[0]), number
+                    )
                     self.assertEqual(found, expected, f"{message} {options}")
                 found = self.numbers(
                     simple.SelectElements(Input=many, Strategy="Shrink", Adjacency=kind)
@@ -262,9 +262,7 @@ class TestSelectNeighbors(camaron_testing.TestCase):
         if camaron_testing.rank_count() > 1:
             return
         cubes = simple.Wavelet(WholeExtent=[0, 2] * 3)
-        seed = simple.SelectElements(
-            Input=cubes, ElementType="Points", Strategy="By id", Ids="0"
-        )
+        seed = simple.SelectElements(Input=cubes, ElementType="Points", Strategy="By id", Ids="0")
         for kind, expected in (
             ("Edge", {0, 1, 3, 9}),
             ("Face", {0, 1, 3, 4, 9, 10, 12}),

@@ -133,14 +133,16 @@ class TestStatistics(camaron_testing.TestCase):
                 of_tetrahedra = row["Criterion"] == "EdgeLengthRatio"
                 judged = mesh_parts.are_of_type(VTK_TETRA) if of_tetrahedra else [True] * len(data)
                 bad = sum(
-                    w for w, x, is_judged in zip(weights, data, judged) if is_judged and (x < low or x > high)
+                    w
+                    for w, x, is_judged in zip(weights, data, judged)
+                    if is_judged and (x < low or x > high)
                 )
                 self.assertAlmostEqual(row["BadVolumeFraction"], float(bad / total), delta=1e-14)
         bad = [row["BadVolumeFraction"] for row in table if row["Criterion"] == "EdgeLengthRatio"]
         self.assertTrue(0 < bad[0] < 1)
 
     def test_places_of_extremes(self):
-        """The centre of the very cell that ArgMin and ArgMax name."""
+        """The center of the very cell that ArgMin and ArgMax name."""
         grid = mesh_parts.make_full_mesh()
         table, _, _ = self.tables(mesh_parts.producer(grid), Arrays=["Volume", "AllNull"])
         for end in ("ArgMin", "ArgMax"):
@@ -181,7 +183,9 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertGreater(seen, 300)
         lengths = [r for r in curve if r["Criterion"] == "Volume" and r["Group"] == "All"]
         self.assertEqual((len(lengths), lengths[-1]["Percent"]), (21, 100))
-        self.assertEqual(self.fetch(self.statistics(grid, Arrays=["Volume"]), 3).GetNumberOfRows(), 0)
+        self.assertEqual(
+            self.fetch(self.statistics(grid, Arrays=["Volume"]), 3).GetNumberOfRows(), 0
+        )
 
     def statistics(self, grid, **properties):
         return simple.QualityStatistics(Input=mesh_parts.producer(grid), **properties)
@@ -273,7 +277,9 @@ class TestStatistics(camaron_testing.TestCase):
             for time in times:
                 one.UpdatePipeline(time)
                 expected = rows(self.fetch(one, port))
-                here = [{k: v for k, v in r.items() if k != "Time"} for r in found if r["Time"] == time]
+                here = [
+                    {k: v for k, v in r.items() if k != "Time"} for r in found if r["Time"] == time
+                ]
                 self.assertEqual(str(here), str(expected))
         every.UpdatePipeline(times[0])
         self.assertEqual(len(rows(self.fetch(every))), len(times))
@@ -391,7 +397,9 @@ class TestStatistics(camaron_testing.TestCase):
             low = row["AcceptableLow"]
             self.assertAlmostEqual(low, 1 / 1.3 if preset == "FEM hexahedra" else 1 / 3)
             self.assertEqual(row["AcceptableHigh"], math.inf)
-            judged = mesh_parts.are_of_type(VTK_HEXAHEDRON if preset == "FEM hexahedra" else VTK_TETRA)
+            judged = mesh_parts.are_of_type(
+                VTK_HEXAHEDRON if preset == "FEM hexahedra" else VTK_TETRA
+            )
             below = (judged & (values["EdgeLengthRatio"] < low)).sum()
             self.assertGreater(below, 0)
             self.assertEqual((row["BelowCount"], row["AboveCount"]), (below, 0))
@@ -484,7 +492,10 @@ class TestStatistics(camaron_testing.TestCase):
                 self.assertEqual(first["Value"], values["Volume"][here].min())
         with camaron_testing.pipeline.Messages() as messages:
             statistics, _, _ = self.tables(
-                mesh_parts.producer(grid), Arrays=["Volume"], GroupBy="Cell array", GroupArray="None"
+                mesh_parts.producer(grid),
+                Arrays=["Volume"],
+                GroupBy="Cell array",
+                GroupArray="None",
             )
         self.assertIn("named 'None'", " ".join(messages.warnings))
         self.assertEqual([row["Group"] for row in statistics], ["All"])
@@ -580,10 +591,16 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertLess(row["Count"], pulse.GetDataInformation().GetNumberOfCells())
         self.assertEqual(worst[0]["Value"], row["Min"])
         seed = simple.SelectElements(
-            Input=quality, Strategy="Worst N", Array="Volume", NumberOfWorst=7, WorstValues="Largest"
+            Input=quality,
+            Strategy="Worst N",
+            Array="Volume",
+            NumberOfWorst=7,
+            WorstValues="Largest",
         )
         (chosen,), _, _ = self.tables(seed, OnlySelected=1)
-        self.assertEqual((chosen["Count"], chosen["Min"], chosen["Max"]), (7, row["Max"], row["Max"]))
+        self.assertEqual(
+            (chosen["Count"], chosen["Min"], chosen["Max"]), (7, row["Max"], row["Max"])
+        )
         everything = simple.SelectElements(Input=quality, Strategy="All")
         everything.UpdatePipeline()
         everything.UpdatePropertyInformation()
@@ -634,7 +651,7 @@ class TestStatistics(camaron_testing.TestCase):
         source = mesh_parts.producer(mesh_parts.make_full_mesh())
         for properties, reason in (
             ({"Preset": "Nonsense"}, "no preset named 'Nonsense'"),
-            ({"GroupBy": "Colour"}, "no way to group by 'Colour'"),
+            ({"GroupBy": "Color"}, "no way to group by 'Color'"),
             ({"HistogramScale": "Cubic"}, "not 'Cubic'"),
         ):
             filter_ = simple.QualityStatistics(Input=source)

@@ -45,7 +45,13 @@ def save_tables(source, folder, **properties):
 
     ParaView's writer sorts the columns by name when there are several ranks.
     """
-    properties = {"Arrays": ARRAYS, "NumberOfWorst": 30, "WeightArray": "Volume", "CurvePoints": 20, **properties}
+    properties = {
+        "Arrays": ARRAYS,
+        "NumberOfWorst": 30,
+        "WeightArray": "Volume",
+        "CurvePoints": 20,
+        **properties,
+    }
     statistics = simple.QualityStatistics(Input=source, **properties)
     statistics.UpdatePipeline()
     for port, name in enumerate(PORTS):
@@ -92,7 +98,7 @@ def make_blocks():
 
 
 def evaluate_example(name):
-    """Criteria of an example, one of them with neighbours, for which readers provide ghost cells."""
+    """Criteria of an example, one of them with neighbors, for which readers provide ghost cells."""
     source = simple.OpenDataFile(str(camaron_testing.EXAMPLES / name))
     return simple.ElementQuality(Input=source, Criteria=CRITERIA)
 

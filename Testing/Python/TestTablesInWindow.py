@@ -6,7 +6,17 @@ import json
 import xml.etree.ElementTree as ElementTree
 
 import camaron_testing
-from window_testing import WINDOW, WindowTestCase, add_filter, apply, choose, edit, event, open_example, save_state
+from window_testing import (
+    WINDOW,
+    WindowTestCase,
+    add_filter,
+    apply,
+    choose,
+    edit,
+    event,
+    open_example,
+    save_state,
+)
 
 BROWSER = f"{WINDOW}/pipelineBrowserDock/pipelineBrowser"
 DIALOG = f"{WINDOW}/SelectInputDialog"
@@ -68,18 +78,23 @@ class TestTablesInWindow(WindowTestCase):
         """GroupBy of each filter in a state file."""
         root = ElementTree.parse(state).getroot()
         found = {
-            proxy.get("type"): proxy.find("Property[@name='GroupBy']/Element") for proxy in root.iter("Proxy")
+            proxy.get("type"): proxy.find("Property[@name='GroupBy']/Element")
+            for proxy in root.iter("Proxy")
         }
         return {name: value.get("value") for name, value in found.items() if value is not None}
 
     def list(self, name):
-        return self.script(f"list-{name}", LIST.replace("PATH", repr(str(self.folder / f"{name}.json"))))
+        return self.script(
+            f"list-{name}", LIST.replace("PATH", repr(str(self.folder / f"{name}.json")))
+        )
 
     def found(self, name):
         return json.loads((self.folder / f"{name}.json").read_text())
 
     def test_undo(self):
-        state = self.folder / "undone.pvsm"  # at the end, as saving one forgets what could be undone
+        state = (
+            self.folder / "undone.pvsm"
+        )  # at the end, as saving one forgets what could be undone
         self.play(*make_tables("Undo"), *save_state(state))
         self.assertEqual(self.group_by(state), {name: "None" for name in FILTERS})
 

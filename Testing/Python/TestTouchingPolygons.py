@@ -11,6 +11,7 @@ from paraview import simple
 from touching_shapes import BLOCKS, POLYGONS, make_prisms
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+
 def write_off(corners) -> str:
     numbers = {corner: i for i, corner in enumerate(dict.fromkeys(corners))}
     lines = ["OFF", f"{len(numbers)} 1 0", *(f"{x} {y} 0" for x, y in numbers)]

@@ -166,7 +166,10 @@ def environment_alone(without=()):
         key: value
         for key, value in os.environ.items()
         if key not in without
-        and (not key.startswith(prefixes) or key.startswith(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_MCA_btl")))
+        and (
+            not key.startswith(prefixes)
+            or key.startswith(("OMPI_ALLOW_RUN_AS_ROOT", "OMPI_MCA_btl"))
+        )
     }
 
 
@@ -207,7 +210,9 @@ def main():
     if not result.wasSuccessful():
         status = 1
     else:
-        skipped = sum(not hasattr(test, "test_case") for test, _ in result.skipped)  # no parts of tests
+        skipped = sum(
+            not hasattr(test, "test_case") for test, _ in result.skipped
+        )  # no parts of tests
         status = SKIPPED if result.testsRun and skipped == result.testsRun else 0
     sys.stdout.flush()
     sys.stderr.flush()

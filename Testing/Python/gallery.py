@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Small meshes of every kind that formats hold, and what makes two of them the same.
 
-Neighbours fit, 3D cells have positive volume, and coordinates are no round numbers, so that every
+Neighbors fit, 3D cells have positive volume, and coordinates are no round numbers, so that every
 lost digit shows.
 """
 
@@ -131,16 +131,10 @@ def points_of(grid):
 
 def lattice(nx, ny, nz, place=warp):
     """Points and ids of a lattice, and the eight corners of its cubes in the order of hexahedra."""
-    points = [
-        place(x, y, z) for z in range(nz + 1) for y in range(ny + 1) for x in range(nx + 1)
-    ]
+    points = [place(x, y, z) for z in range(nz + 1) for y in range(ny + 1) for x in range(nx + 1)]
     number = lambda x, y, z: x + (nx + 1) * (y + (ny + 1) * z)
     cubes = [
-        [
-            number(x + i, y + j, z + k)
-            for k in (0, 1)
-            for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))
-        ]
+        [number(x + i, y + j, z + k) for k in (0, 1) for i, j in ((0, 0), (1, 0), (1, 1), (0, 1))]
         for z in range(nz)
         for y in range(ny)
         for x in range(nx)
@@ -183,7 +177,9 @@ def mixed(size=1):
     for row in range(size * size):
         first, c, last = cubes[4 * row], cubes[4 * row + 1], cubes[4 * row + 3]
         cells.append((VTK_HEXAHEDRON, first))
-        cells += [(VTK_WEDGE, [c[i] for i in ids]) for ids in ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))]
+        cells += [
+            (VTK_WEDGE, [c[i] for i in ids]) for ids in ((0, 1, 2, 4, 5, 6), (0, 2, 3, 4, 6, 7))
+        ]
         c = cubes[4 * row + 2]
         points.append(tuple(numpy.mean([points[i] for i in c], axis=0)))
         for quad in ((0, 3, 2, 1), (4, 5, 6, 7), *sides):
@@ -197,7 +193,7 @@ def mixed(size=1):
 
 def polyhedra():
     """Hexagonal prisms beside and above each other."""
-    centres = [(0, 0), (1.5, math.sqrt(3) / 2), (0, math.sqrt(3))]
+    centers = [(0, 0), (1.5, math.sqrt(3) / 2), (0, math.sqrt(3))]
     points, numbers, cells = [], {}, []
 
     def number(x, y, layer):
@@ -209,14 +205,12 @@ def polyhedra():
 
     angles = [math.pi / 3 * i for i in range(6)]
     for layer in range(2):
-        for cx, cy in centres:
+        for cx, cy in centers:
             low, high = (
                 [number(cx + math.cos(a), cy + math.sin(a), k) for a in angles]
                 for k in (layer, layer + 1)
             )
-            sides = [
-                (low[i], low[(i + 1) % 6], high[(i + 1) % 6], high[i]) for i in range(6)
-            ]
+            sides = [(low[i], low[(i + 1) % 6], high[(i + 1) % 6], high[i]) for i in range(6)]
             cells.append((VTK_POLYHEDRON, [tuple(reversed(low)), tuple(high), *sides]))
     return make_grid(points, cells)
 

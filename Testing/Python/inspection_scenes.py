@@ -27,12 +27,16 @@ SPHERE = {"CutShape": "Sphere", "Center": [0.5, 0.4, 0.8], "Radius": 0.9}
 PLANE = {"CutShape": "Plane", "Origin": [0.1, 0, 0.2], "Normal": [0.3, 0.2, -1]}
 BOX = {"CutShape": "Box", "Position": [0, -0.2, 0], "Length": [2, 2, 2]}
 WEDGE = {"CutShape": "HalfSpaces", "Planes": [0.2, 0, 0, -1, 0, 0, 0, 0, 0.1, 0, 0, -1]}
-ISOSURFACES = {"DrawIsosurfaces": 1, "IsosurfaceArray": "Elevation", "IsosurfaceValues": [0.3, 0.5, 0.7]}
+ISOSURFACES = {
+    "DrawIsosurfaces": 1,
+    "IsosurfaceArray": "Elevation",
+    "IsosurfaceValues": [0.3, 0.5, 0.7],
+}
 ISOLINES = {"DrawIsolines": 1, "IsolineArray": "Elevation", "IsolineSpacing": 0.1}
 
 SHAPE_PROPERTIES = {"Center", "Radius", "Origin", "Normal", "Position", "Length", "Planes"}
 
-#: Name: (mesh, array that colours it or None, properties of the display and of the shape of its cut).
+#: Name: (mesh, array that colors it or None, properties of the display and of the shape of its cut).
 SCENES = {
     "property-of-cells": ("ball", VOLUME, {}),
     "property-of-points": ("ball", HEIGHT, {"DrawEdges": 0}),
@@ -55,7 +59,11 @@ SCENES = {
     "exploded": ("ball", VOLUME, {"ExplodeFactor": 0.6}),
     "smooth-shading": ("ball", None, {"DrawEdges": 0, "SmoothShading": 1, "Specular": 0.8}),
     "translucent": ("ball", VOLUME, {"Opacity": 0.4}),
-    "back-faces": ("open", None, {"BackfaceRepresentation": "Surface", "BackfaceDiffuseColor": [0.9, 0.6, 0.1]}),
+    "back-faces": (
+        "open",
+        None,
+        {"BackfaceRepresentation": "Surface", "BackfaceDiffuseColor": [0.9, 0.6, 0.1]},
+    ),
     "normals-of-faces": ("ball", None, {"DrawNormals": "Faces"}),
     "normals-of-vertices": ("ball", None, {"DrawNormals": "Vertices", "DrawFaces": 0}),
     "points": ("ball", HEIGHT, {"DrawPoints": 1, "DrawFaces": 0, "DrawEdges": 0, "PointSize": 4}),
@@ -64,9 +72,17 @@ SCENES = {
     "ids-of-faces": ("few", None, {"DrawFaceIds": 1}),
     "ids-of-cells": ("few", None, {"DrawCellIds": 1}),
     "glass": ("ball", VOLUME, {"GlassShell": 1, "CutBy": "Centroid", **SPHERE}),
-    "glass-isosurfaces": ("ball", HEIGHT, {"GlassShell": 1, "DrawFaces": 0, "DrawEdges": 0, **ISOSURFACES}),
+    "glass-isosurfaces": (
+        "ball",
+        HEIGHT,
+        {"GlassShell": 1, "DrawFaces": 0, "DrawEdges": 0, **ISOSURFACES},
+    ),
     "isosurfaces": ("ball", VOLUME, {"DrawFaces": 0, "DrawEdges": 0, **ISOSURFACES}),
-    "isosurfaces-edges": ("ball", HEIGHT, {"DrawFaces": 0, **ISOSURFACES, "CutBy": "Centroid", **PLANE}),
+    "isosurfaces-edges": (
+        "ball",
+        HEIGHT,
+        {"DrawFaces": 0, **ISOSURFACES, "CutBy": "Centroid", **PLANE},
+    ),
     "isolines": ("ball", HEIGHT, {"DrawEdges": 0, "IsolineWidth": 2, **ISOLINES}),
     "isolines-cut": ("ball", VOLUME, {"CutBy": "Exactly", "DrawEdges": 0, **SPHERE, **ISOLINES}),
     "cut-by-centroid": ("ball", VOLUME, {"CutBy": "Centroid", **SPHERE}),
@@ -150,7 +166,9 @@ class Scenes:
         if color or display.ColorArrayName[1]:
             simple.ColorBy(display, color)
         if color:
-            display.LookupTable.ApplyPreset("Cool to Warm", True)  # no longer the default in ParaView 6
+            display.LookupTable.ApplyPreset(
+                "Cool to Warm", True
+            )  # no longer the default in ParaView 6
         display.SetScalarBarVisibility(self.view, False)
         if "CutShape" in properties:
             display.CutShape = properties["CutShape"]

@@ -93,7 +93,7 @@ def labels(view):
 class PictureTestCase(camaron_testing.TestCase):
     """Compares pictures of one source after the other in one view."""
 
-    #: The range of the transfer function of what is coloured; None: as ParaView chooses it.
+    #: The range of the transfer function of what is colored; None: as ParaView chooses it.
     color_range = None
 
     def setUp(self):

@@ -21,7 +21,7 @@ def read_visf(path):
         real = lambda: struct.unpack("<f", stream.read(4))[0]
     points = numpy.array([[real(), real(), real()] for _ in range(integer())])
     faces = [[integer() for _ in range(integer())] for _ in range(integer())]
-    assert integer() == 0, "no lists of neighbours"
+    assert integer() == 0, "no lists of neighbors"
     try:
         number = integer()
     except (StopIteration, struct.error):

@@ -109,7 +109,7 @@ def make_full_mesh(global_ids=False):
 
 
 def extract(grid, begin, end, ghost_layer=0):
-    """Cells [begin, end), and behind them copies of some neighbours marked as ghosts."""
+    """Cells [begin, end), and behind them copies of some neighbors marked as ghosts."""
     total = grid.GetNumberOfCells()
     wanted = list(range(begin, end))
     ghosts = [

@@ -71,8 +71,12 @@ def surfaces():
     twisted = [(k, ids[::-1] if n == 40 else ids) for n, (k, ids) in enumerate(ball[1])]
     add([(x + 3, y + 3, z) for x, y, z in ball[0]], twisted)
     size = 6
-    sheet = [(x / 3, y / 3 - 4, 0.1 * math.sin(x * y)) for y in range(size + 1) for x in range(size + 1)]
-    wall = [(x / 3, 3 / 3 - 4, 0.1 * math.sin(3 * x) + z / 4) for z in (1, 2) for x in range(size + 1)]
+    sheet = [
+        (x / 3, y / 3 - 4, 0.1 * math.sin(x * y)) for y in range(size + 1) for x in range(size + 1)
+    ]
+    wall = [
+        (x / 3, 3 / 3 - 4, 0.1 * math.sin(3 * x) + z / 4) for z in (1, 2) for x in range(size + 1)
+    ]
     at = lambda x, y: x + (size + 1) * y
     quads = [
         (VTK_QUAD, [at(x, y), at(x + 1, y), at(x + 1, y + 1), at(x, y + 1)])
@@ -145,7 +149,7 @@ def pair():
 
 
 def torn(gap=1.2e-6):
-    """Hexahedra with points of their own, which lie up to a gap from where those of their neighbours do."""
+    """Hexahedra with points of their own, which lie up to a gap from where those of their neighbors do."""
     places, cubes = gallery.lattice(4, 3, 3)
     shifts = numpy.random.default_rng(5).uniform(-gap, gap, (8 * len(cubes), 3)) / 2
     points = [
@@ -274,8 +278,7 @@ def make_part(
     if appended > 1:
         chunks = [chunk.tolist() for chunk in numpy.array_split(own, appended) if len(chunk)]
         parts = [
-            take(points, cells, chunk, copies_around(chunk), first_id, is_float)
-            for chunk in chunks
+            take(points, cells, chunk, copies_around(chunk), first_id, is_float) for chunk in chunks
         ]
         return append(parts)
     return take(points, cells, own, copies_around(own), first_id, is_float)

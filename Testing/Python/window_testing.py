@@ -10,7 +10,9 @@ import camaron_testing
 
 WINDOW = "pqClientMainWindow"
 PANEL = f"{WINDOW}/propertiesDock/propertiesPanel"
-PROPERTIES = f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
+PROPERTIES = (
+    f"{PANEL}/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/ProxyPanel"
+)
 FRAME = (
     f"{WINDOW}/centralwidget/MultiViewWidget/CoreWidget/qt_tabwidget_stackedwidget/MultiViewWidget1"
     "/Container/Frame.0"

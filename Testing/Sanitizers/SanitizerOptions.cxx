@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the sanitizers of a program do if ASAN_OPTIONS and UBSAN_OPTIONS say nothing else. CMake names a
-// program that finds places in the source, as clang's own is in a package that may not be there.
+// What the sanitizers of a program do if ASAN_OPTIONS and UBSAN_OPTIONS say nothing else. CMake
+// names a program that finds places in the source, as clang's own is in a package that may not be
+// there.
 
 extern "C" const char* __asan_default_options()
 {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/ChangeKind.h"
 
-#include "RunTogether.h"
+#include "Ranks/Collective.h"
 #include "Strategies/CurrentSelection.h"
 #include "vtkSelectElements.h"
 
@@ -94,8 +94,9 @@ std::vector<DataSetLeaf> FindOthers(const SelectionTask& task)
       [&](const DataSetLeaf& leaf) { return leaf.FlatIndex == block.FlatIndex; });
     if (other == leaves.end() || !HaveSamePoints(block.Data, other->Data))
     {
-      throw std::invalid_argument("the points of Elements are not those of the mesh; Elements are the mesh, or "
-                                  "its faces, edges or vertices from Mesh Elements");
+      throw std::invalid_argument(
+        "the points of Elements are not those of the mesh; Elements are the mesh, or "
+        "its faces, edges or vertices from Mesh Elements");
     }
     others.push_back(*other);
   }
@@ -112,8 +113,8 @@ ElementKind FindKind(const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
     for (const ElementKind kind : { ElementKind::Points, ElementKind::Cells })
     {
       const int number = static_cast<int>(kind);
-      has[number] |= leaf.Data->GetAttributes(number)->HasArray(
-        vtkSelectElements::GetSelectedArrayName());
+      has[number] |=
+        leaf.Data->GetAttributes(number)->HasArray(vtkSelectElements::GetSelectedArrayName());
     }
   }
   std::int64_t count = static_cast<std::int64_t>(leaves.size());
@@ -121,8 +122,8 @@ ElementKind FindKind(const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
   reducer.Sum(&count, 1);
   if (count > 0 && !has[0] && !has[1])
   {
-    throw std::invalid_argument(
-      "nothing tells which Elements are selected: they have no array 'Selected', as Select Elements makes it");
+    throw std::invalid_argument("nothing tells which Elements are selected: they have no array "
+                                "'Selected', as Select Elements makes it");
   }
   return has[static_cast<int>(ElementKind::Cells)] ? ElementKind::Cells : ElementKind::Points;
 }
@@ -139,7 +140,8 @@ SelectionMarks Change(const Elements& from, const Elements& to, const SelectionM
   const Elements& cells = rises ? to : from;
   const Elements& others = rises ? from : to;
   KindChange change(*cells.Pieces,
-    { std::max(others.Dimension, 0), others.Kind == ElementKind::Points ? nullptr : others.Pieces }, reducer);
+    { std::max(others.Dimension, 0), others.Kind == ElementKind::Points ? nullptr : others.Pieces },
+    reducer);
   return rises ? change.MarkCells(marks, quantifier) : change.MarkBounding(marks, quantifier);
 }
 
@@ -154,7 +156,7 @@ Elements MakeElements(const std::vector<LinkedPiece>& pieces, ElementKind kind, 
 SelectionMarks ChangeKindOf(
   const SelectionTask& task, const SelectionMarks& others, Quantifier quantifier)
 {
-  const MeshPieces& pieces = task.GetPieces();
+  const DistributedMesh& pieces = task.GetPieces();
   KindChange change(pieces.Get(), {}, task.Reducer);
   if (task.Blocks.GetKind() == ElementKind::Points)
   {
@@ -176,7 +178,7 @@ std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks)
     return "";
   }
   std::vector<DataSetLeaf> leaves;
-  RunTogether(task.Reducer, [&] { leaves = FindOthers(task); });
+  RunCollectively(task.Reducer, [&] { leaves = FindOthers(task); });
   const ElementKind kind = FindKind(leaves, task.Reducer);
   SelectionMarks selected;
   for (const DataSetLeaf& leaf : leaves)
@@ -184,7 +186,7 @@ std::string ChangeKind(const SelectionTask& task, SelectionMarks& marks)
     selected.emplace_back(leaf.Data->GetNumberOfElements(static_cast<int>(kind)));
     MarkSelected(leaf.Data, kind, selected.back());
   }
-  const std::unique_ptr<MeshPieces> others = task.MakePieces(leaves);
+  const std::unique_ptr<DistributedMesh> others = task.MakePieces(leaves);
   if (kind == ElementKind::Points)
   {
     others->ShareMarks(selected);

@@ -12,7 +12,8 @@
 
 namespace camaron
 {
-/// Collective. Of the elements of the task those that belong to the marked elements of the other kind of the same mesh.
+/// Collective. Of the elements of the task those that belong to the marked elements of the other
+/// kind of the same mesh.
 SelectionMarks ChangeKindOf(
   const SelectionTask& task, const SelectionMarks& others, Quantifier quantifier);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/CurrentSelection.h"
 
-#include "RunTogether.h"
+#include "Ranks/Collective.h"
 #include "Strategies/ChangeKind.h"
 #include "vtkSelectElements.h"
 
@@ -70,7 +70,8 @@ void MarkNonzero(vtkDataArray* array, std::vector<unsigned char>& marks)
 }
 
 //------------------------------------------------------------------------------
-void MarkEvaluated(vtkDataObject* evaluated, ElementKind kind, const ElementBlocks& blocks, SelectionMarks& marks)
+void MarkEvaluated(
+  vtkDataObject* evaluated, ElementKind kind, const ElementBlocks& blocks, SelectionMarks& marks)
 {
   constexpr const char* inside = "vtkInsidedness"; // of vtkExtractSelection
   const std::vector<DataSetLeaf> leaves = GetLeaves(evaluated);
@@ -94,13 +95,16 @@ struct Combination
 };
 const Combination Combinations[] = {
   { "Replace", [](unsigned char, unsigned char mark) -> unsigned char { return mark; } },
-  { "Add", [](unsigned char current, unsigned char mark) -> unsigned char { return current | mark; } },
+  { "Add",
+    [](unsigned char current, unsigned char mark) -> unsigned char { return current | mark; } },
   { "Subtract",
     [](unsigned char current, unsigned char mark) -> unsigned char { return current && !mark; } },
   { "Intersect",
     [](unsigned char current, unsigned char mark) -> unsigned char { return current & mark; } },
-  { "Toggle", [](unsigned char current, unsigned char mark) -> unsigned char { return current ^ mark; } },
-  { "Refine", [](unsigned char current, unsigned char mark) -> unsigned char { return current & mark; } },
+  { "Toggle",
+    [](unsigned char current, unsigned char mark) -> unsigned char { return current ^ mark; } },
+  { "Refine",
+    [](unsigned char current, unsigned char mark) -> unsigned char { return current & mark; } },
 };
 }
 
@@ -122,7 +126,7 @@ void MarkSelected(vtkDataSet* data, ElementKind kind, std::vector<unsigned char>
 SelectionMarks FindSelected(const SelectionTask& task, ElementKind kind)
 {
   SelectionMarks marks;
-  RunTogether(task.Reducer,
+  RunCollectively(task.Reducer,
     [&]
     {
       for (const ElementBlock& block : task.Blocks.Get())

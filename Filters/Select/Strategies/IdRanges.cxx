@@ -59,7 +59,8 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
     }
     if (range.Last < range.First)
     {
-      throw std::invalid_argument(std::string(property) + ": " + ToText(range.First) + "-" + ToText(range.Last) + " runs backwards");
+      throw std::invalid_argument(std::string(property) + ": " + ToText(range.First) + "-" +
+        ToText(range.Last) + " runs backwards");
     }
     ranges.push_back(range);
   }

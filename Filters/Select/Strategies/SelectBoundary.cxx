@@ -12,8 +12,9 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// Marks the 3D cells with a face, or the 2D cells with an edge, that no other cell has, or their points there.
-void MarkBoundary(const MeshPieces& pieces, std::size_t piece, int dimension, bool marksCells,
+// Marks the 3D cells with a face, or the 2D cells with an edge, that no other cell has, or their
+// points there.
+void MarkBoundary(const DistributedMesh& pieces, std::size_t piece, int dimension, bool marksCells,
   std::vector<unsigned char>& marks)
 {
   const MeshTopology& topology = pieces.GetTopology(piece);
@@ -57,7 +58,7 @@ void MarkBoundary(const MeshPieces& pieces, std::size_t piece, int dimension, bo
 //------------------------------------------------------------------------------
 std::string SelectBoundary(const SelectionTask& task, SelectionMarks& marks)
 {
-  const MeshPieces& pieces = task.GetLinkedPieces();
+  const DistributedMesh& pieces = task.GetLinkedPieces();
   for (std::size_t piece = 0; piece < marks.size(); ++piece)
   {
     for (const int dimension : { 2, 3 })

@@ -35,7 +35,7 @@ std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks)
   {
     throw std::invalid_argument("there are no Counts");
   }
-  const MeshPieces& pieces = task.GetPieces();
+  const DistributedMesh& pieces = task.GetPieces();
   for (std::size_t piece = 0; piece < marks.size(); ++piece)
   {
     std::vector<double> values(marks[piece].size());

@@ -23,7 +23,8 @@ struct BlockIds
   ExactValue Get(vtkIdType i) const
   {
     const vtkIdType bits = this->Bits->GetValue(i);
-    return this->IsUnsigned ? ToExact(static_cast<std::uint64_t>(bits)) : ToExact(static_cast<std::int64_t>(bits));
+    return this->IsUnsigned ? ToExact(static_cast<std::uint64_t>(bits))
+                            : ToExact(static_cast<std::int64_t>(bits));
   }
 };
 
@@ -52,7 +53,8 @@ std::vector<BlockIds> FindIds(const SelectionTask& task)
     {
       ids[b].Bits = vtkSmartPointer<vtkIdTypeArray>::New();
       ids[b].IsUnsigned = IsUnsigned(array);
-      vtkIdTypeArray::FastDownCast(array) ? ids[b].Bits->ShallowCopy(array) : ids[b].Bits->DeepCopy(array);
+      vtkIdTypeArray::FastDownCast(array) ? ids[b].Bits->ShallowCopy(array)
+                                          : ids[b].Bits->DeepCopy(array);
     }
     missing += !ids[b].Bits;
   }
@@ -80,8 +82,9 @@ std::string SelectById(const SelectionTask& task, SelectionMarks& marks)
       {
         for (vtkIdType cell = begin; cell < end; ++cell)
         {
-          const ExactValue id =
-            ids[b].Bits ? ids[b].Get(cell) : ToExact(static_cast<std::int64_t>(block.GetIndex(cell)));
+          const ExactValue id = ids[b].Bits
+            ? ids[b].Get(cell)
+            : ToExact(static_cast<std::int64_t>(block.GetIndex(cell)));
           marks[b][cell] = !block.IsGhost(cell) && Contains(ranges, id);
         }
       });

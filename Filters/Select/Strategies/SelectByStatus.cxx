@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
-#include "Cell/CellStatusBits.h"
+#include "Cell/CellDefects.h"
 
 #include <sstream>
 #include <stdexcept>
@@ -61,7 +61,8 @@ unsigned ParseBits(std::string text)
     }
     if (bit == 0)
     {
-      throw std::invalid_argument("Status Bits: expected names of " + known + ", found '" + word + "'");
+      throw std::invalid_argument(
+        "Status Bits: expected names of " + known + ", found '" + word + "'");
     }
     bits |= bit;
   }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "Base/Text.h"
 #include "Criteria/Criterion.h"
 #include "Criteria/Evaluation.h"
 #include "Grouping.h"
-#include "Base/LowerCase.h"
 
 #include "vtkCellType.h"
 
@@ -43,8 +43,9 @@ TypeSet ParseTypes(std::string text)
     }
     if (!isKnown)
     {
-      throw std::invalid_argument("Cell Types: expected names such as Tetra, Hexahedron, Polyhedron "
-                                  "or VTK's numbers of them, found '" +
+      throw std::invalid_argument(
+        "Cell Types: expected names such as Tetra, Hexahedron, Polyhedron "
+        "or VTK's numbers of them, found '" +
         word + "'");
     }
   }
@@ -63,13 +64,12 @@ std::string SelectByType(const SelectionTask& task, SelectionMarks& marks)
   std::vector<std::vector<double>> families(marks.size());
   if (task.Parameters.ByTopology)
   {
-    const MeshPieces& pieces = task.GetPieces();
+    const DistributedMesh& pieces = task.GetPieces();
     for (std::size_t piece = 0; piece < marks.size(); ++piece)
     {
       families[piece].resize(marks[piece].size());
       Evaluate(pieces.GetTopology(piece), pieces.GetOptions(piece),
-        { { FindCriterion("CellFamilyId"), families[piece].data() } },
-        [](double) { return true; });
+        { { FindCriterion("CellFamilyId"), families[piece].data() } }, [](double) { return true; });
     }
   }
   MarkElements(marks,

@@ -70,13 +70,14 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
           for (vtkIdType i = begin; i < end; ++i)
           {
             // NaN is on neither side.
-            count[i] += block.IsJudged(i) && (block.Values[i] < range.Low || block.Values[i] > range.High);
+            count[i] +=
+              block.IsJudged(i) && (block.Values[i] < range.Low || block.Values[i] > range.High);
           }
         });
     }
   }
-  MarkElements(marks,
-    [&](std::size_t b, vtkIdType i) { return counts[b][i] >= parameters.NumberOfFailures; });
+  MarkElements(
+    marks, [&](std::size_t b, vtkIdType i) { return counts[b][i] >= parameters.NumberOfFailures; });
   return "";
 }
 }

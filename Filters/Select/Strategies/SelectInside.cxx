@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
+#include "Base/Vector.h"
 #include "CheckNumber.h"
 #include "Geometry/PolygonTriangulator.h"
 #include "Mesh/CellFacets.h"
-#include "Base/LengthUnit.h"
 #include "MeshInput.h"
-#include "MeshInputCheck.h"
-#include "RunTogether.h"
-#include "Selection/SelectBySolid.h"
+#include "Ranks/Collective.h"
 #include "Scan/MappedFile.h"
+#include "Selection/SelectBySolid.h"
 #include "Selection/SurfaceSolid.h"
 #include "SmallFile.h"
 #include "Strategies/ShapeText.h"
@@ -39,7 +38,8 @@ constexpr double RelativeTolerance = 1e-12; // of the diagonal of the mesh
 constexpr std::size_t NumbersPerPlane = 6;  // a point and a normal
 
 //------------------------------------------------------------------------------
-// Of a mesh so large or small that squares of lengths leave the range of numbers: what all lengths are measured in.
+// Of a mesh so large or small that squares of lengths leave the range of numbers: what all lengths
+// are measured in.
 struct MeshUnit
 {
   int Exponent = 0; ///< of two
@@ -152,7 +152,8 @@ double GetRadius(double radius)
 // Box around the points of all processes, in the unit that goes with it.
 Bounds FindBounds(const SelectionTask& task, MeshUnit& unit)
 {
-  const MeshPieces& pieces = task.GetPieces(); // of all processes together, also where there are none
+  const DistributedMesh& pieces =
+    task.GetPieces(); // of all processes together, also where there are none
   Bounds own;
   for (std::size_t piece = 0; piece < task.Blocks.Get().size(); ++piece)
   {
@@ -276,7 +277,8 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
   }
   if (auto* plane = vtkPlane::SafeDownCast(shape))
   {
-    // Its own function knows of an offset and of alignment to an axis; the inside is where that is negative.
+    // Its own function knows of an offset and of alignment to an axis; the inside is where that is
+    // negative.
     double* origin = plane->GetOrigin();
     double normal[3];
     plane->EvaluateGradient(origin, normal);
@@ -299,7 +301,7 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
   std::vector<Simplex> triangles;
   const std::vector<DataSetLeaf> leaves = GetLeaves(task.Inputs.Surface);
   CheckMeshes(leaves, task.Reducer);
-  RunTogether(task.Reducer,
+  RunCollectively(task.Reducer,
     [&]
     {
       for (const DataSetLeaf& leaf : leaves)
@@ -317,8 +319,8 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
           if (facets.GetDimension(cell) == 2)
           {
             boundary.Load(cell);
-            triangles.insert(triangles.end(), boundary.GetSimplices().begin(),
-              boundary.GetSimplices().end());
+            triangles.insert(
+              triangles.end(), boundary.GetSimplices().begin(), boundary.GetSimplices().end());
           }
         }
       }
@@ -351,8 +353,8 @@ std::vector<Simplex> MakeTriangles(const std::vector<std::vector<double>>& rows)
 
 //------------------------------------------------------------------------------
 // @a subject: of the message if the surface is open, such as "the Surface is".
-std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& triangles, const std::string& subject,
-  SelectionMarks& marks)
+std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& triangles,
+  const std::string& subject, SelectionMarks& marks)
 {
   if (const std::size_t open = SurfaceSolid::CountOpenEdges(triangles))
   {
@@ -368,8 +370,8 @@ std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& tria
       point = unit.Scale(point);
     }
   }
-  return MarkInside(
-    task, SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), unit, marks);
+  return MarkInside(task,
+    SurfaceSolid(std::move(triangles), RelativeTolerance * bounds.GetDiagonal()), unit, marks);
 }
 }
 
@@ -392,8 +394,9 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
   }
   if (planes.size() % NumbersPerPlane != 0)
   {
-    throw std::invalid_argument("Planes have 6 numbers each, a point and a normal; expected a multiple of 6 numbers, "
-                                "found " +
+    throw std::invalid_argument(
+      "Planes have 6 numbers each, a point and a normal; expected a multiple of 6 numbers, "
+      "found " +
       std::to_string(planes.size()));
   }
   MeshUnit unit;
@@ -404,8 +407,7 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
     halfSpaces.push_back(MakeHalfSpace(GetVector(&planes[i]), GetVector(&planes[i + 3])));
   }
   const double tolerance = RelativeTolerance * bounds.GetDiagonal();
-  return MarkInside(
-    task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
+  return MarkInside(task, HalfSpaceSolid(unit.Scale(halfSpaces), bounds, tolerance), unit, marks);
 }
 
 //------------------------------------------------------------------------------
@@ -439,7 +441,8 @@ std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks)
   if (shape.What == ShapeText::Kind::Sphere)
   {
     const std::vector<double>& row = shape.Rows[0];
-    const BallSolid ball(unit.Scale(GetVector(row.data())), unit.Scale(GetRadius(row[3])), tolerance);
+    const BallSolid ball(
+      unit.Scale(GetVector(row.data())), unit.Scale(GetRadius(row[3])), tolerance);
     return MarkInside(task, ball, unit, marks);
   }
   std::vector<HalfSpace> halfSpaces;

@@ -42,8 +42,7 @@ Neighborhood FindNeighborhood(const SelectionTask& task)
 /// Only angles between cells need to know what lies in other pieces.
 const std::vector<LinkedPiece>& FindPieces(const SelectionTask& task)
 {
-  return task.Parameters.FeatureAngle < 180 ? task.GetLinkedPieces().Get()
-                                            : task.GetPieces().Get();
+  return task.Parameters.FeatureAngle < 180 ? task.GetLinkedPieces().Get() : task.GetPieces().Get();
 }
 
 //------------------------------------------------------------------------------
@@ -81,8 +80,7 @@ void Expand(const SelectionTask& task, const SelectionMarks& allowed, SelectionM
     Grow(FindPieces(task), FindNeighborhood(task), rings, allowed, task.Reducer, marks);
     return;
   }
-  GrowPoints(
-    task.GetPieces().Get(), FindAdjacency(task), rings, allowed, task.Reducer, marks);
+  GrowPoints(task.GetPieces().Get(), FindAdjacency(task), rings, allowed, task.Reducer, marks);
 }
 }
 
@@ -104,7 +102,8 @@ std::string SelectShrunk(const SelectionTask& task, SelectionMarks& marks)
   { return !task.Current[b][i] && !task.Blocks.Get()[b].IsGhost(i); };
   MarkElements(marks, isOther);
   Expand(task, all, marks);
-  MarkElements(marks, [&](std::size_t b, vtkIdType i) { return task.Current[b][i] && !marks[b][i]; });
+  MarkElements(
+    marks, [&](std::size_t b, vtkIdType i) { return task.Current[b][i] && !marks[b][i]; });
   return "";
 }
 

@@ -59,8 +59,8 @@ std::string SelectWorstShare(const SelectionTask& task, SelectionMarks& marks)
   }
   task.Reducer.Sum(&count, 1);
   // Whole numbers of percent give whole numbers of elements where they should.
-  const auto wanted = static_cast<std::int64_t>(
-    std::floor(percent * static_cast<double>(count) / 100 * (1 + 1e-15)));
+  const auto wanted =
+    static_cast<std::int64_t>(std::floor(percent * static_cast<double>(count) / 100 * (1 + 1e-15)));
   MarkWorst(task, values, wanted, marks);
   return "";
 }

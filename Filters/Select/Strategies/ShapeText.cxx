@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/ShapeText.h"
 
-#include "Base/LowerCase.h"
 #include "Base/Number.h"
+#include "Base/Text.h"
 #include "Scan/ScanError.h"
 
 #include <algorithm>
@@ -35,7 +35,8 @@ std::vector<std::string> SplitLine(std::string line)
   line.erase(std::min(line.find('#'), line.size()));
   const std::string punctuation = ",;:=()[]{}";
   std::replace_if(
-    line.begin(), line.end(), [&](char c) { return punctuation.find(c) != std::string::npos; }, ' ');
+    line.begin(), line.end(), [&](char c) { return punctuation.find(c) != std::string::npos; },
+    ' ');
   std::istringstream stream(line);
   std::vector<std::string> words;
   for (std::string word; stream >> word;)
@@ -50,12 +51,14 @@ std::optional<double> ToNumber(const std::string& word)
 {
   double value = 0;
   const char* end = word.data() + word.size();
-  return ParseReal(word.data(), end, value) == end && std::isfinite(value) ? std::make_optional(value)
-                                                                          : std::nullopt;
+  return ParseReal(word.data(), end, value) == end && std::isfinite(value)
+    ? std::make_optional(value)
+    : std::nullopt;
 }
 
 //------------------------------------------------------------------------------
-[[noreturn]] void Fail(const std::string& place, const std::string& expected, const std::string& found)
+[[noreturn]] void Fail(
+  const std::string& place, const std::string& expected, const std::string& found)
 {
   throw std::invalid_argument(place + ": expected " + expected + ", found " + found);
 }

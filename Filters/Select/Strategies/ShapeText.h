@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file ShapeText.h
- * @brief A convex shape as text: the words of Camarón's panel, sphere, normals or polygons, and numbers.
+ * @brief A convex shape as text: the words of Camarón's panel, sphere, normals or polygons, and
+ * numbers.
  */
 #ifndef camaron_ShapeText_h
 #define camaron_ShapeText_h
@@ -25,9 +26,10 @@ struct ShapeText
 };
 
 /**
- * The first word says what the numbers after it are; each plane and each polygon has a line of its own. Commas,
- * semicolons, colons, equal signs and brackets count as blanks, and so do the words center, radius, vertices, normal
- * and point; `#` begins a comment. Throws std::invalid_argument with file, line, what was expected and what was found.
+ * The first word says what the numbers after it are; each plane and each polygon has a line of its
+ * own. Commas, semicolons, colons, equal signs and brackets count as blanks, and so do the words
+ * center, radius, vertices, normal and point; `#` begins a comment. Throws std::invalid_argument
+ * with file, line, what was expected and what was found.
  * @param file name for messages
  */
 ShapeText ParseShape(const std::string& file, const std::string& text);

@@ -11,8 +11,8 @@
 #ifndef camaron_Strategy_h
 #define camaron_Strategy_h
 
+#include "DistributedMesh.h"
 #include "ElementBlocks.h"
-#include "MeshPieces.h"
 #include "Selection/SharedElements.h"
 
 #include "vtkImplicitFunction.h" // for a shape
@@ -84,7 +84,7 @@ SelectionMarks MakeMarks(const ElementBlocks& blocks);
 class SelectionTask
 {
 public:
-  /// Collective. All but the inputs is borrowed. @a numberOfRequestedPieces: see MeshPieces.
+  /// Collective. All but the inputs is borrowed. @a numberOfRequestedPieces: see DistributedMesh.
   SelectionTask(const SelectionParameters& parameters, const SelectionInputs& inputs,
     const ElementBlocks& blocks, int numberOfRequestedPieces, camaron::Reducer& reducer);
 
@@ -97,23 +97,25 @@ public:
   /// Of each block and element how many criteria fail, if the strategy counts that.
   mutable std::vector<std::vector<int>> FailedCriteriaCounts;
 
-  /// Array or PointArray, whichever belongs to the elements, or what stands for it where it is empty: see there. Empty
-  /// if there is no array at all.
+  /// Array or PointArray, whichever belongs to the elements, or what stands for it where it is
+  /// empty: see there. Empty if there is no array at all.
   const std::string& GetArrayName() const { return this->ArrayName; }
   bool HasCells() const { return this->Blocks.GetKind() == ElementKind::Cells; }
   ///@{
   /**
-   * Collective. The blocks as meshes, piece i is block i, made when first asked for; also linked, so that
-   * pieces of a block know each other.
+   * Collective. The blocks as meshes, piece i is block i, made when first asked for; also linked,
+   * so that pieces of a block know each other.
    */
-  const MeshPieces& GetPieces() const;
-  const MeshPieces& GetLinkedPieces() const;
+  const DistributedMesh& GetPieces() const;
+  const DistributedMesh& GetLinkedPieces() const;
   ///@}
   /// Collective. The same of any blocks.
-  std::unique_ptr<MeshPieces> MakePieces(const std::vector<DataSetLeaf>& leaves) const;
-  /// Collective. Marks the copies of points in other and in the same pieces, too; nothing is done about cells.
+  std::unique_ptr<DistributedMesh> MakePieces(const std::vector<DataSetLeaf>& leaves) const;
+  /// Collective. Marks the copies of points in other and in the same pieces, too; nothing is done
+  /// about cells.
   void MarkCopies(SelectionMarks& marks) const;
-  /// Collective. Marks the ghost cells whose originals are marked, and no others; nothing is done about points.
+  /// Collective. Marks the ghost cells whose originals are marked, and no others; nothing is done
+  /// about points.
   void MarkGhostCells(SelectionMarks& marks) const;
 
 private:
@@ -122,14 +124,14 @@ private:
   int NumberOfRequestedPieces;
   std::string ArrayName;
   mutable bool IsLinked = false;
-  mutable std::unique_ptr<MeshPieces> Pieces;
+  mutable std::unique_ptr<DistributedMesh> Pieces;
   mutable std::unique_ptr<SharedElements> SharedPoints;
 };
 
 /**
  * Selects: sets @a marks, which comes filled with 0. Collective: throws on all processes or none,
- * std::invalid_argument with a message for people. Returns a remark for people, empty if there is none.
- * Ghosts need not be left out: the caller does that.
+ * std::invalid_argument with a message for people. Returns a remark for people, empty if there is
+ * none. Ghosts need not be left out: the caller does that.
  */
 using SelectFunction = std::string (*)(const SelectionTask& task, SelectionMarks& marks);
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Strategies/Strategy.h"
 
-#include "AgreedName.h"
+#include "Ranks/Collective.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -55,19 +55,20 @@ std::string SelectionTask::FindArrayName() const
       }
     }
   }
-  return AgreeOnName(
-    this->HasCells() ? this->Parameters.Array : this->Parameters.PointArray, { active, all }, this->Reducer);
+  return AgreeOnName(this->HasCells() ? this->Parameters.Array : this->Parameters.PointArray,
+    { active, all }, this->Reducer);
 }
 
 //------------------------------------------------------------------------------
-std::unique_ptr<MeshPieces> SelectionTask::MakePieces(const std::vector<DataSetLeaf>& leaves) const
+std::unique_ptr<DistributedMesh> SelectionTask::MakePieces(
+  const std::vector<DataSetLeaf>& leaves) const
 {
-  return std::make_unique<MeshPieces>(
+  return std::make_unique<DistributedMesh>(
     leaves, EvaluationOptions(), this->NumberOfRequestedPieces, this->Reducer);
 }
 
 //------------------------------------------------------------------------------
-const MeshPieces& SelectionTask::GetPieces() const
+const DistributedMesh& SelectionTask::GetPieces() const
 {
   if (!this->Pieces)
   {
@@ -77,7 +78,7 @@ const MeshPieces& SelectionTask::GetPieces() const
 }
 
 //------------------------------------------------------------------------------
-const MeshPieces& SelectionTask::GetLinkedPieces() const
+const DistributedMesh& SelectionTask::GetLinkedPieces() const
 {
   this->GetPieces();
   if (!this->IsLinked)
@@ -95,7 +96,7 @@ void SelectionTask::MarkCopies(SelectionMarks& marks) const
   {
     return;
   }
-  const MeshPieces& pieces = this->GetPieces();
+  const DistributedMesh& pieces = this->GetPieces();
   if (!this->SharedPoints)
   {
     this->SharedPoints =

@@ -4,9 +4,9 @@
 #ifndef camaron_FluentMeshSamples_h
 #define camaron_FluentMeshSamples_h
 
+#include "Base/Bytes.h"
 #include "FormatTesting.h"
 #include "Mesh/CellShape.h"
-#include "Base/Bytes.h"
 #include "Write/RealFormat.h"
 #include "vtkFluentMeshReader.h"
 
@@ -238,7 +238,8 @@ inline std::string Encode(const FluentSample& mesh, const FluentEncoding& how = 
   }
 
   // Faces by zone, and by size if sections are uniform.
-  const auto getZone = [](const FluentSample::Face& face) {
+  const auto getZone = [](const FluentSample::Face& face)
+  {
     return face.Zone > 0 ? face.Zone : face.Cells[1] >= 0 ? 3 : 4;
   };
   std::map<std::pair<int, std::size_t>, std::vector<const FluentSample::Face*>> groups;
@@ -373,7 +374,7 @@ inline std::vector<FluentEncoding> GetEncodings()
 //------------------------------------------------------------------------------
 /// The faces of a sample's cell as it sees them, outward, each from its smallest node.
 using FaceSet = std::set<std::vector<vtkIdType>>;
-inline void Normalise(std::vector<vtkIdType>& face)
+inline void Normalize(std::vector<vtkIdType>& face)
 {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
 }
@@ -391,7 +392,7 @@ inline FaceSet GetFaceSet(const FluentSample& mesh, int cell)
         {
           std::reverse(nodes.begin(), nodes.end());
         }
-        Normalise(nodes);
+        Normalize(nodes);
         faces.insert(nodes);
       }
     }
@@ -406,7 +407,7 @@ inline FaceSet GetFaceSet(vtkUnstructuredGrid* grid, vtkIdType cell)
     [&](const vtkIdType* points, vtkIdType size, vtkIdType)
     {
       std::vector<vtkIdType> face(points, points + size);
-      Normalise(face);
+      Normalize(face);
       faces.insert(face);
     });
   return faces;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What the tests of written Fluent files need: files in memory, and the comparison of what they become.
+// What the tests of written Fluent files need: files in memory, and the comparison of what they
+// become.
 #ifndef camaron_FluentMeshWriting_h
 #define camaron_FluentMeshWriting_h
 
@@ -13,7 +14,8 @@ namespace camaron
 namespace testing
 {
 //------------------------------------------------------------------------------
-inline Written Write(vtkDataObject* mesh, const std::function<void(vtkFluentMeshWriter*)>& configure = {})
+inline Written Write(
+  vtkDataObject* mesh, const std::function<void(vtkFluentMeshWriter*)>& configure = {})
 {
   return WriteWith<vtkFluentMeshWriter>(mesh, "test.msh", configure);
 }

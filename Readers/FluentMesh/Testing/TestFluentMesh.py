@@ -94,12 +94,24 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
     def meshes(self):
         """Path, points, cells by type of files of our own and of the collected ones."""
         found = []
-        for make in (lambda: gallery.mixed(4), gallery.polyhedra, gallery.tetrahedra, gallery.plane):
+        for make in (
+            lambda: gallery.mixed(4),
+            gallery.polyhedra,
+            gallery.tetrahedra,
+            gallery.plane,
+        ):
             grid = make()
-            types, numbers = numpy.unique(vtk_to_numpy(grid.GetCellTypesArray()), return_counts=True)
+            types, numbers = numpy.unique(
+                vtk_to_numpy(grid.GetCellTypesArray()), return_counts=True
+            )
             path = self.save(f"mesh{len(found)}.msh", grid)
-            found.append((path, grid.GetNumberOfPoints(), dict(zip(types.tolist(), numbers.tolist()))))
-        real = [(self.data(f"ansys_fluent/{name}"), points, counts) for name, points, counts, _ in collected()]
+            found.append(
+                (path, grid.GetNumberOfPoints(), dict(zip(types.tolist(), numbers.tolist())))
+            )
+        real = [
+            (self.data(f"ansys_fluent/{name}"), points, counts)
+            for name, points, counts, _ in collected()
+        ]
         self.assertTrue(camaron_testing.DATA is None or len(real) > 15)
         return found + real
 
@@ -228,7 +240,9 @@ class TestFluentMesh(camaron_testing.FormatTestCase):
                 path.write_bytes(gzip.compress(TEXT.encode()))
             else:
                 path.write_text(TEXT)
-            source = reader_choice.make_reader(path, [])  # ParaView's own would take these names, too
+            source = reader_choice.make_reader(
+                path, []
+            )  # ParaView's own would take these names, too
             source.UpdatePipeline()
             self.assertEqual(source.GetXMLName(), "ANSYSFluentMeshReader", name)
             self.assertEqual(source.GetDataInformation().GetNumberOfCells(), 2, name)

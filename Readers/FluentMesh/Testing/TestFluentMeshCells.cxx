@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells made of the faces of a Fluent file: in all ways, by all threads and for all pieces the same.
+// Cells made of the faces of a Fluent file: in all ways, by all threads and for all pieces the
+// same.
 #include "FluentMeshReading.h"
 #include "FluentMeshSamples.h"
 
@@ -221,7 +222,7 @@ TEST(FluentMeshCells, PiecesMakeTheWhole)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, evaluation sees other neighbours than the mesh has: faces handed over are wrong.
+// If this fails, evaluation sees other neighbors than the mesh has: faces handed over are wrong.
 TEST(FluentMeshCells, HandsOverFaces)
 {
   FluentSample mesh = MakeMixed(8);

@@ -109,7 +109,8 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
     "test.msh:5: expected the nodes from 1 on, found 2");
   ExpectError(
     change("(10 (1 1 4 1 3)", "(10 (1 1 5 1 3)"), premature, "test.msh:5: expected 15 coordinates");
-  ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 3 1 3)"), premature, ":2: expected 4 nodes, as declared");
+  ExpectError(
+    change("(10 (1 1 4 1 3)", "(10 (1 1 3 1 3)"), premature, ":2: expected 4 nodes, as declared");
   ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 ffffffffff 1 3)"), format, "below 80000000");
   ExpectError(change("(10 (1 1 4 1 3)", "(10 (1 1 7fffffff 1 3)"), premature,
     "test.msh:5: expected 6442450941 coordinates");
@@ -125,7 +126,7 @@ TEST(FluentMeshDamage, SaysWhatIsWrongAndWhere)
   ExpectError(change("(13 (3 1 4 3 3)", "(13 (3 1 3 3 3)"), format,
     "test.msh:16: expected the end of the section after 3 faces, found '3'");
   ExpectError(change("(13 (0 1 4 0))", "(13 (0 1 7fffffff 0))"), premature,
-     ": expected 2147483647 faces, as declared, found 4");
+    ": expected 2147483647 faces, as declared, found 4");
   ExpectError(Replace(change("(13 (0 1 4 0))", ""), "(13 (3 1 4 3 3)", "(13 (3 1 7fffffff 3 3)"),
     premature, "expected 2147483647 faces in the section that begins here");
   ExpectError(change("2 4 3 1 0", "2 4 5 1 0"), format,

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
-// The zones of Fluent files that we write: of cells, boundaries and faces inside, by id, name and type.
+// The zones of Fluent files that we write: of cells, boundaries and faces inside, by id, name and
+// type.
 #include "FluentMeshWriting.h"
 #include "SharedData.h"
 
@@ -42,7 +43,8 @@ vtkSmartPointer<vtkFluentMeshReader> Open(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-// What both outputs of a reader become in a file, and when that is read; nothing is lost, and nothing to be said.
+// What both outputs of a reader become in a file, and when that is read; nothing is lost, and
+// nothing to be said.
 void WriteBothOutputs(
   vtkFluentMeshReader* reader, Written& written, vtkSmartPointer<vtkFluentMeshReader>& second)
 {
@@ -261,15 +263,16 @@ TEST(FluentMeshOutputZones, KeepsBothSidesOfThinWalls)
       }
     }
     ASSERT_GT(walls, 0);
-    const File file(Encode(mesh) + "(45 (11 wall thin)())(45 (12 wall thin-shadow)())\n", "test.msh");
+    const File file(
+      Encode(mesh) + "(45 (11 wall thin)())(45 (12 wall thin-shadow)())\n", "test.msh");
     const auto reader = Open(file.Path);
     Written written;
     vtkSmartPointer<vtkFluentMeshReader> second;
     WriteBothOutputs(reader, written, second);
     ASSERT_TRUE(second);
     EXPECT_EQ(DescribeZones(second), DescribeZones(reader));
-    EXPECT_TRUE(DescribeZones(second).count(
-      std::to_string(walls) + " faces of kind 3 in 12 thin-shadow"));
+    EXPECT_TRUE(
+      DescribeZones(second).count(std::to_string(walls) + " faces of kind 3 in 12 thin-shadow"));
     // Each side belongs to its cell, outward of which it runs.
     const auto again = GroupOutputs(second);
     EXPECT_EQ(Write(again).Bytes, written.Bytes);
@@ -345,12 +348,14 @@ TEST(FluentMeshOutputZones, KeepsZonesOfInteriorFaces)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a zone has its faces in two sections, which a reader takes for one: it is another file then.
+// If this fails, a zone has its faces in two sections, which a reader takes for one: it is another
+// file then.
 TEST(FluentMeshOutputZones, InteriorFacesOfNoZoneJoinTheOnlyOne)
 {
   const Grid grid =
     MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 1, 1, 1 }, { 2, 1, 1 } },
-      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 4, 2, 3 } }, { VTK_TETRA, { 1, 5, 4, 3 } } });
+      { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TETRA, { 1, 4, 2, 3 } },
+        { VTK_TETRA, { 1, 5, 4, 3 } } });
   AddZones(grid, { 5, 5, 6 });
   vtkNew<vtkIntArray> ids, table;
   ids->SetName("ZoneIds");
@@ -375,7 +380,8 @@ TEST(FluentMeshOutputZones, InteriorFacesOfNoZoneJoinTheOnlyOne)
 TEST(FluentMeshOutputZones, CellsOfLowerDimensionsAreMarks)
 {
   const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 5, 5, 5 } },
-    { { VTK_TRIANGLE, { 2, 0, 1 } }, { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } } });
+    { { VTK_TRIANGLE, { 2, 0, 1 } }, { VTK_TETRA, { 0, 1, 2, 3 } },
+      { VTK_TRIANGLE, { 0, 1, 4 } } });
   AddZones(grid, { 7, 5, 7 });
   const Written written = Write(grid);
   ASSERT_EQ(written.Success, 1);
@@ -407,7 +413,8 @@ TEST(FluentMeshOutputZones, OtherPlanesAndNames)
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("1 zone with blanks, brackets"), std::string::npos);
   EXPECT_NE(written.Warnings[1].find("not exactly in the plane z = 0"), std::string::npos);
-  EXPECT_NE(written.Bytes.find("(45 (8 fluid heiße--Luft-)())"), std::string::npos) << written.Bytes;
+  EXPECT_NE(written.Bytes.find("(45 (8 fluid heiße--Luft-)())"), std::string::npos)
+    << written.Bytes;
   EXPECT_NE(written.Bytes.find("(12 (2 2 2 1 1))"), std::string::npos) << written.Bytes;
   const Result result = Read(written.Bytes);
   ASSERT_TRUE(result.Errors.empty());
@@ -440,7 +447,8 @@ TEST(FluentMeshOutputZones, CollectedFilesKeepTheirZones)
     const auto blocks = vtkMultiBlockDataSet::SafeDownCast(reader->GetOutputDataObject(1));
     EXPECT_TRUE(blocks->GetNumberOfBlocks() < 2 ||
       std::any_of(cells.Warnings.begin(), cells.Warnings.end(),
-        [](const std::string& warning) {
+        [](const std::string& warning)
+        {
           return warning.find("zones of which the mesh has no cells or faces") != std::string::npos;
         }))
       << entry.path();

@@ -102,7 +102,7 @@ TEST(FluentMeshReader, InvertedCellsStayInverted)
 
 //------------------------------------------------------------------------------
 // If this fails, polyhedra are taken for something simpler, or simple cells of unknown type are not
-// recognised, or a wrong type is believed.
+// recognized, or a wrong type is believed.
 TEST(FluentMeshReader, TheDeclaredTypeDecides)
 {
   FluentSample mesh = MakeMixed(2);
@@ -221,7 +221,8 @@ TEST(FluentMeshReader, SkipsOtherSections)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the mesh is hidden by a list of settings with a name, as Fluent Meshing writes them.
+// If this fails, the mesh is hidden by a list of settings with a name, as Fluent Meshing writes
+// them.
 TEST(FluentMeshReader, SkipsOtherLists)
 {
   vtkNew<vtkFluentMeshReader> reader;
@@ -236,11 +237,12 @@ TEST(FluentMeshReader, SkipsOtherLists)
     for (const char* list : { "(cad/options (merge #t))", "(x)", "( %version \"23.1\")",
            "(*settings*)\n(a (b (c \"d\")) ())", "(name \"strings with ) and \\\\\")",
            "(name \"(((\" \"\\\")((\\\"\")", "(a\n\t\"two\nlines ) \")", "(p \"C:\\\\mesh\\\\\")",
-           "(rp/10 (10 (0 1 5 1)) (13 (0 1 3 0)))", "((a . 1) (b . 2))", "(\"string first (\" 1 2)", "()", "(#t)",
-           "((10 (0 1 5 1)))" })
+           "(rp/10 (10 (0 1 5 1)) (13 (0 1 3 0)))", "((a . 1) (b . 2))", "(\"string first (\" 1 2)",
+           "()", "(#t)", "((10 (0 1 5 1)))" })
     {
       const std::string named = list;
-      std::vector<std::string> files = { named + text, text + "\n" + named, named + "\n" + text + named };
+      std::vector<std::string> files = { named + text, text + "\n" + named,
+        named + "\n" + text + named };
       for (const char* before : { "(10 (", "(13 (3", "(12 (2" })
       {
         const std::size_t at = realSize == 0 ? text.find(before) : std::string::npos;
@@ -300,7 +302,8 @@ TEST(FluentMeshReader, FilesWithoutFaces)
   // What is not needed may not end either.
   const Result open = ReadBytes(start + nodes + "(2012 (1 1 1 1 2)(" + words);
   ASSERT_TRUE(open.IsProperError());
-  EXPECT_NE(open.Errors[0].find("'End of Binary Section 2012'"), std::string::npos) << open.Errors[0];
+  EXPECT_NE(open.Errors[0].find("'End of Binary Section 2012'"), std::string::npos)
+    << open.Errors[0];
 }
 
 //------------------------------------------------------------------------------
@@ -355,7 +358,8 @@ TEST(FluentMeshReader, ReadsCompressedFiles)
   const Result garbage = ReadBytes(packed + std::string("\0garbage", 8));
   ASSERT_TRUE(garbage.Errors.empty()) << garbage.Errors[0];
   ASSERT_EQ(garbage.Warnings.size(), expected.Warnings.size() + 1);
-  EXPECT_NE(garbage.Warnings.back().find("follows the compressed data is ignored"), std::string::npos);
+  EXPECT_NE(
+    garbage.Warnings.back().find("follows the compressed data is ignored"), std::string::npos);
   ExpectSameGrid(expected.Grid, garbage.Grid);
   for (std::size_t size = 3; size < packed.size(); size += 13)
   {
@@ -376,13 +380,14 @@ TEST(FluentMeshReader, KnowsItsFiles)
   vtkNew<vtkFluentMeshReader> reader;
   const auto canRead = [&](const std::string& bytes)
   { return reader->CanReadFile(File(bytes, "test.msh").Path.c_str()) == 1; };
-  for (const char* bytes : { "(0 \"a comment\")", "\n (2 3)", "(10(0 1 18cf 1))", "(1 \"x\")",
-         "(3010 (1 1 2 1 3)", "(37 ((a b)))", "\xef\xbb\xbf(2 3)", "((a . 1))", "(\"a (\")", "(define a 1)", "(" })
+  for (const char* bytes :
+    { "(0 \"a comment\")", "\n (2 3)", "(10(0 1 18cf 1))", "(1 \"x\")", "(3010 (1 1 2 1 3)",
+      "(37 ((a b)))", "\xef\xbb\xbf(2 3)", "((a . 1))", "(\"a (\")", "(define a 1)", "(" })
   {
     EXPECT_TRUE(canRead(bytes)) << bytes;
   }
-  for (const char* bytes : { "", "$MeshFormat\n2.2 0 8\n", "\x89HDF\r\n\x1a\n", "5\n1 2 3\n", "; comment\n",
-         "\xef\xbb\xbf" })
+  for (const char* bytes : { "", "$MeshFormat\n2.2 0 8\n", "\x89HDF\r\n\x1a\n", "5\n1 2 3\n",
+         "; comment\n", "\xef\xbb\xbf" })
   {
     EXPECT_FALSE(canRead(bytes)) << bytes;
   }

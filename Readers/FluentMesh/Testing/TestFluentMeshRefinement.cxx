@@ -12,7 +12,7 @@ TEST(FluentMeshRefinement, ReadsHangingNodes)
 {
   const Result joined = ReadBytes(MakeHanging(true, 4));
   ASSERT_TRUE(joined.Errors.empty()) << joined.Errors[0];
-  ASSERT_EQ(joined.Warnings.size(), 1u); // that the cell is no neighbour of the others
+  ASSERT_EQ(joined.Warnings.size(), 1u); // that the cell is no neighbor of the others
   EXPECT_EQ(Count(joined.Grid, VTK_HEXAHEDRON), 5);
   EXPECT_EQ(joined.Grid->GetNumberOfCells(), 5);
   EXPECT_NEAR(GetMeasure(joined.Grid, 0), 1, 1e-12);

@@ -39,7 +39,9 @@ def parse(path):
         values = [float(word) for word in row[1:]]
         add = values[3:6] if row[0] == "2" else [0, 0, 0]
         points.append([values[i] + add[i] for i in range(3)])
-    elements = [(row[0], [int(word) for word in row[1 : 1 + NODES[row[0]]]]) for row in rows[4 + count :]]
+    elements = [
+        (row[0], [int(word) for word in row[1 : 1 + NODES[row[0]]]]) for row in rows[4 + count :]
+    ]
     assert len(elements) == int(rows[3 + count][0])
     return numpy.array(points), elements
 
@@ -47,7 +49,9 @@ def parse(path):
 class TestM3D(camaron_testing.FormatTestCase):
     def meshes(self):
         """Files of all elements, none of them inside out."""
-        return [self.save("mixed.m3d", gallery.mixed(4))] + self.real(*(f"m3d/{name}.m3d" for name in COLLECTED))
+        return [self.save("mixed.m3d", gallery.mixed(4))] + self.real(
+            *(f"m3d/{name}.m3d" for name in COLLECTED)
+        )
 
     def test_counts(self):
         """Points and cells are those of the file, on any number of ranks."""

@@ -3,8 +3,8 @@
 // M3D, M2D and MVM files: what becomes of them, and what is refused.
 #include "Criteria/Evaluation.h"
 #include "FormatTesting.h"
-#include "SharedData.h"
 #include "M3DReading.h"
+#include "SharedData.h"
 #include "vtkM3DReader.h"
 
 #include "vtkErrorCode.h"
@@ -153,7 +153,8 @@ TEST(M3DReader, ReadsMaterials)
   ASSERT_NE(same.Grid->GetFieldData()->GetArray("Material"), nullptr);
   EXPECT_EQ(same.Grid->GetFieldData()->GetArray("Material")->GetComponent(0, 0), 3);
   // As are numbers that are none.
-  const Result none = ReadBytes(start + "T 0 1 3 4 nan 1 2\nT 0 1 3 5 nan 1.0 2\nT 0 1 3 6 NaN 1 2\n");
+  const Result none =
+    ReadBytes(start + "T 0 1 3 4 nan 1 2\nT 0 1 3 5 nan 1.0 2\nT 0 1 3 6 NaN 1 2\n");
   EXPECT_EQ(none.Grid->GetCellData()->GetNumberOfArrays(), 0);
   EXPECT_NE(none.Grid->GetFieldData()->GetArray("Material"), nullptr);
 
@@ -207,8 +208,7 @@ TEST(M3DReader, ReadsMVM)
 // say what they are, or taken for others.
 TEST(M3DReader, ReadsNumbersOfNodesInMVM)
 {
-  const std::string nodes =
-    "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+  const std::string nodes = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
   const struct
   {
     const char* Element;
@@ -228,8 +228,10 @@ TEST(M3DReader, ReadsNumbersOfNodesInMVM)
     const Result result = ReadBytes("MIXED\n8 1\n" + nodes + element + "\n");
     return result.IsProperError() ? result.Errors[0] : "";
   };
-  EXPECT_NE(message("T5 0 1 2 3 4").find("of type T with 3 or 4 nodes, found 'T5'"), std::string::npos);
-  EXPECT_NE(message("P6 0 1 2 3 4 5").find("of type P with 5 nodes, found 'P6'"), std::string::npos);
+  EXPECT_NE(
+    message("T5 0 1 2 3 4").find("of type T with 3 or 4 nodes, found 'T5'"), std::string::npos);
+  EXPECT_NE(
+    message("P6 0 1 2 3 4 5").find("of type P with 5 nodes, found 'P6'"), std::string::npos);
   EXPECT_NE(message("T4 0 1 2").find("11: expected a node of an element"), std::string::npos)
     << message("T4 0 1 2");
   const Result m3d = ReadBytes(MakeNodes() + ElementsHeading + "1\nT3 0 1 2\n");
@@ -270,8 +272,8 @@ TEST(M3DReader, ReadsEveryLayout)
 TEST(M3DReader, WarnsOfOddThings)
 {
   const Result result =
-    ReadBytes(NodesHeading + "4\n1 0 0 0\n1 1 0 nan\n1 0 1 0\n1 0 0 1\n1 5 5 5\n" + "[Gro\x7f\xffups\t]\nx" +
-      ElementsHeading + "1\nT 0 1 1 3\nT 0 1 2 3\n[Loads, X]\n1\n");
+    ReadBytes(NodesHeading + "4\n1 0 0 0\n1 1 0 nan\n1 0 1 0\n1 0 0 1\n1 5 5 5\n" +
+      "[Gro\x7f\xffups\t]\nx" + ElementsHeading + "1\nT 0 1 1 3\nT 0 1 2 3\n[Loads, X]\n1\n");
   ASSERT_TRUE(result.Errors.empty());
   ASSERT_EQ(result.Warnings.size(), 5u);
   EXPECT_NE(result.Warnings[0].find("more lines in the section of nodes"), std::string::npos);
@@ -353,8 +355,7 @@ TEST(M3DReader, ThreadsAndChunksChangeNothing)
       for (const vtkIdType chunk : { 50, 1000, 20000 })
       {
         vtkNew<vtkUnstructuredGrid> grid;
-        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
-          [&]
+        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]
           { ASSERT_TRUE(ReadM3D(file.Path, {}, {}, grid, warnings, error, Progress(), chunk)); });
         ExpectSameGrid(expected, grid);
       }

@@ -64,11 +64,14 @@ TEST(M3DWriter, TellsOfRoundedPointsThatAreWritten)
   const Grid grid = MakeGrid(
     { { 1. / 3, 0, 0 }, { 2. / 3, 1, 0 }, { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1. / 3 } },
     { { VTK_LINE, { 0, 1 } }, { VTK_TETRA, { 2, 3, 4, 5 } } });
-  const Written file = Write(grid, "test.m3d",
-    [](vtkM3DWriter* w) { w->SetUnsupportedCells(vtkM3DWriter::SKIP); });
+  const Written file =
+    Write(grid, "test.m3d", [](vtkM3DWriter* w) { w->SetUnsupportedCells(vtkM3DWriter::SKIP); });
   ASSERT_TRUE(file.Success);
   const auto tells = [](const std::string& text)
-  { return text.find("1 point rounded to 9 digits (Digits 17 keeps all): point 5") != std::string::npos; };
+  {
+    return text.find("1 point rounded to 9 digits (Digits 17 keeps all): point 5") !=
+      std::string::npos;
+  };
   EXPECT_EQ(std::count_if(file.Warnings.begin(), file.Warnings.end(), tells), 1);
 }
 
@@ -189,7 +192,8 @@ TEST(M3DWriter, WritesMaterials)
   number->GetCellData()->AddArray(numbers);
   const Written unlike = Write(number, "test.m3d");
   ASSERT_EQ(unlike.Warnings.size(), 1u);
-  EXPECT_NE(unlike.Warnings[0].find("an element has 3 components, this array has 1"), std::string::npos)
+  EXPECT_NE(
+    unlike.Warnings[0].find("an element has 3 components, this array has 1"), std::string::npos)
     << unlike.Warnings[0];
   EXPECT_NE(unlike.Bytes.find("1000.0 0.45 1.0"), std::string::npos);
 

@@ -83,12 +83,20 @@ class TestMAPDL(camaron_testing.FormatTestCase):
     def meshes(self):
         """Path, points, elements and components of decks of our own and of the collected ones."""
         found = [(self.deck(), 8, 2, 1)]
-        for make in (lambda: gallery.mixed(4), gallery.tetrahedra, gallery.quads, gallery.quadratic_mixed):
+        for make in (
+            lambda: gallery.mixed(4),
+            gallery.tetrahedra,
+            gallery.quads,
+            gallery.quadratic_mixed,
+        ):
             grid = make()
             path = self.save(f"mesh{len(found)}.cdb", grid)
             found.append((path, grid.GetNumberOfPoints(), grid.GetNumberOfCells(), 0))
         for name, (nodes, extra, elements, components) in COLLECTED.items():
-            found += [(path, nodes + extra, elements, components) for path in self.real(f"ansys_cdb/{name}")]
+            found += [
+                (path, nodes + extra, elements, components)
+                for path in self.real(f"ansys_cdb/{name}")
+            ]
         return found
 
     def test_counts(self):
@@ -131,7 +139,8 @@ class TestMAPDL(camaron_testing.FormatTestCase):
             begins = offsets[:-1][types == kind]
             for i, edge in enumerate(edges.split()):
                 a, b, middle = (
-                    points[connectivity[begins + node]] for node in (int(edge[0]), int(edge[1]), corners + i)
+                    points[connectivity[begins + node]]
+                    for node in (int(edge[0]), int(edge[1]), corners + i)
                 )
                 away = numpy.linalg.norm(middle - (a + b) / 2, axis=1)
                 self.assertTrue((away < 0.1 * numpy.linalg.norm(a - b, axis=1)).all(), name)
@@ -140,7 +149,9 @@ class TestMAPDL(camaron_testing.FormatTestCase):
     def test_options(self):
         """Properties of the reader reach the file's reader."""
         source = self.open(self.deck())
-        self.assertEqual((source.Linear, source.SurfaceEffects, source.UnknownElementsAsPoints), (0, 1, 0))
+        self.assertEqual(
+            (source.Linear, source.SurfaceEffects, source.UnknownElementsAsPoints), (0, 1, 0)
+        )
         self.assertEqual(self.numbers(source)[1], 2)
         source.UnknownElementsAsPoints = 1
         self.assertEqual(self.numbers(source)[1], 3)
@@ -153,7 +164,9 @@ class TestMAPDL(camaron_testing.FormatTestCase):
             source = self.open(path)
             source.Linear = 1
             parts = self.parts(source)
-            found = [vtk_to_numpy(part.GetCellTypesArray()) for part in parts if part.GetNumberOfCells()]
+            found = [
+                vtk_to_numpy(part.GetCellTypesArray()) for part in parts if part.GetNumberOfCells()
+            ]
             self.assertEqual(set(numpy.concatenate(found).tolist()), types)
             if len(parts) == 1:  # else ranks share points
                 self.assertEqual(parts[0].GetNumberOfPoints(), points)
@@ -174,13 +187,18 @@ class TestMAPDL(camaron_testing.FormatTestCase):
         """The message says where; nothing is left of the mesh."""
         damaged = self.deck(DECK.replace("        -4", "        x4"), "damaged.cdb")
         line = DECK[: DECK.index("        -4")].count("\n") + 1
-        files = [(damaged, line), *((path, 143) for path in self.real("malformed/cdb_corrupt_a.cdb"))]
+        files = [
+            (damaged, line),
+            *((path, 143) for path in self.real("malformed/cdb_corrupt_a.cdb")),
+        ]
         for path, line in files:
             with pipeline.Messages() as messages:
                 source = simple.MAPDLReader(FileNames=[str(path)])
                 source.UpdatePipeline()
             self.assertEqual(source.GetDataInformation().GetNumberOfPoints(), 0)
-            self.assertTrue(any(f"{path.name}:{line}" in text for text in messages.errors), messages.errors)
+            self.assertTrue(
+                any(f"{path.name}:{line}" in text for text in messages.errors), messages.errors
+            )
 
     def test_several_files_are_time_steps(self):
         names = [str(self.deck(DECK + "n,9,9\n" * i, f"step{i}.cdb")) for i in range(2)]
@@ -193,7 +211,9 @@ class TestMAPDL(camaron_testing.FormatTestCase):
 
     def test_saving_keeps_all(self):
         """One file from all ranks; nodes, elements, attributes and components are those of the deck."""
-        for path in [path for path, *_ in self.meshes() if path.name in WHOLE or path.parent == self.folder]:
+        for path in [
+            path for path, *_ in self.meshes() if path.name in WHOLE or path.parent == self.folder
+        ]:
             source = self.open(path)
             saved = self.folder / f"saved-{path.name}"
             simple.SaveData(str(saved), source, Digits=17)
@@ -227,7 +247,10 @@ class TestMAPDL(camaron_testing.FormatTestCase):
         for cell in range(grid.GetNumberOfCells()):
             if ghosts and ghosts.GetValue(cell):
                 continue
-            nodes = [grid.GetCell(cell).GetPointId(i) for i in range(grid.GetCell(cell).GetNumberOfPoints())]
+            nodes = [
+                grid.GetCell(cell).GetPointId(i)
+                for i in range(grid.GetCell(cell).GetNumberOfPoints())
+            ]
             elements[cells.GetArray("ElementId").GetValue(cell)] = (
                 grid.GetCellType(cell),
                 [(grid.GetPoint(node), values(points, node)) for node in nodes],

@@ -123,7 +123,8 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
       "test.cdb: expected a deck of Mechanical APDL with nodes" },
     { "*HEADING\n*NODE\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError, "expected a deck" },
     { "/PREP7\nK,1,0,0,0\nFINISH\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found none" },
-    { "*Node, nset=all\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError, "(NBLOCK or N), found a deck of Abaqus" },
+    { "*Node, nset=all\n1, 0, 0, 0\n", Code::UnrecognizedFileTypeError,
+      "(NBLOCK or N), found a deck of Abaqus" },
     { "N,1\nN,2,1\n/CLEAR\n", Code::UnrecognizedFileTypeError,
       "with nodes (NBLOCK or N) after the last /CLEAR, found none" },
     { "/PREP7\nN,1,(1/24)\nN,2,A\n", Code::UnrecognizedFileTypeError,
@@ -133,7 +134,8 @@ TEST(MAPDLFiles, SaysWhatIsWrongAndWhere)
     { nodes + "     ?   3      2.0\n", Code::FileFormatError,
       "test.cdb:5: expected the number of a" },
     { nodes + "     1x       2.0\n-1\n", Code::FileFormatError,
-      "test.cdb:5: expected the number of a node from 1 to 2147483647 in columns 1 to 9, found '1x'" },
+      "test.cdb:5: expected the number of a node from 1 to 2147483647 in columns 1 to 9, found "
+      "'1x'" },
     { nodes + "        0      2.0\n-1\n", Code::FileFormatError,
       "test.cdb:5: expected the number of a node from 1 to 2147483647, found 0" },
     { nodes + "       -5      2.0\n-1\n", Code::FileFormatError, "found -5" },
@@ -226,7 +228,7 @@ TEST(MAPDLFiles, CollectedDamagedFile)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, files of other programs are taken for decks, or decks are not recognised.
+// If this fails, files of other programs are taken for decks, or decks are not recognized.
 TEST(MAPDLFiles, CanReadFile)
 {
   vtkNew<vtkMAPDLReader> reader;

@@ -194,11 +194,13 @@ TEST(MAPDLKeys, OtherKeysAreRefused)
       << result.Errors[0];
   }
   EXPECT_TRUE(ReadDeck(head + "EBLOCK,19,SOLI,1,1\n" + row).Errors.empty());
-  for (const std::string fields : { "19,,COMPACT", "19,SOLID,SOLID,1", "SOLID,,1,1", "19,SOLID,1,few" })
+  for (const std::string fields :
+    { "19,,COMPACT", "19,SOLID,SOLID,1", "SOLID,,1,1", "19,SOLID,1,few" })
   {
     const Result result = ReadDeck(head + "EBLOCK," + fields + "\n" + row);
     ASSERT_TRUE(result.IsProperError()) << fields;
-    EXPECT_NE(result.Errors[0].find("expected a number or nothing as field"), std::string::npos) << result.Errors[0];
+    EXPECT_NE(result.Errors[0].find("expected a number or nothing as field"), std::string::npos)
+      << result.Errors[0];
   }
   const std::string coordinates = "(1i9,3e20.9e3)\n        1     1.500000000e+00\n-1\n";
   for (const char* key : { "COMPACT", "3", "ALL" })

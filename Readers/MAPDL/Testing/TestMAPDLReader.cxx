@@ -85,9 +85,8 @@ TEST(MAPDLReader, NodeCommands)
   EXPECT_EQ(unknown.Grid->GetNumberOfPoints(), 3);
   EXPECT_EQ(unknown.Grid->GetNumberOfCells(), 1);
   // Expressions are not evaluated.
-  for (const char* expression :
-    { "-DIST", "(8/12)", "2*A", "+(1-B)**2", "1.5e3 - SIN(A", "A(1)/2", "-2*(SQRT(2)+A1)", "%A%",
-      "-1%A+1%.5" })
+  for (const char* expression : { "-DIST", "(8/12)", "2*A", "+(1-B)**2", "1.5e3 - SIN(A", "A(1)/2",
+         "-2*(SQRT(2)+A1)", "%A%", "-1%A+1%.5" })
   {
     const Result result =
       ReadDeck(std::string("N,1\nN,2\nN,3\nN,4,") + expression + "\nE,1,2,3\nE,1,2," + expression);

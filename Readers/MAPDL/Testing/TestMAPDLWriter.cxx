@@ -229,7 +229,8 @@ TEST(MAPDLWriter, TypesThatSomeCellsCannotKeep)
   AddArray<vtkIntArray>(grid->GetCellData(), "ElementType", { 285, 0, 187, 0 });
   const Written written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find("2 cells written with another TypeId or ElementType"), std::string::npos)
+  EXPECT_NE(written.Warnings[0].find("2 cells written with another TypeId or ElementType"),
+    std::string::npos)
     << written.Warnings[0];
   EXPECT_NE(written.Warnings[0].find("the first is cell 1 (counted from 0)"), std::string::npos);
   const Result result = ReadDeck(written.Bytes);
@@ -319,7 +320,8 @@ TEST(MAPDLWriter, NumbersThatDecksCannotHave)
   written = WriteAll(grid);
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("1 value of Material"), std::string::npos);
-  EXPECT_NE(written.Warnings[1].find("values of ElementId are not all different"), std::string::npos);
+  EXPECT_NE(
+    written.Warnings[1].find("values of ElementId are not all different"), std::string::npos);
   EXPECT_EQ(GetValue(ReadDeck(written.Bytes).Grid, "ElementId", 2), 3);
 }
 

@@ -7,8 +7,8 @@
 #ifndef camaron_PolygonOFFSamples_h
 #define camaron_PolygonOFFSamples_h
 
-#include "FormatTesting.h"
 #include "Base/Bytes.h"
+#include "FormatTesting.h"
 #include "vtkPolygonOFFReader.h"
 
 namespace camaron
@@ -54,7 +54,7 @@ struct Sample
   bool HasTexture = false, HasColors = false, HasNormals = false, IsHomogeneous = false;
   int Dimension = 0; // 0: not said, 3
 
-  /// Numbers of vertex i, by the manual of Geomview: position, normal, colour, texture.
+  /// Numbers of vertex i, by the manual of Geomview: position, normal, color, texture.
   std::vector<float> GetVertex(int i) const
   {
     const int size = this->Dimension ? this->Dimension : 3;
@@ -153,7 +153,7 @@ inline std::vector<Sample> GetSamples()
 }
 
 //------------------------------------------------------------------------------
-/// Faces of every size and with every form of colour.
+/// Faces of every size and with every form of color.
 inline std::string MakeMixedText(int times, const std::string& lineEnd = "\n")
 {
   const char* const faces[] = { "3 0 1 2", "4 0 1 2 3 255 0 128", "5 0 1 2 3 4 1 2 3 4", "2 0 1",

@@ -60,9 +60,14 @@ class TestPolygonOFF(camaron_testing.FormatTestCase):
         return path.read_text().splitlines()
 
     def test_save(self):
-        path = self.make("in.off", "STCNOFF 4 2 0\n" + "".join(
-            f"{x} {y} 0.1 0 0 1 {9 * x} {8 * y} 7 255 {x} {y}\n" for x in (0, 1) for y in (0, 1)
-        ) + "3 0 2 1 255 0 0 9\n3 1 2 3 0 255 0 9\n")
+        path = self.make(
+            "in.off",
+            "STCNOFF 4 2 0\n"
+            + "".join(
+                f"{x} {y} 0.1 0 0 1 {9 * x} {8 * y} 7 255 {x} {y}\n" for x in (0, 1) for y in (0, 1)
+            )
+            + "3 0 2 1 255 0 0 9\n3 1 2 3 0 255 0 9\n",
+        )
         source = self.open(path)
         plain, full = self.folder / "plain.off", self.folder / "full.off"
         simple.SaveData(str(plain), source)
@@ -88,7 +93,9 @@ class TestPolygonOFF(camaron_testing.FormatTestCase):
     def test_saved_file_does_not_depend_on_ranks(self):
         options = dict(VertexColors="RGBA", FaceColors="ColorIndex", WriteNormals=1)
         meshes = [(self.sheet(), 108, 88)]
-        for whole, points, faces in meshes + [(path, 231, 220) for path in self.real("off/dev_stcnoff.off")]:
+        for whole, points, faces in meshes + [
+            (path, 231, 220) for path in self.real("off/dev_stcnoff.off")
+        ]:
             first, second = self.folder / "first.off", self.folder / "second.off"
             simple.SaveData(str(first), self.open(whole), **options)
             lines = self.lines(first)
@@ -101,7 +108,9 @@ class TestPolygonOFF(camaron_testing.FormatTestCase):
 
     def sheet(self):
         """A file of 11 times 8 squares over 12 times 9 points, with colors and normals."""
-        points = [f"{x} {y} {x * y % 5} 0 0 1 {9 * x} {8 * y} 7 255" for y in range(9) for x in range(12)]
+        points = [
+            f"{x} {y} {x * y % 5} 0 0 1 {9 * x} {8 * y} 7 255" for y in range(9) for x in range(12)
+        ]
         corners = [x + 12 * y for y in range(8) for x in range(11)]
         faces = [f"4 {i} {i + 1} {i + 13} {i + 12} {i % 7}" for i in corners]
         return self.make("sheet.off", "\n".join(["CNOFF", "108 88 0", *points, *faces]) + "\n")

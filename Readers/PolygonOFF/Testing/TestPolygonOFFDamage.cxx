@@ -77,9 +77,9 @@ TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
       "test.off:4: expected a coordinate of a vertex, found 'x'" },
     { "OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n", format,
       "test.off:4: expected the 3 numbers of vertex 1" },
-    { "COFF\n1 0 0\n0 0 0 1 x 1\n", format, "test.off:3: expected a component of the colour" },
+    { "COFF\n1 0 0\n0 0 0 1 x 1\n", format, "test.off:3: expected a component of the color" },
     { "STCOFF\n1 0 0\n0 0 0 1\n", format,
-      "test.off:3: expected a colour and 2 more numbers of vertex 0" },
+      "test.off:3: expected a color and 2 more numbers of vertex 0" },
     { points, premature,
       "test.off:6: expected the number of vertices of a face, found the end of the file" },
     { points + "3 0 1\n", premature, "expected a vertex of a face, found the end of the file" },
@@ -93,15 +93,18 @@ TEST(PolygonOFFDamage, SaysWhatIsWrongAndWhere)
     { points + "1000 0 1 2\n", premature, "after the number of vertices of a face (1000)" },
     { "OFF\n0 1 0\n1 0\n", format, "found 0" },
     { "4OFF\n5 10 10 5\n0 0 0 1\n", format,
-      "test.off:2: expected a surface, found a polytope of 4 dimensions in the dialect of Stella4D" },
-    { "4OFF 5 10 10 5\n0 0 0 1\n", format, "test.off:1: expected a surface, found a polytope of 4" },
-    { "4OFF\n5 10\n10 5\n0 0 0 1\n", format, "test.off:2: expected a surface, found a polytope of 4" },
-    { "4OFF\n# Vertices, Faces, Edges, Cells\n5 10 10 5 # x\n", format, "test.off:3: expected a surface" },
+      "test.off:2: expected a surface, found a polytope of 4 dimensions in the dialect of "
+      "Stella4D" },
+    { "4OFF 5 10 10 5\n0 0 0 1\n", format,
+      "test.off:1: expected a surface, found a polytope of 4" },
+    { "4OFF\n5 10\n10 5\n0 0 0 1\n", format,
+      "test.off:2: expected a surface, found a polytope of 4" },
+    { "4OFF\n# Vertices, Faces, Edges, Cells\n5 10 10 5 # x\n", format,
+      "test.off:3: expected a surface" },
     { "5OFF\n6 20 15 15 6\n", format, "a polytope of 5 dimensions" },
     { "2OFF\n5 1\n0 1\n", format, "a polytope of 2 dimensions" },
     { "12OFF\n", format, "a polytope of 12 dimensions" },
-    { "4nOFF 3\n1 0 0 0\n0 0 0\n", premature,
-      "test.off:4: expected a coordinate of a vertex" },
+    { "4nOFF 3\n1 0 0 0\n0 0 0\n", premature, "test.off:4: expected a coordinate of a vertex" },
   };
   WithBothChunks(
     [&]
@@ -140,7 +143,7 @@ TEST(PolygonOFFDamage, WrongWordsInBinary)
   refuse(Words() << 0 << 1 << 1 << 0, "the number of dimensions", "nOFF BINARY\n");
   refuse(points() << -3 << 0, "byte 47: expected the number of vertices of a face, found -3");
   refuse(points() << 3 << 0 << 1, "byte 47: expected at least 12 bytes");
-  refuse(points() << 2 << 0 << 1 << -1, "byte 59: expected the number of components of the colour");
+  refuse(points() << 2 << 0 << 1 << -1, "byte 59: expected the number of components of the color");
   refuse(points() << 2 << 0 << 1 << 3 << 0.f, "byte 59: expected at least 12 bytes");
   refuse(points() << 2 << 0 << 2 << 0, "byte 55: expected a vertex of face 0 from 0 to 1, found 2");
   refuse(
@@ -159,8 +162,7 @@ TEST(PolygonOFFDamage, CutOffAnywhere)
     const std::size_t end = bytes.size() - (isText ? Slack : 0);
     for (std::size_t size = 0; size < end; ++size)
     {
-      EXPECT_TRUE(ReadBytes(bytes.substr(0, size)).IsProperError())
-        << bytes.substr(0, 20) << size;
+      EXPECT_TRUE(ReadBytes(bytes.substr(0, size)).IsProperError()) << bytes.substr(0, 20) << size;
     }
   }
 }

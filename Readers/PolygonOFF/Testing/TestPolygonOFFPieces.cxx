@@ -16,7 +16,7 @@ TEST(PolygonOFFPieces, ThreadsAndChunksChangeNothing)
   Sample colored;
   colored.Keyword = "STCNOFF";
   colored.HasTexture = colored.HasColors = colored.HasNormals = true;
-  std::string late = Sample().GetText(2000); // the last face has a colour, or another size
+  std::string late = Sample().GetText(2000); // the last face has a color, or another size
   std::string wrapped = late;
   wrapped[wrapped.rfind(' ')] = '\n';
   for (const std::string& text : { Sample().GetText(2000), colored.GetText(2000),
@@ -27,8 +27,7 @@ TEST(PolygonOFFPieces, ThreadsAndChunksChangeNothing)
     vtkNew<vtkUnstructuredGrid> expected;
     Warnings warnings;
     ScanError error;
-    vtkSMPTools::LocalScope(vtkSMPTools::Config(1),
-      [&]
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(1), [&]
       { ASSERT_TRUE(ReadPolygonOFF(file.Path, {}, expected, warnings, error)) << error.Message; });
     EXPECT_GE(expected->GetNumberOfCells(), 2000);
     for (const int threads : { 1, 2, 3 })
@@ -37,8 +36,7 @@ TEST(PolygonOFFPieces, ThreadsAndChunksChangeNothing)
       {
         vtkNew<vtkUnstructuredGrid> grid;
         Warnings again;
-        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
-          [&]
+        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]
           { ASSERT_TRUE(ReadPolygonOFF(file.Path, {}, grid, again, error, Progress(), chunk)); });
         ExpectSameGrid(expected, grid);
         EXPECT_EQ(again.GetSentences(), warnings.GetSentences());
@@ -48,7 +46,7 @@ TEST(PolygonOFFPieces, ThreadsAndChunksChangeNothing)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, ranks together do not have the mesh, or colours depend on what else a rank has.
+// If this fails, ranks together do not have the mesh, or colors depend on what else a rank has.
 TEST(PolygonOFFPieces, PiecesMakeTheWhole)
 {
   Sample colored;

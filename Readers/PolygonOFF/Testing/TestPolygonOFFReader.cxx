@@ -92,7 +92,8 @@ TEST(PolygonOFFReader, HeadersOfAllKinds)
          "OFF8 6 12\n", "\t  OFF8 6 12 # or nah\n", "8 6 12\n", "8 6\n", "\xef\xbb\xbfOFF\n8 6 0\n",
          "# first\n\nOFF # keyword\n\n# counts\n8 6 0 # more\n\n", "OFF\n8 6\n0\n",
          "OFF\n8\n6\n0\n", "OFF\n8 6 -1\n", "OFF\n8 6 99999999999\n", "OFF\r\n8 6 12\r\n",
-         "nOFF 3\n8 6 0\n", "nOFF\n3\n8 6 0\n", "nOFF 3 8 6 0\n", "3OFF\n8 6 12\n", "3OFF 8 6 12\n", "OFF#8 9 10\n8 6 0\n",
+         "nOFF 3\n8 6 0\n", "nOFF\n3\n8 6 0\n", "nOFF 3 8 6 0\n", "3OFF\n8 6 12\n", "3OFF 8 6 12\n",
+         "OFF#8 9 10\n8 6 0\n",
          "appearance {\n +texturing # }\n texture { file a.pgm }\n}\nOFF\n8 6 0\n",
          "appearance{}OFF 8 6 0\n" })
   {
@@ -154,7 +155,7 @@ TEST(PolygonOFFReader, EveryKeyword)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, colours of vertices are lost or wrong. MeshLab writes them before normals.
+// If this fails, colors of vertices are lost or wrong. MeshLab writes them before normals.
 TEST(PolygonOFFReader, ColorsOfVertices)
 {
   const auto read = [](const std::string& keyword, const std::string& lines)
@@ -170,7 +171,7 @@ TEST(PolygonOFFReader, ColorsOfVertices)
   EXPECT_EQ(get(result, 1), (Tuple{ 1, 1, 1, 1 }));
   EXPECT_EQ(get(result, 2), (Tuple{ 255, 0, 0, 255 }));
   result =
-    read("COFF", "0 0 0 1 0.5 0 1\n1 0 0 1 1 0\n0 1 0 0 0 1 0\n"); // white is not a dark grey
+    read("COFF", "0 0 0 1 0.5 0 1\n1 0 0 1 1 0\n0 1 0 0 0 1 0\n"); // white is not a dark gray
   EXPECT_EQ(get(result, 0), (Tuple{ 255, 128, 0, 255 }));
   EXPECT_EQ(get(result, 1), (Tuple{ 255, 255, 0, 255 }));
   EXPECT_EQ(get(result, 2), (Tuple{ 0, 0, 255, 0 }));
@@ -189,7 +190,7 @@ TEST(PolygonOFFReader, ColorsOfVertices)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, colours of faces that cannot be shown as they are become others without a word.
+// If this fails, colors of faces that cannot be shown as they are become others without a word.
 TEST(PolygonOFFReader, ColorsOutOfRange)
 {
   const auto count = [](const std::string& color)
@@ -203,7 +204,7 @@ TEST(PolygonOFFReader, ColorsOutOfRange)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces of few vertices or colours of faces are lost or wrong.
+// If this fails, faces of few vertices or colors of faces are lost or wrong.
 TEST(PolygonOFFReader, FacesOfAllKinds)
 {
   const Result result = ReadBytes(MakeMixedText(1));
@@ -212,9 +213,9 @@ TEST(PolygonOFFReader, FacesOfAllKinds)
   ASSERT_EQ(grid->GetNumberOfCells(), 10);
   const int types[] = { VTK_TRIANGLE, VTK_QUAD, VTK_POLYGON, VTK_LINE, VTK_VERTEX, VTK_TRIANGLE,
     VTK_TRIANGLE, VTK_POLYGON, VTK_TRIANGLE, VTK_TRIANGLE };
-  const Tuple grey{ 170, 170, 170, 170 };
-  const Tuple colors[] = { grey, { 255, 0, 128, 255 }, { 1, 2, 3, 4 }, grey, grey, grey,
-    { 128, 64, 255, 255 }, { 255, 0, 0, 128 }, grey, grey };
+  const Tuple gray{ 170, 170, 170, 170 };
+  const Tuple colors[] = { gray, { 255, 0, 128, 255 }, { 1, 2, 3, 4 }, gray, gray, gray,
+    { 128, 64, 255, 255 }, { 255, 0, 0, 128 }, gray, gray };
   for (int i = 0; i < 10; ++i)
   {
     EXPECT_EQ(grid->GetCellType(i), types[i]) << i;
@@ -336,7 +337,8 @@ TEST(PolygonOFFReader, BinaryFacesWithoutColors)
   body << 3 << 0 << 1 << 2 << 0;
   body << 4 << 3 << 2 << 1 << 0 << 0;
   body << 2 << 1 << 1 << 0;
-  const Result alike = ReadBytes("OFF BINARY\n" + body.Bytes + (Words() << 3 << 4 << 3 << 2 << 0).Bytes);
+  const Result alike =
+    ReadBytes("OFF BINARY\n" + body.Bytes + (Words() << 3 << 4 << 3 << 2 << 0).Bytes);
   const Result other =
     ReadBytes("OFF BINARY\n" + body.Bytes + (Words() << 5 << 4 << 3 << 2 << 1 << 0 << 0).Bytes);
   for (const Result* result : { &alike, &other })
@@ -433,8 +435,7 @@ TEST(PolygonOFFReader, CollectedFiles)
   }
   const auto get = [&](const char* name, const char* array, bool ofCells, vtkIdType i)
   {
-    const auto grid =
-      ReadWith<vtkPolygonOFFReader>(folder + "/" + name + ".off").Grid;
+    const auto grid = ReadWith<vtkPolygonOFFReader>(folder + "/" + name + ".off").Grid;
     return ofCells ? GetTuple(grid->GetCellData(), array, i)
                    : GetTuple(grid->GetPointData(), array, i);
   };

@@ -51,7 +51,7 @@ void AddArray(
   data->AddArray(array);
 }
 
-/// A triangle and a quadrilateral with normals, texture and colours.
+/// A triangle and a quadrilateral with normals, texture and colors.
 Grid MakeDecorated()
 {
   Grid grid =
@@ -84,7 +84,7 @@ TEST(PolygonOFFWriter, ExactBytes)
   EXPECT_NE(plain.Warnings[0].find("if options say so; not written: Normals, TCoords, RGBA"),
     std::string::npos)
     << plain.Warnings[0];
-  // Colours of points and of cells with the same name: one of them is asked for.
+  // Colors of points and of cells with the same name: one of them is asked for.
   for (const bool ofCells : { false, true })
   {
     const Written half = Write(grid,
@@ -220,7 +220,7 @@ TEST(PolygonOFFWriter, ColorsOfAllTypes)
     EXPECT_TRUE(std::any_of(written.Warnings.begin(), written.Warnings.end(),
       [](const std::string& warning)
       {
-        return warning.find("points with a colour beyond") != std::string::npos &&
+        return warning.find("points with a color beyond") != std::string::npos &&
           warning.find("the first is point 0") != std::string::npos;
       }));
     const Result result = ReadAgain(written);
@@ -264,7 +264,8 @@ TEST(PolygonOFFWriter, ColorsOfAllTypes)
     ASSERT_TRUE(changed.Success);
     const auto tells = [](const std::string& text)
     { return text.find("two texture coordinates") != std::string::npos; };
-    EXPECT_EQ(std::count_if(changed.Warnings.begin(), changed.Warnings.end(), tells), 1) << components;
+    EXPECT_EQ(std::count_if(changed.Warnings.begin(), changed.Warnings.end(), tells), 1)
+      << components;
   }
 }
 
@@ -282,7 +283,8 @@ TEST(PolygonOFFWriter, CellsOfAllKinds)
   EXPECT_EQ(mixed.Bytes.substr(mixed.Bytes.find("5 0 1 2 3 4\n")),
     "5 0 1 2 3 4\n2 3 4\n1 2\n3 0 1 3\n3 1 2 3\n4 0 1 2 3\n2 0 1\n2 1 2\n");
   ASSERT_EQ(mixed.Warnings.size(), 1u);
-  EXPECT_NE(mixed.Warnings[0].find("of two vertices: 3, vertices as faces of one: 1;"), std::string::npos);
+  EXPECT_NE(
+    mixed.Warnings[0].find("of two vertices: 3, vertices as faces of one: 1;"), std::string::npos);
 
   // All points as vertices are a cloud; others are faces of one vertex.
   const auto vertices = [&](std::vector<vtkIdType> ids)

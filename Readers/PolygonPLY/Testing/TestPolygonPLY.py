@@ -41,9 +41,7 @@ property float area
 end_header
 """
     body = b"".join(struct.pack(">dddH", *p, i) for i, p in enumerate(points))
-    body += b"".join(
-        struct.pack(f">B{len(f)}If", len(f), *f, 0.5 * i) for i, f in enumerate(faces)
-    )
+    body += b"".join(struct.pack(f">B{len(f)}If", len(f), *f, 0.5 * i) for i, f in enumerate(faces))
     return header.encode() + body
 
 
@@ -87,7 +85,7 @@ class TestPolygonPLY(camaron_testing.FormatTestCase):
         self.assertEqual(messages.errors, [])
 
     def test_reader_of_paraview(self):
-        """ParaView's own reader, which others use, too, finds normals, colours and texture."""
+        """ParaView's own reader, which others use, too, finds normals, colors and texture."""
         if camaron_testing.rank_count() > 1:
             self.skipTest("one process is enough")
         random = numpy.random.default_rng(3)
@@ -99,10 +97,10 @@ class TestPolygonPLY(camaron_testing.FormatTestCase):
             "TCoords": random.random((size, 2)).astype("f4"),
             "RGB": random.integers(0, 256, (size, 3)).astype("u1"),
         }
-        colours = random.integers(0, 256, (grid.GetNumberOfCells(), 3)).astype("u1")
+        colors = random.integers(0, 256, (grid.GetNumberOfCells(), 3)).astype("u1")
         for data, name, values in (
             *((points, name, values) for name, values in arrays.items()),
-            (cells, "RGB", colours),
+            (cells, "RGB", colors),
         ):
             array = numpy_to_vtk(values, deep=True)
             array.SetName(name)
@@ -121,7 +119,7 @@ class TestPolygonPLY(camaron_testing.FormatTestCase):
                 self.assertIsNotNone(found, name)
                 numpy.testing.assert_array_equal(vtk_to_numpy(found), values)
             numpy.testing.assert_array_equal(
-                vtk_to_numpy(read.GetCellData().GetArray("RGB")), colours
+                vtk_to_numpy(read.GetCellData().GetArray("RGB")), colors
             )
 
     def test_values(self):
@@ -152,9 +150,7 @@ class TestPolygonPLY(camaron_testing.FormatTestCase):
         """Only the arrays that were chosen are written."""
         source = self.read(self.write("strip.ply", surface(5)))
         path = self.folder / "chosen.ply"
-        self.save(
-            path, source, ChooseArraysToWrite=1, PointDataArrays=[], CellDataArrays=["area"]
-        )
+        self.save(path, source, ChooseArraysToWrite=1, PointDataArrays=[], CellDataArrays=["area"])
         header = path.read_bytes().split(b"end_header")[0].decode()
         self.assertIn("property float area", header)
         self.assertNotIn("number", header)

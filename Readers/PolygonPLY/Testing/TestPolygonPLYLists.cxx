@@ -21,14 +21,19 @@ Sample MakeLists(int triangles)
   Sample sample;
   Element& vertices = sample.AddElement("vertex");
   vertices.Add("list uchar float", "pair").Add("float", "x").Add("float", "y").Add("float", "z");
-  vertices.Add("list ushort double", "descriptor").Add("short", "mass").Add("list int uchar", "bytes");
+  vertices.Add("list ushort double", "descriptor")
+    .Add("short", "mass")
+    .Add("list int uchar", "bytes");
   for (int i = 0; i < triangles + 2; ++i)
   {
-    vertices.Rows.push_back({ { i + 0.5, -i * 1. }, { std::cos(0.1 * i) }, { std::sin(0.1 * i) }, { 0 },
-      std::vector<double>(static_cast<std::size_t>(2 + i % 2), i), { i * 2. }, { i % 200 * 1., 255 } });
+    vertices.Rows.push_back({ { i + 0.5, -i * 1. }, { std::cos(0.1 * i) }, { std::sin(0.1 * i) },
+      { 0 }, std::vector<double>(static_cast<std::size_t>(2 + i % 2), i), { i * 2. },
+      { i % 200 * 1., 255 } });
   }
   Element& faces = sample.AddElement("face");
-  faces.Add("list uchar int", "vertex_indices").Add("list uchar float", "texcoord").Add("int", "texnumber");
+  faces.Add("list uchar int", "vertex_indices")
+    .Add("list uchar float", "texcoord")
+    .Add("int", "texnumber");
   for (int i = 0; i < triangles; ++i)
   {
     faces.Rows.push_back({ { 0, i + 1., i + 2. }, { 0, 0, 1, 0, 1, i * 1. }, { i % 3 * 1. } });
@@ -43,14 +48,16 @@ Sample MakeLists(int triangles)
 }
 
 //------------------------------------------------------------------------------
-void ExpectTuple(vtkDataArray* array, vtkIdType tuple, const std::vector<double>& values, const std::string& name)
+void ExpectTuple(
+  vtkDataArray* array, vtkIdType tuple, const std::vector<double>& values, const std::string& name)
 {
   ASSERT_NE(array, nullptr) << name;
   ASSERT_EQ(array->GetNumberOfComponents(), static_cast<int>(values.size())) << name;
   for (std::size_t c = 0; c < values.size(); ++c)
   {
     const double found = array->GetComponent(tuple, static_cast<int>(c));
-    EXPECT_TRUE(found == values[c] || (std::isnan(found) && std::isnan(values[c]))) << name << c << ": " << found;
+    EXPECT_TRUE(found == values[c] || (std::isnan(found) && std::isnan(values[c])))
+      << name << c << ": " << found;
   }
 }
 }
@@ -65,7 +72,8 @@ TEST(PolygonPLYLists, BecomeArrays)
     const Result result = ReadBytes(MakeLists(5).Encode(format));
     ASSERT_TRUE(result.Errors.empty()) << format << result.Errors[0];
     ASSERT_EQ(result.Warnings.size(), 2u) << format; // of those that vary
-    EXPECT_NE(result.Warnings[0].find("the lists 'descriptor' of 7 elements 'vertex' become an array with 3 components"),
+    EXPECT_NE(result.Warnings[0].find(
+                "the lists 'descriptor' of 7 elements 'vertex' become an array with 3 components"),
       std::string::npos)
       << result.Warnings[0];
     EXPECT_NE(result.Warnings[1].find("'tags'"), std::string::npos) << result.Warnings[1];
@@ -111,7 +119,9 @@ TEST(PolygonPLYLists, LeftOut)
   {
     Sample sample;
     Element& vertices = sample.AddVertices(10);
-    vertices.Add("list ushort float", "rare").Add("list int int", "long").Add("list uchar int", "empty");
+    vertices.Add("list ushort float", "rare")
+      .Add("list int int", "long")
+      .Add("list uchar int", "empty");
     for (std::size_t i = 0; i < vertices.Rows.size(); ++i)
     {
       vertices.Rows[i].push_back(std::vector<double>(i == 3 ? 50 : 0, 1));
@@ -121,7 +131,8 @@ TEST(PolygonPLYLists, LeftOut)
     const Result result = ReadBytes(sample.Encode(format));
     ASSERT_TRUE(result.Errors.empty()) << format << result.Errors[0];
     ASSERT_EQ(result.Warnings.size(), 2u) << format;
-    EXPECT_NE(result.Warnings[0].find("the lists 'rare' of 10 elements 'vertex', of 0 to 50 values, are left out"),
+    EXPECT_NE(result.Warnings[0].find(
+                "the lists 'rare' of 10 elements 'vertex', of 0 to 50 values, are left out"),
       std::string::npos)
       << result.Warnings[0];
     EXPECT_NE(result.Warnings[1].find("'long'"), std::string::npos) << result.Warnings[1];
@@ -134,13 +145,15 @@ TEST(PolygonPLYLists, LeftOut)
 // If this fails, a list that is wrong is reported for another, or read all the same.
 TEST(PolygonPLYLists, SaysWhatIsWrong)
 {
-  const std::string header = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
-                             "property float z\nproperty list uchar uchar bytes\nend_header\n";
+  const std::string header =
+    "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+    "property float z\nproperty list uchar uchar bytes\nend_header\n";
   const struct
   {
     const char* Rows;
     const char* Message;
-  } cases[] = { { "0 0 0 2 1 2\n0 0 0 2 1 256\n", "expected a value of 'bytes' of 'vertex' (uchar), found '256'" },
+  } cases[] = { { "0 0 0 2 1 2\n0 0 0 2 1 256\n",
+                  "expected a value of 'bytes' of 'vertex' (uchar), found '256'" },
     { "0 0 0 2 1 2\n0 0 0 2 1 x\n", "expected a value of 'bytes'" },
     { "0 0 0 2 1 2\n0 0 0 2 1\n", "expected a value of 'bytes'" },
     { "0 0 0 2 1 2\n0 0 0 -2 1 1\n", "expected the length of the list 'bytes'" } };
@@ -166,8 +179,10 @@ TEST(PolygonPLYLists, CollectedFile)
   const Result result = ReadWith<vtkPolygonPLYReader>(path);
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   EXPECT_EQ(result.Warnings.size(), 1u);
-  ExpectTuple(result.Grid->GetPointData()->GetArray("descriptor"), 0, { 0.5, 0.25, nan }, "descriptor");
+  ExpectTuple(
+    result.Grid->GetPointData()->GetArray("descriptor"), 0, { 0.5, 0.25, nan }, "descriptor");
   ExpectTuple(result.Grid->GetPointData()->GetArray("descriptor"), 1, { 1, 2, 3 }, "descriptor");
   ExpectTuple(result.Grid->GetPointData()->GetArray("descriptor_length"), 2, { 0 }, "length");
-  ExpectTuple(result.Grid->GetCellData()->GetArray("texcoord"), 1, { 0, 0, 1, 1, 0, 1 }, "texcoord");
+  ExpectTuple(
+    result.Grid->GetCellData()->GetArray("texcoord"), 1, { 0, 0, 1, 1, 0, 1 }, "texcoord");
 }

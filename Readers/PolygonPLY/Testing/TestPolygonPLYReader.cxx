@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // PLY files of all encodings: what becomes of them, and what is refused.
 #include "FormatTesting.h"
-#include "SharedData.h"
 #include "PLYSamples.h"
 #include "PolygonPLYReading.h"
+#include "SharedData.h"
 #include "vtkPolygonPLYReader.h"
 
 #include "vtkErrorCode.h"
@@ -120,7 +120,7 @@ TEST(PolygonPLYReader, LineEndsOfTheHeader)
 }
 
 //------------------------------------------------------------------------------
-TEST(PolygonPLYReader, NormalsColoursAndTextures)
+TEST(PolygonPLYReader, NormalsColorsAndTextures)
 {
   const Result result = ReadBytes(
     "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
@@ -139,21 +139,21 @@ TEST(PolygonPLYReader, NormalsColoursAndTextures)
   EXPECT_EQ(points->GetNormals()->GetComponent(2, 2), -1);
   ASSERT_NE(points->GetTCoords(), nullptr);
   EXPECT_EQ(points->GetTCoords()->GetComponent(0, 1), 0.5);
-  vtkDataArray* colours = points->GetArray("RGBA");
-  ASSERT_NE(colours, nullptr);
-  EXPECT_EQ(colours->GetDataType(), VTK_UNSIGNED_CHAR);
-  EXPECT_EQ(colours->GetComponent(0, 3), 4);
-  vtkDataArray* faceColours = result.Grid->GetCellData()->GetArray("RGB");
-  ASSERT_NE(faceColours, nullptr);
-  EXPECT_EQ(faceColours->GetComponent(0, 0), 0);
-  EXPECT_EQ(faceColours->GetComponent(0, 1), 128);
-  EXPECT_EQ(faceColours->GetComponent(0, 2), 255);
+  vtkDataArray* colors = points->GetArray("RGBA");
+  ASSERT_NE(colors, nullptr);
+  EXPECT_EQ(colors->GetDataType(), VTK_UNSIGNED_CHAR);
+  EXPECT_EQ(colors->GetComponent(0, 3), 4);
+  vtkDataArray* faceColors = result.Grid->GetCellData()->GetArray("RGB");
+  ASSERT_NE(faceColors, nullptr);
+  EXPECT_EQ(faceColors->GetComponent(0, 0), 0);
+  EXPECT_EQ(faceColors->GetComponent(0, 1), 128);
+  EXPECT_EQ(faceColors->GetComponent(0, 2), 255);
   EXPECT_EQ(result.Grid->GetCellData()->GetArray("red")->GetTuple1(0), -5);
 }
 
 //------------------------------------------------------------------------------
-// If this fails, colours are changed without a word.
-TEST(PolygonPLYReader, ColoursBeyondTheirRange)
+// If this fails, colors are changed without a word.
+TEST(PolygonPLYReader, ColorsBeyondTheirRange)
 {
   for (const char* format : { "ascii", "binary_little_endian" })
   {
@@ -166,7 +166,8 @@ TEST(PolygonPLYReader, ColoursBeyondTheirRange)
     const Result result = ReadBytes(sample.Encode(format));
     ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
     ASSERT_EQ(result.Warnings.size(), 1u);
-    EXPECT_NE(result.Warnings[0].find("3 colour values of 'vertex' beyond 0 to 1"), std::string::npos)
+    EXPECT_NE(
+      result.Warnings[0].find("3 color values of 'vertex' beyond 0 to 1"), std::string::npos)
       << result.Warnings[0];
     EXPECT_EQ(result.Grid->GetPointData()->GetArray("RGB")->GetComponent(0, 1), 255);
   }
@@ -290,10 +291,10 @@ TEST(PolygonPLYReader, EdgesOfCamaron)
     "ply\nformat ascii 1.0\n" + header + "0 0 0\n1 0 0\n0 1 0\n0 1 150 0 3\n1 2 0 255 1\n");
   ASSERT_TRUE(text.Errors.empty()) << text.Errors[0];
   EXPECT_EQ(GetCell(text, 1), (Ids{ VTK_LINE, 1, 2 }));
-  vtkDataArray* colours = text.Grid->GetCellData()->GetArray("RGB");
-  ASSERT_NE(colours, nullptr);
-  EXPECT_EQ(colours->GetComponent(0, 0), 150);
-  EXPECT_EQ(colours->GetComponent(1, 2), 1);
+  vtkDataArray* colors = text.Grid->GetCellData()->GetArray("RGB");
+  ASSERT_NE(colors, nullptr);
+  EXPECT_EQ(colors->GetComponent(0, 0), 150);
+  EXPECT_EQ(colors->GetComponent(1, 2), 1);
 
   std::string binary = "ply\nformat binary_big_endian 1.0\n" + header;
   for (const float x : { 0, 0, 0, 1, 0, 0, 0, 1, 0 })
@@ -310,7 +311,7 @@ TEST(PolygonPLYReader, EdgesOfCamaron)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, cells given by faces are not recognised, or values go to the wrong cells.
+// If this fails, cells given by faces are not recognized, or values go to the wrong cells.
 TEST(PolygonPLYReader, CellsOfFaces)
 {
   const Sample sample = MakeCells();
@@ -589,8 +590,7 @@ TEST(PolygonPLYReader, CollectedFiles)
   for (const auto& file : files)
   {
     SCOPED_TRACE(file.Name);
-    const Result result =
-      ReadWith<vtkPolygonPLYReader>(folder + "/" + file.Name + ".ply");
+    const Result result = ReadWith<vtkPolygonPLYReader>(folder + "/" + file.Name + ".ply");
     EXPECT_TRUE(result.Errors.empty());
     EXPECT_EQ(result.Warnings.size(), file.Warnings);
     EXPECT_EQ(result.Grid->GetNumberOfPoints(), file.Points);

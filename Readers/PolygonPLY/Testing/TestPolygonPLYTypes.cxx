@@ -99,10 +99,12 @@ TEST(PolygonPLYTypes, TextHasTheWholeRangeOfIntegers)
 // If this fails, a slip in a header goes without a word.
 TEST(PolygonPLYTypes, PropertyGivenTwice)
 {
-  const Result result = ReadBytes("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                                  "property float x\nend_header\n0 0 0\n");
+  const Result result =
+    ReadBytes("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
+              "property float x\nend_header\n0 0 0\n");
   ASSERT_FALSE(result.Warnings.empty());
-  EXPECT_NE(result.Warnings[0].find("'vertex' has the property 'x' more than once"), std::string::npos)
+  EXPECT_NE(
+    result.Warnings[0].find("'vertex' has the property 'x' more than once"), std::string::npos)
     << result.Warnings[0];
 }
 

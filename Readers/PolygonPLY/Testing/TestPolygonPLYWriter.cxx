@@ -195,17 +195,18 @@ TEST(PolygonPLYWriter, NamesAndTypesThatPLYKnows)
   AddArray<vtkIntArray>(grid->GetCellData(), "vertex_indices", 1, 3);
   const Written written = WriteText(grid);
   ASSERT_TRUE(written.Success);
-  for (const char* line :
-    { "property int x_\n", "property int two_words\n", "property int array\n", "property int v_0\n", "property int v_1_\n",
-      "property int small\n", "property uint large\n", "property double larger\n",
-      "property double largest\n", "property int vertex_indices_\n", "comment components v 2\n" })
+  for (const char* line : { "property int x_\n", "property int two_words\n", "property int array\n",
+         "property int v_0\n", "property int v_1_\n", "property int small\n",
+         "property uint large\n", "property double larger\n", "property double largest\n",
+         "property int vertex_indices_\n", "comment components v 2\n" })
   {
     EXPECT_TRUE(Has(written, line)) << line << written.Bytes;
   }
   ASSERT_EQ(written.Warnings.size(), 3u);
-  EXPECT_NE(written.Warnings[0].find(
-              "of their own: x to x_, two words to two_words, a b to a_b_ (a_b is another), an array "
-              "without name to array, v_1 to v_1_"),
+  EXPECT_NE(
+    written.Warnings[0].find(
+      "of their own: x to x_, two words to two_words, a b to a_b_ (a_b is another), an array "
+      "without name to array, v_1 to v_1_"),
     std::string::npos)
     << written.Warnings[0];
   EXPECT_NE(written.Warnings[1].find("vertex_indices to vertex_indices_"), std::string::npos);
@@ -233,7 +234,8 @@ TEST(PolygonPLYWriter, TellsOfNamesOfNormals)
   EXPECT_TRUE(Has(written, "property float nx\n")) << written.Bytes;
   EXPECT_TRUE(Has(written, "property float texture_u\n")) << written.Bytes;
   ASSERT_EQ(written.Warnings.size(), 1u);
-  EXPECT_NE(written.Warnings[0].find(": Direction to Normals"), std::string::npos) << written.Warnings[0];
+  EXPECT_NE(written.Warnings[0].find(": Direction to Normals"), std::string::npos)
+    << written.Warnings[0];
   EXPECT_EQ(written.Warnings[0].find("to TCoords"), std::string::npos);
 }
 
@@ -400,7 +402,8 @@ TEST(PolygonPLYWriter, WhatItCannotHold)
   EXPECT_EQ(refused.Bytes, "before");
   ASSERT_EQ(refused.Errors.size(), 1u);
   EXPECT_TRUE(Write(empty,
-    [](vtkPolygonPLYWriter* w) {
+    [](vtkPolygonPLYWriter* w)
+    {
       w->SetUnsupportedCells(vtkPolygonPLYWriter::SKIP);
     }).Success);
 }
@@ -416,8 +419,7 @@ TEST(PolygonPLYWriter, ThreadsChangeNothing)
     const auto write = [&](int threads)
     {
       Written written;
-      vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
-        [&]
+      vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]
         { written = Write(mesh.Grid, [&](vtkPolygonPLYWriter* w) { w->SetEncoding(encoding); }); });
       return written.Bytes;
     };
@@ -437,11 +439,12 @@ TEST(PolygonPLYWriter, IntegersThatAreRounded)
   {
     vtkTypeInt64 Value;
     bool IsRounded;
-  } ids[] = { { exact, false }, { exact + 1, true }, { -exact - 1, true }, { exact + 2, false }, { exact + 3, true },
-    { INT64_MIN, false }, { INT64_MAX, true } };
+  } ids[] = { { exact, false }, { exact + 1, true }, { -exact - 1, true }, { exact + 2, false },
+    { exact + 3, true }, { INT64_MIN, false }, { INT64_MAX, true } };
   for (const auto& id : ids)
   {
-    const Grid grid = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } });
+    const Grid grid =
+      MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { VTK_TRIANGLE, { 0, 1, 2 } } });
     vtkNew<vtkTypeInt64Array> array;
     array->SetName("id");
     array->InsertNextValue(id.Value);

@@ -55,7 +55,10 @@ class TestTRI(camaron_testing.FormatTestCase):
         self.assertEqual(path.read_text(), CART3D)
 
     def test_saved_file_does_not_depend_on_ranks(self):
-        for whole, size in [(self.sheet(), [108, 176]), *((p, [231, 466]) for p in self.real("tri/dev_surface.tri"))]:
+        for whole, size in [
+            (self.sheet(), [108, 176]),
+            *((p, [231, 466]) for p in self.real("tri/dev_surface.tri")),
+        ]:
             first, second = self.folder / "first.tri", self.folder / "second.tri"
             simple.SaveData(str(first), self.open(whole), Dialect="Cart3D")
             self.assertEqual(self.numbers(first)[0], size)

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 // SPDX-License-Identifier: BSD-3-Clause
 // What only files of Cart3D have: scalars, and Fortran records in binary.
-#include "FormatTesting.h"
 #include "Base/Bytes.h"
+#include "FormatTesting.h"
 #include "vtkTRIReader.h"
 
 #include "vtkErrorCode.h"
@@ -18,8 +18,8 @@ Result ReadBytes(const std::string& bytes)
 }
 
 //------------------------------------------------------------------------------
-/// A strip of triangles between points (i, i % 2, 0.1), of which triangle i has component i / 10 and scalar k of
-/// point i is i + k / 4.
+/// A strip of triangles between points (i, i % 2, 0.1), of which triangle i has component i / 10
+/// and scalar k of point i is i + k / 4.
 struct Strip
 {
   int Triangles;
@@ -99,7 +99,8 @@ template <typename Real>
 std::string MakeBinary(const Strip& strip, ByteOrder order)
 {
   std::string bytes = MakeRecord<std::int32_t>(strip.GetCounts(), order) +
-    MakeRecord<Real>(strip.GetCoordinates(), order) + MakeRecord<std::int32_t>(strip.GetCorners(), order);
+    MakeRecord<Real>(strip.GetCoordinates(), order) +
+    MakeRecord<std::int32_t>(strip.GetCorners(), order);
   if (strip.HasComponents)
   {
     bytes += MakeRecord<std::int32_t>(strip.GetComponents(), order);
@@ -162,8 +163,8 @@ void ExpectStrip(const Result& result, const Strip& strip, int realType, const s
   }
 }
 
-const Strip Strips[] = { { 20, false, 0, 0 }, { 20, true, 0, 0 }, { 20, true, 1, 1 }, { 20, true, 6, 6 },
-  { 20, true, 6, 5 } };
+const Strip Strips[] = { { 20, false, 0, 0 }, { 20, true, 0, 0 }, { 20, true, 1, 1 },
+  { 20, true, 6, 6 }, { 20, true, 6, 5 } };
 }
 
 //------------------------------------------------------------------------------
@@ -174,7 +175,8 @@ TEST(TRICart3D, BinaryOfEveryKind)
   {
     for (const ByteOrder order : { ByteOrder::Little, ByteOrder::Big })
     {
-      const std::string name = std::to_string(strip.Scalars) + (order == ByteOrder::Big ? " big" : " little");
+      const std::string name =
+        std::to_string(strip.Scalars) + (order == ByteOrder::Big ? " big" : " little");
       ExpectStrip(ReadBytes(MakeBinary<float>(strip, order)), strip, VTK_FLOAT, name);
       ExpectStrip(ReadBytes(MakeBinary<double>(strip, order)), strip, VTK_DOUBLE, name);
     }
@@ -211,7 +213,7 @@ TEST(TRICart3D, PiecesMakeTheWhole)
 TEST(TRICart3D, RecordsWithoutTrianglesAreACloud)
 {
   Strip strip{ 0, false, 2, 2 };
-  const Result result = ReadBytes(MakeBinary<float>(strip, ByteOrder::Little) );
+  const Result result = ReadBytes(MakeBinary<float>(strip, ByteOrder::Little));
   EXPECT_TRUE(result.IsProperError()); // scalars come after components
   strip.HasComponents = true;
   const Result cloud = ReadBytes(MakeBinary<float>(strip, ByteOrder::Little));
@@ -232,8 +234,8 @@ TEST(TRICart3D, SaysWhatIsWrongAndWhere)
     Store(bytes.data() + place, value, ByteOrder::Little != GetByteOrder());
     return bytes;
   };
-  const std::size_t coordinates = 20, corners = coordinates + 8 + 22 * 12, components = corners + 8 + 20 * 12,
-                    scalars = components + 8 + 20 * 4;
+  const std::size_t coordinates = 20, corners = coordinates + 8 + 22 * 12,
+                    components = corners + 8 + 20 * 12, scalars = components + 8 + 20 * 4;
   const struct
   {
     std::string Bytes;
@@ -243,26 +245,38 @@ TEST(TRICart3D, SaysWhatIsWrongAndWhere)
     { with(4, -1), vtkErrorCode::FileFormatError, "byte 4: expected the numbers of vertices" },
     { with(4, 21), vtkErrorCode::FileFormatError,
       "byte 20: expected a record of 252 bytes with the coordinates of the vertices, found 264" },
-    { with(4, 2147483647), vtkErrorCode::PrematureEndOfFileError, "the coordinates of the vertices, found 264" },
-    { with(coordinates, 1000000), vtkErrorCode::PrematureEndOfFileError, "the coordinates of the vertices" },
-    { with(corners - 4, 7), vtkErrorCode::FileFormatError, "the length 264 again at the end of the record" },
+    { with(4, 2147483647), vtkErrorCode::PrematureEndOfFileError,
+      "the coordinates of the vertices, found 264" },
+    { with(coordinates, 1000000), vtkErrorCode::PrematureEndOfFileError,
+      "the coordinates of the vertices" },
+    { with(corners - 4, 7), vtkErrorCode::FileFormatError,
+      "the length 264 again at the end of the record" },
     { with(corners, -9), vtkErrorCode::FileFormatError, "at most 2147483647 bytes" },
     { with(corners + 4, 0), vtkErrorCode::FileFormatError,
-      "byte " + std::to_string(corners + 4) + ": expected a vertex of a triangle from 1 to 22, found 0" },
+      "byte " + std::to_string(corners + 4) +
+        ": expected a vertex of a triangle from 1 to 22, found 0" },
     { with(corners + 16, 23), vtkErrorCode::FileFormatError, "found 23" },
-    { with(8, 19), vtkErrorCode::FileFormatError, "a record of 228 bytes with the vertices of the triangles" },
-    { with(12, 5), vtkErrorCode::PrematureEndOfFileError, "a record of 440 bytes with the scalars" },
+    { with(8, 19), vtkErrorCode::FileFormatError,
+      "a record of 228 bytes with the vertices of the triangles" },
+    { with(12, 5), vtkErrorCode::PrematureEndOfFileError,
+      "a record of 440 bytes with the scalars" },
     { with(12, 0), vtkErrorCode::NoError, "" },
-    { good.substr(0, scalars), vtkErrorCode::PrematureEndOfFileError, "the scalars of the vertices, found the end" },
-    { good.substr(0, good.size() - 1), vtkErrorCode::PrematureEndOfFileError, "the length of a record at its end" },
+    { good.substr(0, scalars), vtkErrorCode::PrematureEndOfFileError,
+      "the scalars of the vertices, found the end" },
+    { good.substr(0, good.size() - 1), vtkErrorCode::PrematureEndOfFileError,
+      "the length of a record at its end" },
     { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n1\n1 2 3 4 5\n", vtkErrorCode::PrematureEndOfFileError,
       "test.triq:7: expected the 2 scalars of each of the 3 vertices, found 5 numbers" },
-    { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n1\n1 2 3 4 5 6 7\n", vtkErrorCode::FileFormatError, "found 7 numbers" },
+    { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n1\n1 2 3 4 5 6 7\n", vtkErrorCode::FileFormatError,
+      "found 7 numbers" },
     { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n1\n1 2 3 x 5 6\n", vtkErrorCode::FileFormatError,
       "test.triq:7: expected a scalar of a vertex, found 'x'" },
-    { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n", vtkErrorCode::PrematureEndOfFileError, "the component of a triangle" },
-    { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n0.5\n", vtkErrorCode::FileFormatError, "the component of a triangle" },
-    { "3 1 999999\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n", vtkErrorCode::PrematureEndOfFileError, "the number of scalars" },
+    { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n", vtkErrorCode::PrematureEndOfFileError,
+      "the component of a triangle" },
+    { "3 1 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n0.5\n", vtkErrorCode::FileFormatError,
+      "the component of a triangle" },
+    { "3 1 999999\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n", vtkErrorCode::PrematureEndOfFileError,
+      "the number of scalars" },
   };
   for (const auto& wrong : cases)
   {
@@ -275,7 +289,8 @@ TEST(TRICart3D, SaysWhatIsWrongAndWhere)
     }
     ASSERT_TRUE(result.IsProperError()) << wrong.Message;
     EXPECT_EQ(result.ErrorCode, wrong.Code) << result.Errors[0];
-    EXPECT_NE(result.Errors[0].find(wrong.Message), std::string::npos) << result.Errors[0] << "\n" << wrong.Message;
+    EXPECT_NE(result.Errors[0].find(wrong.Message), std::string::npos) << result.Errors[0] << "\n"
+                                                                       << wrong.Message;
   }
 }
 
@@ -290,7 +305,8 @@ TEST(TRICart3D, KnowsItsFiles)
   EXPECT_EQ(canRead(MakeText(Strips[3], 6)), 1);
   // Without the lengths of Fortran records, and a record of something else.
   EXPECT_EQ(canRead(MakeBinary<float>(Strips[0], ByteOrder::Big).substr(4)), 0);
-  EXPECT_EQ(canRead(MakeRecord<std::int32_t>(std::vector<int>{ 1, 2, 3, 4 }, ByteOrder::Little)), 0);
+  EXPECT_EQ(
+    canRead(MakeRecord<std::int32_t>(std::vector<int>{ 1, 2, 3, 4 }, ByteOrder::Little)), 0);
 }
 
 //------------------------------------------------------------------------------

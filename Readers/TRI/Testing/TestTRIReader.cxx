@@ -24,7 +24,8 @@ Result ReadBytes(const std::string& bytes)
 std::string MakeStrip(int triangles, bool cart3D, const std::string& lineEnd = "\n")
 {
   const std::string vertices = std::to_string(triangles + 2);
-  std::string text = cart3D ? vertices + " " + std::to_string(triangles) + lineEnd : vertices + lineEnd;
+  std::string text =
+    cart3D ? vertices + " " + std::to_string(triangles) + lineEnd : vertices + lineEnd;
   for (int i = 0; i < triangles + 2; ++i)
   {
     text += std::to_string(i * 0.1) + " " + std::to_string(i % 2) + " -1.5e-3" + lineEnd;
@@ -48,7 +49,8 @@ std::string MakeStrip(int triangles, bool cart3D, const std::string& lineEnd = "
 TEST(TRIReader, ReadsVerticesAndTriangles)
 {
   for (const char* text : { "4\n0 0 0\n1 0 0\n0 1 0.1\n0 0 1\n2\n0 1 2\n3 2 1\n",
-         "\xef\xbb\xbf# a comment\r\n4\r\n\r\n0 0 0 9\r\n1 0 0\r\n# b\r\n0 1 1D-1\r\n0 0 1 more\r\n2\r\n0 1 "
+         "\xef\xbb\xbf# a comment\r\n4\r\n\r\n0 0 0 9\r\n1 0 0\r\n# b\r\n0 1 1D-1\r\n0 0 1 "
+         "more\r\n2\r\n0 1 "
          "2 7\r\n3 2 1" })
   {
     const Result result = ReadBytes(text);
@@ -67,8 +69,7 @@ TEST(TRIReader, ReadsVerticesAndTriangles)
 //------------------------------------------------------------------------------
 TEST(TRIReader, ReadsCart3D)
 {
-  const Result result =
-    ReadBytes("4 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3\n4 3 2\n5 -6\n");
+  const Result result = ReadBytes("4 2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 2 3\n4 3 2\n5 -6\n");
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   EXPECT_EQ(DescribeCell(result.Grid, 1, { 0, 1, 2, 3 })[0],
     (std::vector<vtkIdType>{ VTK_TRIANGLE, 3, 2, 1 }));
@@ -84,8 +85,7 @@ TEST(TRIReader, ReadsCart3D)
 //------------------------------------------------------------------------------
 TEST(TRIReader, VerticesAloneAreACloud)
 {
-  for (const char* text :
-    { "2\n0 0 0\n1 0 0\n", "2\n0 0 0\n1 0 0\n0\n", "2 0\n0 0 0\n1 0 0\n" })
+  for (const char* text : { "2\n0 0 0\n1 0 0\n", "2\n0 0 0\n1 0 0\n0\n", "2 0\n0 0 0\n1 0 0\n" })
   {
     const Result result = ReadBytes(text);
     ASSERT_TRUE(result.Errors.empty()) << text;
@@ -118,18 +118,22 @@ TEST(TRIReader, RefusesWhatIsWrong)
     const char* Message;
   } cases[] = {
     { "", vtkErrorCode::UnrecognizedFileTypeError, "test.tri:1: expected a TRI file" },
-    { "GOCAD TSurf 1\n", vtkErrorCode::UnrecognizedFileTypeError, "test.tri:1: expected a TRI file" },
+    { "GOCAD TSurf 1\n", vtkErrorCode::UnrecognizedFileTypeError,
+      "test.tri:1: expected a TRI file" },
     { "1 2 3 4\n", vtkErrorCode::UnrecognizedFileTypeError, "whose first line is one number" },
-    { "999999999\n0 0 0\n", vtkErrorCode::PrematureEndOfFileError, "test.tri:1: expected at least" },
+    { "999999999\n0 0 0\n", vtkErrorCode::PrematureEndOfFileError,
+      "test.tri:1: expected at least" },
     { "-3\n0 0 0\n", vtkErrorCode::FileFormatError, "found -3" },
     { "3\n0 0 0\n1 0 0\n0 x 0\n1\n0 1 2\n", vtkErrorCode::FileFormatError,
       "test.tri:4: expected a coordinate of a vertex, found 'x'" },
     { "3\n0 0 0\n1 0 # short\n0 1 0\n1\n0 1 2\n", vtkErrorCode::FileFormatError,
       "test.tri:3: expected a coordinate of a vertex, found the end of the line" },
-    { "3\n0 0 0\n1 0 0\n0 1 0\n2\n0 1 2\n", vtkErrorCode::PrematureEndOfFileError, "expected at least" },
+    { "3\n0 0 0\n1 0 0\n0 1 0\n2\n0 1 2\n", vtkErrorCode::PrematureEndOfFileError,
+      "expected at least" },
     { "3\n0 0 0\n1 0 0\n0 1 0\n2\n0 1 2\n0 111 2\n", vtkErrorCode::FileFormatError,
       "test.tri:7: expected a vertex of a triangle from 0 to 2, found 111" },
-    { "3\n0 0 0\n1 0 0\n0 1 0\n1\n1 2 3\n", vtkErrorCode::FileFormatError, "count vertices from 1" },
+    { "3\n0 0 0\n1 0 0\n0 1 0\n1\n1 2 3\n", vtkErrorCode::FileFormatError,
+      "count vertices from 1" },
     { "3 2\n0 0 0\n1 0 0\n0 1 0\n1 2 3\n3 2 1\n7", vtkErrorCode::PrematureEndOfFileError,
       "the component of a triangle" },
   };
@@ -160,8 +164,8 @@ TEST(TRIReader, ThreadsAndChunksChangeNothing)
       for (const vtkIdType chunk : { 50, 1000, 20000 })
       {
         vtkNew<vtkUnstructuredGrid> grid;
-        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads), [&]
-          { ASSERT_TRUE(ReadTRI(file.Path, {}, grid, warnings, error, Progress(), chunk)); });
+        vtkSMPTools::LocalScope(vtkSMPTools::Config(threads),
+          [&] { ASSERT_TRUE(ReadTRI(file.Path, {}, grid, warnings, error, Progress(), chunk)); });
         ExpectSameGrid(expected, grid);
       }
     }

@@ -109,8 +109,8 @@ TEST(TRIWriter, FloatCoordinatesStayShort)
 // If this fails, a cloud comes back as points that nobody sees.
 TEST(TRIWriter, CloudsComeBack)
 {
-  const Grid cloud = MakeGrid(
-    { { 0, 0, 0 }, { 1, 2, 3 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
+  const Grid cloud =
+    MakeGrid({ { 0, 0, 0 }, { 1, 2, 3 } }, { { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } });
   for (const int dialect : { vtkTRIWriter::CAMARON, vtkTRIWriter::CART3D })
   {
     const Written written = Write(cloud, [=](vtkTRIWriter* w) { w->SetDialect(dialect); });
@@ -122,8 +122,8 @@ TEST(TRIWriter, CloudsComeBack)
 //------------------------------------------------------------------------------
 TEST(TRIWriter, WhatItCannotHold)
 {
-  const Grid square = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } },
-    { { VTK_QUAD, { 0, 1, 2, 3 } } });
+  const Grid square = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }, { { VTK_QUAD, { 0, 1, 2, 3 } } });
   const Written refused = Write(square);
   EXPECT_EQ(refused.Success, 0);
   EXPECT_EQ(refused.Bytes, "before");
@@ -135,10 +135,9 @@ TEST(TRIWriter, WhatItCannotHold)
   EXPECT_EQ(Count(again.Grid, VTK_TRIANGLE), 2);
 
   // The surface of a tetrahedron.
-  const Grid tetrahedron = MakeGrid({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } },
-    { { VTK_TETRA, { 0, 1, 2, 3 } } });
+  const Grid tetrahedron = MakeGrid(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, { { VTK_TETRA, { 0, 1, 2, 3 } } });
   const Written surface = Write(tetrahedron);
   ASSERT_TRUE(surface.Success);
-  EXPECT_EQ(
-    Count(ReadWith<vtkTRIReader>(File(surface.Bytes, "a.tri").Path).Grid, VTK_TRIANGLE), 4);
+  EXPECT_EQ(Count(ReadWith<vtkTRIReader>(File(surface.Bytes, "a.tri").Path).Grid, VTK_TRIANGLE), 4);
 }

@@ -46,7 +46,9 @@ class TestTS(camaron_testing.FormatTestCase):
         surface = self.save("surface.ts", gallery.triangles(), Dialect="GOCAD")
         real = [self.real(f"ts/{name}.ts") for name in FILES]
         pairs = [(tetrahedra, parse_tetrahedra), (surface, parse_surface)]
-        return pairs + [(path, parse) for paths, parse in zip(real, FILES.values()) for path in paths]
+        return pairs + [
+            (path, parse) for paths, parse in zip(real, FILES.values()) for path in paths
+        ]
 
     def test_counts(self):
         """Points and cells are those of the file, on any number of ranks."""

@@ -275,8 +275,7 @@ TEST(TSReader, KeepsEveryValue)
   const Result more =
     ReadBytes("GOCAD TSurf 1\nPROPERTIES a\nPVRTX 1 0 0 0 5 6\nPVRTX 2 1 0 0 5\nEND\n");
   ASSERT_EQ(more.Warnings.size(), 1u);
-  EXPECT_NE(
-    more.Warnings[0].find("more values than there are properties, which are left out: 1"),
+  EXPECT_NE(more.Warnings[0].find("more values than there are properties, which are left out: 1"),
     std::string::npos);
 }
 
@@ -285,9 +284,9 @@ TEST(TSReader, KeepsEveryValue)
 TEST(TSReader, NamesEveryArray)
 {
   using namespace std::string_literals;
-  const Result result = ReadBytes(
-    "GOCAD TSurf 1\nPROPERTIES \0 a\0b a\nPVRTX 1 0 0 0 5 6 7\nPVRTX 2 1 0 0 5 6 7\n"
-    "PVRTX 3 0 1 0 5 6 7\nTRGL 1 2 3\nEND\n"s);
+  const Result result =
+    ReadBytes("GOCAD TSurf 1\nPROPERTIES \0 a\0b a\nPVRTX 1 0 0 0 5 6 7\nPVRTX 2 1 0 0 5 6 7\n"
+              "PVRTX 3 0 1 0 5 6 7\nTRGL 1 2 3\nEND\n"s);
   vtkPointData* data = result.Grid->GetPointData();
   for (const char* name : { "Property", "a", "a_2" })
   {

@@ -141,7 +141,8 @@ TEST(TSWriter, IntegersThatAreRounded)
   grid->GetPointData()->AddArray(ids);
   const Written file = Write(grid, vtkTSWriter::GOCAD);
   ASSERT_EQ(file.Warnings.size(), 1u);
-  EXPECT_NE(file.Warnings[0].find("2 values of the array id rounded to double, the first is value 1"),
+  EXPECT_NE(
+    file.Warnings[0].find("2 values of the array id rounded to double, the first is value 1"),
     std::string::npos)
     << file.Warnings[0];
 }

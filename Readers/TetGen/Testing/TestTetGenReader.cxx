@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points and elements of TetGen and Triangle: what becomes of them, with any ids, threads and
 // pieces.
-#include "TetGenReading.h"
 #include "SharedData.h"
+#include "TetGenReading.h"
 #include "TetGenSamples.h"
 
 #include "Base/Progress.h"
@@ -388,13 +388,11 @@ TEST(TetGenReader, CollectedFiles)
       }
     }
   }
-  const Result slit =
-    ReadWith<vtkTetGenReader>(folder + "/tetgen_slit-1.smesh");
+  const Result slit = ReadWith<vtkTetGenReader>(folder + "/tetgen_slit-1.smesh");
   EXPECT_TRUE(slit.Errors.empty() && slit.Warnings.empty());
   EXPECT_EQ(slit.Grid->GetNumberOfPoints(), 14);
   EXPECT_EQ(slit.Grid->GetNumberOfCells(), 13);
-  const Result poly =
-    ReadWith<vtkTetGenReader>(folder + "/tetgen_example.poly");
+  const Result poly = ReadWith<vtkTetGenReader>(folder + "/tetgen_example.poly");
   EXPECT_EQ(GetValues(poly.Grid->GetFieldData(), "Holes").size(), 3u * 2);
   EXPECT_EQ(GetValues(poly.Grid->GetFieldData(), "Regions").size(), 5u * 2);
 }

@@ -166,7 +166,8 @@ TEST(TetGenWriter, SaysWhatIsLost)
     << written.Warnings[1];
   EXPECT_NE(written.Files.at("node").find("\n0 0 0 0 0.1 0.5\n"), std::string::npos);
 
-  const WrittenFiles old = Write(MakeTwoTetrahedra(), {}, { { "neigh", "old" }, { "face", "old" } });
+  const WrittenFiles old =
+    Write(MakeTwoTetrahedra(), {}, { { "neigh", "old" }, { "face", "old" } });
   ASSERT_EQ(old.Warnings.size(), 1u);
   EXPECT_NE(old.Warnings[0].find("part.1.face, part.1.neigh"), std::string::npos);
   EXPECT_EQ(old.Files.at("neigh"), "old");
@@ -192,9 +193,13 @@ TEST(TetGenWriter, TrianglesBesideTetrahedraAreFaces)
   marked->GetCellData()->GetArray("Region")->SetComponent(3, 0, 30);
   const WrittenFiles lost = Write(marked);
   ASSERT_EQ(lost.Warnings.size(), 2u);
-  EXPECT_NE(lost.Warnings[0].find("2 cells written as a face, with other values than a BoundaryMarker"), std::string::npos);
-  EXPECT_NE(lost.Warnings[0].find("the first is cell 1 (counted from 0)"), std::string::npos) << lost.Warnings[0];
-  EXPECT_NE(lost.Warnings[1].find("1 cell written as an element, with a BoundaryMarker"), std::string::npos);
+  EXPECT_NE(
+    lost.Warnings[0].find("2 cells written as a face, with other values than a BoundaryMarker"),
+    std::string::npos);
+  EXPECT_NE(lost.Warnings[0].find("the first is cell 1 (counted from 0)"), std::string::npos)
+    << lost.Warnings[0];
+  EXPECT_NE(lost.Warnings[1].find("1 cell written as an element, with a BoundaryMarker"),
+    std::string::npos);
 
   const WrittenFiles boundary =
     Write(MakeTwoTetrahedra(), [](vtkTetGenWriter* w) { w->WriteBoundaryFacesOn(); });

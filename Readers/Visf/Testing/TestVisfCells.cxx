@@ -64,9 +64,9 @@ FaceSets GetFaceSets(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a cell of a standard type comes out as another type, inside out or with wrong nodes,
-// for some order or direction of its faces.
-TEST(VisfCells, RecognisesPrimitives)
+// If this fails, a cell of a standard type comes out as another type, inside out or with wrong
+// nodes, for some order or direction of its faces.
+TEST(VisfCells, RecognizesPrimitives)
 {
   std::mt19937 random(7);
   for (const int type : { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON })
@@ -90,8 +90,8 @@ TEST(VisfCells, RecognisesPrimitives)
     }
     for (int f = 0; f < shape.NumberOfFaces; ++f)
     {
-      reference.Polygons.emplace_back(shape.FacePoints + shape.FaceOffsets[f],
-        shape.FacePoints + shape.FaceOffsets[f + 1]);
+      reference.Polygons.emplace_back(
+        shape.FacePoints + shape.FaceOffsets[f], shape.FacePoints + shape.FaceOffsets[f + 1]);
     }
     reference.Polyhedra.emplace_back(shape.NumberOfFaces);
     std::iota(reference.Polyhedra[0].begin(), reference.Polyhedra[0].end(), 0);
@@ -128,7 +128,8 @@ TEST(VisfCells, RecognisesPrimitives)
       result = ReadMesh(mesh, Encoding::Little03);
       ASSERT_EQ(result.Grid->GetCellType(0), type);
       EXPECT_NEAR(GetMeasure(result.Grid, 0), volume, 1e-12);
-      EXPECT_EQ(GetFaceSets(result.Grid), GetFaceSets(ReadMesh(reference, Encoding::Little03).Grid));
+      EXPECT_EQ(
+        GetFaceSets(result.Grid), GetFaceSets(ReadMesh(reference, Encoding::Little03).Grid));
     }
   }
 }
@@ -166,11 +167,10 @@ TEST(VisfCells, RefusesFalsePrimitives)
 }
 
 //------------------------------------------------------------------------------
-// An L, which no test against a centre gets right, and a hexagon; and what prisms over them hold.
-const std::vector<std::array<float, 2>> Outlines[] = {
-  { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } },
-  { { { 2, 0 } }, { { 1, 2 } }, { { -1, 2 } }, { { -2, 0 } }, { { -1, -2 } }, { { 1, -2 } } }
-};
+// An L, which no test against a center gets right, and a hexagon; and what prisms over them hold.
+const std::vector<std::array<float, 2>> Outlines[] = { { { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } },
+                                                         { { 1, 1 } }, { { 1, 2 } }, { { 0, 2 } } },
+  { { { 2, 0 } }, { { 1, 2 } }, { { -1, 2 } }, { { -2, 0 } }, { { -1, -2 } }, { { 1, -2 } } } };
 constexpr double Volumes[] = { 3, 12 };
 
 //------------------------------------------------------------------------------
@@ -188,7 +188,8 @@ static void TurnAtRandom(VisfMesh& mesh, std::mt19937& random)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, faces of polyhedra point inward for some of the directions in which a file lists them.
+// If this fails, faces of polyhedra point inward for some of the directions in which a file lists
+// them.
 TEST(VisfCells, TurnsFacesOutward)
 {
   std::mt19937 random(11);
@@ -204,7 +205,8 @@ TEST(VisfCells, TurnsFacesOutward)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the faces around a void point into the cell, and the void counts as if it were filled twice.
+// If this fails, the faces around a void point into the cell, and the void counts as if it were
+// filled twice.
 TEST(VisfCells, TurnsFacesIntoVoids)
 {
   std::mt19937 random(12);
@@ -233,7 +235,8 @@ TEST(VisfCells, TurnsFacesIntoVoids)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a void from corner to corner of its cell is taken for a part of it, as Euler's formula has 2 for both.
+// If this fails, a void from corner to corner of its cell is taken for a part of it, as Euler's
+// formula has 2 for both.
 TEST(VisfCells, VoidsThatTouchTheWall)
 {
   VisfMesh mesh = MakePrism({ { { 0, 0 } }, { { 1, 0 } }, { { 1, 1 } }, { { 0, 1 } } });
@@ -247,9 +250,11 @@ TEST(VisfCells, VoidsThatTouchTheWall)
   }
   const Result result = ReadMesh(mesh, Encoding::Ascii);
   const auto edge = [&](int point, int c) { return result.Grid->GetPoint(point)[c]; };
-  const double a[] = { edge(8, 0), edge(8, 1), edge(8, 2) }, b[] = { edge(9, 0), edge(9, 1), edge(9, 2) };
+  const double a[] = { edge(8, 0), edge(8, 1), edge(8, 2) },
+               b[] = { edge(9, 0), edge(9, 1), edge(9, 2) };
   // Of the tetrahedron between (0, 0, 0), (1, 1, 1), a and b.
-  const double sixth = a[1] * b[2] - a[2] * b[1] + a[2] * b[0] - a[0] * b[2] + a[0] * b[1] - a[1] * b[0];
+  const double sixth =
+    a[1] * b[2] - a[2] * b[1] + a[2] * b[0] - a[0] * b[2] + a[0] * b[1] - a[1] * b[0];
   ASSERT_GT(std::fabs(sixth), 0.01);
   EXPECT_NEAR(GetMeasure(result.Grid, 0), 1 - std::fabs(sixth) / 6, 1e-12);
 }
@@ -273,7 +278,8 @@ TEST(VisfCells, SharedFacesPointOutwardForBothCells)
 // If this fails, a cell that is not closed is changed instead of being shown as it is.
 TEST(VisfCells, KeepsOpenCells)
 {
-  VisfMesh mesh = MakePrism({ { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 0, 2 } } });
+  VisfMesh mesh =
+    MakePrism({ { { 0, 0 } }, { { 2, 0 } }, { { 2, 1 } }, { { 1, 1 } }, { { 0, 2 } } });
   mesh.Polyhedra[0].pop_back();
   const Result result = ReadMesh(mesh, Encoding::Ascii);
   ASSERT_EQ(result.Warnings.size(), 1u);

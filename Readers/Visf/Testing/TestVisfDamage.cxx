@@ -59,7 +59,8 @@ TEST(VisfDamage, CutOffAnywhere)
   for (const Encoding encoding : Encodings)
   {
     const std::string bytes = Encode(mesh, encoding);
-    // Ends that the format allows: after the vertices (a cloud) and before the polyhedra (a surface).
+    // Ends that the format allows: after the vertices (a cloud) and before the polyhedra (a
+    // surface).
     VisfMesh plain = surface;
     plain.Type = 2;
     const std::size_t cloudEnd = Encode(cloud, encoding).size();
@@ -90,15 +91,20 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
   ExpectError(" \n", Code::UnrecognizedFileTypeError, "0, 1 or 2, found the end of the file");
   ExpectError("9 9\n", Code::UnrecognizedFileTypeError,
     "test.visf:1: expected a Visf file, which begins with 0, 1 or 2, found '9'");
-  ExpectError("\n\x7f" "ELF\x01 2", Code::UnrecognizedFileTypeError,
+  ExpectError("\n\x7f"
+              "ELF\x01 2",
+    Code::UnrecognizedFileTypeError,
     "test.visf:2: expected a Visf file, which begins with 0, 1 or 2, found '?ELF?'");
-  ExpectError("2 7\n", Code::UnrecognizedFileTypeError, "test.visf:1: expected a type of Visf mesh");
-  ExpectError("2 1\nx\n", Code::FileFormatError,
-    "test.visf:2: expected the number of vertices, found 'x'");
-  ExpectError("2 1\n-3\n", Code::FileFormatError, "test.visf:2: expected the number of vertices, "
-                                                  "found -3");
+  ExpectError(
+    "2 7\n", Code::UnrecognizedFileTypeError, "test.visf:1: expected a type of Visf mesh");
+  ExpectError(
+    "2 1\nx\n", Code::FileFormatError, "test.visf:2: expected the number of vertices, found 'x'");
+  ExpectError("2 1\n-3\n", Code::FileFormatError,
+    "test.visf:2: expected the number of vertices, "
+    "found -3");
   ExpectError("2 1\n99999999999\n", Code::FileFormatError, "below 2147483648");
-  ExpectError("2 1\n2000000000\n0 0 0\n", Code::PrematureEndOfFileError, "at least 12000000000 bytes");
+  ExpectError(
+    "2 1\n2000000000\n0 0 0\n", Code::PrematureEndOfFileError, "at least 12000000000 bytes");
   ExpectError("2 1\n3.5\n", Code::FileFormatError, "found '3.5'");
   const std::string points = "# a comment\r\n2 1\r\n3\r\n0 0 0\r\n1 0 0\r\n";
   ExpectError(points + "0 1\r\n", Code::PrematureEndOfFileError,
@@ -114,13 +120,13 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
   ExpectError(points + "0 1 0\r\n1\r\n3 0 1 2\r\n1\r\n1 1\r\n", Code::FileFormatError,
     "test.visf:10: expected a polygon id from 0 to 0, found 1");
   ExpectError(points + "0 1 0\r\n1\r\n3 0 1 2\r\n1\r\n", Code::PrematureEndOfFileError,
-    "test.visf:10: expected the size of a list of neighbours");
+    "test.visf:10: expected the size of a list of neighbors");
   // A wrong flag may be the number of polyhedra of a file without one.
   const std::string surface = points + "0 1 0\r\n1\r\n3 0 1 2\r\n";
   ExpectError(surface + "2\r\n1\r\n1 1\r\n", Code::FileFormatError,
     "found 1 (the 2 after the polygons is taken for the number of polyhedra, as it is no flag");
   ExpectError(surface + "x\r\n", Code::FileFormatError,
-    "test.visf:9: expected the flag for neighbours, found 'x'");
+    "test.visf:9: expected the flag for neighbors, found 'x'");
   const Result odd = ReadBytes(surface + "2\r\n1 0\r\n1 0\r\n7\r\n");
   EXPECT_TRUE(std::any_of(odd.Warnings.begin(), odd.Warnings.end(), [](const std::string& warning)
     { return warning.find("the 2 after the polygons") != std::string::npos; }));
@@ -142,14 +148,17 @@ TEST(VisfDamage, WrongWordsInBinary)
     "test.visf: byte 1: expected a type of Visf mesh, 0, 1 or 2, found 3");
   ExpectError(SetWord(bytes, points, -1), Code::FileFormatError, "byte 5: expected the number of");
   ExpectError(SetWord(bytes, points, 1000), Code::PrematureEndOfFileError, "at least 12000 bytes");
-  ExpectError(SetWord(bytes, points, INT32_MAX), Code::PrematureEndOfFileError, "25769803764 bytes");
-  ExpectError(SetWord(bytes, polygons, INT32_MAX), Code::PrematureEndOfFileError, "number of polyg");
+  ExpectError(
+    SetWord(bytes, points, INT32_MAX), Code::PrematureEndOfFileError, "25769803764 bytes");
+  ExpectError(
+    SetWord(bytes, polygons, INT32_MAX), Code::PrematureEndOfFileError, "number of polyg");
   ExpectError(SetWord(bytes, first, INT32_MAX), Code::PrematureEndOfFileError, "polygon 0 of 2");
   ExpectError(SetWord(bytes, first, -2), Code::FileFormatError, "a size of -2");
   ExpectError(SetWord(bytes, second + 8, 3), Code::FileFormatError,
     "test.visf: byte 73: expected a vertex id from 0 to 2 in polygon 1, found 3");
   ExpectError(SetWord(bytes, flag, 2), Code::FileFormatError, "byte 85: expected the flag");
-  ExpectError(SetWord(bytes, cells, -1), Code::FileFormatError, "byte 89: expected the number of p");
+  ExpectError(
+    SetWord(bytes, cells, -1), Code::FileFormatError, "byte 89: expected the number of p");
   ExpectError(SetWord(bytes, cells + 8, 2), Code::FileFormatError,
     "byte 97: expected a polygon id from 0 to 1 in polyhedron 0, found 2");
 }
@@ -176,7 +185,7 @@ TEST(VisfDamage, SmallFilesNeedLittleMemory)
   setrlimit(RLIMIT_AS, &limit);
   for (const Encoding encoding : Encodings)
   {
-    // One cell without flag reads as the flag and one list of neighbours, which is all right.
+    // One cell without flag reads as the flag and one list of neighbors, which is all right.
     EXPECT_TRUE(encoding == Encoding::Web || ReadMesh(mesh, encoding).IsProperError());
   }
   EXPECT_TRUE(ReadBytes("2 1\n2147483647\n0 0 0\n").IsProperError());
@@ -188,7 +197,7 @@ TEST(VisfDamage, SmallFilesNeedLittleMemory)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, other files are claimed, or Visf files are not recognised.
+// If this fails, other files are claimed, or Visf files are not recognized.
 TEST(VisfDamage, CanReadFile)
 {
   vtkNew<vtkVisfReader> reader;
@@ -200,12 +209,15 @@ TEST(VisfDamage, CanReadFile)
     EXPECT_EQ(reader->CanReadFile(File(Encode(MakeSmallMesh(), encoding)).Path.c_str()), 1);
   }
   EXPECT_EQ(reader->CanReadFile(File("# by hand\n\n2 0 x\n1\n# v\n1 2 3").Path.c_str()), 1);
-  for (const char* other : { "", " ", "OFF\n8 6 0\n", "ply\nformat ascii 1.0\n", "2", "2 3\n1\n0 0 0\n",
-         "2 2\nx", "2 2\n5\n1 x 3", "20 2\n1\n0 0 0\n", "#!/bin/sh\n", "1 2 3 4 5 6 7 8 9", "0\n",
-         "<?xml version=\"1.0\"?>", "\x7f" "ELF" })
+  for (const char* other : { "", " ", "OFF\n8 6 0\n", "ply\nformat ascii 1.0\n", "2",
+         "2 3\n1\n0 0 0\n", "2 2\nx", "2 2\n5\n1 x 3", "20 2\n1\n0 0 0\n", "#!/bin/sh\n",
+         "1 2 3 4 5 6 7 8 9", "0\n", "<?xml version=\"1.0\"?>",
+         "\x7f"
+         "ELF" })
   {
     EXPECT_EQ(reader->CanReadFile(File(other).Path.c_str()), 0) << other;
   }
-  EXPECT_EQ(reader->CanReadFile(File(std::string(64, '\0') + "text").Path.c_str()), 1); // a cloud of 0
+  EXPECT_EQ(
+    reader->CanReadFile(File(std::string(64, '\0') + "text").Path.c_str()), 1); // a cloud of 0
   EXPECT_TRUE(messages.empty());
 }

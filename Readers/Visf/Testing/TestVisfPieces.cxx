@@ -129,7 +129,8 @@ TEST(VisfPieces, ThreadsAndChunksChangeNothing)
   for (const std::string& bytes : files)
   {
     const File file(bytes);
-    for (const PieceRequest& request : { PieceRequest(), PieceRequest{ 0, 3, 1 }, PieceRequest{ 2, 3, 0 } })
+    for (const PieceRequest& request :
+      { PieceRequest(), PieceRequest{ 0, 3, 1 }, PieceRequest{ 2, 3, 0 } })
     {
       ExpectSameInChunks(file.Path, request);
     }

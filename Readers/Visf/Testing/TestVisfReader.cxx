@@ -164,7 +164,7 @@ TEST(VisfReader, TextInAllItsForms)
     EXPECT_TRUE(result.Warnings.empty()) << result.Warnings[0];
     ExpectSameGrid(result.Grid, expected.Grid);
   }
-  // Extra columns: colours, normals, text. Not in the lists of neighbours, which are free.
+  // Extra columns: colors, normals, text. Not in the lists of neighbors, which are free.
   mesh.Neighbors.clear();
   const std::string plain = Encode(mesh, Encoding::Ascii);
   ExpectSameGrid(ReadBytes(Replace(plain, "\n", "0.5 0.5 x\n")).Grid, expected.Grid);
@@ -182,10 +182,11 @@ TEST(VisfReader, ReadsNumbersExactly)
   const std::string head = "2 0\n7\n";
   const std::string text = head +
     "0.1 1e-45 3.4028235e38\n+1.5 -.5 5.\n1.0D+00 1d-1 2.E2\n"
-    "16777217 33554435 0.500000029802322388\n1.17549430e-38 7e-46 1e39\nnan inf -INF\n-0 0 1e-400\n";
+    "16777217 33554435 0.500000029802322388\n1.17549430e-38 7e-46 1e39\nnan inf -INF\n-0 0 "
+    "1e-400\n";
   const float expected[] = { 0.1f, 1e-45f, 3.4028235e38f, 1.5f, -.5f, 5.f, 1.f, .1f, 200.f,
-    16777216.f, 33554436.f, 0.50000006f, 1.17549430e-38f, 0.f, INFINITY, NAN, INFINITY, -INFINITY, -0.f,
-    0.f, 0.f };
+    16777216.f, 33554436.f, 0.50000006f, 1.17549430e-38f, 0.f, INFINITY, NAN, INFINITY, -INFINITY,
+    -0.f, 0.f, 0.f };
   const Result result = ReadBytes(text);
   ASSERT_TRUE(result.Errors.empty()) << result.Errors[0];
   for (int i = 0; i < 21; ++i)
@@ -235,7 +236,8 @@ TEST(VisfReader, WarnsOfOddHeaders)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, the faces of a file with polyhedra are not those that MeshTopology finds by itself.
+// If this fails, the faces of a file with polyhedra are not those that MeshTopology finds by
+// itself.
 TEST(VisfReader, HandsOverTheRightFaces)
 {
   for (const int wedges : { 0, 2 })
@@ -291,7 +293,8 @@ TEST(VisfReader, StopsWhenAsked)
   int reports = 0;
   vtkNew<vtkCallbackCommand> count;
   count->SetClientData(&reports);
-  count->SetCallback([](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
   reader->AddObserver(vtkCommand::ProgressEvent, count);
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 50000);

@@ -40,7 +40,8 @@ Written WriteFile(const std::string& path, vtkDataSet* mesh, int encoding = vtkV
 }
 
 //------------------------------------------------------------------------------
-std::string WriteBytes(vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII, bool neighbors = false)
+std::string WriteBytes(
+  vtkDataSet* mesh, int encoding = vtkVisfWriter::ASCII, bool neighbors = false)
 {
   const File file("", "written.visf");
   const Written result = WriteFile(file.Path, mesh, encoding, neighbors);
@@ -61,8 +62,8 @@ int CountFiles(const std::filesystem::path& folder)
 }
 
 //------------------------------------------------------------------------------
-// Same points bit by bit, same cells in the same order with the same nodes; faces of polyhedra in the
-// same order and direction, though they may start at another point.
+// Same points bit by bit, same cells in the same order with the same nodes; faces of polyhedra in
+// the same order and direction, though they may start at another point.
 void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   ASSERT_EQ(a->GetNumberOfPoints(), b->GetNumberOfPoints());
@@ -89,7 +90,8 @@ void ExpectSameMesh(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
       EXPECT_EQ(get(meshA.GetCellPoints(cell)), get(meshB.GetCellPoints(cell)));
       continue;
     }
-    const IndexRange facesA = meshA.GetPolyhedronFaces(cell), facesB = meshB.GetPolyhedronFaces(cell);
+    const IndexRange facesA = meshA.GetPolyhedronFaces(cell),
+                     facesB = meshB.GetPolyhedronFaces(cell);
     ASSERT_EQ(facesA.Size, facesB.Size);
     for (vtkIdType f = 0; f < facesA.Size; ++f)
     {
@@ -152,7 +154,8 @@ TEST(VisfWriter, RoundTrip)
     const Result first = ReadMesh(mesh, Encoding::Little03);
     ASSERT_TRUE(first.Errors.empty());
     std::set<std::string> texts;
-    for (int encoding = vtkVisfWriter::ASCII; encoding <= vtkVisfWriter::BINARY_VERSION_02; ++encoding)
+    for (int encoding = vtkVisfWriter::ASCII; encoding <= vtkVisfWriter::BINARY_VERSION_02;
+      ++encoding)
     {
       for (const bool neighbors : { false, true })
       {
@@ -172,9 +175,10 @@ TEST(VisfWriter, RoundTrip)
 // If this fails, Camarón no longer finds the text laid out as it writes it itself.
 TEST(VisfWriter, TextIsLaidOutAsSpecified)
 {
-  const auto grid = MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 0.1f, 0 } },
-                               { { 0, 0, 1e-7f } }, { { 1, 1, 1 } } },
-    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } }, { VTK_TETRA, { 1, 4, 2, 3 } } });
+  const auto grid = MakeGrid(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 0.1f, 0 } }, { { 0, 0, 1e-7f } }, { { 1, 1, 1 } } },
+    { { VTK_TETRA, { 0, 1, 2, 3 } }, { VTK_TRIANGLE, { 0, 1, 4 } },
+      { VTK_TETRA, { 1, 4, 2, 3 } } });
   const std::string text = WriteBytes(grid);
   EXPECT_EQ(text,
     "2 2\n5\n0 0 0\n1 0 0\n0 0.1 0\n0 0 1e-07\n1 1 1\n"
@@ -187,11 +191,12 @@ TEST(VisfWriter, TextIsLaidOutAsSpecified)
   EXPECT_EQ(WriteBytes(grid, vtkVisfWriter::BINARY_VERSION_02).substr(0, 9),
     std::string("\1\2\0\0\0\5\0\0\0", 9));
   EXPECT_EQ(WriteBytes(MakeGrid({ { { 1, 2, 3 } } }, {})), "2 0\n1\n1 2 3\n");
-  EXPECT_EQ(WriteBytes(MakeGrid({ { { 1, 2, 3 } } }, { { VTK_VERTEX, { 0 } } })), "2 0\n1\n1 2 3\n");
+  EXPECT_EQ(
+    WriteBytes(MakeGrid({ { { 1, 2, 3 } } }, { { VTK_VERTEX, { 0 } } })), "2 0\n1\n1 2 3\n");
 }
 
 //------------------------------------------------------------------------------
-// If this fails, lists of neighbours differ from their definition: two or more common vertices.
+// If this fails, lists of neighbors differ from their definition: two or more common vertices.
 TEST(VisfWriter, Neighbors)
 {
   const VisfMesh mesh = MakeBar(4, 2);
@@ -252,8 +257,8 @@ TEST(VisfWriter, OtherTypesOfCells)
   auto grid = MakeGrid(points,
     { { VTK_VOXEL, { 0, 1, 3, 4, 9, 10, 12, 13 } }, { VTK_PIXEL, { 0, 1, 3, 4 } },
       { VTK_QUADRATIC_TRIANGLE, { 0, 2, 6, 1, 4, 3 } }, { VTK_TRIANGLE_STRIP, { 0, 1, 3, 4, 6 } },
-      { VTK_LINE, { 0, 1 } }, { VTK_POLY_LINE, { 0, 1, 2 } },
-      { VTK_QUADRATIC_EDGE, { 2, 0, 1 } }, { VTK_POLY_VERTEX, { 7, 5 } },
+      { VTK_LINE, { 0, 1 } }, { VTK_POLY_LINE, { 0, 1, 2 } }, { VTK_QUADRATIC_EDGE, { 2, 0, 1 } },
+      { VTK_POLY_VERTEX, { 7, 5 } },
       { VTK_QUADRATIC_TETRA, { 0, 2, 6, 18, 1, 4, 3, 9, 10, 12 } } });
   const File file("", "written.visf");
   const Written written = WriteFile(file.Path, grid);
@@ -261,8 +266,8 @@ TEST(VisfWriter, OtherTypesOfCells)
   EXPECT_NE(written.Warnings[0].find("3 cells of higher order"), std::string::npos);
   EXPECT_NE(written.Warnings[1].find("4 cells of points or lines"), std::string::npos);
   const Result result = ReadFile(file.Path);
-  const int types[] = { VTK_HEXAHEDRON, VTK_TETRA, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE, VTK_TRIANGLE,
-    VTK_TRIANGLE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_VERTEX, VTK_VERTEX };
+  const int types[] = { VTK_HEXAHEDRON, VTK_TETRA, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE,
+    VTK_TRIANGLE, VTK_TRIANGLE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_VERTEX, VTK_VERTEX };
   ASSERT_EQ(result.Grid->GetNumberOfCells(), 13);
   for (vtkIdType cell = 0; cell < 13; ++cell)
   {
@@ -275,11 +280,13 @@ TEST(VisfWriter, OtherTypesOfCells)
   EXPECT_EQ(ids->GetId(0), 1);
   EXPECT_EQ(ids->GetId(1), 4);
   EXPECT_EQ(ids->GetId(2), 3);
-  const std::vector<std::vector<vtkIdType>> pieces = { { 0, 1 }, { 0, 1 }, { 1, 2 }, { 2, 0 }, { 7 }, { 5 } };
+  const std::vector<std::vector<vtkIdType>> pieces = { { 0, 1 }, { 0, 1 }, { 1, 2 }, { 2, 0 },
+    { 7 }, { 5 } };
   for (vtkIdType piece = 0; piece < 6; ++piece)
   {
     result.Grid->GetCellPoints(7 + piece, ids);
-    EXPECT_EQ(std::vector<vtkIdType>(ids->begin(), ids->end()), pieces[static_cast<std::size_t>(piece)]);
+    EXPECT_EQ(
+      std::vector<vtkIdType>(ids->begin(), ids->end()), pieces[static_cast<std::size_t>(piece)]);
   }
 
   vtkNew<vtkPolyData> surface;
@@ -312,9 +319,12 @@ TEST(VisfWriter, VerticesThatAreNoCloud)
     }
     return ids;
   };
-  EXPECT_EQ(read({ { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } }), (std::vector<vtkIdType>{ 0, 1 }));
-  EXPECT_EQ(read({ { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 0 } } }), (std::vector<vtkIdType>{ 0, 0 }));
-  EXPECT_EQ(read({ { VTK_VERTEX, { 1 } }, { VTK_VERTEX, { 0 } } }), (std::vector<vtkIdType>{ 1, 0 }));
+  EXPECT_EQ(
+    read({ { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 1 } } }), (std::vector<vtkIdType>{ 0, 1 }));
+  EXPECT_EQ(
+    read({ { VTK_VERTEX, { 0 } }, { VTK_VERTEX, { 0 } } }), (std::vector<vtkIdType>{ 0, 0 }));
+  EXPECT_EQ(
+    read({ { VTK_VERTEX, { 1 } }, { VTK_VERTEX, { 0 } } }), (std::vector<vtkIdType>{ 1, 0 }));
   EXPECT_EQ(read({ { VTK_POLY_VERTEX, { 1, 1 } } }), (std::vector<vtkIdType>{ 1, 1 }));
 }
 
@@ -322,9 +332,9 @@ TEST(VisfWriter, VerticesThatAreNoCloud)
 // If this fails, convex point sets, which do not list their faces, are lost.
 TEST(VisfWriter, HullsOfPointSets)
 {
-  const auto octahedron = MakeGrid(
-    { { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
-    { { VTK_CONVEX_POINT_SET, { 0, 1, 2, 3, 4, 5 } } });
+  const auto octahedron =
+    MakeGrid({ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
+      { { VTK_CONVEX_POINT_SET, { 0, 1, 2, 3, 4, 5 } } });
   const Result result = ReadBytes(WriteBytes(octahedron));
   ASSERT_EQ(Count(result.Grid, VTK_POLYHEDRON), 1);
   EXPECT_EQ(result.Grid->GetCell(0)->GetNumberOfFaces(), 8);
@@ -334,8 +344,8 @@ TEST(VisfWriter, HullsOfPointSets)
 // If this fails, arrays or digits are lost without a word.
 TEST(VisfWriter, SaysWhatIsLost)
 {
-  auto grid = MakeGrid({ { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 0.1, 0 } } },
-    { { VTK_TRIANGLE, { 0, 1, 2 } } });
+  auto grid = MakeGrid(
+    { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 0.1, 0 } } }, { { VTK_TRIANGLE, { 0, 1, 2 } } });
   vtkNew<vtkDoubleArray> array;
   array->SetName("Pressure");
   array->SetNumberOfTuples(3);
@@ -345,15 +355,15 @@ TEST(VisfWriter, SaysWhatIsLost)
   EXPECT_EQ(written.Success, 1);
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("not written: Pressure"), std::string::npos);
-  EXPECT_NE(written.Warnings[1].find("1 point rounded to single precision: point 2"),
-    std::string::npos);
+  EXPECT_NE(
+    written.Warnings[1].find("1 point rounded to single precision: point 2"), std::string::npos);
 
   grid->GetPoints()->SetPoint(1, 0, -1e300, 0);
   const Written refused = WriteFile((File::GetFolder() / "refused.visf").string(), grid);
   EXPECT_EQ(refused.Success, 0);
   ASSERT_EQ(refused.Errors.size(), 1u);
-  EXPECT_NE(refused.Errors[0].find("refused.visf: expected coordinates up to 3.4e38"),
-    std::string::npos);
+  EXPECT_NE(
+    refused.Errors[0].find("refused.visf: expected coordinates up to 3.4e38"), std::string::npos);
   EXPECT_NE(refused.Errors[0].find("found -1e+300 of point 1"), std::string::npos);
   EXPECT_FALSE(std::filesystem::exists(File::GetFolder() / "refused.visf"));
 }
@@ -392,7 +402,8 @@ TEST(VisfWriter, TellsOfInvertedCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a face with three or four cells is written with more than two cells, or twice for two.
+// If this fails, a face with three or four cells is written with more than two cells, or twice for
+// two.
 TEST(VisfWriter, FacesOfManyCells)
 {
   for (int cells = 1; cells <= 5; ++cells)
@@ -422,7 +433,8 @@ TEST(VisfWriter, FacesOfManyCells)
 }
 
 //------------------------------------------------------------------------------
-// If this fails, a mesh that several processes had is written with seams, twice, or in another order.
+// If this fails, a mesh that several processes had is written with seams, twice, or in another
+// order.
 TEST(VisfWriter, PiecesAreMerged)
 {
   for (const VisfMesh& mesh : MakeGallery())

@@ -67,8 +67,8 @@ public:
     : Kind(encoding)
   {
     const bool first = encoding != Encoding::Little01 && encoding != Encoding::Big01;
-    this->Big = encoding == Encoding::Big03 || encoding == Encoding::Big02 ||
-      encoding == Encoding::Big01;
+    this->Big =
+      encoding == Encoding::Big03 || encoding == Encoding::Big02 || encoding == Encoding::Big01;
     const bool raw = encoding == Encoding::Little02 || encoding == Encoding::Big02;
     if (IsText(encoding))
     {

@@ -72,7 +72,9 @@ def check(
             "time": evaluated.opened.time,
             "cells": max(found.total for found in counts),
             "checks": checks,
-            "notes": pipeline.once(evaluated.opened.warnings, messages.warnings, mesh_facts.notes(evaluated.opened)),
+            "notes": pipeline.once(
+                evaluated.opened.warnings, messages.warnings, mesh_facts.notes(evaluated.opened)
+            ),
             "seconds": round(clock.monotonic() - started, 3),
         }
 

@@ -29,7 +29,9 @@ def describe(result: dict[str, Any], color: bool = False) -> str:
     number = text.plural(len(checks), "rule")
     verdict = result["verdict"]
     count = sum(entry["verdict"] == verdict for entry in checks)
-    lines.append(f"{WORDS[verdict]}: {count} of {number}" if verdict in COLORS else f"pass: {number}")
+    lines.append(
+        f"{WORDS[verdict]}: {count} of {number}" if verdict in COLORS else f"pass: {number}"
+    )
     warnings = sum(entry["verdict"] == "warn" for entry in checks)
     if verdict == "fail" and warnings:
         lines[-1] += f"; WARN: {warnings}"

@@ -119,7 +119,9 @@ def findings(summary: dict[str, Any], most: int = 6) -> list[dict[str, Any]]:
         ranges = ranges if len(cited) > 1 else "range"
         facts.append(_finding(f"No cell is outside the acceptable {ranges}."))
     if not limited:
-        facts.append(_finding("None of the criteria evaluated has an acceptable range for these cells."))
+        facts.append(
+            _finding("None of the criteria evaluated has an acceptable range for these cells.")
+        )
     # Where all cells are valid, it is the definition that leaves some out.
     validity = next((c for c in criteria if c["name"] == "IsValid"), None)
     is_valid = validity is not None and not validity["out_of_range"]

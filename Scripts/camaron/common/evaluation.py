@@ -143,7 +143,10 @@ def set_groups(tables_of: Any, group_by: str, *meshes: pipeline.Opened) -> None:
         tables_of.GroupBy = WAYS_TO_GROUP[group_by]
         return
     arrays = [
-        array.Name for mesh in meshes for array in mesh.source.CellData if array.GetNumberOfComponents() == 1
+        array.Name
+        for mesh in meshes
+        for array in mesh.source.CellData
+        if array.GetNumberOfComponents() == 1
     ]
     tables_of.GroupBy = "Cell array"
     tables_of.GroupArray = text.lookup(group_by, list(dict.fromkeys(arrays)), "cell array")

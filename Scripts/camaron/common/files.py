@@ -88,12 +88,19 @@ class Staging:
 
     def _name_place(self, error: BaseException) -> None:
         """Errors name the file as it will be called, those of the disk the folder where it has several."""
-        hidden, shown = (f"{os.path.join(folder, '')}".removeprefix("./") for folder in (self.path, self.destination))
+        hidden, shown = (
+            f"{os.path.join(folder, '')}".removeprefix("./")
+            for folder in (self.path, self.destination)
+        )
         if not isinstance(error, OSError) or not error.strerror:  # it has a sentence of its own
-            error.args = tuple(a.replace(hidden, shown) if isinstance(a, str) else a for a in error.args)
+            error.args = tuple(
+                a.replace(hidden, shown) if isinstance(a, str) else a for a in error.args
+            )
         elif error.filename is None:
             names = self.names()
-            error.filename = str(self.destination / names[0] if len(names) == 1 else self.destination)
+            error.filename = str(
+                self.destination / names[0] if len(names) == 1 else self.destination
+            )
         elif str(error.filename).startswith(hidden):
             error.filename = str(error.filename).replace(hidden, shown)
 
@@ -111,7 +118,14 @@ def _watch(folder: Path, created: list[Path]) -> Optional[subprocess.Popen]:
     """Starts a process that removes folders if this one ends early; None where there is no shell."""
     try:
         return subprocess.Popen(
-            ["/bin/sh", "-c", CLEANER, "camaron", str(folder), *(str(f.absolute()) for f in created)],
+            [
+                "/bin/sh",
+                "-c",
+                CLEANER,
+                "camaron",
+                str(folder),
+                *(str(f.absolute()) for f in created),
+            ],
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,

@@ -102,7 +102,9 @@ def _hints(group: str, tag: str) -> Iterator[tuple[str, str, list[str]]]:
                 patterns = (hint.GetAttribute("filename_patterns") or "").split()
                 kinds = ["." + e for e in extensions if not e.endswith(SERIES)] + patterns
                 if kinds:  # former names of readers have none
-                    yield iterator.GetProxyName(), hint.GetAttribute("file_description") or "", kinds
+                    yield iterator.GetProxyName(), hint.GetAttribute(
+                        "file_description"
+                    ) or "", kinds
         iterator.GoToNextItem()
 
 
@@ -170,7 +172,12 @@ def written_instead(path: os.PathLike | str) -> Optional[str]:
 
 def own_extensions(writer: Optional[str]) -> list[str]:
     """Extensions of the files of the plugin's format with that writer: [".ele", ".node", ...]."""
-    return ["." + e.lower() for f in own_formats() if writer and f["writer"] == writer for e in f["extensions"]]
+    return [
+        "." + e.lower()
+        for f in own_formats()
+        if writer and f["writer"] == writer
+        for e in f["extensions"]
+    ]
 
 
 def own_counterpart(reader: str) -> Optional[str]:
@@ -332,7 +339,9 @@ def _choose_arrays(writer: Any, key: str, name: str, value: Any) -> None:
         if word not in known:
             what = ARRAY_LISTS[plain(key)][0]
             listed = f"there are {', '.join(known)}" if known else "there are none"
-            raise ValueError(f"{name}: no {what} is named {word}{suggestion(word, known)}; {listed}")
+            raise ValueError(
+                f"{name}: no {what} is named {word}{suggestion(word, known)}; {listed}"
+            )
     if not writer.GetPropertyValue(CHOOSES_ARRAYS):
         setattr(writer, CHOOSES_ARRAYS, 1)
         for other in there:  # for the plugin's own writers none is the default then

@@ -27,7 +27,9 @@ def _is_extent(bounds: Sequence[float]) -> bool:
     return all(-math.inf < low <= high < math.inf for low, high in zip(bounds[0::2], bounds[1::2]))
 
 
-def describe(path: Path, evaluated: Evaluation, surface: Any, statistics: Any = None) -> dict[str, Any]:
+def describe(
+    path: Path, evaluated: Evaluation, surface: Any, statistics: Any = None
+) -> dict[str, Any]:
     """Size, extent and cells of the mesh; `surface` is its Mesh Surface, `statistics` a Quality Statistics of all its
     criteria, which tells the totals if it groups by cell type."""
     opened = evaluated.opened
@@ -58,7 +60,12 @@ def describe(path: Path, evaluated: Evaluation, surface: Any, statistics: Any = 
         made.append(quality)
     if not (has_totals and statistics and statistics.GroupBy == WAYS_TO_GROUP["type"]):
         statistics = simple.QualityStatistics(
-            Input=quality, Arrays=TOTALS, GroupBy=WAYS_TO_GROUP["type"], NumberOfWorst=0, NumberOfBins=1, Quantiles=[100]
+            Input=quality,
+            Arrays=TOTALS,
+            GroupBy=WAYS_TO_GROUP["type"],
+            NumberOfWorst=0,
+            NumberOfBins=1,
+            Quantiles=[100],
         )
         made.append(statistics)
     with pipeline.Messages() as messages:

@@ -93,7 +93,9 @@ TAKEN_BLINDLY = (".msh", ".cas")
 
 def _other_format(path: Path) -> Optional[tuple]:
     """The row of OTHER_FORMATS that the content of a file is of, or of the first file of a series."""
-    if not path.is_file() or not path.name.removesuffix(formats.SERIES).lower().endswith(OTHER_EXTENSIONS):
+    if not path.is_file() or not path.name.removesuffix(formats.SERIES).lower().endswith(
+        OTHER_EXTENSIONS
+    ):
         return None
     if path.suffix == formats.SERIES:
         path = _first_file(path)

@@ -97,7 +97,10 @@ class Stages:
     """
 
     def __init__(
-        self, say: Callable[[str], None], is_verbose: bool = True, progress: Optional[Progress] = None
+        self,
+        say: Callable[[str], None],
+        is_verbose: bool = True,
+        progress: Optional[Progress] = None,
     ):
         self.say = say if is_verbose else lambda words: None
         self.progress = progress
@@ -117,4 +120,6 @@ class Stages:
         """Of the start of the program, if the launcher says when that was."""
         begin = os.environ.get("CAMARON_STARTED")
         if begin:
-            self.say(f"start took {time.time() - float(begin):.2f} s ({time.process_time():.2f} s of processor time)")
+            self.say(
+                f"start took {time.time() - float(begin):.2f} s ({time.process_time():.2f} s of processor time)"
+            )

@@ -36,7 +36,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def _axis_label(value: float, step: float) -> str:
-    """The tick's number with as many digits as tell it from its neighbours."""
+    """The tick's number with as many digits as tell it from its neighbors."""
     if value == 0.0:
         return "0"
     if abs(value) >= 1e5 or abs(value) < 1e-4:
@@ -121,7 +121,10 @@ def histogram(criterion: dict[str, Any], identifier: str) -> Markup:
 
 def _open(label: str) -> Markup:
     return html(
-        '<svg class="histogram" viewBox="0 0 {} {}" role="img" aria-label="{}">', WIDTH, HEIGHT, label
+        '<svg class="histogram" viewBox="0 0 {} {}" role="img" aria-label="{}">',
+        WIDTH,
+        HEIGHT,
+        label,
     )
 
 
@@ -271,7 +274,10 @@ def _curves(criterion, axis, base) -> list[Markup]:
     if len(curve["values"]) < 3:
         return []
     parts = []
-    for key, name, what in (("percent", "curve", "cells"), ("weight_percent", "curve volume", "volume")):
+    for key, name, what in (
+        ("percent", "curve", "cells"),
+        ("weight_percent", "curve volume", "volume"),
+    ):
         if len(curve[key]) != len(curve["values"]):
             continue
         points = [

@@ -71,13 +71,15 @@ def known_notes() -> dict[str, dict[str, str]]:
 
 def known_presets() -> dict[str, dict[str, Any]]:
     """Description of every preset, its rules: acceptable [low, high] by the criterion's name, its
-    hints: names of criteria whose range is a hint only, and its shapes: the cells that a range is for."""
+    hints: names of criteria whose range is a hint only, and its shapes: the cells that a range is for.
+    """
     table = simple.CriteriaTable()
     try:
         presets: dict[str, dict[str, Any]] = {}
         for row in fetch(table, 1):
             preset = presets.setdefault(
-                row["Preset"], {"description": row["Description"], "rules": {}, "hints": [], "shapes": {}}
+                row["Preset"],
+                {"description": row["Description"], "rules": {}, "hints": [], "shapes": {}},
             )
             limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
             preset["rules"][row["Criterion"]] = limits

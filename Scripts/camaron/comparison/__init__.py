@@ -13,7 +13,14 @@ from typing import Any, Callable, Iterable, Optional
 from paraview import simple
 
 from ..common import mesh_facts, pipeline, tables, text
-from ..common.evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, list_names, set_groups
+from ..common.evaluation import (
+    ALL,
+    NOT_REPORTED,
+    Evaluation,
+    choose_criteria,
+    list_names,
+    set_groups,
+)
 from ..common.files import Staging, same_file
 from ..common.json_text import to_json
 from . import comparison_report

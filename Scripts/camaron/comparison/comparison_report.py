@@ -32,9 +32,11 @@ def render(summary: dict[str, Any]) -> str:
         _header(summary, names),
         html('<div class="findings"><ul>{}</ul></div>', sentences),
         html('<section id="overview">{}{}</section>', _meshes(summary), _overview(summary)),
-        html('<section id="criteria"><h2>Criterion by criterion</h2>{}</section>', criteria)
-        if criteria
-        else None,
+        (
+            html('<section id="criteria"><h2>Criterion by criterion</h2>{}</section>', criteria)
+            if criteria
+            else None
+        ),
         _footer(),
     ]
     title = f"{names[0]} and {names[1]}: mesh quality"
@@ -67,14 +69,16 @@ def _row(label: str, values) -> Markup:
 
 def _meshes(summary) -> Markup:
     rows = []
-    for key, label in (("cells", "cells"), ("points", "points"), ("boundary_faces", "boundary faces")):
+    for key, label in (
+        ("cells", "cells"),
+        ("points", "points"),
+        ("boundary_faces", "boundary faces"),
+    ):
         rows.append(_row(label, (text.count(summary[mesh][key], THIN) for mesh in "ab")))
     for key in ("volume", "area"):
         if any(summary[mesh][key] is not None for mesh in "ab"):
             rows.append(_row(f"total {key}", (text.number(summary[mesh][key], 6) for mesh in "ab")))
-    counts = {
-        mesh: {t["name"]: t["count"] for t in summary[mesh]["cell_types"]} for mesh in "ab"
-    }
+    counts = {mesh: {t["name"]: t["count"] for t in summary[mesh]["cell_types"]} for mesh in "ab"}
     for name in {**counts["a"], **counts["b"]}:
         rows.append(_row(name, (text.count(counts[mesh].get(name, 0), THIN) for mesh in "ab")))
     return html("<h2>Meshes</h2>{}", table_of("overview", ["", A, B], rows))

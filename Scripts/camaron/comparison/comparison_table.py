@@ -17,7 +17,9 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
         mesh = summary[name]
         types = ", ".join(f"{t['count']} {t['name']}" for t in mesh["cell_types"])
         cells = text.plural(mesh["cells"], "cell") + (f": {types}" if types else "")
-        lines.append(f"{name.upper()}: {mesh['path']}, {text.plural(mesh['points'], 'point')}, {cells}")
+        lines.append(
+            f"{name.upper()}: {mesh['path']}, {text.plural(mesh['points'], 'point')}, {cells}"
+        )
     rows = summary["criteria"]
     if rows:
         lines.append("")
@@ -34,7 +36,10 @@ def _lines(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
     return [
         line
         for row in rows
-        for line in [row, *({**row, **group, "name": f"  {group['group']}"} for group in row["groups"])]
+        for line in [
+            row,
+            *({**row, **group, "name": f"  {group['group']}"} for group in row["groups"]),
+        ]
     ]
 
 
@@ -42,7 +47,9 @@ def _table(summary: dict[str, Any]) -> list[str]:
     """Pairs of columns; those of single cells only where these can be compared."""
     columns = [("criterion", lambda c: c["name"]), ("unit", lambda c: c["unit"])]
     if any(c["groups"] for c in summary["criteria"]):
-        columns += [(f"cells {mesh.upper()}", lambda c, mesh=mesh: str(c[mesh]["count"])) for mesh in "ab"]
+        columns += [
+            (f"cells {mesh.upper()}", lambda c, mesh=mesh: str(c[mesh]["count"])) for mesh in "ab"
+        ]
     for label, key in (("min", "min"), ("median", "median"), ("max", "max"), ("outside", "")):
         for mesh in "ab":
             columns.append((f"{label} {mesh.upper()}", _cell(key, mesh)))
@@ -50,7 +57,9 @@ def _table(summary: dict[str, Any]) -> list[str]:
     if summary["same_cells"]:
         for key, label in (("improved", "better"), ("worsened", "worse")):
             # Without a better direction nobody knows.
-            columns.append((label, lambda c, key=key: "" if c["better"] == "neither" else str(c[key])))
+            columns.append(
+                (label, lambda c, key=key: "" if c["better"] == "neither" else str(c[key]))
+            )
         columns.append(("same", lambda c: str(c["unchanged"])))
     rows = [[value(c) for _, value in columns] for c in _lines(summary["criteria"])]
     return text.table([name for name, _ in columns], rows, left=2)

@@ -208,7 +208,9 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     surface = append(simple.MeshSurface(Input=proxy, Triangulate=int(triangles)))
     if fits(surface):
         if _has_volumes(grid):
-            notes.append(f"The boundary surface was written{', as triangles' if triangles else ''}.")
+            notes.append(
+                f"The boundary surface was written{', as triangles' if triangles else ''}."
+            )
         return surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
     if suffix in formats.written_extensions():
@@ -429,7 +431,9 @@ def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:
         for name in data.keys()
         if name not in NO_LOSS
     ]
-    return [f"Files named *{suffix} hold no arrays; not written: {', '.join(lost)}."] if lost else []
+    return (
+        [f"Files named *{suffix} hold no arrays; not written: {', '.join(lost)}."] if lost else []
+    )
 
 
 def _make_writer(proxy: Any, path: Path) -> Any:

@@ -17,7 +17,15 @@ from .storable_names import OF_IOSS
 
 #: Formats whose writers go on where the disk is full, and that readers of ParaView can read again; with
 #: the place that a mesh takes at least in files of these, as part of that in memory: ids are shorter.
-UNSURE = {".vtkhdf": 0.4, ".xmf": 0.4, ".case": 0.4, ".encas": 0.4, ".e": 0.4, ".g": 0.4, ".ex2": 0.4}
+UNSURE = {
+    ".vtkhdf": 0.4,
+    ".xmf": 0.4,
+    ".case": 0.4,
+    ".encas": 0.4,
+    ".e": 0.4,
+    ".g": 0.4,
+    ".ex2": 0.4,
+}
 #: Formats whose writer ends the program where the disk is full. It makes ids for the mesh: 1.15 were
 #: measured for tetrahedra.
 UNSURE |= dict.fromkeys(OF_IOSS, 1.3)
@@ -104,7 +112,11 @@ class StandardError:
         if "HDF5-DIAG" not in self.text:
             return ""
         number = re.search(r"errno = (\d+)", self.text)
-        return f"cannot write the file: {os.strerror(int(number[1]))}" if number else "HDF5 failed to write"
+        return (
+            f"cannot write the file: {os.strerror(int(number[1]))}"
+            if number
+            else "HDF5 failed to write"
+        )
 
 
 def plain_reason(reason: str, folder: Path) -> str:

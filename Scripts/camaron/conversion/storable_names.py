@@ -24,7 +24,15 @@ XML = OF_VTK | {".xmf", ".xdmf"}
 #: Formats of HDF5, where a slash parts a path.
 HDF5 = {".vtkhdf"}
 #: Marks of XML in names, and white space, which attributes keep as references only.
-REFERENCES = {"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "\t": "&#9;", "\n": "&#10;", "\r": "&#13;"}
+REFERENCES = {
+    "&": "&amp;",
+    "<": "&lt;",
+    ">": "&gt;",
+    '"': "&quot;",
+    "\t": "&#9;",
+    "\n": "&#10;",
+    "\r": "&#13;",
+}
 #: What no XML can hold, and no name in HDF5.
 NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffd-\uffff]")
 NOT_HDF5 = re.compile("/")
@@ -59,7 +67,9 @@ def writable(proxy: Any, target: Path, notes: list[str]) -> tuple[Any, dict[str,
     rounded = _integers_beyond(proxy, 2**bits) if bits else []
     if rounded:
         names = text.printable(", ".join(map(_text, rounded)))
-        notes.append(f"Files named *{suffix} hold real numbers: whole ones beyond 2^{bits} are rounded, of {names}.")
+        notes.append(
+            f"Files named *{suffix} hold real numbers: whole ones beyond 2^{bits} are rounded, of {names}."
+        )
     arrays, blocks = _new_names_of(proxy, suffix, notes) if suffix in XML | HDF5 else ({}, {})
     integers = LONG_INTEGERS.get(suffix, "Keep") if _integers_beyond(proxy, 2**31 - 1) else "Keep"
     if not arrays and not blocks and integers == "Keep":
@@ -77,7 +87,9 @@ def writable(proxy: Any, target: Path, notes: list[str]) -> tuple[Any, dict[str,
     return renamed, arrays
 
 
-def _new_names_of(proxy: Any, suffix: str, notes: list[str]) -> tuple[dict[Name, str], dict[Name, str]]:
+def _new_names_of(
+    proxy: Any, suffix: str, notes: list[str]
+) -> tuple[dict[Name, str], dict[Name, str]]:
     """Of arrays and of blocks those that change, by their old names."""
     forbidden = NOT_XML if suffix in XML else NOT_HDF5
     escapes = suffix in OF_VTK and not _vtk_escapes()
@@ -87,13 +99,18 @@ def _new_names_of(proxy: Any, suffix: str, notes: list[str]) -> tuple[dict[Name,
     array_names = _new_names(arrays, forbidden, "" if escapes else white, changed)
     block_names = _new_names(blocks, forbidden, white, changed)
     if escapes:
-        array_names = {old: new.translate(str.maketrans(REFERENCES)) for old, new in array_names.items()}
+        array_names = {
+            old: new.translate(str.maketrans(REFERENCES)) for old, new in array_names.items()
+        }
     array_names, block_names = (
-        {old: new for old, new in names.items() if old != new} for names in (array_names, block_names)
+        {old: new for old, new in names.items() if old != new}
+        for names in (array_names, block_names)
     )
     if changed:
         pairs = (f"'{text.printable(_text(old))}' to '{new}'" for old, new in changed.items())
-        notes.append(f"Names that files named *{suffix} cannot hold are changed: {', '.join(pairs)}.")
+        notes.append(
+            f"Names that files named *{suffix} cannot hold are changed: {', '.join(pairs)}."
+        )
     return array_names, block_names
 
 
@@ -131,7 +148,9 @@ def _names(proxy: Any) -> tuple[list[Name], list[Name]]:
     information = pipeline.data_information(proxy)
     arrays: list[Optional[Name]] = []
     for array in _arrays(proxy):
-        components = range(array.GetNumberOfComponents() if array.GetNumberOfComponents() > 1 else 0)
+        components = range(
+            array.GetNumberOfComponents() if array.GetNumberOfComponents() > 1 else 0
+        )
         arrays += [array.GetName(), *map(array.GetComponentName, components)]
     hierarchy = information.GetHierarchy() if pipeline.is_composite(proxy) else None
     nodes = hierarchy.GetChildNodes(hierarchy.GetRootNode(), True) if hierarchy else []

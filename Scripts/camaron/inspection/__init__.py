@@ -16,7 +16,15 @@ from paraview import simple
 
 from .. import conversion
 from ..common import assessment, mesh_facts, pipeline, tables, text
-from ..common.evaluation import ALL, NOT_REPORTED, Evaluation, choose_criteria, evaluated_criteria, list_names, set_groups
+from ..common.evaluation import (
+    ALL,
+    NOT_REPORTED,
+    Evaluation,
+    choose_criteria,
+    evaluated_criteria,
+    list_names,
+    set_groups,
+)
 from ..common.files import Staging, same_file
 from ..common.json_text import to_json
 from ..common.stages import Progress, Stages
@@ -162,7 +170,11 @@ def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -
     summary["files"] = {"report": "report.html", "summary": "summary.json", "worst": "worst.csv"}
     if with_mesh:
         summary["files"]["mesh"] = "mesh" + mesh_facts.extension(quality)
-    taken = pictures.take(summary, quality, surface, folder, most_pictures, stage) if most_pictures else []
+    taken = (
+        pictures.take(summary, quality, surface, folder, most_pictures, stage)
+        if most_pictures
+        else []
+    )
     if with_mesh:  # before the report, which notes what the file cannot hold
         with stage("writing the mesh"):
             _write_mesh(summary, quality, folder)
@@ -171,7 +183,7 @@ def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -
 
 
 def _write_mesh(summary, quality, folder) -> None:
-    # Every rank writes its own cells, without the layer of its neighbours' around them.
+    # Every rank writes its own cells, without the layer of its neighbors' around them.
     whole = pipeline.without_ghosts(quality) if pipeline.rank_count() > 1 else quality
     whole.UpdatePipeline()
     known = set(quality.GetProperty("Criteria").Available)
@@ -190,7 +202,19 @@ def _write_report(summary, taken, folder) -> None:
     with open(folder / "worst.csv", "w", newline="", encoding="utf-8") as file:
         rows = csv.writer(file)
         rows.writerow(
-            ["criterion", "unit", "rank", "block", "cell", "type", "value", "x", "y", "z", "vertices"]
+            [
+                "criterion",
+                "unit",
+                "rank",
+                "block",
+                "cell",
+                "type",
+                "value",
+                "x",
+                "y",
+                "z",
+                "vertices",
+            ]
         )
         for c in summary["criteria"]:
             for w in c["worst"]:

@@ -11,7 +11,7 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SIZE = (1200, 900)
-BAR_SHARE = 0.16  # of the width, kept free for the colour bar
+BAR_SHARE = 0.16  # of the width, kept free for the color bar
 
 
 class Camera:

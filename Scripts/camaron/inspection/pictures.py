@@ -33,7 +33,7 @@ MESH_COLOR = [0.80, 0.85, 0.88]
 NULL_COLOR = [0.70, 0.66, 0.80]
 SHELL_COLOR = [0.55, 0.63, 0.70]
 MARK_COLOR = [0.76, 0.19, 0.08]
-# From good to bad: pale blue-grey, sand, orange, dark red; lightness falls all the way.
+# From good to bad: pale blue-gray, sand, orange, dark red; lightness falls all the way.
 COLORS = [
     (0.00, 0.898, 0.925, 0.937),
     (0.30, 0.953, 0.886, 0.733),
@@ -92,7 +92,7 @@ class Scene:
             servermanager.ProxyManager().NewProxy("representations", "MeshInspectionRepresentation")
         )
         self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
-        self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colours can be compared with the bar
+        self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colors can be compared with the bar
         self.set(display, **properties)
         self.view.Representations.append(display)
         self.shown.append(display)
@@ -111,7 +111,7 @@ class Scene:
             self.bar.Visibility = 0
 
     def color(self, display: Any, criterion: dict[str, Any]) -> None:
-        """Colours by the criterion's cell array, bad values dark, and shows the colour bar."""
+        """Colors by the criterion's cell array, bad values dark, and shows the color bar."""
         name = criterion["name"]
         table = simple.GetColorTransferFunction(name)
         table.AutomaticRescaleRangeMode = "Never"
@@ -152,7 +152,11 @@ class Scene:
         camera.apply(self.view)
         # Compressed more, it would be a few per cent smaller and take twice the time.
         simple.SaveScreenshot(
-            str(path), self.view, ImageResolution=list(SIZE), OverrideColorPalette="", CompressionLevel="2"
+            str(path),
+            self.view,
+            ImageResolution=list(SIZE),
+            OverrideColorPalette="",
+            CompressionLevel="2",
         )
 
     def close(self) -> None:
@@ -168,7 +172,7 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     if p1 is not None and p99 is not None and p99 > p1 and p99 - p1 < 0.2 * (high - low):
         low, high = p1, p99
     if not high > low:
-        # One colour for all: the good end, unless the value is not acceptable.
+        # One color for all: the good end, unless the value is not acceptable.
         room = max(abs(low), 1.0) * 0.1
         is_low_end = (criterion["better"] == "bigger") == (criterion["out_of_range"] > 0)
         low, high = (low, high + room) if is_low_end else (low - room, high)
@@ -176,7 +180,7 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
 
 
 def color_points(criterion: dict[str, Any]) -> list[float]:
-    """The control points of the colour map over the criterion's range."""
+    """The control points of the color map over the criterion's range."""
     low, high = color_range(criterion)
     colors = COLORS
     if criterion["better"] == "bigger":
@@ -187,7 +191,7 @@ def color_points(criterion: dict[str, Any]) -> list[float]:
 def take(
     summary: dict[str, Any], quality: Any, surface: Any, folder: Path, most: int, stage: Stages
 ) -> list[Picture]:
-    """The mesh, its worst cells and the worst cell, coloured by the worst criterion: `most` of these; files go to
+    """The mesh, its worst cells and the worst cell, colored by the worst criterion: `most` of these; files go to
     the folder."""
     if not summary["mesh"]["bounds"]:
         return []
@@ -208,7 +212,9 @@ def take(
 class _Pictures:
     """The pictures of a mesh, which share a scene and what is made of the mesh."""
 
-    def __init__(self, summary, quality, surface, folder: Path, criterion: Optional[dict[str, Any]]):
+    def __init__(
+        self, summary, quality, surface, folder: Path, criterion: Optional[dict[str, Any]]
+    ):
         self.summary, self.folder, self.criterion = summary, folder, criterion
         self.camera = Camera(summary["mesh"]["bounds"])
         self.made: list[Any] = []
@@ -258,7 +264,7 @@ class _Pictures:
         return display
 
     def take_mesh(self) -> Picture:
-        """The mesh coloured by the criterion; with few cells, with their edges. Fits the camera."""
+        """The mesh colored by the criterion; with few cells, with their edges. Fits the camera."""
         mesh, scene, criterion = self.summary["mesh"], self.scene, self.criterion
         has_polygons = mesh["volume"] is not None or mesh["area"] is not None
         color = MESH_COLOR if has_polygons else ACCENT
@@ -268,9 +274,7 @@ class _Pictures:
         scene.fit(self.camera)
         if has_polygons and self.polygons <= MOST_CELLS_WITH_EDGES:
             opacity = 0.55 if self.polygons < 8000 else 0.3
-            scene.set(
-                display, DrawEdges=1, EdgeColor=INK, EdgeOpacity=opacity, LineWidth=1.0
-            )
+            scene.set(display, DrawEdges=1, EdgeColor=INK, EdgeOpacity=opacity, LineWidth=1.0)
         if criterion:
             scene.color(display, criterion)
         path = self.folder / "mesh.png"
@@ -335,7 +339,7 @@ class _Pictures:
         return halos
 
     def take_the_worst(self) -> Picture:
-        """The worst cell close by, inside its neighbours."""
+        """The worst cell close by, inside its neighbors."""
         scene, criterion = self.scene, self.criterion
         worst = criterion["worst"][0]
         cell = self.select(
@@ -367,11 +371,11 @@ class _Pictures:
 
 
 def _caption_of_colors(criterion: dict[str, Any]) -> str:
-    """What the colours of a picture mean where they do not span all values."""
+    """What the colors of a picture mean where they do not span all values."""
     low, high = color_range(criterion)
     if criterion["min"] is None or (low <= criterion["min"] and high >= criterion["max"]):
         return ""
     return (
-        f" Colours span {text.number(low)} to {text.number(high)} (98 % of the cells); "
-        "values beyond have the colours of the ends."
+        f" Colors span {text.number(low)} to {text.number(high)} (98 % of the cells); "
+        "values beyond have the colors of the ends."
     )

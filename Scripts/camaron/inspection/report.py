@@ -383,10 +383,21 @@ def _worst(c) -> Optional[Markup]:
             )
         )
     unit = f" ({_unit(c['unit'])})" if c["unit"] else ""
-    head = ["", *(["Block"] if blocks else []), "Cell", "Type", f"Value{unit}", "Center x", "y", "z"]
+    head = [
+        "",
+        *(["Block"] if blocks else []),
+        "Cell",
+        "Type",
+        f"Value{unit}",
+        "Center x",
+        "y",
+        "z",
+    ]
     is_open = html(" open") if assessment.is_serious(c) else None
     return html(
-        "<details{}><summary>Worst cells</summary>{}</details>", is_open, table_of("worst", head, rows)
+        "<details{}><summary>Worst cells</summary>{}</details>",
+        is_open,
+        table_of("worst", head, rows),
     )
 
 
@@ -401,5 +412,9 @@ def _footer(summary) -> Markup:
         "range. Cell numbers start at 0. Lengths, areas and volumes are in the units of the mesh."
         "</p><p>Beside this page: <code>summary.json</code> (all numbers), <code>worst.csv</code> "
         "(worst cells){}.</p></footer>",
-        html(", <code>{}</code> (the mesh with one cell array for each criterion)", mesh) if mesh else None,
+        (
+            html(", <code>{}</code> (the mesh with one cell array for each criterion)", mesh)
+            if mesh
+            else None
+        ),
     )

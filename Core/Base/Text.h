@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Text.h
+ * @brief Text for messages and keywords: counts, lower case, printable characters.
+ */
+#ifndef camaron_Text_h
+#define camaron_Text_h
+
+#include "vtkType.h" // for vtkIdType
+
+#include <string>      // for messages
+#include <string_view> // for characters
+
+namespace camaron
+{
+/// "1 node" or "12 nodes".
+inline std::string CountOf(vtkIdType count, std::string_view one, std::string_view many)
+{
+  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+}
+
+inline char ToLower(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+inline std::string ToLower(std::string text)
+{
+  for (char& c : text)
+  {
+    c = ToLower(c);
+  }
+  return text;
+}
+
+/// Bytes of the character of UTF-8 that begins a text, 0 if there is none.
+inline std::size_t GetCharacterSize(std::string_view text)
+{
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const std::size_t size = lead < 0x80 ? 1
+    : lead < 0xc2                      ? 0
+    : lead < 0xe0                      ? 2
+    : lead < 0xf0                      ? 3
+    : lead < 0xf5                      ? 4
+                                       : 0;
+  if (size > text.size())
+  {
+    return 0;
+  }
+  for (std::size_t i = 1; i < size; ++i)
+  {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    // Numbers of more bytes than they need, of surrogates and beyond the last character are none.
+    const bool isSecond = i == 1;
+    const unsigned char least = isSecond && lead == 0xe0 ? 0xa0
+      : isSecond && lead == 0xf0                         ? 0x90
+                                                         : 0x80;
+    const unsigned char most = isSecond && lead == 0xed ? 0x9f
+      : isSecond && lead == 0xf4                        ? 0x8f
+                                                        : 0xbf;
+    if (byte < least || byte > most)
+    {
+      return 0;
+    }
+  }
+  return size;
+}
+
+/// The message as UTF-8 with '?' for control characters and for bytes that are none; names of files
+/// may have any.
+inline std::string MakePrintable(std::string_view message)
+{
+  std::string printable;
+  while (!message.empty())
+  {
+    const std::size_t size = GetCharacterSize(message);
+    const auto first = static_cast<unsigned char>(message[0]);
+    const bool isControl = size < 2
+      ? first < 0x20 || first >= 0x7f
+      : first == 0xc2 && static_cast<unsigned char>(message[1]) < 0xa0;
+    printable += isControl ? "?" : message.substr(0, size);
+    message.remove_prefix(size > 0 ? size : 1);
+  }
+  return printable;
+}
+}
+
+#endif

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Cell/NondegenerateTetrahedra.h"
+#include "Cell/TetrahedronAngles.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace camaron
+{
+namespace
+{
+// Squares, for which no root has to be taken, and products of which are numbers.
+constexpr double LargestLength = 1e40, LargestVolume = 1e120, SmallestVolume = 1e-120;
+constexpr double Margin = 4; // CellGeometry may round otherwise
+}
+
+//------------------------------------------------------------------------------
+int NondegenerateTetrahedra::Load(const MeshView& mesh, vtkIdType first, int numberOfCells,
+  const EvaluationOptions& options, unsigned needs)
+{
+  int numberOfTetrahedra = 0;
+  mesh.VisitCoordinates([&](const auto* points)
+    { numberOfTetrahedra = this->LoadPoints(mesh, points, first, numberOfCells); });
+  if (numberOfTetrahedra == 0)
+  {
+    return 0;
+  }
+  this->FindSound(options);
+  if (needs & NeedsAngles)
+  {
+    this->Block.AngleFactor = GetAngleFactor(options.Angles);
+    this->ComputeAngles(needs);
+  }
+  return static_cast<int>(
+    std::count_if(this->AreSound, this->AreSound + Size, [](double is) { return is != 0; }));
+}
+
+//------------------------------------------------------------------------------
+template <typename Coordinate>
+int NondegenerateTetrahedra::LoadPoints(
+  const MeshView& mesh, const Coordinate* points, vtkIdType first, int numberOfCells)
+{
+  if (numberOfCells == Size && mesh.AreOfType(VTK_TETRA, first, Size))
+  {
+    const IndexRange ids = mesh.GetCellPoints(first);
+    if (mesh.GetCellPoints(first + Size - 1).Begin == ids.Begin + 4 * (Size - 1))
+    {
+      // One after the other, as in nearly all of most meshes.
+      ids.Values.Values32 ? this->LoadCells(points, ids.Values.Values32 + ids.Begin)
+                          : this->LoadCells(points, ids.Values.Values64 + ids.Begin);
+      return Size;
+    }
+  }
+  vtkIdType corners[4 *
+    Size] = {}; // of other cells the first point, which is there if there is a tetrahedron
+  bool areTetrahedra[Size] = {};
+  int numberOfTetrahedra = 0;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    if (mesh.GetCellType(first + cell) == VTK_TETRA)
+    {
+      const IndexRange ids = mesh.GetCellPoints(first + cell);
+      for (int i = 0; i < 4; ++i)
+      {
+        corners[4 * cell + i] = ids[i];
+      }
+      areTetrahedra[cell] = true;
+      ++numberOfTetrahedra;
+    }
+  }
+  if (numberOfTetrahedra > 0)
+  {
+    this->LoadCells(points, corners);
+  }
+  for (int cell = 0; cell < Size; ++cell)
+  {
+    this->Places[cell] =
+      areTetrahedra[cell] ? this->Places[cell] : std::numeric_limits<double>::quiet_NaN();
+    this->AreSound[cell] = 0;
+  }
+  return numberOfTetrahedra;
+}
+
+//------------------------------------------------------------------------------
+template <typename Coordinate, typename Id>
+void NondegenerateTetrahedra::LoadCells(const Coordinate* points, const Id* corners)
+{
+  for (int cell = 0; cell < Size; cell += 2)
+  {
+    const Id *const first = corners + 4 * cell, *const second = first + 4;
+    const auto load = [&](int corner)
+    {
+      const Coordinate *const a = points + 3 * static_cast<vtkIdType>(first[corner]),
+                              *const b = points + 3 * static_cast<vtkIdType>(second[corner]);
+      return VectorPair(GatherPair(a, b), GatherPair(a + 1, b + 1), GatherPair(a + 2, b + 2));
+    };
+    const VectorPair origin = load(0);
+    StorePair(Abs(origin.X) + Abs(origin.Y) + Abs(origin.Z), this->Places + cell);
+    for (int i = 0; i < 3; ++i)
+    {
+      const VectorPair edge = load(i + 1) - origin;
+      StorePair(edge.X, this->Block.X[i] + cell);
+      StorePair(edge.Y, this->Block.Y[i] + cell);
+      StorePair(edge.Z, this->Block.Z[i] + cell);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A volume well above zero leaves no room for an edge or a face that is zero.
+void NondegenerateTetrahedra::FindSound(const EvaluationOptions& options)
+{
+  // The zero length is the larger of two that grow with the diameter, and with it and the place;
+  // here they are squared, and (a + b)^2 <= 2 (a^2 + b^2).
+  const double tolerance = camaron::GetZeroLength(options, 1, 0);
+  const double precision = options.DegeneracyTolerance > 0 ? 0 : GetAbsoluteTolerance(1);
+  const auto both = [](double value) { return MakePair(value, value); };
+  const Pair relative = both(Margin * tolerance * tolerance),
+             absolute = both(2 * Margin * precision * precision);
+  const Pair none = both(0), six = both(6);
+  for (int cell = 0; cell < Size; cell += 2)
+  {
+    const TetrahedronPair pair(this->Block, cell);
+    const VectorPair a = pair.GetPoint(1), b = pair.GetPoint(2), c = pair.GetPoint(3);
+    const Pair signedVolume = Dot(a, Cross(b, c)) / six;
+    StorePair(signedVolume, this->Block.Volumes + cell);
+    // No edge is longer than two from the first point.
+    const Pair length = both(4) * Max(Max(Norm2(a), Norm2(b)), Norm2(c)),
+               place = LoadPair(this->Places + cell);
+    const Pair zero = Max(relative * length, absolute * (place * place + length));
+    const Pair volume = signedVolume * signedVolume;
+    // Above zero where all is well. A volume is no number or infinite where a coordinate is; where
+    // one of two values is no number, Min and Max are the second one.
+    const Pair room = Min(Min(both(LargestLength) - length, both(LargestVolume) - volume),
+      volume - Max(both(SmallestVolume), zero * length * length));
+    StorePair(SelectLess(none, room, both(1), none), this->AreSound + cell);
+  }
+}
+
+//------------------------------------------------------------------------------
+void NondegenerateTetrahedra::ComputeAngles(unsigned needs)
+{
+  for (int cell = 0; cell < Size; cell += 2)
+  {
+    const auto keep = [cell](const AngleRangePair& angles, TetrahedronBlock::Angles& all)
+    {
+      all[cell] = angles[0];
+      all[cell + 1] = angles[1];
+    };
+    TetrahedronAngles angles(TetrahedronPair(this->Block, cell));
+    if (needs & NeedsCorners)
+    {
+      keep(angles.GetFaceAngles(), this->Block.FaceAngles);
+    }
+    if (needs & (NeedsDihedral | NeedsSolidAngle))
+    {
+      angles.MeasureSides();
+    }
+    if (needs & NeedsDihedral)
+    {
+      keep(angles.GetDihedralAngles(), this->Block.DihedralAngles);
+    }
+    if (needs & NeedsSolidAngle)
+    {
+      Pair areSimple;
+      keep(angles.GetHalfSolidAngles(areSimple), this->Block.HalfSolidAngles);
+      StorePair(LoadPair(this->AreSound + cell) * areSimple, this->AreSound + cell);
+    }
+  }
+}
+}

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CellMesh/CellMeshPiece.h"
+
+#include "Base/RepeatedIds.h"
+
+#include <algorithm>
+
+namespace camaron
+{
+namespace
+{
+constexpr vtkIdType Grain = 65536;
+
+//------------------------------------------------------------------------------
+// Calls visit(cell) for all cells in parallel.
+template <typename Visit>
+void ForCells(vtkIdType size, const Progress& progress, Visit&& visit)
+{
+  constexpr vtkIdType Block = 4096;
+  progress.For((size + Block - 1) / Block,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      const vtkIdType stop = std::min(last * Block, size);
+      for (vtkIdType cell = first * Block; cell < stop; ++cell)
+      {
+        visit(cell);
+      }
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+void CellMeshPiece::NoteFirstUse(vtkIdType cell, const std::int32_t* points, vtkIdType size)
+{
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    this->Used.Add(points[i]);
+  }
+  if (HasRepeatedIds(points, size))
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Repeating.Add(cell);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellMeshPiece::Start(
+  vtkIdType numberOfPoints, vtkIdType numberOfCells, const PieceRequest& request)
+{
+  this->NumberOfMeshPoints = numberOfPoints;
+  this->NumberOfMeshCells = numberOfCells;
+  this->Whole = request.NumberOfPieces <= 1;
+  this->Ghosts = !this->Whole && request.GhostLevels > 0;
+  this->IsFirst = request.Piece == 0;
+  this->Level = 0;
+  this->NumberOfLevels = request.GhostLevels;
+  this->Repeating = Tally();
+  this->Begin = 0;
+  this->End = numberOfCells;
+  if (this->Whole)
+  {
+    return;
+  }
+  const vtkIdType pieces = request.NumberOfPieces, piece = request.Piece;
+  const vtkIdType share = numberOfCells / pieces, rest = numberOfCells % pieces;
+  this->Begin = share * piece + std::min(piece, rest);
+  this->End = this->Begin + share + (piece < rest ? 1 : 0);
+  this->Cells = IdSet(numberOfCells);
+  for (IdSet* set : { &this->Points, &this->OwnedPoints, &this->LowerPoints, &this->Near })
+  {
+    *set = IdSet(numberOfPoints);
+  }
+  this->Used = IdSet(this->IsFirst ? numberOfPoints : 0);
+}
+
+//------------------------------------------------------------------------------
+bool CellMeshPiece::Continue()
+{
+  if (this->Whole)
+  {
+    return false;
+  }
+  if (this->Level == 0)
+  {
+    this->OwnedPoints.AddAll(this->Points);
+  }
+  if (this->Level < this->NumberOfLevels)
+  {
+    this->Near.AddAll(this->Points);
+    this->Near.AddAll(this->LowerPoints);
+    ++this->Level;
+    return true;
+  }
+  this->Points.AddAll(this->LowerPoints);
+  if (this->IsFirst)
+  {
+    this->Points.AddMissing(this->Used);
+    this->OwnedPoints.AddMissing(this->Used);
+  }
+  this->Points.Number();
+  this->Cells.Number();
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool CellMeshPiece::Select(
+  const CellMesh& mesh, const PieceRequest& request, const Progress& progress)
+{
+  this->Start(mesh.NumberOfPoints, mesh.NumberOfCells, request);
+  if (this->Whole)
+  {
+    return true;
+  }
+  do
+  {
+    ForCells(mesh.NumberOfCells, progress,
+      [&](vtkIdType cell) { this->Show(cell, mesh.GetPoints(cell), mesh.GetSize(cell)); });
+  } while (!progress.IsStopped() && this->Continue());
+  return !progress.IsStopped();
+}
+
+//------------------------------------------------------------------------------
+void CellMeshPiece::WarnOfRepeatedPoints(const CellMesh& mesh, Warnings& warnings,
+  const Progress& progress, const char* one, const char* many) const
+{
+  Tally repeating = this->Whole && mesh.Repeating ? *mesh.Repeating : this->Repeating;
+  if (this->Whole && !mesh.Repeating)
+  {
+    std::mutex mutex;
+    constexpr vtkIdType Block = 4096;
+    progress.For((mesh.NumberOfCells + Block - 1) / Block,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        const vtkIdType first = begin * Block;
+        const vtkIdType count = std::min(end * Block, mesh.NumberOfCells) - first;
+        Tally local;
+        FindRepeatedPoints(mesh.GetPoints(first),
+          mesh.Offsets.size() > 0 ? mesh.Offsets.data() + first : nullptr, mesh.CommonSize, first,
+          count, local);
+        const std::lock_guard<std::mutex> lock(mutex);
+        repeating.Merge(local);
+      });
+  }
+  warnings.Add(repeating, one, many, "with the same point more than once", FromZero);
+}
+
+//------------------------------------------------------------------------------
+void KeepPiece(CellMesh& mesh, const CellMeshPiece& piece)
+{
+  if (piece.IsWhole())
+  {
+    return;
+  }
+  const vtkIdType size = piece.GetNumberOfCells();
+  const bool hasTypes = mesh.Types.size() > 0, hasOffsets = mesh.Offsets.size() > 0;
+  CellMesh part;
+  part.NumberOfPoints = piece.GetNumberOfPoints();
+  part.NumberOfCells = size;
+  part.CommonType = mesh.CommonType;
+  part.CommonSize = mesh.CommonSize;
+  part.Types = Buffer<unsigned char>(hasTypes ? size : 0);
+  part.Offsets = Buffer<std::int32_t>(hasOffsets ? size + 1 : 0);
+  if (hasOffsets)
+  {
+    std::int32_t* offset = part.Offsets.data();
+    *offset = 0;
+    for (vtkIdType cell = 0; cell < mesh.NumberOfCells; ++cell)
+    {
+      if (piece.GetCells().Contains(cell))
+      {
+        offset[1] = offset[0] + static_cast<std::int32_t>(mesh.GetSize(cell));
+        ++offset;
+      }
+    }
+  }
+  part.Connectivity = Buffer<std::int32_t>(part.GetBegin(size));
+  ParallelFor(mesh.NumberOfCells, Grain,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        const vtkIdType i = piece.FindCell(cell);
+        if (i < 0)
+        {
+          continue;
+        }
+        if (hasTypes)
+        {
+          part.Types[i] = mesh.Types[cell];
+        }
+        const std::int32_t* const points = mesh.GetPoints(cell);
+        std::transform(points, points + mesh.GetSize(cell),
+          part.Connectivity.data() + part.GetBegin(i),
+          [&](std::int32_t point) { return static_cast<std::int32_t>(piece.FindPoint(point)); });
+      }
+    });
+  mesh = std::move(part);
+}
+
+//------------------------------------------------------------------------------
+CellMesh MakeCloud(vtkIdType numberOfPoints, const PieceRequest& request, CellMeshPiece& piece)
+{
+  piece.Start(numberOfPoints, numberOfPoints, request);
+  do
+  {
+    ForCells(piece.IsWhole() ? 0 : numberOfPoints, Progress(),
+      [&](vtkIdType cell)
+      {
+        const auto point = static_cast<std::int32_t>(cell);
+        piece.Show(cell, &point, 1);
+      });
+  } while (piece.Continue());
+  return MakeCloud(piece.GetNumberOfCells()); // which are as many as its points
+}
+}

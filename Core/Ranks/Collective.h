@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Collective.h
+ * @brief What all processes do together: fail, and agree on a name.
+ */
+#ifndef camaron_Collective_h
+#define camaron_Collective_h
+
+#include "Ranks/Reducer.h"
+
+#include <exception> // for failures
+#include <stdexcept> // for failures
+#include <string>    // for their reasons
+#include <vector>    // for lists
+
+namespace camaron
+{
+/// Collective. Runs what is not; if it throws anywhere, all processes throw std::runtime_error.
+template <typename Function>
+void RunCollectively(Reducer& reducer, Function&& function)
+{
+  std::string error;
+  std::int64_t hasFailed = 0;
+  try
+  {
+    function();
+  }
+  catch (const std::exception& exception)
+  {
+    error = exception.what();
+    hasFailed = 1;
+  }
+  const bool hasOwnError = hasFailed != 0;
+  reducer.Max(&hasFailed, 1);
+  if (hasFailed)
+  {
+    throw std::runtime_error(hasOwnError ? error : "another process failed");
+  }
+}
+
+/**
+ * Collective. What this process or else another one has been told; if none has, the first in
+ * alphabetical order of the first list of candidates that is not empty on all processes. Empty if
+ * there is none.
+ */
+inline std::string AgreeOnName(const std::string& told,
+  const std::vector<std::vector<std::string>>& candidates, Reducer& reducer)
+{
+  std::vector<std::string> names = reducer.GatherNames(
+    told.empty() ? std::vector<std::string>() : std::vector<std::string>{ told });
+  for (std::size_t i = 0; i < candidates.size() && names.empty(); ++i)
+  {
+    names = reducer.GatherNames(candidates[i]);
+  }
+  return names.empty() ? std::string() : names.front();
+}
+}
+
+#endif

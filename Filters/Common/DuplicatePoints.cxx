@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DuplicatePoints.h"
+
+#include "Mesh/MeshView.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace camaron
+{
+namespace
+{
+using Ids = std::vector<vtkIdType>;
+
+//------------------------------------------------------------------------------
+// Told without sorting where ids ascend, or are numbers of a range that is not much larger than the
+// mesh.
+bool AreDifferent(const Ids& ids)
+{
+  constexpr vtkIdType perPoint = 64; // bits at most
+  if (std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>()) == ids.end())
+  {
+    return true;
+  }
+  const auto [least, greatest] = std::minmax_element(ids.begin(), ids.end());
+  if (static_cast<double>(*greatest) - static_cast<double>(*least) >
+    static_cast<double>(perPoint) * static_cast<double>(ids.size()))
+  {
+    return false;
+  }
+  std::vector<bool> isKnown(static_cast<std::size_t>(*greatest - *least) + 1);
+  const vtkIdType first = *least;
+  return std::none_of(ids.begin(), ids.end(),
+    [&](vtkIdType id)
+    {
+      const auto place = static_cast<std::size_t>(id - first);
+      const bool wasKnown = isKnown[place];
+      isKnown[place] = true;
+      return wasKnown;
+    });
+}
+
+//------------------------------------------------------------------------------
+void MarkCopies(const Ids& firsts, vtkDataSet* mesh)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  if (vtkUnsignedCharArray* const known = mesh->GetPointGhostArray())
+  {
+    ghosts->DeepCopy(known);
+  }
+  else
+  {
+    ghosts->SetNumberOfValues(mesh->GetNumberOfPoints());
+    ghosts->FillValue(0);
+  }
+  for (vtkIdType point = 0; point < ghosts->GetNumberOfValues(); ++point)
+  {
+    const bool isCopy = firsts[point] != point;
+    ghosts->SetValue(
+      point, ghosts->GetValue(point) | (isCopy ? vtkDataSetAttributes::DUPLICATEPOINT : 0));
+  }
+  mesh->GetPointData()->AddArray(ghosts);
+}
+
+//------------------------------------------------------------------------------
+// Lists of points with the first copies of these.
+vtkSmartPointer<vtkCellArray> Renumber(vtkCellArray* lists, const Ids& firsts)
+{
+  const auto result = vtkSmartPointer<vtkCellArray>::New();
+  vtkNew<vtkIdList> points;
+  for (vtkIdType list = 0; lists && list < lists->GetNumberOfCells(); ++list)
+  {
+    lists->GetCellAtId(list, points);
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+    {
+      points->SetId(i, firsts[points->GetId(i)]);
+    }
+    result->InsertNextCell(points);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> MakeGrid(vtkUnstructuredGrid* grid, const Ids& firsts)
+{
+  vtkNew<vtkUnsignedCharArray> types;
+  vtkNew<vtkCellArray> faces, locations, facesOfCell;
+  bool hasFaces = false;
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    const int type = grid->GetCellType(cell);
+    types->InsertNextValue(static_cast<unsigned char>(type));
+    locations->InsertNextCell(0);
+    if (type == VTK_POLYHEDRON)
+    {
+      hasFaces = true;
+      grid->GetPolyhedronFaces(cell, facesOfCell);
+      for (vtkIdType f = 0; f < facesOfCell->GetNumberOfCells(); ++f)
+      {
+        facesOfCell->GetCellAtId(f, points);
+        locations->InsertCellPoint(faces->InsertNextCell(points));
+      }
+      locations->UpdateCellCount(static_cast<int>(facesOfCell->GetNumberOfCells()));
+    }
+  }
+  const auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  result->SetPoints(grid->GetPoints());
+  const vtkSmartPointer<vtkCellArray> cells = Renumber(grid->GetCells(), firsts);
+  if (hasFaces)
+  {
+    result->SetPolyhedralCells(types, cells, locations, Renumber(faces, firsts));
+  }
+  else
+  {
+    result->SetCells(types, cells);
+  }
+  return result;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> MakeSurface(vtkPolyData* surface, const Ids& firsts)
+{
+  const auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(surface->GetPoints());
+  result->SetVerts(Renumber(surface->GetVerts(), firsts));
+  result->SetLines(Renumber(surface->GetLines(), firsts));
+  result->SetPolys(Renumber(surface->GetPolys(), firsts));
+  result->SetStrips(Renumber(surface->GetStrips(), firsts));
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+Ids FindFirstCopies(vtkDataSet* mesh)
+{
+  vtkDataArray* const array = mesh->GetPointData()->GetGlobalIds();
+  const vtkIdType size = mesh->GetNumberOfPoints();
+  const bool isMesh = vtkUnstructuredGrid::SafeDownCast(mesh) || vtkPolyData::SafeDownCast(mesh);
+  if (!isMesh || !array || array->GetNumberOfTuples() != size)
+  {
+    return {};
+  }
+  Ids ids(static_cast<std::size_t>(size));
+  auto* const exact = vtkIdTypeArray::FastDownCast(array);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    ids[i] = exact ? exact->GetValue(i) : static_cast<vtkIdType>(array->GetComponent(i, 0));
+  }
+  if (AreDifferent(ids))
+  {
+    return {};
+  }
+  Ids order(ids.size()), firsts(ids.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::iota(firsts.begin(), firsts.end(), 0);
+  std::stable_sort(
+    order.begin(), order.end(), [&ids](vtkIdType a, vtkIdType b) { return ids[a] < ids[b]; });
+  const MeshView view(mesh);
+  bool hasCopies = false;
+  for (std::size_t i = 1, first = 0; i < order.size(); ++i)
+  {
+    std::array<double, 3> a, b;
+    view.GetPoint(order[first], a.data());
+    view.GetPoint(order[i], b.data());
+    const bool isCopy = ids[order[i]] == ids[order[first]] && a == b;
+    firsts[order[i]] = isCopy ? order[first] : order[i];
+    first = isCopy ? first : i;
+    hasCopies = hasCopies || isCopy;
+  }
+  return hasCopies ? firsts : Ids();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkDataSet> ShareCopiesOfPoints(vtkDataSet* mesh, const Ids& firsts)
+{
+  if (firsts.empty())
+  {
+    return mesh;
+  }
+  auto* const grid = vtkUnstructuredGrid::SafeDownCast(mesh);
+  const vtkSmartPointer<vtkDataSet> result =
+    grid ? MakeGrid(grid, firsts) : MakeSurface(vtkPolyData::SafeDownCast(mesh), firsts);
+  result->GetPointData()->ShallowCopy(mesh->GetPointData());
+  result->GetCellData()->ShallowCopy(mesh->GetCellData());
+  result->GetFieldData()->ShallowCopy(mesh->GetFieldData());
+  MarkCopies(firsts, result);
+  return result;
+}
+}

@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The folders of the source tree: each small, and those of Core in layers."""
+
+import re
+import shutil
+import subprocess
+import unittest
+from collections import Counter
+
+import camaron_testing
+
+#: From the lowest to the highest; a folder includes only from those before it.
+LAYERS = (
+    "Base Scan Write Geometry Mesh Cell FaceMesh CellMesh Ranks Criteria Statistics Elements "
+    "Selection Drawing"
+).split()
+
+#: Folders of tests and their data, which nobody reads from top to bottom.
+LARGE = re.compile(r"Testing/|Documentation/(criteria|images)")
+MOST_FILES = 45
+
+
+class TestStructure(unittest.TestCase):
+    def test_layers_of_core(self):
+        """An include that runs back would make two folders one that nobody can read alone."""
+        core = camaron_testing.ROOT / "Core"
+        folders = {path.name for path in core.iterdir() if path.is_dir()}
+        self.assertEqual(folders, set(LAYERS))
+        includes = 0
+        for path in [*core.glob("*/*.h"), *core.glob("*/*.cxx")]:
+            own = LAYERS.index(path.parent.name)
+            for folder in re.findall(r'#include "(\w+)/\w+\.h"', path.read_text("utf-8")):
+                includes += 1
+                self.assertLessEqual(LAYERS.index(folder), own, f"{path.name} includes {folder}/")
+        self.assertGreater(includes, 500)
+
+    def tracked(self):
+        """The files of the repository."""
+        try:
+            listed = subprocess.run(
+                ["git", "ls-files"],
+                cwd=camaron_testing.ROOT,
+                capture_output=True,
+                text=True,
+                check=True,
+                timeout=60,
+            ).stdout
+        except (OSError, subprocess.CalledProcessError):
+            self.skipTest("the source tree is not a git repository")
+        return [path for path in listed.splitlines() if (camaron_testing.ROOT / path).is_file()]
+
+    def test_folders_are_small(self):
+        """A folder of more files than one can take in at a glance needs sub-folders."""
+        counts = Counter(path.rpartition("/")[0] for path in self.tracked())
+        self.assertGreater(len(counts), 50)
+        for folder, count in counts.items():
+            if not LARGE.match(folder + "/") and "/Testing" not in folder:
+                self.assertLessEqual(count, MOST_FILES, folder)
+
+    def check_format(self, tool, version, files, *options):
+        """That the tool would change nothing. Other versions of it format differently."""
+        if not shutil.which(tool):
+            self.skipTest(f"there is no {tool}")
+        found = subprocess.run(
+            [tool, "--version"], capture_output=True, text=True, timeout=60
+        ).stdout.split("\n")[0]
+        if not re.search(rf"\b{version}\.", found):
+            self.skipTest(f"{tool} is not version {version}, but: {found}")
+        self.assertGreater(len(files), 50)
+        done = subprocess.run(
+            [tool, *options, *files],
+            cwd=camaron_testing.ROOT,
+            capture_output=True,
+            text=True,
+            timeout=280,
+        )
+        self.assertEqual(done.returncode, 0, f"run ./camaron format\n{done.stderr[:2000]}")
+
+    def test_format_of_cxx(self):
+        """C++ is as .clang-format says."""
+        files = [path for path in self.tracked() if path.endswith((".h", ".cxx"))]
+        self.check_format("clang-format", 19, files, "--dry-run", "--Werror")
+
+    def test_format_of_python(self):
+        """Python is as black formats it."""
+        files = [path for path in self.tracked() if path.endswith(".py")]
+        self.check_format("black", 25, files, "--check", "--quiet")
+
+
+if __name__ == "__main__":
+    camaron_testing.main()
