@@ -53,9 +53,10 @@ On the command line, `./camaron criteria` lists them and `./camaron inspect` eva
 **Units.** Lengths, areas and volumes are in the units of the mesh, angles in degrees unless *Angle Units* says radians,
 solid angles in steradians.
 
-**Ranges.** *Better* is the good end of the range. An acceptable range marked as *hint* is common practice, or is missed on
-purpose, for example by stretched cells; it is not a verdict. A range applies to the shapes that its source covers: other
-cells are neither inside nor outside. Your own ranges come from a [file](inspect.md#ranges) and apply to all cells.
+**Ranges.** *Better* is the good end of the range. An acceptable range marked as *hint* is common practice, or is
+missed on purpose, for example by stretched cells; it is not a verdict. A range applies to the shapes that its source
+covers: other cells are neither inside nor outside. Your own ranges come from a [file](inspect.md#ranges) and apply to
+all cells.
 
 **Undefined and infinite values.** A value is undefined (NaN) if the criterion is not defined for the shape or has no
 value, and infinite if it grows without bound: an infinite value is bad, not missing. A cell with nonfinite coordinates
@@ -71,10 +72,10 @@ has undefined values. *Write Null Mask* adds an array with the reason:
 | 5 | neighbor in an unknown piece |
 | 6 | the value is that of the linear cell with the vertices of a higher-order cell |
 
-**Cells.** Every cell is evaluated as a polygon or polyhedron: a hexahedron has the same values as the polyhedron with its
-faces. An edge shorter than *Degeneracy Tolerance* times the cell diameter is collapsed; faces and cells are treated
-accordingly. The default tolerance is 1e-12, and it is never less than 8 machine epsilons of double precision. It does not
-depend on the precision of the coordinates.
+**Cells.** Every cell is evaluated as a polygon or polyhedron: a hexahedron has the same values as the polyhedron with
+its faces. An edge shorter than *Degeneracy Tolerance* times the cell diameter is collapsed; faces and cells are
+treated accordingly. The default tolerance is 1e-12, and it is never less than 8 machine epsilons of double precision.
+It does not depend on the precision of the coordinates.
 
 **Symbols.** pᵢ are the vertices of a face in order, pᵢ₊₁ the next one; l edge lengths; P perimeter, A area, V volume, h
 diameter, r inradius, R circumradius; S_f the outward vector area of a face f, n its unit normal, c_f its center; C or P

@@ -32,28 +32,29 @@ SaveData("edges.csv", OutputPort(statistics, 0))
 
 *Face Arrays*, *Edge Arrays* and *Vertex Arrays* select the arrays below; those in bold are on by default. The filter
 computes only selected arrays, and only if the mesh has cells of the given dimension. Angles are in degrees unless
-*Angle Units* says radians, solid angles in steradians, lengths and volumes in the units of the mesh. A value is undefined
-(NaN) where the mesh lacks the required cells.
+*Angle Units* says radians, solid angles in steradians, lengths and volumes in the units of the mesh. A value is
+undefined (NaN) where the mesh lacks the required cells.
 
-*Worst Of Cells* adds an array `VertexWorst<Criterion>` to the vertices for each criterion of *Element Quality* in the cell
-data of the input that has a good and a bad end of its range: the worst value of the cells at the vertex, without undefined
-values.
+*Worst Of Cells* adds an array `VertexWorst<Criterion>` to the vertices for each criterion of *Element Quality* in the
+cell data of the input that has a good and a bad end of its range: the worst value of the cells at the vertex, without
+undefined values.
 
 For polygon criteria (areas, interior angles, ratios, ...), apply *Element Quality* to the faces.
 """
 
 TAIL = """## Pieces, owners and ids
 
-Elements and values do not depend on how a mesh is split over processes and partitions, with or without ghost cells. The
-filter matches the cells of the pieces of a block by their points: by global ids if all pieces have them, otherwise by
-coordinates. If a reader has put several pieces into one data set, they are connected only if the points have global ids:
-of points with the same id and position, the cells use the first, and the others are marked as ghosts.
+Elements and values do not depend on how a mesh is split over processes and partitions, with or without ghost cells.
+The filter matches the cells of the pieces of a block by their points: by global ids if all pieces have them,
+otherwise by coordinates. If a reader has put several pieces into one data set, they are connected only if the points
+have global ids: of points with the same id and position, the cells use the first, and the others are marked as
+ghosts.
 
 - An element shared by pieces belongs to the piece whose cell has the smallest id; the other pieces mark it as a ghost.
   Elements that belong only to ghost cells are omitted.
 - The owner of a face is the cell with the smaller id. The face is oriented out of its owner.
-- Faces with fewer than three distinct points, as in hexahedra collapsed to wedges, are not matched with others: they have
-  one cell and are not boundary faces.
+- Faces with fewer than three distinct points, as in hexahedra collapsed to wedges, are not matched with others: they
+  have one cell and are not boundary faces.
 - Cell ids are global ids. Without these, the cells of a block are counted piece by piece, so a mesh that is split into
   consecutive ranges of cells keeps its ids.
 - Indices of elements in the output are local to a process; faces are in the order of its cells. Use `OwnerCell` and the
