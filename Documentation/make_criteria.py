@@ -69,7 +69,7 @@ has undefined values. *Write Null Mask* adds an array with the reason:
 | 2 | degenerate (0/0) |
 | 3 | invalid topology: open, or several surfaces in one cell |
 | 4 | no neighbor |
-| 5 | neighbor in an unknown piece |
+| 5 | the neighbor is in another piece and has no ghost cell |
 | 6 | the value is that of the linear cell with the vertices of a higher-order cell |
 
 **Cells.** Every cell is evaluated as a polygon or polyhedron: a hexahedron has the same values as the polyhedron with

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes the table of formats in README.md from Readers/Formats.cmake, as the build passed it on:
+"""Writes the table of formats in README.md from Readers/Formats.cmake, which the plugin contains:
 
 ./camaron shell pvpython Documentation/make_formats.py
 """
@@ -29,7 +29,7 @@ def table():
 
 
 def updated(page):
-    """The page with the table as it should be."""
+    """The page with the current table."""
     before, rest = page.split(BEGIN)
     _, after = rest.split(END)
     return before + BEGIN + table() + END + after
