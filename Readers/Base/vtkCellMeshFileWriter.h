@@ -17,9 +17,11 @@
           <Entry text="Skip" value="1" />
           <Entry text="Convert" value="2" />
         </EnumerationDomain>
-        <Documentation>What becomes of cells that the format cannot hold: an error and no file, left
-        out with a warning, or cut into triangles or tetrahedra without new points. Default:
-        Refuse.</Documentation>
+        <Documentation>
+          Treatment of cells that the format cannot store: Refuse (default) reports an error and
+          writes no file, Skip omits them with a warning, and Convert splits them into triangles or
+          tetrahedra without adding points.
+        </Documentation>
       </IntVectorProperty>
  * @endcode
  */

@@ -14,8 +14,10 @@
           <Entry text="Boundary" value="0" />
           <Entry text="Every" value="1" />
         </EnumerationDomain>
-        <Documentation>Which faces of cells of three dimensions are written: those that only one
- cell has, or every face once. Default: Boundary.</Documentation>
+        <Documentation>
+          Faces of 3D cells to write: Boundary (default), the faces with only one cell; or Every,
+          each face once.
+        </Documentation>
       </IntVectorProperty>
  * @endcode
  */
