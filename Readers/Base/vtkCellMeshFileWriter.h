@@ -4,9 +4,8 @@
  * @class vtkCellMeshFileWriter
  * @brief Common part of the writers of formats that hold cells of certain types only.
  *
- * Adds the choice what becomes of other cells. See camaron::ConvertCells for what is rewritten in
- any
- * case, and how cells are cut.
+ * Adds the choice how other cells are treated. See camaron::ConvertCells for the cells that are
+ * always converted, and for how cells are split.
  *
  * The XML of every such writer has this property:
  * @code{.xml}
