@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What meshes are worth, from Python; runs in pvpython and pvbatch with the plugin Camaron.
+"""Mesh quality from Python; runs in pvpython and pvbatch with the plugin Camaron.
 
 >>> import camaron
 >>> summary = camaron.inspect("part.visf", "part-report")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The command line: arguments in, tables and one-line errors out."""
+"""The command line: parses arguments, prints tables and one-line errors."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from typing import Any, Sequence
 from .common import assessment, text
 
 ERROR = 2
-#: Of `check`, by the verdict on all meshes.
+#: Exit status of `check`, by the verdict on all meshes.
 EXIT_STATUS = {"pass": 0, "warn": 0, "fail": 1, "error": ERROR}
 
 INSPECT_HELP = """\
-Reads meshes, evaluates their quality and writes a report for each: report.html (one file, with
-histograms, worst cells and pictures), summary.json (all numbers), worst.csv and the mesh with one
-cell array for each criterion.
+Reads meshes, evaluates their quality and writes a report for each: report.html (one file with
+histograms, worst cells and pictures), summary.json (all numbers), worst.csv, and the mesh with one
+cell array per criterion.
 
   camaron inspect part.visf
   camaron inspect part.visf --preset 'FEM tetrahedra' -o part-quality
@@ -30,9 +30,9 @@ cell array for each criterion.
   camaron inspect part.visf --ranges solver.txt"""
 
 CHECK_HELP = """\
-Holds meshes to rules and says which of them fail, and where: for the scripts that make meshes. The
-exit status is 0 if all meshes keep to all rules but those that only warn, 1 if not, 2 if a mesh
-cannot be read or a rule is wrong.
+Checks meshes against rules and lists violations with the failing cells; use it in meshing scripts
+and continuous integration. The exit status is 0 if no mesh violates a rule (rules that are only
+hints warn), 1 if a mesh does, and 2 if a mesh cannot be read or a rule is invalid.
 
   camaron check part.visf --rules fem.rules
   camaron check part.visf --preset 'Finite volume' --tolerate 0.1%
@@ -42,33 +42,35 @@ A rule is a line such as
 
   MinDihedralAngle >= 10 of tetrahedra tolerate 0.1%   # at most one in a thousand
 
-Documentation/check.md tells all that a rule can say."""
+Documentation/check.md describes rules in full."""
 
 COMPARE_HELP = """\
-Puts the quality of two meshes side by side, A before and B after: a table, and a report with
-histograms over the same bins (report.html, summary.json). Where both have the same cells, counts
-which are better and worse. The exit status is 0, or 2 if a mesh cannot be read or an option is
-wrong; with --fail-if-worse 1 if B has a larger share of cells outside an acceptable range than A.
+Compares the quality of two meshes, A before and B after a change: prints a table and writes a
+report with histograms over the same bins (report.html, summary.json). If both meshes have the same
+cells, improved and worsened cells are counted. The exit status is 0, or 2 if a mesh cannot be read
+or an option is invalid; with --fail-if-worse, it is 1 if B has a larger percentage of cells outside
+an acceptable range than A.
 
   camaron compare before.visf after.visf
   camaron compare before.visf after.visf --preset 'Finite volume' --fail-if-worse"""
 
 SELECT_HELP = """\
 Selects elements of a mesh in steps, each a strategy of the filter Select Elements with its
-properties, and writes what is selected: a table (.csv), ids (.txt), a set for OpenFOAM (a name in a
-folder "sets"), or a mesh of the cells in any format. Criteria that are named are evaluated.
+properties, and writes the selection: a table (.csv), ids (.txt), a set for OpenFOAM (a name in a
+folder "sets"), or a mesh of the cells in any format. Criteria named in a step are evaluated.
 
   camaron select part.visf --by 'By criterion: Array=MinDihedralAngle' -o bad.csv -o bad.vtu
   camaron select part.visf --by 'Worst N: Array=Volume' --by Expand -o case/constant/polyMesh/sets/bad
   camaron select part.visf --by 'Shape: Shape=Sphere; Center=0,0,1; Radius=0.3; Placement=Intersects'
 
-A step goes on from the one before: Combination says how (Replace, Add, Subtract, Intersect, Toggle,
-Refine). Documentation/selection.md lists the strategies and their properties."""
+Each step changes the selection of the previous step as its Combination specifies (Replace, Add,
+Subtract, Intersect, Toggle, Refine). Documentation/selection.md lists the strategies and their
+properties."""
 
 CONVERT_HELP = """\
-Writes a mesh in another format, which the name of the target tells. Further options are those of
-the format, as listed below, each with its default; yes/no options need no value. File names that
-begin with a dash come after --.
+Writes a mesh in another format, given by the extension of OUT. Each format has further options,
+which are listed below with their defaults; on/off options need no value. File names that begin with
+a dash must follow --.
 
   camaron convert part.visf part.vtu --compressor-type lz4
   camaron convert part.vtu part.visf --encoding binary-little-endian
@@ -84,7 +86,7 @@ def _parser() -> argparse.ArgumentParser:
 
     inspect = commands.add_parser(
         "inspect",
-        help="table and report of a mesh's quality",
+        help="evaluate the quality of meshes and write reports",
         description=INSPECT_HELP,
         formatter_class=style,
     )
@@ -98,14 +100,14 @@ def _parser() -> argparse.ArgumentParser:
         type=_positive,
         default=10,
         metavar="N",
-        help="length of the lists of worst cells (%(default)s)",
+        help="number of worst cells to list (%(default)s)",
     )
     _add_groups(inspect, "type")
     _add_common(inspect)
     inspect.add_argument(
         "--json", action="store_true", help="print the summary as JSON instead of the table"
     )
-    inspect.add_argument("--no-pictures", action="store_true", help="leave out the pictures")
+    inspect.add_argument("--no-pictures", action="store_true", help="omit the pictures")
     inspect.add_argument(
         "--pictures",
         type=int,
@@ -115,13 +117,13 @@ def _parser() -> argparse.ArgumentParser:
         help="only the first N of the three pictures: the mesh, its worst cells, the worst cell",
     )
     inspect.add_argument(
-        "--no-mesh", action="store_true", help="leave out the mesh with the arrays of the criteria"
+        "--no-mesh", action="store_true", help="omit the mesh with the arrays of the criteria"
     )
-    inspect.add_argument("--verbose", action="store_true", help="say what each stage takes")
+    inspect.add_argument("--verbose", action="store_true", help="report the time of each stage")
 
     check = commands.add_parser(
         "check",
-        help="pass or fail by rules",
+        help="check meshes against rules",
         description=CHECK_HELP,
         formatter_class=style,
     )
@@ -131,28 +133,28 @@ def _parser() -> argparse.ArgumentParser:
     which.add_argument("--preset", metavar="P", help="the acceptable ranges of a preset")
     check.add_argument(
         "--tolerate",
-        metavar="SHARE",
-        help="what rules tolerate that do not say it: 0.1%%, or a number of cells (0)",
+        metavar="AMOUNT",
+        help="tolerance of rules that specify none: 0.1%%, or a number of cells (0)",
     )
     check.add_argument(
         "--worst",
         type=_positive,
         default=5,
         metavar="N",
-        help="length of the lists of cells that fail (%(default)s)",
+        help="number of failing cells to list (%(default)s)",
     )
     _add_common(check)
     check.add_argument("--json", action="store_true", help="print JSON instead of tables")
-    check.add_argument("--junit", metavar="FILE", help="write a report for build servers, too")
+    check.add_argument("--junit", metavar="FILE", help="also write a report for CI servers")
 
     compare = commands.add_parser(
         "compare",
-        help="two meshes side by side",
+        help="compare the quality of two meshes",
         description=COMPARE_HELP,
         formatter_class=style,
     )
     compare.add_argument("a", metavar="A", help="file that ParaView can open")
-    compare.add_argument("b", metavar="B", help="another one")
+    compare.add_argument("b", metavar="B", help="file that ParaView can open")
     compare.add_argument(
         "-o", "--output", metavar="DIR", help="folder of the report; default: A-B-comparison"
     )
@@ -165,19 +167,22 @@ def _parser() -> argparse.ArgumentParser:
     compare.add_argument(
         "--fail-if-worse",
         action="store_true",
-        help="exit with 1 if B has a larger share of cells outside an acceptable range",
+        help="exit with 1 if B has a larger percentage of cells outside an acceptable range",
     )
 
     convert = commands.add_parser(
         "convert",
-        help="from one format to another",
+        help="convert a mesh to another format",
         usage="camaron convert [OPTION...] IN OUT",
         description=CONVERT_HELP,
         formatter_class=style,
         add_help=False,
     )
     convert.add_argument(
-        "-h", "--help", action=_FormatsHelp, help="this text, with all formats and their options"
+        "-h",
+        "--help",
+        action=_FormatsHelp,
+        help="show this help with all formats and their options",
     )
     convert.add_argument("source", metavar="IN", help="file that ParaView can open")
     convert.add_argument("target", metavar="OUT", help="file to write")
@@ -185,7 +190,7 @@ def _parser() -> argparse.ArgumentParser:
 
     select = commands.add_parser(
         "select",
-        help="elements as lists, tables or meshes",
+        help="select elements and write lists, tables or meshes",
         description=SELECT_HELP,
         formatter_class=style,
     )
@@ -203,20 +208,20 @@ def _parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         metavar="FILE",
-        help="what to write; may be repeated",
+        help="file to write; may be repeated",
     )
     _add_common(select)
     select.add_argument("--json", action="store_true", help="print JSON instead of lines")
 
-    criteria = commands.add_parser("criteria", help="list of the criteria and presets")
+    criteria = commands.add_parser("criteria", help="list the criteria and presets")
     criteria.add_argument(
-        "names", nargs="*", metavar="NAME", help="only these, with their descriptions"
+        "names", nargs="*", metavar="NAME", help="show only these, with their descriptions"
     )
     return parser
 
 
 class _FormatsHelp(argparse.Action):
-    """Prints the help of a command and the formats, which only a running ParaView knows."""
+    """Prints the help of a command and the formats, which are only known once ParaView runs."""
 
     def __init__(self, option_strings, dest, help=None):
         super().__init__(option_strings, argparse.SUPPRESS, nargs=0, help=help)
@@ -240,14 +245,14 @@ def _add_criteria(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--ranges",
         metavar="FILE",
-        help="acceptable ranges of your own, lines of: criterion lowest highest",
+        help="file of acceptable ranges, with lines of: criterion lowest highest",
     )
     parser.add_argument(
         "--bins",
         type=_positive,
         default=50,
         metavar="N",
-        help="bins of the histograms (%(default)s)",
+        help="number of histogram bins (%(default)s)",
     )
 
 
@@ -256,7 +261,7 @@ def _add_groups(parser: argparse.ArgumentParser, default: str) -> None:
         "--group-by",
         default=default,
         metavar="WHAT",
-        help="groups with numbers of their own: type, block, none or a cell array (%(default)s)",
+        help="also evaluate groups of cells by type, block, none or a cell array (%(default)s)",
     )
 
 
@@ -281,7 +286,8 @@ _positive.__name__ = "positive number"  # argparse says "invalid positive number
 
 
 def main(arguments: Sequence[str]) -> int:
-    """Runs the command; returns its exit status: 0 done, 2 error, 130 interrupted; 1 is a verdict."""
+    """Runs the command and returns its exit status: 0 done, 1 failed check, 2 error, 130
+    interrupted."""
     parser = _parser()
     rest: list[str] = []
     if list(arguments[:1]) == ["convert"]:
@@ -299,19 +305,19 @@ def main(arguments: Sequence[str]) -> int:
         return 0
     except (ValueError, RuntimeError, OSError, MemoryError) as error:
         if isinstance(error, OSError) and error.strerror and not error.filename:
-            _close_output()  # which is where the disk is full
-        # All that is wrong with rules, a line each, or one reason.
+            _close_output()  # its disk is full
+        # All problems of rules, one per line, or a single reason.
         _complain(*getattr(error, "problems", [_reason(error, *_meshes(options))]))
         return ERROR
 
 
 def _close_output() -> None:
-    """Nobody reads on, or takes more: what is still to be printed goes nowhere."""
+    """Discards all further output, which has no reader or no space left."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.__stdout__.fileno())
 
 
 def _meshes(options: argparse.Namespace) -> list[str]:
-    """The meshes that a command is about."""
+    """The meshes in the arguments of a command."""
     found = [
         getattr(options, name) for name in ("mesh", "a", "b", "source") if hasattr(options, name)
     ]
@@ -319,25 +325,27 @@ def _meshes(options: argparse.Namespace) -> list[str]:
 
 
 def _complain(*reasons: str) -> None:
-    """Each on a line of the standard error."""
+    """Prints each reason on a line of standard error."""
     for reason in reasons:
         print(f"camaron: {text.printable(reason)}", file=sys.stderr, flush=True)
 
 
 def _reason(error: Exception, *meshes: str) -> str:
-    """What went wrong, of a file with its name first; `meshes` are those that memory may not suffice for."""
+    """The reason of an error, after the name of its file; `meshes` are named when memory runs
+    out."""
     if isinstance(error, MemoryError):
         return f"{', '.join(meshes) or 'camaron'}: out of memory"
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename or 'standard output'}: {error.strerror}"
-    # Readers and writers name their options as the window does.
+    # Readers and writers refer to options by their labels in the window.
     return str(error).replace("Unsupported Cells", "--unsupported-cells")
 
 
 class _StatusLine:
-    """A line at the bottom of a terminal that the next one takes the place of; nothing elsewhere."""
+    """A line at the bottom of a terminal that is replaced by the next one; no output without a
+    terminal."""
 
-    #: Seconds from which on people wonder.
+    #: Seconds before the line is shown.
     WAIT = 3.0
 
     def __init__(self):
@@ -369,7 +377,7 @@ def _check_ranks(wanted: int | None) -> None:
     if wanted and wanted != running:
         raise RuntimeError(
             f"--ranks {wanted}, but this program runs on {text.plural(running, 'rank')}: "
-            f"start it through the command camaron, or with mpiexec -n {wanted} pvbatch"
+            f"start it with the command camaron, or with mpiexec -n {wanted} pvbatch"
         )
 
 
@@ -481,14 +489,15 @@ def _compare(options: argparse.Namespace, _rest: list[str]) -> int:
 
 
 def _wants_color() -> bool:
-    """Whether to mark lines in red; mpiexec shows every program a terminal, there or not."""
+    """Whether to print lines in red; under mpiexec, every program seems to have a terminal."""
     from .common import pipeline
 
     return sys.stdout.isatty() and "NO_COLOR" not in os.environ and pipeline.rank_count() == 1
 
 
 def _report_folders(meshes: Sequence[str], output: str | None) -> list[Path]:
-    """One folder for each mesh: NAME-report here, DIR, or DIR/NAME where there are several."""
+    """One folder per mesh: NAME-report in the current folder, DIR, or DIR/NAME for several
+    meshes."""
     stems = [Path(mesh).stem for mesh in meshes]
     names = [
         stem if stems.count(stem) == 1 else str(Path(mesh)).strip("/").replace(os.sep, "-")
@@ -500,7 +509,7 @@ def _report_folders(meshes: Sequence[str], output: str | None) -> list[Path]:
 
 
 def describe(summary: dict[str, Any], color: bool = False) -> str:
-    """The summary as text: facts, one line for each criterion, what stands out."""
+    """The summary as text: facts about the mesh, one line per criterion, and the findings."""
     summary = text.all_printable(summary)
     mesh, criteria = summary["mesh"], summary["criteria"]
     types = ", ".join(f"{t['count']} {t['name']}" for t in mesh["cell_types"])
@@ -536,7 +545,8 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
 
 
 def _table(criteria: list[dict[str, Any]], color: bool) -> list[str]:
-    """Columns of undefined and infinite values only where there are some."""
+    """The table of criteria; it has columns of undefined and infinite values only if there are
+    any."""
     columns = [
         ("criterion", lambda c: c["name"]),
         ("unit", lambda c: c["unit"]),
@@ -594,7 +604,8 @@ def _convert(options: argparse.Namespace, rest: list[str]) -> int:
 
 
 def _split_writer_options(arguments: Sequence[str]) -> tuple[list[str], list[str]]:
-    """What argparse is to see, and the options of the writer, whose names it does not know.
+    """Splits the arguments into those for argparse and the options of the writer, which argparse
+    does not know.
 
     >>> _split_writer_options(["convert", "a.visf", "--file-type", "ascii", "b.vtu"])
     (['convert', 'a.visf', 'b.vtu'], ['--file-type', 'ascii'])
@@ -617,7 +628,7 @@ def _split_writer_options(arguments: Sequence[str]) -> tuple[list[str], list[str
 
 
 def _writer_options(arguments: list[str]) -> dict[str, str]:
-    """`--name value`, `--name=value`, `--name` for yes, and `--option NAME=VALUE`.
+    """Parses `--name value`, `--name=value`, `--name` for on, and `--option NAME=VALUE`.
 
     >>> _writer_options(["--file-type", "ASCII", "--compression-level=3", "--write-time-steps"])
     {'file-type': 'ASCII', 'compression-level': '3', 'write-time-steps': 'on'}

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that name selected elements: ids, tables, OpenFOAM's sets."""
+"""Writes lists of selected elements: ids, tables, OpenFOAM's sets."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from paraview import servermanager, simple
 from .common import pipeline
 from .common.files import Staging
 
-#: Where OpenFOAM looks for sets: constant/polyMesh/sets/NAME.
+#: Folder of OpenFOAM's sets: constant/polyMesh/sets/NAME.
 SETS = "sets"
 
 FOAM_SET = """\
@@ -36,7 +36,8 @@ FoamFile
 
 
 def is_list(path: os.PathLike | str) -> bool:
-    """Whether `write_list` writes files of that name: .csv, .txt, or any name without one in a folder sets."""
+    """Whether `write_list` accepts the name: .csv, .txt, or no extension in a folder named
+    "sets"."""
     path = Path(path)
     return path.suffix.lower() in (".csv", ".txt") or _is_set(path)
 
@@ -46,22 +47,23 @@ def _is_set(path: Path) -> bool:
 
 
 def write_list(select: Any, path: os.PathLike | str) -> int:
-    """Writes what a SelectElements filter selects, sorted by id, and returns how many elements that are.
+    """Writes the elements selected by a SelectElements filter, sorted by id, and returns their
+    number.
 
-    A table for .csv: what SelectionTable gives. Ids for .txt, one on each line: global ids if all elements have one,
-    else indices. For any name without an extension in a folder named "sets" OpenFOAM's cellSet or pointSet of
-    the indices, which are OpenFOAM's labels if the mesh has its cells and points in OpenFOAM's order, as
-    OpenFOAMReader leaves them that does not decompose polyhedra.
+    A .csv file contains the table of SelectionTable. A .txt file contains one id per line: global
+    ids if all elements have one, else indices. A name without an extension in a folder named "sets"
+    becomes OpenFOAM's cellSet or pointSet of the indices, which are OpenFOAM's labels if the mesh
+    has OpenFOAM's order of cells and points, as from OpenFOAMReader without decomposed polyhedra.
 
-    Raises ValueError for other names, and for a set of a mesh with global ids or blocks.
+    Raises ValueError for other names, and for a set of a mesh with blocks.
     """
     path = Path(path)
     if not is_list(path):
         raise ValueError(
-            f"{path}: expected a name that ends in .csv or .txt, or a set in a folder 'sets'"
+            f"{path}: expected a name that ends in .csv or .txt, or a set in a folder named 'sets'"
         )
     if _is_set(path) and pipeline.is_composite(select):
-        raise ValueError(f"{path}: a set names elements of one mesh, and this one has blocks")
+        raise ValueError(f"{path}: a set contains elements of one mesh, and this one has blocks")
     table = simple.SelectionTable(Input=select)
     try:
         rows = sorted(_rows(table), key=lambda row: row["Id"])
@@ -76,7 +78,7 @@ def write_list(select: Any, path: os.PathLike | str) -> int:
 
 
 def _rows(table: Any) -> list[dict[str, Any]]:
-    """Of all processes; of an array with several components a column for each."""
+    """The rows of all processes; each component of an array has a column."""
     rows = []
     for rank in range(servermanager.ActiveConnection.GetNumberOfDataPartitions()):
         part = servermanager.Fetch(table, rank)
@@ -104,7 +106,7 @@ def _content(select: Any, rows: list[dict[str, Any]], path: Path) -> str:
 
 
 def _csv(rows: list[dict[str, Any]]) -> str:
-    """Numbers with all their digits."""
+    """The table as CSV, with all digits of numbers."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     header = list(rows[0]) if rows else ["Id", "Block", "CellType", "X", "Y", "Z"]

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Elements of a mesh by one strategy after the other, as lists of ids, tables or meshes."""
+"""Selects elements of a mesh in steps, and writes them as ids, tables or meshes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .common.formats import plain
 
 #: Property of SelectElements that opens the file of a closed surface.
 SURFACE = "Surface"
-#: Properties that are not for one step.
+#: Properties that steps cannot set.
 NO_STEP = {"Input", "Selection", "Elements", "Strategy"}
 YES, NO = ("yes", "on", "true", "1"), ("no", "off", "false", "0")
 
@@ -33,20 +33,22 @@ def select(
 ) -> dict[str, Any]:
     """Selects elements of a mesh in steps and writes them to files.
 
-    A step is a strategy of SelectElements with properties, such as "Worst N: Array=Volume; NumberOfWorst=5" or
-    "Shape: Shape=Sphere; Center=0,0,1; Radius=0.2; Combination=Subtract"; the next one goes on from what it selects.
-    Criteria that are named for Array are evaluated. Documentation/selection.md tells the formats of the outputs:
-    tables (.csv), ids (.txt), OpenFOAM's sets (any name in a folder "sets"), and meshes of the cells.
+    A step is a strategy of SelectElements with properties, such as "Worst N: Array=Volume;
+    NumberOfWorst=5" or "Shape: Shape=Sphere; Center=0,0,1; Radius=0.2; Combination=Subtract"; the
+    next step starts from its selection. Criteria named as Array are evaluated.
+    Documentation/selection.md describes the formats of the outputs: tables (.csv), ids (.txt),
+    OpenFOAM's sets (any name in a folder "sets"), and meshes of the cells.
 
-    Returns what `camaron select --json` prints. Raises ValueError for wrong steps and names, before the
-    mesh is read where that is possible, and RuntimeError for a mesh that cannot be read and a step that fails.
+    Returns the output of `camaron select --json`. Raises ValueError for invalid steps and names,
+    before the mesh is read if possible, and RuntimeError for a mesh that cannot be read or a step
+    that fails.
 
     >>> camaron.select("part.visf", ["By criterion: Array=MinDihedralAngle"], ["bad.csv"])["selected"]
     12
     """
     parsed = [_parse(step) for step in steps]
     if not parsed:
-        raise ValueError("there is no step to select by")
+        raise ValueError("expected at least one selection step")
     targets = [Path(output) for output in outputs]
     pipeline.load_plugin()
     for target in targets:
@@ -80,7 +82,7 @@ def select(
 
 
 def _parse(step: str) -> tuple[str, dict[str, str]]:
-    """The strategy and its properties.
+    """Splits a step into the strategy and its properties.
 
     >>> _parse("Worst N: Array=Volume; NumberOfWorst=5")
     ('Worst N', {'Array': 'Volume', 'NumberOfWorst': '5'})
@@ -96,7 +98,7 @@ def _parse(step: str) -> tuple[str, dict[str, str]]:
 
 
 def _criteria(evaluated: Evaluation, steps: Iterable[tuple[str, dict[str, str]]]) -> list[str]:
-    """Names of criteria that the steps need and the mesh does not have."""
+    """Names of criteria that the steps need and the mesh lacks."""
     known = list(evaluated.quality.GetProperty("Criteria").Available)
     there = set(evaluated.opened.source.CellData.keys())
     wanted = []
@@ -138,7 +140,7 @@ def _set(chain: Any, strategy: str, properties: dict[str, str], surfaces: list[A
 
 
 def _complete(properties: dict[str, str]) -> dict[str, str]:
-    """What other properties say of the range and of the array.
+    """Adds properties that follow from others: the range, and the array of points.
 
     >>> _complete({"Array": "B", "element type": "points", "UpperLimit": "2"})
     {'element type': 'points', 'UpperLimit': '2', 'PointArray': 'B', 'Range': 'Custom'}
@@ -153,7 +155,7 @@ def _complete(properties: dict[str, str]) -> dict[str, str]:
 
 
 def _set_property(proxy: Any, name: str, value: str) -> None:
-    """A property by text: a word, a number, yes or no, or a list of numbers."""
+    """Sets a property from a text: a word, a number, yes or no, or a list of numbers."""
     prop = proxy.GetProperty(name)
     kind = type(prop.SMProperty).__name__
     if "Proxy" in kind:
@@ -206,7 +208,7 @@ def _write(evaluated: Evaluation, chain: Any, target: Path, notes: list[str]) ->
         return
     if chain.GetProperty("ElementType").GetData() != "Cells":
         raise ValueError(
-            f"{target}: points are no mesh; write .csv or .txt, or change them to cells"
+            f"{target}: points cannot be written as a mesh; write .csv or .txt, or convert the selection to cells"
         )
     cells = evaluated.make_of(
         chain,
@@ -217,5 +219,5 @@ def _write(evaluated: Evaluation, chain: Any, target: Path, notes: list[str]) ->
     )
     cells.UpdatePipeline()
     if pipeline.data_information(cells).GetNumberOfCells() == 0:
-        raise RuntimeError(f"{target}: nothing is selected, so there is nothing to write")
+        raise RuntimeError(f"{target}: no cell is selected, so there is nothing to write")
     conversion.write_source(cells, target, notes)

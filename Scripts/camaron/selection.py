@@ -14,10 +14,10 @@ from paraview.modules.vtkRemotingViews import vtkSMSelectionHelper
 def set_active_selection(source: Any, port: int = 0) -> None:
     """Makes the cells or points that a SelectElements filter selects ParaView's active selection.
 
-    The selection is a description, "Selected is 1 on this output", so it follows the filter when that
-    is updated. It is what Find Data, Extract Selection and the views know as the selection of the source;
-    in the window Select Elements does the same when it is applied. ParaView before 6 does not keep active
-    selections in states: there call this again after loading one.
+    The selection is defined by "Selected is 1 on this output", so it follows updates of the filter.
+    Find Data, Extract Selection and the views use it as the selection of the source; in the window,
+    Select Elements does the same when it is applied. ParaView before 6 does not save active
+    selections in states: call this again after loading a state.
 
     >>> worst = simple.SelectElements(Input=quality, Strategy="Worst N", Array="EdgeLengthRatio")
     >>> worst.UpdatePipeline()
@@ -34,7 +34,7 @@ def set_active_selection(source: Any, port: int = 0) -> None:
     )
     if arrays.GetArrayInformation("Selected") is None:
         raise ValueError(
-            'the output has no array "Selected": update it, or is it no SelectElements?'
+            'the output has no array "Selected": expected an updated SelectElements filter'
         )
     selected = paraview_selection._createSelection(
         "ThresholdSelectionSource",

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run by ParaView's window as it starts: opens and shows the files that `camaron view` names.
+"""Startup script of ParaView's window that opens and shows the files of `camaron view`.
 
     PYTHONPATH=Scripts CAMARON_VIEW=mesh.visf paraview --script Scripts/camaron/view.py
 
-CAMARON_VIEW holds one file name a line; a script of the window has no arguments.
+CAMARON_VIEW contains one file name per line, because a startup script has no arguments.
 """
 
 import os

@@ -111,7 +111,7 @@ class TestCheck(camaron_testing.TestCase):
         message = r"blocks\.vtpc: there is no block lost with cells; did you mean last\?"
         with self.assertRaisesRegex(RuntimeError, message):
             check(path, ["Volume > 0 in lost"])
-        with self.assertRaisesRegex(RuntimeError, "there are first, last"):
+        with self.assertRaisesRegex(RuntimeError, "the mesh has first, last"):
             check(path, ["Volume > 0 in qqq"])
 
     def test_families(self):
@@ -321,7 +321,7 @@ class TestCheck(camaron_testing.TestCase):
         path, _, _ = self.cubes()
         for scope, message in (
             ("where Materail = 1", "no cell array Materail; did you mean Material"),
-            ("in rotor", "no block rotor with cells; there are Block 0"),
+            ("in rotor", "no block rotor with cells; the mesh has Block 0"),
         ):
             with self.assertRaisesRegex(RuntimeError, rf"cubes\.vtu: .*{message}"):
                 check(path, [f"Volume > 0 {scope}"])

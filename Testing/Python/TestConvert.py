@@ -58,7 +58,7 @@ class TestConvert(camaron_testing.TestCase):
         """Formats of triangles say which cells they leave out."""
         cells = [*TETRAHEDRA, (3, (0, 1)), (4, (5, 6, 7)), (1, (2,)), (1, (3,))]
         source = camaron_testing.write_vtk(self.folder / "lines.vtk", CUBE, cells)
-        lost = "Left out, as no triangles: 2 vertices, 1 line, 1 poly line."
+        lost = "Omitted, because these are not triangles: 2 vertices, 1 line, 1 poly line."
         self.assertIn(lost, convert(source, self.folder / "lines.stl"))
         surface = self.folder / "lines.vtp"
         self.assertNotIn(lost, convert(source, surface))
@@ -102,10 +102,10 @@ class TestConvert(camaron_testing.TestCase):
             ({"data_mod": "ascii"}, "did you mean data-mode?"),
             ({"data_mod": "ascii"}, "--data-mode ascii|binary|appended (appended)"),
             ({"data_mode": "asci"}, "one of ascii, binary, appended"),
-            ({"encode_appended_data": "maybe"}, "is on or off, not maybe"),
+            ({"encode_appended_data": "maybe"}, "must be on or off, not maybe"),
             (
                 {"time_step_stride": "two"},
-                "time_step_stride is a whole number of at least 1, not two",
+                "time_step_stride must be an integer of at least 1, not two",
             ),
             ({"file_name_suffix": "-%d", "time_step_stride": 0}, "of at least 1, not 0"),
         ):
@@ -140,11 +140,11 @@ class TestConvert(camaron_testing.TestCase):
             (self.folder / target).unlink()
             for options, reason in (
                 ({"point-data-arrays": "pp"}, "no array of points is named pp (did you mean p?)"),
-                ({"cell-data-arrays": "a,p"}, "no array of cells is named p; there are a, b"),
-                ({"cell-data-arrays": "A"}, "there are a, b"),
+                ({"cell-data-arrays": "a,p"}, "no array of cells is named p; the mesh has a, b"),
+                ({"cell-data-arrays": "A"}, "the mesh has a, b"),
                 (
                     {"field-data-arrays": "x"},
-                    "unknown option" if "ply" in target else "there are none",
+                    "unknown option" if "ply" in target else "the mesh has none",
                 ),
             ):
                 with self.assertRaisesRegex(ValueError, re.escape(reason)):
@@ -157,18 +157,18 @@ class TestConvert(camaron_testing.TestCase):
         """A format of ParaView that holds no arrays says which were lost."""
         source = camaron_testing.write_vtk(self.folder / "q.vtk", CUBE, [(9, (0, 1, 2, 3))])
         source.write_text(source.read_text() + "\nCELL_DATA 1\nFIELD f 1\na 1 1 float\n1\n")
-        lost = "Files named *.stl hold no arrays; not written: a of cells."
+        lost = "*.stl files store no arrays; not written: a of cells."
         self.assertEqual(convert(source, self.folder / "q.stl"), [lost])
 
     def test_numbers(self):
         """Numbers outside the range of an option are refused, and the range is named."""
         source = self.mesh()
         for name, options, reason in (
-            ("x.m3d", {"digits": "99"}, "digits is a whole number from 6 to 17, not 99"),
+            ("x.m3d", {"digits": "99"}, "digits must be an integer from 6 to 17, not 99"),
             ("x.m3d", {"digits": "-5"}, "from 6 to 17, not -5"),
             ("x.m3d", {"digits": "9.7"}, "from 6 to 17, not 9.7"),
             ("x.off", {"digits": "abc"}, "from 0 to 17, not abc"),
-            ("x.ele", {"first-id": 7}, "first-id is one of 0, 1, not 7"),
+            ("x.ele", {"first-id": 7}, "first-id must be one of 0, 1, not 7"),
         ):
             with self.assertRaisesRegex(ValueError, reason):
                 convert(source, self.folder / name, **options)
@@ -181,7 +181,7 @@ class TestConvert(camaron_testing.TestCase):
         """Formats that hold a table only say so."""
         source, target = self.mesh(), self.folder / "two.csv"
         (note,) = convert(source, target, field_association="Point Data")
-        self.assertIn("Only a table was written, of the point data", note)
+        self.assertIn("Only a table of the point data was written", note)
         self.assertEqual(len(target.read_text().splitlines()), 1 + len(CUBE))
         (note,) = convert(source, target, field_association="cell-data")
         self.assertIn("of the cell data", note)
@@ -190,19 +190,19 @@ class TestConvert(camaron_testing.TestCase):
         """A folder that is made is told, and is gone again after an error."""
         folder = self.folder / "new" / "folder"
         (note,) = convert(self.mesh(), folder / "two.visf")
-        self.assertEqual(note, f"The folder {folder} was made.")
+        self.assertEqual(note, f"The folder {folder} was created.")
         self.assertEqual(convert(self.mesh(), folder / "again.visf"), [])
         with self.assertRaises(ValueError):
             convert(self.mesh(), self.folder / "other" / "two.m3d", digits=1)
         self.assertFalse((self.folder / "other").exists())
-        with self.assertRaisesRegex(OSError, "two.vtk: cannot write into this folder: File exists"):
+        with self.assertRaisesRegex(OSError, "two.vtk: cannot write to this folder: File exists"):
             convert(self.mesh(), self.folder / "two.vtk" / "x.visf")
 
     def test_folders_of_pieces(self):
         """Pieces never replace those of another mesh, nor what else lies in their folder."""
         first, second = self.folder / "m.pvtu", self.folder / "m.pvtp"
         convert(self.mesh(), first)
-        with self.assertRaisesRegex(RuntimeError, "m for its pieces is there already"):
+        with self.assertRaisesRegex(RuntimeError, "m for its pieces already exists"):
             convert(self.mesh(), second)
         self.assertFalse(second.exists())
         self.assertEqual(self.cells(first), 2)
@@ -242,7 +242,7 @@ class TestConvert(camaron_testing.TestCase):
         array = '<DataArray type="UInt8" Name="vtkGhostType" format="ascii"> 0 1 </DataArray>'
         text = re.sub(r"<CellData[^>]*>", lambda found: found[0] + array, pieces.read_text())
         pieces.write_text(text)
-        self.assertEqual(convert(pieces, target), ["Left out: 1 ghost cell."])
+        self.assertEqual(convert(pieces, target), ["Omitted: 1 ghost cell."])
         self.assertEqual(self.cells(target), 1)
         convert(pieces, self.folder / "surface.vtp")
         self.assertEqual(self.cells(self.folder / "surface.vtp"), 4)
@@ -291,12 +291,12 @@ class TestConvert(camaron_testing.TestCase):
             target = self.folder / name
             target.write_text("old")
             with self.assertRaisesRegex(
-                ValueError, f"{name}: .* polyhedra, of which the mesh has 1: choose .vtu"
+                ValueError, f"{name}: .* polyhedra, and the mesh has 1: choose .vtu"
             ):
                 convert(source, target)
             self.assertEqual(target.read_text(), "old")
         polygon = camaron_testing.write_vtk(self.folder / "polygon.vtk", CUBE, [(7, (0, 1, 2, 3))])
-        with self.assertRaisesRegex(ValueError, "cannot hold polygons, of which the mesh has 1: "):
+        with self.assertRaisesRegex(ValueError, "cannot store polygons, and the mesh has 1: "):
             convert(polygon, self.folder / "polygon.exo")
 
     def test_refused_cells(self):
@@ -365,7 +365,7 @@ class TestConvert(camaron_testing.TestCase):
             ("folder.msh", "this is a folder, not a mesh"),
             ("empty.visf", "the file is empty"),
             ("text.visf", "expected a Visf file"),
-            ("x.unheard", r"no reader knows files named \*.unheard; camaron convert --help"),
+            ("x.unheard", r"there is no reader for \*.unheard files; camaron convert --help"),
             (".", "this is a folder, not a mesh"),
             ("pipe.visf", "this is a pipe or a device"),
         ):
@@ -432,7 +432,9 @@ class TestConvert(camaron_testing.TestCase):
         """Files that come with a target do not replace those of something else; EnSight's has its name."""
         for name, other in (("m.xmf", "m.h5"), ("m.ele", "m.node"), ("n.case", "n.0.00000.geo")):
             (self.folder / other).write_text("mine")
-            with self.assertRaisesRegex(RuntimeError, f"{name}: it comes with the file .*{other}"):
+            with self.assertRaisesRegex(
+                RuntimeError, f"{name}: the file .*{other}, which is written with it"
+            ):
                 convert(self.mesh(), self.folder / name)
             self.assertEqual((self.folder / other).read_text(), "mine")
             self.assertFalse((self.folder / name).exists())
@@ -451,7 +453,7 @@ class TestConvert(camaron_testing.TestCase):
         self.assertEqual(after, before)
         (self.folder / "m.neigh").write_text("old")
         notes = convert(self.mesh(), self.folder / "m.ele")
-        self.assertIn("Files beside it do not belong to this mesh: m.neigh.", notes)
+        self.assertIn("Files of the same name do not belong to this mesh: m.neigh.", notes)
 
     def test_killed(self):
         """Whatever ends the process while it writes, no folder of its own stays behind."""

@@ -63,7 +63,7 @@ class TestConvertRanks(camaron_testing.TestCase):
         self.assertIn("16 points of pieces without global ids were taken for those of other", note)
         points, faces, cells = camaron_testing.read_visf(target)
         self.assertEqual((len(points), len(faces), len(cells)), (4 * 6, 5 * 5 + 1, 5))
-        apart = "Points at the borders of the 5 pieces may be there several times."
+        apart = "Points at the borders of the 5 pieces may be duplicated."
         self.assertEqual(convert(pieces, self.folder / "row-again.pvtu"), [apart])
 
     def test_formats_of_one_process(self):
@@ -81,7 +81,7 @@ class TestConvertRanks(camaron_testing.TestCase):
             ("m.obj", ".pvtu"),
         ):
             reason = (
-                f"by one process: leave out --ranks, or choose {instead} or a format of the plugin"
+                f"by one process only: omit --ranks, or choose {instead} or a format of the plugin"
             )
             with self.assertRaisesRegex(ValueError, re.escape(reason)):
                 convert(source, self.folder / name)

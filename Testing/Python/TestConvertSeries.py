@@ -57,7 +57,7 @@ class TestConvertSeries(camaron_testing.TestCase):
         nothing.write_text('{"files": []}')
         missing = self.write_series("m.msh.series", "missing.msh")
         for series, reason in (
-            (gmsh, "the first file of the series is a Gmsh mesh: convert the files one by one"),
+            (gmsh, "the first file of the series is a Gmsh mesh: convert the files individually"),
             (nothing, "expected a series of files"),
             (missing, "missing.msh, is not there"),
         ):
@@ -70,7 +70,7 @@ class TestConvertSeries(camaron_testing.TestCase):
             convert(camaron_testing.EXAMPLES / "flange.visf", self.folder / f"s{step}.visf")
         series = self.write_series("s.visf.series", "s0.visf", "s1.visf")
         (note,) = convert(series, self.folder / "one.visf")
-        self.assertIn("Of 2 time steps number 1", note)
+        self.assertIn("Of 2 time steps, step 1", note)
         self.assertEqual(convert(series, self.folder / "all.visf", write_time_steps="on"), [])
         names = sorted(path.name for path in self.folder.glob("all*"))
         self.assertEqual(names, ["all_0.visf", "all_1.visf"])

@@ -43,7 +43,7 @@ class TestEnds(camaron_testing.TestCase):
         )
         name = done.stdout.strip()
         self.assertEqual(
-            done.stderr, f"camaron: the display {name} went away while pictures were taken\n"
+            done.stderr, f"camaron: the display {name} disappeared while pictures were rendered\n"
         )
         self.assertEqual(done.returncode, 2)
 

@@ -182,7 +182,7 @@ class TestNames(camaron_testing.TestCase):
         notes = convert(path, self.folder / "target.vtu")
         self.assertEqual(
             notes,
-            ["Names that files named *.vtu cannot hold are changed: 'a?[31mb' to 'a_[31mb'."],
+            ["Names that *.vtu files cannot store are changed: 'a?[31mb' to 'a_[31mb'."],
         )
         self.assertEqual(self.names(self.open(self.folder / "target.vtu")), ["a_[31mb", "plain"])
 
@@ -237,7 +237,7 @@ class TestNames(camaron_testing.TestCase):
         again = self.open(self.folder / "report" / summary["files"]["mesh"])
         self.assertIn(MARKS[0], self.names(again))
         self.assertEqual(
-            sum("cannot hold" in note for note in summary["notes"]), 1, summary["notes"]
+            sum("cannot store" in note for note in summary["notes"]), 1, summary["notes"]
         )
 
     def test_terminal(self):

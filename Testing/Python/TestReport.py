@@ -94,7 +94,7 @@ class TestReport(camaron_testing.TestCase):
         say = lambda *criteria: [
             f["text"] for f in assessment.findings({**summary, "criteria": list(criteria)})
         ]
-        self.assertEqual(say(), ["None of the criteria has a meaning for the cells of this mesh."])
+        self.assertEqual(say(), ["None of the criteria applies to the cells of this mesh."])
         good = criterion("Good", [0.9] * 4, limits=(0.5, None))
         self.assertEqual(say(good), ["No cell is outside the acceptable range."])
         bad = criterion("Bad", [0.1, 0.9, 0.9, 0.9], limits=(0.5, None))

@@ -227,7 +227,7 @@ class TestRules(camaron_testing.TestCase):
                 ("EdgeLengthRatio", "of wedges"): "1%",
             },
         )
-        with self.assertRaisesRegex(ValueError, "--tolerate: expected a share .* mean 0.5%"):
+        with self.assertRaisesRegex(ValueError, "--tolerate: expected a percentage .* mean 0.5%"):
             rules.tolerance("0.5")
         with self.assertRaisesRegex(ValueError, "--tolerate: expected end of text, found 'b'"):
             rules.tolerance("5 b")
@@ -296,17 +296,17 @@ class TestRules(camaron_testing.TestCase):
             ("Volume > 0 where", "expected the name of a cell array, found end of line"),
             ("Volume > 0 where Material 3", "expected = after Material, found '3'"),
             ("Volume > 0 where Material > 3", "expected = after Material, found '>'"),
-            ("Volume > 0 where Material = steel", "expected a whole number, found 'steel'"),
-            ("Volume > 0 where Material = 3.5", "expected a whole number of 64 bits, found '3.5'"),
+            ("Volume > 0 where Material = steel", "expected an integer, found 'steel'"),
+            ("Volume > 0 where Material = 3.5", "expected a 64-bit integer, found '3.5'"),
             (
                 "Volume > 0 where Material = 2e19",
-                "expected a whole number of 64 bits, found '2e19'",
+                "expected a 64-bit integer, found '2e19'",
             ),
             (
                 "Volume > 0 where Material = 9007199254740992.5",
-                "expected a whole number of 64 bits, found '9007199254740992.5'",
+                "expected a 64-bit integer, found '9007199254740992.5'",
             ),
-            ("Volume > 0 where Material = inf", "expected a whole number of 64 bits, found 'inf'"),
+            ("Volume > 0 where Material = inf", "expected a 64-bit integer, found 'inf'"),
             (
                 "Volume > 0 tolerate",
                 "expected a share such as 0.1%, or a number of cells, found end of line",
@@ -323,7 +323,7 @@ class TestRules(camaron_testing.TestCase):
                 "Volume > 0 tolerate 0.1",
                 "expected a share such as 0.1%, or a number of cells, found '0.1'; did you mean 0.1%?",
             ),
-            ("Volume > 0 tolerate 101%", "expected a share of at most 100%, found '101%'"),
+            ("Volume > 0 tolerate 101%", "expected a percentage of at most 100%, found '101%'"),
             ("Volume > 0 null", "expected fails or passes after null, found end of line"),
             (
                 "Volume > 0 null pass",
@@ -370,7 +370,7 @@ class TestRules(camaron_testing.TestCase):
                 "rules:1: expected a number, found 'x'",
                 "rules:4: expected the name of a criterion, found 'FaceCont'; "
                 "did you mean FaceCount?",
-                "rules:7: expected another rule than that of line 2, found Volume > 0 again",
+                "rules:7: expected a rule other than that of line 2, found Volume > 0 again",
             ],
         )
         for lines in ((), ("# nothing",), ("Volume * *",)):

@@ -167,7 +167,7 @@ class TestSelectCommand(camaron_testing.TestCase):
         for target, reason in (
             ("none.zzz", "no writer for .zzz"),
             ("none", "no writer for files without an extension"),
-            ("none.vtu", "nothing is selected"),
+            ("none.vtu", "no cell is selected"),
         ):
             done = self.run_select(BALL, "--by", "By id: Ids=", "-o", target)
             self.assertEqual(done.returncode, 2, target)

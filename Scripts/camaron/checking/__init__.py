@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a mesh keeps to rules."""
+"""Checks meshes against rules."""
 
 from __future__ import annotations
 
@@ -33,17 +33,16 @@ def check(
     time: str = "last",
     say: Callable[[str], None] = lambda words: None,
 ) -> dict[str, Any]:
-    """Holds a mesh to rules, or to the ranges of a preset; see Documentation/check.md for both.
+    """Checks a mesh against rules or the ranges of a preset; see Documentation/check.md for both.
 
-    The mesh is any file that ParaView can open, `rules` the path of a file of rules or a list of
-    their lines, `tolerate` what rules without a tolerance of their own tolerate, such as "0.1%" or
-    "5" cells, `worst` the length of the lists of cells that fail, `time` the step of a series:
-    "first", "last" or its number. `say` is called with a sentence about how long it will take when
-    that is long.
+    `mesh` is any file that ParaView can open; `rules` is the path of a file of rules, or a list of
+    their lines; `tolerate` is the tolerance of rules that specify none, such as "0.1%" or "5"
+    cells; `worst` is the maximum number of failing cells to list; `time` is the time step: "first",
+    "last" or its number. `say` is called with an estimate of the time if the evaluation takes long.
 
-    Returns what `camaron check --json` prints for a mesh. Raises ValueError for wrong rules, before
-    the mesh is read, and RuntimeError for a mesh that cannot be read, a rule about a block or an
-    array that it has not, and where none of the rules has a cell to check.
+    Returns the entry of the mesh in the output of `camaron check --json`. Raises ValueError for
+    invalid rules, before the mesh is read, and RuntimeError if the mesh cannot be read, if a rule
+    refers to a missing block or array, or if no rule has a cell to check.
 
     >>> result = camaron.check("part.visf", ["MinDihedralAngle >= 10 tolerate 0.1%", "Volume > 0"])
     >>> result["verdict"], result["checks"][0]["failing"]
@@ -119,7 +118,7 @@ def summary(
 def read_rules(
     rules: Optional[Rules], preset: Optional[str] = None, tolerate: Optional[str] = None
 ) -> list[Rule]:
-    """Rules as `check` takes them; ValueError tells all that is wrong with them."""
+    """Parses rules in any form that `check` accepts; ValueError lists all of their problems."""
     if (rules is None) == (preset is None):
         raise ValueError("either rules or a preset is needed")
     tolerance = language.NONE if tolerate is None else language.tolerance(str(tolerate))
@@ -137,8 +136,8 @@ def read_rules(
 
 
 def _cell_types() -> list[str]:
-    """VTK's names of cell types without "vtk", as statistics call them."""
-    # VTK has moved the function.
+    """VTK's names of cell types without "vtk", as in the tables of statistics."""
+    # Newer versions of VTK have the function in another class.
     owner = getattr(vtkCommonDataModel, "vtkCellTypeUtilities", vtkCommonDataModel.vtkCellTypes)
     numbers = range(vtkCommonDataModel.VTK_NUMBER_OF_CELL_TYPES)
     names = map(owner.GetClassNameFromTypeId, numbers)
@@ -180,7 +179,8 @@ def _judge(rule: Rule, found: failures.Counts) -> dict[str, Any]:
 
 
 def _worst_value(rule: Rule, found: failures.Counts) -> Optional[float]:
-    """The value farthest outside the range, or nearest to a limit; None where there is no value."""
+    """The value farthest outside the range, else the value nearest to a limit; None without
+    values."""
     outside = [o["value"] for o in found.offenders if o["value"] is not None]
     if outside or found.min is None:
         return outside[0] if outside else None

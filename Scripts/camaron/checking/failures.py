@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""How many cells fail each of some rules, and the worst of them: all from Quality Statistics.
+"""Counts the cells that violate rules, and lists the worst of them, with Quality Statistics.
 
-Its numbers are exact on any number of ranks. It has one way to group, so that rules are dealt out to
-rounds, each with one; the cumulative curve at the limits of all rules of a round counts what is below
-and above.
+Its numbers are exact on any number of ranks. It groups cells in one way only, so rules are
+evaluated in rounds, each with one way to group. The cumulative curve at the limits of all rules of
+a round counts the cells below and above.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from ..common.evaluation import CELL_FAMILY, Evaluation
 from .rules import FAMILIES, Rule, Scope
 
 ALL_CELLS = "All"
-#: Of a round, criteria times rules: the rows of its curve for each group are twice that.
+#: Maximum of criteria times rules per round; the curve has twice this number of rows per group.
 MOST_PRODUCTS = 4096
 
 #: GroupBy and GroupArray of Quality Statistics.
@@ -30,12 +30,12 @@ Grouping = tuple[str, str]
 
 @dataclass
 class Counts:
-    """What there is to know of the cells that a rule is for."""
+    """The numbers of cells that a rule applies to."""
 
-    #: Cells of the mesh; of these, cells that the rule is for.
+    #: Cells of the mesh; of these, cells in the scope of the rule.
     total: int = 0
     cells: int = 0
-    #: For which the criterion has a meaning; of these, without a value.
+    #: Of these, cells to which the criterion applies; of these, cells with an undefined value.
     checked: int = 0
     null: int = 0
     infinite: int = 0
@@ -49,11 +49,11 @@ class Counts:
 
 
 class ScopeError(RuntimeError):
-    """A rule is for a block or a cell array that the mesh does not have."""
+    """A rule refers to a block or a cell array that the mesh does not have."""
 
 
 def needed_criteria(rules: Sequence[Rule], known: Sequence[str]) -> list[str]:
-    """All that Element Quality has to evaluate for the rules."""
+    """The criteria that Element Quality has to evaluate for the rules."""
     criteria = [rule.criterion for rule in rules]
     for rule in rules:
         array = _group_array(rule.scope)
@@ -65,7 +65,7 @@ def needed_criteria(rules: Sequence[Rule], known: Sequence[str]) -> list[str]:
 def count(evaluated: Evaluation, rules: Sequence[Rule], worst: int) -> list[Counts]:
     """Counts of each of the rules, with up to `worst` offenders.
 
-    Raises ScopeError for rules about a block or an array that there is not.
+    Raises ScopeError if a rule refers to a missing block or array.
     """
     _check_arrays(evaluated, rules)
     counts = [Counts() for _ in rules]
@@ -78,7 +78,7 @@ def count(evaluated: Evaluation, rules: Sequence[Rule], worst: int) -> list[Coun
 
 
 def _rounds(rules: Sequence[Rule]) -> Iterator[tuple[Grouping, list[int]]]:
-    """Places of the rules that Quality Statistics counts at a time: with one way to group, and few enough
+    """Indices of the rules to count in each round: with the same grouping, and a limited number of
     criteria times limits."""
     by_criterion: dict[Grouping, dict[str, list[int]]] = {}
     for i, rule in enumerate(rules):
@@ -94,7 +94,7 @@ def _rounds(rules: Sequence[Rule]) -> Iterator[tuple[Grouping, list[int]]]:
 
 
 def _group_array(scope: Optional[Scope]) -> str:
-    """The cell array that tells the cells of a scope; empty if none."""
+    """The cell array that defines the cells of a scope; empty if none."""
     if scope is None:
         return ""
     return CELL_FAMILY if scope.kind == "family" else scope.array
@@ -108,7 +108,7 @@ def _grouping(scope: Optional[Scope]) -> Grouping:
 
 
 def _groups(scope: Optional[Scope]) -> list[str]:
-    """Labels of the groups that are a scope."""
+    """Labels of the groups in a scope."""
     if scope is None:
         return [ALL_CELLS]
     if scope.kind == "family":
@@ -130,22 +130,22 @@ def _check_arrays(evaluated: Evaluation, rules: Sequence[Rule]) -> None:
 
 def _unknown(what: str, name: str, known) -> str:
     similar = text.similar(name, list(known))
-    there = f"there are {', '.join(known)}" if known else "there is none at all"
+    there = f"the mesh has {', '.join(known)}" if known else "the mesh has none"
     return f"there is no {what}; " + (f"did you mean {similar}?" if similar else there)
 
 
 class _Counter:
-    """The one Quality Statistics that counts all rounds.
+    """One Quality Statistics that counts all rounds.
 
-    One for each round would take time that grows with the square of their number: the more filters
-    a source has, the longer ParaView takes to make, update and delete another one.
+    With one filter per round, the time would grow with the square of the number of rounds: the more
+    filters a source has, the longer ParaView takes to create, update and delete another one.
     """
 
     def __init__(self, evaluated: Evaluation, worst: int):
         self.worst = worst
         self.statistics = evaluated.make(simple.QualityStatistics, Quantiles=[50], NumberOfBins=1)
         #: Rows of worst cells by grouping, WorstValues and criterion, then by group. They do not
-        #: depend on ranges, so that rounds share them.
+        #: depend on ranges, so rounds share them.
         self.lists: dict[tuple[Grouping, str, str], dict[str, list[dict[str, Any]]]] = {}
 
     def count(self, grouping: Grouping, rules: Sequence[Rule]) -> list[Counts]:
@@ -187,7 +187,7 @@ class _Counter:
             setattr(self.statistics, name, value)
 
     def _list_worst(self, grouping: Grouping, end: str, criteria: Sequence[str]) -> None:
-        """Lists what is worst for the criteria, unless an earlier round did."""
+        """Lists the worst cells of the criteria, unless an earlier round has listed them."""
         names = dict.fromkeys(criteria)
         lacking = [name for name in names if (grouping, end, name) not in self.lists]
         if not lacking:
@@ -206,17 +206,17 @@ def _check_blocks(rules: Sequence[Rule], blocks: Sequence[str]) -> None:
 
 
 def _limits(rule: Rule) -> tuple[float, float]:
-    """Up to which values are below the range, and up to which not above."""
+    """The largest value below the range, and the largest value not above it."""
     low, high = rule.limits()
     return math.nextafter(low, -math.inf), high
 
 
 def _counts(rule: Rule, rows: dict[tuple[str, str], dict[str, Any]]) -> Counts:
-    """What the statistics say, by criterion and group, but for the offenders."""
+    """The counts of a rule from the rows by criterion and group, without the offenders."""
     whole = rows.get((rule.criterion, ALL_CELLS))
     total = whole["Count"] if whole else 0
     found = [rows.get((rule.criterion, group)) for group in _groups(rule.scope)]
-    found = [row for row in found if row is not None]  # else there are no such cells
+    found = [row for row in found if row is not None]  # groups without cells have no row
     add = lambda column: sum(row[column] for row in found)
     low, high = _limits(rule)
     up_to = lambda limit: sum(row["CountUpTo"][limit] for row in found)
@@ -235,7 +235,7 @@ def _counts(rule: Rule, rows: dict[tuple[str, str], dict[str, Any]]) -> Counts:
 
 
 def _failing_ends(rule: Rule, found: Counts) -> list[str]:
-    """The WorstValues whose lists have the cells that fail."""
+    """The WorstValues whose lists contain the failing cells."""
     failing = {
         "Smallest": found.below,
         "Largest": found.above,
@@ -245,9 +245,9 @@ def _failing_ends(rule: Rule, found: Counts) -> list[str]:
 
 
 def _offenders(rule: Rule, lists: dict[str, list[dict[str, Any]]]) -> list[dict[str, Any]]:
-    """Farthest outside the range first, then cells without a value; equal ones by id.
+    """Failing cells: farthest outside the range first, then undefined values; ties by id.
 
-    Those farthest outside are among the smallest or the largest values.
+    The cells farthest outside are among the smallest or the largest values.
     """
     low, high = rule.limits()
     outside = []

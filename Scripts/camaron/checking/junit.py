@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The verdicts of `camaron check` as a file of JUnit's form, which build servers show.
+"""Writes the verdicts of `camaron check` as JUnit XML, which CI servers display.
 
-As in the schema of Apache Ant's JUnit task, which others extend: a suite for each mesh, a case for
-each rule.
+The file follows the schema of Apache Ant's JUnit task, which other programs extend: one suite per
+mesh and one case per rule.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ from xml.etree import ElementTree as xml
 from ..common.files import Staging
 from . import verdict_table
 
-#: What XML cannot hold, not even escaped.
+#: Characters that XML cannot contain, not even escaped.
 _UNFIT = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write(path: os.PathLike | str, results: Sequence[dict[str, Any]], started: datetime) -> None:
-    """Writes the file, whole or not at all; `started` is the time of day when the checks began."""
+    """Writes the file completely or not at all; `started` is the time when the checks began."""
     path = Path(path)
     suites = xml.Element("testsuites")
     for number, result in enumerate(results):
@@ -90,7 +90,7 @@ def _place(cell: dict[str, Any]) -> str:
 
 
 def _case(name: str, result: dict[str, Any]) -> xml.Element:
-    """The time is that of the whole mesh, once, as all rules are checked together."""
+    """A test case; only the suite has a time, because all rules are checked together."""
     return _element("testcase", name=name, classname=result["mesh"], time=0)
 
 
@@ -99,5 +99,5 @@ def _element(tag: str, **attributes: Any) -> xml.Element:
 
 
 def _fit(words: str) -> str:
-    """The text with a question mark for each character that XML has not."""
+    """The text with a question mark for each character that XML cannot contain."""
     return _UNFIT.sub("?", words)

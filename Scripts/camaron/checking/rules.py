@@ -15,9 +15,9 @@ from typing import Any, Iterable, Mapping, Optional, Sequence
 
 from ..common import text
 
-#: What is larger is another file.
+#: Maximum size of a file of rules in bytes.
 MAX_SIZE = 1 << 20
-#: Shapes of cells and VTK's type of the linear cell, which is their CellFamilyId.
+#: Cell shapes with VTK's type of the linear cell, which is their CellFamilyId.
 FAMILIES = {
     "triangles": 5,
     "quadrangles": 9,
@@ -28,7 +28,7 @@ FAMILIES = {
     "hexahedra": 12,
     "polyhedra": 42,
 }
-#: Words for several of them.
+#: Names of several shapes.
 FAMILY_SETS = {
     "2D cells": ("triangles", "quadrangles", "polygons"),
     "3D cells": ("tetrahedra", "pyramids", "wedges", "hexahedra", "polyhedra"),
@@ -45,7 +45,7 @@ _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eEdD][+-]?\d+)?|[+-]?inf(inity)?"
 
 
 class RulesError(ValueError):
-    """Everything that is wrong with rules; the text has a line for each of the problems."""
+    """All problems of rules; the text has one line per problem."""
 
     def __init__(self, problems: Sequence[str]):
         super().__init__("\n".join(problems))
@@ -53,7 +53,7 @@ class RulesError(ValueError):
 
 
 def _quoted(name: str) -> str:
-    """The name as it may stand in a line."""
+    """The name, in quotation marks if a line requires them."""
     if re.fullmatch(r"""[^\s#"'<>=]+""", name):
         return name
     return f"'{name}'" if '"' in name else f'"{name}"'
@@ -61,7 +61,7 @@ def _quoted(name: str) -> str:
 
 @dataclass(frozen=True)
 class Scope:
-    """Which cells a rule is for: families, a cell type, a block, those with a value of an array.
+    """The cells of a rule: families, a cell type, a block, or the cells with a value of an array.
 
     Several families are one text, such as "tetrahedra, wedges" or "3D cells".
     """
@@ -84,7 +84,7 @@ class Scope:
 
 
 def scope_of_shapes(shapes: str) -> Optional[Scope]:
-    """The cells of shapes as the table of criteria names them; None for any.
+    """The scope of shapes as named in the table of criteria; None for all cells.
 
     >>> str(scope_of_shapes("triangles and quadrilaterals")), scope_of_shapes("polygons and polyhedra")
     ('of triangles, quadrangles', None)
@@ -98,7 +98,7 @@ def scope_of_shapes(shapes: str) -> Optional[Scope]:
 
 @dataclass(frozen=True)
 class Tolerance:
-    """How many cells may fail: a share of those that are checked, in percent, or a number.
+    """The cells that may fail: a percentage of the checked cells, or a number.
 
     >>> share = Tolerance(percent=Fraction("0.1"))
     >>> share.cells(1000), share.cells(999)
@@ -109,7 +109,7 @@ class Tolerance:
     count: int = 0
 
     def cells(self, checked: int) -> int:
-        """How many of the cells that are checked may fail."""
+        """The number of checked cells that may fail."""
         return self.count if self.percent is None else math.floor(self.percent * checked / 100)
 
     def __str__(self) -> str:
@@ -121,7 +121,7 @@ NONE = Tolerance()
 
 @dataclass(frozen=True)
 class Rule:
-    """One criterion, the range in which its values are acceptable, for which cells, and so on."""
+    """A criterion with its acceptable range, its cells, and its tolerance."""
 
     criterion: str
     low: Optional[float] = None
@@ -131,14 +131,14 @@ class Rule:
     scope: Optional[Scope] = None
     tolerance: Tolerance = NONE
     null_fails: bool = True
-    #: Of a preset, and a hint only: it warns.
+    #: The rule is a hint of a preset; a violation is a warning.
     hint: bool = False
-    #: Where it comes from: its line in the file, and the preset if it is that of one.
+    #: Origin: its line in the file, and its preset, if any.
     line: Optional[int] = None
     preset: Optional[str] = None
 
     def limits(self) -> tuple[float, float]:
-        """The smallest and the largest number that is acceptable; infinite values never are."""
+        """The smallest and the largest acceptable number; infinite values are never acceptable."""
         low = -LARGEST if self.low is None else self.low
         high = LARGEST if self.high is None else self.high
         return (
@@ -173,11 +173,11 @@ class Rule:
 
 
 class _Wrong(Exception):
-    """What is wrong with a line."""
+    """The problem of a line."""
 
 
 class _Line:
-    """The words of a line, one after the other."""
+    """The tokens of a line."""
 
     def __init__(self, line: str):
         self.tokens: list[tuple[str, str]] = []
@@ -192,7 +192,7 @@ class _Line:
                 self.tokens.append((name, match[kind]))
 
     def peek(self) -> tuple[str, str]:
-        """Kind and text of the next word; the kind is "end" where there is none."""
+        """Kind and text of the next token; the kind is "end" after the last one."""
         return self.tokens[0] if self.tokens else ("end", "")
 
     def found(self) -> str:
@@ -200,7 +200,7 @@ class _Line:
         return "end of line" if kind == "end" else f"'{word}'"
 
     def wrong(self, expected: str, known: Iterable[str] = ()) -> _Wrong:
-        """The error of something else than `expected`, with the nearest of the `known` names."""
+        """The error for a token other than `expected`, with the closest of the `known` names."""
         similar = text.similar(self.peek()[1], list(known))
         hint = f"; did you mean {similar}?" if similar else ""
         return _Wrong(f"expected {expected}, found {self.found()}{hint}")
@@ -225,7 +225,7 @@ class _Line:
 
 
 def _readable(message: str) -> str:
-    """Without the ends of endless words, and with escapes for what cannot be printed.
+    """The message with long words truncated and unprintable characters escaped.
 
     >>> _readable("found 'a" + chr(0) + "b'")
     "found 'a\\\\x00b'"
@@ -235,7 +235,8 @@ def _readable(message: str) -> str:
 
 
 class Parser:
-    """Reads rules; knows the criteria, the presets (`tables.known_presets`), VTK's cell types."""
+    """Parses rules with the names of criteria, presets (`tables.known_presets`) and VTK's cell
+    types."""
 
     def __init__(
         self,
@@ -248,11 +249,13 @@ class Parser:
         self.cell_types, self.tolerance = list(cell_types), tolerance
 
     def read(self, path: os.PathLike | str) -> list[Rule]:
-        """The rules of a file; RulesError tells all that is wrong in it, or why it is not read."""
+        """The rules of a file; RulesError lists all of its problems, or why it cannot be read."""
         path = Path(path)
         try:
             mode = path.stat().st_mode
-            if not stat.S_ISREG(mode) and not stat.S_ISDIR(mode):  # a directory says what it is
+            if not stat.S_ISREG(mode) and not stat.S_ISDIR(
+                mode
+            ):  # opening a folder fails with its own error
                 raise RulesError([f"{path}: expected a file of rules, found a pipe or a device"])
             with open(path, "rb") as file:
                 data = file.read(MAX_SIZE + 1)
@@ -269,8 +272,8 @@ class Parser:
         return self.parse(re.split(r"\r\n|\r|\n", content), str(path))
 
     def parse(self, lines: Iterable[str], name: str = "rules") -> list[Rule]:
-        """The rules of lines of text; `name` is that of their file in messages."""
-        # By what is there once only.
+        """The rules of lines of text; `name` is the name of their file in messages."""
+        # By keys that must be unique.
         written: dict[tuple, Rule] = {}
         of_presets: dict[tuple, Rule] = {}
         problems = []
@@ -283,7 +286,7 @@ class Parser:
                         key = (rule.criterion, rule.scope, rule.limits())
                         if (other := written.setdefault(key, rule)) is not rule:
                             where = f"that of line {other.line}"
-                            raise _Wrong(f"expected another rule than {where}, found {rule} again")
+                            raise _Wrong(f"expected a rule other than {where}, found {rule} again")
                     else:
                         of_presets[rule.criterion, self._named_scope(rule)] = rule
             except _Wrong as wrong:
@@ -298,7 +301,8 @@ class Parser:
         return rules
 
     def preset(self, name: str, line: Optional[int] = None) -> list[Rule]:
-        """The rules of a preset, whatever the case of its name. ValueError if there is none."""
+        """The rules of a preset, whose name may be in any case; raises ValueError if it is
+        unknown."""
         name = text.lookup(name, list(self.presets), "preset")
         hints, shapes = self.presets[name]["hints"], self.presets[name]["shapes"]
         common = {"tolerance": self.tolerance, "line": line, "preset": name}
@@ -316,7 +320,8 @@ class Parser:
         ]
 
     def _named_scope(self, rule: Rule) -> Optional[Scope]:
-        """The scope of a rule of a preset that a line names; that of its shapes is named by nobody."""
+        """The scope that a line gives to a rule of a preset; None for the shapes that the preset
+        covers."""
         shapes = self.presets[rule.preset]["shapes"].get(rule.criterion, "")
         return None if rule.scope == scope_of_shapes(shapes) else rule.scope
 
@@ -355,13 +360,13 @@ class Parser:
         low, high = rule.limits()
         if low > high:
             raise _Wrong(
-                "expected a lower limit that is not above the upper one, "
+                "expected a lower limit that is not above the upper limit, "
                 f"found {rule.criterion} {rule.range_text()}"
             )
         return rule
 
     def _parse_clauses(self, line: _Line) -> dict[str, Any]:
-        """What a line says after its range: members of a Rule."""
+        """Parses the clauses after the range, as members of a Rule."""
         readers = {
             "of": ("scope", self._parse_shape),
             "in": ("scope", lambda line: Scope("block", line.take("the name of a block"))),
@@ -434,16 +439,16 @@ def _parse_value(line: _Line) -> Scope:
         raise line.wrong(f"= after {array}")
     line.tokens.pop(0)
     word = line.peek()[1]
-    value = line.take_number("a whole number")
+    value = line.take_number("an integer")
     if 2**53 <= abs(value) < 2**65:
         value = Fraction(word.lower().replace("d", "e"))  # with all digits
     if not -(2**63) <= value < 2**64 or value != int(value):
-        raise _Wrong(f"expected a whole number of 64 bits, found '{word}'")
+        raise _Wrong(f"expected a 64-bit integer, found '{word}'")
     return Scope("array", int(value), array)
 
 
 def _parse_tolerance(line: _Line) -> Tolerance:
-    expected = "a share such as 0.1%, or a number of cells"
+    expected = "a percentage such as 0.1%, or a number of cells"
     word = line.take(expected, ("word",))
     percent = word.endswith("%") or line.take_if("%")
     if not percent and not line.take_if("cells"):
@@ -455,7 +460,7 @@ def _parse_tolerance(line: _Line) -> Tolerance:
     if percent and share <= 100:
         return Tolerance(percent=share)
     if percent:
-        raise _Wrong(f"expected a share of at most 100%, found '{word}'")
+        raise _Wrong(f"expected a percentage of at most 100%, found '{word}'")
     if share.denominator != 1:
         raise _Wrong(f"expected {expected}, found '{word}'; did you mean {word}%?")
     return Tolerance(count=int(share))
@@ -469,7 +474,7 @@ def _parse_null(line: _Line) -> bool:
 
 
 def tolerance(words: str) -> Tolerance:
-    """What stands after `tolerate`, from a command line; ValueError tells what was expected.
+    """Parses the tolerance of a command line; ValueError describes what was expected.
 
     >>> tolerance("0.1%").percent, tolerance("5").count
     (Fraction(1, 10), 5)

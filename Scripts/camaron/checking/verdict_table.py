@@ -13,7 +13,8 @@ COLORS = {"warn": "1;33", "fail": "1;31"}
 
 
 def describe(result: dict[str, Any], color: bool = False) -> str:
-    """The verdicts on a mesh: a table of the rules, then the worst cells of those that fail or warn."""
+    """The verdicts on a mesh: a table of the rules, then the worst cells of rules that fail or
+    warn."""
     result = text.all_printable(result)
     checks = result["checks"]
     lines = [f"{result['mesh']}: {text.plural(result['cells'], 'cell')}"]
@@ -39,7 +40,8 @@ def describe(result: dict[str, Any], color: bool = False) -> str:
 
 
 def _table(checks: list[dict[str, Any]]) -> list[str]:
-    """Columns of scopes, null and infinite values only where there are some."""
+    """The table of rules; it has columns of scopes, undefined and infinite values only if there are
+    any."""
     columns = [
         ("", lambda c: WORDS[c["verdict"]]),
         ("criterion", lambda c: c["criterion"]),
@@ -63,7 +65,7 @@ def _table(checks: list[dict[str, Any]]) -> list[str]:
 
 
 def sentence(entry: dict[str, Any]) -> str:
-    """What is wrong with the cells that a rule is for.
+    """The result of a rule as a sentence.
 
     >>> sentence(entry)
     'MinDihedralAngle >= 10: 3 of 2000 cells (0.15 %) fail; tolerated: 2 (0.1%)'
@@ -73,7 +75,7 @@ def sentence(entry: dict[str, Any]) -> str:
     cells = f"{entry['failing']} of {text.plural(entry['checked'], 'cell')} ({share} %)"
     words = f"{entry['rule']}: {cells} {verb}"
     if entry["null_fails"] and entry["null"]:
-        words += f", {entry['null']} for want of a value"
+        words += f", {entry['null']} with undefined values"
     if entry["tolerance"] != "0":
         words += f"; tolerated: {entry['tolerated']}"
         words += f" ({entry['tolerance']})" if entry["tolerance"].endswith("%") else ""
@@ -97,17 +99,17 @@ def offenders(entry: dict[str, Any]) -> list[str]:
 
 
 def notes(result: dict[str, Any]) -> list[str]:
-    """What the reader of the verdicts should know."""
+    """Notes on the verdicts."""
     found = list(result["notes"])
     empty = [entry["rule"] for entry in result["checks"] if entry["verdict"] == "empty"]
     if empty:
         found.append(f"There are no cells to check for {', '.join(empty)}.")
     if any(entry["verdict"] == "warn" for entry in result["checks"]):
         found.append(
-            "Ranges of a preset that are hints warn: common practice, or what some meshes miss on purpose."
+            "Hints of a preset only warn: they are common practice, and some meshes violate them on purpose."
         )
     for entry in result["checks"]:
         if entry["null"] and not entry["null_fails"]:
             cells = text.plural(entry["null"], "cell")
-            found.append(f"{cells} without a value may pass {entry['rule']}.")
+            found.append(f"{cells} with an undefined value passed {entry['rule']}.")
     return found

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which criterion shows best what is wrong with a mesh."""
+"""Ranks criteria, and states the findings about a mesh."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from . import text
 from .text import THIN
 
 
-#: Smaller distances from the ideal are none, as for the bins of Element Quality.
+#: Smaller distances from the ideal are ignored, as in Element Quality.
 NOTICEABLE = 1 / 256
 
 
 def distance_from_ideal(criterion: dict[str, Any]) -> Optional[float]:
     """How far the median is from the ideal, 0 at the ideal and 1 at the bad end of the range.
 
-    None for a criterion without an ideal, a direction or a finite value. Where the range has no bad
-    end, the distance d from the ideal i counts as d / (d + max(|i|, 1)).
+    None for a criterion without an ideal, a direction or a finite value. If the range has no bad
+    end, the result is d / (d + max(|i|, 1)) for a distance d from the ideal i.
     """
     ideal, median = criterion["ideal"], criterion["quantiles"].get("50")
     if ideal is None or median is None or criterion["better"] == "neither":
@@ -31,38 +31,39 @@ def distance_from_ideal(criterion: dict[str, Any]) -> Optional[float]:
 
 
 def is_limited(criterion: dict[str, Any]) -> bool:
-    """Whether an acceptable range is known that is for some of the cells."""
+    """Whether there is an acceptable range that covers some of the cells."""
     return criterion["acceptable"] != [None, None] and criterion["judged"] > 0
 
 
 def drawn_limits(criterion: dict[str, Any]) -> list[Optional[float]]:
-    """The acceptable range where it is for all cells, so that their values alone tell who is outside."""
+    """The acceptable range if it covers all cells, so that the value alone decides whether a cell
+    is outside."""
     is_for_all = criterion["judged"] == criterion["applicable"]
     return criterion["acceptable"] if is_for_all else [None, None]
 
 
 def is_serious(criterion: dict[str, Any]) -> bool:
-    """Whether cells are outside of a range that somebody stands for."""
+    """Whether cells are outside of a range that is more than a hint."""
     return criterion["out_of_range"] > 0 and not criterion["acceptable_is_hint"]
 
 
 def weight(criterion: dict[str, Any]) -> tuple[int, int]:
-    """Cells outside of a range that somebody stands for come before those outside of a hint."""
+    """Sort key: cells outside of a range with a source come before cells outside of a hint."""
     outside = criterion["out_of_range"]
     return (outside if is_serious(criterion) else 0, outside)
 
 
 def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
-    """The criterion to look at first; None when there is no value at all.
+    """The criterion to inspect first; None if there are no values.
 
-    Where cells with a volume have values, criteria of polygons alone do not take part: polygons of
-    such a mesh lie on or between its cells. Of the others
+    If cells with a volume have values, criteria of polygons alone are ignored: the polygons of such
+    a mesh lie on or between its cells. Of the other criteria:
 
-    1. the one with the most cells outside the acceptable range, where a range that is a hint only
-       counts after those with a source;
-    2. on a tie, and when nothing is outside: the largest distance of the median from the ideal,
-       criteria with an acceptable range before those without, unless the median is the ideal.
-    3. Without any ideal either, the first criterion that has a direction, then the first.
+    1. the criterion with the most cells outside the acceptable range; ranges that are only hints
+       come after ranges with a source;
+    2. on a tie, or if no cell is outside, the criterion with the largest distance of the median
+       from the ideal; criteria with an acceptable range come first, unless the median is the ideal;
+    3. without an ideal, the first criterion that has a direction, then the first criterion.
     """
 
     def rank(criterion):
@@ -78,33 +79,34 @@ def worst_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
     solid = [c for c in valued if c["applies_to"] in ("polyhedra", "tetrahedra")]
     if solid:
         valued = [c for c in valued if c["applies_to"] not in ("polygons", "triangles")]
-    # max() keeps the first of equals, so ties that remain follow the order of the table.
+    # max() returns the first of equal items, so remaining ties follow the order of the table.
     return max(valued, key=rank, default=None)
 
 
 def picture_criterion(criteria: list[dict[str, Any]]) -> Optional[dict[str, Any]]:
-    """The worst criterion of those that have values for most cells, if there are any."""
+    """The worst criterion with values for most cells, else the worst criterion."""
     most = [c for c in criteria if 2 * (c["count"] - c["null"]) > c["count"]]
     return worst_criterion(most) or worst_criterion(criteria)
 
 
 def undefined_count(criterion: dict[str, Any]) -> int:
-    """Cells for which the criterion has a meaning but no value."""
+    """Number of cells to which the criterion applies but whose value is undefined."""
     return criterion["null"] - (criterion["count"] - criterion["applicable"])
 
 
 def findings(summary: dict[str, Any], most: int = 6) -> list[dict[str, Any]]:
-    """What to say first about a mesh, worst first: facts, no verdict.
+    """The findings about a mesh, worst first: facts, no verdict.
 
-    Each is a `text` in which `{}` stands for the `criteria` (a list of their dictionaries),
-    whether it `matters`, that is, tells of cells outside a range or without a value, and whether it
-    is a `hint` only. Cells that no program can use come first, then what the largest share of cells misses.
+    Each finding has a `text` in which `{}` stands for the `criteria` (a list of their
+    dictionaries), whether it `matters`, that is, reports cells outside a range or with undefined
+    values, and whether it is only a `hint`. Invalid cells come first, then the largest fractions of
+    cells outside a range.
     """
     criteria = summary["criteria"]
     if not summary["mesh"]["cells"]:
         return [_finding("The mesh has no cells.", matters=True)]
     if not criteria:
-        return [_finding("None of the criteria has a meaning for the cells of this mesh.")]
+        return [_finding("None of the criteria applies to the cells of this mesh.")]
     limited = [c for c in criteria if is_limited(c)]
     outside = [c for c in limited if c["out_of_range"]]
     serious = sorted(filter(is_serious, outside), key=_urgency, reverse=True)
@@ -120,9 +122,9 @@ def findings(summary: dict[str, Any], most: int = 6) -> list[dict[str, Any]]:
         facts.append(_finding(f"No cell is outside the acceptable {ranges}."))
     if not limited:
         facts.append(
-            _finding("None of the criteria evaluated has an acceptable range for these cells.")
+            _finding("None of the evaluated criteria has an acceptable range for these cells.")
         )
-    # Where all cells are valid, it is the definition that leaves some out.
+    # If all cells are valid, values are undefined because of the definition of the criterion.
     validity = next((c for c in criteria if c["name"] == "IsValid"), None)
     is_valid = validity is not None and not validity["out_of_range"]
     for amount in sorted({undefined_count(c) for c in criteria} - {0}, reverse=True):
@@ -133,12 +135,13 @@ def findings(summary: dict[str, Any], most: int = 6) -> list[dict[str, Any]]:
 
 
 def _urgency(criterion: dict[str, Any]) -> tuple[bool, float]:
-    """Validity is a matter of every cell, so that a share says little; all else is a matter of degree."""
+    """Sort key: criteria of validity first, for which every cell counts, then the fraction of cells
+    outside."""
     return (criterion["is_validity"], criterion["out_of_range"] / criterion["judged"])
 
 
 def _outside(c: dict[str, Any], hint: bool = False) -> dict[str, Any]:
-    """How many cells are outside of an acceptable range, and what that means."""
+    """The number of cells outside of an acceptable range, and its meaning."""
     verb = "is" if c["out_of_range"] == 1 else "are"
     limits = text.interval(*c["acceptable"], c["unit"])
     part, whole = c["out_of_range"], c["judged"]

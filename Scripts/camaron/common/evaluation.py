@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A mesh that is read and evaluated, as every command that judges meshes begins."""
+"""Reads and evaluates a mesh: the first step of all commands that evaluate quality."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from paraview import servermanager, simple
 
 from . import pipeline, tables, text
 
-#: Evaluated for groups and facts about the mesh, and no quality.
+#: Criteria that are evaluated for groups and facts about the mesh, but do not measure quality.
 CELL_TYPE, CELL_FAMILY = NOT_REPORTED = ("CellTypeId", "CellFamilyId")
-#: Preset whose criteria are evaluated unless asked otherwise, and the word for all there are.
+#: Preset whose criteria are evaluated by default, and the word for all criteria.
 GENERAL, ALL = "General", "all"
 #: Choices of `group_by` besides cell arrays.
 WAYS_TO_GROUP = {"type": "Cell type", "block": "Block", "none": "None"}
-#: Seconds from which on people should know how long it will take.
+#: Minimum seconds of evaluations whose time is announced.
 LONG = 10.0
 
 
 class Evaluation:
-    """A mesh, its Element Quality, and what else is made of them; all of it is gone at the end.
+    """A mesh, its Element Quality, and further filters; all are deleted at the end.
 
     >>> with Evaluation("part.visf") as evaluated:
     ...     evaluated.quality.Criteria = ["Volume"]
@@ -34,7 +34,7 @@ class Evaluation:
         """Reads the mesh; raises what `pipeline.open_mesh` does."""
         pipeline.load_plugin()
         self.mesh = Path(mesh)
-        request_ghosts(0)  # until the end; nothing here needs any
+        request_ghosts(0)  # until the end; no filter here needs ghost cells
         try:
             self.opened = pipeline.open_mesh(mesh, time)
         except BaseException:
@@ -44,11 +44,11 @@ class Evaluation:
         self._made = [self.opened.source, self.quality]
 
     def make(self, create: Callable[..., Any], **properties: Any) -> Any:
-        """A filter of the Element Quality that lives as long as this object."""
+        """Creates a filter of the Element Quality that exists as long as this object."""
         return self.make_of(self.quality, create, **properties)
 
     def make_of(self, source: Any, create: Callable[..., Any], **properties: Any) -> Any:
-        """The same of another filter that was made."""
+        """Creates a filter of another filter created here."""
         self._made.append(create(Input=source, **properties))
         return self._made[-1]
 
@@ -61,19 +61,20 @@ class Evaluation:
         request_ghosts(1)
 
     def evaluate(self) -> None:
-        """Evaluates the criteria; adds to the warnings about the mesh, raises RuntimeError with an error's reason."""
+        """Evaluates the criteria and adds to the warnings about the mesh; raises RuntimeError after
+        an error."""
         with pipeline.Messages() as messages:
             self.quality.UpdatePipeline()
         messages.refuse(self.mesh)
         self.opened.warnings += messages.warnings
 
     def estimated_seconds(self) -> float:
-        """How long the evaluation will take."""
+        """Estimated time of the evaluation."""
         self.quality.UpdatePropertyInformation()
         return self.quality.SMProxy.GetProperty("EstimatedSeconds").GetElement(0)
 
     def announce(self, say: Callable[[str], None]) -> None:
-        """Says how long the evaluation will take, if that is long."""
+        """Announces the estimated time if the evaluation takes long."""
         seconds = self.estimated_seconds()
         if seconds >= LONG:
             cells = pipeline.data_information(self.opened.source).GetNumberOfCells()
@@ -84,7 +85,8 @@ class Evaluation:
 
 
 def request_ghosts(layers: int) -> None:
-    """How many layers of ghost cells ParaView asks for on all ranks; 1 is its own choice."""
+    """Sets the number of layers of ghost cells that ParaView requests on all ranks; its default is
+    1."""
     if pipeline.rank_count() > 1:
         requests = servermanager.ProxyManager().NewProxy("misc", "GhostRequests")
         requests.GetProperty("Layers").SetElement(0, layers)
@@ -92,7 +94,7 @@ def request_ghosts(layers: int) -> None:
 
 
 def list_names(criteria: Iterable[str] | str | None) -> Optional[list[str]]:
-    """The names in a list of them, or in a text such as "Volume,Diameter"; None for none.
+    """Names from a list or from a text such as "Volume,Diameter"; None stays None.
 
     >>> list_names("all")
     ['all']
@@ -108,17 +110,16 @@ def choose_criteria(
     criteria: Optional[Iterable[str]],
     more: Iterable[str] = (),
 ) -> Optional[str]:
-    """Sets the criteria to evaluate, returns the name of the preset as it is written.
+    """Sets the criteria to evaluate, and returns the name of the preset in its usual spelling.
 
-    `more` are evaluated besides those of a preset, not besides criteria that were named.
-
-    ValueError tells the name that comes closest to a wrong one.
+    `more` criteria are evaluated in addition to those of a preset, but not to explicit `criteria`.
+    For an unknown name, ValueError suggests the closest one.
     """
     known = list(quality.GetProperty("Criteria").Available)
     if preset is not None:
         presets = list(quality.GetProperty("Preset").Available)[1:]
         quality.Preset = preset = text.lookup(preset, presets, "preset")
-        if more:  # a preset has room for its own criteria only
+        if more:  # a preset evaluates its own criteria only
             quality.Preset = quality.GetProperty("Preset").Available[0]
             quality.Criteria = [*dict.fromkeys([*tables.known_presets()[preset]["rules"], *more])]
     elif criteria == [ALL]:
@@ -138,7 +139,8 @@ def evaluated_criteria(quality: Any) -> Iterable[str]:
 
 
 def set_groups(tables_of: Any, group_by: str, *meshes: pipeline.Opened) -> None:
-    """What divides the cells of all the meshes into groups: see WAYS_TO_GROUP, or a cell array that one of them has."""
+    """Sets the groups of cells: one of WAYS_TO_GROUP, or a cell array that one of the meshes
+    has."""
     if group_by in WAYS_TO_GROUP:
         tables_of.GroupBy = WAYS_TO_GROUP[group_by]
         return

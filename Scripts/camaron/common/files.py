@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that appear whole or not at all."""
+"""Writes files completely or not at all."""
 
 from __future__ import annotations
 
@@ -12,17 +12,18 @@ from pathlib import Path
 from typing import Iterator, Optional
 
 
-#: Waits until the process that holds the other end of its input lets go of it. Unless that process
-#: said before that all is well, removes the folder $1 and those of the other names that are empty.
+#: Waits until the process at the other end of its input closes it. Unless that process reported
+#: success before, removes the folder $1 and those of the other folders that are empty.
 CLEANER = 'read -r word && exit; rm -rf -- "$1"; shift; for f; do rmdir -- "$f" || exit; done'
 
 
 class Staging:
     """Collects files in a hidden folder inside their destination; `publish` moves them in place.
 
-    The folder is gone afterwards, also where the process is killed: signals end pvpython at once, or
-    wait until a writer is done where Python handles them. So a small process watches it from outside.
-    What is no regular file, like a pipe or a device, gets the bytes of the file instead.
+    The folder is always removed, even if the process is killed: signals end pvpython at once, or
+    wait until a writer is done where Python handles them, so a small process watches it from
+    outside. Targets that are not regular files, such as pipes or devices, receive the bytes of the
+    file.
 
     >>> with Staging("report") as staging:
     ...     (staging.path / "worst.csv").write_text("...")
@@ -32,7 +33,7 @@ class Staging:
     def __init__(self, destination: os.PathLike | str):
         self.destination = Path(destination)
         self.path = Path()
-        #: Folders that were made for the destination, the innermost first.
+        #: Folders that were created for the destination, innermost first.
         self.created: list[Path] = []
         self._cleaner: Optional[subprocess.Popen] = None
 
@@ -46,21 +47,21 @@ class Staging:
             self.path = Path(tempfile.mkdtemp(prefix=".camaron-", dir=self.destination))
         except OSError as error:
             self._remove_created()
-            reason = f"{self.destination}: cannot write into this folder: {error.strerror}"
+            reason = f"{self.destination}: cannot write to this folder: {error.strerror}"
             raise type(error)(reason) from None
         self._cleaner = _watch(self.path.absolute(), self.created)
         return self
 
     def names(self) -> list[str]:
-        """Names of what is to be moved, folders included."""
+        """Names of the files and folders to be moved."""
         return sorted(entry.name for entry in self.path.iterdir())
 
     def publish(self) -> None:
-        """Moves everything; files of the same names are replaced, others in a folder stay.
+        """Moves everything; files of the same names are replaced, others in a folder are kept.
 
-        A file that is replaced keeps its permissions, and a link stays one. Raises OSError, with
-        nothing moved, where a file and a folder have the same name or a file is write-protected; also
-        where a pipe or device does not take the bytes.
+        A replaced file keeps its permissions, and a link remains a link. Raises OSError, with
+        nothing moved, if a file and a folder have the same name or a file is write-protected, and
+        if a pipe or device does not accept the bytes.
         """
         moves = list(_moves(self.path, self.destination))
         for source, target in moves:
@@ -87,12 +88,13 @@ class Staging:
             self._cleaner.communicate(b"done\n")
 
     def _name_place(self, error: BaseException) -> None:
-        """Errors name the file as it will be called, those of the disk the folder where it has several."""
+        """Replaces temporary names in errors by final ones; errors of the disk name the folder if
+        there are several files."""
         hidden, shown = (
             f"{os.path.join(folder, '')}".removeprefix("./")
             for folder in (self.path, self.destination)
         )
-        if not isinstance(error, OSError) or not error.strerror:  # it has a sentence of its own
+        if not isinstance(error, OSError) or not error.strerror:  # the error has its own message
             error.args = tuple(
                 a.replace(hidden, shown) if isinstance(a, str) else a for a in error.args
             )
@@ -115,7 +117,7 @@ class Staging:
 
 
 def _watch(folder: Path, created: list[Path]) -> Optional[subprocess.Popen]:
-    """Starts a process that removes folders if this one ends early; None where there is no shell."""
+    """Starts a process that removes the folders if this one ends early; None without a shell."""
     try:
         return subprocess.Popen(
             [
@@ -137,7 +139,7 @@ def _watch(folder: Path, created: list[Path]) -> Optional[subprocess.Popen]:
 
 
 def free_space(folder: os.PathLike | str) -> Optional[int]:
-    """Bytes that files in a folder may still take, or None where nobody knows."""
+    """Free bytes for files in a folder, or None if unknown."""
     try:
         disk = os.statvfs(folder)
     except (OSError, AttributeError):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results as JSON that any parser reads."""
+"""Results as JSON that any parser can read."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages are made of templates, which escape every value: no name from a file becomes an element."""
+"""HTML templates that escape every value, so no name from a file becomes an element."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from typing import Any
 
 
 class Markup(str):
-    """HTML. Only `html` makes some, of templates that stand in the code; all other text is escaped."""
+    """HTML text. Only `html` creates it, from templates in the code; all other text is escaped."""
 
 
 def html(template: str, *values: Any, **named: Any) -> Markup:
-    """The template, as `str.format` fills it, with every value escaped that is no Markup.
+    """Fills the template as `str.format` does, and escapes every value that is not Markup.
 
-    The parts of a list or an iterator are joined; None is nothing.
+    The parts of a list or an iterator are joined; None becomes an empty text.
 
     >>> html('<td class="{}">{:.1f}</td>', 'a"b', 2)
     '<td class="a&quot;b">2.0</td>'
@@ -27,7 +27,7 @@ def html(template: str, *values: Any, **named: Any) -> Markup:
 
 
 def raw(path: Any) -> Markup:
-    """A style sheet or script that comes with the code."""
+    """The text of a style sheet or script of this package."""
     return Markup(path.read_text(encoding="utf-8"))
 
 

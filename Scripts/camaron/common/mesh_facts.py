@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What there is to say about a mesh besides its quality."""
+"""Facts about a mesh other than its quality."""
 
 from __future__ import annotations
 
@@ -14,24 +14,24 @@ from . import pipeline, tables, text
 from .evaluation import CELL_TYPE, WAYS_TO_GROUP, Evaluation, evaluated_criteria
 from .files import size
 
-#: Cells that Mesh Surface does not pass on one by one.
+#: Cell types that Mesh Surface does not pass on one by one.
 NOT_ONE_POLYGON = ("TriangleStrip", "PolyVertex", "PolyLine")
 
 
-#: Criteria that tell what there is of a mesh.
+#: Criteria for the totals of a mesh.
 TOTALS = [CELL_TYPE, "Volume", "Area"]
 
 
 def _is_extent(bounds: Sequence[float]) -> bool:
-    """Whether there is a finite coordinate in each direction; VTK's bounds of none are upside down."""
+    """Whether the bounds are finite and valid; VTK's bounds of an empty mesh are reversed."""
     return all(-math.inf < low <= high < math.inf for low, high in zip(bounds[0::2], bounds[1::2]))
 
 
 def describe(
     path: Path, evaluated: Evaluation, surface: Any, statistics: Any = None
 ) -> dict[str, Any]:
-    """Size, extent and cells of the mesh; `surface` is its Mesh Surface, `statistics` a Quality Statistics of all its
-    criteria, which tells the totals if it groups by cell type."""
+    """Size, extent and cells of the mesh; `surface` is its Mesh Surface, `statistics` a Quality
+    Statistics of all its criteria, which provides the totals if it groups by cell type."""
     opened = evaluated.opened
     information = pipeline.data_information(opened.source)
     points, cells = count_points(opened.source), information.GetNumberOfCells()
@@ -97,7 +97,7 @@ def describe(
 
 
 def count_points(source: Any) -> int:
-    """Number of points; those that several ranks have count once where they are numbered."""
+    """Number of points; points shared by several ranks count once if they have global ids."""
     counted = pipeline.data_information(source).GetNumberOfPoints()
     ids = source.PointData["GlobalPointIds"]
     if pipeline.rank_count() > 1 and ids:
@@ -108,17 +108,17 @@ def count_points(source: Any) -> int:
 
 
 def notes(opened: pipeline.Opened) -> list[str]:
-    """What the reader of a report should know about what was read."""
+    """Notes for the report about the data that was read."""
     if opened.time is None or opened.time["steps"] == 1:
         return []
     return [
-        f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0, was taken"
+        f"Of {opened.time['steps']} time steps, step {opened.time['step']}, counted from 0, was used"
         f" (time {opened.time['value']:g})."
     ]
 
 
 def program() -> str:
-    """Names and versions of what made a report."""
+    """Names and versions of the programs that generated a report."""
     manager = servermanager.vtkSMProxyManager.GetProxyManager()
     plugins = manager.GetPluginManager().GetLocalInformation()
     versions = [
@@ -131,7 +131,8 @@ def program() -> str:
 
 
 def extension(source: Any) -> str:
-    """Extension of the XML format for what the source puts out; with ranks, one file for each."""
+    """Extension of the XML format for the output of the source; with several ranks, of the parallel
+    format."""
     information = pipeline.data_information(source)
     if pipeline.is_composite(source):
         return (

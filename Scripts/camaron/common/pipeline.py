@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""ParaView as the rest of the package uses it: the plugin, files, messages."""
+"""Access to ParaView for the rest of the package: the plugin, files, messages."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkVersion
 
 from . import reader_choice, text
 
-#: The name of the array of ghost marks.
+#: The name of the array that marks ghost cells.
 GHOSTS = "vtkGhostType"
 
 
 def load_plugin() -> None:
-    """Makes the filters, readers and writers of the plugin known; does nothing the second time."""
+    """Loads the plugin with its filters, readers and writers, unless it is already loaded."""
     if hasattr(simple, "ElementQuality"):
         return
     with Messages() as messages:
@@ -37,12 +37,13 @@ def load_plugin() -> None:
         raise RuntimeError(f"the plugin Camaron cannot be loaded: {reason}")
 
 
-#: What ParaView 6.1 says on the first rank of an error of another one, which says itself what it was.
+#: Message of ParaView 6.1 on the first rank about an error on another rank, which reports the error
+#: itself.
 ELSEWHERE = "There was an error on a server process"
 
 
 class Messages:
-    """Keeps what VTK reports as errors and warnings, on any rank, from the terminal and in two lists.
+    """Collects VTK's errors and warnings of all ranks in two lists instead of printing them.
 
     >>> with Messages() as messages:
     ...     source.UpdatePipeline()
@@ -68,14 +69,15 @@ class Messages:
         return self._warnings
 
     def refuse(self, what: Any) -> None:
-        """Raises RuntimeError with the first error, if there is one; `what` is the file that it is about."""
+        """Raises RuntimeError with the first error, if there is one, after the name of the file,
+        `what`."""
         if self.errors:
             raise RuntimeError(f"{what}: {self.errors[0]}")
 
     def __enter__(self) -> "Messages":
         def observer(texts):
             def callback(_window, _event, text=""):
-                _note(texts, text or "a message that is no UTF-8")  # of which VTK gives nothing
+                _note(texts, text or "a message that is not valid UTF-8")  # VTK passes no text then
 
             callback.CallDataType = "string0"
             return callback
@@ -91,7 +93,7 @@ class Messages:
         vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
         if rank_count() > 1:
             self._others = servermanager.ProxyManager().NewProxy("misc", "ProcessMessages")
-            if self._others:  # which comes with the plugin
+            if self._others:  # part of the plugin, which may not be loaded yet
                 self._others.UpdateVTKObjects()
         return self
 
@@ -104,7 +106,7 @@ class Messages:
         vtkLogger.SetStderrVerbosity(self._verbosity)
 
     def _gather(self) -> None:
-        """Adds what other ranks have reported."""
+        """Adds the messages of the other ranks."""
         if not self._others:
             return
         self._others.InvokeCommand("Gather")
@@ -115,33 +117,33 @@ class Messages:
 
 
 def once(*lists: list[str]) -> list[str]:
-    """The sentences of several lists, each once: who reads a mesh again is told of the same again."""
+    """The sentences of several lists, each once: reading a mesh again repeats its warnings."""
     return list(dict.fromkeys(sentence for sentences in lists for sentence in sentences))
 
 
 def _note(texts: list[str], message: str) -> None:
-    """Adds a message to a list, unless it is there."""
+    """Adds a message to a list, unless the list contains it."""
     message = _plain(message)
     if message and message not in texts:
         texts.append(message)
 
 
 def _plain(message: str) -> str:
-    """The message without the place in the source and the address of the object."""
+    """The message without the source location and the address of the object."""
     message = re.sub(r"^(ERROR|Warning|Generic Warning): In .*?, line \d+\s*", "", message.strip())
     message = re.sub(r"^[\w:<>]+ \((0x)?[0-9a-fA-F]+\): ", "", message)
     return text.printable(" ".join(message.split()))
 
 
 class Opened:
-    """A mesh that was read: the source, the time that was chosen, and what the reader warned of."""
+    """A mesh that was read: the source, the chosen time, and the warnings of the reader."""
 
     def __init__(self, source: Any, time: Optional[dict[str, Any]], warnings: list[str]):
         self.source, self.time, self.warnings = source, time, warnings
 
 
 def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
-    """Opens any mesh that ParaView can read and reads it.
+    """Opens and reads any mesh that ParaView can read.
 
     `time` is "first", "last" or the number of a step. Raises RuntimeError with the reader's reason.
     """
@@ -166,12 +168,12 @@ def open_mesh(path: os.PathLike | str, time: str = "last") -> Opened:
     if not is_mesh(source):
         kind = data_information(source).GetPrettyDataTypeString()
         simple.Delete(source)
-        raise RuntimeError(f"{path}: not a mesh but a {kind.lower()}")
+        raise RuntimeError(f"{path}: not a mesh, but a {kind.lower()}")
     return Opened(source, chosen, notes + messages.warnings)
 
 
 def _reason(messages: Messages, path: Path, otherwise: str) -> str:
-    """The first error, which may say itself where in the file it is: "mesh.visf:17: ..."."""
+    """The first error, which may begin with its location in the file: "mesh.visf:17: ..."."""
     first = messages.errors[0] if messages.errors else otherwise
     for name in (_plain(text.printable(str(name))) for name in (path, path.name)):
         if first.startswith(name + ":"):
@@ -201,8 +203,8 @@ def data_information(source: Any, port: int = 0) -> Any:
 
 
 def without_ghosts(source: Any) -> Any:
-    """A filter that leaves out the ghost cells of a source."""
-    # Of polyhedra, VTK 9.6 removes them with memory for all faces times the points of all faces.
+    """A filter that removes the ghost cells of a source."""
+    # For polyhedra, VTK 9.6 needs memory for all faces times the points of all faces.
     version = (vtkVersion.GetVTKMajorVersion(), vtkVersion.GetVTKMinorVersion())
     information = data_information(source)
     ghosts = information.GetCellDataInformation().GetArrayInformation(GHOSTS)
@@ -210,7 +212,7 @@ def without_ghosts(source: Any) -> Any:
         version < (9, 6)
         or information.DataSetTypeIsA("vtkPolyData")
         or not ghosts
-        or ghosts.GetIsPartial()  # cells without marks would be lost
+        or ghosts.GetIsPartial()  # blocks without the array would be lost
     ):
         return simple.RemoveGhostInformation(Input=source)
     return simple.Threshold(
@@ -226,7 +228,7 @@ def is_composite(source: Any) -> bool:
 
 
 def is_mesh(source: Any) -> bool:
-    """Whether there is anything with points and cells in it."""
+    """Whether the output contains points or cells."""
     information = data_information(source)
     return information.DataSetTypeIsA("vtkDataSet") or (
         is_composite(source)
@@ -235,7 +237,7 @@ def is_mesh(source: Any) -> bool:
 
 
 def is_first_rank() -> bool:
-    """Whether this is the rank that writes files; with pvbatch --sym all ranks run the script."""
+    """Whether this rank writes the files; with pvbatch --sym, all ranks run the script."""
     return servermanager.vtkProcessModule.GetProcessModule().GetPartitionId() == 0
 
 

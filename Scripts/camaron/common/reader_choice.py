@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which reader a file is given to."""
+"""Chooses the reader of a file."""
 
 from __future__ import annotations
 
@@ -14,25 +14,26 @@ from paraview import servermanager, simple
 from . import formats
 
 
-#: Files that are there only to be opened.
+#: Extensions of files that may be empty.
 EMPTY_FILES = {".foam"}
 
 
 class NotReadable(RuntimeError):
-    """No reader takes the file; the message says why, without its name."""
+    """No reader accepts the file; the message has the reason, without the file name."""
 
 
 def make_reader(path: Path, notes: list[str]) -> Any:
     """A reader for the file, not updated yet.
 
-    Where the plugin and ParaView both know a kind of files, the plugin's own reader is taken if the
-    content is what it reads, else ParaView's. If nobody takes a file of a kind that the plugin
-    knows, it goes to the plugin's reader all the same, whose error says what is wrong with it. Adds
-    to `notes` if another format than the name says is read.
+    If both the plugin and ParaView have a reader for the extension, the plugin's reader is used if
+    it accepts the content, else ParaView's. If no reader accepts the file, the plugin's reader is
+    used, so its error explains the problem. If the content has a different format than the
+    extension suggests, this is added to `notes`.
     """
     if path.exists() and not path.is_file() and not path.is_dir():
-        # Readers look at the beginning of files before they read them, which pipes do not have twice.
-        raise NotReadable("this is a pipe or a device: copy its content into a file")
+        # Readers inspect the beginning of a file before they read it, which is impossible for
+        # pipes.
+        raise NotReadable("this is a pipe or a device: copy its content to a file")
     if path.is_file() and path.stat().st_size == 0 and path.suffix not in EMPTY_FILES:
         raise NotReadable("the file is empty")
     own = formats.own_readers(path)
@@ -56,7 +57,7 @@ def make_reader(path: Path, notes: list[str]) -> Any:
         return _make(own[0], path)
     kind = "".join(path.suffixes[-1:])
     raise NotReadable(
-        f"no reader knows {f'files named *{kind}' if kind else 'files without an extension'}; "
+        f"there is no reader for {f'*{kind} files' if kind else 'files without an extension'}; "
         "camaron convert --help lists the formats"
     )
 
@@ -79,20 +80,21 @@ def _make(reader: str, path: Path) -> Any:
     return create(**{file_name: str(path)})
 
 
-#: Formats under the same extensions as ours, by how they begin: name, readers of ParaView, and the
-#: plugin of ParaView that may have to be loaded first.
+#: Other formats with the same extensions as the plugin's, by the beginning of the file: name,
+#: ParaView's readers, and the ParaView plugin that may have to be loaded first.
 OTHER_FORMATS = (
     (b"\x89HDF", "a Fluent case in the CFF format (HDF5)", ("FLUENTCFFReader",), None),
     (b"$MeshFormat", "a Gmsh mesh", ("GmshReader", "GmshIO"), "GmshIO"),
     (b"$NOD", "a Gmsh mesh (version 1)", (), None),
 )
 OTHER_EXTENSIONS = (".msh", ".cas", ".cas.h5", ".msh.h5")
-#: Extensions under which ParaView's reader of Fluent meshes accepts any content.
+#: Extensions for which ParaView's reader of Fluent meshes accepts any content.
 TAKEN_BLINDLY = (".msh", ".cas")
 
 
 def _other_format(path: Path) -> Optional[tuple]:
-    """The row of OTHER_FORMATS that the content of a file is of, or of the first file of a series."""
+    """The row of OTHER_FORMATS that matches the content of a file, or of the first file of a
+    series."""
     if not path.is_file() or not path.name.removesuffix(formats.SERIES).lower().endswith(
         OTHER_EXTENSIONS
     ):
@@ -100,16 +102,16 @@ def _other_format(path: Path) -> Optional[tuple]:
     if path.suffix == formats.SERIES:
         path = _first_file(path)
         if not path.is_file():
-            raise NotReadable(f"the first file of the series, {path}, is not there")
+            raise NotReadable(f"the first file of the series, {path}, does not exist")
     with open(path, "rb") as file:
         head = file.read(1 << 16).lstrip()
-    while head.startswith(b"$Comments"):  # of Gmsh, before all else
+    while head.startswith(b"$Comments"):  # Gmsh allows comments at the beginning
         head = head.partition(b"$EndComments")[2].lstrip()
     return next((row[1:] for row in OTHER_FORMATS if head.startswith(row[0])), None)
 
 
 def _first_file(series: Path) -> Path:
-    """The first file that a series names."""
+    """The first file in a series."""
     try:
         first = json.loads(series.read_bytes())["files"][0]
         return series.parent / (first if isinstance(first, str) else first["name"])
@@ -124,7 +126,7 @@ def _hand_over(
     path: Path, kind: str, readers: tuple, plugin: Optional[str], notes: list[str]
 ) -> Any:
     if path.suffix == formats.SERIES:
-        raise NotReadable(f"the first file of the series is {kind}: convert the files one by one")
+        raise NotReadable(f"the first file of the series is {kind}: convert the files individually")
     if plugin and not any(map(_knows, readers)):
         try:
             simple.LoadDistributedPlugin(plugin, remote=False, ns=vars(simple))
@@ -133,7 +135,7 @@ def _hand_over(
     for name in filter(_knows, readers):
         notes.append(f"This is {kind}; ParaView's own reader {name} reads it.")
         return _make(name, path)
-    help = f" (its plugin {plugin} has one)" if plugin else ""
+    help = f" (its plugin {plugin} contains one)" if plugin else ""
     raise NotReadable(f"this is {kind}, for which this ParaView has no reader{help}")
 
 

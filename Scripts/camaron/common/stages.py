@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What each stage of a command takes, and how long the rest will."""
+"""Reports the time of each stage of a command, and estimates the remaining time."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from paraview import servermanager
 
 from . import text
 
-#: Seconds that stages take besides evaluating: at least, for a cell, and for a value of a criterion. With them the
-#: rest is estimated; what the stages before took corrects them.
+#: Seconds of stages other than evaluating: minimum, per cell, and per value of a criterion. They
+#: estimate the remaining time, corrected by the time of the previous stages.
 SECONDS = {
     "statistics": (0.1, 0.0, 3e-8),
     "boundary and totals": (0.1, 3e-7, 0.0),
@@ -27,7 +27,7 @@ SECONDS = {
 
 
 class Progress:
-    """Says in which stage a command is, how far, and how long the rest will take, while it lasts.
+    """Shows the current stage of a command and the remaining time.
 
     >>> with Progress(print) as progress:
     ...     camaron.inspect("part.visf", progress=progress)
@@ -37,7 +37,8 @@ class Progress:
     def __init__(self, show: Callable[[str], None]):
         self.show = show
         self.stage, self.began, self.share = "", time.monotonic(), 0.0
-        #: Seconds expected of stages that are not done; expected of and taken by those that are.
+        #: Expected seconds of the remaining stages; expected and actual seconds of the completed
+        #: ones.
         self.expected: dict[str, float] = {}
         self.done = self.taken = 0.0
 
@@ -50,7 +51,8 @@ class Progress:
         self.handler.RemoveObserver(self.observer)
 
     def expect(self, evaluating: float, cells: int, criteria: int) -> None:
-        """After reading: seconds that evaluating takes, and the size of the mesh with its values."""
+        """Sets the expected times after reading, from the time of evaluating and the size of the
+        mesh."""
         self.expected = {"evaluating": evaluating}
         for stage, (least, of_cell, of_value) in SECONDS.items():
             self.expected[stage] = least + of_cell * cells + of_value * cells * criteria
@@ -59,7 +61,7 @@ class Progress:
         self.stage, self.began, self.share = stage, time.monotonic(), 0.0
         stages = list(self.expected)
         for earlier in stages[: stages.index(stage)] if stage in stages else []:
-            del self.expected[earlier]  # which was left out
+            del self.expected[earlier]  # the stage was skipped
         self._tell()
 
     def end(self) -> None:
@@ -67,12 +69,12 @@ class Progress:
         self.taken += time.monotonic() - self.began if self.expected else 0.0
 
     def _hear(self, handler, _event) -> None:
-        """A filter says how far it is; of those of a stage the one that is farthest counts."""
+        """Receives the progress of a filter; the largest progress in a stage counts."""
         self.share = max(self.share, handler.GetLastProgress() / 100)
         self._tell()
 
     def seconds_left(self) -> float:
-        """By what stages should take, and the pace so far."""
+        """Estimated from the expected times and the pace so far."""
         elapsed = time.monotonic() - self.began
         of_stage = self.expected.get(self.stage, 0.0)
         done = self.done + self.share * of_stage
@@ -88,7 +90,7 @@ class Progress:
 
 
 class Stages:
-    """Says of each stage how long it took, and how much of the processor's time, or nothing at all.
+    """Reports the wall-clock and processor time of each stage, or nothing.
 
     >>> stage = Stages(print)
     >>> with stage("statistics"):
@@ -117,7 +119,7 @@ class Stages:
         self.say(f"{name} took {wall:.2f} s ({processor:.2f} s of processor time)")
 
     def started(self) -> None:
-        """Of the start of the program, if the launcher says when that was."""
+        """Reports the time of the start of the program, if the launcher passes its beginning."""
         begin = os.environ.get("CAMARON_STARTED")
         if begin:
             self.say(

@@ -13,7 +13,7 @@ from .markup import Markup, html
 
 WIDTH, HEIGHT = 720, 236
 LEFT, RIGHT, TOP, BOTTOM = 52, 14, 14, 48
-APART_WIDTH = 46  # of one column for what lies in no bin
+APART_WIDTH = 46  # of a column of values outside the bins
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
@@ -36,7 +36,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def _axis_label(value: float, step: float) -> str:
-    """The tick's number with as many digits as tell it from its neighbors."""
+    """The number of a tick with enough digits to distinguish it from its neighbors."""
     if value == 0.0:
         return "0"
     if abs(value) >= 1e5 or abs(value) < 1e-4:
@@ -68,7 +68,8 @@ class _Axis:
 
 
 def histogram(criterion: dict[str, Any], identifier: str) -> Markup:
-    """Bins, acceptable range and quantiles of a criterion, and apart what lies in no bin."""
+    """Histogram of a criterion with its acceptable range and quantiles, and columns of values
+    outside the bins."""
     data = criterion["histogram"]
     edges, counts = data["edges"], data["counts"]
     apart = [
@@ -83,7 +84,7 @@ def histogram(criterion: dict[str, Any], identifier: str) -> Markup:
     ]
     right = WIDTH - RIGHT - (12 + APART_WIDTH * len(apart) if apart else 0)
     base = HEIGHT - BOTTOM
-    # What lies apart may be cut off at the top, its number stands below; the bins set the scale.
+    # The bins define the scale; columns of values outside may be cut off, with their number below.
     top = max(counts or [amount for _, amount in apart], default=1)
     height = lambda amount: (base - TOP) * min(amount / top, 1.0)
     parts = [_open("Histogram of " + criterion["label"])]
@@ -129,7 +130,7 @@ def _open(label: str) -> Markup:
 
 
 def _label(x: float, y: float, words: str, kind: str = "") -> Markup:
-    """Text below or within the axes."""
+    """A text below or within the axes."""
     template = '<text class="tick {}" x="{:.1f}" y="{:.0f}" text-anchor="middle">{}</text>'
     return html(template, kind, x, y, words)
 
@@ -190,7 +191,7 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[Markup]:
         for limit in (low, high):
             if limit is not None and axis.low < limit < axis.high:
                 parts.append(_limit_line(axis(limit), base))
-        # Wherever a bin lies across a limit, only the part of its bar inside is drawn as such.
+        # If a limit crosses a bin, only the inner part of its bar is drawn as inside.
         parts.append(
             html(
                 '<clipPath id="{}"><rect x="{:.1f}" width="{:.1f}" y="0" height="{}"/></clipPath>',
@@ -238,7 +239,7 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[Markup]:
             groups["outside"].append(shape)
         if not (out_low and upper < low) and not (out_high and lower > high):
             groups["inside"].append(shape)
-    # Of a bin across a limit both are drawn, the part inside over the other.
+    # A bin across a limit is drawn twice, with the inner part on top.
     parts.append(html('<g class="outside">{}</g>', groups["outside"]))
     clip = html(' clip-path="url(#{})"', identifier) if groups["outside"] and not integers else ""
     parts.append(html('<g class="inside"{}>{}</g>', clip, groups["inside"]))
@@ -258,7 +259,7 @@ def _bins(criterion, axis, base, right, height, identifier) -> list[Markup]:
 
 
 def bin_range(edges: list[float], k: int) -> tuple[float, float]:
-    """The smallest and the largest number in a bin, which does not include its upper edge unless it is the last.
+    """The smallest and the largest number in a bin; only the last bin includes its upper edge.
 
     >>> bin_range([0.0, 1.0, 2.0], 0), bin_range([0.0, 1.0, 2.0], 1)
     ((0.0, 0.9999999999999999), (1.0, 2.0))
@@ -269,7 +270,8 @@ def bin_range(edges: list[float], k: int) -> tuple[float, float]:
 
 
 def _curves(criterion, axis, base) -> list[Markup]:
-    """Cumulative curves from 0 % below to 100 % above: of the cells, and dashed of the volume."""
+    """Cumulative curves from 0 % at the bottom to 100 % at the top: of the cells, and dashed of the
+    volume."""
     curve = criterion.get("curve") or {"values": []}
     if len(curve["values"]) < 3:
         return []
@@ -285,13 +287,13 @@ def _curves(criterion, axis, base) -> list[Markup]:
             for x, y in zip(curve["values"], curve[key])
         ]
         path = f"M{axis(curve['values'][0]):.1f} {base}L" + "L".join(points)
-        template = '<path class="{}" d="{}"><title>share of the {}</title></path>'
+        template = '<path class="{}" d="{}"><title>percentage of the {}</title></path>'
         parts.append(html(template, name, path, what))
     return parts
 
 
 def _are_integers(edges: list[float]) -> bool:
-    """Whether every bin is that of one integer."""
+    """Whether every bin contains one integer."""
     return (
         len(edges) > 1
         and all(edge - 0.5 == int(edge - 0.5) for edge in edges)
@@ -300,7 +302,7 @@ def _are_integers(edges: list[float]) -> bool:
 
 
 def _quantile_marks(quantiles, axis, base) -> list[Markup]:
-    """Triangles below the axis; a label gives way where the median's is too close."""
+    """Triangles below the axis; labels too close to that of the median are omitted."""
     parts = []
     places: list[float] = []
     for quantile, label in (("50", "median"), ("1", "p1"), ("99", "p99")):
@@ -308,7 +310,7 @@ def _quantile_marks(quantiles, axis, base) -> list[Markup]:
         if value is None:
             continue
         x = axis(value)
-        meaning = "median" if quantile == "50" else f"{quantile} % of the cells lie below"
+        meaning = "median" if quantile == "50" else f"{quantile} % of the cells are below"
         parts.append(
             html(
                 '<path class="quantile" d="M{:.1f} {}l4 7h-8z"><title>{}: {}</title></path>',
@@ -325,7 +327,7 @@ def _quantile_marks(quantiles, axis, base) -> list[Markup]:
 
 
 def comparison(criterion: dict[str, Any]) -> Markup:
-    """Shares of two meshes in the same bins: B as bars, A as a line over them."""
+    """Percentages of two meshes in the same bins: B as bars, A as a line."""
     data = criterion["histogram"]
     edges = data["edges"]
     if not data["a"]:

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of Criteria Table and Quality Statistics as plain Python."""
+"""The tables of Criteria Table and Quality Statistics as Python dictionaries and lists."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def fetch(source: Any, port: int = 0) -> list[dict[str, Any]]:
 
 
 def known_criteria() -> dict[str, dict[str, Any]]:
-    """What the registry says of every criterion, by name, in its order."""
+    """The entries of all criteria in the registry, by name, in its order."""
     table = simple.CriteriaTable()
     try:
         return {
@@ -55,12 +55,12 @@ def known_criteria() -> dict[str, dict[str, Any]]:
 
 
 def _is_validity(row: dict[str, Any]) -> bool:
-    """Whether cells outside of the acceptable range are of no use to anyone."""
+    """Whether cells outside of the acceptable range are invalid."""
     return row["Family"] == "Validity" or 0.0 < row["AcceptableLow"] < text.SMALLEST
 
 
 def known_notes() -> dict[str, dict[str, str]]:
-    """What the documentation says of every criterion: family, formula, degenerate, agreement."""
+    """Documentation of every criterion: family, formula, degenerate, agreement."""
     table = simple.CriteriaTable()
     try:
         keys = ("Family", "Formula", "Degenerate", "Agreement")
@@ -71,7 +71,8 @@ def known_notes() -> dict[str, dict[str, str]]:
 
 def known_presets() -> dict[str, dict[str, Any]]:
     """Description of every preset, its rules: acceptable [low, high] by the criterion's name, its
-    hints: names of criteria whose range is a hint only, and its shapes: the cells that a range is for.
+    hints: names of criteria whose range is a hint only, and its shapes: the cells that a range is
+    for.
     """
     table = simple.CriteriaTable()
     try:
@@ -94,7 +95,7 @@ def known_presets() -> dict[str, dict[str, Any]]:
 def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
     """Acceptable [low, high] by the criterion's name from a file of ranges.
 
-    RuntimeError tells file and line of what is wrong in it.
+    RuntimeError has the file and line of an error.
     """
     table = simple.CriteriaTable(RangesFile=str(path))
     try:
@@ -111,7 +112,7 @@ def known_ranges(path: os.PathLike | str) -> dict[str, list[Optional[float]]]:
 
 
 def range_sources(preset: Optional[str], ranges: Any) -> dict[str, dict[str, Any]]:
-    """What is known of the ranges that are not those of the table of criteria: entries of `known_criteria`."""
+    """Entries of `known_criteria` about ranges that do not come from the table of criteria."""
     sources = {}
     if preset:
         described = known_presets()[preset]
@@ -128,17 +129,18 @@ def range_sources(preset: Optional[str], ranges: Any) -> dict[str, dict[str, Any
 
 
 def _finite(value: float) -> Optional[float]:
-    """None for NaN and infinite numbers: unknown, or no limit."""
+    """The number, or None for NaN and infinite numbers, which mean unknown or no limit."""
     return float(value) if math.isfinite(value) else None
 
 
 def _number(value: float) -> Optional[float]:
-    """None for NaN."""
+    """The number, or None for NaN."""
     return None if math.isnan(value) else float(value)
 
 
 def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
-    """All of Quality Statistics: one dictionary for each criterion, in the registry's order."""
+    """All tables of Quality Statistics as one dictionary per criterion, in the order of the
+    registry."""
     known = known_criteria()
     sources = range_sources(preset, statistics.RangesFile)
     criteria = {}
@@ -180,12 +182,12 @@ def read(statistics: Any, preset: Optional[str] = None) -> list[dict[str, Any]]:
 
 
 def _of_all(statistics: Any, port: int) -> list[dict[str, Any]]:
-    """Rows about all cells."""
+    """The rows of the group of all cells."""
     return [row for row in fetch(statistics, port) if row["Group"] == "All"]
 
 
 def _group(row: dict[str, Any]) -> dict[str, Any]:
-    """A row about a part of the cells."""
+    """The entry of a group from its row."""
     return {
         "group": row["Group"],
         "count": row["Count"],
@@ -204,7 +206,7 @@ def _group(row: dict[str, Any]) -> dict[str, Any]:
 def _criterion(
     row: dict[str, Any], known: dict[str, Any], sources: dict[str, dict[str, Any]]
 ) -> dict[str, Any]:
-    """One row of the statistics, joined with what the registry knows."""
+    """A row of the statistics, joined with the entry of the registry."""
     known = {**known, **sources.get(known["name"], {})}
     limits = [_finite(row["AcceptableLow"]), _finite(row["AcceptableHigh"])]
     return {

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Numbers and tables as people read them."""
+"""Formats numbers and tables as text."""
 
 from __future__ import annotations
 
@@ -10,16 +10,16 @@ import re
 import unicodedata
 from typing import Any, Iterable, Optional, Sequence
 
-#: Categories of characters that terminals obey instead of showing them.
+#: Unicode categories of characters that terminals interpret instead of printing them.
 OBEYED = ("Cc", "Cf", "Cs", "Zl", "Zp")
-#: Limits below stand for "above zero".
+#: Smaller limits mean "above zero".
 SMALLEST = 1e-300
 #: Space between groups of three digits.
 THIN = "\u202f"
 UNIT_SYMBOLS = {"deg": "°", "rad": "rad", "sr": "sr"}
 
 
-#: Cell types whose names are not the words in which one speaks of one or several.
+#: Singular and plural of cell types whose names differ from these.
 CELL_TYPES = {
     "Vertex": ("vertex", "vertices"),
     "PolyVertex": ("poly-vertex", "poly-vertices"),
@@ -31,7 +31,7 @@ CELL_TYPES = {
 
 
 def number(value: Optional[float], digits: int = 4) -> str:
-    """The value with so many significant digits; an empty text for None and NaN.
+    """The value with the given number of significant digits; an empty text for None and NaN.
 
     >>> number(0.12345678), number(1234567.0), number(-3.0), number(float("inf"))
     ('0.1235', '1.235e+06', '-3', 'inf')
@@ -46,7 +46,8 @@ def number(value: Optional[float], digits: int = 4) -> str:
 
 
 def printable(words: str) -> str:
-    r"""The text on one line, with ? for what terminals obey, like control characters and marks of direction.
+    r"""The text on one line, with ? for characters that terminals interpret, such as control
+    characters.
 
     >>> printable("a\x1b[31mb\nc")
     'a?[31mb?c'
@@ -55,7 +56,7 @@ def printable(words: str) -> str:
 
 
 def all_printable(found: Any) -> Any:
-    """Lists and dictionaries with all the texts in them printable."""
+    """Makes all texts in lists and dictionaries printable."""
     if isinstance(found, str):
         return printable(found)
     if isinstance(found, dict):
@@ -66,7 +67,7 @@ def all_printable(found: Any) -> Any:
 
 
 def count(value: Optional[int], separator: str = "") -> str:
-    """A whole number, with a separator between groups of three digits.
+    """An integer with a separator between groups of three digits.
 
     >>> count(1234567, " ")
     '1 234 567'
@@ -75,7 +76,7 @@ def count(value: Optional[int], separator: str = "") -> str:
 
 
 def percent(part: float, whole: float) -> str:
-    """The share in percent, never rounded to 0 or 100 when it is neither.
+    """The percentage, rounded to 0 or 100 only if it is exactly 0 or 100.
 
     >>> percent(0, 5), percent(1, 3), percent(1, 10**6), percent(999999, 10**6)
     ('0', '33.3', '<0.01', '>99.9')
@@ -93,7 +94,7 @@ def percent(part: float, whole: float) -> str:
 
 
 def interval(low: Optional[float], high: Optional[float], unit: str = "") -> str:
-    """A range for people; None is an open end.
+    """A range as text; None is an open end.
 
     >>> interval(40, None, "deg"), interval(0.2, 1.0), interval(None, None)
     ('≥ 40°', '0.2 – 1', '')
@@ -144,7 +145,7 @@ def plural(amount: int, noun: str, separator: str = "") -> str:
 
 
 def cell_type(label: str, amount: int = 2) -> str:
-    """One or several cells of a type, by its label in the tables of statistics.
+    """The singular or plural of a cell type, from its label in the tables of statistics.
 
     >>> cell_type("Tetra"), cell_type("Wedge"), cell_type("QuadraticTetra"), cell_type("Tetra", 1)
     ('tetrahedra', 'wedges', 'quadratic tetrahedra', 'tetrahedron')
@@ -157,7 +158,7 @@ def cell_type(label: str, amount: int = 2) -> str:
 
 
 def table(header: Sequence[str], rows: Iterable[Sequence[str]], left: int = 1) -> list[str]:
-    """Lines of a table whose first `left` columns are flush left and the others flush right."""
+    """Lines of a table whose first `left` columns are left-aligned and the others right-aligned."""
     rows = [list(header), *map(list, rows)]
     widths = [max(len(row[c]) for row in rows) for c in range(len(header))]
     lines = []
@@ -171,17 +172,18 @@ def table(header: Sequence[str], rows: Iterable[Sequence[str]], left: int = 1) -
 
 
 def similar(name: str, known: Sequence[str]) -> Optional[str]:
-    """The known name that is meant, if one comes close, whatever its upper and lower case."""
+    """The closest known name, regardless of case, or None if none is close."""
     by_lower = {k.lower(): k for k in known}
     close = difflib.get_close_matches(name.lower(), list(by_lower), 1)
     return by_lower[close[0]] if close else None
 
 
 def lookup(name: str, known: Sequence[str], kind: str) -> str:
-    """The known name, whatever its upper and lower case."""
+    """The known name in its usual spelling; raises ValueError with a suggestion for an unknown
+    name."""
     by_lower = {k.lower(): k for k in known}
     if name.lower() in by_lower:
         return by_lower[name.lower()]
     close = similar(name, known)
-    hint = f"did you mean {close}?" if close else f"known are {', '.join(known)}"
+    hint = f"did you mean {close}?" if close else f"expected one of {', '.join(known)}"
     raise ValueError(f"unknown {kind} {name}: {hint}")

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two meshes side by side."""
+"""Compares the quality of two meshes."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ from ..common.files import Staging, same_file
 from ..common.json_text import to_json
 from . import comparison_report
 
-#: The group of all cells.
+#: Label of the group of all cells.
 WHOLE = "All"
-#: Keys of summary.json of what Compare Quality knows of both meshes.
+#: Columns of Compare Quality for each of the meshes, by their keys in summary.json.
 OF_BOTH = {
     "count": "Count",
     "null": "NullCount",
@@ -62,13 +62,13 @@ def compare(
 ) -> dict[str, Any]:
     """Compares the quality of two meshes; writes report.html and summary.json.
 
-    The meshes are any files that ParaView can open, A what there was before and B what there is now.
-    `directory` is made if needed; by default it is A-B-comparison in the current folder, with the
-    names of the meshes. The other arguments are those of `inspect`; there are no groups unless `group_by` asks for
-    them.
+    The meshes are any files that ParaView can open; A is the mesh before a change, B the mesh after
+    it. `directory` is created if needed; by default it is A-B-comparison in the current folder,
+    with the names of the meshes. The other arguments are those of `inspect`; by default there are
+    no groups.
 
-    Returns what summary.json holds (Documentation/compare.md). Raises ValueError for a name that does
-    not exist and RuntimeError for a file that cannot be read or written.
+    Returns the contents of summary.json (Documentation/compare.md). Raises ValueError for an
+    unknown name, and RuntimeError for a file that cannot be read or written.
 
     >>> summary = camaron.compare("before.visf", "after.visf", criteria=["MinDihedralAngle"])
     >>> summary["criteria"][0]["improved"], summary["criteria"][0]["worsened"]
@@ -135,7 +135,7 @@ def compare(
 
 
 def is_worse(row: dict[str, Any]) -> bool:
-    """Whether the share of the cells outside of the acceptable range is larger in B."""
+    """Whether B has a larger percentage of cells outside of the acceptable range."""
     a, b = row["a"]["out_of_range_percent"], row["b"]["out_of_range_percent"]
     return a is not None and b is not None and b > a
 
@@ -164,7 +164,7 @@ def _finite(value: float) -> Optional[float]:
 
 
 def _numbers(row: dict[str, Any]) -> dict[str, Any]:
-    """Of both meshes, of all cells or those of a group."""
+    """The numbers of both meshes, for all cells or for a group."""
     return {
         **{
             mesh: {key: _number(row[column + mesh.upper()]) for key, column in OF_BOTH.items()}
@@ -181,7 +181,7 @@ def _numbers(row: dict[str, Any]) -> dict[str, Any]:
 
 
 def _read(comparison: Any, preset: Optional[str], ranges: Any) -> list[dict[str, Any]]:
-    """The tables of Compare Quality: one dictionary for each criterion."""
+    """The tables of Compare Quality as one dictionary per criterion."""
     known = tables.known_criteria()
     sources = tables.range_sources(preset, ranges)
     criteria: dict[str, dict[str, Any]] = {}

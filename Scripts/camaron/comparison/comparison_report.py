@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page that `compare` writes: one HTML file that needs nothing from elsewhere."""
+"""The report of `compare`: one self-contained HTML file."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ A, B = html('<span class="a">A</span>'), html('<span class="b">B</span>')
 
 
 def render(summary: dict[str, Any]) -> str:
-    """The report as HTML. `summary` is what summary.json holds (see Documentation/compare.md)."""
-    mark = html('<i title="more cells outside the acceptable range"></i>')
+    """The report as HTML; `summary` has the contents of summary.json (see
+    Documentation/compare.md)."""
+    mark = html('<i title="larger percentage of cells outside the acceptable range"></i>')
     navigation = html(
         '<a class="top" href="#top">Summary</a><a href="#overview">Overview</a><p>Criteria</p>{}',
         [link(c, mark if _is_worse(summary, c) else None) for c in summary["criteria"]],
@@ -166,7 +167,7 @@ def _remarks(c) -> list[str]:
 
 
 def _groups(c) -> Optional[Markup]:
-    """A table of the groups, where there are any."""
+    """A table of the groups, if there are any."""
     if not c["groups"]:
         return None
     head = [""]
@@ -189,10 +190,11 @@ def _groups(c) -> Optional[Markup]:
 
 def _footer() -> Markup:
     return html(
-        "<footer><p>Histograms have the same bins for both meshes and show shares of the cells with a "
-        "value: B as bars, A as a line. <b>Distance</b>: the largest difference, over all x, of the shares "
-        "of cells with values up to x (Kolmogorov and Smirnov); 0 for equal distributions, 1 for separate "
-        "ones. <b>Outside</b>: of the acceptable range, in percent of the cells that it is for. Cells are "
-        "compared one by one where both meshes have the same cells; a value is "
-        "better than none.</p><p>Beside this page: <code>summary.json</code> (all numbers).</p></footer>"
+        "<footer><p>Histograms have the same bins for both meshes and show percentages of the cells with a "
+        "value: B as bars, A as a line. <b>Distance</b>: the largest difference, over all x, between the "
+        "fractions of cells with values up to x (Kolmogorov-Smirnov distance); 0 for equal distributions, 1 "
+        "for disjoint ones. <b>Outside</b>: cells outside the acceptable range, in percent of the cells "
+        "that the range covers. Cells are compared one by one if both meshes have the same cells; a "
+        "defined value is better than an undefined one.</p><p>In the same folder: <code>summary.json</code> "
+        "(all numbers).</p></footer>"
     )

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `camaron compare` prints."""
+"""The output of `camaron compare`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ..common import text
 
 
 def describe(summary: dict[str, Any], color: bool = False) -> str:
-    """Both meshes, one line for each criterion, and what stands out."""
+    """Both meshes, one line per criterion, and the findings."""
     summary = text.all_printable(summary)
     lines = []
     for name in "ab":
@@ -32,7 +32,7 @@ def describe(summary: dict[str, Any], color: bool = False) -> str:
 
 
 def _lines(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """The criteria, each with its groups after it, which have other numbers and are named by themselves."""
+    """The criteria, each followed by its groups with their own numbers and names."""
     return [
         line
         for row in rows
@@ -44,7 +44,8 @@ def _lines(rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _table(summary: dict[str, Any]) -> list[str]:
-    """Pairs of columns; those of single cells only where these can be compared."""
+    """Pairs of columns; columns about single cells exist only if the cells can be compared one by
+    one."""
     columns = [("criterion", lambda c: c["name"]), ("unit", lambda c: c["unit"])]
     if any(c["groups"] for c in summary["criteria"]):
         columns += [
@@ -56,7 +57,7 @@ def _table(summary: dict[str, Any]) -> list[str]:
     columns.append(("distance", lambda c: text.number(c["distance"], 3)))
     if summary["same_cells"]:
         for key, label in (("improved", "better"), ("worsened", "worse")):
-            # Without a better direction nobody knows.
+            # Without a better direction, cells are neither better nor worse.
             columns.append(
                 (label, lambda c, key=key: "" if c["better"] == "neither" else str(c[key]))
             )
@@ -72,38 +73,38 @@ def _cell(key: str, mesh: str):
 
 
 def findings(summary: dict[str, Any]) -> list[str]:
-    """Sentences: facts, no verdict."""
+    """Findings as sentences: facts, no verdict."""
     rows = summary["criteria"]
     if not rows:
-        return ["None of the criteria has a meaning for the cells of these meshes."]
+        return ["None of the criteria applies to the cells of these meshes."]
     limited = [c for c in rows if is_limited(c)]
     better = [c["name"] for c in limited if _share(c, "b") < _share(c, "a")]
     sentences = []
     if summary["worse"]:
         sentences.append(
-            f"B has a larger share of cells outside the acceptable range of {', '.join(summary['worse'])}."
+            f"B has a larger percentage of cells outside the acceptable range of {', '.join(summary['worse'])}."
         )
     if better:
         sentences.append(
-            f"B has a smaller share of cells outside the acceptable range of {', '.join(better)}."
+            f"B has a smaller percentage of cells outside the acceptable range of {', '.join(better)}."
         )
     if limited and not better and not summary["worse"]:
-        sentences.append("The shares of cells outside of the acceptable ranges are the same.")
+        sentences.append("The percentages of cells outside the acceptable ranges are the same.")
     far = max(rows, key=lambda c: c["distance"] or 0.0)
     if not far["distance"]:
         sentences.append("The distributions of all criteria are the same.")
     else:
         sentences.append(
-            f"The distributions differ most in {far['name']}: the shares of cells up to "
+            f"The distributions differ most in {far['name']}: the percentages of cells with values up to "
             f"{text.number(far['distance_value'])} differ by {text.number(100 * far['distance'], 3)} %."
         )
     if not summary["same_cells"]:
-        sentences.append("The meshes have different cells, which are not compared one by one.")
+        sentences.append("The meshes have different cells, so cells are not compared one by one.")
     return sentences
 
 
 def is_limited(row: dict[str, Any]) -> bool:
-    """Whether an acceptable range is known that is for cells of one of the meshes."""
+    """Whether there is an acceptable range that covers cells of one of the meshes."""
     return any(row[mesh]["out_of_range_percent"] is not None for mesh in "ab")
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From any mesh that can be read to any format that can be written."""
+"""Converts any mesh that can be read to any format that can be written."""
 
 from __future__ import annotations
 
@@ -16,24 +16,25 @@ from ..common.files import Staging, same_file
 from . import completeness, storable_names
 from .storable_names import OF_IOSS
 
-#: Extensions of formats that hold blocks; a mesh of blocks is merged for any other.
+#: Extensions of formats that can store blocks; for all other formats, blocks are merged.
 FORMATS_WITH_BLOCKS = {".vtm", ".vtmb", ".vtpc", ".vtpd", ".vtkhdf", ".cgns", ".ex2", ".exo", ".e"}
-#: ParaView's formats of one file for each rank and one that names these. Into its other formats several
-#: ranks write the points at their borders twice, ghost cells as if they were cells, or nothing; but for
-#: .stl, whose triangles share no points.
+#: ParaView's formats with one file per rank and a file that lists them. To its other formats,
+#: several ranks write duplicate points at the borders of pieces, ghost cells as ordinary cells, or
+#: nothing, except for .stl, whose triangles share no points.
 FORMATS_IN_PIECES = {".pvtu", ".pvtp", ".pvts", ".pvtr", ".pvti", ".pvd", ".vtm", ".vtpc", ".vtpd"}
-#: ParaView's formats that hold points and polygons only, as far as this says what they lose.
+#: ParaView's formats of points and polygons for which lost arrays are reported.
 BARE_SURFACES = {".stl"}
-#: ParaView's formats whose writers fail at polyhedra without saying so, or leave files that nothing can read.
+#: ParaView's formats whose writers fail silently for polyhedra, or write files that cannot be read.
 WITHOUT_POLYHEDRA = {".vtkhdf", ".e", ".g", ".ex2", ".ex2v2"}
-#: Cells that the writer of OF_IOSS knows; at others it ends the program.
+#: Cells that the writer of OF_IOSS supports; other cells make it terminate the program.
 IOSS_TYPES = set(
     "Vertex Line Triangle QuadraticTriangle Quad QuadraticQuad BiQuadraticQuad Tetra Hexahedron QuadraticHexahedron "
     "TriQuadraticHexahedron Wedge QuadraticWedge BiQuadraticQuadraticWedge Pyramid QuadraticPyramid".split()
 )
-#: Arrays that other cells than those of the mesh leave behind, or the readers add.
+#: Arrays that filters and readers add and whose loss is not reported.
 NO_LOSS = {pipeline.GHOSTS, "vtkOriginalPointIds", "vtkOriginalCellIds"}
-#: Parts of extensions under which files are not written, and the options of their formats that do the like.
+#: Parts of extensions that are read only, and the options that write the same data under another
+#: extension.
 OPTIONS_INSTEAD = (
     ("face", "--write-boundary-faces"),
     ("st", "--write-texture-coordinates"),
@@ -41,7 +42,7 @@ OPTIONS_INSTEAD = (
     ("coff", "--vertex-colors NAME"),
     ("noff", "--write-normals"),
 )
-#: Types of cells that have no triangles, as the tables of statistics call them.
+#: Cell types without triangles, as named in the tables of statistics.
 POINTS_AND_LINES = ("Vertex", "PolyVertex", "Line", "PolyLine", "QuadraticEdge", "CubicLine")
 
 
@@ -52,11 +53,11 @@ def convert(
 
     Formats of the plugin are written by its own writers, others by ParaView's. `options` are
     properties of the writer, in any spelling: `file_type="Ascii"` sets FileType. If a format of
-    ParaView cannot hold the mesh as it is, blocks are merged, surfaces become unstructured grids,
-    and for formats that know surfaces only, the boundary is written; those of the plugin do as
-    their options say. What a reader has in further outputs, like boundaries by zone, goes along if
-    the format stays the same. Returns what was done besides writing, and what the reader and the
-    writer warn of, one sentence each.
+    ParaView cannot store the mesh, blocks are merged, surfaces become unstructured grids, and for
+    surface formats the boundary is written; for formats of the plugin, the options of the writer
+    decide. Further outputs of a reader, such as boundaries by zone, are written too if the format
+    stays the same. Returns a list of sentences: changes to the mesh, and the warnings of the reader
+    and the writer.
 
     >>> convert("part.visf", "part.vtu", compressor_type="LZ4")
     []
@@ -66,11 +67,11 @@ def convert(
     target = Path(target)
     if not target.suffix:
         raise ValueError(
-            f"{target}: the name of the target needs an extension, it tells the format"
+            f"{target}: the name of the target needs an extension, which selects the format"
         )
     if target.suffix.lower() == ".gz":
         raise ValueError(
-            f"{target}: compressed files are read, but not written: write {target.stem} and compress it"
+            f"{target}: compressed files can be read, but not written: write {target.stem} and compress it"
         )
     pipeline.load_plugin()
     _check_name(target)
@@ -83,8 +84,8 @@ def convert(
         notes = list(opened.warnings)
         if opened.time and opened.time["steps"] > 1 and not _writes_all_steps(options):
             notes.append(
-                f"Of {opened.time['steps']} time steps number {opened.time['step']}, counted from 0,"
-                f" was taken (time {opened.time['value']:g})."
+                f"Of {opened.time['steps']} time steps, step {opened.time['step']}, counted from 0,"
+                f" was used (time {opened.time['value']:g})."
             )
         if not formats.own_writer(target):
             notes += _pieces_that_stay(Path(source))
@@ -97,7 +98,8 @@ def convert(
 
 
 def write_source(source: Any, target: os.PathLike | str, notes: list[str]) -> None:
-    """Writes what a source gives, in the format that the name tells; `notes` get what `convert` returns."""
+    """Writes the output of a source in the format of the extension; adds the sentences of `convert`
+    to `notes`."""
     made = [source]
     try:
         write(_suitable(made, Path(target), notes), target, {}, notes)
@@ -107,7 +109,7 @@ def write_source(source: Any, target: os.PathLike | str, notes: list[str]) -> No
 
 
 def check_target(target: os.PathLike | str) -> None:
-    """ValueError if nobody writes a format of that extension."""
+    """Raises ValueError if there is no writer for the extension."""
     _check_name(Path(target))
     suffix = Path(target).suffix.lower()
     if not formats.own_writer(Path(target)) and suffix not in formats.written_extensions():
@@ -115,7 +117,7 @@ def check_target(target: os.PathLike | str) -> None:
 
 
 def _check_name(target: Path) -> None:
-    """ValueError for extensions of the plugin's formats under which files are read, but not written."""
+    """Raises ValueError for extensions of the plugin's formats that are read, but not written."""
     suffix = target.suffix.lower()
     name = formats.written_instead(target)
     if name is None:
@@ -123,8 +125,8 @@ def _check_name(target: Path) -> None:
     options = [option for word, option in OPTIONS_INSTEAD if word in suffix]
     how = f" with {' '.join(options)}" if options else ""
     raise ValueError(
-        f"{target}: files named *{suffix} are read, but not written under that name: "
-        f"write {name}{how}, which is of the same format"
+        f"{target}: *{suffix} files can be read, but not written under that name: "
+        f"write {name}{how}, which has the same format"
     )
 
 
@@ -138,19 +140,20 @@ def _check_ranks(target: Path) -> None:
     ):
         pieces = f".p{suffix[1:]}"
         raise ValueError(
-            f"{target}: files named *{suffix} are written by one process: leave out --ranks, or choose "
+            f"{target}: *{suffix} files can be written by one process only: omit --ranks, or choose "
             f"{pieces if pieces in FORMATS_IN_PIECES else '.pvtu'} or a format of the plugin"
         )
 
 
 def _pieces_that_stay(source: Path) -> list[str]:
-    """A sentence on a file of pieces, which ParaView puts side by side; our writers merge them."""
+    """A sentence about a file of several pieces, which ParaView does not merge; the plugin's
+    writers do."""
     if source.suffix.lower() not in (".pvtu", ".pvtp"):
         return []
     pieces = len(re.findall(rb"<Piece\s", source.read_bytes()))
     if pieces <= pipeline.rank_count():
         return []
-    return [f"Points at the borders of the {pieces} pieces may be there several times."]
+    return [f"Points at the borders of the {pieces} pieces may be duplicated."]
 
 
 def _writes_all_steps(options: dict[str, Any]) -> bool:
@@ -162,7 +165,7 @@ def _writes_all_steps(options: dict[str, Any]) -> bool:
 
 
 def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
-    """What of the mesh the format can hold; adds the filters it takes to `made`."""
+    """The part of the mesh that the format can store; adds the necessary filters to `made`."""
     suffix = target.suffix.lower()
     writer = formats.own_writer(target)
     others = _further_outputs(made[0])
@@ -172,7 +175,7 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     for output in others:
         notes.append(f"The output {_describe_output(output)} of the reader was not written.")
     if writer:
-        return made[0]  # takes any mesh, blocks too
+        return made[0]  # the writer accepts any mesh, including blocks
 
     def fits(proxy) -> bool:
         return suffix in writable_extensions(proxy)
@@ -188,7 +191,7 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         real = append(pipeline.without_ghosts(proxy))
         cells = [pipeline.data_information(p).GetNumberOfCells() for p in (proxy, real)]
         if cells[0] > cells[1]:
-            notes.append(f"Left out: {text.plural(cells[0] - cells[1], 'ghost cell')}.")
+            notes.append(f"Omitted: {text.plural(cells[0] - cells[1], 'ghost cell')}.")
         return real
 
     proxy = made[0]
@@ -204,7 +207,7 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
     if fits(grid) and suffix != ".stl":
         return without_ghosts(grid)
     triangles = suffix == ".stl"
-    # For this filter, faces to ghosts are no boundary.
+    # This filter does not treat faces of ghost cells as boundary faces.
     surface = append(simple.MeshSurface(Input=proxy, Triangulate=int(triangles)))
     if fits(surface):
         if _has_volumes(grid):
@@ -214,15 +217,15 @@ def _suitable(made: list[Any], target: Path, notes: list[str]) -> Any:
         return surface
     known = writable_extensions(made[0]) | writable_extensions(grid) | writable_extensions(surface)
     if suffix in formats.written_extensions():
-        raise ValueError(f"{target}: files named *{suffix} cannot hold a mesh like this")
+        raise ValueError(f"{target}: *{suffix} files cannot store a mesh like this")
     raise ValueError(
         f"{target}: no writer for {suffix}{formats.suggestion(suffix, known)}; "
-        f"known are {' '.join(sorted(known))}"
+        f"the known extensions are {' '.join(sorted(known))}"
     )
 
 
 def _further_outputs(source: Any) -> list[Any]:
-    """What a reader has beside the mesh, like boundaries by zone, as far as there is any."""
+    """The non-empty outputs of a reader other than the mesh, such as boundaries by zone."""
     ports = range(1, source.SMProxy.GetNumberOfOutputPorts())
     return [
         simple.OutputPort(source, port)
@@ -268,7 +271,8 @@ def _count_by_type(proxy: Any) -> dict[str, int]:
 
 
 def _check_types(proxy: Any, target: Path) -> None:
-    """ValueError if there are cells that the writer of one of ParaView's formats would not survive."""
+    """Raises ValueError if the mesh has cells that would crash the writer of one of ParaView's
+    formats."""
     suffix = target.suffix.lower()
     if suffix not in WITHOUT_POLYHEDRA | OF_IOSS or formats.own_writer(target):
         return
@@ -279,24 +283,24 @@ def _check_types(proxy: Any, target: Path) -> None:
     for label, count in counts.items():
         if label != "All" and label not in known:
             raise ValueError(
-                f"{target}: files named *{suffix} cannot hold {text.cell_type(label)}, of which the mesh has "
+                f"{target}: *{suffix} files cannot store {text.cell_type(label)}, and the mesh has "
                 f"{count}: choose .vtu or a format of the plugin"
             )
 
 
 def _without_triangles(proxy: Any) -> list[str]:
-    """A sentence on cells of fewer than two dimensions, if there are any."""
+    """A sentence about cells of fewer than two dimensions, if there are any."""
     counts = _count_by_type(proxy)
     lost = [
         f"{counts[label]} {text.cell_type(label, counts[label])}"
         for label in POINTS_AND_LINES
         if counts.get(label)
     ]
-    return [f"Left out, as no triangles: {', '.join(lost)}."] if lost else []
+    return [f"Omitted, because these are not triangles: {', '.join(lost)}."] if lost else []
 
 
 def writable_extensions(proxy: Any) -> set[str]:
-    """Extensions of the formats that can hold the output of the source, like ".vtu"."""
+    """Extensions of the formats that can store the output of the source, such as ".vtu"."""
     factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
     if not factory.GetNumberOfRegisteredPrototypes():
         factory.UpdateAvailableWriters()
@@ -311,10 +315,10 @@ def write(
     notes: Optional[list[str]] = None,
     source: Optional[Path] = None,
 ) -> list[str]:
-    """Writes to a temporary name, then renames; returns the names of the files and folders made.
+    """Writes to a temporary name, then renames; returns the names of the files and folders written.
 
-    Formats of several files (.vtm, .node and .ele) have further names; none of them may belong to the
-    mesh of the file `source`. What the writer warns of is added to `notes`.
+    Formats of several files (.vtm, .node and .ele) have further names, which must not belong to the
+    mesh of the file `source`. Warnings of the writer are added to `notes`.
     """
     target = Path(target)
     _check_types(proxy, target)
@@ -352,16 +356,17 @@ def write(
             notes += _lost_in_surfaces(proxy, target)
             if table:
                 notes.append(
-                    f"Only a table was written, of the {table}; the option field-association "
-                    "chooses others."
+                    f"Only a table of the {table} was written; the option field-association "
+                    "selects other data."
                 )
             if staging.created:
-                notes.append(f"The folder {target.parent} was made.")
+                notes.append(f"The folder {target.parent} was created.")
     return names
 
 
 def _write_as_paraview(writer: Any, proxy: Any, path: Path, all_steps: bool) -> None:
-    """Writes by a writer of ParaView's own; RuntimeError also where that does not notice its failure."""
+    """Writes with one of ParaView's writers; raises RuntimeError even if the writer does not report
+    its failure."""
     completeness.check_space(proxy, path, path.parent)
     if path.suffix.lower() not in completeness.WITH_HDF5:
         writer.UpdatePipeline()
@@ -377,51 +382,53 @@ def _write_as_paraview(writer: Any, proxy: Any, path: Path, all_steps: bool) -> 
 
 
 def _name_as_asked(path: Path) -> None:
-    """The writer of EnSight files calls `part.case` `part.0.case`."""
+    """Renames `part.0.case`, as the EnSight writer names `part.case`."""
     numbered = path.with_name(f"{path.stem}.0{path.suffix}")
     if not path.exists() and numbered.is_file():
         numbered.rename(path)
 
 
 def _are_of_one_mesh(a: Path, b: Path) -> bool:
-    """Whether files are by their names companions in a format of the plugin that takes several for a mesh."""
+    """Whether two files have the names of one mesh in a format of the plugin with several files per
+    mesh."""
     kinds = formats.own_extensions(formats.own_writer(b))
     return a.suffix.lower() in kinds and same_file(a.parent, b.parent) and a.stem == b.stem
 
 
 def _check_companions(target: Path, names: list[str], source: Optional[Path]) -> None:
-    """RuntimeError if files or folders that come with the target would replace those of another mesh."""
+    """Raises RuntimeError if files or folders written with the target would replace those of
+    another mesh."""
     replaced = [place for place in (target.parent / name for name in names) if place.exists()]
     if source and replaced and len(names) > 1 and _are_of_one_mesh(source, target):
         raise RuntimeError(
-            f"{target}: {', '.join(map(str, replaced))} would be replaced, which belongs to the mesh of "
+            f"{target}: this would replace {', '.join(map(str, replaced))}, which belongs to the mesh of "
             f"{source}: choose another name"
         )
     if target.exists():
-        return  # they are its own
+        return  # they belong to the target
     for place in (target.parent / name for name in names):
         if place.is_dir():
             raise RuntimeError(
-                f"{target}: the folder {place} for its pieces is there already: choose another "
+                f"{target}: the folder {place} for its pieces already exists: choose another "
                 "name, or remove the folder"
             )
         if place.name != target.name and place.suffix != target.suffix and place.exists():
             raise RuntimeError(
-                f"{target}: it comes with the file {place}, which is there already: choose another "
+                f"{target}: the file {place}, which is written with it, already exists: choose another "
                 "name, or remove the file"
             )
 
 
 def _companions_that_stay(target: Path, names: list[str]) -> list[str]:
-    """A sentence on files of another mesh that will be taken for companions of those that were written."""
+    """A sentence about files of another mesh that readers will combine with the files written."""
     kinds = formats.own_extensions(formats.own_writer(target)) if len(names) > 1 else []
     old = [target.stem + kind for kind in kinds if target.stem + kind not in names]
     old = [name for name in old if (target.parent / name).exists()]
-    return [f"Files beside it do not belong to this mesh: {', '.join(old)}."] if old else []
+    return [f"Files of the same name do not belong to this mesh: {', '.join(old)}."] if old else []
 
 
 def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:
-    """A sentence on arrays that formats of bare surfaces do not hold."""
+    """A sentence about arrays that formats of bare surfaces cannot store."""
     suffix = target.suffix.lower()
     if suffix not in BARE_SURFACES:
         return []
@@ -431,13 +438,11 @@ def _lost_in_surfaces(proxy: Any, target: Path) -> list[str]:
         for name in data.keys()
         if name not in NO_LOSS
     ]
-    return (
-        [f"Files named *{suffix} hold no arrays; not written: {', '.join(lost)}."] if lost else []
-    )
+    return [f"*{suffix} files store no arrays; not written: {', '.join(lost)}."] if lost else []
 
 
 def _make_writer(proxy: Any, path: Path) -> Any:
-    """The plugin's own writer for such a name, else ParaView's."""
+    """The plugin's writer for the extension, else ParaView's."""
     name = formats.own_writer(path)
     if name is None:
         return simple.CreateWriter(str(path), proxy)
@@ -448,13 +453,13 @@ def _make_writer(proxy: Any, path: Path) -> Any:
 
 
 def _table(writer: Any) -> Optional[str]:
-    """What a writer that cannot hold a mesh writes of it: "point data"."""
+    """The data that a writer of tables writes of a mesh: "point data"."""
     association = writer.GetProperty("FieldAssociation")
     return association.GetData().lower() if association else None
 
 
 def _with_path(target: Path, reason: str) -> str:
-    """The reason with the path once; the plugin's writers begin with the name."""
+    """The reason after the path; messages of the plugin's writers already begin with the name."""
     if reason.startswith(target.name + ": "):
         reason = reason[len(target.name) + 2 :]
     return f"{target}: {reason}"

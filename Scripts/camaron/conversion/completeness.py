@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether ParaView's own writers have written a file to its end, which some of them do not tell."""
+"""Checks that ParaView's writers have written files completely, since some of them do not report
+failures."""
 
 from __future__ import annotations
 
@@ -15,8 +16,8 @@ from paraview import simple
 from ..common import files, pipeline, text
 from .storable_names import OF_IOSS
 
-#: Formats whose writers go on where the disk is full, and that readers of ParaView can read again; with
-#: the place that a mesh takes at least in files of these, as part of that in memory: ids are shorter.
+#: Formats whose writers do not report a full disk, and that ParaView can read again, with the
+#: minimum size of files relative to the mesh in memory (ids are shorter in files).
 UNSURE = {
     ".vtkhdf": 0.4,
     ".xmf": 0.4,
@@ -26,19 +27,21 @@ UNSURE = {
     ".g": 0.4,
     ".ex2": 0.4,
 }
-#: Formats whose writer ends the program where the disk is full. It makes ids for the mesh: 1.15 were
-#: measured for tetrahedra.
+#: Formats whose writer terminates the program if the disk is full. It adds ids to the mesh: the
+#: measured relative size for tetrahedra is 1.15.
 UNSURE |= dict.fromkeys(OF_IOSS, 1.3)
-#: Formats whose library prints what goes wrong instead of telling ParaView.
+#: Formats whose library prints errors instead of reporting them to ParaView.
 WITH_HDF5 = {".vtkhdf", ".xmf"}
-#: Formats of text, whose writers go on, too, and how the last line of a whole file looks.
+#: Text formats whose writers do not report a full disk either, with the last line of a complete
+#: file.
 UNSURE_TEXTS = {".obj": b"\n", ".geo": b"endExtra\n", ".csv": b"\n", ".tsv": b"\n", ".txt": b"\n"}
-#: Bytes that a file system may still have free, but no longer gives away.
+#: Bytes that a file system may report as free but cannot allocate.
 LAST_BLOCK = 4096
 
 
 def check_space(proxy: Any, target: Path, folder: Path) -> None:
-    """RuntimeError if a mesh will not go on the disk, where its writer would not say so."""
+    """Raises RuntimeError if a mesh does not fit on the disk and its writer would not report
+    that."""
     free = files.free_space(folder)
     if free is None or target.suffix.lower() not in UNSURE:
         return
@@ -50,14 +53,15 @@ def check_space(proxy: Any, target: Path, folder: Path) -> None:
 
 
 def check_written(proxy: Any, path: Path, all_steps: bool) -> None:
-    """RuntimeError if what a writer of ParaView has written is not whole, though it does not say so."""
+    """Raises RuntimeError if a writer of ParaView has written an incomplete file without reporting
+    it."""
     free = files.free_space(path.parent)
     if free is not None and free < LAST_BLOCK:
         raise RuntimeError("cannot write the file: the disk is full")
     suffix = path.suffix.lower()
     if suffix in UNSURE_TEXTS and path.is_file():
         if not _ends_with(path, UNSURE_TEXTS[suffix]):
-            raise RuntimeError("cannot write the file: its end is missing")
+            raise RuntimeError("cannot write the file: it is incomplete")
     if suffix in UNSURE and path.is_file() and not all_steps and pipeline.rank_count() == 1:
         _read_again(proxy, path)
 
@@ -74,17 +78,17 @@ def _read_again(proxy: Any, path: Path) -> None:
             again = pipeline.open_mesh(path).source
     except RuntimeError as error:
         reason = str(error).removeprefix(f"{path}: ")
-        raise RuntimeError(f"what was written cannot be read again: {reason}") from None
-    try:  # points of no cell are not always read
+        raise RuntimeError(f"the file that was written cannot be read: {reason}") from None
+    try:  # some readers skip points that no cell uses
         wanted, there = (pipeline.data_information(p).GetNumberOfCells() for p in (proxy, again))
         if wanted != there:
-            raise RuntimeError(f"of the {wanted} cells that were written {there} can be read again")
+            raise RuntimeError(f"only {there} of the {wanted} cells that were written can be read")
     finally:
         simple.Delete(again)
 
 
 class StandardError:
-    """Keeps what libraries like HDF5 print on the standard error, as `text` afterwards."""
+    """Captures the output of libraries such as HDF5 to standard error in `text`."""
 
     def __init__(self):
         self.text = ""
@@ -108,7 +112,7 @@ class StandardError:
             os.close(self._caught)
 
     def reason(self) -> str:
-        """What HDF5 says went wrong while it wrote, in a few words, or nothing."""
+        """The reason of a failure of HDF5 in a few words, or an empty text."""
         if "HDF5-DIAG" not in self.text:
             return ""
         number = re.search(r"errno = (\d+)", self.text)
@@ -120,10 +124,10 @@ class StandardError:
 
 
 def plain_reason(reason: str, folder: Path) -> str:
-    """What VTK says of a writer that failed, without a list of its insides."""
+    """VTK's message about a failed writer without the details of the pipeline."""
     found = re.match(r"Algorithm (\w+) ?\(.*returned failure for request", reason)
     if found:
         free = files.free_space(folder)
         room = f"; the disk has {text.memory(free)} free" if free is not None else ""
-        return f"cannot write the file ({found[1]} does not say why){room}"
+        return f"cannot write the file ({found[1]} reports no reason){room}"
     return re.sub(r"; deleting file: .*| while processing .*", "", reason, flags=re.DOTALL)

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Names of arrays and blocks, and integers, that the files of ParaView's own writers do not hold as they are."""
+"""Replaces names of arrays and blocks, and integers, that the files of ParaView's writers cannot
+store."""
 
 from __future__ import annotations
 
@@ -17,13 +18,14 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 from ..common import formats, pipeline, text
 
-#: Formats of VTK's XML writers, and all that are XML, in which no name has control characters.
+#: Formats of VTK's XML writers, and all XML formats, whose names must not contain control
+#: characters.
 OF_VTK = {f".{parallel}vt{kind}" for parallel in ("", "p") for kind in ("u", "p", "s", "r", "i")}
 OF_VTK |= {".pvd", ".vtm", ".vtmb", ".vtpc", ".vtpd"}
 XML = OF_VTK | {".xmf", ".xdmf"}
-#: Formats of HDF5, where a slash parts a path.
+#: HDF5 formats, in which a slash separates the parts of a path.
 HDF5 = {".vtkhdf"}
-#: Marks of XML in names, and white space, which attributes keep as references only.
+#: Special characters of XML, and white space, which attributes preserve as references only.
 REFERENCES = {
     "&": "&amp;",
     "<": "&lt;",
@@ -33,34 +35,37 @@ REFERENCES = {
     "\n": "&#10;",
     "\r": "&#13;",
 }
-#: What no XML can hold, and no name in HDF5.
+#: Characters that XML cannot contain, and names in HDF5.
 NOT_XML = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\ud800-\udfff\ufffd-\uffff]")
 NOT_HDF5 = re.compile("/")
 
-#: Formats whose writers cut integers to 32 bits, or leave out arrays of 64, and what these are written as instead.
+#: Formats whose writers truncate integers to 32 bits, or omit arrays of 64-bit integers, and the
+#: replacement types.
 OF_IOSS = {".exo", ".gen", ".par", ".exii", ".exoii"}
 LONG_INTEGERS = {".vtk": "Int64", ".xmf": "Double", **dict.fromkeys(OF_IOSS, "Double")}
-#: Formats of real numbers, with the largest integer up to which they have all.
+#: Formats of real numbers, with the number of bits of integers that they store exactly.
 LARGEST_INTEGERS = {
     **dict.fromkeys((".case", ".encas"), 24),
     **dict.fromkeys((*OF_IOSS, ".e", ".g", ".ex2", ".ex2v2", ".xmf"), 53),
 }
 
-#: VTK's numbers of types of integers that may have 64 bits.
+#: VTK's numbers of integer types that may have 64 bits.
 INTEGERS = [
     getattr(vtkCommonCore, f"VTK_{name}")
     for name in ("LONG", "UNSIGNED_LONG", "LONG_LONG", "UNSIGNED_LONG_LONG", "ID_TYPE")
 ]
 
-#: VTK gives names that are no UTF-8 as bytes.
+#: VTK returns names that are not valid UTF-8 as bytes.
 Name = Union[str, bytes]
 
 
 def writable(proxy: Any, target: Path, notes: list[str]) -> tuple[Any, dict[str, str]]:
-    """The source, or one with names and integers that the file can hold; and by their old names the new ones of arrays.
+    """The source, or a filter with names and integers that the file can store; and new names of
+    arrays by old ones.
 
-    VTK's writers put names of arrays into XML as they are: with the marks written as references they are read again.
-    Names with characters that XML does not have are changed, which is added to `notes`, as integers are that are rounded.
+    VTK's writers do not escape names of arrays in XML; with special characters as references, they
+    can be read again. Names with characters that XML cannot contain are changed. Changed names and
+    rounded integers are added to `notes`.
     """
     suffix = target.suffix.lower()
     bits = LARGEST_INTEGERS.get(suffix, 0)
@@ -68,7 +73,7 @@ def writable(proxy: Any, target: Path, notes: list[str]) -> tuple[Any, dict[str,
     if rounded:
         names = text.printable(", ".join(map(_text, rounded)))
         notes.append(
-            f"Files named *{suffix} hold real numbers: whole ones beyond 2^{bits} are rounded, of {names}."
+            f"*{suffix} files store real numbers: integers beyond 2^{bits} are rounded in {names}."
         )
     arrays, blocks = _new_names_of(proxy, suffix, notes) if suffix in XML | HDF5 else ({}, {})
     integers = LONG_INTEGERS.get(suffix, "Keep") if _integers_beyond(proxy, 2**31 - 1) else "Keep"
@@ -90,7 +95,7 @@ def writable(proxy: Any, target: Path, notes: list[str]) -> tuple[Any, dict[str,
 def _new_names_of(
     proxy: Any, suffix: str, notes: list[str]
 ) -> tuple[dict[Name, str], dict[Name, str]]:
-    """Of arrays and of blocks those that change, by their old names."""
+    """New names of arrays and of blocks that change, by their old names."""
     forbidden = NOT_XML if suffix in XML else NOT_HDF5
     escapes = suffix in OF_VTK and not _vtk_escapes()
     arrays, blocks = _names(proxy)
@@ -108,14 +113,12 @@ def _new_names_of(
     )
     if changed:
         pairs = (f"'{text.printable(_text(old))}' to '{new}'" for old, new in changed.items())
-        notes.append(
-            f"Names that files named *{suffix} cannot hold are changed: {', '.join(pairs)}."
-        )
+        notes.append(f"Names that *{suffix} files cannot store are changed: {', '.join(pairs)}.")
     return array_names, block_names
 
 
 def choose_renamed(writer: Any, names: dict[str, str]) -> None:
-    """Makes a writer that has a choice of arrays take them by their new names."""
+    """Makes a writer with a choice of arrays use their new names."""
     for key in writer.ListProperties() if names else ():
         if formats.plain(key) in formats.ARRAY_LISTS:
             chosen = list(getattr(writer, key))
@@ -123,7 +126,8 @@ def choose_renamed(writer: Any, names: dict[str, str]) -> None:
 
 
 def _integers_beyond(proxy: Any, limit: int) -> list[Name]:
-    """Names of arrays with integers of a larger magnitude, on all ranks; of a double that such a one may be the nearest of."""
+    """Names of arrays, on all ranks, with integers whose magnitude is (or, as a double, may be)
+    larger than the limit."""
     limit -= limit >= 2**53
     found = {}
     for array in _arrays(proxy):
@@ -135,7 +139,7 @@ def _integers_beyond(proxy: Any, limit: int) -> list[Name]:
 
 
 def _arrays(proxy: Any) -> Iterator[Any]:
-    """What is known of the arrays of points, cells, the mesh, tables and graphs, on all ranks."""
+    """Information about the arrays of points, cells, the mesh, tables and graphs, on all ranks."""
     information = pipeline.data_information(proxy)
     for kind in range(7):
         data = information.GetAttributeInformation(kind)
@@ -144,7 +148,7 @@ def _arrays(proxy: Any) -> Iterator[Any]:
 
 
 def _names(proxy: Any) -> tuple[list[Name], list[Name]]:
-    """Of arrays and their components, and of blocks, on all ranks."""
+    """Names of arrays and their components, and of blocks, on all ranks."""
     information = pipeline.data_information(proxy)
     arrays: list[Optional[Name]] = []
     for array in _arrays(proxy):
@@ -165,7 +169,8 @@ def _text(name: Name) -> str:
 def _new_names(
     names: Iterable[Name], forbidden: re.Pattern[str], also: str, changed: dict[Name, str]
 ) -> dict[Name, str]:
-    """By every name one without forbidden characters, or those in `also`; `changed` gets those that are others."""
+    """Maps names to names without forbidden characters and those in `also`; different names are
+    added to `changed`."""
     names = list(dict.fromkeys(names))
     new: dict[Name, str] = {}
     for name in names:
@@ -180,7 +185,7 @@ def _new_names(
 
 @functools.lru_cache(maxsize=None)
 def _vtk_escapes() -> bool:
-    """Whether VTK's writers themselves write references into names of arrays."""
+    """Whether VTK's writers escape names of arrays."""
     array = vtkIntArray()
     array.SetName("a&b")
     data = vtkPolyData()

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The main job: reads a mesh, evaluates its quality, writes a report."""
+"""Reads a mesh, evaluates its quality and writes a report."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from ..common.json_text import to_json
 from ..common.stages import Progress, Stages
 from . import pictures, report
 
-#: Points of the cumulative curves, and what they weigh cells by.
+#: Points of the cumulative curves, and the criterion that weights the cells.
 CURVE_POINTS = 51
 VOLUME = "Volume"
 
@@ -55,19 +55,20 @@ def inspect(
 ) -> dict[str, Any]:
     """Evaluates the quality of a mesh; writes report.html, summary.json, worst.csv and the mesh.
 
-    The mesh is any file that ParaView can open. `directory` is made if needed; by default it is
-    NAME-report in the current folder. Criteria are those of the preset, or the given ones, or
-    those of the preset General; of the latter, and of ["all"], what has a meaning for the mesh.
-    `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are evaluated
-    besides those of a preset. `worst` is the length of the lists of worst cells,
-    `bins` the number of bins of the histograms, `group_by` what divides the cells into groups with
-    statistics of their own: "type", "block", "none" or the name of a cell array, `time` the step of a series: "first", "last" or its
-    number. `most_pictures` of the three are taken; without `with_mesh`
-    the mesh with all arrays is not written. With `verbose` each stage says what it took; `progress` says what is
-    being done and how long the rest will take. `say` is called with a sentence about how long it will take when that is long.
+    The mesh is any file that ParaView can open. `directory` is created if needed; by default it is
+    NAME-report in the current folder. The criteria are those of the preset, or the given ones, or
+    those of the preset General; of the latter, and of ["all"], only criteria that apply to the
+    mesh. `ranges` is a file of acceptable ranges (Documentation/inspect.md), whose criteria are
+    evaluated in addition to those of a preset. `worst` is the number of worst cells to list, `bins`
+    the number of bins of the histograms. `group_by` divides the cells into groups with their own
+    statistics: "type", "block", "none" or the name of a cell array. `time` is the time step:
+    "first", "last" or its number. `most_pictures` is the maximum number of pictures, at most 3; if
+    `with_mesh` is false, the mesh with the arrays is not written. With `verbose`, the time of each
+    stage is reported; `progress` shows the current stage and the remaining time. `say` is called
+    with an estimate of the time if the evaluation takes long.
 
-    Returns what summary.json holds (Documentation/inspect.md). Raises ValueError for a name that
-    does not exist and RuntimeError for a file that cannot be read or written.
+    Returns the contents of summary.json (Documentation/inspect.md). Raises ValueError for an
+    unknown name, and RuntimeError for a file that cannot be read or written.
 
     >>> summary = camaron.inspect("part.visf", "report", criteria=["Volume", "MinDihedralAngle"])
     >>> summary["criteria"][1]["min"]
@@ -136,7 +137,7 @@ def inspect(
             most_pictures = 0
         if most_pictures and not pictures.can_render():
             most_pictures = 0
-            summary["notes"].append("There are no pictures, for want of a display.")
+            summary["notes"].append("There are no pictures because there is no display.")
         with Staging(directory) as staging, pipeline.Messages():
             _write(summary, quality, surface, staging.path, most_pictures, with_mesh, stage)
             for name in staging.names():
@@ -154,7 +155,7 @@ def inspect(
 
 
 def _earlier_mesh(directory: Path) -> list[Path]:
-    """The mesh of a report that is in the folder already, and the folder with its pieces."""
+    """The mesh of an earlier report in the folder, and the folder with its pieces."""
     try:
         summary = json.loads((directory / "summary.json").read_text("utf-8"))
         name = Path(summary["files"]["mesh"])
@@ -166,7 +167,7 @@ def _earlier_mesh(directory: Path) -> list[Path]:
 
 
 def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -> None:
-    """All files of the report into one folder."""
+    """Writes all files of the report to a folder."""
     summary["files"] = {"report": "report.html", "summary": "summary.json", "worst": "worst.csv"}
     if with_mesh:
         summary["files"]["mesh"] = "mesh" + mesh_facts.extension(quality)
@@ -175,7 +176,7 @@ def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -
         if most_pictures
         else []
     )
-    if with_mesh:  # before the report, which notes what the file cannot hold
+    if with_mesh:  # before the report, which notes the data that the file cannot store
         with stage("writing the mesh"):
             _write_mesh(summary, quality, folder)
     with stage("writing the report"):
@@ -183,7 +184,7 @@ def _write(summary, quality, surface, folder, most_pictures, with_mesh, stage) -
 
 
 def _write_mesh(summary, quality, folder) -> None:
-    # Every rank writes its own cells, without the layer of its neighbors' around them.
+    # Every rank writes its own cells, without ghost cells.
     whole = pipeline.without_ghosts(quality) if pipeline.rank_count() > 1 else quality
     whole.UpdatePipeline()
     known = set(quality.GetProperty("Criteria").Available)
@@ -235,7 +236,7 @@ def _write_report(summary, taken, folder) -> None:
 
 
 def _arrays_to_write(mesh, known, criteria) -> dict[str, Any]:
-    """Options of a writer that leave out those known criteria that have no meaning for the mesh."""
+    """Options of a writer that omit the criteria that do not apply to the mesh."""
     names = [array.Name for array in mesh.CellData]
     left_out = [name for name in names if name in known and name not in criteria]
     return {"CellDataArrays": [name for name in names if name not in left_out]} if left_out else {}

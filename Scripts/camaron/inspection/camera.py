@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where pictures of a mesh are taken from."""
+"""The camera of pictures."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 SIZE = (1200, 900)
-BAR_SHARE = 0.16  # of the width, kept free for the color bar
+BAR_SHARE = 0.16  # fraction of the width that is kept free for the color bar
 
 
 class Camera:
-    """Parallel projection that shows all of a mesh and leaves a strip at the right free."""
+    """Parallel projection that shows the whole mesh and leaves a strip on the right free."""
 
     def __init__(self, bounds: Sequence[float]):
         low, high = bounds[0::2], bounds[1::2]
@@ -32,7 +32,8 @@ class Camera:
         self.scale = max(half(self.up), half(self.right) * SIZE[1] / SIZE[0])
 
     def fit(self, view: Any) -> None:
-        """Moves so that what the view shows fills it, measured on a small picture."""
+        """Moves the camera so that the visible objects fill the view, measured on a small
+        picture."""
         width, height = 400, 300
         view.ViewSize = [width, height]
         self.apply(view)
@@ -42,7 +43,7 @@ class Camera:
         view.ViewSize = list(SIZE)
         columns, rows = numpy.flatnonzero(drawn.any(axis=0)), numpy.flatnonzero(drawn.any(axis=1))
         if max(len(columns), len(rows)) < 8:
-            return  # nothing, or next to nothing, to see
+            return  # (almost) nothing is visible
         pixel = 2.0 * self.scale / height
         middle = lambda found, size: pixel * (0.5 * (found[0] + found[-1] + 1) - 0.5 * size)
         half = lambda found: 0.5 * pixel * (found[-1] - found[0] + 1)
@@ -66,7 +67,7 @@ class Camera:
 
 
 def direction(extent: Sequence[float]) -> tuple[list[float], list[float]]:
-    """Where the camera stands, seen from the mesh, and what is up."""
+    """Direction from the mesh to the camera, and the view-up vector."""
     diagonal = math.hypot(*extent)
     flat = [axis for axis in range(3) if extent[axis] <= 1e-6 * diagonal]
     if len(flat) == 1:

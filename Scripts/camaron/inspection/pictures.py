@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pictures of a mesh and its worst cells.
 
-Only boundary polygons are drawn, which Mesh Surface takes from the mesh's topology: ParaView's own
-surface of polyhedral meshes takes minutes. Mesh Inspection draws them, as ParaView's Surface fills the holes of
-polygons and takes minutes for one of many corners.
+Only boundary polygons are drawn, which Mesh Surface extracts from the mesh topology: ParaView's own
+surface extraction takes minutes for polyhedral meshes. Mesh Inspection draws them, because
+ParaView's Surface fills the holes of polygons and takes minutes for polygons with many vertices.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ MESH_COLOR = [0.80, 0.85, 0.88]
 NULL_COLOR = [0.70, 0.66, 0.80]
 SHELL_COLOR = [0.55, 0.63, 0.70]
 MARK_COLOR = [0.76, 0.19, 0.08]
-# From good to bad: pale blue-gray, sand, orange, dark red; lightness falls all the way.
+# From good to bad: pale blue-gray, sand, orange, dark red, with decreasing lightness.
 COLORS = [
     (0.00, 0.898, 0.925, 0.937),
     (0.30, 0.953, 0.886, 0.733),
@@ -44,14 +44,15 @@ COLORS = [
 
 
 def can_render() -> bool:
-    """Whether there is a display, or a ParaView that needs none; it crashes where neither is."""
+    """Whether there is a display or ParaView needs none; otherwise rendering would crash."""
     information = vtkPVRenderingCapabilitiesInformation()
-    with pipeline.Messages():  # VTK 9.6 warns of the X server that is not there before it does without
+    with pipeline.Messages():  # VTK 9.6 warns about a missing X server before it renders without one
         return information.Supports(information.GetLocalCapabilities(), information.OPENGL)
 
 
 def end_with_display() -> None:
-    """Lets the program end with an error that says so, should the display go away; Xlib itself ends it with 1."""
+    """Ends the program with an error message if the display disappears; Xlib itself would exit with
+    1."""
     global _without_display
     try:
         xlib = ctypes.CDLL("libX11.so.6")
@@ -63,16 +64,16 @@ def end_with_display() -> None:
 
 def _end(_display: Any) -> int:
     name = text.printable(os.environ.get("DISPLAY", ""))
-    os.write(2, f"camaron: the display {name} went away while pictures were taken\n".encode())
+    os.write(2, f"camaron: the display {name} disappeared while pictures were rendered\n".encode())
     os._exit(2)
 
 
-#: Lives as long as Xlib may call it.
+#: Must exist as long as Xlib may call it.
 _without_display: Any = None
 
 
 class Scene:
-    """A white view, one for all pictures: what one of them shows is hidden for the next."""
+    """A white view for all pictures; the objects of one picture are hidden for the next."""
 
     def __init__(self):
         self.shown: list[Any] = []
@@ -83,16 +84,16 @@ class Scene:
         self.view.BackgroundColorMode = "Single Color"
         self.view.Background = [1.0, 1.0, 1.0]
         self.view.OrientationAxesLabelColor = INK
-        # What is translucent here is of one color or nearly so, which peeling would draw no better.
+        # Translucent objects have (almost) one color here, so depth peeling would not improve them.
         self.view.DepthPeeling = 0
 
     def show(self, source: Any, **properties: Any) -> Any:
-        # simple.Show makes a representation that can change to any other one, which takes a second.
+        # simple.Show creates a representation with all types, which takes a second.
         display = servermanager._getPyProxy(
             servermanager.ProxyManager().NewProxy("representations", "MeshInspectionRepresentation")
         )
         self.set(display, Input=source, DrawEdges=0, ColorArrayName=["POINTS", ""])
-        self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colors can be compared with the bar
+        self.set(display, Ambient=0.35, Diffuse=0.7)  # so that colors match the color bar
         self.set(display, **properties)
         self.view.Representations.append(display)
         self.shown.append(display)
@@ -103,7 +104,7 @@ class Scene:
             setattr(display, name, value)
 
     def clear(self) -> None:
-        """Hides all that is shown."""
+        """Hides all objects."""
         for display in self.shown:
             display.Visibility = 0
         self.shown = []
@@ -111,7 +112,7 @@ class Scene:
             self.bar.Visibility = 0
 
     def color(self, display: Any, criterion: dict[str, Any]) -> None:
-        """Colors by the criterion's cell array, bad values dark, and shows the color bar."""
+        """Colors by the criterion's cell array, with dark bad values, and shows the color bar."""
         name = criterion["name"]
         table = simple.GetColorTransferFunction(name)
         table.AutomaticRescaleRangeMode = "Never"
@@ -143,14 +144,14 @@ class Scene:
         bar.Visibility = 1
 
     def fit(self, camera: Camera) -> None:
-        """Moves the camera so that what is shown fills the picture."""
+        """Moves the camera so that the visible objects fill the picture."""
         self.view.OrientationAxesVisibility = 0
         camera.fit(self.view)
         self.view.OrientationAxesVisibility = 1
 
     def save(self, camera: Camera, path: Path) -> None:
         camera.apply(self.view)
-        # Compressed more, it would be a few per cent smaller and take twice the time.
+        # More compression makes the file a few percent smaller and takes twice the time.
         simple.SaveScreenshot(
             str(path),
             self.view,
@@ -164,7 +165,8 @@ class Scene:
 
 
 def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
-    """Smallest to largest value, or 1 % to 99 % where few values stretch the range a lot."""
+    """Smallest to largest value, or the 1 % to 99 % quantiles if a few values extend the range a
+    lot."""
     low, high = criterion["min"], criterion["max"]
     if low is None or high is None:
         return 0.0, 1.0
@@ -172,7 +174,7 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
     if p1 is not None and p99 is not None and p99 > p1 and p99 - p1 < 0.2 * (high - low):
         low, high = p1, p99
     if not high > low:
-        # One color for all: the good end, unless the value is not acceptable.
+        # A single color: the good end, unless the value is not acceptable.
         room = max(abs(low), 1.0) * 0.1
         is_low_end = (criterion["better"] == "bigger") == (criterion["out_of_range"] > 0)
         low, high = (low, high + room) if is_low_end else (low - room, high)
@@ -180,7 +182,7 @@ def color_range(criterion: dict[str, Any]) -> tuple[float, float]:
 
 
 def color_points(criterion: dict[str, Any]) -> list[float]:
-    """The control points of the color map over the criterion's range."""
+    """The control points of the color map over the range of the criterion."""
     low, high = color_range(criterion)
     colors = COLORS
     if criterion["better"] == "bigger":
@@ -191,8 +193,8 @@ def color_points(criterion: dict[str, Any]) -> list[float]:
 def take(
     summary: dict[str, Any], quality: Any, surface: Any, folder: Path, most: int, stage: Stages
 ) -> list[Picture]:
-    """The mesh, its worst cells and the worst cell, colored by the worst criterion: `most` of these; files go to
-    the folder."""
+    """Renders up to `most` pictures into the folder: the mesh, its worst cells, and the worst cell,
+    colored by the worst criterion."""
     if not summary["mesh"]["bounds"]:
         return []
     end_with_display()
@@ -210,7 +212,7 @@ def take(
 
 
 class _Pictures:
-    """The pictures of a mesh, which share a scene and what is made of the mesh."""
+    """The pictures of a mesh, which share a scene and filters."""
 
     def __init__(
         self, summary, quality, surface, folder: Path, criterion: Optional[dict[str, Any]]
@@ -230,7 +232,7 @@ class _Pictures:
         self.scene = Scene()
 
     def make(self, create: Any, source: Any, **properties: Any) -> Any:
-        """A filter that is there until the last picture is taken."""
+        """Creates a filter that exists until the last picture is rendered."""
         self.made.append(create(Input=source, **properties))
         return self.made[-1]
 
@@ -240,15 +242,15 @@ class _Pictures:
             simple.Delete(proxy)
 
     def with_arrays(self, source: Any, cells: list[str], points: list[str]) -> Any:
-        """The source with these arrays only: ParaView finds the ranges of all arrays of every filter,
-        which takes longer than the pictures do."""
+        """The source with these arrays only: ParaView computes the ranges of all arrays of every
+        filter, which takes longer than rendering."""
         return self.make(simple.PassArrays, source, CellDataArrays=cells, PointDataArrays=points)
 
     def select(self, source: Any, **properties: Any) -> Any:
         return self.make(simple.SelectElements, source, **properties)
 
     def surface_of(self, selected: Any) -> Any:
-        """The outside of the cells that are selected."""
+        """The boundary of the selected cells."""
         cells = self.make(
             simple.Threshold,
             selected,
@@ -264,7 +266,7 @@ class _Pictures:
         return display
 
     def take_mesh(self) -> Picture:
-        """The mesh colored by the criterion; with few cells, with their edges. Fits the camera."""
+        """The mesh colored by the criterion, with edges if there are few cells. Fits the camera."""
         mesh, scene, criterion = self.summary["mesh"], self.scene, self.criterion
         has_polygons = mesh["volume"] is not None or mesh["area"] is not None
         color = MESH_COLOR if has_polygons else ACCENT
@@ -285,11 +287,11 @@ class _Pictures:
         if criterion["better"] == "neither":
             caption = _caption_of_colors(criterion).strip()
         if criterion["null"]:
-            caption += " Violet cells have no value."
+            caption += " Violet cells have an undefined value."
         return Picture(path, f"{criterion['label']}.", caption)
 
     def take_worst(self) -> Picture:
-        """The worst cells inside a translucent shell, with a halo around those too small to be seen."""
+        """The worst cells inside a translucent shell, each with a halo."""
         summary, scene, criterion = self.summary, self.scene, self.criterion
         worst = criterion["worst"]
         if worst:
@@ -302,7 +304,7 @@ class _Pictures:
             title = "Cells outside the acceptable range."
         selected = self.select(self.quality, Array=criterion["name"], **how)
         scene.clear()
-        # A little larger than the mesh, to lie apart from faces of the worst cells.
+        # Slightly larger than the mesh, so that it does not coincide with faces of the worst cells.
         scene.show(
             self.outside,
             Opacity=0.14,
@@ -321,7 +323,7 @@ class _Pictures:
         name = criterion["label"][0].lower() + criterion["label"][1:]
         caption = f"By {name}, inside the boundary of the mesh."
         if worst:
-            caption += " Halos mark their places."
+            caption += " Halos mark their locations."
         return Picture(path, title, caption)
 
     def halos(self, centers: list[list[float]]) -> Any:
@@ -339,7 +341,7 @@ class _Pictures:
         return halos
 
     def take_the_worst(self) -> Picture:
-        """The worst cell close by, inside its neighbors."""
+        """A close-up of the worst cell inside its neighbors."""
         scene, criterion = self.scene, self.criterion
         worst = criterion["worst"][0]
         cell = self.select(
@@ -364,18 +366,18 @@ class _Pictures:
         scene.save(camera, path)
         block = f" of block {worst['block']}" if worst["block"] else ""
         caption = (
-            f"Number {worst['id']}{block}, {worst['type']}, with {text.number(worst['value'])}"
+            f"Cell {worst['id']}{block}, {worst['type']}, value {text.number(worst['value'])}"
             f"{text.UNIT_SYMBOLS.get(criterion['unit'], '')}, inside the cells that share a point with it."
         )
         return Picture(path, "The worst cell.", caption)
 
 
 def _caption_of_colors(criterion: dict[str, Any]) -> str:
-    """What the colors of a picture mean where they do not span all values."""
+    """The caption about the range of colors if they do not span all values."""
     low, high = color_range(criterion)
     if criterion["min"] is None or (low <= criterion["min"] and high >= criterion["max"]):
         return ""
     return (
         f" Colors span {text.number(low)} to {text.number(high)} (98 % of the cells); "
-        "values beyond have the colors of the ends."
+        "values outside this range have the colors of its ends."
     )

@@ -1,4 +1,4 @@
-// A click on a bar of a histogram tells how to get at the cells behind it.
+// A click on a bar of a histogram shows how to select its cells.
 document.addEventListener("click", function (event) {
   var bar = event.target.closest("rect[data-low]");
   if (!bar) {
@@ -28,6 +28,6 @@ document.addEventListener("click", function (event) {
   box.querySelector(".query").textContent = "(" + name + " >= " + low + ") & (" + name + " <= " + high + ")";
   box.querySelector(".command").textContent =
     "camaron select " + document.querySelector("main").dataset.mesh + " --by '" + step + "' -o cells.csv";
-  box.querySelector(".ids").textContent = ids.length ? "Of the worst cells below: " + ids.join(", ") : "";
+  box.querySelector(".ids").textContent = ids.length ? "Among the worst cells below: " + ids.join(", ") : "";
   box.hidden = false;
 });

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The page that `inspect` writes: one HTML file that needs nothing from elsewhere."""
+"""The report of `inspect`: one self-contained HTML file."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from ..common.text import THIN
 
 BETTER = {"bigger": "larger is better", "smaller": "smaller is better", "neither": ""}
 
-#: What a click on a bar fills in, see report.js.
+#: Filled in after a click on a bar, see report.js.
 PICK = html(
     '<div class="pick" hidden><p><b class="bar"></b></p>'
-    "<p>In ParaView's Find Data, on the mesh of this report:</p>"
-    '<code class="query"></code><p>On the command line, as a table with their ids:</p>'
+    "<p>Query for ParaView's Find Data, for the mesh of this report:</p>"
+    '<code class="query"></code><p>Command that writes these cells as a table with their ids:</p>'
     '<code class="command"></code><p class="ids"></p></div>'
 )
 
 
 @dataclass
 class Picture:
-    """A PNG file with what to write below it."""
+    """A PNG file with its title and caption."""
 
     path: Path
     title: str
@@ -35,7 +35,8 @@ class Picture:
 
 
 def render(summary: dict[str, Any], pictures: Sequence[Picture] = ()) -> str:
-    """The report as HTML. `summary` is what summary.json holds (see Documentation/inspect.md)."""
+    """The report as HTML; `summary` has the contents of summary.json (see
+    Documentation/inspect.md)."""
     criteria = summary["criteria"]
     body = [
         _header(summary),
@@ -60,7 +61,7 @@ def render(summary: dict[str, Any], pictures: Sequence[Picture] = ()) -> str:
 def page(
     title: str, navigation: Markup, main: Markup, body: Sequence[Optional[Markup]], script: Markup
 ) -> str:
-    """A whole page; `main` opens the part that `body` fills."""
+    """A complete page; `main` is the opening tag of the element around `body`."""
     return html(
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
@@ -76,12 +77,12 @@ def page(
 
 
 def link(c: dict[str, Any], more: Any = None) -> Markup:
-    """To the part of the page about a criterion."""
+    """A link to the section of a criterion."""
     return html('<a href="#criterion-{}">{}{}</a>', c["name"], c["label"], more)
 
 
 def table_of(kind: str, head: Sequence[Any], rows: Sequence[Markup]) -> Markup:
-    """A table that scrolls where it is too wide; the rows are whole ones."""
+    """A table that scrolls if it is too wide; `rows` are complete rows."""
     return html(
         '<div class="scroll"><table class="{}"><thead><tr>{}</tr></thead><tbody>{}</tbody></table></div>',
         kind,
@@ -126,7 +127,7 @@ def _findings(summary) -> Markup:
     hints = [_finding(f) for f in found if f["hint"]]
     folded = html(
         '<details class="hints"><summary>{}</summary><ul>{}</ul></details>',
-        f"{text.plural(len(hints), 'hint')}: common practice, missed on purpose by some meshes",
+        f"{text.plural(len(hints), 'hint')}: common practice that some meshes violate on purpose",
         hints,
     )
     return html('<div class="findings"><ul>{}</ul>{}</div>', first, folded if hints else None)
@@ -197,7 +198,7 @@ def _share(c, part: int, whole: int) -> str:
 
 
 def _outside(c) -> Markup:
-    """How many cells are outside the acceptable range, as a cell of the overview."""
+    """The number of cells outside the acceptable range, as a cell of the overview."""
     if not assessment.is_limited(c):
         return html('<td class="none">–</td>')
     kind = "bad" if assessment.is_serious(c) else "hint" if c["out_of_range"] else "fine"
@@ -302,7 +303,8 @@ def _statistics(c) -> Markup:
 
 
 def _remarks(c, value) -> list[str]:
-    """What is good, who says so, and of how many cells."""
+    """Remarks on the better direction, the acceptable range and its source, and the covered
+    cells."""
     remarks = []
     if BETTER[c["better"]]:
         remarks.append(BETTER[c["better"]])
@@ -310,7 +312,9 @@ def _remarks(c, value) -> list[str]:
         remarks.append(f"ideal {value(c['ideal'])}")
     limits = text.interval(*c["acceptable"], c["unit"])
     if limits and not assessment.is_limited(c):
-        remarks.append(f"the range of {c['acceptable_source']} is for {c['acceptable_for']} only")
+        remarks.append(
+            f"the range of {c['acceptable_source']} applies to {c['acceptable_for']} only"
+        )
     elif limits:
         source = ("a hint: " if c["acceptable_is_hint"] else "") + c["acceptable_source"]
         remarks.append(f"acceptable {limits}" + (f" ({source})" if source else ""))
@@ -327,16 +331,18 @@ def _remarks(c, value) -> list[str]:
 def _legend(c) -> Optional[Markup]:
     if not c["histogram"]["counts"]:
         return None
-    words = ["Click a bar for the cells behind it."]
+    words = ["Click a bar to list its cells."]
     curve = c.get("curve") or {"values": []}
     if len(curve["values"]) >= 3:
         volume = " (dashed: of the volume)" if curve["weight_percent"] else ""
-        words.append(f"The line goes from 0 to 100 %: share of the cells{volume} up to a value.")
+        words.append(
+            f"The line shows the percentage of cells{volume} up to each value, from 0 to 100 %."
+        )
     return html('<p class="legend">{}</p>', " ".join(words))
 
 
 def _groups(c) -> Optional[Markup]:
-    """A table of the groups, where there is more than one with values."""
+    """A table of the groups, if more than one has values."""
     groups = [g for g in c.get("groups", []) if g["applicable"]]
     if len(groups) < 2:
         return None
@@ -404,16 +410,16 @@ def _worst(c) -> Optional[Markup]:
 def _footer(summary) -> Markup:
     mesh = summary["files"].get("mesh")
     return html(
-        "<footer><p><b>Acceptable</b> ranges are those of the sources named with each criterion, for the "
-        "shapes of cells that these are about; they are no verdict, what a mesh must satisfy depends on its "
-        "use. <b>Undefined</b>: the criterion has no value for the cell, for example 0/0. "
-        "<b>Infinite</b>: the criterion has no bound and the cell is degenerate. "
-        "Undefined and infinite values are in no mean, quantile or bin; infinite ones are outside a "
-        "range. Cell numbers start at 0. Lengths, areas and volumes are in the units of the mesh."
-        "</p><p>Beside this page: <code>summary.json</code> (all numbers), <code>worst.csv</code> "
+        "<footer><p><b>Acceptable</b> ranges are taken from the source given with each criterion and apply "
+        "to the cell shapes that the source covers; they are not a verdict, because the requirements on a "
+        "mesh depend on its use. <b>Undefined</b>: the criterion has no value for the cell, for example 0/0. "
+        "<b>Infinite</b>: the criterion is unbounded and the cell is degenerate. "
+        "Undefined and infinite values do not contribute to means, quantiles and bins; infinite values are "
+        "outside of a range. Cell numbers start at 0. Lengths, areas and volumes are in the units of the mesh."
+        "</p><p>In the same folder: <code>summary.json</code> (all numbers), <code>worst.csv</code> "
         "(worst cells){}.</p></footer>",
         (
-            html(", <code>{}</code> (the mesh with one cell array for each criterion)", mesh)
+            html(", <code>{}</code> (the mesh with one cell array per criterion)", mesh)
             if mesh
             else None
         ),
