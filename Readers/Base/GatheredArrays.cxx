@@ -21,7 +21,7 @@ namespace
 using Piece = GatheredPieces::Piece;
 
 //------------------------------------------------------------------------------
-// A FieldList sorts arrays by name; files have them in the order of the mesh.
+// A FieldList sorts arrays by name; this restores the order of the mesh.
 void RestoreOrder(vtkDataSetAttributes* data, vtkDataSetAttributes* model)
 {
   std::vector<std::pair<vtkSmartPointer<vtkAbstractArray>, int>> arrays;
@@ -60,7 +60,7 @@ void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnin
     cellFields.IntersectFieldList(piece.Mesh->GetCellData());
   }
   vtkPointData* points = grid->GetPointData();
-  points->CopyGlobalIdsOn(); // a merged point still has the id of all of which it was made
+  points->CopyGlobalIdsOn(); // all points merged into one have the same id
   points->CopyAllocate(pointFields, pieces.GetNumberOfNewPoints());
   for (vtkIdType i = 0; points->GetNumberOfArrays() > 0 && i < pieces.GetNumberOfNewPoints(); ++i)
   {
@@ -120,7 +120,7 @@ void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnin
   if (!names.empty())
   {
     warnings.Add(
-      "arrays that parts of the mesh lack, or have in another form, are left out: " + names);
+      "arrays that some parts of the mesh lack or store in another form are left out: " + names);
   }
 }
 

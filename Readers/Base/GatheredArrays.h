@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GatheredArrays.h
- * @brief Arrays of a mesh that was made of pieces.
+ * @brief Arrays of a mesh that was merged from pieces.
  */
 #ifndef camaron_GatheredArrays_h
 #define camaron_GatheredArrays_h
@@ -14,11 +14,11 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Gives points and cells of @a grid, which is made of the pieces, the values they had there.
-/// Arrays that cannot be joined are told.
+/// Copies the values of points and cells from the pieces to @a grid, which was merged from them.
+/// Warns about arrays that cannot be joined.
 void MergeArrays(const GatheredPieces& pieces, vtkUnstructuredGrid* grid, Warnings& warnings);
 
-/// Of arrays of the same name, those of the first part.
+/// Merges field data; of arrays with the same name, the one of the first part is used.
 void MergeFieldData(const std::vector<MeshPart>& parts, vtkFieldData* merged);
 }
 

@@ -26,7 +26,7 @@ namespace
 using Piece = GatheredPieces::Piece;
 
 //------------------------------------------------------------------------------
-// Sizes of what stays.
+// Sizes of the kept cells.
 struct Sizes
 {
   vtkIdType Cells = 0, Points = 0, Faces = 0, FacePoints = 0;
@@ -57,7 +57,7 @@ Sizes Measure(const GatheredPieces& pieces)
 }
 
 //------------------------------------------------------------------------------
-// A vtkCellArray that is filled list by list and then exactly full.
+// A vtkCellArray of known size that is filled list by list.
 template <typename Id>
 class Lists
 {
@@ -172,7 +172,7 @@ bool HasSeams(vtkDataSet* mesh)
 vtkSmartPointer<vtkUnstructuredGrid> MergeParts(
   const std::vector<MeshPart>& parts, Warnings& warnings)
 {
-  // A process or block without points may lack arrays that the others have.
+  // Processes or blocks without points may lack arrays that the others have.
   std::vector<MeshPart> filled;
   std::copy_if(parts.begin(), parts.end(), std::back_inserter(filled),
     [](const MeshPart& part) { return part.Mesh->GetNumberOfPoints() > 0; });
@@ -197,14 +197,15 @@ vtkSmartPointer<vtkUnstructuredGrid> MergeParts(
   if (pieces.GetNumberOfTwins() > 0)
   {
     warnings.Add(CountOf(pieces.GetNumberOfTwins(),
-      "point of pieces without global ids was taken for that of another piece at the same place",
-      "points of pieces without global ids were taken for those of other pieces at the same "
-      "place"));
+      "point of a piece without global ids was merged with a point of another piece at the same "
+      "position",
+      "points of pieces without global ids were merged with points of other pieces at the same "
+      "position"));
   }
   if (pieces.GetNumberOfUnclearPlaces() > 0)
   {
-    warnings.Add("the mesh may fall apart at " +
-      CountOf(pieces.GetNumberOfUnclearPlaces(), "place", "places") +
+    warnings.Add("the mesh may be disconnected at " +
+      CountOf(pieces.GetNumberOfUnclearPlaces(), "position", "positions") +
       " where pieces without global ids have several points");
   }
   return merged;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file GatheredMesh.h
- * @brief Makes one mesh of its blocks, and of pieces that several processes had.
+ * @brief Merges blocks, and pieces from several processes, to one mesh.
  */
 #ifndef camaron_GatheredMesh_h
 #define camaron_GatheredMesh_h
@@ -26,23 +26,22 @@ struct MeshPart
 };
 
 /**
- * Whether a mesh has ghost or hidden cells, several points of the same global id and place, or
- * points or cells that do not follow each other by global id, as it may after pieces were put
- * together.
+ * Whether a mesh has ghost or hidden cells, several points with the same global id and position, or
+ * points or cells that are not sorted by global id, as may happen after pieces were appended.
  */
 bool HasSeams(vtkDataSet* mesh);
 
 /**
- * Puts parts together, so that the mesh does not depend on how it was split: their cells without
- * ghost and hidden ones, and their points without those that only such cells use. If all parts have
- * global ids of points, points of the same id and place are merged and all are sorted by id; if all
- * have global ids of cells, cells are sorted by them. Otherwise they stay in the order of the
- * parts, and the points of each block are merged by global id or, if its pieces have none, where
- * points of different pieces are at the same place. Which of several points of a piece at one place
- * was meant cannot be told; they stay apart.
+ * Merges parts to a mesh that does not depend on how it was split. Ghost and hidden cells are
+ * dropped, and points that only these use. If all parts have global point ids, points with the same
+ * id and position are merged and all points are sorted by id; if all have global cell ids, cells
+ * are sorted by id. Otherwise the order of the parts is kept, and the points of each block are
+ * merged by global id or, if its pieces have none, where points of different pieces coincide. If a
+ * piece has several points at one position, the matching one is ambiguous, so they stay separate.
  *
- * Arrays are those of all parts, see AddPartialArrays for what not all have; a merged point has the
- * values of the first. Field data is that of all parts, by name of the first.
+ * The result has the arrays that all parts have; see AddPartialArrays for the others. A merged
+ * point has the values of the first one. Field data is merged from all parts; the first array of a
+ * name wins.
  * @param parts sorted by block
  */
 vtkSmartPointer<vtkUnstructuredGrid> MergeParts(

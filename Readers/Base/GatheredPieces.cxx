@@ -17,7 +17,7 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// The global ids of points or cells; none if there are no such ids.
+// The global ids of points or cells; empty if there are none.
 std::vector<vtkIdType> GetGlobalIds(vtkDataSetAttributes* data)
 {
   vtkDataArray* const ids = data->GetGlobalIds();
@@ -89,7 +89,7 @@ void GatheredPieces::OrderCells()
 }
 
 //------------------------------------------------------------------------------
-// Points that only cells use that are left out.
+// Drops points that only dropped cells use.
 void GatheredPieces::DropPoints()
 {
   this->NewPoints.assign(static_cast<std::size_t>(this->NumberOfPoints), 0);
@@ -153,7 +153,7 @@ void GatheredPieces::NumberPointsById(Iterator begin, Iterator end)
   const auto getId = [&ids, firstPoint](vtkIdType point) { return ids[point - firstPoint]; };
   std::vector<vtkIdType> sorted;
   for (vtkIdType point = firstPoint; point < firstPoint + static_cast<vtkIdType>(ids.size());
-    ++point)
+       ++point)
   {
     if (this->NewPoints[point] >= 0)
     {
@@ -163,11 +163,11 @@ void GatheredPieces::NumberPointsById(Iterator begin, Iterator end)
   std::stable_sort(sorted.begin(), sorted.end(),
     [&getId](vtkIdType a, vtkIdType b) { return getId(a) < getId(b); });
 
-  // Points are the same if their places are, too: blocks of different meshes may use the same ids.
-  // More places than this for one id, and the ids mean nothing.
+  // Points are the same only if their positions are, too: blocks of different meshes may use the
+  // same ids. With more positions than this for one id, the ids are meaningless.
   constexpr std::size_t MaxPlaces = 64;
   std::vector<vtkIdType>& kept = this->OldPoints;
-  std::size_t first = kept.size(); // of the kept points with the id at hand
+  std::size_t first = kept.size(); // of the kept points with the current id
   for (const vtkIdType point : sorted)
   {
     if (first < kept.size() && getId(kept[first]) != getId(point))
@@ -219,13 +219,13 @@ void GatheredPieces::NumberPointsByPlace(Iterator begin, Iterator end)
     }
     else if (newId >= 0)
     {
-      newId = this->NewPoints[newId]; // a point before this one
+      newId = this->NewPoints[newId]; // the twin is an earlier point
     }
   }
 }
 
 //------------------------------------------------------------------------------
-// Points of pieces that other pieces may have, too, sorted by place.
+// Points that may also exist in other pieces, sorted by position.
 std::vector<vtkIdType> GatheredPieces::FindBorderPoints(Iterator begin, Iterator end) const
 {
   std::vector<vtkBoundingBox> boxes;
@@ -269,7 +269,7 @@ std::vector<vtkIdType> GatheredPieces::FindBorderPoints(Iterator begin, Iterator
 }
 
 //------------------------------------------------------------------------------
-// Makes points at one place, in the order of the pieces, one; unless some are of the same piece.
+// Merges points at one position, in the order of the pieces, unless two are of the same piece.
 void GatheredPieces::MergeTwins(const vtkIdType* begin, const vtkIdType* end)
 {
   const auto areOfOnePiece = [this](vtkIdType a, vtkIdType b)
@@ -296,6 +296,6 @@ bool GatheredPieces::HaveSamePlace(vtkIdType a, vtkIdType b) const
   std::array<double, 3> x, y;
   this->GetPlace(a, x.data());
   this->GetPlace(b, y.data());
-  return x == y || std::memcmp(x.data(), y.data(), sizeof(x)) == 0; // or both are no numbers
+  return x == y || std::memcmp(x.data(), y.data(), sizeof(x)) == 0; // the latter for NaN
 }
 }

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::GatheredPieces
- * @brief Which cells and points of pieces of meshes stay when they become one mesh, and their order
- * in it.
+ * @brief Which cells and points of pieces are kept when these become one mesh, and their order.
  *
- * See MergeParts for the rules. A point or cell is known by its number among those of all pieces.
+ * See MergeParts for the rules. Points and cells are numbered consecutively over all pieces.
  */
 #ifndef camaron_GatheredPieces_h
 #define camaron_GatheredPieces_h
@@ -46,22 +45,22 @@ public:
   const std::vector<Piece>& GetPieces() const { return this->Pieces; }
   /// False if cells or points are left out, merged or sorted.
   bool IsUnchanged() const;
-  /// Points that were taken for another at the same place.
+  /// Points that were merged with another at the same position.
   vtkIdType GetNumberOfTwins() const { return this->NumberOfTwins; }
-  /// Places where some piece has several points, and others have some, too.
+  /// Positions where one piece has several points and others have points, too.
   vtkIdType GetNumberOfUnclearPlaces() const { return this->NumberOfUnclearPlaces; }
 
   vtkIdType GetNumberOfNewPoints() const { return static_cast<vtkIdType>(this->OldPoints.size()); }
-  /// The first of the points that became a new one.
+  /// The first of the points that were merged into a new one.
   vtkIdType GetOldPoint(vtkIdType newPoint) const { return this->OldPoints[newPoint]; }
-  /// -1 if it is left out.
+  /// -1 if the point is dropped.
   vtkIdType GetNewPoint(const Piece& piece, vtkIdType point) const
   {
     return this->NewPoints[piece.FirstPoint + point];
   }
   vtkIdType GetOldCell(vtkIdType newCell) const { return this->OldCells[newCell]; }
 
-  /// Calls @a visit(piece, cell) for the cells that stay, in their order.
+  /// Calls @a visit(piece, cell) for the cells that are kept, in their new order.
   template <typename Visit>
   void ForEachCell(Visit&& visit) const
   {
@@ -78,7 +77,7 @@ public:
                [first](vtkIdType i, const Piece& piece) { return i < piece.*first; }) -
       1);
   }
-  /// Its place among the pieces.
+  /// Its index among the pieces.
   std::size_t GetIndex(const Piece& piece) const
   {
     return static_cast<std::size_t>(&piece - this->Pieces.data());
@@ -106,9 +105,9 @@ private:
   vtkIdType NumberOfCells = 0;
   vtkIdType NumberOfTwins = 0;
   vtkIdType NumberOfUnclearPlaces = 0;
-  std::vector<vtkIdType> OldCells;  // of all pieces that stay
-  std::vector<vtkIdType> NewPoints; // per point of all pieces; -1 if it is left out
-  std::vector<vtkIdType> OldPoints; // per new point the first of those that became it
+  std::vector<vtkIdType> OldCells;  // per new cell
+  std::vector<vtkIdType> NewPoints; // per point of all pieces; -1 if it is dropped
+  std::vector<vtkIdType> OldPoints; // per new point the first of those merged into it
 };
 }
 

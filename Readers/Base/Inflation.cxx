@@ -13,7 +13,7 @@ namespace camaron
 {
 namespace
 {
-// Meshes shrink to a third or a tenth. Beyond so many bytes, nothing may shrink more than this.
+// Meshes compress to a third or a tenth. Files of more bytes may not exceed the ratio above.
 constexpr std::size_t Unchecked = std::size_t(16) << 20;
 constexpr std::size_t MaxRatio = 100;
 
@@ -75,7 +75,7 @@ bool Inflation::Inflate(
   Stream stream;
   if (!stream.Good)
   {
-    return fail(ErrorKind::Memory, "not enough memory to inflate the file");
+    return fail(ErrorKind::Memory, "not enough memory to decompress the file");
   }
   const char* next = file.begin();
   while (true)
@@ -91,7 +91,7 @@ bool Inflation::Inflate(
       }
       if (!this->Grow(capacity))
       {
-        return fail(ErrorKind::Memory, "not enough memory to inflate the file");
+        return fail(ErrorKind::Memory, "not enough memory to decompress the file");
       }
     }
     const std::size_t left = static_cast<std::size_t>(file.end() - next);
@@ -109,7 +109,7 @@ bool Inflation::Inflate(
     const auto read = static_cast<std::size_t>(next - file.begin());
     if (status == Z_STREAM_END)
     {
-      // Members may follow each other; anything else at the end is ignored, as gzip does.
+      // Several members may follow each other; anything else at the end is ignored, as gzip does.
       if (!IsCompressed(next, file.end()))
       {
         this->TrailingData = std::any_of(next, file.end(), [](char c) { return c != '\0'; });
@@ -120,7 +120,7 @@ bool Inflation::Inflate(
     else if (status != Z_OK && status != Z_BUF_ERROR)
     {
       return fail(ErrorKind::Syntax,
-        "byte " + std::to_string(read) + ": expected data compressed with gzip, found " +
+        "byte " + std::to_string(read) + ": expected gzip data, found " +
           (stream.Z.msg ? stream.Z.msg : "something else"));
     }
     else if (next == before && this->Size == size && left == 0)
@@ -132,7 +132,7 @@ bool Inflation::Inflate(
     if (this->Size > Unchecked && this->Size / MaxRatio > read)
     {
       return fail(ErrorKind::Unsupported,
-        "byte " + std::to_string(read) + ": expected a mesh, found data that inflates more than " +
+        "byte " + std::to_string(read) + ": expected a mesh, found data that expands more than " +
           std::to_string(MaxRatio) + " times");
     }
     if (!progress.Report(static_cast<double>(read) / static_cast<double>(file.size())))

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class camaron::Inflation
- * @brief The content of a file that was compressed with gzip.
+ * @brief The decompressed content of a gzip file.
  *
- * Memory grows with what is inflated, so that nothing is believed of what the file says of its
- * size. A small file that inflates without end is given up.
+ * Memory grows with the output; sizes that the file declares are not trusted. Decompression fails
+ * if a small file expands excessively.
  */
 #ifndef camaron_Inflation_h
 #define camaron_Inflation_h
@@ -25,17 +25,17 @@ public:
   Inflation(const Inflation&) = delete;
   Inflation& operator=(const Inflation&) = delete;
 
-  /// Whether a file begins as gzip's do.
+  /// Whether a file begins with the signature of gzip.
   static bool IsCompressed(const char* begin, const char* end);
 
   /**
-   * Inflates a file; false with the reason in @a error, or if stopped.
-   * @param limit if positive, as many bytes are enough
+   * Decompresses a file; false with the reason in @a error, or if stopped.
+   * @param limit if positive, stop after this many bytes
    */
   bool Inflate(
     const MappedFile& file, ScanError& error, const Progress& progress, std::size_t limit = 0);
 
-  /// Whether something other than zeros, which are padding, follows what was inflated.
+  /// Whether anything but zeros, which are padding, follows the compressed data.
   bool HasTrailingData() const { return this->TrailingData; }
 
   const char* begin() const { return this->Data ? this->Data : ""; }

@@ -14,13 +14,13 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// An array of one name, as far as parts have it.
+// An array name with the parts that have it.
 struct PartialArray
 {
   std::string Name;
   std::vector<vtkAbstractArray*> OfParts;
 
-  /// The array that holds all of them, filled with what stands for no value; null if there is none.
+  /// An array for all parts, filled with the value for "undefined"; nullptr if they do not match.
   vtkSmartPointer<vtkDataArray> MakeJoint(vtkIdType size) const
   {
     int type = VTK_VOID, components = 0;

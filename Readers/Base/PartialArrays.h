@@ -26,11 +26,10 @@ struct TupleSource
 };
 
 /**
- * Adds to @a merged, of @a size tuples, the numeric arrays of parts that it lacks, by name: those
- * that some parts do not have, which get nan there, or 0 in integers, and those of which parts have
- * different types, as double. Global ids and ghost arrays are none of them.
- * @return the names of those that cannot be joined: of texts or bits, or of different numbers of
- * components
+ * Adds to @a merged, which has @a size tuples, the numeric arrays of the parts that it lacks.
+ * Arrays that some parts lack are filled with NaN there (0 for integers); arrays whose types differ
+ * between parts become double. Global ids and ghost arrays are skipped.
+ * @return names of arrays that cannot be joined: strings, bits, or different numbers of components
  */
 std::vector<std::string> AddPartialArrays(const std::vector<vtkDataSetAttributes*>& parts,
   vtkIdType size, const std::function<TupleSource(vtkIdType)>& getSource,

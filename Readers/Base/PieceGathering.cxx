@@ -38,10 +38,10 @@ namespace camaron
 {
 namespace
 {
-constexpr int Tag = 7301; // any number that nobody else uses
+constexpr int Tag = 7301; // arbitrary, unused elsewhere
 
 //------------------------------------------------------------------------------
-// Sends and receives the parts of a mesh in one order.
+// Sends or receives the parts of a mesh; both go through the arrays in the same order.
 class Channel
 {
 public:
@@ -67,7 +67,7 @@ public:
   }
   void Send(vtkDataSetAttributes* data)
   {
-    // Each with what it is for, e.g. the normals or the global ids.
+    // Each with its attribute type, e.g. normals or global ids.
     std::vector<std::pair<vtkDataArray*, int>> arrays;
     for (int i = 0; i < data->GetNumberOfArrays(); ++i)
     {
@@ -173,13 +173,13 @@ private:
 };
 
 //------------------------------------------------------------------------------
-// Lists the leaves of data as parts, and counts the blocks, alike on all processes.
+// Lists the leaves of data as parts and numbers the blocks identically on all processes.
 class PartList
 {
 public:
   explicit PartList(vtkDataObject* data) { this->Add(data); }
   std::vector<MeshPart>& GetParts() { return this->Parts; }
-  /// Throws what is wrong with the leaves of all processes.
+  /// Throws on all processes if a leaf on any process is invalid.
   void Check(vtkMultiProcessController* controller) const
   {
     const std::int64_t own[3] = { this->Faces.NumberWithFaces, this->Faces.NumberOfPolyhedra,

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file PieceGathering.h
- * @brief Brings a mesh that several processes have to the one that writes it.
+ * @brief Collects a distributed mesh on the process that writes it.
  *
- * VTK's own way (vtkMultiProcessController::Gather of data objects, as vtkParallelSerialWriter uses
- * it) goes through the legacy file format, which takes minutes and ten times the memory for a
- * million polyhedra, even within one process. Here the arrays themselves travel.
+ * VTK's own method (vtkMultiProcessController::Gather of data objects, as in
+ * vtkParallelSerialWriter) serializes to the legacy file format, which takes minutes and ten times
+ * the memory for a million polyhedra, even within one process. This code sends the arrays.
  */
 #ifndef camaron_PieceGathering_h
 #define camaron_PieceGathering_h
@@ -22,13 +22,13 @@ namespace camaron
 class Warnings;
 
 /**
- * One mesh of all that the processes have, on process 0; nullptr on the others. A single
- * vtkUnstructuredGrid or vtkPolyData without seams stays as it is; else all leaves of composite
- * data, whatever their types, are merged to a vtkUnstructuredGrid as MergeParts does, block by
- * block. All processes must call it.
- * @param controller none for what this process has
- * @throw std::runtime_error on all processes, for polyhedra none of which has a face, and for
- * "vtkGhostType" that VTK does not know
+ * Gathers the mesh of all processes on process 0; nullptr on the others. A single
+ * vtkUnstructuredGrid or vtkPolyData without seams (see HasSeams) is returned unchanged; otherwise
+ * all leaves of composite data, of any type, are merged block by block into a vtkUnstructuredGrid,
+ * see MergeParts. Collective: all processes must call it.
+ * @param controller nullptr to gather the blocks of this process only
+ * @throw std::runtime_error on all processes, for polyhedra of which none has a face, and for a
+ * "vtkGhostType" array that VTK does not recognize
  */
 vtkSmartPointer<vtkDataSet> Gather(
   vtkDataObject* data, vtkMultiProcessController* controller, Warnings& warnings);

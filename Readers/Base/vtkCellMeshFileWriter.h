@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkCellMeshFileWriter
- * @brief Common part of the writers of formats that hold cells of certain types only.
+ * @brief Base class of writers of formats that store certain cell types only.
  *
- * Adds the choice how other cells are treated. See camaron::ConvertCells for the cells that are
+ * Adds an option for the treatment of other cells. See camaron::ConvertCells for the cells that are
  * always converted, and for how cells are split.
  *
  * The XML of every such writer has this property:
@@ -49,7 +49,7 @@ public:
 
   ///@{
   /**
-   * What becomes of cells that the format cannot hold. Default: REFUSE.
+   * How to treat cells that the format cannot store. Default: REFUSE.
    */
   vtkSetClampMacro(UnsupportedCells, int, REFUSE, CONVERT);
   vtkGetMacro(UnsupportedCells, int);

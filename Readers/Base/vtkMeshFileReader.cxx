@@ -24,7 +24,7 @@
 namespace
 {
 //------------------------------------------------------------------------------
-// All processes, if each of them reads its own piece now.
+// The controller of all processes, if each of them is reading its own piece; else nullptr.
 vtkMultiProcessController* FindProcesses(const camaron::PieceRequest& request)
 {
   vtkMultiProcessController* const all = vtkMultiProcessController::GetGlobalController();
@@ -36,7 +36,7 @@ vtkMultiProcessController* FindProcesses(const camaron::PieceRequest& request)
 }
 
 //------------------------------------------------------------------------------
-// If any process has failed all have, for the reason of the first that did, which may be none.
+// Makes all processes fail if one has, with the error of the first, which may be empty.
 void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron::ScanError& error)
 {
   const int none = processes->GetNumberOfProcesses();
@@ -60,7 +60,7 @@ void ShareFailure(vtkMultiProcessController* processes, bool& hasFailed, camaron
 }
 
 //------------------------------------------------------------------------------
-// Collects on process 0 what any process warns of; the others have nothing to tell then.
+// Collects the warnings of all processes on process 0 and clears them on the others.
 void ShareWarnings(vtkMultiProcessController* processes, camaron::Warnings& warnings)
 {
   const std::vector<std::string>& mine = warnings.GetSentences();
@@ -91,7 +91,7 @@ void ShareWarnings(vtkMultiProcessController* processes, camaron::Warnings& warn
 }
 
 //------------------------------------------------------------------------------
-// Whether all processes have found the files as this one has.
+// Whether all processes saw the files in the same state as this one.
 bool HaveReadTheSame(vtkMultiProcessController* processes, const camaron::FileStates::State& mine)
 {
   constexpr int Size = 3;
@@ -108,7 +108,7 @@ bool HaveReadTheSame(vtkMultiProcessController* processes, const camaron::FileSt
 }
 
 //------------------------------------------------------------------------------
-// Adds what the first process tells of points whose coordinates are not finite, of all pieces.
+// Process 0 warns about points with non-finite coordinates in all pieces.
 void WarnOfPoints(vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessController* processes,
   camaron::Warnings& warnings)
 {
@@ -123,7 +123,7 @@ void WarnOfPoints(vtkUnstructuredGrid* piece, bool areFinite, vtkMultiProcessCon
   if (!processes || processes->GetLocalProcessId() == 0)
   {
     warnings.Add(bad, "point", "points", "with a coordinate that is not finite",
-      processes ? " (counted from 0; points that several processes have are counted by each)"
+      processes ? " (counted from 0; points on several processes are counted by each)"
                 : camaron::FromZero);
   }
 }
@@ -173,7 +173,7 @@ int vtkMeshFileReader::RequestData(
   const camaron::Progress progress(
     [this](double fraction)
     {
-      // What is read of a file that was changed is of no use.
+      // Data read from a file that has changed is useless.
       const bool isOfUse = !camaron::MappedFile::HasAnyChanged();
       this->UpdateProgress(fraction);
       return isOfUse && !this->CheckAbort();
@@ -186,11 +186,11 @@ int vtkMeshFileReader::RequestData(
   this->ReadMesh(this->FileName, request, output, warnings, error, progress);
   if (!error)
   {
-    progress.Report(1); // of a file so small that nothing was reported, too
+    progress.Report(1); // small files may not have reported any progress
   }
   if (progress.IsStopped() && error.Kind != camaron::ErrorKind::Changed)
   {
-    // Whatever was tried in vain before, in another dialect perhaps, is not why there is no mesh.
+    // An error of an earlier attempt, such as another dialect, is not the reason.
     error = camaron::ScanError();
   }
   bool hasFailed = error || progress.IsStopped();

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshFileReader
- * @brief Common part of the readers of mesh files.
+ * @brief Base class of the readers of mesh files.
  *
- * A reader of a format says how to recognize and how to read a file; this class does the rest: the
- * name of the file, pieces and ghost cells, progress and abort, warnings and errors. After an error
- * the output is empty, one message was given and GetErrorCode() tells the kind (vtkErrorCode). The
- * request counts as answered then, so that the pipeline neither adds a message of its own nor reads
- * the file again before something changes.
+ * A subclass recognizes and reads a file; this class handles the file name, pieces and ghost cells,
+ * progress and abort, warnings and errors. After an error the output is empty, one message has been
+ * reported, and GetErrorCode() returns its vtkErrorCode. The request still succeeds, so the
+ * pipeline neither adds a message of its own nor reads the file again before something changes.
  *
- * Where every process of the global controller reads the piece of its number, all fail if one does,
- * and process 0 gives the message of the first; it also gives the warnings of all, each once.
+ * If every process of the global controller reads the piece of its rank, an error in one makes all
+ * fail. Process 0 reports the first error, and the warnings of all processes, each once.
  */
 #ifndef vtkMeshFileReader_h
 #define vtkMeshFileReader_h
@@ -44,8 +43,8 @@ public:
   ///@}
 
   /**
-   * 1 if the content of the file is that of the format, else 0. Looks at the beginning of the file
-   * only and reports no errors.
+   * 1 if the content of the file is in this format, else 0. Reads the beginning of the file only
+   * and reports no errors.
    */
   virtual int CanReadFile(const char* fileName) = 0;
 
@@ -53,7 +52,7 @@ protected:
   vtkMeshFileReader();
   ~vtkMeshFileReader() override;
 
-  /// Reads a piece of a file into @a output; false with the error set, or without one if stopped.
+  /// Reads a piece of a file into @a output; false with the error set, or without one if aborted.
   virtual bool ReadMesh(const std::string& path, const camaron::PieceRequest& request,
     vtkUnstructuredGrid* output, camaron::Warnings& warnings, camaron::ScanError& error,
     const camaron::Progress& progress) = 0;

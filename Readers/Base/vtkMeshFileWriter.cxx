@@ -29,7 +29,7 @@ vtkCxxSetObjectMacro(vtkMeshFileWriter, Controller, vtkMultiProcessController);
 namespace
 {
 //------------------------------------------------------------------------------
-// The name of a file of a series: the number comes before the extension.
+// The name of a file of a series: the number is inserted before the extension.
 std::string AddNumber(const std::string& path, int number)
 {
   const std::size_t name = path.size() - camaron::GetFileName(path).size();
@@ -39,11 +39,11 @@ std::string AddNumber(const std::string& path, int number)
 }
 
 //------------------------------------------------------------------------------
-// How many pieces the file has that is written as it was read; 1 for other input.
+// Number of pieces if the input comes directly from a parallel XML file; else 1.
 int CountFilePieces(vtkAlgorithm* writer)
 {
   vtkAlgorithm* input = writer->GetInputAlgorithm();
-  while (input && input->IsA("vtkPVPostFilter")) // stands behind every source of ParaView
+  while (input && input->IsA("vtkPVPostFilter")) // ParaView adds this after every source
   {
     input = input->GetNumberOfInputConnections(0) > 0 ? input->GetInputAlgorithm() : nullptr;
   }
@@ -54,7 +54,7 @@ int CountFilePieces(vtkAlgorithm* writer)
 }
 
 //------------------------------------------------------------------------------
-// The error code of an algorithm that the input comes from, as far as any has one.
+// The error code of the nearest upstream algorithm that has one.
 unsigned long FindErrorUpstream(vtkAlgorithm* algorithm)
 {
   unsigned long code = vtkErrorCode::NoError;
@@ -140,7 +140,7 @@ int vtkMeshFileWriter::RequestData(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   if (!input)
   {
-    vtkErrorMacro("There is nothing to write.");
+    vtkErrorMacro("There is no input to write.");
     return 0;
   }
   if (!this->FileName || !*this->FileName)
@@ -152,7 +152,7 @@ int vtkMeshFileWriter::RequestData(
 
   if (this->NumberOfPieces > 1)
   {
-    // The reader puts the next one into the same object.
+    // The reader puts the next piece into the same object.
     const auto piece = vtkSmartPointer<vtkDataObject>::Take(input->NewInstance());
     piece->ShallowCopy(input);
     const unsigned int size = this->Pieces->GetNumberOfPartitions();
@@ -183,7 +183,7 @@ int vtkMeshFileWriter::RequestData(
   }
   if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
   {
-    // When the others go on, the file is there, or they know that it is not.
+    // When the other processes continue, the file exists, or they know the error.
     int code = static_cast<int>(this->GetErrorCode());
     this->Controller->Broadcast(&code, 1, 0);
     this->SetErrorCode(static_cast<unsigned long>(code));
@@ -223,14 +223,14 @@ void vtkMeshFileWriter::WriteTo(
     if (const unsigned long code = FindErrorUpstream(this))
     {
       vtkErrorMacro(<< camaron::MakePrintable(name)
-                    << " is not written: there is no mesh, as its source has failed.");
+                    << " is not written: the upstream filter failed.");
       this->SetErrorCode(code);
       return;
     }
   }
   if (!this->WriteMesh(path, mesh, warnings, error, progress) && !error)
   {
-    this->SetErrorCode(vtkErrorCode::UserError); // stopped
+    this->SetErrorCode(vtkErrorCode::UserError); // aborted
   }
   if (error)
   {

@@ -2,22 +2,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshFileWriter
- * @brief Common part of the writers of mesh files.
+ * @brief Base class of the writers of mesh files.
  *
- * A writer of a format says how to write a vtkUnstructuredGrid or vtkPolyData; this class does the
- * rest: the name of the file, input of other types (any vtkDataSet, composite data, whose blocks
- * are merged), time steps, progress and abort, warnings and errors. A file appears under its name
- * only when it is complete; after an error or an abort one that was there before is as it was.
- * Write() returns 1, or 0 after an error, with GetErrorCode() telling the kind (vtkErrorCode). What
- * the format cannot hold is left out with one warning per kind. An empty mesh is written, unless it
- * is empty because something upstream has failed, such as a reader.
+ * A subclass writes a vtkUnstructuredGrid or vtkPolyData; this class handles the file name, input
+ * of other types (any vtkDataSet; composite data, whose blocks are merged), time steps, progress
+ * and abort, warnings and errors. The file appears under its name only when it is complete; after
+ * an error or an abort, an existing file is unchanged. Write() returns 1, or 0 after an error, and
+ * GetErrorCode() returns its vtkErrorCode. Data the format cannot store is left out, with one
+ * warning per category. An empty mesh is written, unless it is empty because an upstream filter or
+ * reader failed.
  *
- * In parallel every process asks for its piece, and the first one gathers all and writes one file.
- * Ghost and hidden cells are left out, points of the same global id and place are merged; where
- * there are global ids, points and cells are sorted by them. Without such ids points of different
- * pieces at the same place are merged, with a warning. So are the pieces of a file that is written
- * as it was read (.pvtu, .pvtp), by one process, too. All processes of the controller must call
- * Write().
+ * In parallel every process requests its piece, and process 0 gathers all and writes one file.
+ * Ghost and hidden cells are left out, points with the same global id and position are merged;
+ * points and cells with global ids are sorted by them. Without such ids, points of different pieces
+ * at the same position are merged, with a warning. A single process does the same with the pieces
+ * of a file that is written as it was read (.pvtu, .pvtp). All processes of the controller must
+ * call Write().
  */
 #ifndef vtkMeshFileWriter_h
 #define vtkMeshFileWriter_h
@@ -55,8 +55,8 @@ public:
 
   ///@{
   /**
-   * Whether to write one file per time step of the input, their numbers from 0 added to the name
-   * (mesh_0.visf), instead of one of the current time step. Default: off.
+   * Whether to write all time steps of the input, one file each, with a number from 0 added to the
+   * name (mesh_0.visf), instead of the current one only. Default: off.
    */
   vtkSetMacro(WriteTimeSteps, bool);
   vtkGetMacro(WriteTimeSteps, bool);
@@ -65,8 +65,8 @@ public:
 
   ///@{
   /**
-   * The processes that have the mesh together. Default: the global controller; none for a process
-   * of its own.
+   * Controller of the processes among which the mesh is distributed; nullptr if each writes its
+   * own. Default: the global controller.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
@@ -76,7 +76,7 @@ protected:
   vtkMeshFileWriter();
   ~vtkMeshFileWriter() override;
 
-  /// Writes a mesh to a file; false with the error set, or without one if stopped.
+  /// Writes a mesh to a file; false with the error set, or without one if aborted.
   virtual bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) = 0;
 
@@ -98,8 +98,8 @@ private:
   int NumberOfTimeSteps = 0;
   int TimeStep = 0;
   vtkMultiProcessController* Controller = nullptr;
-  int NumberOfPieces = 1;               // that a process asks for, one after the other
-  vtkNew<vtkPartitionedDataSet> Pieces; // those that are there so far
+  int NumberOfPieces = 1;               // that a process requests, one after the other
+  vtkNew<vtkPartitionedDataSet> Pieces; // received so far
 };
 
 #endif

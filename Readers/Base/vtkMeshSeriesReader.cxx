@@ -15,7 +15,7 @@ using vtkSDDP = vtkStreamingDemandDrivenPipeline;
 namespace
 {
 //------------------------------------------------------------------------------
-// Of the output that a request comes from; the first if it comes from none.
+// Information of the output that a request comes from; of the first if it comes from none.
 vtkInformation* GetAsked(vtkInformation* request, vtkInformationVector* outputs)
 {
   return outputs->GetInformationObject(
@@ -52,7 +52,7 @@ int vtkMeshSeriesReader::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const int result = this->Superclass::RequestData(request, inputVector, outputVector);
-  // The executive would take the time that was last asked of each output, not the one of its mesh.
+  // The executive would set the time last requested of each output, not that of its mesh.
   vtkInformation* const asked = GetAsked(request, outputVector);
   const bool hasTime = asked->Has(vtkSDDP::TIME_RANGE()) && asked->Has(vtkSDDP::UPDATE_TIME_STEP());
   for (int port = 0; hasTime && port < outputVector->GetNumberOfInformationObjects(); ++port)

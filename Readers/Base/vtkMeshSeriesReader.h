@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMeshSeriesReader
- * @brief Shows several files as time steps, for readers that have a mesh and its boundaries as
- * outputs.
+ * @brief Shows several files as time steps, for readers with a mesh and its boundaries as outputs.
  *
- * vtkFileSeriesReader passes on the first output of its reader only, up to and including
- * ParaView 6.0, and tells the times to the output alone that is asked for them first. Here both
- * outputs have the times of the series, and are of one time whichever of them is updated.
+ * Up to and including ParaView 6.0, vtkFileSeriesReader passes on only the first output of its
+ * reader, and sets the times only on the output that is requested first. Here both outputs have the
+ * times of the series and always show the same time.
  */
 #ifndef vtkMeshSeriesReader_h
 #define vtkMeshSeriesReader_h

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkSurfaceMeshFileWriter
- * @brief Common part of the writers of formats of polygons.
+ * @brief Base class of writers of polygon formats.
  *
- * Adds the choice which faces of 3D cells are written.
+ * Adds the option which faces of 3D cells are written.
  *
- * The XML of every such writer has, besides that of vtkCellMeshFileWriter, this property:
+ * The XML of every such writer has, in addition to that of vtkCellMeshFileWriter, this property:
  * @code{.xml}
       <IntVectorProperty command="SetFacesOfVolumes" default_values="0" label="Faces Of Volumes"
                          name="FacesOfVolumes" number_of_elements="1">
@@ -39,7 +39,7 @@ public:
 
   enum FacesOfVolumesType
   {
-    BOUNDARY = 0, ///< those that only one cell has
+    BOUNDARY = 0, ///< faces of only one cell
     EVERY = 1     ///< every face once
   };
 
