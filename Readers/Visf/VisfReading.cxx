@@ -16,16 +16,16 @@ namespace camaron
 namespace
 {
 //------------------------------------------------------------------------------
-// A way to read the beginning of a file.
+// One interpretation of the beginning of a file.
 struct Header
 {
   bool Text;
   ByteOrder Order;
-  const char* Body; // after the byte that tells the encoding
+  const char* Body; // after the byte that gives the encoding
 };
 
 //------------------------------------------------------------------------------
-// All ways to read the beginning of a file, likelier ones first.
+// All interpretations of the beginning of a file, likelier ones first.
 std::vector<Header> FindHeaders(const char* begin, const char* end)
 {
   const char* text = TextScanner("", begin, end).GetPosition(); // after a byte order mark
@@ -68,7 +68,7 @@ const char* DescribeType(int type)
 }
 
 //------------------------------------------------------------------------------
-// What one way to read a file yields.
+// Result of reading a file under one interpretation.
 struct Content
 {
   std::unique_ptr<TextLines> Lines; // of text, if it is large
@@ -76,7 +76,7 @@ struct Content
   int Type = -1;
   bool HasFlag = true;
   bool HasTrailingData = false;
-  std::string WrongFlag; // what was made of it
+  std::string WrongFlag; // warning about an invalid flag
   IdLists::Expectation Faces, Cells;
   ScanError Error;
 };
@@ -95,7 +95,8 @@ public:
   {
   }
 
-  /// Reads the file in the way that fits; false with the error in the content, or if stopped.
+  /// Reads the file under the best interpretation; false with the error in the content, or if
+  /// aborted.
   bool Read(Content& content, const Progress& progress) const;
 
 private:
@@ -129,8 +130,8 @@ bool VisfReading::Read(Content& content, const Progress& progress) const
   {
     return this->ReadText(content, progress);
   }
-  // The way that uses up the file wins, then the first that finds no fault, then the first that
-  // finds a type.
+  // The interpretation that consumes the whole file wins, then the first without an error, then the
+  // first with a valid type.
   bool good = false;
   for (const Header& header : headers)
   {
@@ -184,8 +185,8 @@ bool VisfReading::ReadBinary(const Header& header, Content& content, const Progr
     const char* const typePlace = scanner.GetPosition();
     if (scanner.ReadInteger(type, "the type of the mesh") && (type < 0 || type > 2))
     {
-      scanner.FailAt(typePlace, ErrorKind::NotThisFormat, "a type of Visf mesh, 0, 1 or 2",
-        std::to_string(type));
+      scanner.FailAt(
+        typePlace, ErrorKind::NotThisFormat, "a Visf mesh type of 0, 1 or 2", std::to_string(type));
     }
     if (scanner.HasFailed())
     {
@@ -243,7 +244,7 @@ bool VisfReading::ReadBinary(const Header& header, Content& content, const Progr
     {
       std::int32_t last = 0;
       const char* const lastPlace = scanner.GetPosition();
-      scanner.ReadInteger(last, "the number of polyhedra"); // what came before was the flag
+      scanner.ReadInteger(last, "the number of polyhedra"); // the number before was the flag
       if (last != 0)
       {
         scanner.SetPosition(lastPlace);
@@ -263,7 +264,7 @@ bool VisfReading::ReadBinary(const Header& header, Content& content, const Progr
 }
 
 //------------------------------------------------------------------------------
-// Pieces of a large text check all points now, and read theirs once they are known.
+// Pieces of a large text check all points now, and store theirs once they are known.
 bool VisfReading::ReadTextPoints(
   TextScanner& scanner, vtkIdType points, Content& content, const Progress& progress) const
 {
@@ -291,8 +292,7 @@ bool VisfReading::ReadTextPoints(
       {
         TextScanner again = start;
         return ReadRowsOnce(again, lines, points, part,
-          [&](vtkIdType row, TextRow& text)
-          {
+          [&](vtkIdType row, TextRow& text) {
             return !wanted.Contains(row) || readRow(text, coordinates + 3 * wanted.GetNumber(row));
           });
       };
@@ -317,7 +317,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
     std::int64_t encoding = 0, type = 0, points = 0, faces = 0;
     if (!scanner.ReadInteger(
           encoding, 2, 2, ErrorKind::NotThisFormat, "the encoding of Visf text") ||
-      !scanner.ReadInteger(type, 0, 2, ErrorKind::NotThisFormat, "a type of Visf mesh"))
+      !scanner.ReadInteger(type, 0, 2, ErrorKind::NotThisFormat, "a Visf mesh type"))
     {
       return false;
     }
@@ -364,7 +364,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       return !scanner.HasFailed();
     }
 
-    // With the flag for neighbors, or as some write it, without. What uses up the file wins.
+    // Some programs omit the flag for neighbors. The interpretation that consumes the file wins.
     TextScanner flagless = scanner;
     if (faces > 0)
     {
@@ -379,7 +379,8 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       this->Expect(other, points, faces);
       const bool otherIsGood =
         this->ReadTextTail(flagless, lines.get(), false, other, progress.Part(0.7, 1));
-      // Neighbors cut off after the first few look like a polyhedron of too few polygons.
+      // A list of neighbors truncated after a few ids looks like a polyhedron with too few
+      // polygons.
       const bool otherFits = otherIsGood && !other.HasTrailingData &&
         other.Cells.Empty.Count + other.Cells.Short.Count == 0;
       if (!mayBeCount && !otherFits)
@@ -393,8 +394,8 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
       scanner = flagless;
       if (!otherIsGood || content.HasTrailingData)
       {
-        content.WrongFlag = "the " + std::to_string(flag) +
-          " after the polygons is taken for the number of polyhedra, as it is no flag for "
+        content.WrongFlag = "the number " + std::to_string(flag) +
+          " after the polygons is read as the number of polyhedra, as it is not a flag for "
           "neighbors, 0 or 1";
         scanner.AddToError(" (" + content.WrongFlag + ")");
       }
@@ -408,7 +409,7 @@ bool VisfReading::ReadText(Content& content, const Progress& progress) const
 }
 
 //------------------------------------------------------------------------------
-// What follows the polygons.
+// Reads everything after the polygons.
 bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, bool withFlag,
   Content& content, const Progress& progress) const
 {
@@ -453,7 +454,7 @@ bool VisfReading::ReadTextTail(TextScanner& scanner, const TextLines* lines, boo
     std::int64_t last = 0;
     if (faces == 0 && cells == 0 && next.ReadInteger(last, 0, 0, ErrorKind::Count, "zero"))
     {
-      scanner = next; // what came before was the flag
+      scanner = next; // the number before was the flag
       scanner.SkipLine();
     }
   }
@@ -474,7 +475,7 @@ void Warn(const Content& content, Warnings& warnings)
                                                      : 0;
   if (type != content.Type && content.Mesh.Points.Count > 0)
   {
-    warnings.Add(std::string("the header promises ") + DescribeType(content.Type) +
+    warnings.Add(std::string("the header declares ") + DescribeType(content.Type) +
       ", the content is " + DescribeType(type));
   }
   if (!content.HasFlag)

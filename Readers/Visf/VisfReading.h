@@ -4,8 +4,8 @@
  * @file VisfReading.h
  * @brief Reads Visf mesh files of every known dialect.
  *
- * See Readers/Visf/README.md for the format. All of it is read; the lists of neighbors are
- * checked and then dropped, as they follow from the polygons.
+ * See Readers/Visf/README.md for the format. The whole file is read; lists of neighbors are checked
+ * and then dropped, as they follow from the polygons.
  */
 #ifndef camaron_VisfReading_h
 #define camaron_VisfReading_h
@@ -18,14 +18,14 @@ class vtkUnstructuredGrid;
 
 namespace camaron
 {
-/// Whether the file begins like a Visf file. Reads a few bytes, reports nothing.
+/// Whether the file begins like a Visf file. Reads a few bytes and reports no errors.
 bool IsVisf(const std::string& path);
 
 /**
- * Reads a piece of a file into @a grid, which is emptied first; see BuildGrid for what becomes of
- * it. Any number of threads gives the same grid.
- * @param chunk bytes of text read as one piece of work; text of fewer than two is read in one go
- * @return false with the error in @a error, or without one if stopped; the grid is empty then
+ * Reads a piece of a file into @a grid, which is emptied first; see BuildGrid for the cells. The
+ * result does not depend on the number of threads.
+ * @param chunk bytes of text per task; shorter text than two chunks is read serially
+ * @return false with the error in @a error, or without one if aborted; the grid is then empty
  */
 bool ReadVisf(const std::string& path, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress(),

@@ -75,22 +75,22 @@ bool VisfLists::IsCloud(Warnings& warnings) const
       (points.Size > shape.Dimension ? small : empty).Add(cell);
     }
   }
-  // Every point of a cloud is read as a cell.
+  // Every point of a cloud becomes a cell when read.
   const bool coversPoints = mesh.GetNumberOfCells() == 0 || corners == mesh.GetNumberOfPoints();
   if (isCloud && coversPoints)
   {
     return true;
   }
-  warnings.Add(higherOrder, "cell", "cells", "of higher order, written by the corners");
+  warnings.Add(higherOrder, "cell", "cells", "of higher order, written as linear cells");
   warnings.Add(
-    small, "cell", "cells", "of points or lines, written as polygons of one or two vertices");
-  warnings.Add(empty, "cell", "cells", "of too few points for their type, left out");
-  warnings.Add(others, "cell", "cells", "of types that Visf cannot hold, left out");
+    small, "cell", "cells", "of dimension 0 or 1, written as polygons with one or two vertices");
+  warnings.Add(empty, "cell", "cells", "with too few points for their type, left out");
+  warnings.Add(others, "cell", "cells", "of types that Visf cannot store, left out");
   return false;
 }
 
 //------------------------------------------------------------------------------
-// For every polygon those that share at least two vertices with it.
+// For every polygon, the polygons that share at least two vertices with it.
 WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
 {
   std::vector<vtkIdType> begins; // word of every polygon
@@ -128,7 +128,7 @@ WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
     }
   }
 
-  // ends[id] is now where the polygons of id end, and those of the next begin.
+  // ends[id] is now the end of the polygons of id, and the begin of the next.
   const vtkIdType numberOfChunks = (polygons.Count + ChunkSize - 1) / ChunkSize;
   std::vector<std::vector<std::int32_t>> chunks(static_cast<std::size_t>(numberOfChunks));
   Progress().For(numberOfChunks,
@@ -181,7 +181,7 @@ WordLists FindNeighbors(const WordLists& polygons, vtkIdType numberOfPoints)
 }
 
 //------------------------------------------------------------------------------
-// Puts the parts of a file into bytes.
+// Converts the parts of a file to bytes.
 class VisfOutput
 {
 public:

@@ -25,13 +25,13 @@ enum class VisfEncoding
 };
 
 /**
- * Writes a vtkUnstructuredGrid or vtkPolyData, all its cells. Every face of 3D cells becomes one
- * polygon, in the direction of the first cell that has it; a third and fourth cell at the same face
- * share a further polygon, and so do cells that are not closed and run the same way around it. 2D
- * cells become polygons of their own. A mesh of vertices only becomes a cloud of its points; in
- * others, vertices and lines become polygons of one and two vertices.
+ * Writes all cells of a vtkUnstructuredGrid or vtkPolyData. Every face of 3D cells becomes one
+ * polygon, oriented as in the first cell that has it; a third and fourth cell at the same face use
+ * a second polygon, and so do open cells that orient the face alike. 2D cells become polygons of
+ * their own. A mesh with vertices only becomes a cloud of its points; in others, vertices and lines
+ * become polygons with one and two vertices.
  * @param neighbors also write, for every polygon, those that share at least two vertices with it
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WriteVisf(const std::string& path, vtkDataSet* mesh, VisfEncoding encoding, bool neighbors,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress());

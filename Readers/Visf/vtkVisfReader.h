@@ -4,18 +4,18 @@
  * @class vtkVisfReader
  * @brief Reads polygonal and polyhedral meshes from Visf files.
  *
- * Visf is the format of Camarón: vertices, polygons as lists of vertices, polyhedra as lists of
- * polygons. All dialects are read: ASCII, binary of both byte orders, with the headers of all
- * versions. See Readers/Visf/README.md.
+ * Visf is the format of the original Camarón: vertices, polygons as lists of vertices, polyhedra as
+ * lists of polygons. All dialects are read: ASCII, binary in both byte orders, and the headers of
+ * all versions. See Readers/Visf/README.md.
  *
- * Output: a vtkUnstructuredGrid with float coordinates (in the unit of the file, which does not say
- * which one). Polyhedra become tetrahedra, pyramids, wedges or hexahedra where they are such, else
- * VTK_POLYHEDRON with faces that point outward; polygons that belong to no polyhedron follow as 2D
- * cells; a file of vertices alone gives one VTK_VERTEX each. Lists of faces do not tell inside from
+ * Output: a vtkUnstructuredGrid with float coordinates in the unit of the file, which the format
+ * does not state. Polyhedra become tetrahedra, pyramids, wedges or hexahedra where they match, else
+ * VTK_POLYHEDRON with faces that point outward. Polygons of no polyhedron follow as 2D cells. A
+ * file with vertices only gives one VTK_VERTEX each. Lists of faces do not distinguish inside from
  * outside, so every cell with a volume has a positive one.
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkVisfWriter
  */

@@ -4,11 +4,11 @@
  * @class vtkVisfWriter
  * @brief Writes polygonal and polyhedral meshes to Visf files.
  *
- * Visf is the format of Camarón; see Readers/Visf/README.md. It holds points in single
- * precision, polygons and polyhedra, and no arrays. Faces that two cells share are written once, in
- * the direction of the first. What the reader makes of the file is the same mesh, except that a
- * polyhedron with the faces of a tetrahedron, pyramid, wedge or hexahedron becomes one, that cells
- * given inside out are turned, and that 2D cells come after 3D ones.
+ * Visf is the format of the original Camarón; see Readers/Visf/README.md. It stores points in
+ * single precision, polygons and polyhedra, and no arrays. Faces between two cells are written
+ * once, oriented as in the first. Reading the file gives the same mesh, except that polyhedra with
+ * the faces of a tetrahedron, pyramid, wedge or hexahedron become one, inverted cells are
+ * corrected, and 2D cells follow the 3D cells.
  *
  * @sa vtkVisfReader
  */
@@ -29,12 +29,12 @@ public:
     ASCII = 0,                ///< version 0.3, text
     BINARY_LITTLE_ENDIAN = 1, ///< version 0.3
     BINARY_BIG_ENDIAN = 2,    ///< version 0.3
-    BINARY_VERSION_02 = 3     ///< version 0.2, little endian, which all releases of Camarón open
+    BINARY_VERSION_02 = 3     ///< version 0.2, little endian, which all releases of Camarón read
   };
 
   ///@{
   /**
-   * How the file is written. Default: ASCII.
+   * Encoding of the file. Default: ASCII.
    */
   vtkSetClampMacro(Encoding, int, ASCII, BINARY_VERSION_02);
   vtkGetMacro(Encoding, int);
@@ -43,7 +43,8 @@ public:
   ///@{
   /**
    * Whether to write for every polygon the polygons that share two or more vertices with it.
-   * Readers find these themselves if need be; the file gets about twice as large. Default: off.
+   * Programs can derive these from the polygons; the file becomes about twice as large. Default:
+   * off.
    */
   vtkSetMacro(WriteNeighbors, bool);
   vtkGetMacro(WriteNeighbors, bool);

@@ -124,12 +124,13 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
   // A wrong flag may be the number of polyhedra of a file without one.
   const std::string surface = points + "0 1 0\r\n1\r\n3 0 1 2\r\n";
   ExpectError(surface + "2\r\n1\r\n1 1\r\n", Code::FileFormatError,
-    "found 1 (the 2 after the polygons is taken for the number of polyhedra, as it is no flag");
+    "found 1 (the number 2 after the polygons is read as the number of polyhedra, as it is not");
   ExpectError(surface + "x\r\n", Code::FileFormatError,
     "test.visf:9: expected the flag for neighbors, found 'x'");
   const Result odd = ReadBytes(surface + "2\r\n1 0\r\n1 0\r\n7\r\n");
-  EXPECT_TRUE(std::any_of(odd.Warnings.begin(), odd.Warnings.end(), [](const std::string& warning)
-    { return warning.find("the 2 after the polygons") != std::string::npos; }));
+  EXPECT_TRUE(std::any_of(odd.Warnings.begin(), odd.Warnings.end(),
+    [](const std::string& warning)
+    { return warning.find("the number 2 after the polygons") != std::string::npos; }));
 }
 
 //------------------------------------------------------------------------------
@@ -145,7 +146,7 @@ TEST(VisfDamage, WrongWordsInBinary)
   const std::size_t second = first + 16, flag = second + 20, cells = flag + 4;
   using Code = vtkErrorCode;
   ExpectError(SetWord(bytes, 1, 3), Code::UnrecognizedFileTypeError,
-    "test.visf: byte 1: expected a type of Visf mesh, 0, 1 or 2, found 3");
+    "test.visf: byte 1: expected a Visf mesh type of 0, 1 or 2, found 3");
   ExpectError(SetWord(bytes, points, -1), Code::FileFormatError, "byte 5: expected the number of");
   ExpectError(SetWord(bytes, points, 1000), Code::PrematureEndOfFileError, "at least 12000 bytes");
   ExpectError(

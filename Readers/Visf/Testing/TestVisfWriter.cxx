@@ -155,7 +155,7 @@ TEST(VisfWriter, RoundTrip)
     ASSERT_TRUE(first.Errors.empty());
     std::set<std::string> texts;
     for (int encoding = vtkVisfWriter::ASCII; encoding <= vtkVisfWriter::BINARY_VERSION_02;
-      ++encoding)
+         ++encoding)
     {
       for (const bool neighbors : { false, true })
       {
@@ -264,7 +264,7 @@ TEST(VisfWriter, OtherTypesOfCells)
   const Written written = WriteFile(file.Path, grid);
   ASSERT_EQ(written.Warnings.size(), 2u);
   EXPECT_NE(written.Warnings[0].find("3 cells of higher order"), std::string::npos);
-  EXPECT_NE(written.Warnings[1].find("4 cells of points or lines"), std::string::npos);
+  EXPECT_NE(written.Warnings[1].find("4 cells of dimension 0 or 1"), std::string::npos);
   const Result result = ReadFile(file.Path);
   const int types[] = { VTK_HEXAHEDRON, VTK_TETRA, VTK_QUAD, VTK_TRIANGLE, VTK_TRIANGLE,
     VTK_TRIANGLE, VTK_TRIANGLE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_LINE, VTK_VERTEX, VTK_VERTEX };
