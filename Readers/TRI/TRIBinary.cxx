@@ -20,7 +20,7 @@ namespace
 constexpr std::int64_t Word = 4; // bytes of an integer, and of the length of a record
 
 //------------------------------------------------------------------------------
-// The order of bytes that makes the first record one of two or three counts.
+// The byte order in which the first record consists of two or three valid counts.
 std::optional<ByteOrder> FindByteOrder(const MappedFile& file)
 {
   for (const ByteOrder order : { ByteOrder::Little, ByteOrder::Big })
@@ -40,7 +40,7 @@ std::optional<ByteOrder> FindByteOrder(const MappedFile& file)
 }
 
 //------------------------------------------------------------------------------
-// What is between the two lengths of a record.
+// The data between the two lengths of a record.
 struct Record
 {
   const char* Begin = nullptr;
@@ -193,8 +193,8 @@ bool BinaryReading::FindRecords()
 }
 
 //------------------------------------------------------------------------------
-// Calls visit(triangle, points), in any order and by any thread; false with the error, or if
-// stopped.
+// Calls visit(triangle, points), in any order and from any thread; false with the error, or if
+// aborted.
 template <typename Visit>
 bool BinaryReading::VisitTriangles(const Progress& progress, Visit&& visit)
 {
@@ -278,7 +278,7 @@ bool BinaryReading::ReadCells(const Progress& progress)
 }
 
 //------------------------------------------------------------------------------
-// Of @a count rows of a record those that the piece keeps, each where find(row) says.
+// Of @a count rows of a record, those that the piece keeps, each stored at find(row).
 template <typename Array, typename Find>
 vtkSmartPointer<Array> BinaryReading::ReadArray(const Record& record, vtkIdType count,
   std::int64_t size, vtkIdType kept, const Progress& progress, Find&& find) const

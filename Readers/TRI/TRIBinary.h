@@ -18,7 +18,7 @@ namespace camaron
 /// Whether the file begins with a record of two or three counts.
 bool IsBinaryTRI(const MappedFile& file);
 
-/// Reads a piece of such a file; false with the error in @a error, or without one if stopped.
+/// Reads a piece of such a file; false with the error in @a error, or without one if aborted.
 bool ReadBinaryTRI(const MappedFile& file, const PieceRequest& request, vtkUnstructuredGrid* grid,
   Warnings& warnings, ScanError& error, const Progress& progress);
 }

@@ -25,8 +25,8 @@ constexpr int TriangleBytes = 6;
 constexpr int NumberBytes = 2; // a digit and a blank
 
 //------------------------------------------------------------------------------
-// The first line: the number of vertices, or, in files of Cart3D, of vertices and triangles, and of
-// scalars of vertices.
+// The first line: the number of vertices, or, in Cart3D files, the numbers of vertices, triangles,
+// and scalars per vertex.
 struct Header
 {
   std::int64_t Vertices = 0;
@@ -45,7 +45,7 @@ bool ReadHeader(TextScanner& scanner, Header& header)
     return false;
   }
   const char* const begin = scanner.GetPosition();
-  TextScanner counts = scanner; // how many there can be is asked when it is known what they count
+  TextScanner counts = scanner; // limits are checked below, when the meaning of the counts is known
   std::int64_t count = 0;       // the last
   int numbers = 0;
   for (TextRow row(counts); row.HasMore() && numbers <= 3; ++numbers)
@@ -55,11 +55,11 @@ bool ReadHeader(TextScanner& scanner, Header& header)
       break;
     }
   }
-  // A polygon file without its keyword has three numbers, too, of which the last one is mostly 0.
+  // An OFF file without its keyword has three numbers, too, of which the last one is mostly 0.
   if (numbers > 3 || counts.HasFailed() || (numbers == 3 && count < 1))
   {
     scanner.FailAt(begin, ErrorKind::NotThisFormat,
-      "a TRI file, whose first line is one number, or in files of Cart3D two, or three with "
+      "a TRI file, whose first line is one number, or two in Cart3D files, or three with "
       "scalars");
     return false;
   }
@@ -84,7 +84,7 @@ public:
   {
   }
 
-  /// Starts anew with every call.
+  /// May be called repeatedly; every call starts anew.
   bool Read(TextScanner& scanner, const TextLines* lines, const Progress& progress);
   Warnings Messages;
 
@@ -159,13 +159,13 @@ bool TRIReading::ReadTriangles(
   }
   if (scanner.GetError().Kind == ErrorKind::Index && !isCart3D && this->LooksOneBased(start))
   {
-    scanner.AddToError(" (the file seems to count vertices from 1, TRI counts from 0)");
+    scanner.AddToError(" (the file seems to count vertices from 1; TRI counts from 0)");
   }
   return false;
 }
 
 //------------------------------------------------------------------------------
-// One number per triangle, of which each line may have any number.
+// Reads one number per triangle, with any number of them per line.
 bool TRIReading::ReadComponents(
   TextScanner& scanner, const TextLines* lines, const Progress& progress)
 {
@@ -211,8 +211,8 @@ bool TRIReading::ReadComponents(
 }
 
 //------------------------------------------------------------------------------
-// So many per vertex, over any number of lines. Programs count them with or without the pressure
-// coefficient.
+// Reads the scalars of all vertices, over any number of lines. Programs count them with or without
+// the pressure coefficient.
 bool TRIReading::ReadScalars(TextScanner& scanner, const Progress& progress)
 {
   constexpr char Scalar[] = "a scalar of a vertex";
@@ -272,7 +272,7 @@ bool TRIReading::Read(TextScanner& scanner, const TextLines* lines, const Progre
     return false;
   }
   const bool isCart3D = this->Counts.IsCart3D();
-  // The vertices come first, but which of them a piece needs is known from its triangles.
+  // The vertices come first, but the triangles determine which of them a piece needs.
   PointRows vertices(scanner, lines, this->Counts.Vertices, Coordinate);
   if (!vertices.Skip(scanner, progress.Part(0, 0.1)) ||
     !this->ReadTriangles(scanner, lines, progress.Part(0.1, 0.4)) ||

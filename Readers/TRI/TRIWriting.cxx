@@ -37,7 +37,7 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& optio
       }
     }
     warnings.Add(
-      odd, "cell", "cells", "whose Component is no integer of 32 bits, as files of Cart3D want");
+      odd, "cell", "cells", "whose Component is not a 32-bit integer, as Cart3D files require");
     components = odd.Count > 0 ? nullptr : components;
   }
   WrittenArrays written;
@@ -68,7 +68,7 @@ bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& optio
       output.GetPoint(point, x);
       format.AppendRow(text, x, 3);
     });
-  // Without the number of triangles the vertices are a cloud.
+  // A file without the number of triangles is a point cloud.
   if (!isCart3D && triangles > 0)
   {
     file.Write(lastCount);

@@ -21,7 +21,7 @@ enum class TRIDialect
   Cart3D = 1   ///< ids count from 1, and components of triangles
 };
 
-/// How a TRI file is written.
+/// Options of the writer.
 struct TRIOptions
 {
   TRIDialect Dialect = TRIDialect::Camaron;
@@ -31,9 +31,9 @@ struct TRIOptions
 
 /**
  * Writes a vtkUnstructuredGrid or vtkPolyData. Coordinates have the fewest digits that read back as
- * the same number of their type. Files of Cart3D have the components of triangles if the mesh has
+ * the same number of their type. Cart3D files contain the components of triangles if the mesh has
  * the cell array "Component".
- * @return false with the error in @a error, or without one if stopped; the file is as before then
+ * @return false with the error in @a error, or without one if aborted; the file is then unchanged
  */
 bool WriteTRI(const std::string& path, vtkDataSet* mesh, const TRIOptions& options,
   Warnings& warnings, ScanError& error, const Progress& progress = Progress());

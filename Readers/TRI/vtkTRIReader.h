@@ -4,17 +4,17 @@
  * @class vtkTRIReader
  * @brief Reads triangle meshes from TRI files of Camarón and Cart3D.
  *
- * A TRI file is text: the number of vertices, their coordinates, the number of triangles, and their
- * vertices counted from 0; or, in files of Cart3D, which may be binary, both numbers first and
- * vertices counted from 1. See Readers/TRI/README.md.
+ * A TRI file of Camarón is text: the number of vertices, their coordinates, the number of
+ * triangles, and their vertices, counted from 0. Cart3D files may be binary; they begin with both
+ * numbers and count vertices from 1. See Readers/TRI/README.md.
  *
- * Output: a vtkUnstructuredGrid with double coordinates, or float where a binary file has floats
- * (in the unit of the file, which does not say which one), of VTK_TRIANGLE in the order and
- * direction of the file; a file of vertices alone gives one VTK_VERTEX each. Components of Cart3D
- * become the cell array "Component", scalars the point array "Scalars".
+ * Output: a vtkUnstructuredGrid with double coordinates (float if a binary file stores floats) in
+ * the unit of the file, which the format does not state. Cells are VTK_TRIANGLE in the order and
+ * orientation of the file; a file with vertices only gives one VTK_VERTEX each. Components of
+ * Cart3D become the cell array "Component", scalars the point array "Scalars".
  *
- * In parallel every process scans the file and keeps its share of the cells, with the ghost cells
- * asked for, "GlobalPointIds" and "GlobalCellIds".
+ * In parallel every process scans the file and keeps its part of the cells, with the requested
+ * ghost cells, "GlobalPointIds" and "GlobalCellIds".
  *
  * @sa vtkTRIWriter
  */

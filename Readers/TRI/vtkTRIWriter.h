@@ -4,9 +4,9 @@
  * @class vtkTRIWriter
  * @brief Writes triangle meshes to TRI files of Camarón or Cart3D.
  *
- * See Readers/TRI/README.md. The format holds points and triangles; of 3D cells the surface is
- * written, other cells as UnsupportedCells says. Coordinates have the fewest digits that read back
- * as the same numbers.
+ * See Readers/TRI/README.md. The format stores points and triangles. Of 3D cells the surface is
+ * written; UnsupportedCells determines the treatment of other cells. Coordinates have the fewest
+ * digits that read back as the same numbers.
  *
  * @sa vtkTRIReader
  */
@@ -24,13 +24,13 @@ public:
 
   enum DialectType
   {
-    CAMARON = 0, ///< vertices count from 0
-    CART3D = 1   ///< vertices count from 1; with the cell array "Component" if there is one
+    CAMARON = 0, ///< vertices counted from 0
+    CART3D = 1   ///< vertices counted from 1; with the cell array "Component" if there is one
   };
 
   ///@{
   /**
-   * Which dialect is written. Default: CAMARON.
+   * Dialect of the file. Default: CAMARON.
    */
   vtkSetClampMacro(Dialect, int, CAMARON, CART3D);
   vtkGetMacro(Dialect, int);
