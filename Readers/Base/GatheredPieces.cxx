@@ -153,7 +153,7 @@ void GatheredPieces::NumberPointsById(Iterator begin, Iterator end)
   const auto getId = [&ids, firstPoint](vtkIdType point) { return ids[point - firstPoint]; };
   std::vector<vtkIdType> sorted;
   for (vtkIdType point = firstPoint; point < firstPoint + static_cast<vtkIdType>(ids.size());
-       ++point)
+    ++point)
   {
     if (this->NewPoints[point] >= 0)
     {

@@ -96,7 +96,7 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
     Code::UnrecognizedFileTypeError,
     "test.visf:2: expected a Visf file, which begins with 0, 1 or 2, found '?ELF?'");
   ExpectError(
-    "2 7\n", Code::UnrecognizedFileTypeError, "test.visf:1: expected a type of Visf mesh");
+    "2 7\n", Code::UnrecognizedFileTypeError, "test.visf:1: expected a Visf mesh type");
   ExpectError(
     "2 1\nx\n", Code::FileFormatError, "test.visf:2: expected the number of vertices, found 'x'");
   ExpectError("2 1\n-3\n", Code::FileFormatError,
@@ -128,8 +128,7 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
   ExpectError(surface + "x\r\n", Code::FileFormatError,
     "test.visf:9: expected the flag for neighbors, found 'x'");
   const Result odd = ReadBytes(surface + "2\r\n1 0\r\n1 0\r\n7\r\n");
-  EXPECT_TRUE(std::any_of(odd.Warnings.begin(), odd.Warnings.end(),
-    [](const std::string& warning)
+  EXPECT_TRUE(std::any_of(odd.Warnings.begin(), odd.Warnings.end(), [](const std::string& warning)
     { return warning.find("the number 2 after the polygons") != std::string::npos; }));
 }
 

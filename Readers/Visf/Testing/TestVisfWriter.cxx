@@ -155,7 +155,7 @@ TEST(VisfWriter, RoundTrip)
     ASSERT_TRUE(first.Errors.empty());
     std::set<std::string> texts;
     for (int encoding = vtkVisfWriter::ASCII; encoding <= vtkVisfWriter::BINARY_VERSION_02;
-         ++encoding)
+      ++encoding)
     {
       for (const bool neighbors : { false, true })
       {
