@@ -23,7 +23,7 @@ void CheckNumber(const char* property, Number value, Number least,
     return;
   }
   std::ostringstream text;
-  text << property << " is " << least;
+  text << property << " must be " << least;
   if (most < std::numeric_limits<Number>::max())
   {
     text << " to " << most;

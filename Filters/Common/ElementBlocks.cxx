@@ -46,7 +46,7 @@ namespace
 {
 static_assert(static_cast<int>(vtkDataSetAttributes::DUPLICATECELL) ==
     static_cast<int>(vtkDataSetAttributes::DUPLICATEPOINT),
-  "copies are marked alike");
+  "duplicate cells and duplicate points have the same bit");
 
 //------------------------------------------------------------------------------
 // Path of a child such as "rotor/blades".
@@ -526,7 +526,7 @@ BlockWeights::BlockWeights(
   if (counts[0] == 0 && counts[1] > 0)
   {
     throw std::invalid_argument(
-      "there is no array with one component named '" + arrayName + "' to weigh by");
+      "the weights need a one-component array named '" + arrayName + "', which does not exist");
   }
 }
 

@@ -30,7 +30,7 @@ std::vector<char> ReadHere(const std::string& path, const std::string& what)
   }
   else if (file.Open(path, error) && file.size() > MaxFileSize)
   {
-    error = { ErrorKind::NotThisFormat, file.GetName() + ": too large for " + what };
+    error = { ErrorKind::NotThisFormat, file.GetName() + ": the file is too large for " + what };
   }
   if (error)
   {

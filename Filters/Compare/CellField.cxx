@@ -140,7 +140,7 @@ CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool 
   if (takesGradient && !isOfPoints)
   {
     throw std::invalid_argument(
-      "a gradient is taken of fields of points only, Cell Data To Point Data makes one");
+      "gradients need a point array; Cell Data To Point Data creates one from a cell array");
   }
   std::int64_t counts[2] = { 0, static_cast<std::int64_t>(blocks.Get().size()) };
   for (const ElementBlock& block : blocks.Get())
@@ -158,8 +158,8 @@ CellField::CellField(const ElementBlocks& blocks, const std::string& name, bool 
   reducer.Sum(counts, 2);
   if (counts[0] == 0 && counts[1] > 0)
   {
-    throw std::invalid_argument("there is no array of " +
-      std::string(isOfPoints ? "points" : "cells") + " named '" + name + "'");
+    throw std::invalid_argument(
+      "there is no " + std::string(isOfPoints ? "point" : "cell") + " array named '" + name + "'");
   }
 }
 }

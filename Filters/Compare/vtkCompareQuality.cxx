@@ -51,8 +51,8 @@ std::vector<camaron::StatisticsArray> FindCommonArrays(
     if (!array.Unit.empty() && !other->Unit.empty() && array.Unit != other->Unit)
     {
       leftOut.push_back(array.Name);
-      reasons += " " + array.Name + " is in " + array.Unit + " in one mesh and in " + other->Unit +
-        " in the other.";
+      reasons += " " + array.Name + " has the unit " + array.Unit + " in mesh A and " +
+        other->Unit + " in mesh B.";
       continue;
     }
     common.push_back(array);
@@ -289,7 +289,7 @@ std::vector<camaron::StatisticsArray> vtkCompareQuality::ChooseCommonArrays(
   missing.erase(std::remove_if(missing.begin(), missing.end(), isLeftOut), missing.end());
   if (!reasons.empty() && this->Steps->IsFirst() && reducer.GetProcess() == 0)
   {
-    vtkWarningMacro("Not compared." << reasons);
+    vtkWarningMacro("Skipped arrays whose units differ." << reasons);
   }
   this->Found->Add(this->Steps->GetTime(), arrays, missing);
   return arrays;

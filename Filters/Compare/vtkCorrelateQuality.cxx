@@ -330,7 +330,7 @@ ChosenField ChooseField(
   reducer.Sum(&numberOfBlocks, 1);
   if (name.empty() && numberOfBlocks > 0)
   {
-    throw std::invalid_argument("there is no field to choose");
+    throw std::invalid_argument("the mesh has no array to use as the field");
   }
   return { !name.empty() && name.front() == OfPoints, name.empty() ? name : name.substr(1) };
 }

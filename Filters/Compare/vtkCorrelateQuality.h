@@ -48,7 +48,7 @@ protected:
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void MakeColumns(vtkInformationVector* outputVector) override;
   void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  const char* GetFailure() const override { return "There is no correlation"; }
+  const char* GetFailure() const override { return "The correlation cannot be computed"; }
 
 private:
   vtkCorrelateQuality(const vtkCorrelateQuality&) = delete;

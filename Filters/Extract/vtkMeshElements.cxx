@@ -312,7 +312,7 @@ int vtkMeshElements::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("The elements of the mesh cannot be taken: " << error.what() << '.');
+    vtkErrorMacro("The elements of the mesh cannot be extracted: " << error.what() << '.');
     for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
     {
       vtkDataObject::GetData(outputVector, port)->Initialize();

@@ -122,13 +122,13 @@ int vtkMeshKernel::RequestData(
         {
           vtkErrorMacro(
             "The surface has no kernel: " << (found == SurfaceKernel::NotFinite
-                ? "a coordinate is not a finite number."
-                : "its polygons do not enclose a volume. Of a mesh of 3D cells take its Mesh "
-                  "Surface first, or the kernel of each cell."));
+                ? "a coordinate is not finite."
+                : "its polygons do not enclose a volume. For a mesh of 3D cells, apply Mesh "
+                  "Surface first, or create the kernel of each cell."));
         }
         if (found == SurfaceKernel::Empty && isFirst)
         {
-          vtkWarningMacro("The kernel is empty: no point sees all of the surface.");
+          vtkWarningMacro("The kernel is empty: no point sees the whole surface.");
         }
         return isError && isFirst ? 0 : 1;
       }
@@ -137,7 +137,7 @@ int vtkMeshKernel::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("The kernel cannot be made: " << error.what() << '.');
+    vtkErrorMacro("The kernel cannot be computed: " << error.what() << '.');
     output->Initialize();
     return 0;
   }
@@ -244,7 +244,7 @@ void vtkMeshKernel::MakeOfCells(const camaron::ElementBlocks& blocks, vtkUnstruc
   {
     vtkWarningMacro(
       << sums[2]
-      << " cells have no kernel: they are not star-shaped, not closed or without volume or "
-         "area. The field array CellsWithoutKernel tells which.");
+      << " cells have no kernel because they are not star-shaped, are not closed, or have no "
+         "volume or area. The field array CellsWithoutKernel lists them.");
   }
 }

@@ -74,7 +74,7 @@ int vtkMeshSurface::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("The surface of the mesh cannot be taken: " << error.what() << '.');
+    vtkErrorMacro("The surface of the mesh cannot be extracted: " << error.what() << '.');
     output->Initialize();
     return 0;
   }

@@ -56,10 +56,9 @@ std::string ArraysOfSteps::Describe(const std::string& kind) const
 {
   if (this->TimesOfArrays.empty() && this->Missing.empty())
   {
-    return "There are no " + kind +
-      " arrays with one component that are named like a quality criterion: evaluate some with "
-      "Element Quality, "
-      "or choose arrays.";
+    return "There are no one-component " + kind +
+      " arrays named like a quality criterion: evaluate criteria with Element Quality, or choose "
+      "arrays.";
   }
   std::string text;
   std::vector<std::string> nowhere;
@@ -67,7 +66,7 @@ std::string ArraysOfSteps::Describe(const std::string& kind) const
     [&](const std::string& name) { return this->TimesOfArrays.count(name) == 0; });
   if (!nowhere.empty())
   {
-    text = "There are no " + kind + " arrays with one component named: " + Join(nowhere) + ".";
+    text = "There are no one-component " + kind + " arrays named: " + Join(nowhere) + ".";
   }
   for (const auto& array : this->TimesOfArrays)
   {
@@ -77,7 +76,7 @@ std::string ArraysOfSteps::Describe(const std::string& kind) const
     if (!without.empty())
     {
       text +=
-        (text.empty() ? "" : " ") + array.first + " is not there at time " + Join(without) + ".";
+        (text.empty() ? "" : " ") + array.first + " is missing at time " + Join(without) + ".";
     }
   }
   return text;

@@ -224,7 +224,7 @@ Grouping::Grouping(const std::string& name, const std::string& arrayName,
   }
   if (blocks.GetKind() == ElementKind::Points && !way.IsForPoints)
   {
-    throw std::invalid_argument("points are not grouped by '" + name + "'");
+    throw std::invalid_argument("points cannot be grouped by '" + name + "'");
   }
   if (way.SetNumbers == &NumberArrayValues)
   {

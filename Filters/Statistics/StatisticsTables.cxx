@@ -262,7 +262,8 @@ BinScale ToBinScale(const std::string& name)
 {
   if (name != "Linear" && name != "Logarithmic")
   {
-    throw std::invalid_argument("Histogram Scale is Linear or Logarithmic, not '" + name + "'");
+    throw std::invalid_argument(
+      "Histogram Scale must be Linear or Logarithmic, not '" + name + "'");
   }
   return name == "Linear" ? BinScale::Linear : BinScale::Logarithmic;
 }

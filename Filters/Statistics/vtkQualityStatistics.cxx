@@ -51,7 +51,7 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
     if (!(custom[0] <= custom[1]))
     {
       std::ostringstream text;
-      text << "Custom Range goes from the smaller to the larger number, not from " << custom[0]
+      text << "Custom Range must go from a smaller to a larger number, not from " << custom[0]
            << " to " << custom[1];
       throw std::invalid_argument(text.str());
     }
@@ -60,7 +60,7 @@ camaron::ValueRange ToBinRange(const std::string& name, const double custom[2],
   if (name != "Automatic" && name != "Acceptable")
   {
     throw std::invalid_argument(
-      "Histogram Range is Automatic, Acceptable or Custom, not '" + name + "'");
+      "Histogram Range must be Automatic, Acceptable or Custom, not '" + name + "'");
   }
   return name == "Acceptable" && acceptable ? *acceptable : camaron::ValueRange();
 }
@@ -84,7 +84,7 @@ camaron::ElementKind ToElementKind(const std::string& name)
 {
   if (name != "Cells" && name != "Points")
   {
-    throw std::invalid_argument("Element Type is Cells or Points, not '" + name + "'");
+    throw std::invalid_argument("Element Type must be Cells or Points, not '" + name + "'");
   }
   return name == "Cells" ? camaron::ElementKind::Cells : camaron::ElementKind::Points;
 }
@@ -113,7 +113,7 @@ std::vector<std::vector<unsigned char>> FindSelected(
   if (counts[0] == 0 && counts[1] > 0)
   {
     throw std::invalid_argument(
-      "there is no array with one component named '" + arrayName + "' to tell what is selected");
+      "Only Selected needs a one-component array named '" + arrayName + "', which does not exist");
   }
   return marks;
 }
@@ -182,7 +182,7 @@ void vtkQualityStatistics::AddQuantile(double percent)
 {
   if (!(percent >= 0 && percent <= 100))
   {
-    vtkErrorMacro("A quantile is between 0 and 100 percent, not " << percent << '.');
+    vtkErrorMacro("A quantile must be 0 to 100 percent, not " << percent << '.');
     return;
   }
   // Each has a column of its own.
@@ -205,7 +205,7 @@ void vtkQualityStatistics::AddCurveValue(double value)
 {
   if (std::isnan(value))
   {
-    vtkErrorMacro("A curve has no point at a value that is not a number.");
+    vtkErrorMacro("A curve value must be a number, not NaN.");
     return;
   }
   this->CurveValues.push_back(value);

@@ -147,10 +147,10 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void MakeColumns(vtkInformationVector* outputVector) override;
   void AddRows(vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  const char* GetFailure() const override { return "The statistics cannot be made"; }
+  const char* GetFailure() const override { return "The statistics cannot be computed"; }
   const char* GetUnrounded() const override
   {
-    return "; MinInteger, MaxInteger and ValueInteger have all digits";
+    return "; MinInteger, MaxInteger and ValueInteger contain all digits";
   }
   const char* GetKindOfArrays() const override
   {

@@ -374,7 +374,8 @@ class TestCollapsedCells(camaron_testing.TestCase):
                 with camaron_testing.pipeline.Messages() as messages:
                     quality.UpdatePipeline()
                 self.assertTrue(
-                    any("Tolerance is 0 to" in error for error in messages.errors), (name, value)
+                    any("Tolerance must be 0 to" in error for error in messages.errors),
+                    (name, value),
                 )
 
     def test_cells_added_in_place(self):

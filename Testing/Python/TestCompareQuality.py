@@ -261,8 +261,8 @@ class TestCompareQuality(camaron_testing.TestCase):
             comparison.UpdatePipeline()
         self.assertIn("not 'Cubic'", messages.errors[0])
         for properties, reason in (
-            ({"Tolerance": math.nan}, "Tolerance is 0 to 1, not nan"),
-            ({"NumberOfBins": 0}, "Number Of Bins is 1 to 100000, not 0"),
+            ({"Tolerance": math.nan}, "Tolerance must be 0 to 1, not nan"),
+            ({"NumberOfBins": 0}, "Number Of Bins must be 1 to 100000, not 0"),
         ):
             with pipeline.Messages() as messages:
                 simple.CompareQuality(Input=source, Other=source, **properties).UpdatePipeline()

@@ -206,8 +206,8 @@ class TestCorrelateQuality(camaron_testing.TestCase):
     def test_messages(self):
         source = mesh_parts.split_source()
         for properties, reason in (
-            ({"Field": ["CELLS", "None"]}, "no array of cells named 'None'"),
-            ({"Field": ["CELLS", "Volume"], "Gradient": 1}, "of fields of points only"),
+            ({"Field": ["CELLS", "None"]}, "no cell array named 'None'"),
+            ({"Field": ["CELLS", "Volume"], "Gradient": 1}, "gradients need a point array"),
         ):
             with pipeline.Messages() as messages:
                 simple.CorrelateQuality(Input=source, **properties).UpdatePipeline()

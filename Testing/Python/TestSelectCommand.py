@@ -136,7 +136,7 @@ class TestSelectCommand(camaron_testing.TestCase):
         self.assertEqual(*numbers)
         self.assertTrue(0 < numbers[0] < 800, numbers)
         done = self.run_select(BALL, "--by", "Null: Element Type=Points; Array=No")
-        self.assertIn("no point array with one component named 'No'", done.stderr)
+        self.assertIn("no one-component point array named 'No'", done.stderr)
         done = self.run_select(BALL, "--by", "Boundary: Element Type=Points", "--json")
         self.assertEqual(json.loads(done.stdout)["elements"], "Points")
 
@@ -157,7 +157,7 @@ class TestSelectCommand(camaron_testing.TestCase):
             ),
             ("Shape: Shape=Sphere; Center=0,0", "Center: "),
             ("Worst N: Array=Volum", "named 'Volum'"),
-            ("By id: Ids=4-2", "Ids: 4-2 runs backwards"),
+            ("By id: Ids=4-2", "Ids: 4-2 is a descending range"),
             ("Number of elements: Counts=a", "Counts: expected a number, found 'a'"),
         ):
             done = self.run_select(BALL, "--by", step, "-o", "none.csv")

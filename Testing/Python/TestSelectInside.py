@@ -289,12 +289,12 @@ class TestSelectInside(camaron_testing.TestCase):
     def test_errors(self):
         source = simple.Wavelet(WholeExtent=[0, 2] * 3)
         for properties, reason in (
-            ({"Strategy": "Half-spaces"}, "there are no Planes"),
+            ({"Strategy": "Half-spaces"}, "Planes is empty"),
             ({"Strategy": "Half-spaces", "Planes": [0] * 6}, "a plane has no normal"),
             ({"Strategy": "Half-spaces", "Planes": [0] * 5}, "a multiple of 6 numbers, found 5"),
             ({"Strategy": "Half-spaces", "Planes": [1] * 13}, "a multiple of 6 numbers, found 13"),
-            ({"Strategy": "Surface"}, "there is no Surface"),
-            ({"Strategy": "Surface", "Surface": simple.Plane()}, "not closed: 4 edges have"),
+            ({"Strategy": "Surface"}, "no Surface is chosen"),
+            ({"Strategy": "Surface", "Surface": simple.Plane()}, "not closed: 4 edges belong"),
             ({"Strategy": "Surface", "Surface": source}, "has 3D cells"),
         ):
             select = simple.SelectElements(Input=source, **properties)
@@ -313,7 +313,7 @@ class TestSelectInside(camaron_testing.TestCase):
                 select.Shape.Radius = radius
                 with camaron_testing.pipeline.Messages() as messages:
                     select.UpdatePipeline()
-                self.assertIn(f"Radius is 0 or more, not {radius}", messages.errors[0])
+                self.assertIn(f"Radius must be 0 or more, not {radius}", messages.errors[0])
 
     def shape_file(self, text):
         path = self.folder / "shape.txt"
@@ -373,7 +373,7 @@ class TestSelectInside(camaron_testing.TestCase):
             ),
             ("sphere 1 2 3 x", "shape.txt:1: expected a number, found 'x'"),
             ("sphere 1 2 nan 1", "shape.txt:1: expected a number, found 'nan'"),
-            ("sphere 1 2 3 -4", "Radius is 0 or more, not -4"),
+            ("sphere 1 2 3 -4", "Radius must be 0 or more, not -4"),
             (
                 "normals\n1 0 0 0 0 0\n1 0 0 0 0",
                 "shape.txt:3: expected 6 numbers, a normal and a point",
@@ -383,14 +383,17 @@ class TestSelectInside(camaron_testing.TestCase):
                 "polygons\n0 0 0 1 0 0",
                 "shape.txt:2: expected 3 numbers for each of 3 or more points",
             ),
-            ("polygons\n0 0 0 1 0 0 0 1 0", "shape.txt: the polygons are not closed: 3 edges have"),
+            (
+                "polygons\n0 0 0 1 0 0 0 1 0",
+                "shape.txt: the polygons are not closed: 3 edges belong",
+            ),
         ):
             select = simple.SelectElements(Input=source, **self.shape_file(text))
             with camaron_testing.pipeline.Messages() as messages:
                 select.UpdatePipeline()
             self.assertIn(reason, messages.errors[0])
         for path, reason in (
-            ("", "there is no Shape File"),
+            ("", "no Shape File is chosen"),
             (str(self.folder / "none.txt"), "none.txt"),
         ):
             select = simple.SelectElements(Input=source, Strategy="Shape file", ShapeFile=path)

@@ -243,7 +243,7 @@ class TestSelectKinds(camaron_testing.TestCase):
         self.assert_failure(faces, selected, "points of Elements are not those of the mesh")
         self.assert_failure(faces, mesh, "no array 'Selected'")
         same = simple.SelectElements(Input=mesh, Strategy="All")
-        self.assert_failure(mesh, same, "of the same kind")
+        self.assert_failure(mesh, same, "already of the type to select")
 
     def assert_failure(self, source, elements, text):
         select = simple.SelectElements(Input=source, Strategy="Change kind", Elements=elements)

@@ -214,7 +214,7 @@ class TestStatistics(camaron_testing.TestCase):
         self.check_statistics(table[0], values["Volume"][here], ids[here])
         with camaron_testing.pipeline.Messages() as messages:
             self.tables(source, OnlySelected=1, Arrays=["Volume"])
-        self.assertIn("named 'Selected' to tell what is selected", messages.errors[0])
+        self.assertIn("needs a one-component array named 'Selected'", messages.errors[0])
 
     def test_points(self):
         """Arrays of points, without ghosts; groups by a point array, not by cell type."""
@@ -244,7 +244,7 @@ class TestStatistics(camaron_testing.TestCase):
         self.assertEqual((worst[0]["CellType"], worst[0]["Id"]), ("Point", ids[largest]))
         with camaron_testing.pipeline.Messages() as messages:
             self.tables(source, GroupBy="Cell type", **properties)
-        self.assertIn("points are not grouped by 'Cell type'", messages.errors[0])
+        self.assertIn("points cannot be grouped by 'Cell type'", messages.errors[0])
 
     def test_faces_and_edges(self):
         """Measures of Mesh Elements have statistics without being named."""
@@ -298,7 +298,7 @@ class TestStatistics(camaron_testing.TestCase):
         )
         with camaron_testing.pipeline.Messages() as messages:
             statistics.UpdatePipeline()
-        self.assertIn("named 'Y' to weigh by", messages.errors[0])
+        self.assertIn("the weights need a one-component array named 'Y'", messages.errors[0])
 
     def test_against_numpy(self):
         grid = mesh_parts.make_full_mesh()
@@ -347,7 +347,7 @@ class TestStatistics(camaron_testing.TestCase):
             )
         self.assertEqual([c for c in statistics[0] if c.startswith("P")], ["P50", "P33.3", "P100"])
         self.assertEqual(statistics[0]["P100"], statistics[0]["Max"])
-        self.assertTrue(any("between 0 and 100" in text for text in messages.errors))
+        self.assertTrue(any("must be 0 to 100" in text for text in messages.errors))
 
     def test_integers_have_bins_of_their_own(self):
         source = mesh_parts.producer(mesh_parts.make_full_mesh())
@@ -662,9 +662,9 @@ class TestStatistics(camaron_testing.TestCase):
                 filter_.UpdatePipeline()
             self.assertTrue(any(reason in error for error in messages.errors), messages.errors)
         for properties, reason in (
-            ({"NumberOfWorst": -1}, "Number Of Worst is 0 or more, not -1"),
-            ({"NumberOfBins": 0}, "Number Of Bins is 1 to 100000, not 0"),
-            ({"CurvePoints": -5}, "Curve Points is 0 to 100000, not -5"),
+            ({"NumberOfWorst": -1}, "Number Of Worst must be 0 or more, not -1"),
+            ({"NumberOfBins": 0}, "Number Of Bins must be 1 to 100000, not 0"),
+            ({"CurvePoints": -5}, "Curve Points must be 0 to 100000, not -5"),
             ({"HistogramRange": "Custom", "CustomRange": [5, 3]}, "larger number, not from 5 to 3"),
             ({"HistogramRange": "Custom", "CustomRange": [0, math.nan]}, "not from 0 to nan"),
         ):

@@ -43,14 +43,14 @@ if time != 4:
         )
         (warning,) = messages.warnings
         for text in (
-            "one component named: Nowhere.",
-            "Volume is not there at time 1, 4.",
-            "Single is not there at time 4.",
+            "no one-component cell arrays named: Nowhere.",
+            "Volume is missing at time 1, 4.",
+            "Single is missing at time 4.",
         ):
             self.assertIn(text, warning)
         with pipeline.Messages() as messages:
             self.evaluate(source, Arrays=["Volume"], WeightArray="Volume")
-        self.assertIn("at time 1: there is no array", messages.errors[0])
+        self.assertIn("at time 1: the weights need a one-component array", messages.errors[0])
 
 
 if __name__ == "__main__":

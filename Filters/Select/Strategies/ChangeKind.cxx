@@ -30,7 +30,7 @@ Quantifier FindQuantifier(const std::string& name)
 {
   if (name != "Any" && name != "All")
   {
-    throw std::invalid_argument("Quantifier is Any or All, not '" + name + "'");
+    throw std::invalid_argument("Quantifier must be Any or All, not '" + name + "'");
   }
   return name == "Any" ? Quantifier::Any : Quantifier::All;
 }
@@ -95,7 +95,7 @@ std::vector<DataSetLeaf> FindOthers(const SelectionTask& task)
     if (other == leaves.end() || !HaveSamePoints(block.Data, other->Data))
     {
       throw std::invalid_argument(
-        "the points of Elements are not those of the mesh; Elements are the mesh, or "
+        "the points of Elements are not those of the mesh; Elements must be the mesh, or "
         "its faces, edges or vertices from Mesh Elements");
     }
     others.push_back(*other);
@@ -122,8 +122,8 @@ ElementKind FindKind(const std::vector<DataSetLeaf>& leaves, Reducer& reducer)
   reducer.Sum(&count, 1);
   if (count > 0 && !has[0] && !has[1])
   {
-    throw std::invalid_argument("nothing tells which Elements are selected: they have no array "
-                                "'Selected', as Select Elements makes it");
+    throw std::invalid_argument(
+      "Elements have no array 'Selected'; create it with Select Elements");
   }
   return has[static_cast<int>(ElementKind::Cells)] ? ElementKind::Cells : ElementKind::Points;
 }
@@ -134,7 +134,7 @@ SelectionMarks Change(const Elements& from, const Elements& to, const SelectionM
 {
   if (from.Dimension == to.Dimension)
   {
-    throw std::invalid_argument("the elements to change from are of the same kind");
+    throw std::invalid_argument("Elements are already of the type to select");
   }
   const bool rises = from.Dimension < to.Dimension;
   const Elements& cells = rises ? to : from;

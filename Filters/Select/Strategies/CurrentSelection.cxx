@@ -52,7 +52,7 @@ vtkSmartPointer<vtkDataObject> Evaluate(vtkDataObject* input, vtkSelection* sele
   extract->PreserveTopologyOn();
   if (!extract->GetExecutive()->Update())
   {
-    throw std::invalid_argument("the selection cannot be evaluated");
+    throw std::invalid_argument("ParaView cannot evaluate the Selection");
   }
   return extract->GetOutputDataObject(0);
 }

@@ -20,7 +20,7 @@ ExactValue ParseId(const char* property, const char*& text, const char* end)
   if (!ParseInteger(std::string(text, next), id))
   {
     throw std::invalid_argument(std::string(property) + ": expected a number, found '" +
-      std::string(text, std::min<std::ptrdiff_t>(end - text, 20)) + "' (write 3, 10-20, 40)");
+      std::string(text, std::min<std::ptrdiff_t>(end - text, 20)) + "' (example: 3, 10-20, 40)");
   }
   text = next;
   return id;
@@ -60,7 +60,7 @@ std::vector<IdRange> ParseIdRanges(const char* property, const std::string& list
     if (range.Last < range.First)
     {
       throw std::invalid_argument(std::string(property) + ": " + ToText(range.First) + "-" +
-        ToText(range.Last) + " runs backwards");
+        ToText(range.Last) + " is a descending range");
     }
     ranges.push_back(range);
   }

@@ -20,7 +20,7 @@ const Criterion* FindCount(const std::string& what)
                                           : nullptr;
   if (!criterion)
   {
-    throw std::invalid_argument("Counted is Faces, Edges or Vertices, not '" + what + "'");
+    throw std::invalid_argument("Counted must be Faces, Edges or Vertices, not '" + what + "'");
   }
   return FindCriterion(criterion);
 }
@@ -33,7 +33,7 @@ std::string SelectByCount(const SelectionTask& task, SelectionMarks& marks)
   const std::vector<IdRange> counts = ParseIdRanges("Counts", task.Parameters.Counts);
   if (counts.empty())
   {
-    throw std::invalid_argument("there are no Counts");
+    throw std::invalid_argument("Counts is empty");
   }
   const DistributedMesh& pieces = task.GetPieces();
   for (std::size_t piece = 0; piece < marks.size(); ++piece)

@@ -62,14 +62,15 @@ ExactRange FindRange(const SelectionTask& task)
   }
   if (parameters.Range != "Acceptable")
   {
-    throw std::invalid_argument("Range is Acceptable or Custom, not '" + parameters.Range + "'");
+    throw std::invalid_argument(
+      "Range must be Acceptable or Custom, not '" + parameters.Range + "'");
   }
   const AcceptableRanges ranges(parameters.Preset, parameters.RangesFile, task.Reducer);
   const auto range = ranges.Find(task.GetArrayName(), FindUnit(task, task.GetArrayName()));
   if (!range)
   {
     throw std::invalid_argument("no acceptable range is known for '" + task.GetArrayName() +
-      "'; choose another Preset, or Custom for Range and give the limits");
+      "'; choose another Preset, or set Range to Custom and enter limits");
   }
   return { { range->Low }, { range->High }, range->Shapes };
 }
@@ -87,7 +88,7 @@ std::string SelectByCriterion(const SelectionTask& task, SelectionMarks& marks)
   shapes.Judge(values, judged);
   if (parameters.Side != "Inside" && parameters.Side != "Outside")
   {
-    throw std::invalid_argument("Side is Inside or Outside, not '" + parameters.Side + "'");
+    throw std::invalid_argument("Side must be Inside or Outside, not '" + parameters.Side + "'");
   }
   const bool inside = parameters.Side == "Inside";
   // NaN is on neither side, nor is a cell of a shape that the range is not for.

@@ -41,7 +41,7 @@ std::vector<BlockIds> FindIds(const SelectionTask& task)
   if (idSpace != "Global id" && idSpace != "Pedigree id")
   {
     throw std::invalid_argument(
-      "Id Space is Index, Global id or Pedigree id, not '" + idSpace + "'");
+      "Id Space must be Index, Global id or Pedigree id, not '" + idSpace + "'");
   }
   std::int64_t missing = 0;
   for (std::size_t b = 0; b < ids.size(); ++b)

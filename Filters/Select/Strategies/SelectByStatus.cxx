@@ -80,7 +80,7 @@ std::string SelectByStatus(const SelectionTask& task, SelectionMarks& marks)
   task.Reducer.Sum(counts, 2);
   if (counts[0] == 0 && counts[1] > 0)
   {
-    throw std::invalid_argument("there is no cell array CellStatus; let Element Quality make it");
+    throw std::invalid_argument("there is no cell array CellStatus; add it with Element Quality");
   }
   MarkValues(values, marks,
     [&](const ValueBlock& block, vtkIdType i)

@@ -44,14 +44,14 @@ TypeSet ParseTypes(std::string text)
     if (!isKnown)
     {
       throw std::invalid_argument(
-        "Cell Types: expected names such as Tetra, Hexahedron, Polyhedron "
-        "or VTK's numbers of them, found '" +
+        "Cell Types: expected names such as Tetra, Hexahedron or Polyhedron, "
+        "or VTK's numbers, found '" +
         word + "'");
     }
   }
   if (std::none_of(types.begin(), types.end(), [](bool isSet) { return isSet; }))
   {
-    throw std::invalid_argument("there are no Cell Types");
+    throw std::invalid_argument("Cell Types is empty");
   }
   return types;
 }

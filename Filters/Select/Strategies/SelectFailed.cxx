@@ -46,8 +46,8 @@ std::string SelectFailed(const SelectionTask& task, SelectionMarks& marks)
   task.Reducer.Sum(&numberOfBlocks, 1);
   if (names.empty() && numberOfBlocks > 0)
   {
-    throw std::invalid_argument("no array is a criterion with a range in '" + parameters.Preset +
-      "'; let Element Quality evaluate some");
+    throw std::invalid_argument("no array is a criterion with an acceptable range in '" +
+      parameters.Preset + "'; evaluate some with Element Quality");
   }
   std::vector<std::vector<int>>& counts = task.FailedCriteriaCounts;
   for (const std::vector<unsigned char>& block : marks)

@@ -128,7 +128,7 @@ HalfSpace MakeHalfSpace(const Side& side)
   const double length = Norm(scaled);
   if (!std::isfinite(length) || !std::isfinite(side.Offset))
   {
-    throw std::invalid_argument("a plane has no normal, or no place");
+    throw std::invalid_argument("a plane has a zero normal, or a coordinate that is not finite");
   }
   return { (1 / length) * scaled, side.Offset / largest / length };
 }
@@ -222,7 +222,7 @@ vtkNew<vtkMatrix4x4> GetMatrix(vtkImplicitFunction* shape)
     auto* linear = vtkLinearTransform::SafeDownCast(transform);
     if (!linear)
     {
-      throw std::invalid_argument("the shape is bent");
+      throw std::invalid_argument("the transform of the Shape must be linear");
     }
     matrix->DeepCopy(linear->GetMatrix());
   }
@@ -290,8 +290,9 @@ Solid MakeSolid(vtkImplicitFunction* shape, const Bounds& bounds, const MeshUnit
     return HalfSpaceSolid({ unit.Scale(halfSpace) }, bounds, tolerance);
   }
   throw std::invalid_argument(shape
-      ? std::string("Shape is a sphere, box, cylinder or plane, not a ") + shape->GetClassName()
-      : std::string("there is no Shape"));
+      ? std::string("Shape must be a sphere, box, cylinder or plane, not a ") +
+        shape->GetClassName()
+      : std::string("no Shape is chosen"));
 }
 
 //------------------------------------------------------------------------------
@@ -314,7 +315,7 @@ std::vector<Simplex> GatherTriangles(const SelectionTask& task)
         {
           if (facets.GetDimension(cell) == 3)
           {
-            throw std::invalid_argument("the Surface has 3D cells; take their surface first");
+            throw std::invalid_argument("the Surface has 3D cells; apply Mesh Surface first");
           }
           if (facets.GetDimension(cell) == 2)
           {
@@ -359,7 +360,7 @@ std::string MarkInSurface(const SelectionTask& task, std::vector<Simplex>&& tria
   if (const std::size_t open = SurfaceSolid::CountOpenEdges(triangles))
   {
     throw std::invalid_argument(subject + " not closed: " + std::to_string(open) +
-      (open == 1 ? " edge has" : " edges have") + " an odd number of polygons");
+      (open == 1 ? " edge belongs" : " edges belong") + " to an odd number of polygons");
   }
   MeshUnit unit;
   const Bounds bounds = FindBounds(task, unit);
@@ -390,12 +391,12 @@ std::string SelectInHalfSpaces(const SelectionTask& task, SelectionMarks& marks)
   const std::vector<double>& planes = task.Parameters.Planes;
   if (planes.empty())
   {
-    throw std::invalid_argument("there are no Planes");
+    throw std::invalid_argument("Planes is empty");
   }
   if (planes.size() % NumbersPerPlane != 0)
   {
     throw std::invalid_argument(
-      "Planes have 6 numbers each, a point and a normal; expected a multiple of 6 numbers, "
+      "Planes: expected a multiple of 6 numbers, a point and a normal for each plane, "
       "found " +
       std::to_string(planes.size()));
   }
@@ -416,7 +417,7 @@ std::string SelectInSurface(const SelectionTask& task, SelectionMarks& marks)
   std::vector<Simplex> triangles = GatherTriangles(task);
   if (triangles.empty())
   {
-    throw std::invalid_argument("there is no Surface, or it has no polygons");
+    throw std::invalid_argument("no Surface is chosen, or it has no polygons");
   }
   return MarkInSurface(task, std::move(triangles), "the Surface is", marks);
 }
@@ -427,7 +428,7 @@ std::string SelectInShapeFile(const SelectionTask& task, SelectionMarks& marks)
   const std::string& path = task.Parameters.ShapeFile;
   if (path.empty())
   {
-    throw std::invalid_argument("there is no Shape File");
+    throw std::invalid_argument("no Shape File is chosen");
   }
   const std::string name = GetFileName(path);
   const ShapeText shape = ParseShape(name, ReadSmallFile(path, "a shape", task.Reducer));

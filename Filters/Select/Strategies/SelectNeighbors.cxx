@@ -28,7 +28,7 @@ Adjacency FindAdjacency(const SelectionTask& task)
   {
     return Adjacency::Vertex;
   }
-  throw std::invalid_argument("Adjacency is Face, Edge or Vertex, not '" + name + "'");
+  throw std::invalid_argument("Adjacency must be Face, Edge or Vertex, not '" + name + "'");
 }
 
 //------------------------------------------------------------------------------

@@ -20,8 +20,8 @@ std::int64_t MarkWorst(
   const auto end = FindWorstEnd(task.GetArrayName(), task.Parameters.WorstValues);
   if (!end)
   {
-    throw std::invalid_argument("no end of '" + task.GetArrayName() +
-      "' is known to be the worse one; choose Largest or Smallest for Worst Values");
+    throw std::invalid_argument("cannot tell whether small or large values of '" +
+      task.GetArrayName() + "' are worse; set Worst Values to Smallest or Largest");
   }
   const WorstLimit limit = FindWorstLimit(values.Get(), count, *end, task.Reducer);
   MarkValues(

@@ -213,7 +213,7 @@ BlockValues FindValues(const SelectionTask& task)
     const std::string kind = task.HasCells() ? "cell" : "point";
     throw std::invalid_argument(name.empty()
         ? (task.HasCells() ? "no Array is chosen" : "no Point Array is chosen")
-        : "there is no " + kind + " array with one component named '" + name + "'");
+        : "there is no one-component " + kind + " array named '" + name + "'");
   }
   return values;
 }
