@@ -73,7 +73,7 @@ void PackEdges(CellTetrahedra& tetrahedra, vtkIdType numberOfPoints)
   constexpr int Bits = 30;
   if (numberOfPoints > vtkIdType(1) << Bits)
   {
-    throw std::length_error("Cells can be cut open in pieces of up to 2^30 points.");
+    throw std::length_error("Cells can only be cut open in pieces of up to 2^30 points.");
   }
   ParallelFor(static_cast<vtkIdType>(tetrahedra.Points.size()), Grain,
     [&](vtkIdType begin, vtkIdType end)

@@ -35,7 +35,7 @@ void InspectionTables::UpdateTables(bool isPicking)
     if (!this->Isosurface.Update(*this->Mesh, array, this->Style.IsosurfaceValues))
     {
       throw std::runtime_error(
-        "The graphics card makes no isosurfaces: " + this->Isosurface.GetError());
+        "The graphics card cannot create isosurfaces: " + this->Isosurface.GetError());
     }
     this->NumberOfTriangles = this->Isosurface.GetNumberOfTriangles();
   }
@@ -43,7 +43,7 @@ void InspectionTables::UpdateTables(bool isPicking)
   {
     if (!this->Cut.Update(*this->Mesh, this->Style))
     {
-      throw std::runtime_error("The graphics card refuses to cut: " + this->Cut.GetError());
+      throw std::runtime_error("The graphics card cannot cut cells: " + this->Cut.GetError());
     }
     this->NumberOfTriangles = 4 * this->Cut.GetNumberOfTetrahedra();
   }
@@ -51,7 +51,7 @@ void InspectionTables::UpdateTables(bool isPicking)
   {
     if (!this->Visible.Update(*this->Mesh, this->Style))
     {
-      throw std::runtime_error("The graphics card refuses to cut: " + this->Visible.GetError());
+      throw std::runtime_error("The graphics card cannot cut cells: " + this->Visible.GetError());
     }
     this->NumberOfTriangles = this->Visible.GetNumberOfTriangles();
   }

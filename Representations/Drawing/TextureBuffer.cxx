@@ -45,7 +45,7 @@ void TextureBuffer::Upload(const void* rows, std::size_t numberOfRows)
   {
     this->Release();
     throw std::length_error("Mesh Inspection needs a table of " + std::to_string(numberOfRows) +
-      " rows, but those of this graphics card have up to " + std::to_string(maxRows) + ".");
+      " rows, but tables of this graphics card have at most " + std::to_string(maxRows) + ".");
   }
   const bool isNew = this->Buffer == 0;
   if (isNew)
@@ -100,7 +100,7 @@ void TextureBuffer::Write(std::size_t numberOfRows, const std::function<void(voi
       glBindBuffer(GL_TEXTURE_BUFFER, 0);
       this->Release();
       throw std::runtime_error("Mesh Inspection needs a table of " + std::to_string(bytes) +
-        " bytes, for which the graphics card has no memory.");
+        " bytes, which exceeds the free memory of the graphics card.");
     }
     write(rows);
     isLost = !glUnmapBuffer(GL_TEXTURE_BUFFER);

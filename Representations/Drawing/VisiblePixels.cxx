@@ -101,7 +101,7 @@ void VisiblePixels::Draw(vtkOpenGLRenderWindow* window, const Scene& scene)
   state->PopFramebufferBindings();
   if (!isComplete)
   {
-    throw std::runtime_error("The graphics card has no picture of integers for labels.");
+    throw std::runtime_error("Labels need an integer framebuffer, which the graphics card lacks.");
   }
 }
 
@@ -124,7 +124,7 @@ void VisiblePixels::DrawTriangles(vtkOpenGLRenderWindow* window, const Scene& sc
     window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   if (!program)
   {
-    throw std::runtime_error("The graphics card refuses to find what is visible for labels.");
+    throw std::runtime_error("The graphics card cannot find the visible elements for labels.");
   }
   vtkOpenGLState* state = window->GetState();
   const bool cullsFront = scene.Property->GetFrontfaceCulling();

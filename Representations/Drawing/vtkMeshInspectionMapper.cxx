@@ -244,7 +244,7 @@ void vtkMeshInspectionMapper::BuildBufferObjects(vtkRenderer* renderer, vtkActor
     self.NumberOfTriangles = 0;
     self.RefusedGrid = grid;
     self.RefusedTime = grid->GetMTime();
-    vtkWarningMacro(<< error.what() << " The processor draws the mesh instead.");
+    vtkWarningMacro(<< error.what() << " VTK filters draw the mesh instead.");
   }
 
   // VTK makes the colors; of points they are either colors or coordinates in a texture.

@@ -108,7 +108,7 @@ int vtkCoarseInspectionMesh::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkWarningMacro("The mesh is drawn whole while the camera moves: " << error.what());
+    vtkWarningMacro("The full mesh is drawn while the camera moves: " << error.what());
     output->ShallowCopy(input);
     return 1;
   }

@@ -330,7 +330,7 @@ void vtkInspectionMesh::ReportFaults(const std::vector<DataSetLeaf>& leaves)
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("The mesh is not drawn as a whole: " << error.what() << '.');
+    vtkErrorMacro("Parts of the mesh are not drawn: " << error.what() << '.');
   }
 }
 
@@ -379,7 +379,7 @@ std::vector<vtkSmartPointer<vtkDataArray>> vtkInspectionMesh::FindOuterFacets(
   }
   catch (const std::exception& error)
   {
-    vtkWarningMacro("Faces between pieces are drawn as if they were outside: " << error.what());
+    vtkWarningMacro("Faces between pieces are drawn as outer faces: " << error.what());
     found.clear();
   }
   return found;

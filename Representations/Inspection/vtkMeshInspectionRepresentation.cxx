@@ -598,7 +598,7 @@ void vtkMeshInspectionRepresentation::UpdateStyles(vtkRenderer* ofPicture)
     {
       vtkWarningMacro(
         "Mesh Inspection is ray traced as an ordinary surface: without glass, isolines, normals, "
-        "inner walls and emphasis.");
+        "interior faces and emphasis.");
     }
     self.WarnedOfRayTracing = true;
     style.OnProcessor = true;

@@ -225,7 +225,7 @@ std::vector<IdLabel> vtkIdLabels::Internals::Choose(vtkRenderer* renderer, const
   }
   if (isListed && !this->Visible.Update(*mesh, style))
   {
-    throw std::runtime_error("The graphics card refuses to cut: " + this->Visible.GetError());
+    throw std::runtime_error("The graphics card cannot cut cells: " + this->Visible.GetError());
   }
   glUseProgram(0);
   window->GetState()->ResetGLActiveTexture();
@@ -388,7 +388,7 @@ int vtkIdLabels::RenderOpaqueGeometry(vtkViewport* viewport)
     vtkRenderWindow* window = renderer->GetRenderWindow();
     if (!self.Digits.Update(self.Labels, window->GetDPI() * window->GetTileScale()[1]))
     {
-      vtkErrorMacro("VTK has no text for labels.");
+      vtkErrorMacro("VTK cannot render text for labels.");
       return 0;
     }
     if (self.IsMeshDrawn())
