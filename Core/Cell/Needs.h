@@ -20,11 +20,12 @@ enum Needs : unsigned
   NeedsDihedral = 16u,
   NeedsSolidAngle = 32u,
   NeedsAngles = NeedsCorners | NeedsDihedral | NeedsSolidAngle, ///< any of them
-  NeedsCentroid = 64u,      ///< with NeedsVolume for a polyhedron
-  NeedsMeanSizes = 128u,    ///< of all cells of the mesh
-  NeedsSurfaceSides = 256u, ///< which side of a closed surface is the outer one
-  NeedsRegions = 512u,      ///< what hangs together
-  NeedsPointRegions = 1024u ///< what hangs together at points
+  NeedsCentroid = 64u,       ///< with NeedsVolume for a polyhedron
+  NeedsMeanSizes = 128u,     ///< of all cells of the mesh
+  NeedsSurfaceSides = 256u,  ///< which side of a closed surface is the outer one
+  NeedsRegions = 512u,       ///< what hangs together
+  NeedsPointRegions = 1024u, ///< what hangs together at points
+  NeedsStarShape = 2048u     ///< CellStatus reports cells that are not star-shaped as well
 };
 }
 

@@ -6,16 +6,14 @@
 #include "Cell/CellNeighborhood.h"
 #include "Cell/NondegenerateTetrahedra.h"
 #include "Criteria/MeshContext.h"
-#include "Ranks/LinkedPieces.h"
-#include "Ranks/MeanSizes.h"
-#include "Ranks/MeshRegions.h"
-#include "Ranks/SurfaceSides.h"
+#include "Ranks/MeshFacts.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace camaron
@@ -33,13 +31,6 @@ constexpr vtkIdType NumberOfReports = 100;
 bool AppliesTo(const Criterion& criterion, const CellGeometry& cell)
 {
   return (criterion.AppliesTo & (cell.GetShapes() | AnyCell)) != 0;
-}
-
-//------------------------------------------------------------------------------
-bool NeedAny(const std::vector<CriterionValues>& criteria, unsigned need)
-{
-  return std::any_of(criteria.begin(), criteria.end(),
-    [need](const CriterionValues& row) { return (row.Criterion->Needs & need) != 0; });
 }
 
 //------------------------------------------------------------------------------
@@ -252,35 +243,30 @@ private:
 }
 
 //------------------------------------------------------------------------------
+unsigned GetNeeds(const std::vector<const Criterion*>& criteria)
+{
+  return std::accumulate(criteria.begin(), criteria.end(), 0u,
+    [](unsigned needs, const Criterion* criterion) { return needs | criterion->Needs; });
+}
+
+//------------------------------------------------------------------------------
 bool Evaluate(const MeshTopology& topology, const EvaluationOptions& givenOptions,
   const std::vector<CriterionValues>& criteria, const std::function<bool(double)>& progress)
 {
-  // What concerns the whole mesh, if nobody knows it yet.
-  EvaluationOptions options = givenOptions;
+  std::vector<const Criterion*> evaluated;
+  for (const CriterionValues& row : criteria)
+  {
+    evaluated.push_back(row.Criterion);
+  }
+  const unsigned needs = GetNeeds(evaluated);
   Reducer alone;
-  const std::vector<LinkedPiece> pieces = { { &topology, givenOptions } };
-  MeanSizes means;
-  std::vector<SurfaceSides> sides;
-  std::vector<MeshRegions> regions;
-  if (!options.Means && NeedAny(criteria, NeedsMeanSizes))
-  {
-    means = GetMeanSizes(pieces, alone);
-    options.Means = &means;
-  }
-  if (!options.Sides && NeedAny(criteria, NeedsSurfaceSides))
-  {
-    sides = FindSurfaceSides(pieces, alone);
-    options.Sides = &sides[0];
-  }
-  if (!options.Regions && NeedAny(criteria, NeedsRegions))
-  {
-    regions = FindMeshRegions(pieces, alone);
-    options.Regions = &regions[0];
-  }
+  std::vector<LinkedPiece> pieces = { { &topology, givenOptions } };
+  MeshFacts facts; // of this piece, where those of all pieces are not given
+  facts.Find(needs & ~NeedsPointRegions, pieces, alone, [] { return true; });
+  EvaluationOptions& options = pieces[0].Options;
+  options.ChecksStarShape |= (needs & NeedsStarShape) != 0;
 
   const MeshView& mesh = topology.GetMesh();
-  options.ChecksStarShape |= std::any_of(criteria.begin(), criteria.end(),
-    [](const CriterionValues& row) { return row.Criterion == FindCriterion("IsStarShaped"); });
   std::vector<CriterionValues> ofCells, ofMesh, ofNeighbors;
   for (const CriterionValues& row : criteria)
   {

@@ -23,6 +23,9 @@ struct CriterionValues
   double* Values;
 };
 
+/// All Needs of some criteria.
+unsigned GetNeeds(const std::vector<const Criterion*>& criteria);
+
 /**
  * Geometry is computed once per cell and shared by all criteria; what no criterion needs is not
  * computed. The values do not depend on the number of threads.

@@ -105,7 +105,7 @@ std::vector<Criterion> KernelCriteria()
         "PEMesh's kernel-area ratio of planar polygons. Camarón has the kernel of a whole model only." } },
     { "IsStarShaped", "Star-shaped", "1 if some point sees all of the cell (KernelRatio above 0), else 0.",
       PolygonsAndPolyhedra, Unit::None, { 0, 1 }, 1, Better::Bigger,
-      { 1, Infinity }, "star-shaped", Hint, PolygonsAndPolyhedra, Integer, Cost::Iterative, needs, CAMARON_CELLS(IsStarShaped),
+      { 1, Infinity }, "star-shaped", Hint, PolygonsAndPolyhedra, Integer, Cost::Iterative, needs | NeedsStarShape, CAMARON_CELLS(IsStarShaped),
       { "1 if there is a ball within the half-spaces of KernelRatio: a linear program with the faces as constraints. "
         "Where it is evaluated, CellStatus has the bit 0x20000 for cells with the value 0.",
         "NaN (2) without volume or area, NaN (3) for open cells; 0 with a coordinate that is not finite.",

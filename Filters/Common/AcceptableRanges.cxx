@@ -7,6 +7,7 @@
 #include "SmallFile.h"
 
 #include "vtkMath.h"
+#include "vtkStringArray.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,18 @@
 
 namespace camaron
 {
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkStringArray> MakePresetNames(const char* first)
+{
+  auto names = vtkSmartPointer<vtkStringArray>::New();
+  names->InsertNextValue(first);
+  for (const Preset& preset : GetPresets())
+  {
+    names->InsertNextValue(preset.Name);
+  }
+  return names;
+}
+
 //------------------------------------------------------------------------------
 std::vector<Preset::Rule> ReadRangesFile(const std::string& path, Reducer& reducer)
 {

@@ -12,9 +12,13 @@
 #include "Statistics/Summary.h"
 #include "Statistics/Worst.h"
 
+#include "vtkSmartPointer.h" // for names
+
 #include <optional> // for what may be unknown
 #include <string>   // for names
 #include <vector>   // for rules
+
+class vtkStringArray;
 
 namespace camaron
 {
@@ -23,6 +27,10 @@ inline const char* GetDefaultRangesName()
 {
   return "Default ranges";
 }
+
+/// The choices of a property for presets: @a first, which is none of them, then the presets by
+/// name.
+vtkSmartPointer<vtkStringArray> MakePresetNames(const char* first);
 
 /// A range, and the Shapes of the cells that it is for; AnyCell where it is for all that have
 /// values.

@@ -160,47 +160,11 @@ void DistributedMesh::Link()
 }
 
 //------------------------------------------------------------------------------
-void DistributedMesh::FindMeanSizes()
+bool DistributedMesh::FindFacts(unsigned needs, const std::function<bool()>& goesOn)
 {
-  this->Means = GetMeanSizes(this->Pieces, this->Reducer);
-  for (LinkedPiece& piece : this->Pieces)
-  {
-    piece.Options.Means = &this->Means;
-  }
-}
-
-//------------------------------------------------------------------------------
-void DistributedMesh::FindSurfaceSides()
-{
-  this->Sides = camaron::FindSurfaceSides(this->Pieces, this->Reducer);
-  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
-  {
-    this->Pieces[piece].Options.Sides = &this->Sides[piece];
-  }
-}
-
-//------------------------------------------------------------------------------
-void DistributedMesh::FindRegions()
-{
-  this->Regions = FindMeshRegions(this->Pieces, this->Reducer);
-  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
-  {
-    this->Pieces[piece].Options.Regions = &this->Regions[piece];
-  }
-}
-
-//------------------------------------------------------------------------------
-void DistributedMesh::FindPointRegions()
-{
-  if (!this->CanAskOthers())
-  {
-    return;
-  }
-  this->PointGroups = camaron::FindPointRegions(this->Pieces, this->Reducer);
-  for (std::size_t piece = 0; piece < this->Pieces.size(); ++piece)
-  {
-    this->Pieces[piece].Options.PointGroups = &this->PointGroups[piece];
-  }
+  const unsigned known =
+    this->CanAskOthers() ? 0u : NeedsPointRegions; // by the topology of one piece
+  return this->Facts.Find(needs & ~known, this->Pieces, this->Reducer, goesOn);
 }
 
 //------------------------------------------------------------------------------

@@ -16,18 +16,16 @@
 #define camaron_DistributedMesh_h
 
 #include "ElementBlocks.h"
-#include "Ranks/LinkedPieces.h"
-#include "Ranks/MeanSizes.h"
-#include "Ranks/MeshRegions.h"
-#include "Ranks/SurfaceSides.h"
+#include "Ranks/MeshFacts.h"
 
 #include "vtkDataSet.h"      // for the meshes
 #include "vtkSmartPointer.h" // for the meshes
 
-#include <cstdint> // for numbers of cells
-#include <memory>  // for the topologies
-#include <string>  // for names of arrays
-#include <vector>  // for the pieces
+#include <cstdint>    // for numbers of cells
+#include <functional> // for the question whether to continue
+#include <memory>     // for the topologies
+#include <string>     // for names of arrays
+#include <vector>     // for the pieces
 
 class vtkDataArray;
 
@@ -72,14 +70,8 @@ public:
   void ConnectBlocks();
   /// Collective. Finds neighbors in other pieces of the block.
   void Link();
-  /// Collective.
-  void FindMeanSizes();
-  /// Collective. After Link.
-  void FindSurfaceSides();
-  /// Collective. After Link.
-  void FindRegions();
-  /// Collective. After Link.
-  void FindPointRegions();
+  /// Collective. After Link. What criteria read of the mesh as a whole; see MeshFacts::Find.
+  bool FindFacts(unsigned needs, const std::function<bool()>& goesOn);
 
   /// Collective. Whether there are several pieces, and they can be asked.
   bool CanAskOthers() { return this->AreSeveral() && !this->OthersAreUnknown; }
@@ -110,10 +102,7 @@ private:
   std::vector<vtkSmartPointer<vtkDataArray>> Ids;
   std::vector<LinkedPiece> Pieces;
   std::vector<PieceLinks> Links;
-  MeanSizes Means;
-  std::vector<SurfaceSides> Sides;
-  std::vector<MeshRegions> Regions;
-  std::vector<PointRegions> PointGroups;
+  MeshFacts Facts;
 };
 }
 

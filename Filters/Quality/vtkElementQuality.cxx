@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkElementQuality.h"
 
+#include "AcceptableRanges.h"
 #include "Base/Buffer.h"
 #include "Base/Parallel.h"
 #include "Base/Units.h"
@@ -27,6 +28,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -100,6 +102,16 @@ void vtkElementQuality::ClearCriteria()
 void vtkElementQuality::SetCriterionStatus(const char* name, int status)
 {
   this->Criteria->SetArraySetting(name, status);
+}
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkElementQuality::GetPresetNames()
+{
+  if (!this->PresetNames)
+  {
+    this->PresetNames = camaron::MakePresetNames(TickedCriteria());
+  }
+  return this->PresetNames;
 }
 
 //------------------------------------------------------------------------------
@@ -250,8 +262,7 @@ camaron::EvaluationOptions vtkElementQuality::GetOptions(
   options.DegeneracyTolerance = this->DegeneracyTolerance;
   options.ConvexityTolerance = this->ConvexityTolerance;
   options.PlanarityTolerance = this->PlanarityTolerance;
-  options.ChecksStarShape = std::any_of(criteria.begin(), criteria.end(),
-    [](auto* criterion) { return criterion == camaron::FindCriterion("IsStarShaped"); });
+  options.ChecksStarShape = (camaron::GetNeeds(criteria) & camaron::NeedsStarShape) != 0;
   return options;
 }
 
@@ -285,28 +296,18 @@ bool vtkElementQuality::Evaluate(const std::vector<camaron::DataSetLeaf>& leaves
   {
     pieces.ConnectBlocks();
   }
-  const auto any = [&](auto&& predicate)
-  { return std::any_of(criteria.begin(), criteria.end(), predicate); };
-  const auto need = [&](unsigned needs)
-  { return any([needs](auto* criterion) { return (criterion->Needs & needs) != 0; }); };
-  const std::pair<bool, void (camaron::DistributedMesh::*)()> ofMesh[] = {
-    { any([](auto* criterion) { return criterion->Cost == camaron::Cost::Neighbors; }),
-      &camaron::DistributedMesh::Link },
-    { need(camaron::NeedsMeanSizes), &camaron::DistributedMesh::FindMeanSizes },
-    { need(camaron::NeedsSurfaceSides), &camaron::DistributedMesh::FindSurfaceSides },
-    { need(camaron::NeedsRegions), &camaron::DistributedMesh::FindRegions },
-    { need(camaron::NeedsPointRegions), &camaron::DistributedMesh::FindPointRegions },
-  };
-  for (const auto& [isNeeded, find] : ofMesh)
+  const auto goesOn = [&] { return this->GoOn(0, reducer); };
+  if (this->NeedsNeighbors())
   {
-    if (isNeeded)
+    if (!goesOn())
     {
-      if (!this->GoOn(0, reducer))
-      {
-        return false;
-      }
-      (pieces.*find)();
+      return false;
     }
+    pieces.Link();
+  }
+  if (!pieces.FindFacts(camaron::GetNeeds(criteria), goesOn))
+  {
+    return false;
   }
   bool isFinished = true;
   camaron::RunCollectively(reducer,

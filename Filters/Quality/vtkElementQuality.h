@@ -46,6 +46,7 @@
 
 class vtkDataArraySelection;
 class vtkDoubleArray;
+class vtkStringArray;
 namespace camaron
 {
 class EvaluatedArrays;
@@ -86,6 +87,8 @@ public:
   /// TickedCriteria.
   void SetPreset(const char* name);
   const char* GetPreset() const { return this->Preset.c_str(); }
+  /// The choices for Preset.
+  vtkStringArray* GetPresetNames();
   ///@}
 
   ///@{
@@ -197,6 +200,7 @@ private:
     const std::vector<const camaron::Criterion*>& criteria, int numberOfPieces);
 
   vtkNew<vtkDataArraySelection> Criteria;
+  vtkSmartPointer<vtkStringArray> PresetNames;
   std::string Preset = TickedCriteria();
   int AngleUnits = DEGREES;
   bool WriteNullMask = false;

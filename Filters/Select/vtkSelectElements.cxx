@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSelectElements.h"
 
+#include "AcceptableRanges.h"
 #include "Base/Buffer.h"
 #include "ControllerReducer.h"
 #include "MeshOutputs.h"
@@ -19,6 +20,7 @@
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -98,6 +100,16 @@ vtkSelectElements::vtkSelectElements()
 
 //------------------------------------------------------------------------------
 vtkSelectElements::~vtkSelectElements() = default;
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkSelectElements::GetPresetNames()
+{
+  if (!this->PresetNames)
+  {
+    this->PresetNames = camaron::MakePresetNames(camaron::GetDefaultRangesName());
+  }
+  return this->PresetNames;
+}
 
 //------------------------------------------------------------------------------
 void vtkSelectElements::PrintSelf(ostream& os, vtkIndent indent)

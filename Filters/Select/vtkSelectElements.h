@@ -46,12 +46,14 @@
 #define vtkSelectElements_h
 
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkSmartPointer.h" // for names
 
 #include <memory> // for the parameters
 #include <string> // for the report
 #include <vector> // for marks
 
 class vtkImplicitFunction;
+class vtkStringArray;
 
 namespace camaron
 {
@@ -165,6 +167,8 @@ public:
    */
   void SetPreset(const char* name);
   const char* GetPreset() const;
+  /// The choices for Preset.
+  vtkStringArray* GetPresetNames();
   ///@}
 
   ///@{
@@ -370,6 +374,7 @@ private:
     camaron::SelectionTask& task, camaron::ElementBlocks& blocks);
 
   std::unique_ptr<camaron::SelectionParameters> Parameters;
+  vtkSmartPointer<vtkStringArray> PresetNames;
   vtkIdType NumberOfSelectedElements = 0;
   std::string Report;
 };

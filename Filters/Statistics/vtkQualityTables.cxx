@@ -9,6 +9,7 @@
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkStringArray.h"
 
 #include <exception>
 #include <sstream>
@@ -23,6 +24,16 @@ vtkQualityTables::vtkQualityTables()
 
 //------------------------------------------------------------------------------
 vtkQualityTables::~vtkQualityTables() = default;
+
+//------------------------------------------------------------------------------
+vtkStringArray* vtkQualityTables::GetPresetNames()
+{
+  if (!this->PresetNames)
+  {
+    this->PresetNames = camaron::MakePresetNames(camaron::GetDefaultRangesName());
+  }
+  return this->PresetNames;
+}
 
 //------------------------------------------------------------------------------
 void vtkQualityTables::PrintSelf(ostream& os, vtkIndent indent)

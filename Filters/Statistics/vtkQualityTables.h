@@ -14,11 +14,14 @@
 #define vtkQualityTables_h
 
 #include "vtkDataObjectAlgorithm.h"
+#include "vtkSmartPointer.h" // for names
 
 #include <memory> // for the steps
 #include <set>    // for names
 #include <string> // for choices
 #include <vector> // for lists
+
+class vtkStringArray;
 
 namespace camaron
 {
@@ -50,6 +53,8 @@ public:
    */
   void SetPreset(const char* name) { this->SetText(this->Preset, name); }
   const char* GetPreset() const { return this->Preset.c_str(); }
+  /// The choices for Preset.
+  vtkStringArray* GetPresetNames();
   ///@}
 
   ///@{
@@ -123,6 +128,7 @@ protected:
   void WarnOfNoGroups(const std::string& arrayName, std::size_t numberOfGroups, bool isRoot);
 
   std::vector<std::string> Arrays;
+  vtkSmartPointer<vtkStringArray> PresetNames;
   std::string Preset;
   std::string RangesFile;
   std::string GroupBy = "None";

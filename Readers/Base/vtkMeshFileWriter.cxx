@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshFileWriter.h"
 
+#include "Base/Parallel.h"
 #include "Base/Progress.h"
 #include "Base/Text.h"
 #include "PieceGathering.h"
@@ -20,6 +21,7 @@
 #include "vtkXMLPUnstructuredDataReader.h"
 
 #include <algorithm>
+#include <new>
 #include <stdexcept>
 
 using vtkSDDP = vtkStreamingDemandDrivenPipeline;
@@ -228,7 +230,25 @@ void vtkMeshFileWriter::WriteTo(
       return;
     }
   }
-  if (!this->WriteMesh(path, mesh, warnings, error, progress) && !error)
+  bool isWritten = false;
+  // No exception may pass through WithThreads, which restores VTK's backend.
+  camaron::WithThreads(
+    [&]
+    {
+      try
+      {
+        isWritten = this->WriteMesh(path, mesh, warnings, error, progress);
+      }
+      catch (const std::bad_alloc&)
+      {
+        error = { camaron::ErrorKind::Memory, name + ": not enough memory to write the mesh" };
+      }
+      catch (const std::length_error& reason)
+      {
+        error = { camaron::ErrorKind::Unsupported, name + ": " + reason.what() };
+      }
+    });
+  if (!isWritten && !error)
   {
     this->SetErrorCode(vtkErrorCode::UserError); // aborted
   }

@@ -76,7 +76,8 @@ protected:
   vtkMeshFileWriter();
   ~vtkMeshFileWriter() override;
 
-  /// Writes a mesh to a file; false with the error set, or without one if aborted.
+  /// Writes a mesh to a file; false with the error set, or without one if aborted. May throw
+  /// std::bad_alloc and std::length_error.
   virtual bool WriteMesh(const std::string& path, vtkDataSet* mesh, camaron::Warnings& warnings,
     camaron::ScanError& error, const camaron::Progress& progress) = 0;
 

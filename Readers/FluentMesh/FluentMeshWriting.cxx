@@ -3,7 +3,6 @@
 #include "FluentMeshWriting.h"
 
 #include "Base/Bytes.h"
-#include "Base/Parallel.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "FluentOutput.h"
@@ -23,7 +22,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <new>
 #include <stdexcept>
 
 namespace camaron
@@ -401,27 +399,10 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, FluentEn
 bool WriteFluentMesh(const std::string& path, vtkDataSet* mesh, FluentEncoding encoding,
   UnsupportedCells others, Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  bool good = false;
-  // Nothing may be thrown through WithThreads, which has to set VTK's backend back.
-  WithThreads(
-    [&]
-    {
-      OutputFile file(path);
-      try
-      {
-        good =
-          !file.HasFailed() && Write(file, path, mesh, encoding, others, warnings, error, progress);
-        error = error ? error : file.GetError();
-      }
-      catch (const std::bad_alloc&)
-      {
-        error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory to write the mesh" };
-      }
-      catch (const std::length_error& reason)
-      {
-        error = { ErrorKind::Unsupported, GetFileName(path) + ": " + reason.what() };
-      }
-    });
+  OutputFile file(path);
+  const bool good =
+    !file.HasFailed() && Write(file, path, mesh, encoding, others, warnings, error, progress);
+  error = error ? error : file.GetError();
   return good && !error;
 }
 }

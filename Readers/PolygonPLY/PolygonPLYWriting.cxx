@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonPLYWriting.h"
 
-#include "Base/Parallel.h"
 #include "CellMesh/OutputMesh.h"
 #include "CellMesh/OutputWarnings.h"
 #include "FaceMesh/SharedFaces.h"
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <new>
 #include <stdexcept>
 
 namespace camaron
@@ -433,27 +431,10 @@ bool Writing::Write(const std::string& path, ScanError& error, const Progress& p
 bool WritePLY(const std::string& path, vtkDataSet* mesh, const PLYWriteOptions& options,
   Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  bool good = false;
-  // Nothing may be thrown through WithThreads, which has to set VTK's backend back.
-  WithThreads(
-    [&]
-    {
-      OutputFile file(path);
-      try
-      {
-        good =
-          !file.HasFailed() && Writing(file, mesh, options, warnings).Write(path, error, progress);
-        error = error ? error : file.GetError();
-      }
-      catch (const std::bad_alloc&)
-      {
-        error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory to write the mesh" };
-      }
-      catch (const std::length_error& reason)
-      {
-        error = { ErrorKind::Unsupported, GetFileName(path) + ": " + reason.what() };
-      }
-    });
+  OutputFile file(path);
+  const bool good =
+    !file.HasFailed() && Writing(file, mesh, options, warnings).Write(path, error, progress);
+  error = error ? error : file.GetError();
   return good && !error;
 }
 }

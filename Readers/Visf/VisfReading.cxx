@@ -292,7 +292,8 @@ bool VisfReading::ReadTextPoints(
       {
         TextScanner again = start;
         return ReadRowsOnce(again, lines, points, part,
-          [&](vtkIdType row, TextRow& text) {
+          [&](vtkIdType row, TextRow& text)
+          {
             return !wanted.Contains(row) || readRow(text, coordinates + 3 * wanted.GetNumber(row));
           });
       };

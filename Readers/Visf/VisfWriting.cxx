@@ -13,7 +13,6 @@
 #include "vtkDataSet.h"
 
 #include <algorithm>
-#include <new>
 #include <stdexcept>
 
 namespace camaron
@@ -302,26 +301,10 @@ bool Write(OutputFile& file, const std::string& path, vtkDataSet* mesh, VisfEnco
 bool WriteVisf(const std::string& path, vtkDataSet* mesh, VisfEncoding encoding, bool neighbors,
   Warnings& warnings, ScanError& error, const Progress& progress)
 {
-  bool good = false;
-  WithThreads(
-    [&]
-    {
-      OutputFile file(path);
-      try
-      {
-        good = !file.HasFailed() &&
-          Write(file, path, mesh, encoding, neighbors, warnings, error, progress);
-        error = error ? error : file.GetError();
-      }
-      catch (const std::bad_alloc&)
-      {
-        error = { ErrorKind::Memory, GetFileName(path) + ": not enough memory to write the mesh" };
-      }
-      catch (const std::length_error& reason)
-      {
-        error = { ErrorKind::Unsupported, GetFileName(path) + ": " + reason.what() };
-      }
-    });
+  OutputFile file(path);
+  const bool good =
+    !file.HasFailed() && Write(file, path, mesh, encoding, neighbors, warnings, error, progress);
+  error = error ? error : file.GetError();
   return good && !error;
 }
 }

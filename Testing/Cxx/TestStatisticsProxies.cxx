@@ -64,16 +64,6 @@ std::vector<std::string> ReadChoices(const std::string& proxy, const std::string
   }
   return choices;
 }
-
-std::vector<std::string> GetRangesNames()
-{
-  std::vector<std::string> names = { camaron::GetDefaultRangesName() };
-  for (const camaron::Preset& preset : camaron::GetPresets())
-  {
-    names.emplace_back(preset.Name);
-  }
-  return names;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +94,6 @@ TEST(QualityStatisticsProxy, AgreesWithClass)
     quantiles << (quantiles.tellp() > 0 ? " " : "") << percent;
   }
   EXPECT_EQ(ReadDefault(proxy, "Quantiles"), quantiles.str());
-  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }
 
 //------------------------------------------------------------------------------
@@ -120,7 +109,6 @@ TEST(CompareQualityProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
   EXPECT_EQ(ReadChoices(proxy, "GroupBy"), ReadChoices("QualityStatistics", "GroupBy"));
   EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
-  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +122,6 @@ TEST(CorrelateQualityProxy, AgreesWithClass)
   EXPECT_EQ(ReadDefault(proxy, "GroupBy"), filter->GetGroupBy());
   EXPECT_EQ(ReadChoices(proxy, "GroupBy"), ReadChoices("QualityStatistics", "GroupBy"));
   EXPECT_EQ(ReadDefault(proxy, "AllTimeSteps"), std::to_string(filter->GetAllTimeSteps()));
-  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }
 
 //------------------------------------------------------------------------------
@@ -176,5 +163,4 @@ TEST(SelectElementsProxy, AgreesWithClass)
     strategies.emplace_back(strategy.Name);
   }
   EXPECT_EQ(ReadChoices(proxy, "Strategy"), strategies);
-  EXPECT_EQ(ReadChoices(proxy, "Preset"), GetRangesNames());
 }

@@ -60,7 +60,9 @@ class TestConvertRanks(camaron_testing.TestCase):
         )
         target = self.folder / "row.visf"
         (note,) = convert(pieces, target)
-        self.assertIn("16 points of pieces without global ids were merged with points of other", note)
+        self.assertIn(
+            "16 points of pieces without global ids were merged with points of other", note
+        )
         points, faces, cells = camaron_testing.read_visf(target)
         self.assertEqual((len(points), len(faces), len(cells)), (4 * 6, 5 * 5 + 1, 5))
         apart = "Points at the borders of the 5 pieces may be duplicated."

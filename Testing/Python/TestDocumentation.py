@@ -91,8 +91,8 @@ class TestDocumentation(camaron_testing.TestCase):
         found = 0
         for file, _, proxy in self.proxies():
             for item in proxy.findall("StringVectorProperty[@name='Preset']"):
-                names = [entry.get("value") for entry in item.iter("String")]
-                self.assertEqual(names[1:], presets, file)
+                names = getattr(simple, proxy.get("name"))().GetProperty("Preset").Available
+                self.assertEqual(list(names)[1:], presets, file)
                 found += 1
         self.assertEqual(found, 5)
         listed = camaron_testing.run_command("criteria").stdout

@@ -95,8 +95,7 @@ TEST(VisfDamage, SaysWhatIsWrongAndWhere)
               "ELF\x01 2",
     Code::UnrecognizedFileTypeError,
     "test.visf:2: expected a Visf file, which begins with 0, 1 or 2, found '?ELF?'");
-  ExpectError(
-    "2 7\n", Code::UnrecognizedFileTypeError, "test.visf:1: expected a Visf mesh type");
+  ExpectError("2 7\n", Code::UnrecognizedFileTypeError, "test.visf:1: expected a Visf mesh type");
   ExpectError(
     "2 1\nx\n", Code::FileFormatError, "test.visf:2: expected the number of vertices, found 'x'");
   ExpectError("2 1\n-3\n", Code::FileFormatError,
