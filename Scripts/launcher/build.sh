@@ -1,50 +1,51 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-# shellcheck shell=bash disable=SC2154  # what ./camaron and its other parts set
+# shellcheck shell=bash disable=SC2154  # variables that ./camaron and its other parts set
 #
-# Building, and running things with what was built.
+# Builds the plugin, and runs programs with it.
 
-built=$build/built # as old as the sources the plugin was built from; holds the plugin's folder
+# Contains the plugin's folder; its modification time is that of the start of the last build.
+built=$build/built
 
-# Sets `enter`, the prefix that runs a command beside ParaView, and the variables it runs with.
-# environment [PATH...]: with these visible.
+# environment [PATH...]: sets `enter`, the prefix that runs a command in ParaView's environment, and exports the
+# variables that it needs. The paths are visible there.
 environment() {
   local threads
   threads=$(nproc)
   user_folder
-  [[ -d ${HOME:-} ]] || export HOME=$own # Open MPI, as part of ParaView, does not start without
+  [[ -d ${HOME:-} ]] || export HOME=$own # Open MPI, which ParaView uses, does not start without it
   export CAMARON_HOME
   export CCACHE_DIR=${CCACHE_DIR:-$own/ccache} CCACHE_BASEDIR=${CCACHE_BASEDIR:-$top}
   export MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-$own/mesa}
   export VTK_SMP_BACKEND_IN_USE=${VTK_SMP_BACKEND_IN_USE:-STDThread}
   export VTK_SMP_MAX_THREADS=${VTK_SMP_MAX_THREADS:-$threads}
   export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$threads}
-  # More ranks than cores, in Open MPI 4 and 6, and as root.
+  # Allow more ranks than cores (Open MPI 4 and 6), and ranks of root.
   export OMPI_MCA_rmaps_base_oversubscribe=1 PRTE_MCA_mapby=:oversubscribe
-  export HWLOC_COMPONENTS=${HWLOC_COMPONENTS:--gl} # which looks for displays that are not ours
+  export HWLOC_COMPONENTS=${HWLOC_COMPONENTS:--gl} # gl would query foreign displays
   [[ $EUID != 0 ]] || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   if [[ ! -d ${XDG_RUNTIME_DIR:-} ]]; then
     export XDG_RUNTIME_DIR=$own/run
-    (umask 077 && mkdir -p "$XDG_RUNTIME_DIR") 2>/dev/null || die "$XDG_RUNTIME_DIR: cannot make this folder"
+    (umask 077 && mkdir -p "$XDG_RUNTIME_DIR") 2>/dev/null || die "$XDG_RUNTIME_DIR: cannot create this folder"
   fi
   enter=()
   if [[ $paraview == root ]]; then
-    unset PYTHONPATH # of another Python
-    # All ranks are on this machine; ofi looks for networks, which takes a second.
+    unset PYTHONPATH # it is for the host's Python
+    # All ranks are on this machine; ofi would spend a second on searching networks.
     export OMPI_MCA_btl=${OMPI_MCA_btl:-^tcp,ofi}
     root_enter "$@"
     export CAMARON_INSIDE=1
   elif [[ $paraview == host ]]; then
     export PATH=$prefix/bin:$PATH
   fi
-  # In Open MPI 5; a later one warns of this name.
+  # Open MPI 5 needs this variable; later versions warn about it.
   [[ $("${enter[@]}" mpiexec --version 2>&1) != *'(Open MPI) 5.'* ]] ||
     export PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
   export PYTHONPATH=$scripts${PYTHONPATH:+:$PYTHONPATH}
 }
 
-# Sets `own`, a folder for what is left behind by running: CAMARON_HOME, which may be somebody else's, or
-# the first other one that is, or can be made, the user's alone.
+# Sets `own`, the folder for caches and other files that programs leave behind: the first of these folders that exists
+# or can be created, belongs to the user and is writable. CAMARON_HOME may belong to somebody else.
 user_folder() {
   local folder
   for folder in "$CAMARON_HOME" "${XDG_CACHE_HOME:-${HOME:-/nonexistent}/.cache}/camaron" "${TMPDIR:-/tmp}/camaron-$EUID"; do
@@ -54,15 +55,15 @@ user_folder() {
       return
     fi
   done
-  die "$folder: cannot make this folder of yours"
+  die "$folder: cannot create this folder, or it belongs to another user"
 }
 
-# Whether ParaView's side has a program.
+# has PROGRAM: whether ParaView's environment has the program.
 has() {
   [[ $paraview == root ]] || type "$1" >/dev/null 2>&1
 }
 
-# Makes the plugin ready: at once when no source changed since.
+# Builds the plugin if a source has changed since the last build, and adds it to PV_PLUGIN_PATH.
 plugin_ready() {
   local plugin=''
   [[ ! -r $built ]] || plugin=$(<"$built")
@@ -74,7 +75,7 @@ plugin_ready() {
   export PV_PLUGIN_PATH=$plugin${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}
 }
 
-# Something newer than the last build, if there is: a source, or a folder that gained or lost one.
+# Prints a source file newer than the last build, or a folder in which files were added or removed; else nothing.
 changed() {
   local folder
   local -a sources=("$top/CMakeLists.txt" "$top/CMake")
@@ -87,8 +88,8 @@ changed() {
 
 may_build() {
   mkdir -p "$build" 2>/dev/null && [[ -w $build ]] ||
-    die "the plugin is not built, or older than its sources, and $build may not be written: let its owner" \
-      "run $top/camaron build"
+    die "the plugin has to be built, but $build is not writable: its owner must run" \
+      "$top/camaron build"
 }
 
 # build_plugin OPTION...: options of cmake --build.
@@ -112,7 +113,7 @@ configure() {
   local folder=$1 options=(-Wno-dev -DCMAKE_BUILD_TYPE=Release)
   shift
   lock "$build/lock"
-  # What CMake remembers of another ParaView, or of a clone that was moved, misleads it.
+  # Discard CMake's cache if it is for another ParaView or for a clone that was moved.
   if [[ -e $folder/configured ]] && ! configured "$folder"; then
     rm -rf "$folder/CMakeCache.txt" "$folder/CMakeFiles"
   fi
@@ -131,8 +132,8 @@ configure() {
   unlock
 }
 
-# Python, and the libraries that it loads with ParaView, each after those that it needs; fails where Python does not
-# know this ParaView.
+# Prints the path of Python, then the libraries that it loads with ParaView, each after its dependencies. Fails if
+# Python does not find this ParaView.
 list_libraries() {
   "${enter[@]}" bash -c 'type -p python3' &&
     "${enter[@]}" env LD_DEBUG=files python3 -c 'import sys, paraview.simple
@@ -140,14 +141,14 @@ sys.exit(not paraview.__file__.startswith(sys.argv[1] + "/"))' "${prefix:-/usr}"
       sed -n 's/.*calling init: //p'
 }
 
-# Sets `runner`, the program for Python in one process. Python itself starts in half of the time of pvpython, which
-# starts MPI, too, and has all of ParaView's libraries loaded together: the loader then looks for every symbol in
-# hundreds of them. __main__.py loads those that are listed one by one.
+# Sets `runner`, the program for Python in one process. python3 starts twice as fast as pvpython, which also starts MPI
+# and loads all of ParaView's libraries together, so that the loader searches hundreds of them for every symbol.
+# __main__.py loads the libraries in the list one by one instead.
 choose_runner() {
   local python=''
-  runner=("$launcher/in-own-folder" pvpython) # where MPI leaves one, if it is killed
+  runner=("$launcher/in-own-folder" pvpython) # if killed, MPI leaves a folder behind
   [[ ! -r $build/libraries ]] || read -r python <"$build/libraries" || true
-  # On the host another Python may have become the first one in PATH.
+  # On the host, PATH may have another Python than at the last configuration.
   [[ -n $python && ($paraview == root || $(type -p python3) == "$python") ]] || return 0
   runner=(python3)
   export CAMARON_LIBRARIES=$build/libraries
@@ -161,7 +162,7 @@ compile() {
   gigabytes=$(awk '/^MemAvailable/ { print int($2 / 1048576) }' /proc/meminfo)
   jobs=$(nproc)
   ((jobs <= gigabytes)) || jobs=$((gigabytes > 1 ? gigabytes : 1))
-  export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs} # of builds within it too
+  export CMAKE_BUILD_PARALLEL_LEVEL=${CMAKE_BUILD_PARALLEL_LEVEL:-$jobs} # also for nested builds
   lock "$build/lock"
   logged "building" "$folder/log/build.log" "${enter[@]}" \
     cmake --build "$folder" --parallel "$CMAKE_BUILD_PARALLEL_LEVEL" "$@" || exit 2
@@ -169,33 +170,33 @@ compile() {
 }
 
 plugin_folder() {
-  find "$1"/lib* -path '*/Camaron/Camaron.so' -printf '%h\n' -quit | grep . || die "no plugin in $1"
+  find "$1"/lib* -path '*/Camaron/Camaron.so' -printf '%h\n' -quit | grep . || die "$1 contains no built plugin"
 }
 
-# Configures tests and benchmarks too, once and for all.
+# Configures the build with tests and benchmarks, unless it already is.
 with_tests() {
   if ! configured "$build" || ! grep -q '^CAMARON_BUILD_TESTING:BOOL=ON' "$build/CMakeCache.txt"; then
     configure "$build" -DCAMARON_BUILD_TESTING=ON
   fi
 }
 
-# Runs the rest of this call: COMMAND beside ParaView.
+# run COMMAND...: runs COMMAND in ParaView's environment and exits with its status.
 run() {
   ((${#enter[@]})) || exec "$@"
-  # Ctrl-C is for COMMAND to answer; bubblewrap would end it without asking.
+  # COMMAND handles Ctrl-C; bubblewrap would end it at once.
   trap '' INT
   "${enter[@]}" env --default-signal=INT "$@"
   exit
 }
 
-# The same with a display: the desktop's if there is one, else one of its own.
+# run_rendering COMMAND...: the same with a display: the desktop's if there is one, else a new Xvfb.
 run_rendering() {
   if [[ ${DISPLAY:-} =~ ^(unix)?:([0-9]+) && -S /tmp/.X11-unix/X${BASH_REMATCH[2]} ]]; then
     run "$@"
   elif has Xvfb; then
     run "$launcher/with-display" "$@"
   else
-    say "no display and no Xvfb: pictures will fail"
+    say "there is neither a display nor Xvfb: rendering will fail"
     run "$@"
   fi
 }

@@ -1,33 +1,33 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-# shellcheck shell=bash disable=SC2154  # what ./camaron and its other parts set
+# shellcheck shell=bash disable=SC2154  # variables that ./camaron and its other parts set
 #
-# What every part of the launcher says, and how: messages, progress, logs, locks.
+# Messages, progress, logs and locks for all parts of the launcher.
 
 say() {
   printf 'camaron: %s\n' "$*" >&2
 }
 
-# 2, as for every error that is not a verdict on a mesh.
+# die MESSAGE...: ends with status 2. Status 1 is reserved for meshes that fail a check.
 die() {
   say "$@"
   exit 2
 }
 
-# logged LABEL LOG COMMAND...: runs a program with all it prints in LOG and only its progress on the
-# terminal; shows the error when it fails. The program ends with the launcher, however that ends.
+# logged LABEL LOG COMMAND...: runs a program; its output goes to LOG, its progress to the terminal. If it fails,
+# the error is shown. The program ends when the launcher does, even if that is killed.
 logged() {
   local label=$1 log=$2
   shift 2
   mkdir -p "${log%/*}"
   setpriv --pdeathsig TERM "$@" </dev/null 2>&1 | progress "$label" >"$log" && return
-  say "$label: failed, see $log:"
-  # The first error, which much may follow.
+  say "$label: failed; log file $log:"
+  # Show the first error; later ones are often consequences.
   { grep -E -A 30 -m 1 '^(FAILED:|CMake Error|E: )' "$log" || tail -n 25 "$log"; } >&2
   return 1
 }
 
-# progress LABEL: copies its input; shows how far apt, dpkg, ninja or make are.
+# progress LABEL: copies its input to the output and shows the progress of apt, dpkg, ninja or make.
 progress() {
   local label=$1 line state total=0 fetched=0 unpacked=0 done=0 next=$((SECONDS + 2))
   [[ ! -t 2 ]] || show ...
@@ -54,7 +54,7 @@ progress() {
   hide
 }
 
-# test_progress: shows how far ctest is; copies of its output what is not about a test that begins or passes.
+# test_progress: shows the progress of ctest; copies its output without the lines of tests that start or pass.
 test_progress() {
   local label=testing line failed=0 next=$((SECONDS + 2))
   while IFS= read -r line; do
@@ -74,8 +74,8 @@ test_progress() {
   hide
 }
 
-# show STATE: of what `label` names; on a terminal in one line that changes, elsewhere in a line every ten
-# seconds, from the second `next` on.
+# show STATE: shows the state of the job `label`: on a terminal in a single line that is overwritten, elsewhere in a
+# new line every ten seconds, the first one at the second `next`.
 show() {
   if [[ -t 2 ]]; then
     printf '\r\033[Kcamaron: %s: %s' "$label" "$1" >&2
@@ -89,12 +89,12 @@ hide() {
   [[ ! -t 2 ]] || printf '\r\033[K' >&2
 }
 
-# lock FILE ... unlock: one camaron at a time. Programs started meanwhile hold the lock too, so it is
-# free only when the last one an interrupted call left behind is gone.
+# lock FILE ... unlock: only one camaron at a time runs the code between. Child processes inherit the lock, so it
+# stays taken until the last process of an interrupted call has ended.
 lock() {
-  mkdir -p "${1%/*}" 2>/dev/null && : 2>/dev/null >>"$1" || die "$1 has to be written for that, and may not be"
+  mkdir -p "${1%/*}" 2>/dev/null && : 2>/dev/null >>"$1" || die "$1: cannot write this file"
   exec 9>"$1"
-  flock -n 9 || { say "waiting for another camaron, which holds $1"; flock 9; }
+  flock -n 9 || { say "waiting for another camaron, which has locked $1"; flock 9; }
 }
 
 unlock() {

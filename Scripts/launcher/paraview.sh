@@ -1,21 +1,21 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-# shellcheck shell=bash disable=SC2154  # what ./camaron and its other parts set
+# shellcheck shell=bash disable=SC2154  # variables that ./camaron and its other parts set
 #
-# Which ParaView to use, and getting one. The first that there is:
-#   host  an SDK >= 5.13 with Qt 6 that CMake finds (or that ParaView_DIR names), or that the host's
-#         distribution has as packages: installed where we are root;
+# Finds ParaView, or installs it. The first one that is available is used:
+#   host  an SDK >= 5.13 with Qt 6 that CMake finds (or ParaView_DIR names), or packages of the host's
+#         distribution, which root can install;
 #   root  a private Debian in $CAMARON_HOME (root.sh).
-# CAMARON_PARAVIEW=host or =root decides otherwise, as CAMARON_DEBIAN does, which names the release of
-# the private one. The answer is kept in build/paraview.
+# CAMARON_PARAVIEW=host or =root restricts the choice. CAMARON_DEBIAN, the release of the private Debian, implies
+# =root. The choice is stored in build/paraview.
 
 choice=$build/paraview
 
-# Sets `paraview` (host, root, or inside where this call runs in the root already) and, for host,
-# `prefix` and `sdk`, its bin's parent and its ParaView_DIR.
+# Sets `paraview` to host, root, or inside (this call already runs in the private Debian). For host, also sets
+# `prefix`, the parent folder of bin, and `sdk`, its ParaView_DIR.
 paraview_ready() {
   local wish=${CAMARON_PARAVIEW:-${CAMARON_DEBIAN:+root}}
-  [[ $wish =~ ^(host|root|)$ ]] || die "CAMARON_PARAVIEW is 'host' or 'root', not '$wish'"
+  [[ $wish =~ ^(host|root|)$ ]] || die "CAMARON_PARAVIEW must be 'host' or 'root', not '$wish'"
   if [[ -n ${CAMARON_INSIDE:-} ]]; then
     paraview=inside
     return
@@ -29,7 +29,7 @@ paraview_ready() {
   [[ $paraview == host ]] || root_ready
 }
 
-# A remembered SDK that is gone, or is not the one asked for, is no answer.
+# Reads the stored choice. Fails if that SDK no longer exists or is not the one that ParaView_DIR names.
 read_choice() {
   local asked=
   paraview='' prefix='' sdk=''
@@ -46,7 +46,7 @@ read_choice() {
 choose() {
   local wish=$1 answer=root
   if [[ -n ${ParaView_DIR:-} ]]; then
-    find_sdk || die "no ParaView >= 5.13 for CMake in $ParaView_DIR; see $build/log/probe.log"
+    find_sdk || die "CMake finds no ParaView >= 5.13 in $ParaView_DIR; see $build/log/probe.log"
     answer=host
   elif [[ $wish != root ]]; then
     if find_sdk || { distribution_has_paraview && install_packages && find_sdk; }; then
@@ -72,14 +72,14 @@ find_sdk() {
     say "using the ParaView in $(head -n 1 "$build/probe/paraview")"
 }
 
-# packages VERSION: those that Debian's ParaView of that version takes.
+# packages VERSION: prints the packages to install for Debian's ParaView of that version.
 packages() {
   local -a lists=("$launcher/packages.txt")
   [[ ${1%%.*} == 5 ]] || lists+=("$launcher/packages-6.txt")
   sed 's/#.*//; /^ *$/d' "${lists[@]}" | LC_ALL=C sort -u
 }
 
-# Only root may install, and so learn what there is to install.
+# Whether root runs this and can install ParaView >= 5.13 with apt.
 distribution_has_paraview() {
   [[ $EUID == 0 ]] && type apt-get >/dev/null 2>&1 || return
   [[ $(candidate) == [0-9]* ]] || refresh_apt
@@ -97,16 +97,16 @@ install_packages() {
   apt_install "$build/log/packages.log" "${names[@]}" && "$launcher/link-modules.sh"
 }
 
-# apt_install LOG PACKAGE...: on the host.
+# apt_install LOG PACKAGE...: installs packages on the host.
 apt_install() {
   logged "installing" "$1" env DEBIAN_FRONTEND=noninteractive \
     sh -ec 'dpkg --configure -a; apt-get install -y --no-install-recommends "$@"' sh "${@:2}"
 }
 
-# Once a call at most.
+# Updates the package lists of apt, at most once per call.
 refresh_apt() {
   [[ -z ${refreshed:-} ]] || return 0
-  logged "asking apt for packages" "$build/log/apt.log" apt-get update ||
-    say "going on with what apt knew before"
+  logged "updating package lists" "$build/log/apt.log" apt-get update ||
+    say "continuing with the present package lists of apt"
   refreshed=yes
 }

@@ -1,19 +1,19 @@
 # SPDX-FileCopyrightText: Copyright (c) the Camarón for ParaView authors
 # SPDX-License-Identifier: BSD-3-Clause
-# shellcheck shell=bash disable=SC2154  # what ./camaron and its other parts set
+# shellcheck shell=bash disable=SC2154  # variables that ./camaron and its other parts set
 #
-# A private Debian with ParaView, for hosts that have none: made by mmdebstrap, entered with
-# bubblewrap, with root's rights or, where user namespaces are allowed, without. It is Debian 13, or the
-# release that CAMARON_DEBIAN names, which has a folder of its own here and among the builds.
+# A private Debian with ParaView, for hosts without ParaView. mmdebstrap creates it, bubblewrap enters it; both work
+# as root, or as any user where user namespaces are allowed. It is Debian 13, or the release that CAMARON_DEBIAN
+# names, which has its own folder here and in build/.
 
 release=${CAMARON_DEBIAN:-trixie}
-[[ $release =~ ^[a-z]+$ ]] || die "CAMARON_DEBIAN is the name of a release, such as forky, not '$release'"
-# Its ParaView, or an older one of the same packages, and the room that it takes while it is installed.
+[[ $release =~ ^[a-z]+$ ]] || die "CAMARON_DEBIAN must be the name of a release, such as forky, not '$release'"
+# Version of its ParaView, or of an older one with the same packages, and the disk space needed to install it.
 root_paraview=6 root_megabytes=6000
 [[ $release != trixie ]] || root_paraview=5 root_megabytes=5000
 root=$CAMARON_HOME/root${CAMARON_DEBIAN:+-$CAMARON_DEBIAN}
 root_log=$CAMARON_HOME/log
-root_stamp=$root/camaron-packages # the packages a whole root has; written last
+root_stamp=$root/camaron-packages # lists the installed packages; written last
 root_path=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin
 
 root_ready() {
@@ -29,46 +29,46 @@ root_whole() {
 
 root_make() {
   root_tools
-  rm -rf --one-file-system "$root".new* # what an interrupted call left
+  rm -rf --one-file-system "$root".new* # left by an interrupted call
   if [[ -d $root ]]; then
     say "adding packages to $root (logs: $root_log) ..."
-    root_install "$root" || die "could not add packages; to start anew, remove $root"
+    root_install "$root" || die "could not add packages; remove $root to start over"
     return
   fi
   local free
   free=$(df -Pk "$CAMARON_HOME" | awk 'NR == 2 { print int($4 / 1024) }')
   ((free >= root_megabytes)) || die "a private Debian needs $root_megabytes MB in $CAMARON_HOME, which has $free MB left;" \
-    "name a roomier folder with CAMARON_HOME"
-  say "getting ParaView: a private Debian ($release) in $root (some minutes, $((root_megabytes / 1000)) GB; logs: $root_log) ..."
+    "set CAMARON_HOME to a folder with more space"
+  say "installing ParaView: a private Debian ($release) in $root (some minutes, $((root_megabytes / 1000)) GB; logs: $root_log) ..."
   if root_base "$root.new" && root_install "$root.new"; then
     mv "$root.new" "$root" && rm -f "$root.new.apt"
   else
     rm -rf --one-file-system "$root".new*
-    die "could not get ParaView; it takes network access to $(mirror) and $root_megabytes MB in $CAMARON_HOME"
+    die "could not install ParaView; this needs network access to $(mirror) and $root_megabytes MB in $CAMARON_HOME"
   fi
 }
 
-# mmdebstrap and bubblewrap, installed where we may, and a test that they can work here.
+# Installs mmdebstrap and bubblewrap if root runs this, and checks that they work here.
 root_tools() {
   local tools=(mmdebstrap bubblewrap debian-archive-keyring) use="or use the Dockerfile"
   type apt-get >/dev/null 2>&1 ||
-    die "no ParaView >= 5.13 with Qt 6 for CMake on this machine, and no apt to get one: install" \
-      "ParaView's SDK and name it with ParaView_DIR, $use"
+    die "there is no ParaView >= 5.13 with Qt 6 on this machine, and no apt to install it: install" \
+      "ParaView's SDK and set ParaView_DIR to it, $use"
   [[ $EUID == 0 ]] || tools+=(uidmap)
   if ! type mmdebstrap bwrap >/dev/null 2>&1 || [[ $EUID != 0 ]] && ! type newuidmap >/dev/null 2>&1; then
-    [[ $EUID == 0 ]] || die "to get ParaView, let root run: apt-get install ${tools[*]} (or, on Debian 13 or newer," \
-      "what $launcher/packages*.txt name); $use"
+    [[ $EUID == 0 ]] || die "to install ParaView, run as root: apt-get install ${tools[*]} (or, on Debian 13 or newer," \
+      "the packages in $launcher/packages*.txt); $use"
     refresh_apt
     apt_install "$build/log/packages.log" "${tools[@]}" || die "could not install ${tools[*]}; $use"
   fi
   bwrap --dev-bind / / true 2>/dev/null ||
-    die "bubblewrap may not make namespaces here (a container, or a kernel that forbids them to users);" \
+    die "bubblewrap cannot create namespaces here (in a container, or forbidden by the kernel);" \
       "run as root on the machine itself, $use"
   [[ $EUID == 0 ]] || grep -qE "^($(id -un)|$EUID):" /etc/subuid 2>/dev/null ||
-    die "no subordinate user ids for you in /etc/subuid (usermod --add-subuids); $use"
+    die "your user has no subordinate user ids in /etc/subuid: add them with usermod --add-subuids; $use"
 }
 
-# The mirror the host's apt uses, whatever the form of its lists, if that is Debian's.
+# Prints the mirror that the host's apt uses if the host is Debian, else Debian's own.
 mirror() {
   (
     # shellcheck disable=SC1091,SC2016
@@ -80,7 +80,7 @@ mirror() {
   ) 2>/dev/null || echo http://deb.debian.org/debian
 }
 
-# How the host's apt reaches the network, for the apt of the root.
+# Prints the network settings of the host's apt, for apt in the private Debian.
 apt_settings() {
   apt-config dump --format '%f "%v";%n' Acquire |
     grep -E '^Acquire::((https?|ftp)::(Proxy|Timeout)|Check-|Retries|ForceIPv)' | grep -v Auto
@@ -88,14 +88,15 @@ apt_settings() {
   echo 'APT::Sandbox::User "root";'
 }
 
-# root_base DIR: a Debian with apt and nothing more.
+# root_base DIR: creates a minimal Debian with apt.
 root_base() {
   local settings=$1.apt options=(--verbose --variant=apt --dpkgopt=force-unsafe-io
     "--aptopt=$1.apt")
   mkdir -p "$1"
   apt_settings >"$settings"
   if [[ $EUID == 0 ]]; then
-    # Mounts of a killed mmdebstrap must not outlive it, lest removing its root reach into /dev.
+    # In its own mount namespace, so that no mounts of a killed mmdebstrap remain: removing the folder would delete
+    # files of the host's /dev through them.
     logged "base system" "$root_log/base.log" unshare --mount \
       mmdebstrap --mode=root "${options[@]}" "$release" "$1" "$(mirror)"
   else
@@ -105,18 +106,18 @@ root_base() {
   fi
 }
 
-# root_install DIR: the packages into the Debian in DIR. Also mends what an interrupted call left.
+# root_install DIR: installs the packages in the Debian in DIR. Also repairs an interrupted installation.
 root_install() {
   local -a names rights=() become=()
   mapfile -t names < <(packages "$root_paraview")
-  # Without root's rights there is only one user id inside; fakeroot pretends there were more.
+  # Without root privileges there is only one user id inside; fakeroot simulates the others.
   [[ $EUID == 0 ]] || {
     rights=(--unshare-user --uid 0 --gid 0)
     become=(env FAKEROOTDONTTRYCHOWN=1 fakeroot-tcp)
   }
   apt_settings >"$1/etc/apt/apt.conf.d/99mmdebstrap"
   echo "deb $(mirror) $release main" >"$1/etc/apt/sources.list"
-  touch "$1"/etc/{resolv.conf,hosts,passwd,group,machine-id} # to mount the host's on
+  touch "$1"/etc/{resolv.conf,hosts,passwd,group,machine-id} # mount points for the host's files
   logged "ParaView" "$root_log/paraview.log" \
     bwrap --die-with-parent --unshare-pid "${rights[@]}" --bind "$1" / \
     --dev /dev --proc /proc --tmpfs /run --ro-bind "$launcher" /mnt --chdir / \
@@ -133,9 +134,9 @@ root_install() {
   mv "$1/camaron-packages.new" "$1/${root_stamp##*/}"
 }
 
-# Sets `enter`, the command that runs another one in the root: Debian's own folders are the root's,
-# all others the host's under their own paths, so that a mesh anywhere opens.
-# root_enter [PATH...]: with these made visible too, wherever they are.
+# root_enter [PATH...]: sets `enter`, the prefix that runs a command in the private Debian. Its system folders replace
+# the host's; all other folders of the host keep their paths, so meshes open from anywhere. The paths are made visible
+# even in system folders.
 root_enter() {
   local path target
   enter=(bwrap --die-with-parent --dev-bind /dev /dev --proc /proc --ro-bind /sys /sys --dir /run)
@@ -157,7 +158,7 @@ root_enter() {
     [[ -e $path ]] || continue
     path=$(readlink -f -- "$path")
     [[ -d $path ]] || path=${path%/*}
-    # Over what Debian needs there, nothing is mounted.
+    # Never mount over files that the private Debian needs.
     if of_root "$path" && [[ -z $(ls -A "$root$path" 2>/dev/null) ]]; then
       mkdir -p "$root$path" && enter+=(--bind "$path" "$path")
     fi
@@ -168,7 +169,7 @@ root_enter() {
   done
 }
 
-# of_root PATH: whether it shows the root's folder, not the host's.
+# of_root PATH: whether the path is the private Debian's, not the host's.
 of_root() {
   case $1 in
     /run/user* | /run/media* | /var/tmp | /var/tmp/*) false ;;

@@ -79,7 +79,7 @@ while read -r end words; do
   done
 done <<'END'
 exit_1 ended early (status 1)
-kill_-KILL$IFS$$ where memory runs out
+kill_-KILL$IFS$$ out of memory
 kill_-SEGV$IFS$$ crashed (signal 11)
 END
 for command in "inspect MESH" "check MESH --rules my.rules" "compare MESH MESH" "convert MESH x.vtu" \
