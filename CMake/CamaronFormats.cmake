@@ -3,16 +3,16 @@
 #   camaron_format(
 #     NAME        Visf                         # its folder, and stem of its classes and XML files
 #     EXTENSIONS  visf                         # without the dot; several allowed
-#     DESCRIPTION "Camarón Visf mesh"          # as shown to people
-#     READS       "every dialect"              # what of it is read and written, for the table of formats
+#     DESCRIPTION "Camarón Visf mesh"          # for users
+#     READS       "every dialect"              # variants it reads and writes, for the table of formats
 #     WRITES      "ASCII and binary"
-#     READER_PROXY FooReader                   # the proxy of its reader, unless that is NAME and "Reader"
-#     READER                                   # there is Readers/Visf/vtkVisfReader.{h,cxx} + VisfReader.xml
-#     WRITER)                                  # there is Readers/Visf/vtkVisfWriter.{h,cxx} + VisfWriter.xml
+#     READER_PROXY FooReader                   # the proxy of its reader, if it is not <NAME>Reader
+#     READER                                   # Readers/Visf/ has vtkVisfReader.{h,cxx} and VisfReader.xml
+#     WRITER)                                  # Readers/Visf/ has vtkVisfWriter.{h,cxx} and VisfWriter.xml
 #
-# From the blocks follow CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names with a
-# reader or a writer), per format CAMARON_FORMAT_<NAME>_EXTENSIONS and _DESCRIPTION, and
-# CAMARON_FORMATS_JSON, a JSON object each, which the file formats.json beside the plugin tells scripts.
+# The calls set CAMARON_FORMATS (all names), CAMARON_READERS and CAMARON_WRITERS (names of formats with a reader or a
+# writer), CAMARON_FORMAT_<NAME>_EXTENSIONS and CAMARON_FORMAT_<NAME>_DESCRIPTION per format, and
+# CAMARON_FORMATS_JSON, one JSON object per format; scripts read it from formats.json next to the plugin.
 set(CAMARON_FORMATS)
 set(CAMARON_READERS)
 set(CAMARON_WRITERS)
@@ -58,7 +58,7 @@ function (camaron_format)
   endif ()
   string(APPEND fields ", \"reader\": ${reader}, \"writer\": ${writer}")
   if (CAMARON_FORMATS_JSON)
-    string(APPEND CAMARON_FORMATS_JSON ",\n") # no list: texts may have semicolons
+    string(APPEND CAMARON_FORMATS_JSON ",\n") # not a list: texts may contain semicolons
   endif ()
   string(APPEND CAMARON_FORMATS_JSON "{${fields}}")
   set(CAMARON_FORMATS_JSON "${CAMARON_FORMATS_JSON}" PARENT_SCOPE)

@@ -1,5 +1,5 @@
-# What `cmake --install` installs: the plugin and the Python package where a ParaView of the same prefix looks for them,
-# and the command `camaron`. Included by the top CMakeLists.txt.
+# Rules of `cmake --install`: the plugin and the Python package go where a ParaView with the same prefix finds them, and
+# the command `camaron` is installed. Included by the top-level CMakeLists.txt.
 get_filename_component(libdir "${ParaView_DIR}/../.." REALPATH)
 get_filename_component(prefix "${ParaView_PREFIX_PATH}" REALPATH)
 file(RELATIVE_PATH libdir "${prefix}" "${libdir}")
