@@ -165,6 +165,6 @@ std::optional<WorstEnd> FindWorstEnd(const std::string& name, const std::string&
     return choice == "Largest" ? WorstEnd::Largest : WorstEnd::Smallest;
   }
   throw std::invalid_argument(
-    "Worst Values is By criterion, Largest or Smallest, not '" + choice + "'");
+    "Worst Values must be By criterion, Largest or Smallest, not '" + choice + "'");
 }
 }

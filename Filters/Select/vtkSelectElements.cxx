@@ -43,7 +43,7 @@ camaron::ElementKind GetKind(const std::string& elementType)
   {
     return camaron::ElementKind::Points;
   }
-  throw std::invalid_argument("Element Type is Cells or Points, not '" + elementType + "'");
+  throw std::invalid_argument("Element Type must be Cells or Points, not '" + elementType + "'");
 }
 
 //------------------------------------------------------------------------------
@@ -374,7 +374,7 @@ int vtkSelectElements::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro("Nothing can be selected: " << error.what() << '.');
+    vtkErrorMacro("The selection cannot be computed: " << error.what() << '.');
     output->Initialize();
     return 0;
   }
@@ -388,8 +388,8 @@ camaron::SelectionMarks vtkSelectElements::Select(
   const camaron::Strategy& strategy = camaron::FindStrategy(this->Parameters->Strategy);
   if (blocks.GetKind() == camaron::ElementKind::Points && !strategy.IsForPoints)
   {
-    throw std::invalid_argument(
-      "the strategy '" + this->Parameters->Strategy + "' is for cells, and Element Type is Points");
+    throw std::invalid_argument("the strategy '" + this->Parameters->Strategy +
+      "' selects cells, but Element Type is Points");
   }
   task.Current = camaron::FindCurrentSelection(task);
   if (this->Parameters->Combination == "Refine")

@@ -145,8 +145,8 @@ int vtkQualityTables::RequestData(
       {
         names += (names.empty() ? "" : ", ") + name;
       }
-      vtkWarningMacro("There are whole numbers beyond 2^53 in "
-        << names << ": columns of numbers have the nearest doubles" << this->GetUnrounded() << '.');
+      vtkWarningMacro("There are integers beyond 2^53 in "
+        << names << ": numeric columns contain the nearest doubles" << this->GetUnrounded() << '.');
     }
   }
   return 1;
@@ -170,8 +170,8 @@ void vtkQualityTables::WarnOfNoGroups(
 {
   if (this->GroupBy == "Cell array" && numberOfGroups == 1 && isRoot && this->Steps->IsFirst())
   {
-    vtkWarningMacro("There is nothing to group: no cell array with one component and whole numbers "
-                    "of 64 bits is named '"
+    vtkWarningMacro(
+      "There are no groups: no one-component cell array with 64-bit integers is named '"
       << arrayName << "'.");
   }
 }

@@ -110,7 +110,7 @@ class TestRanks(camaron_testing.TestCase):
             select = simple.SelectElements(Input=source, **properties)
             with camaron_testing.pipeline.Messages() as messages:
                 select.UpdatePipeline()
-            self.assertIn("Nothing can be selected", messages.errors[0])
+            self.assertIn("The selection cannot be computed", messages.errors[0])
 
     def test_default_array(self):
         """The first one by name, also on a rank without any, and where the client has not seen the mesh."""
